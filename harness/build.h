@@ -1,0 +1,37 @@
+// From source to program.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/process.h"
+#include "harness/submission.h"
+
+namespace harness {
+
+/// How every submission is compiled.
+struct BuildSettings {
+    std::filesystem::path compiler;  ///< absolute
+    std::vector<std::string> flags;  ///< between the compiler and the source
+    Limits limits;
+};
+
+/// g++ as found on PATH with the course's flags, and the default limits. Throws HarnessError when there is no compiler.
+BuildSettings default_build_settings();
+
+struct Build {
+    std::optional<std::filesystem::path> program;  ///< absolute; empty when it did not compile or was not tried
+    bool tried = false;                            ///< false when the submission had nothing to compile
+    bool reached_limit = false;                    ///< the compiler ran out of time, memory or file size
+    std::string diagnostics;  ///< the compiler's messages as it wrote them (hostile bytes), bounded
+    std::chrono::milliseconds wall{0};
+};
+
+/// Compiles the submission's bytes in `scratch`, an existing empty folder of this submission alone. Warnings are kept and
+/// cost nothing. Throws HarnessError.
+Build build(const Submission& submission, const BuildSettings& settings, const std::filesystem::path& scratch);
+
+}  // namespace harness

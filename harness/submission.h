@@ -1,0 +1,20 @@
+// One student's hand-in, as it was found.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace harness {
+
+struct Submission {
+    std::string id;                      ///< unique within a batch; the folder's name, or the file's without ".cpp"
+    std::filesystem::path file;          ///< the source on this machine; empty when there is none
+    std::string source;                  ///< its bytes, at most intake's limit
+    std::string source_sha256;           ///< lower-case hexadecimal; empty when there is no source
+    std::vector<std::string> notes;      ///< what the instructor should know, e.g. other files in the folder
+    std::optional<std::string> problem;  ///< why it can't be graded, with the way out; empty when it can
+};
+
+}  // namespace harness

@@ -1,0 +1,67 @@
+// One year's assignment: its scene and how it is marked. Read from a TOML file; the numbers stay exactly as written.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/decimal.h"
+#include "reference/scene.h"
+#include "reference/stages/camera.h"
+
+namespace reference {
+
+/// How a hit at t = 0 exactly counts in marking; `either` accepts each verdict that is consistent with itself.
+enum class BoundaryPolicy { positive, nonnegative, either };
+
+/// How the assignment is marked. Every field is an optional key of [rubric] with the default given here.
+struct Rubric {
+    /// Where in its pixel a ray may start. The first makes the key, the others are accepted too.
+    std::vector<PixelConvention> pixel_conventions = {PixelConvention::centre, PixelConvention::grid};
+    BoundaryPolicy boundary = BoundaryPolicy::either;
+    /// Credit for an answer that follows from an earlier mistake, as a share of its points, 0 to 1.
+    double follow_through = 1.0;
+    /// An answer is never held to fewer printed decimals than this: half a unit of its last decimal is forgiven,
+    /// counted at min_decimals where fewer were printed. 0 to 9.
+    int min_decimals = 2;
+    /// Points of a question by its number; a question that is not listed has points_per_question.
+    std::map<int, double> points;
+    /// Points of single items, by question and item name; the question's points are shared equally without them.
+    std::map<int, std::map<std::string, double>> item_points;
+    static constexpr double points_per_question = 10.0;
+
+    /// How far an answer may be from the key, in the item's own unit and relative to the item's largest component where
+    /// that is above 1: |given - key| <= tolerance * max(1, |key|).
+    double tolerance = 1e-4;
+    /// The same for a question or a single item: "6" or "6.t".
+    std::map<std::string, double> item_tolerance;
+
+    double points_of(int question) const;
+    /// The most special tolerance that is given: of the item, else of the question, else `tolerance`.
+    double tolerance_of(int question, const std::string& item) const;
+};
+
+struct Assignment {
+    std::string name;   ///< the file's name without ".toml"
+    std::string title;  ///< for people
+    Scene<Decimal> scene;
+    Rubric rubric;
+};
+
+/// The assignment can't be used. what() is a complete message: file, line, key, what is wrong and the way out.
+class AssignmentError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Reads an assignment from TOML text; `path` names it in messages. Throws AssignmentError.
+Assignment parse_assignment(std::string_view toml, const std::filesystem::path& path);
+
+/// Finds and reads an assignment: an existing file, or else the name of one in `directory` (with or without ".toml").
+/// Throws AssignmentError, which lists the names there are when this one isn't among them.
+Assignment load_assignment(const std::string& name_or_file, const std::filesystem::path& directory);
+
+}  // namespace reference

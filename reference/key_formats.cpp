@@ -1,0 +1,103 @@
+// The answer key written for a person and for a program.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "reference/answer_key.h"
+
+namespace reference {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string group(std::span<const double> numbers) {
+    std::string text = "(";
+    for (std::size_t i = 0; i < numbers.size(); ++i) text += fmt::format("{}{:.6f}", i == 0 ? "" : ", ", numbers[i]);
+    return text + ")";
+}
+
+std::string matrix_text(std::span<const double> numbers, std::size_t size) {
+    std::string text = fmt::format("mat{0}x{0}(", size);
+    for (std::size_t column = 0; column < size; ++column) {
+        text += (column == 0 ? "" : ", ") + group(numbers.subspan(column * size, size));
+    }
+    return text + ")";
+}
+
+std::string value_text(const Value& value, Shape shape) {
+    if (std::holds_alternative<NoValue>(value)) return "none";
+    if (const Verdict* verdict = std::get_if<Verdict>(&value)) return std::string(sentence(*verdict));
+    const Numbers& numbers = std::get<Numbers>(value);
+    switch (shape) {
+        case Shape::scalar: return fmt::format("{:.6g}", numbers.front());
+        case Shape::vector: return "vec3" + group(numbers);
+        case Shape::matrix3: return matrix_text(numbers, 3);
+        case Shape::matrix4: return matrix_text(numbers, 4);
+        case Shape::verdict: return "";
+    }
+    return "";
+}
+
+/// A scalar as a number, a vector as an array, a matrix as an array of columns.
+ordered_json shaped(const Numbers& numbers, Shape shape) {
+    if (shape == Shape::scalar) return numbers.front();
+    if (shape == Shape::vector) return numbers;
+    const std::size_t size = shape == Shape::matrix3 ? 3 : 4;
+    ordered_json columns = ordered_json::array();
+    for (std::size_t column = 0; column < size; ++column) {
+        const auto begin = numbers.begin() + static_cast<std::ptrdiff_t>(column * size);
+        columns.push_back(Numbers(begin, begin + static_cast<std::ptrdiff_t>(size)));
+    }
+    return columns;
+}
+
+ordered_json value_json(const Value& value, Shape shape) {
+    if (std::holds_alternative<NoValue>(value)) return nullptr;
+    if (const Verdict* verdict = std::get_if<Verdict>(&value)) return sentence(*verdict);
+    return shaped(std::get<Numbers>(value), shape);
+}
+
+ordered_json item_json(const KeyItem& item, const AnswerKey& key) {
+    ordered_json json{{"name", item.spec.name}, {"value", value_json(item.answers.front().value, item.spec.shape)}};
+    for (std::size_t i = 1; i < item.answers.size(); ++i) {
+        const Answer& also = item.answers[i];
+        json["also_accepted"].push_back({{"value", value_json(also.value, item.spec.shape)}, {"because", reason(also, key)}});
+    }
+    return json;
+}
+
+}  // namespace
+
+std::string to_text(const AnswerKey& key) {
+    std::string text;
+    for (const KeyQuestion& question : key.questions) {
+        text += fmt::format("Question {}:\n", question.number);
+        for (const KeyItem& item : question.items) {
+            const std::string_view label = item.spec.label;
+            text += fmt::format("{}{}{}\n", label, label.empty() ? "" : ": ",
+                                value_text(item.answers.front().value, item.spec.shape));
+        }
+    }
+    return text;
+}
+
+std::string to_json(const AnswerKey& key) {
+    ordered_json json{{"schema", "raygrade/key/1"},
+                      {"assignment", key.assignment},
+                      {"precision", to_string(key.precision)},
+                      {"questions", ordered_json::array()}};
+    for (const KeyQuestion& question : key.questions) {
+        ordered_json items = ordered_json::array();
+        for (const KeyItem& item : question.items) items.push_back(item_json(item, key));
+        json["questions"].push_back({{"number", question.number}, {"items", items}});
+    }
+    ordered_json decisions = ordered_json::object();
+    if (!key.decisions.sphere.empty()) decisions["sphere"] = key.decisions.sphere;
+    if (!key.decisions.triangle.empty()) decisions["triangle"] = key.decisions.triangle;
+    if (!key.decisions.first.empty()) decisions["first"] = key.decisions.first;
+    decisions["policy"] = key.decisions.policy;
+    json["decisions"] = decisions;
+    return json.dump(2) + "\n";
+}
+
+}  // namespace reference

@@ -1,0 +1,26 @@
+// Question 10 of the handout: which object the ray hits first.
+#pragma once
+
+#include <optional>
+
+#include "reference/vector.h"
+
+namespace reference {
+
+enum class Verdict { triangle_first, sphere_first, tie, no_hit };
+
+/// Question 10: the object with the smaller t; an empty t is an object that the ray does not hit.
+/// Empty where the order could not be told (see sign_of).
+template <class S>
+std::optional<Verdict> first_hit(const std::optional<S>& t_sphere, const std::optional<S>& t_triangle) {
+    if (!t_sphere && !t_triangle) return Verdict::no_hit;
+    if (!t_sphere) return Verdict::triangle_first;
+    if (!t_triangle) return Verdict::sphere_first;
+    const auto order = sign_of(S(*t_sphere - *t_triangle));
+    if (order < 0) return Verdict::sphere_first;
+    if (order > 0) return Verdict::triangle_first;
+    if (order == 0) return Verdict::tie;
+    return std::nullopt;
+}
+
+}  // namespace reference

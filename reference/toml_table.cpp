@@ -1,0 +1,186 @@
+#include "reference/toml_table.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+
+#include "reference/assignment.h"
+
+namespace reference {
+namespace {
+
+/// The bytes of `line` from the 1-based column `begin` up to `end`; toml++ counts columns in code points.
+std::string_view columns(std::string_view line, std::size_t begin, std::size_t end) {
+    const auto byte_of = [&](std::size_t column) {
+        std::size_t at = 0;
+        for (std::size_t seen = 1; at < line.size() && seen < column; ++seen) {
+            ++at;
+            while (at < line.size() && (static_cast<unsigned char>(line[at]) & 0xC0U) == 0x80U) ++at;
+        }
+        return at;
+    };
+    const std::size_t first = byte_of(begin);
+    return line.substr(first, byte_of(end) - first);
+}
+
+std::string_view nth_line(std::string_view text, std::size_t number) {
+    for (; number > 1; --number) text.remove_prefix(std::min(text.size(), text.find('\n') + 1));
+    return text.substr(0, text.find('\n'));
+}
+
+}  // namespace
+
+struct TomlDocument::Impl {
+    std::string text;
+    std::string path;
+    toml::table root;
+};
+
+struct TomlTable::Impl {
+    std::shared_ptr<const TomlDocument::Impl> document;
+    const toml::table* table;
+    std::string way;  ///< "camera." or "sphere[1]."; empty for the root
+
+    [[noreturn]] void fail_at(std::size_t line, std::string_view key, const std::string& what) const {
+        throw AssignmentError(fmt::format("{}:{}: {}{}: {}", document->path, std::max<std::size_t>(line, 1), way, key,
+                                          what));
+    }
+
+    const toml::node& required(std::string_view key) const {
+        const toml::node* node = table->get(key);
+        if (node == nullptr) {
+            const std::size_t line = table->source().begin.line;
+            const std::string name(key);
+            fail_at(line, key, fmt::format("is missing; add `{} = ...`", name));
+        }
+        return *node;
+    }
+
+    const toml::array& array(const toml::node& node, std::string_view key, std::size_t count,
+                             std::string_view what) const {
+        const toml::array* values = node.as_array();
+        if (values == nullptr || values->size() != count) {
+            fail_at(node.source().begin.line, key, fmt::format("must be an array of {} {}", count, what));
+        }
+        return *values;
+    }
+
+    Decimal decimal(const toml::node& node, std::string_view key) const {
+        const toml::source_region& region = node.source();
+        if (const auto* whole = node.as_integer()) return *Decimal::parse(std::to_string(whole->get()));
+        if (!node.is_floating_point()) fail_at(region.begin.line, key, "must be a number");
+        const std::string_view written =
+            columns(nth_line(document->text, region.begin.line), region.begin.column, region.end.column);
+        const std::optional<Decimal> number = Decimal::parse(written);
+        if (!number) fail_at(region.begin.line, key, fmt::format("\"{}\" is not a finite number", written));
+        return *number;
+    }
+
+    std::vector<Decimal> decimals(const toml::node& node, std::string_view key, std::size_t count) const {
+        std::vector<Decimal> result;
+        for (const toml::node& element : array(node, key, count, "numbers")) result.push_back(decimal(element, key));
+        return result;
+    }
+
+    std::string string(const toml::node& node, std::string_view key) const {
+        const auto* text = node.as_string();
+        if (text == nullptr) fail_at(node.source().begin.line, key, "must be a text in quotes");
+        return text->get();
+    }
+};
+
+void TomlTable::allow_only(std::initializer_list<std::string_view> allowed) const {
+    for (const auto& [key, node] : *impl_->table) {
+        if (std::find(allowed.begin(), allowed.end(), key.str()) != allowed.end()) continue;
+        impl_->fail_at(key.source().begin.line, key.str(),
+                       fmt::format("is not a key here; there are {}", fmt::join(allowed, ", ")));
+    }
+}
+
+bool TomlTable::has(std::string_view key) const { return impl_->table->contains(key); }
+bool TomlTable::is_table(std::string_view key) const { return impl_->required(key).is_table(); }
+
+std::vector<std::string> TomlTable::keys() const {
+    std::vector<std::string> result;
+    for (const auto& [key, node] : *impl_->table) result.emplace_back(key.str());
+    return result;
+}
+
+TomlTable TomlTable::table(std::string_view key) const {
+    const toml::node& node = impl_->required(key);
+    if (!node.is_table()) impl_->fail_at(node.source().begin.line, key, fmt::format("must be a table [{}]", key));
+    return TomlTable(std::make_shared<Impl>(Impl{impl_->document, node.as_table(), fmt::format("{}{}.", impl_->way, key)}));
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+    std::vector<TomlTable> result;
+    const toml::node* node = impl_->table->get(key);
+    if (node == nullptr) return result;
+    const toml::array* elements = node->as_array();
+    if (elements == nullptr) impl_->fail_at(node->source().begin.line, key, fmt::format("must be written [[{}]]", key));
+    for (const toml::node& element : *elements) {
+        const std::string way = fmt::format("{}{}[{}].", impl_->way, key, result.size() + 1);
+        if (!element.is_table()) impl_->fail_at(element.source().begin.line, key, fmt::format("must be written [[{}]]", key));
+        result.push_back(TomlTable(std::make_shared<Impl>(Impl{impl_->document, element.as_table(), way})));
+    }
+    return result;
+}
+
+std::string TomlTable::string(std::string_view key) const { return impl_->string(impl_->required(key), key); }
+
+std::vector<std::string> TomlTable::strings(std::string_view key) const {
+    const toml::node& node = impl_->required(key);
+    const toml::array* elements = node.as_array();
+    if (elements == nullptr) impl_->fail_at(node.source().begin.line, key, "must be an array of texts");
+    std::vector<std::string> result;
+    for (const toml::node& element : *elements) result.push_back(impl_->string(element, key));
+    return result;
+}
+
+Decimal TomlTable::decimal(std::string_view key) const { return impl_->decimal(impl_->required(key), key); }
+
+std::vector<Decimal> TomlTable::decimals(std::string_view key, std::size_t count) const {
+    return impl_->decimals(impl_->required(key), key, count);
+}
+
+std::vector<std::vector<Decimal>> TomlTable::decimal_rows(std::string_view key, std::size_t rows,
+                                                          std::size_t columns) const {
+    std::vector<std::vector<Decimal>> result;
+    for (const toml::node& row : impl_->array(impl_->required(key), key, rows, "points")) {
+        result.push_back(impl_->decimals(row, key, columns));
+    }
+    return result;
+}
+
+int TomlTable::integer(std::string_view key, int least, int most) const {
+    const toml::node& node = impl_->required(key);
+    const auto* whole = node.as_integer();
+    if (whole == nullptr || whole->get() < least || whole->get() > most) {
+        impl_->fail_at(node.source().begin.line, key, fmt::format("must be a whole number from {} to {}", least, most));
+    }
+    return static_cast<int>(whole->get());
+}
+
+void TomlTable::fail(std::string_view key, const std::string& what) const {
+    const toml::node* node = impl_->table->get(key);
+    impl_->fail_at(node == nullptr ? impl_->table->source().begin.line : node->source().begin.line, key, what);
+}
+
+TomlDocument::TomlDocument(std::string_view text, const std::filesystem::path& path) {
+    try {
+        impl_ = std::make_shared<Impl>(Impl{std::string(text), path.string(), toml::parse(text, path.string())});
+    } catch (const toml::parse_error& error) {
+        throw AssignmentError(fmt::format("{}:{}:{}: not TOML: {}", path.string(), error.source().begin.line,
+                                          error.source().begin.column, error.description()));
+    }
+}
+
+TomlDocument::~TomlDocument() = default;
+
+TomlTable TomlDocument::root() const {
+    return TomlTable(std::make_shared<TomlTable::Impl>(TomlTable::Impl{impl_, &impl_->root, ""}));
+}
+
+}  // namespace reference
