@@ -1,4 +1,4 @@
-// Runs one program with limits, and tells how it ended. The only file that knows Boost.Process is process.cpp.
+// Runs one program with limits, and tells how it ended. The only file that knows Boost.Process is launch.cpp.
 #pragma once
 
 #include <chrono>
