@@ -64,6 +64,20 @@ bool fits_rhs(const MatchedItem* printed, const Target& rhs, const SystemForm& f
     return compare(*printed, scaled_rhs(rhs, form), allowance * std::max(1.0, std::abs(widest)), min_decimals).within;
 }
 
+/// The first order of rows and columns in which the printed matrix, with the row factors that `factors` gives, is `matrix`.
+std::optional<SystemForm> find_form(const MatchedItem& printed, const Target& matrix, double allowance, int min_decimals, auto factors,
+                                    auto accepts) {
+    if (matrix.components.size() != 9 || printed.value->numbers.size() != 9) return std::nullopt;
+    for (const bool by_rows : possible_orders(printed.order)) {
+        const std::vector<PrintedNumber> given = columns_of(printed, by_rows);
+        for (const auto& permutation : permutations) {
+            const SystemForm form{permutation, factors(given, permutation), by_rows};
+            if (fits(given, form, matrix, allowance, min_decimals) && accepts(form)) return form;
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 QuadraticScale find_quadratic_scale(const PrintedQuadratic& printed, const Known& key, double allowance, int min_decimals) {
@@ -108,22 +122,20 @@ std::string SystemForm::describe() const {
     return text;
 }
 
-std::optional<SystemForm> find_system_form(const MatchedItem& printed, const MatchedItem* printed_rhs, const Target& matrix, const Target& rhs,
-                                           double allowance, int min_decimals) {
-    if (matrix.components.size() != 9 || printed.value->numbers.size() != 9) return std::nullopt;
-    for (const bool scaled : {false, true}) {
-        for (const bool by_rows : possible_orders(printed.order)) {
-            const std::vector<PrintedNumber> given = columns_of(printed, by_rows);
-            for (const auto& permutation : permutations) {
-                SystemForm form{permutation, {1.0, 1.0, 1.0}, by_rows};
-                for (std::size_t row = 0; scaled && row < 3; ++row) form.row_factor[row] = estimate_factor(given, permutation, matrix, row);
-                if (!fits(given, form, matrix, allowance, min_decimals)) continue;
-                if (scaled && !fits_rhs(printed_rhs, rhs, form, allowance, min_decimals)) continue;
-                return form;
-            }
-        }
-    }
-    return std::nullopt;
+std::optional<SystemForm> find_column_order(const MatchedItem& printed, const Target& matrix, double allowance, int min_decimals) {
+    return find_form(printed, matrix, allowance, min_decimals, [](const auto&, const auto&) { return std::array<double, 3>{1.0, 1.0, 1.0}; },
+                     [](const SystemForm&) { return true; });
+}
+
+std::optional<SystemForm> find_multiplied_form(const MatchedItem& printed, const MatchedItem* printed_rhs, const Target& matrix,
+                                               const Target& rhs, double allowance, int min_decimals) {
+    const auto factors = [&](const std::vector<PrintedNumber>& given, const std::array<int, 3>& column) {
+        std::array<double, 3> factor{};
+        for (std::size_t row = 0; row < 3; ++row) factor[row] = estimate_factor(given, column, matrix, row);
+        return factor;
+    };
+    const auto rhs_agrees = [&](const SystemForm& form) { return fits_rhs(printed_rhs, rhs, form, allowance, min_decimals); };
+    return find_form(printed, matrix, allowance, min_decimals, factors, rhs_agrees);
 }
 
 Target scaled_rhs(const Target& rhs, const SystemForm& form) {

@@ -41,10 +41,12 @@ struct SystemForm {
     std::string describe() const;
 };
 
-/// The form in which the printed matrix is `matrix`, if there is one. Rows may be multiplied only if the printed right-hand side is
-/// multiplied alike: `printed_rhs` (null when there is none) against `rhs`.
-std::optional<SystemForm> find_system_form(const MatchedItem& printed, const MatchedItem* printed_rhs, const Target& matrix, const Target& rhs,
-                                           double allowance, int min_decimals);
+/// The form, without multiplied rows, in which the printed matrix is `matrix`, if there is one.
+std::optional<SystemForm> find_column_order(const MatchedItem& printed, const Target& matrix, double allowance, int min_decimals);
+
+/// The same with rows multiplied, which the printed right-hand side must be alike: `printed_rhs` (null when there is none) against `rhs`.
+std::optional<SystemForm> find_multiplied_form(const MatchedItem& printed, const MatchedItem* printed_rhs, const Target& matrix,
+                                               const Target& rhs, double allowance, int min_decimals);
 
 /// The right-hand side that goes with `form`.
 Target scaled_rhs(const Target& rhs, const SystemForm& form);

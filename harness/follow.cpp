@@ -15,24 +15,12 @@ bool says_something(const Target& target) {
     });
 }
 
-const ItemId P_WCS{4, "P_WCS"};
-
-/// The right-hand side that a matrix with multiplied rows has to agree with.
-Target rhs_beside(const Evidence& evidence) {
-    const auto own = evidence.own.find(P_WCS);
-    Known known = evidence.key;
-    if (own != evidence.own.end()) known.set(P_WCS, own->second);
-    const auto start = known.vector(P_WCS);
-    if (!start || evidence.scene.triangles.empty()) return no_value();
-    return target_of(reference::Vec3<Real>(*start - evidence.scene.triangles.front().A));
-}
-
 bool agrees(const MatchedItem& printed, const Target& target, Evidence& evidence, double allowance) {
     const ItemId id{printed.spec.question, printed.spec.name};
     if (id == ItemId{8, "matrix"}) {
-        const auto form = find_system_form(printed, nullptr, target, rhs_beside(evidence), allowance, evidence.min_decimals);
-        if (form && !form->is_scaled()) evidence.system = form;
-        return form && !form->is_scaled();
+        const auto form = find_column_order(printed, target, allowance, evidence.min_decimals);
+        if (form) evidence.system = form;
+        return form.has_value();
     }
     if (id == ItemId{8, "rhs"} && evidence.system && !target.no_value) {
         const Target scaled = scaled_rhs(target, *evidence.system);
@@ -57,7 +45,9 @@ bool follows_by(const Derivation& derivation, const MatchedItem& printed, Eviden
             deviates = deviates || evidence.deviating.contains(own->first);
         }
         if (!possible || !deviates) continue;
-        if (is_one_of(printed, derivation.compute(known, evidence.scene, evidence.quadratic.form), evidence, allowance)) return true;
+        for (const QuadraticForm form : {evidence.quadratic.form, QuadraticForm::full}) {
+            if (is_one_of(printed, derivation.compute(known, evidence.scene, form), evidence, allowance)) return true;
+        }
     }
     return false;
 }

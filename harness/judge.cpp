@@ -67,6 +67,7 @@ ItemScore Judge::judge(const KeyItem& item) {
 ItemVerdict Judge::judge_value(const KeyItem& item, const MatchedItem& printed, ItemScore& score) {
     if (is_right(item, printed, score)) return ItemVerdict::right;
     if (follows(printed, evidence_, score.allowance)) return ItemVerdict::follow;
+    if (id_of(item.spec) == matrix && is_right_multiplied(item, printed, score)) return ItemVerdict::right;
     if (const Misconception* mistake = find_misconception(printed, evidence_, score.allowance)) {
         score.diagnosis = mistake->name;
         score.advice = mistake->advice;
@@ -107,15 +108,25 @@ bool Judge::is_right_quadratic(const MatchedItem& printed, ItemScore& score) con
 
 bool Judge::is_right_matrix(const KeyItem& item, const MatchedItem& printed, ItemScore& score) {
     for (const reference::Answer& answer : item.answers) {
-        const Target beside = target_of(evidence_.key.vector(rhs).value_or(reference::Vec3<Real>(Real(0.0))));
-        evidence_.system =
-            find_system_form(printed, readable(rhs), Target::of(answer.value), beside, score.allowance, rubric_.min_decimals);
+        evidence_.system = find_column_order(printed, Target::of(answer.value), score.allowance, rubric_.min_decimals);
         if (!evidence_.system) continue;
         score.accepted_as = evidence_.system->describe();
         score.error.reset();
         return true;
     }
     return false;
+}
+
+bool Judge::is_right_multiplied(const KeyItem& item, const MatchedItem& printed, ItemScore& score) {
+    const auto key_rhs = evidence_.key.vector(rhs);
+    if (!key_rhs || printed.value->numbers.empty()) return false;
+    const auto form = find_multiplied_form(printed, readable(rhs), Target::of(item.answers.front().value), target_of(*key_rhs),
+                                           score.allowance, rubric_.min_decimals);
+    if (!form) return false;
+    evidence_.system = form;
+    score.accepted_as = form->describe();
+    score.error.reset();
+    return true;
 }
 
 bool Judge::is_right_rhs(const KeyItem& item, const MatchedItem& printed, ItemScore& score) const {

@@ -24,6 +24,7 @@ class Judge {
     bool is_right(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score);
     bool is_right_quadratic(const MatchedItem& printed, ItemScore& score) const;
     bool is_right_matrix(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score);
+    bool is_right_multiplied(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score);
     bool is_right_rhs(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score) const;
     ItemVerdict judge_verdict(const reference::KeyItem& item, const PrintedVerdict& printed, ItemScore& score) const;
     void remember(const MatchedItem& printed, const ItemScore& score);
