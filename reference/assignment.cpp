@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -26,11 +27,13 @@ Camera<Decimal> read_camera(const TomlTable& table) {
 }
 
 Window<Decimal> read_window(const TomlTable& table) {
-    table.allow_only(
-        {"clip_left", "clip_right", "clip_bottom", "clip_top", "clip_near", "width", "height", "pixel"});
-    Window<Decimal> window{table.decimal("clip_left"),   table.decimal("clip_right"),
-                           table.decimal("clip_bottom"), table.decimal("clip_top"),
-                           table.decimal("clip_near"),   table.integer("width", 1, most_pixels_per_side),
+    table.allow_only({"clip_left", "clip_right", "clip_bottom", "clip_top", "clip_near", "width", "height", "pixel"});
+    Window<Decimal> window{table.decimal("clip_left"),
+                           table.decimal("clip_right"),
+                           table.decimal("clip_bottom"),
+                           table.decimal("clip_top"),
+                           table.decimal("clip_near"),
+                           table.integer("width", 1, most_pixels_per_side),
                            table.integer("height", 1, most_pixels_per_side)};
     if (window.clip_near.sign() <= 0) {
         table.fail("clip_near", "must be above 0: the image plane lies before the eye");
@@ -78,7 +81,8 @@ Scene<Decimal> read_scene(const TomlTable& root) {
 }
 
 int read_question_number(const TomlTable& table, const std::string& key) {
-    const bool is_number = key.size() <= 2 && std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; });
+    const bool is_number =
+        key.size() <= 2 && std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; });
     if (!is_number || key.empty() || std::stoi(key) < 1 || std::stoi(key) > 10) {
         table.fail(key, "is not a question; the handout's questions are 1 to 10");
     }
@@ -173,7 +177,13 @@ double Rubric::points_of(int question) const {
     return found == points.end() ? points_per_question : found->second;
 }
 
-double Rubric::tolerance_of(int question, const std::string& item) const {
+double unit_of(const std::vector<double>& key_value) {
+    double unit = 1;
+    for (const double x : key_value) unit = std::max(unit, std::abs(x));
+    return unit;
+}
+
+std::optional<double> Rubric::tolerance_of(int question, const std::string& item) const {
     const std::string number = std::to_string(question);
     for (const std::string& key : {number + "." + item, number}) {
         if (const auto found = item_tolerance.find(key); found != item_tolerance.end()) return found->second;

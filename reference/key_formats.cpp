@@ -29,11 +29,16 @@ std::string value_text(const Value& value, Shape shape) {
     if (const Verdict* verdict = std::get_if<Verdict>(&value)) return std::string(sentence(*verdict));
     const Numbers& numbers = std::get<Numbers>(value);
     switch (shape) {
-        case Shape::scalar: return fmt::format("{:.6g}", numbers.front());
-        case Shape::vector: return "vec3" + group(numbers);
-        case Shape::matrix3: return matrix_text(numbers, 3);
-        case Shape::matrix4: return matrix_text(numbers, 4);
-        case Shape::verdict: return "";
+        case Shape::scalar:
+            return fmt::format("{:.6g}", numbers.front());
+        case Shape::vector:
+            return "vec3" + group(numbers);
+        case Shape::matrix3:
+            return matrix_text(numbers, 3);
+        case Shape::matrix4:
+            return matrix_text(numbers, 4);
+        case Shape::verdict:
+            return "";
     }
     return "";
 }
@@ -61,7 +66,8 @@ ordered_json item_json(const KeyItem& item, const AnswerKey& key) {
     ordered_json json{{"name", item.spec.name}, {"value", value_json(item.answers.front().value, item.spec.shape)}};
     for (std::size_t i = 1; i < item.answers.size(); ++i) {
         const Answer& also = item.answers[i];
-        json["also_accepted"].push_back({{"value", value_json(also.value, item.spec.shape)}, {"because", reason(also, key)}});
+        json["also_accepted"].push_back(
+            {{"value", value_json(also.value, item.spec.shape)}, {"because", reason(also, key)}});
     }
     return json;
 }
