@@ -74,7 +74,9 @@ struct TomlTable::Impl {
         const std::string_view written =
             columns(nth_line(document->text, region.begin.line), region.begin.column, region.end.column);
         const std::optional<Decimal> number = Decimal::parse(written);
-        if (!number) fail_at(region.begin.line, key, fmt::format("\"{}\" is not a finite number", written));
+        if (!number)
+            fail_at(region.begin.line, key,
+                    fmt::format("\"{}\" is not a finite number; write one in decimal digits", written));
         return *number;
     }
 
