@@ -11,6 +11,7 @@
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -59,6 +60,7 @@ std::optional<ProcessRecord> read_record(int proc, pid_t pid) {
     ProcessRecord record;
     record.pid = pid;
     record.parent = static_cast<pid_t>(field(4));
+    record.group = static_cast<pid_t>(field(5));
     record.zombie = fields[0] == "Z" || fields[0] == "X";
     record.cpu = std::chrono::milliseconds((field(14) + field(15) + field(16) + field(17)) * 1000 / ticks_per_second);
     record.threads = static_cast<int>(field(20));
@@ -70,6 +72,16 @@ FileDescriptor open_proc() {
     return FileDescriptor(open("/proc", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
 }
 
+bool by_parent(const ProcessRecord& a, const ProcessRecord& b) {
+    return a.parent < b.parent;
+}
+
+/// A group is killed in one step of the kernel, which no fork can slip through: a fork bomb outruns any killing one by
+/// one.
+void kill_group(pid_t group) {
+    if (group > 1 && group != getpgrp()) kill(-group, SIGKILL);
+}
+
 /// An orphan that forks and exits in a loop lives for some 100 µs and is gone before a walk through /proc comes to it.
 /// It is a child of `root`, and its number is among the last ones given, which /proc/loadavg tells.
 void kill_newest_children(int proc, pid_t root) {
@@ -77,7 +89,7 @@ void kill_newest_children(int proc, pid_t root) {
     const auto newest = static_cast<pid_t>(number(std::string_view(load).substr(load.rfind(' ') + 1)));
     for (pid_t pid = newest; pid > std::max(newest - 8, 1); --pid) {
         const auto record = read_record(proc, pid);
-        if (record && record->parent == root && !record->zombie) kill(pid, SIGKILL);
+        if (record && record->parent == root) kill_group(record->group);
     }
 }
 
@@ -95,12 +107,14 @@ std::vector<ProcessRecord> list_processes(const std::vector<pid_t>& skip) {
     return processes;
 }
 
-std::vector<ProcessRecord> below(pid_t root, const std::vector<ProcessRecord>& processes) {
+std::vector<ProcessRecord> below(pid_t root, std::vector<ProcessRecord> processes) {
+    std::sort(processes.begin(), processes.end(), by_parent);
     std::vector<ProcessRecord> found;
     const auto add_children_of = [&](pid_t parent) {
-        for (const auto& process : processes) {
-            if (process.parent == parent && process.pid != parent) found.push_back(process);
-        }
+        ProcessRecord wanted;
+        wanted.parent = parent;
+        const auto [first, last] = std::equal_range(processes.begin(), processes.end(), wanted, by_parent);
+        found.insert(found.end(), first, last);
     };
     add_children_of(root);
     // The list is no snapshot: a number used twice within one walk could close a circle, hence the bound.
@@ -111,7 +125,13 @@ std::vector<ProcessRecord> below(pid_t root, const std::vector<ProcessRecord>& p
 void kill_below(pid_t root) {
     const FileDescriptor proc = open_proc();
     kill_newest_children(proc.get(), root);
-    for (const auto& process : below(root, list_processes())) {
+    std::set<pid_t> groups;
+    const auto processes = below(root, list_processes());
+    for (const auto& process : processes) {
+        // Once for each group: a thousand times a thousand members would keep the kernel busy for minutes.
+        if (groups.insert(process.group).second) kill_group(process.group);
+    }
+    for (const auto& process : processes) {
         if (!process.zombie) kill(process.pid, SIGKILL);
     }
 }
