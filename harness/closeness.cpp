@@ -22,7 +22,8 @@ Closeness compare_numbers(const std::vector<PrintedNumber>& given, const Target&
     Closeness closeness{true, 0.0};
     for (std::size_t i = 0; i < given.size(); ++i) {
         const Real& real = target.components[i];
-        if (!is_within(given[i], real, allowance, min_decimals)) closeness.within = false;
+        const double component_allowance = target.allowance.empty() ? allowance : target.allowance[i];
+        if (!is_within(given[i], real, component_allowance, min_decimals)) closeness.within = false;
         const double distance = std::max({real.lo() - given[i].value, given[i].value - real.hi(), 0.0});
         if (!std::isfinite(given[i].value)) closeness.error.reset();
         if (closeness.error) closeness.error = std::max(*closeness.error, distance);
@@ -31,16 +32,6 @@ Closeness compare_numbers(const std::vector<PrintedNumber>& given, const Target&
 }
 
 }  // namespace
-
-Target Target::of(const reference::Value& value) {
-    Target target;
-    if (const auto* numbers = std::get_if<reference::Numbers>(&value)) {
-        for (const double x : *numbers) target.components.emplace_back(x);
-    } else {
-        target.no_value = true;
-    }
-    return target;
-}
 
 double half_unit(const PrintedNumber& number, int min_decimals) {
     constexpr int stream_digits = 6;

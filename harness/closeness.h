@@ -16,8 +16,7 @@ using Real = reference::Interval<double>;
 struct Target {
     bool no_value = false;
     std::vector<Real> components;
-
-    static Target of(const reference::Value& value);
+    std::vector<double> allowance = {};  ///< how far a component may be off; by component, or empty for not at all
 };
 
 /// Half a unit of the last digit printed. Fewer decimals than `min_decimals` are forgiven as if there were that many, unless
@@ -29,8 +28,8 @@ struct Closeness {
     std::optional<double> error;  ///< the largest distance of a component; empty when the shapes differ or it is not a number
 };
 
-/// The printed item against a target. A component is within when lo - slack <= given <= hi + slack, where slack is `allowance`
-/// plus half a unit of the component's last digit; NaN and infinities never are. A vector of four needs w = 0 or 1. A matrix is
+/// The printed item against a target. A component is within when lo - slack <= given <= hi + slack, where slack is the target's
+/// allowance, or `allowance` where the target has none, plus half a unit of the component's last digit; NaN and infinities never are. A vector of four needs w = 0 or 1. A matrix is
 /// read in the order it was printed in, and in either when the printout does not tell.
 Closeness compare(const MatchedItem& printed, const Target& target, double allowance, int min_decimals);
 

@@ -1,5 +1,9 @@
 #include "harness/derivation.h"
 
+#include <utility>
+
+#include "reference/scene_answers.h"
+
 namespace harness {
 namespace {
 
@@ -228,8 +232,13 @@ const std::vector<Derivation>& derivations() {
 
 }  // namespace
 
-RealScene real_scene(const reference::Assignment& assignment) {
-    return reference::convert_scene<Real>(assignment.scene, [](const reference::Decimal& x) { return Real(x.to_double()); });
+RealScene real_scene(const reference::Assignment& assignment, const reference::Reading& reading) {
+    const auto scene = reference::convert_scene<double>(assignment.scene, [](const reference::Decimal& x) { return x.to_double(); });
+    const auto answers = reference::answer_scene(scene, reading.convention, reading.boundary);
+    RealScene real = reference::convert_scene<Real>(scene, [](double x) { return Real(x); });
+    if (!real.spheres.empty()) std::swap(real.spheres.front(), real.spheres[answers.sphere_index]);
+    if (!real.triangles.empty()) std::swap(real.triangles.front(), real.triangles[answers.triangle_index]);
+    return real;
 }
 
 std::span<const Derivation> all_derivations() { return derivations(); }

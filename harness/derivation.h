@@ -11,8 +11,9 @@ namespace harness {
 
 using RealScene = reference::Scene<Real>;
 
-/// The scene's numbers as the nearest doubles.
-RealScene real_scene(const reference::Assignment& assignment);
+/// The scene's numbers as the nearest doubles. Where it holds several spheres or triangles, the one that the questions are about comes
+/// first.
+RealScene real_scene(const reference::Assignment& assignment, const reference::Reading& reading);
 
 /// Whether the student's coefficients are those of a t^2 + 2 b' t + c = 0, with d' = b'^2 - ac.
 enum class QuadraticForm { full, half_b };

@@ -16,23 +16,29 @@ constexpr ItemId matrix{8, "matrix"}, rhs{8, "rhs"};
 
 ItemId id_of(const reference::ItemSpec& spec) { return {spec.question, spec.name}; }
 
-double largest_component(const reference::Value& value) {
-    double largest = 1.0;
-    if (const auto* numbers = std::get_if<reference::Numbers>(&value)) {
-        for (const double x : *numbers) largest = std::max(largest, std::abs(x));
-    }
-    return largest;
-}
+/// Where nothing bounds how far float arithmetic may be off, as at a tangent, an answer is held to this share of its size.
+constexpr double allowance_without_bound = 0.01;
+
+/// What a key without certified allowances is held to: some roundings of float, beside the item's size.
+constexpr double uncertified_allowance = 1e-4;
 
 }  // namespace
 
 Judge::Judge(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key, const reference::Assignment& assignment)
     : matched_(matched), key_(key), rubric_(assignment.rubric) {
-    evidence_.key = Known::from_key(key);
-    evidence_.scene = real_scene(assignment);
+    double widest = 0;
+    for (const reference::KeyQuestion& question : key.questions) {
+        for (const KeyItem& item : question.items) {
+            Target target = target_with_allowance(item, item.answers.front());
+            for (const double allowance : target.allowance) widest = std::max(widest, question.number == 6 ? allowance : 0.0);
+            target.allowance.clear();  // what follows from it has allowances of its own
+            evidence_.key.set(id_of(item.spec), std::move(target));
+        }
+    }
+    evidence_.scene = real_scene(assignment, key.canonical);
     evidence_.min_decimals = rubric_.min_decimals;
     const PrintedQuadratic quadratic{readable({6, "a"}), readable({6, "b"}), readable({6, "c"}), readable({6, "d"})};
-    evidence_.quadratic = find_quadratic_scale(quadratic, evidence_.key, rubric_.tolerance, rubric_.min_decimals);
+    evidence_.quadratic = find_quadratic_scale(quadratic, evidence_.key, widest, rubric_.min_decimals);
 }
 
 const MatchedItem* Judge::readable(const ItemId& id) const {
@@ -40,15 +46,26 @@ const MatchedItem* Judge::readable(const ItemId& id) const {
     return found != matched_.end() && found->value && !found->unreadable ? &*found : nullptr;
 }
 
-double Judge::allowance_of(const KeyItem& item) const {
-    return rubric_.tolerance_of(item.spec.question, std::string(item.spec.name)) * largest_component(item.answers.front().value);
+Target Judge::target_with_allowance(const KeyItem& item, const reference::Answer& answer) const {
+    Target target = target_of(answer);
+    const auto* numbers = std::get_if<reference::Numbers>(&answer.value);
+    if (numbers == nullptr) return target;
+    const double unit = reference::unit_of(*numbers);
+    const double tolerance = unit * rubric_.tolerance_of(item.spec.question, std::string(item.spec.name)).value_or(0.0);
+    for (std::size_t i = 0; i < numbers->size(); ++i) {
+        double allowance = answer.allowance.empty() ? uncertified_allowance * unit : answer.allowance[i];
+        if (!std::isfinite(allowance)) allowance = allowance_without_bound * unit;
+        target.allowance.push_back(std::max(allowance, tolerance));
+    }
+    return target;
 }
 
 ItemScore Judge::judge(const KeyItem& item) {
     ItemScore score;
     score.spec = item.spec;
     score.expected = item.answers.front().value;
-    score.allowance = allowance_of(item);
+    const std::vector<double> allowances = target_with_allowance(item, item.answers.front()).allowance;
+    if (!allowances.empty()) score.allowance = *std::max_element(allowances.begin(), allowances.end());
     const auto printed = std::find_if(matched_.begin(), matched_.end(), [&](const MatchedItem& m) { return id_of(m.spec) == id_of(item.spec); });
     if (printed == matched_.end()) return score;
     if (printed->verdict) {
@@ -77,7 +94,7 @@ ItemVerdict Judge::judge_value(const KeyItem& item, const MatchedItem& printed, 
 
 bool Judge::is_right(const KeyItem& item, const MatchedItem& printed, ItemScore& score) {
     for (const reference::Answer& answer : item.answers) {
-        const Closeness closeness = compare(printed, Target::of(answer.value), score.allowance, rubric_.min_decimals);
+        const Closeness closeness = compare(printed, target_with_allowance(item, answer), score.allowance, rubric_.min_decimals);
         if (!score.error) score.error = closeness.error;
         if (!closeness.within) continue;
         score.accepted_as = reference::reason(answer, key_);
@@ -108,7 +125,7 @@ bool Judge::is_right_quadratic(const MatchedItem& printed, ItemScore& score) con
 
 bool Judge::is_right_matrix(const KeyItem& item, const MatchedItem& printed, ItemScore& score) {
     for (const reference::Answer& answer : item.answers) {
-        evidence_.system = find_column_order(printed, Target::of(answer.value), score.allowance, rubric_.min_decimals);
+        evidence_.system = find_column_order(printed, target_of(answer), score.allowance, rubric_.min_decimals);
         if (!evidence_.system) continue;
         score.accepted_as = evidence_.system->describe();
         score.error.reset();
@@ -120,7 +137,7 @@ bool Judge::is_right_matrix(const KeyItem& item, const MatchedItem& printed, Ite
 bool Judge::is_right_multiplied(const KeyItem& item, const MatchedItem& printed, ItemScore& score) {
     const auto key_rhs = evidence_.key.vector(rhs);
     if (!key_rhs || printed.value->numbers.empty()) return false;
-    const auto form = find_multiplied_form(printed, readable(rhs), Target::of(item.answers.front().value), target_of(*key_rhs),
+    const auto form = find_multiplied_form(printed, readable(rhs), target_of(item.answers.front()), target_of(*key_rhs),
                                            score.allowance, rubric_.min_decimals);
     if (!form) return false;
     evidence_.system = form;
@@ -131,7 +148,7 @@ bool Judge::is_right_multiplied(const KeyItem& item, const MatchedItem& printed,
 
 bool Judge::is_right_rhs(const KeyItem& item, const MatchedItem& printed, ItemScore& score) const {
     if (!evidence_.system || !evidence_.system->is_scaled()) return false;
-    const Target scaled = scaled_rhs(Target::of(item.answers.front().value), *evidence_.system);
+    const Target scaled = scaled_rhs(target_of(item.answers.front()), *evidence_.system);
     if (!compare(printed, scaled, score.allowance, rubric_.min_decimals).within) return false;
     score.accepted_as = evidence_.system->describe();
     score.error.reset();

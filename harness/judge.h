@@ -19,7 +19,7 @@ class Judge {
 
   private:
     const MatchedItem* readable(const ItemId& id) const;
-    double allowance_of(const reference::KeyItem& item) const;
+    Target target_with_allowance(const reference::KeyItem& item, const reference::Answer& answer) const;
     ItemVerdict judge_value(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score);
     bool is_right(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score);
     bool is_right_quadratic(const MatchedItem& printed, ItemScore& score) const;

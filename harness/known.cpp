@@ -23,16 +23,6 @@ Target target_of_matrix(const glm::mat<N, N, Real>& M) {
 
 }  // namespace
 
-Known Known::from_key(const reference::AnswerKey& key) {
-    Known known;
-    for (const reference::KeyQuestion& question : key.questions) {
-        for (const reference::KeyItem& item : question.items) {
-            known.set({question.number, item.spec.name}, Target::of(item.answers.front().value));
-        }
-    }
-    return known;
-}
-
 const Target* Known::find(const ItemId& id, std::size_t components) const {
     const auto found = targets_.find(id);
     if (found == targets_.end() || found->second.components.size() != components) return nullptr;
@@ -68,10 +58,20 @@ Target printed_target(const MatchedItem& printed) {
     return target;
 }
 
-Target target_of(const Real& x) { return {false, {x}}; }
-Target target_of(const reference::Vec3<Real>& p) { return {false, {p.x, p.y, p.z}}; }
+Target target_of(const Real& x) { return {false, {x}, {}}; }
+Target target_of(const reference::Vec3<Real>& p) { return {false, {p.x, p.y, p.z}, {}}; }
 Target target_of(const reference::Mat3<Real>& M) { return target_of_matrix<3>(M); }
 Target target_of(const reference::Mat4<Real>& M) { return target_of_matrix<4>(M); }
-Target no_value() { return {true, {}}; }
+Target no_value() { return {true, {}, {}}; }
+
+Target target_of(const reference::Answer& answer) {
+    const auto* numbers = std::get_if<reference::Numbers>(&answer.value);
+    if (numbers == nullptr) return no_value();
+    Target target;
+    for (std::size_t i = 0; i < numbers->size(); ++i) {
+        target.components.push_back(answer.lo.empty() ? Real((*numbers)[i]) : Real(answer.lo[i], answer.hi[i]));
+    }
+    return target;
+}
 
 }  // namespace harness

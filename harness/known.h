@@ -11,13 +11,10 @@
 
 namespace harness {
 
-/// A question's number and an item's name.
-using ItemId = std::pair<int, std::string_view>;
+using reference::ItemId;
 
 class Known {
   public:
-    /// Every item's canonical value of the key.
-    static Known from_key(const reference::AnswerKey& key);
 
     void set(const ItemId& id, Target target) { targets_[id] = std::move(target); }
 
@@ -40,5 +37,8 @@ Target target_of(const reference::Vec3<Real>& p);
 Target target_of(const reference::Mat3<Real>& M);
 Target target_of(const reference::Mat4<Real>& M);
 Target no_value();
+
+/// The key's answer: its enclosure where it has one.
+Target target_of(const reference::Answer& answer);
 
 }  // namespace harness

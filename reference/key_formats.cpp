@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reference/answer_key.h"
+#include "reference/value_json.h"
 
 namespace reference {
 namespace {
@@ -56,12 +57,6 @@ ordered_json shaped(const Numbers& numbers, Shape shape) {
     return columns;
 }
 
-ordered_json value_json(const Value& value, Shape shape) {
-    if (std::holds_alternative<NoValue>(value)) return nullptr;
-    if (const Verdict* verdict = std::get_if<Verdict>(&value)) return sentence(*verdict);
-    return shaped(std::get<Numbers>(value), shape);
-}
-
 /// An infinite allowance is null: nothing bounds what a program may find.
 ordered_json allowance_json(const Answer& answer, Shape shape) {
     if (answer.allowance_from == Arithmetic::none) return nullptr;
@@ -108,6 +103,12 @@ void write(const ordered_json& json, const std::string& new_line, std::string& t
 }
 
 }  // namespace
+
+ordered_json value_json(const Value& value, Shape shape) {
+    if (std::holds_alternative<NoValue>(value)) return nullptr;
+    if (const Verdict* verdict = std::get_if<Verdict>(&value)) return sentence(*verdict);
+    return shaped(std::get<Numbers>(value), shape);
+}
 
 std::string to_text(const AnswerKey& key) {
     std::string text;

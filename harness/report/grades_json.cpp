@@ -1,7 +1,9 @@
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "harness/clean_text.h"
 #include "harness/report/report.h"
+#include "reference/value_json.h"
 
 namespace harness::report {
 namespace {
@@ -15,12 +17,6 @@ double seconds(std::chrono::milliseconds time) { return static_cast<double>(time
 
 ordered_json or_null(const std::string& text) { return text.empty() ? ordered_json(nullptr) : ordered_json(escape_control(text)); }
 
-ordered_json expected_json(const ItemScore& item) {
-    if (std::holds_alternative<reference::NoValue>(item.expected)) return nullptr;
-    if (const auto* verdict = std::get_if<reference::Verdict>(&item.expected)) return reference::sentence(*verdict);
-    return reference::json_value(std::get<reference::Numbers>(item.expected), item.spec.shape);
-}
-
 ordered_json item_json(const ItemScore& item) {
     ordered_json json{{"name", item.spec.name},
                       {"verdict", to_string(item.verdict)},
@@ -28,7 +24,7 @@ ordered_json item_json(const ItemScore& item) {
                       {"max_points", tidy(item.max_points)},
                       {"printed", or_null(item.printed)},
                       {"line", item.line == 0 ? ordered_json(nullptr) : ordered_json(item.line)},
-                      {"expected", expected_json(item)},
+                      {"expected", reference::value_json(item.expected, item.spec.shape)},
                       {"error", item.error ? ordered_json(*item.error) : ordered_json(nullptr)},
                       {"allowance", item.allowance},
                       {"accepted_as", or_null(item.accepted_as)},

@@ -1,0 +1,175 @@
+// The command line: help, exit status, the reference run, a student's check, and the same result whatever -j says.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/scenario.h"
+
+namespace scenario {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr int usage = 2;
+
+TEST(CommandLine, HelpNamesEverySubcommand) {
+    const Result result = raygrade({"--help"});
+    EXPECT_EQ(result.status, 0);
+    for (const char* subcommand : {"grade", "check", "doctor", "reference"}) {
+        EXPECT_THAT(result.output, HasSubstr(subcommand));
+        const Result help = raygrade({subcommand, "--help"});
+        EXPECT_EQ(help.status, 0) << subcommand;
+        EXPECT_THAT(help.output, HasSubstr("--help")) << subcommand;
+    }
+}
+
+TEST(CommandLine, AnUnknownOptionIsAMistakeOfUsage) {
+    const Result result = raygrade({"grade", "--colour", "."});
+    EXPECT_EQ(result.status, usage);
+    EXPECT_THAT(result.voice, HasSubstr("--colour"));
+    EXPECT_EQ(result.output, "");
+}
+
+TEST(CommandLine, NothingToDoIsAMistakeOfUsage) {
+    EXPECT_EQ(raygrade({}).status, usage);
+}
+
+TEST(CommandLine, JobsMustBeANumberAboveZero) {
+    for (const char* jobs : {"0", "-1", "many"}) {
+        const TemporaryFolder folder;
+        const Result result =
+            raygrade({"grade", sample("ada").string(), "--out", (folder / "out").string(), "-j", jobs});
+        EXPECT_EQ(result.status, usage) << "-j " << jobs << "\n" << result.both();
+    }
+}
+
+TEST(CommandLine, DoctorSaysWhatTheMachineHas) {
+    const Result result = raygrade({"doctor"});
+    EXPECT_EQ(result.status, 0) << result.both();
+    EXPECT_THAT(result.output, HasSubstr("g++"));
+}
+
+TEST(ReferenceRun, PrintsTheHandoutsQuestions) {
+    const Result result = raygrade({"reference", "--assignment", "a6-2021"});
+    EXPECT_EQ(result.status, 0) << result.both();
+    for (int question = 1; question <= 10; ++question) {
+        EXPECT_THAT(result.output, HasSubstr("Question " + std::to_string(question) + ":\n"));
+    }
+    EXPECT_THAT(result.output, HasSubstr("vec3(-0.500000, -0.500000, 0.707107)"));
+}
+
+TEST(ReferenceRun, IsAlsoJson) {
+    for (const char* assignment : {"a6-2021", "a6-edge"}) {
+        for (const char* precision : {"float", "double"}) {
+            const Result result =
+                raygrade({"reference", "--assignment", assignment, "--precision", precision, "--format", "json"});
+            ASSERT_EQ(result.status, 0) << result.both();
+            const json key = json::parse(result.output);
+            EXPECT_EQ(key.at("schema"), "raygrade/key/1");
+            EXPECT_EQ(key.at("assignment"), assignment);
+            EXPECT_EQ(key.at("precision"), precision);
+            EXPECT_EQ(key.at("questions").size(), 10U);
+        }
+    }
+}
+
+/// ben takes the far root, so none of these is in his own output.
+TEST(Check, ShowsVerdictsAndNeverTheExpectedValue) {
+    for (const char* who : {"ben", "carla", "farid", "rosa"}) {
+        const Result result = raygrade({"check", (sample(who) / "ray_cast.cpp").string()});
+        EXPECT_EQ(result.status, 0) << "marks never change the exit status\n" << result.both();
+        EXPECT_THAT(result.output, HasSubstr("6")) << who;
+        EXPECT_THAT(result.both(), Not(HasSubstr("0.5857"))) << who;
+        EXPECT_THAT(result.both(), Not(HasSubstr("expected"))) << who;
+    }
+    const Result result = raygrade({"check", (sample("ben") / "ray_cast.cpp").string()});
+    EXPECT_THAT(result.output, HasSubstr("3.41421")) << "what was printed is shown";
+}
+
+TEST(Check, SaysWhyNothingCanBeChecked) {
+    const Result result = raygrade({"check", (sample("mateo") / "ray_cast.cpp").string()});
+    EXPECT_EQ(result.status, 0) << "a program that does not compile is checked too\n" << result.both();
+    EXPECT_THAT(result.both(), HasSubstr("ray_cast.cpp:19")) << "the compiler's own words";
+}
+
+TEST(Check, OfAFileThatIsNotThere) {
+    const Result result = raygrade({"check", "/nowhere/ray_cast.cpp"});
+    EXPECT_THAT(result.status, testing::AnyOf(1, usage));
+    EXPECT_THAT(result.voice, HasSubstr("/nowhere/ray_cast.cpp"));
+}
+
+/// grades.json without what the clock and the kernel say.
+json without_measurements(json grades) {
+    for (json& submission : grades.at("submissions")) {
+        submission["build"].erase("seconds");
+        for (const char* measured : {"cpu_seconds", "wall_seconds", "peak_memory_bytes"}) {
+            submission["run"].erase(measured);
+        }
+    }
+    return grades;
+}
+
+std::map<std::string, std::string> files_in(const fs::path& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (!entry.is_regular_file()) continue;
+        const std::string name = fs::relative(entry.path(), folder).string();
+        files[name] =
+            name == "grades.json" ? without_measurements(read_json(entry.path())).dump(1) : read(entry.path());
+    }
+    return files;
+}
+
+TEST(Grade, GivesTheSameResultsWhateverTheNumberOfJobs) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> students = {"wei", "mateo", "ada", "o'brien", "priya", "zoë", "nadia", "jin"};
+    std::map<std::string, std::string> alone;
+    for (const std::string jobs : {"1", "4"}) {
+        std::vector<std::string> arguments = {"grade", "--assignment",          "a6-2021", "-j", jobs,
+                                              "--out", (folder / jobs).string()};
+        for (const std::string& who : students) arguments.push_back(sample(who).string());
+        const Result result = raygrade(arguments);
+        ASSERT_EQ(result.status, 0) << result.both();
+        if (jobs == "1") alone = files_in(folder / jobs);
+    }
+    EXPECT_EQ(alone, files_in(folder / "4"));
+
+    const json grades = json::parse(alone.at("grades.json"));
+    std::vector<std::string> order;
+    for (const json& submission : grades.at("submissions")) order.push_back(submission.at("id"));
+    EXPECT_EQ(order, students) << "reports come in the order given";
+}
+
+TEST(Grade, PutsTheTableOnStdoutAndItsOwnVoiceOnStderr) {
+    const TemporaryFolder folder;
+    const Result result =
+        raygrade({"grade", sample("ada").string(), sample("uma").string(), "--out", (folder / "out").string()});
+    EXPECT_EQ(result.status, 0) << result.both();
+    EXPECT_THAT(result.output, HasSubstr("ada"));
+    EXPECT_THAT(result.output, HasSubstr("uma"));
+    EXPECT_THAT(result.output, HasSubstr("70"));
+    EXPECT_THAT(result.both(), HasSubstr((folder / "out").string())) << "the report is named";
+    EXPECT_THAT(result.both(), Not(HasSubstr("\x1b["))) << "no colours and no progress bar into a file";
+}
+
+TEST(Grade, WritesTheThreeKindsOfResults) {
+    const TemporaryFolder folder;
+    const Result result = raygrade({"grade", sample("elena").string(), "--out", (folder / "out").string()});
+    ASSERT_EQ(result.status, 0) << result.both();
+    const std::string feedback = read(folder / "out/feedback/elena.md");
+    EXPECT_THAT(feedback, HasSubstr("90"));
+    EXPECT_THAT(feedback, HasSubstr("vec3(0.000000, 0.000000, -2.000000)")) << "what was printed, verbatim";
+    EXPECT_THAT(read(folder / "out/grades.csv"), HasSubstr("elena"));
+    const json submission = read_json(folder / "out/grades.json").at("submissions").at(0);
+    EXPECT_EQ(submission.at("run").at("exit_code"), 0);
+    EXPECT_EQ(submission.at("source_sha256").get<std::string>().size(), 64U);
+}
+
+}  // namespace
+}  // namespace scenario

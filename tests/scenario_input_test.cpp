@@ -1,0 +1,239 @@
+// Bad input: what each kind gets is a message with the path and the way out, the exit status of the design, and the
+// other submissions graded all the same.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/scenario.h"
+
+namespace scenario {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::AnyOf;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr int some_not_graded = 1;
+constexpr int usage = 2;
+
+/// Prints the answer to question 5 alone: quick to compile.
+constexpr std::string_view small_program =
+    "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n";
+
+/// A class with one good submission, "good", and whatever a test adds.
+class BadInput : public testing::Test {
+  protected:
+    BadInput() { write(students() / "good/ray_cast.cpp", small_program); }
+
+    fs::path students() const { return folder / "class"; }
+    fs::path out() const { return folder / "out"; }
+    Result grade(const Preparation& prepare = {}) const {
+        return raygrade({"grade", students().string(), "--assignment", "a6-2021", "--out", out().string()}, prepare);
+    }
+    json graded(const std::string& id) const { return submission_in(read_json(out() / "grades.json"), id); }
+
+    /// The usual end: `id` is not graded and the message names `named` and has `way_out`; "good" is graded.
+    void expect_not_graded(const Result& result, const std::string& id, const std::string& named,
+                           const std::string& way_out) const {
+        EXPECT_EQ(result.status, some_not_graded) << result.both();
+        EXPECT_THAT(result.both(), HasSubstr(named));
+        EXPECT_THAT(result.both(), HasSubstr(way_out));
+        ASSERT_FALSE(graded(id).is_null()) << id << " was left out";
+        EXPECT_EQ(graded(id).at("outcome"), "not_graded");
+        EXPECT_EQ(graded("good").at("outcome"), "graded");
+        EXPECT_EQ(graded("good").at("points").get<double>(), 10);
+        EXPECT_TRUE(fs::exists(out() / "feedback/good.md"));
+    }
+
+    TemporaryFolder folder;
+};
+
+TEST_F(BadInput, AnEmptyFolderOfAStudent) {
+    fs::create_directories(students() / "nothing");
+    expect_not_graded(grade(), "nothing", "nothing", "ray_cast.cpp");
+}
+
+TEST_F(BadInput, AnEmptyFolderAsTheClass) {
+    fs::create_directories(folder / "empty");
+    const Result result = raygrade({"grade", (folder / "empty").string(), "--out", out().string()});
+    EXPECT_THAT(result.status, AnyOf(some_not_graded, usage));
+    EXPECT_THAT(result.voice, HasSubstr((folder / "empty").string()));
+}
+
+TEST_F(BadInput, AFolderThatIsNotThere) {
+    const Result result = raygrade({"grade", (folder / "nowhere").string(), "--out", out().string()});
+    EXPECT_THAT(result.status, AnyOf(some_not_graded, usage));
+    EXPECT_THAT(result.voice, HasSubstr((folder / "nowhere").string()));
+}
+
+TEST_F(BadInput, AnUnreadableFile) {
+    const fs::path file = students() / "locked/ray_cast.cpp";
+    write(file, small_program);
+    fs::permissions(file, fs::perms::none);
+    expect_not_graded(grade(obey_permissions), "locked", "locked/ray_cast.cpp", "chmod");
+}
+
+TEST_F(BadInput, AnUnreadableFolder) {
+    write(students() / "closed/ray_cast.cpp", small_program);
+    fs::permissions(students() / "closed", fs::perms::none);
+    expect_not_graded(grade(obey_permissions), "closed", "closed", "chmod");
+}
+
+TEST_F(BadInput, APipeThatNobodyWritesTo) {
+    fs::create_directories(students() / "pipe");
+    ASSERT_EQ(mkfifo((students() / "pipe/ray_cast.cpp").c_str(), 0600), 0);
+    expect_not_graded(grade(), "pipe", "pipe/ray_cast.cpp", "source");
+}
+
+TEST_F(BadInput, AFolderCalledRayCastCpp) {
+    fs::create_directories(students() / "folder/ray_cast.cpp");
+    expect_not_graded(grade(), "folder", "folder", "source");
+}
+
+TEST_F(BadInput, ASourceOf100MB) {
+    write(students() / "huge/ray_cast.cpp", small_program);
+    fs::resize_file(students() / "huge/ray_cast.cpp", 100'000'000);
+    expect_not_graded(grade(), "huge", "huge/ray_cast.cpp", "source");
+}
+
+TEST_F(BadInput, TwoSourcesOfWhichNeitherIsRayCast) {
+    write(students() / "two/first.cpp", small_program);
+    write(students() / "two/second.cpp", small_program);
+    const Result result = grade();
+    expect_not_graded(result, "two", "first.cpp", "ray_cast.cpp");
+    EXPECT_THAT(result.both(), HasSubstr("second.cpp"));
+}
+
+TEST_F(BadInput, TwoSourcesOfWhichOneIsRayCast) {
+    write(students() / "two/ray_cast.cpp", small_program);
+    write(students() / "two/old.cpp", "not C++");
+    const Result result = grade();
+    EXPECT_EQ(result.status, 0) << result.both();
+    EXPECT_EQ(graded("two").at("outcome"), "graded");
+    EXPECT_THAT(result.both() + read(out() / "feedback/two.md"), HasSubstr("old.cpp"));
+}
+
+TEST_F(BadInput, ASymbolicLinkToASource) {
+    fs::create_directories(students() / "link");
+    fs::create_symlink(students() / "good/ray_cast.cpp", students() / "link/ray_cast.cpp");
+    expect_not_graded(grade(), "link", "link/ray_cast.cpp", "symbolic link");
+}
+
+TEST_F(BadInput, ASymbolicLinkToAFolder) {
+    fs::create_directory_symlink(students() / "good", students() / "link");
+    expect_not_graded(grade(), "link", "link", "symbolic link");
+}
+
+TEST_F(BadInput, NamesWithSpacesQuotesAndUnicodeAreGraded) {
+    const std::vector<std::string> names = {"ann lee", "o'hara", "say \"hi\"", "zoë ☂", "=cmd", "-dash", "a,b;c"};
+    for (const std::string& name : names) write(students() / name / "ray_cast.cpp", small_program);
+    const Result result = grade();
+    EXPECT_EQ(result.status, 0) << result.both();
+    for (const std::string& name : names) {
+        ASSERT_FALSE(graded(name).is_null()) << name;
+        EXPECT_EQ(graded(name).at("outcome"), "graded") << name;
+    }
+    std::size_t feedback = 0;
+    for (const auto& entry : fs::directory_iterator(out() / "feedback")) feedback += entry.is_regular_file() ? 1U : 0U;
+    EXPECT_EQ(feedback, names.size() + 1);
+    const std::string csv = read(out() / "grades.csv");
+    EXPECT_THAT(csv, HasSubstr("\"say \"\"hi\"\"\"")) << "RFC 4180: quotes are doubled";
+    EXPECT_THAT(csv, HasSubstr("\"a,b;c\""));
+    EXPECT_THAT("\n" + csv, Not(HasSubstr("\n=cmd"))) << "a spreadsheet would run it as a formula";
+    EXPECT_THAT("\n" + csv, Not(HasSubstr("\n\"=cmd"))) << "a spreadsheet would run it as a formula";
+}
+
+TEST_F(BadInput, NoCompilerOnPath) {
+    const Result result = grade(forget_path);
+    EXPECT_EQ(result.status, some_not_graded) << result.both();
+    EXPECT_THAT(result.both(), HasSubstr("g++"));
+    EXPECT_THAT(result.both(), HasSubstr("apt install g++"));
+    EXPECT_EQ(graded("good").at("outcome"), "not_graded");
+}
+
+TEST_F(BadInput, AnOutputFolderThatCannotBeWritten) {
+    fs::create_directories(folder / "locked");
+    fs::permissions(folder / "locked", fs::perms::owner_read | fs::perms::owner_exec);
+    const fs::path target = folder / "locked/out";
+    const Result result = raygrade({"grade", students().string(), "--out", target.string()}, obey_permissions);
+    EXPECT_THAT(result.status, AnyOf(some_not_graded, usage));
+    EXPECT_THAT(result.voice, HasSubstr((folder / "locked").string()));
+}
+
+TEST_F(BadInput, AnOutputFolderOnAFullDisk) {
+    const fs::path disk = folder / "disk";
+    fs::create_directories(disk);
+    const Result result = raygrade({"grade", students().string(), "--out", (disk / "out").string()},
+                                   [&] { return mount_tiny_disk(disk); });
+    EXPECT_THAT(result.status, AnyOf(some_not_graded, usage));
+    EXPECT_THAT(result.voice, HasSubstr(disk.string()));
+    EXPECT_THAT(result.voice, AnyOf(HasSubstr("full"), HasSubstr("No space left")));
+}
+
+TEST_F(BadInput, AnOutputFolderThatIsAFile) {
+    write(folder / "out", "mine");
+    const Result result = grade();
+    EXPECT_EQ(result.status, usage) << result.both();
+    EXPECT_THAT(result.voice, HasSubstr(out().string()));
+    EXPECT_EQ(read(folder / "out"), "mine");
+}
+
+TEST_F(BadInput, AnOutputFolderWithSomeonesFiles) {
+    for (const std::string name : {"thesis.txt", "grades.csv"}) {
+        fs::remove_all(out());
+        write(out() / name, "mine");
+        const Result result = grade();
+        EXPECT_EQ(result.status, usage) << result.both();
+        EXPECT_THAT(result.voice, HasSubstr(out().string()));
+        EXPECT_EQ(read(out() / name), "mine");
+        EXPECT_FALSE(fs::exists(out() / "grades.json"));
+    }
+}
+
+TEST_F(BadInput, EarlierResultsAreKeptUnlessForced) {
+    ASSERT_EQ(grade().status, 0);
+    const std::string before = read(out() / "grades.json");
+    write(students() / "late/ray_cast.cpp", small_program);
+
+    const Result refused = grade();
+    EXPECT_EQ(refused.status, usage) << refused.both();
+    EXPECT_THAT(refused.voice, HasSubstr(out().string()));
+    EXPECT_THAT(refused.voice, HasSubstr("--force"));
+    EXPECT_EQ(read(out() / "grades.json"), before);
+
+    const Result forced = raygrade({"grade", students().string(), "--out", out().string(), "--force"});
+    EXPECT_EQ(forced.status, 0) << forced.both();
+    EXPECT_FALSE(graded("late").is_null());
+}
+
+TEST_F(BadInput, AnAssignmentFileWithAMistake) {
+    const fs::path file = folder / "mine.toml";
+    std::string text = read(project_folder() / "reference/assignments/a6-2021.toml");
+    text.replace(text.find("radius = 2"), 10, "radius = -2");
+    write(file, text);
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(text.find("radius = -2")), '\n');
+
+    const Result result =
+        raygrade({"grade", students().string(), "--assignment", file.string(), "--out", out().string()});
+    EXPECT_EQ(result.status, usage) << result.both();
+    EXPECT_THAT(result.voice, HasSubstr(file.string() + ":" + std::to_string(line)));
+    EXPECT_THAT(result.voice, HasSubstr("radius"));
+    EXPECT_FALSE(fs::exists(out())) << "nothing is graded by a bad assignment";
+}
+
+TEST_F(BadInput, AnAssignmentThatIsNotThere) {
+    const Result result = raygrade({"grade", students().string(), "--assignment", "a6-1066", "--out", out().string()});
+    EXPECT_EQ(result.status, usage) << result.both();
+    EXPECT_THAT(result.voice, HasSubstr("a6-1066"));
+    EXPECT_THAT(result.voice, HasSubstr("a6-2021")) << "the way out: those there are";
+    EXPECT_FALSE(fs::exists(out()));
+}
+
+}  // namespace
+}  // namespace scenario

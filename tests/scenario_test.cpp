@@ -1,0 +1,156 @@
+// The sample class and the model solution, graded by the real raygrade. Each submissions/<who>/expected.json says what
+// a marker gives, read off the source and its output:
+//   outcome  as in grades.json
+//   points   a number, or [least, most] where more than one verdict is fair
+//   items    the verdicts of those items that are not right, by "question.item"; an array where several are fair
+#include "tests/scenario.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace scenario {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const std::map<int, std::vector<std::string>> items_of_question = {{1, {"P_VCS"}},
+                                                                   {2, {"X_vcs", "Y_vcs", "Z_vcs"}},
+                                                                   {3, {"M_VCS_to_WCS"}},
+                                                                   {4, {"P_WCS"}},
+                                                                   {5, {"V"}},
+                                                                   {6, {"a", "b", "c", "d", "t", "hit"}},
+                                                                   {7, {"normal"}},
+                                                                   {8, {"matrix", "rhs", "t", "u", "v", "hit"}},
+                                                                   {9, {"normal"}},
+                                                                   {10, {"verdict"}}};
+
+std::vector<std::string> all_items() {
+    std::vector<std::string> all;
+    for (const auto& [question, items] : items_of_question) {
+        for (const std::string& item : items) all.push_back(std::to_string(question) + "." + item);
+    }
+    return all;
+}
+
+/// The items of one submission in grades.json, by "question.item".
+std::map<std::string, json> graded_items(const json& submission) {
+    std::map<std::string, json> items;
+    for (const json& question : submission.at("questions")) {
+        const std::string number = std::to_string(question.at("number").get<int>());
+        for (const json& item : question.at("items")) {
+            items[number + "." + item.at("name").get<std::string>()] = item;
+        }
+    }
+    return items;
+}
+
+std::set<std::string> fair_verdicts(const json& expected, const std::string& item) {
+    const json verdicts = expected.at("items").value(item, json("right"));
+    if (verdicts.is_array()) return verdicts.get<std::set<std::string>>();
+    return {verdicts.get<std::string>()};
+}
+
+/// Grades one path alone and returns what grades.json says of it.
+json grade_alone(const fs::path& path) {
+    const TemporaryFolder folder;
+    const Result result =
+        raygrade({"grade", path.string(), "--assignment", "a6-2021", "--out", (folder / "out").string()});
+    EXPECT_EQ(result.status, 0) << result.both();
+    const json grades = read_json(folder / "out/grades.json");
+    EXPECT_EQ(grades.at("schema"), "raygrade/grades/1");
+    EXPECT_EQ(grades.at("submissions").size(), 1U);
+    return grades.at("submissions").at(0);
+}
+
+struct Student {
+    std::string name;
+};
+
+/// The name with "_" for each character that GoogleTest does not allow in a test's name.
+std::string test_name(const Student& student) {
+    std::string name;
+    for (const char c : student.name) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool continues_a_character = (byte & 0xC0U) == 0x80U;
+        if (!continues_a_character) name += std::isalnum(byte) != 0 ? c : '_';
+    }
+    return name;
+}
+
+// GoogleTest would print another line for a name that is not ASCII, which ctest takes for one more test.
+void PrintTo(const Student& student, std::ostream* out) {
+    *out << test_name(student);
+}
+
+std::vector<Student> sample_class() {
+    std::vector<Student> students;
+    for (const auto& entry : fs::directory_iterator(project_folder() / "submissions")) {
+        if (fs::exists(entry.path() / "expected.json")) students.push_back({entry.path().filename()});
+    }
+    std::sort(students.begin(), students.end(), [](const Student& a, const Student& b) { return a.name < b.name; });
+    return students;
+}
+
+class SampleClass : public testing::TestWithParam<Student> {};
+
+TEST_P(SampleClass, GetsWhatAMarkerGives) {
+    const json expected = read_json(sample(GetParam().name) / "expected.json");
+    const json submission = grade_alone(sample(GetParam().name));
+    EXPECT_EQ(submission.at("id"), GetParam().name);
+    EXPECT_EQ(submission.at("outcome"), expected.at("outcome"));
+
+    const std::map<std::string, json> graded = graded_items(submission);
+    for (const std::string& name : all_items()) {
+        ASSERT_TRUE(graded.contains(name)) << name << " is not in grades.json";
+        const json& item = graded.at(name);
+        EXPECT_THAT(fair_verdicts(expected, name), testing::Contains(item.at("verdict").get<std::string>()))
+            << name << ": " << item.dump(2) << "\nThe mistake is: " << expected.at("mistake");
+    }
+    EXPECT_EQ(graded.size(), all_items().size());
+
+    const json& points = expected.at("points");
+    const double least = points.is_array() ? points.at(0) : points;
+    const double most = points.is_array() ? points.at(1) : points;
+    constexpr double rounding = 0.006;  // expected.json has two decimals
+    EXPECT_GE(submission.at("points").get<double>(), least - rounding);
+    EXPECT_LE(submission.at("points").get<double>(), most + rounding);
+    EXPECT_EQ(submission.at("max_points").get<double>(), 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Submissions, SampleClass, testing::ValuesIn(sample_class()),
+                         [](const auto& student) { return test_name(student.param); });
+
+TEST(SampleClassItself, NamesOnlyItemsAndVerdictsThatThereAre) {
+    const std::vector<std::string> names = all_items();
+    const std::set<std::string> verdicts = {"follow", "wrong", "missing", "unreadable", "right"};
+    for (const auto& [who] : sample_class()) {
+        const json expected = read_json(sample(who) / "expected.json");
+        for (const auto& [name, ignored] : expected.at("items").items()) {
+            EXPECT_THAT(names, testing::Contains(name)) << who;
+            EXPECT_THAT(fair_verdicts(expected, name), testing::IsSubsetOf(verdicts)) << who;
+        }
+    }
+}
+
+TEST(ModelSolution, GetsFullMarks) {
+    const json submission = grade_alone(project_folder() / "reference/ray_cast.cpp");
+    EXPECT_EQ(submission.at("outcome"), "graded");
+    for (const auto& [name, item] : graded_items(submission)) EXPECT_EQ(item.at("verdict"), "right") << name;
+    EXPECT_EQ(submission.at("points").get<double>(), 100);
+}
+
+TEST(ModelSolution, CompilesWithoutAWarning) {
+    const json submission = grade_alone(project_folder() / "reference/ray_cast.cpp");
+    EXPECT_EQ(submission.at("build").at("diagnostics"), "");
+}
+
+}  // namespace
+}  // namespace scenario
