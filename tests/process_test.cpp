@@ -1,5 +1,6 @@
 #include "harness/process.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -120,12 +121,21 @@ TEST(RunProcess, GivesTheProgramItsEnvironmentAndFolderAndNothingElse) {
     EXPECT_EQ(run().output, run.command.environment[0] + '\n' + run.folder().string() + '\n');
 }
 
-TEST(RunProcess, GivesAnEmptyStdin) {
+TEST(RunProcess, GivesAnEmptyStdinWhateverItsCallerHas) {
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    ASSERT_EQ(write(ends[1], "typed", 5), 5);
+    const int before = dup(STDIN_FILENO);
+    dup2(ends[0], STDIN_FILENO);
     EXPECT_EQ(Stranger({"read-stdin"})().exit_code, 0);
+    dup2(before, STDIN_FILENO);
+    for (const int fd : {before, ends[0], ends[1]}) close(fd);
 }
 
 TEST(RunProcess, GivesNoDescriptorButTheStandardThree) {
+    const int inheritable = open("/dev/null", O_RDONLY);
     EXPECT_EQ(Stranger({"list-descriptors"})().output, "0 1 2 ");
+    close(inheritable);
 }
 
 TEST(RunProcess, DoesNotBelieveAStatusTheProgramForged) {

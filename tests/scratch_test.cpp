@@ -4,11 +4,11 @@
 #include <gmock/gmock.h>
 #include <stdlib.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <optional>
 
+#include "as_nobody.h"
 #include "harness/failure.h"
 #include "harness/file_descriptor.h"
 
@@ -30,6 +30,7 @@ TEST(Scratch, IsAnEmptyFolderOfItsOwnThatIsGoneAtTheEnd) {
 }
 
 TEST(Scratch, RemovesFoldersWithoutPermissions) {
+    const AsNobody somebody_else;
     std::optional<Scratch> scratch{std::in_place};
     const auto path = scratch->path();
     std::filesystem::create_directories(path / "a/b/c");
