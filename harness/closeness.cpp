@@ -8,6 +8,9 @@ namespace {
 
 using reference::Shape;
 
+/// The default precision of C++ streams.
+constexpr int stream_digits = 6;
+
 std::vector<PrintedNumber> transposed(const std::vector<PrintedNumber>& numbers) {
     const std::size_t n = numbers.size() == 16 ? 4 : 3;
     std::vector<PrintedNumber> result;
@@ -34,7 +37,6 @@ Closeness compare_numbers(const std::vector<PrintedNumber>& given, const Target&
 }  // namespace
 
 double half_unit(const PrintedNumber& number, int min_decimals) {
-    constexpr int stream_digits = 6;
     if (number.exact) return 0.0;
     const int decimals = number.significant >= stream_digits ? number.decimals : std::max(number.decimals, min_decimals);
     return 0.5 * std::pow(10.0, -decimals);
@@ -45,9 +47,10 @@ bool is_within(const PrintedNumber& given, const Real& target, double allowance,
     return std::isfinite(given.value) && target.lo() - slack <= given.value && given.value <= target.hi() + slack;
 }
 
-Real enclosure_of(const PrintedNumber& number) {
+Real enclosure_of(const PrintedNumber& number, Digits digits) {
     if (number.exact || number.decimals == 0 || !std::isfinite(number.value)) return Real(number.value);
-    const double half = 0.5 * std::pow(10.0, -number.decimals);
+    double half = 0.5 * std::pow(10.0, -number.decimals);
+    if (digits == Digits::of_stream && number.significant < stream_digits) half *= std::pow(10.0, number.significant - stream_digits);
     return Real::widened(number.value - half, number.value + half);
 }
 

@@ -36,9 +36,14 @@ Closeness compare(const MatchedItem& printed, const Target& target, double allow
 /// The same for one number.
 bool is_within(const PrintedNumber& given, const Real& target, double allowance, int min_decimals);
 
-/// What the printed number says about the number behind it: the value, half a unit of its last digit either way; exactly the
-/// value when a whole number was printed.
-Real enclosure_of(const PrintedNumber& number);
+/// How a printed number stands for the number behind it.
+enum class Digits {
+    as_printed,  ///< half a unit of the last digit either way
+    of_stream,   ///< as a C++ stream prints it: six significant digits, zeros at the end left out, so "0.8" is 0.800000
+};
+
+/// What the printed number says about the number behind it; exactly the value when a whole number was printed.
+Real enclosure_of(const PrintedNumber& number, Digits digits);
 
 /// A printed matrix column by column, whatever the order it was printed in (unsaid counts as columns).
 std::vector<PrintedNumber> by_columns(const MatchedItem& printed);

@@ -87,7 +87,7 @@ QuadraticScale find_quadratic_scale(const PrintedQuadratic& printed, const Known
     const PrintedNumber* d = number_of(printed.d);
     QuadraticScale scale;
     if (a == nullptr || b == nullptr || c == nullptr) return scale;
-    const Real p = enclosure_of(*a), q = enclosure_of(*b), r = enclosure_of(*c);
+    const Real p = enclosure_of(*a, Digits::of_stream), q = enclosure_of(*b, Digits::of_stream), r = enclosure_of(*c, Digits::of_stream);
     if (d != nullptr) {
         const double slack = allowance * std::max(1.0, std::abs(d->value));
         const bool half = is_within(*d, q * q - p * r, slack, min_decimals);
@@ -167,11 +167,11 @@ SystemForm nearest_column_order(const MatchedItem& printed, const Target& matrix
     return nearest;
 }
 
-Target in_handout_order(const MatchedItem& printed, const SystemForm& form) {
+Target in_handout_order(const MatchedItem& printed, const SystemForm& form, Digits digits) {
     const std::vector<PrintedNumber> given = columns_of(printed, form.by_rows);
     Target target;
     for (const int column : form.column) {
-        for (std::size_t row = 0; row < 3; ++row) target.components.push_back(enclosure_of(given[at(column, row)]));
+        for (std::size_t row = 0; row < 3; ++row) target.components.push_back(enclosure_of(given[at(column, row)], digits));
     }
     return target;
 }

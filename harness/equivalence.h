@@ -55,6 +55,6 @@ Target scaled_rhs(const Target& rhs, const SystemForm& form);
 SystemForm nearest_column_order(const MatchedItem& printed, const Target& matrix);
 
 /// The printed matrix with its columns in the handout's order.
-Target in_handout_order(const MatchedItem& printed, const SystemForm& form);
+Target in_handout_order(const MatchedItem& printed, const SystemForm& form, Digits digits);
 
 }  // namespace harness

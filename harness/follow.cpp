@@ -30,7 +30,8 @@ bool agrees(const MatchedItem& printed, const Target& target, Evidence& evidence
 }
 
 /// Runs one derivation with every choice of inputs.
-bool follows_by(const Derivation& derivation, const MatchedItem& printed, Evidence& evidence, double allowance) {
+bool follows_by(const Derivation& derivation, const MatchedItem& printed, Evidence& evidence, double allowance, Digits digits) {
+    const std::map<ItemId, Target>& own_values = evidence.own_values(digits);
     const std::size_t choices = std::size_t{1} << derivation.inputs.size();
     for (std::size_t choice = 1; choice < choices; ++choice) {
         Known known = evidence.key;
@@ -38,8 +39,8 @@ bool follows_by(const Derivation& derivation, const MatchedItem& printed, Eviden
         bool deviates = false;
         for (std::size_t i = 0; i < derivation.inputs.size(); ++i) {
             if ((choice >> i & 1U) == 0) continue;
-            const auto own = evidence.own.find(derivation.inputs[i]);
-            possible = possible && own != evidence.own.end();
+            const auto own = own_values.find(derivation.inputs[i]);
+            possible = possible && own != own_values.end();
             if (!possible) break;
             known.set(own->first, own->second);
             deviates = deviates || evidence.deviating.contains(own->first);
@@ -61,11 +62,13 @@ bool is_one_of(const MatchedItem& printed, const std::vector<Target>& targets, E
 }
 
 bool follows(const MatchedItem& printed, Evidence& evidence, double allowance) {
-    const auto derivations = all_derivations();
-    return std::any_of(derivations.begin(), derivations.end(), [&](const Derivation& derivation) {
-        const bool about_item = derivation.item == ItemId{printed.spec.question, printed.spec.name};
-        return about_item && follows_by(derivation, printed, evidence, allowance);
-    });
+    for (const Derivation& derivation : all_derivations()) {
+        if (derivation.item != ItemId{printed.spec.question, printed.spec.name}) continue;
+        for (const Digits digits : {Digits::of_stream, Digits::as_printed}) {
+            if (follows_by(derivation, printed, evidence, allowance, digits)) return true;
+        }
+    }
+    return false;
 }
 
 }  // namespace harness

@@ -10,15 +10,17 @@
 
 namespace harness {
 
-/// What has been judged so far.
+/// What the student printed, beside the key.
 struct Evidence {
     Known key;                         ///< the key's canonical values
     RealScene scene;
     int min_decimals = 2;
     QuadraticScale quadratic;          ///< the form of the student's question 6
     std::optional<SystemForm> system;  ///< the layout of the student's linear system, once the matrix has been judged
-    std::map<ItemId, Target> own;      ///< what was printed for earlier items, where it can be read
-    std::set<ItemId> deviating;        ///< those of them that are not the key's canonical answer
+    std::map<ItemId, Target> own[2];   ///< what was printed, where it can be read, by Digits
+    std::set<ItemId> deviating;        ///< those items of own that are not the key's canonical answer
+
+    const std::map<ItemId, Target>& own_values(Digits digits) const { return own[digits == Digits::of_stream ? 0 : 1]; }
 };
 
 /// Whether the printed value is what a right stage gives for some choice of inputs, each the student's own or the key's, of which at

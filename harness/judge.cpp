@@ -39,6 +39,20 @@ Judge::Judge(const std::vector<MatchedItem>& matched, const reference::AnswerKey
     evidence_.min_decimals = rubric_.min_decimals;
     const PrintedQuadratic quadratic{readable({6, "a"}), readable({6, "b"}), readable({6, "c"}), readable({6, "d"})};
     evidence_.quadratic = find_quadratic_scale(quadratic, evidence_.key, widest, rubric_.min_decimals);
+    collect_evidence();
+}
+
+void Judge::collect_evidence() {
+    for (const reference::KeyQuestion& question : key_.questions) {
+        for (const KeyItem& item : question.items) {
+            const MatchedItem* printed = readable(id_of(item.spec));
+            if (printed == nullptr) continue;
+            ItemScore score = start_score(item);
+            const bool canonical = is_right(item, *printed, score) && score.accepted_as.empty();
+            remember(*printed);
+            if (!canonical) evidence_.deviating.insert(id_of(item.spec));
+        }
+    }
 }
 
 const MatchedItem* Judge::readable(const ItemId& id) const {
@@ -60,12 +74,17 @@ Target Judge::target_with_allowance(const KeyItem& item, const reference::Answer
     return target;
 }
 
-ItemScore Judge::judge(const KeyItem& item) {
+ItemScore Judge::start_score(const KeyItem& item) const {
     ItemScore score;
     score.spec = item.spec;
     score.expected = item.answers.front().value;
     const std::vector<double> allowances = target_with_allowance(item, item.answers.front()).allowance;
     if (!allowances.empty()) score.allowance = *std::max_element(allowances.begin(), allowances.end());
+    return score;
+}
+
+ItemScore Judge::judge(const KeyItem& item) {
+    ItemScore score = start_score(item);
     const auto printed = std::find_if(matched_.begin(), matched_.end(), [&](const MatchedItem& m) { return id_of(m.spec) == id_of(item.spec); });
     if (printed == matched_.end()) return score;
     if (printed->verdict) {
@@ -76,7 +95,6 @@ ItemScore Judge::judge(const KeyItem& item) {
         score.printed = printed->value->printed;
         score.line = printed->value->line;
         score.verdict = printed->unreadable ? ItemVerdict::unreadable : judge_value(item, *printed, score);
-        if (!printed->unreadable) remember(*printed, score);
     }
     return score;
 }
@@ -177,17 +195,16 @@ ItemVerdict Judge::judge_verdict(const KeyItem& item, const PrintedVerdict& prin
     return ItemVerdict::wrong;
 }
 
-void Judge::remember(const MatchedItem& printed, const ItemScore& score) {
+void Judge::remember(const MatchedItem& printed) {
     const ItemId id = id_of(printed.spec);
-    const bool canonical = score.verdict == ItemVerdict::right && score.accepted_as.empty();
-    Target own = printed_target(printed);
-    if (id == matrix && !own.no_value) {
-        const Target key = target_of(evidence_.key.matrix3(matrix).value_or(reference::Mat3<Real>(Real(0.0))));
-        if (!evidence_.system) evidence_.system = nearest_column_order(printed, key);
-        own = in_handout_order(printed, *evidence_.system);
+    for (const Digits digits : {Digits::of_stream, Digits::as_printed}) {
+        Target own = printed_target(printed, digits);
+        if (id == matrix && !own.no_value) {
+            const Target key = target_of(evidence_.key.matrix3(matrix).value_or(reference::Mat3<Real>(Real(0.0))));
+            own = in_handout_order(printed, evidence_.system.value_or(nearest_column_order(printed, key)), digits);
+        }
+        evidence_.own[digits == Digits::of_stream ? 0 : 1][id] = std::move(own);
     }
-    evidence_.own[id] = std::move(own);
-    if (!canonical) evidence_.deviating.insert(id);
 }
 
 }  // namespace harness

@@ -8,26 +8,28 @@
 
 namespace harness {
 
-/// Judges items one by one in the handout's order; later items may follow from what was printed for earlier ones.
+/// Judges items: first each by itself, right or not; then, where it is not right, by what was printed for the others.
 class Judge {
   public:
-    /// `matched` must outlive the judge.
+    /// The three must outlive the judge.
     Judge(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key, const reference::Assignment& assignment);
 
-    /// Everything of the item's score but its points.
+    /// Everything of the item's score but its points. Every item of the key once, in the handout's order.
     ItemScore judge(const reference::KeyItem& item);
 
   private:
     const MatchedItem* readable(const ItemId& id) const;
     Target target_with_allowance(const reference::KeyItem& item, const reference::Answer& answer) const;
+    void collect_evidence();
     ItemVerdict judge_value(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score);
+    ItemScore start_score(const reference::KeyItem& item) const;
     bool is_right(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score);
     bool is_right_quadratic(const MatchedItem& printed, ItemScore& score) const;
     bool is_right_matrix(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score);
     bool is_right_multiplied(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score);
     bool is_right_rhs(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score) const;
     ItemVerdict judge_verdict(const reference::KeyItem& item, const PrintedVerdict& printed, ItemScore& score) const;
-    void remember(const MatchedItem& printed, const ItemScore& score);
+    void remember(const MatchedItem& printed);
 
     const std::vector<MatchedItem>& matched_;
     const reference::AnswerKey& key_;

@@ -50,10 +50,10 @@ std::optional<reference::Mat4<Real>> Known::matrix4(const ItemId& id) const {
     return target == nullptr ? std::nullopt : std::optional(matrix_of<4>(target->components));
 }
 
-Target printed_target(const MatchedItem& printed) {
+Target printed_target(const MatchedItem& printed, Digits digits) {
     Target target;
     if (printed.value->numbers.empty()) return no_value();
-    for (const PrintedNumber& number : by_columns(printed)) target.components.push_back(enclosure_of(number));
+    for (const PrintedNumber& number : by_columns(printed)) target.components.push_back(enclosure_of(number, digits));
     if (printed.spec.shape == reference::Shape::vector) target.components.resize(3);
     return target;
 }

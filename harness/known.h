@@ -30,7 +30,7 @@ class Known {
 };
 
 /// A readable printed value as a target, so that it can stand in for the key's.
-Target printed_target(const MatchedItem& printed);
+Target printed_target(const MatchedItem& printed, Digits digits);
 
 Target target_of(const Real& x);
 Target target_of(const reference::Vec3<Real>& p);

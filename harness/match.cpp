@@ -217,7 +217,7 @@ std::vector<MatchedItem> match_group(const Group& group) {
             item.order = candidate.order;
         }
         if (item.spec.shape == Shape::verdict) {
-            item.verdict = read_verdict(group.lines);
+            item.verdict = read_verdict(group.lines, group.question == 10 ? VerdictPlace::own_section : VerdictPlace::elsewhere);
             if (item.verdict) item.verdict->line = static_cast<std::size_t>(group.line_numbers[item.verdict->line]);
         }
         matched.push_back(std::move(item));

@@ -5,11 +5,15 @@
 namespace harness {
 namespace {
 
+Known with_own(const Evidence& evidence, Digits digits) {
+    Known known = evidence.key;
+    for (const auto& [id, target] : evidence.own_values(digits)) known.set(id, target);
+    return known;
+}
+
 bool explains(const Misconception& mistake, const MatchedItem& printed, Evidence& evidence, double allowance) {
-    Known own = evidence.key;
-    for (const auto& [id, target] : evidence.own) own.set(id, target);
-    for (const Known* known : {&own, &evidence.key}) {
-        if (is_one_of(printed, mistake.compute(*known, evidence.scene), evidence, allowance)) return true;
+    for (const Known& known : {with_own(evidence, Digits::of_stream), with_own(evidence, Digits::as_printed), evidence.key}) {
+        if (is_one_of(printed, mistake.compute(known, evidence.scene), evidence, allowance)) return true;
     }
     return false;
 }

@@ -29,7 +29,7 @@ std::optional<PrintedValue> read_no_value(std::string_view line) {
     static const RE2 pattern(
         R"((?i)^\s*(.{0,80}?)\s*(?:[:=]|->|\s-\s)\s*[(<"'\[]*\s*((?:none|no |not |non-?existent|n/?a\b|nil\b|null\b|undefined|does not|doesn't|miss|imaginary|complex|-+\s*$|invalid|there is no|ray misses).*)$)");
     static const RE2 unlabelled(
-        R"((?i)^\s*[(<"'\[*]*\s*((?:none|no (?:real )?(?:hit|intersection|solution|root|normal)|not? hit|n/a\b|(?:the )?ray (?:misses|does not hit|doesn't hit)|there is no (?:hit|intersection)|miss(?:es|ed)?\b).*)$)");
+        R"((?i)^\s*[(<"'\[*]*\s*((?:none|no (?:(?:real|positive|valid|such|true) )*(?:hit|intersection|solution|root|normal|t\b)|not? hit|n/a\b|(?:the )?ray (?:misses|does not hit|doesn't hit)|there is no (?:hit|intersection)|miss(?:es|ed)?\b).*)$)");
     re2::StringPiece label;
     re2::StringPiece words;
     const std::string_view start = line.substr(0, longest);

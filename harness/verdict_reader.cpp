@@ -92,10 +92,11 @@ std::optional<Verdict> object_compared(const std::vector<std::string>& words) {
     return any(words, compares) ? std::optional(objects.front()) : std::nullopt;
 }
 
-std::optional<Verdict> verdict_of(std::string_view line) {
+std::optional<Verdict> verdict_of(std::string_view line, VerdictPlace place) {
     const std::vector<std::string> words = words_of(line);
     if (words.empty() || any(words, debug_words)) return std::nullopt;
     if (const auto object = object_at_first(words)) return object;
+    if (place == VerdictPlace::elsewhere) return std::nullopt;
     if (says_nothing_is_hit(words)) return Verdict::no_hit;
     if (std::find(words.begin(), words.end(), "first") != words.end() && !says_tie(words)) return std::nullopt;
     if (says_tie(words)) return Verdict::tie;
@@ -106,11 +107,11 @@ bool is_about_a_number(std::string_view line) { return line.find_first_of("01234
 
 }  // namespace
 
-std::optional<PrintedVerdict> read_verdict(const std::vector<std::string>& lines) {
+std::optional<PrintedVerdict> read_verdict(const std::vector<std::string>& lines, VerdictPlace place) {
     std::optional<PrintedVerdict> plain;        // a sentence
     std::optional<PrintedVerdict> with_number;  // "closest hit: sphere at t = 0.58", if there is no plain one
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const auto verdict = verdict_of(lines[i]);
+        const auto verdict = verdict_of(lines[i], place);
         if (!verdict) continue;
         constexpr std::size_t longest_printed = 200;
         const std::size_t begin = std::min(lines[i].find_first_not_of(" \t:-*#>="), lines[i].size());

@@ -15,7 +15,10 @@ struct PrintedVerdict {
     std::size_t line;     ///< index into the lines given
 };
 
+/// Whether the lines stand under question 10's heading. Elsewhere only a sentence with "first" is a verdict.
+enum class VerdictPlace { own_section, elsewhere };
+
 /// The verdict that the lines state; where several do, the last. A line about one object's t is none.
-std::optional<PrintedVerdict> read_verdict(const std::vector<std::string>& lines);
+std::optional<PrintedVerdict> read_verdict(const std::vector<std::string>& lines, VerdictPlace place);
 
 }  // namespace harness

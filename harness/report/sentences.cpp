@@ -34,7 +34,7 @@ std::string points_text(double points) {
 std::string item_sentence(const ItemScore& item) {
     switch (item.verdict) {
         case ItemVerdict::right: return item.accepted_as.empty() ? "" : fmt::format("Accepted: {}.", item.accepted_as);
-        case ItemVerdict::follow: return "Not the expected value, but it follows correctly from an earlier mistake of yours.";
+        case ItemVerdict::follow: return "Not the right value, but it follows correctly from an earlier mistake of yours.";
         case ItemVerdict::missing:
             return fmt::format("Not found in the output. Print {} with a label under this question's heading.", expected_shape(item.spec.shape));
         case ItemVerdict::unreadable:
@@ -43,7 +43,7 @@ std::string item_sentence(const ItemScore& item) {
     }
     if (holds_no_number(item)) return "That is not a number (nan or inf): look for a division by zero or the root of a negative number.";
     if (!item.advice.empty()) return item.advice;
-    return "That is not the expected value, nor does it follow from your earlier answers.";
+    return "That is not the right value, nor does it follow from your earlier answers.";
 }
 
 }  // namespace harness::report
