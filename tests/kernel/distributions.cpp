@@ -220,6 +220,30 @@ OrderCase tilted_tie(std::uint64_t seed) {
     if (random.whole(0, 2) == 0) c.sphere.radius = random.nudged(c.sphere.radius);
     return c;
 }
+/// Two spheres that a ray down the z axis meets in the same point, from outside, from inside, or one from each.
+SpherePairCase sphere_tie(std::uint64_t seed) {
+    Random random(seed);
+    static constexpr std::array<std::array<int, 4>, 4> points{
+        {{3, 0, 4, 5}, {2, 3, 6, 7}, {1, 4, 8, 9}, {6, 2, 9, 11}}};
+    const P hit = random.whole_point(50);
+    const auto sphere_through_hit = [&] {
+        const auto& q = points[static_cast<std::size_t>(random.whole(0, 3))];
+        const int size = random.whole(1, 9);
+        const double side = random.whole(0, 3) == 0 ? 1 : -1;
+        return reference::Sphere<double>{hit + P(q[0] * size, q[1] * size, side * q[2] * size), 1.0 * q[3] * size};
+    };
+    // A step up of less than 2 * 4 stays inside a sphere whose lower half is met.
+    const double up = random.whole(1, 7);
+    return {{hit + P(0, 0, up), P(0, 0, -random.whole(1, 7))}, sphere_through_hit(), sphere_through_hit()};
+}
+SpherePairCase sphere_tie_or_one_ulp_off(std::uint64_t seed) {
+    SpherePairCase c = sphere_tie(seed);
+    Random random(seed + 1);
+    c.other.radius = random.nudged(c.other.radius, 1);
+    if (random.whole(0, 1) == 0) c.ray.direction.x = std::exp2(random.whole(-300, -20));
+    return c;
+}
+
 OrderCase benign_order(std::uint64_t seed) {
     const SphereCase s = benign_sphere(seed);
     Random random(seed + 1);
@@ -251,6 +275,10 @@ std::vector<Distribution<TriangleCase>> triangles() {
 
 std::vector<Distribution<OrderCase>> orders() {
     return {{"benign", benign_order}, {"tie or one ulp off", tie_or_one_ulp_off}, {"tilted tie", tilted_tie}};
+}
+
+std::vector<Distribution<SpherePairCase>> sphere_pairs() {
+    return {{"two spheres tied", sphere_tie}, {"two spheres tied or one ulp off", sphere_tie_or_one_ulp_off}};
 }
 
 }  // namespace distributions

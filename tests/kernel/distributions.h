@@ -20,6 +20,11 @@ struct TriangleCase {
     Ray<double> ray;
     reference::Triangle<double> triangle;
 };
+struct SpherePairCase {
+    Ray<double> ray;
+    reference::Sphere<double> one;
+    reference::Sphere<double> other;
+};
 struct OrderCase {
     Ray<double> ray;
     reference::Sphere<double> sphere;
@@ -35,5 +40,6 @@ struct Distribution {
 std::vector<Distribution<SphereCase>> spheres();
 std::vector<Distribution<TriangleCase>> triangles();
 std::vector<Distribution<OrderCase>> orders();
+std::vector<Distribution<SpherePairCase>> sphere_pairs();
 
 }  // namespace distributions

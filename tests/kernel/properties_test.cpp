@@ -79,6 +79,29 @@ TEST_P(KernelOrder, DecidesAsFractionsDo) {
     });
 }
 
+/// 1,000 digits tell apart what is not equal: numbers of these heights that differ do so in the first 200.
+First true_first(const distributions::SpherePairCase& c) {
+    const oracle::SphereTruth one = oracle::sphere(c.ray, c.one);
+    const oracle::SphereTruth other = oracle::sphere(c.ray, c.other);
+    if (one.result == SphereResult::miss && other.result == SphereResult::miss) return {First::Kind::none, 0};
+    if (one.result == SphereResult::miss) return {First::Kind::sphere, 1};
+    if (other.result == SphereResult::miss) return {First::Kind::sphere, 0};
+    const oracle::Real difference = one.t() - other.t();
+    if (abs(difference) < oracle::Real("1e-900")) return {First::Kind::tie, 0};
+    return {First::Kind::sphere, difference < 0 ? std::size_t{0} : std::size_t{1}};
+}
+
+using KernelSpherePair = Kernel<distributions::SpherePairCase>;
+TEST_P(KernelSpherePair, DecidesAsAThousandDigitsDo) {
+    Cast cast;
+    check_all([&](const distributions::SpherePairCase& c) {
+        cast_ray(c.ray, {c.one, c.other}, {}, cast);
+        const First truth = true_first(c);
+        RC_ASSERT(cast.first.kind == truth.kind);
+        RC_ASSERT(cast.first.index == truth.index);
+    });
+}
+
 template <class Case>
 std::string name_of(const testing::TestParamInfo<distributions::Distribution<Case>>& info) {
     std::string name;
@@ -91,5 +114,7 @@ INSTANTIATE_TEST_SUITE_P(, KernelSphere, testing::ValuesIn(distributions::sphere
 INSTANTIATE_TEST_SUITE_P(, KernelTriangle, testing::ValuesIn(distributions::triangles()),
                          name_of<distributions::TriangleCase>);
 INSTANTIATE_TEST_SUITE_P(, KernelOrder, testing::ValuesIn(distributions::orders()), name_of<distributions::OrderCase>);
+INSTANTIATE_TEST_SUITE_P(, KernelSpherePair, testing::ValuesIn(distributions::sphere_pairs()),
+                         name_of<distributions::SpherePairCase>);
 
 }  // namespace
