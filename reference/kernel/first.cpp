@@ -24,23 +24,29 @@ std::partial_ordering filtered_order(double one, double other) {
     return std::partial_ordering::unordered;
 }
 
-RootChoice closed_root(const Quadratic<Integer>& quadratic) {
+template <class I>
+RootChoice closed_root(const Quadratic<I>& quadratic) {
     return choose_root(quadratic, Boundary::nonnegative);
+}
+
+/// Of two spheres, of two triangles, or of a sphere and a triangle.
+template <class I>
+std::partial_ordering exact_order(const IntegerScene<I>& scene) {
+    if (scene.triangles.empty()) {
+        const Quadratic<I> one = quadratic_of(scene.ray, scene.spheres[0]);
+        const Quadratic<I> other = quadratic_of(scene.ray, scene.spheres[1]);
+        return order_of(one, closed_root(one), other, closed_root(other));
+    }
+    if (scene.spheres.empty()) {
+        return order_of(solution_of(scene.ray, scene.triangles[0]), solution_of(scene.ray, scene.triangles[1]));
+    }
+    const Quadratic<I> quadratic = quadratic_of(scene.ray, scene.spheres[0]);
+    return order_of(quadratic, closed_root(quadratic), solution_of(scene.ray, scene.triangles[0]));
 }
 
 std::partial_ordering order_in_integers(const Ray<double>& ray, const std::vector<Sphere<double>>& spheres,
                                         const std::vector<Triangle<double>>& triangles) {
-    const IntegerScene scene = as_integers(ray, spheres, triangles);
-    if (triangles.empty()) {
-        const Quadratic<Integer> one = quadratic_of(scene.ray, scene.spheres[0]);
-        const Quadratic<Integer> other = quadratic_of(scene.ray, scene.spheres[1]);
-        return order_of(one, closed_root(one), other, closed_root(other));
-    }
-    if (spheres.empty()) {
-        return order_of(solution_of(scene.ray, scene.triangles[0]), solution_of(scene.ray, scene.triangles[1]));
-    }
-    const Quadratic<Integer> quadratic = quadratic_of(scene.ray, scene.spheres[0]);
-    return order_of(quadratic, closed_root(quadratic), solution_of(scene.ray, scene.triangles[0]));
+    return in_integers(ray, spheres, triangles, [](const auto& scene) { return exact_order(scene); });
 }
 
 /// The order of a's t and b's t, where a is a sphere if only one of them is.

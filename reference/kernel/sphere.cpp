@@ -77,9 +77,10 @@ struct Level {
 };
 
 SphereResult decide_in_integers(const Ray<double>& ray, const Sphere<double>& sphere) {
-    const IntegerScene scene = as_integers(ray, {sphere}, {});
-    const Quadratic<Integer> quadratic = quadratic_of(scene.ray, scene.spheres.front());
-    return *result_of({sign_of(quadratic.b), sign_of(quadratic.c), sign_of(quadratic.d)});
+    return in_integers(ray, {sphere}, {}, [](const auto& scene) {
+        const auto quadratic = quadratic_of(scene.ray, scene.spheres.front());
+        return *result_of({sign_of(quadratic.b), sign_of(quadratic.c), sign_of(quadratic.d)});
+    });
 }
 
 /// t of a hit in double-double; empty where its relative error cannot be held below 2^-56.

@@ -49,26 +49,28 @@ struct Level {
     }
 };
 
-bool has_no_area(const reference::Triangle<Integer>& triangle) {
-    const Vec3<Integer> normal = cross(Vec3<Integer>(triangle.B - triangle.A), Vec3<Integer>(triangle.C - triangle.A));
+template <class I>
+bool has_no_area(const reference::Triangle<I>& triangle) {
+    const Vec3<I> normal = cross(Vec3<I>(triangle.B - triangle.A), Vec3<I>(triangle.C - triangle.A));
     return sign_of(normal.x) == 0 && sign_of(normal.y) == 0 && sign_of(normal.z) == 0;
 }
 
 TriangleResult decide_in_integers(const Ray<double>& ray, const Triangle<double>& triangle) {
-    const IntegerScene scene = as_integers(ray, {}, {triangle});
-    if (has_no_area(scene.triangles.front())) return TriangleResult::degenerate;
-    switch (classify(solution_of(scene.ray, scene.triangles.front()))) {
-        case reference::TriangleHit::hit:
-        case reference::TriangleHit::boundary:
-            return TriangleResult::hit;
-        case reference::TriangleHit::coplanar:
-            return TriangleResult::coplanar;
-        case reference::TriangleHit::miss:
-        case reference::TriangleHit::parallel:
-        case reference::TriangleHit::unsure:
-            break;  // unsure: not with whole numbers
-    }
-    return TriangleResult::miss;
+    return in_integers(ray, {}, {triangle}, [](const auto& scene) {
+        if (has_no_area(scene.triangles.front())) return TriangleResult::degenerate;
+        switch (classify(solution_of(scene.ray, scene.triangles.front()))) {
+            case reference::TriangleHit::hit:
+            case reference::TriangleHit::boundary:
+                return TriangleResult::hit;
+            case reference::TriangleHit::coplanar:
+                return TriangleResult::coplanar;
+            case reference::TriangleHit::miss:
+            case reference::TriangleHit::parallel:
+            case reference::TriangleHit::unsure:
+                break;  // unsure: not with whole numbers
+        }
+        return TriangleResult::miss;
+    });
 }
 
 /// numerator / det, when both are known to 2^-57 of themselves.
@@ -101,7 +103,7 @@ TriangleHit solve(const Ray<double>& ray, const Triangle<double>& triangle) {
         const auto v = quotient(solution.v_numerator, solution.det, level.error, level.error);
         if (t && u && v) return {TriangleResult::hit, *t, *u, *v};
     }
-    const IntegerScene scene = as_integers(ray, {}, {triangle});
+    const IntegerScene<Integer> scene = as_integers<Integer>(scales_of(ray, {}, {triangle}), ray, {}, {triangle});
     const CramerSolution<Integer> exact = solution_of(scene.ray, scene.triangles.front());
     return {TriangleResult::hit, exact_quotient(exact.t_numerator, exact.det, scene.t_exponent),
             exact_quotient(exact.u_numerator, exact.det, 0), exact_quotient(exact.v_numerator, exact.det, 0)};

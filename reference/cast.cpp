@@ -1,0 +1,137 @@
+#include "reference/cast.h"
+
+#include <fmt/format.h>
+
+#include <istream>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "reference/cast_query.h"
+#include "reference/kernel/first.h"
+
+namespace reference {
+namespace {
+
+using Text = fmt::memory_buffer;
+
+void append(Text& text, std::string_view part) {
+    text.append(part.data(), part.data() + part.size());
+}
+
+/// The shortest decimal that reads back as the same double.
+void append(Text& text, double x) {
+    if (std::isfinite(x)) {
+        fmt::format_to(fmt::appender(text), "{}", x);
+    } else {
+        append(text, "null");
+    }
+}
+
+void append(Text& text, const kernel::SphereHit& sphere) {
+    switch (sphere.result) {
+        case kernel::SphereResult::hit:
+            append(text, R"({"result":"hit","t":)");
+            break;
+        case kernel::SphereResult::tangent:
+            append(text, R"({"result":"tangent","t":)");
+            break;
+        case kernel::SphereResult::miss:
+            return append(text, R"({"result":"miss"})");
+        case kernel::SphereResult::invalid:
+            return append(text, R"({"result":"invalid"})");
+    }
+    append(text, sphere.t);
+    append(text, "}");
+}
+
+void append(Text& text, const kernel::TriangleHit& triangle) {
+    switch (triangle.result) {
+        case kernel::TriangleResult::hit:
+            break;
+        case kernel::TriangleResult::miss:
+            return append(text, R"({"result":"miss"})");
+        case kernel::TriangleResult::coplanar:
+            return append(text, R"({"result":"coplanar"})");
+        case kernel::TriangleResult::degenerate:
+            return append(text, R"({"result":"degenerate"})");
+        case kernel::TriangleResult::invalid:
+            return append(text, R"({"result":"invalid"})");
+    }
+    append(text, R"({"result":"hit","t":)");
+    append(text, triangle.t);
+    append(text, R"(,"u":)");
+    append(text, triangle.u);
+    append(text, R"(,"v":)");
+    append(text, triangle.v);
+    append(text, "}");
+}
+
+template <class Hit>
+void append(Text& text, const std::vector<Hit>& hits) {
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        if (i > 0) append(text, ",");
+        append(text, hits[i]);
+    }
+}
+
+void append(Text& text, const kernel::First& first) {
+    switch (first.kind) {
+        case kernel::First::Kind::sphere:
+            fmt::format_to(fmt::appender(text), "sphere {}", first.index);
+            break;
+        case kernel::First::Kind::triangle:
+            fmt::format_to(fmt::appender(text), "triangle {}", first.index);
+            break;
+        case kernel::First::Kind::tie:
+            append(text, "tie");
+            break;
+        case kernel::First::Kind::none:
+            append(text, "none");
+            break;
+        case kernel::First::Kind::invalid:
+            append(text, "invalid");
+            break;
+    }
+}
+
+void append(Text& text, const kernel::Cast& cast) {
+    append(text, R"({"spheres":[)");
+    append(text, cast.spheres);
+    append(text, R"(],"triangles":[)");
+    append(text, cast.triangles);
+    append(text, R"(],"first":")");
+    append(text, cast.first);
+    append(text, "\"}\n");
+}
+
+/// The message may quote the line, so it is escaped, and what is not UTF-8 in it replaced.
+void append_error(Text& text, const MalformedQuery& error, long line) {
+    const nlohmann::ordered_json json{{"error", error.what()}, {"line", line}};
+    append(text, json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace
+
+long cast(std::istream& queries, std::ostream& answers) {
+    CastQueryReader reader;
+    CastQuery query;
+    kernel::Cast cast;
+    Text text;
+    std::string line;
+    long malformed = 0;
+    for (long number = 1; std::getline(queries, line); ++number) {
+        text.clear();
+        try {
+            reader.read(line, query);
+            kernel::cast_ray(query.ray, query.spheres, query.triangles, cast);
+            append(text, cast);
+        } catch (const MalformedQuery& error) {
+            ++malformed;
+            append_error(text, error, number);
+        }
+        answers.write(text.data(), static_cast<std::streamsize>(text.size()));
+    }
+    return malformed;
+}
+
+}  // namespace reference

@@ -1,0 +1,23 @@
+// `raygrade cast`: certified answers to rays by the million, one JSON line in, one JSON line out.
+#pragma once
+
+#include <iosfwd>
+
+namespace reference {
+
+/// Reads queries, one a line:
+///   {"origin":[x,y,z],"direction":[x,y,z],"spheres":[{"center":[x,y,z],"radius":r}],"triangles":[[[x,y,z],[x,y,z],[x,y,z]]]}
+/// Keys may come in any order; spheres and triangles may be left out. A number is a JSON number, which becomes the
+/// nearest double, or a string with a hex float ("0x1.8p+1"), "inf", "-inf" or "nan".
+///
+/// Writes one line a query, in order:
+///   {"spheres":[{"result":"hit","t":0.5}],"triangles":[{"result":"hit","t":3,"u":0.25,"v":0.25}],"first":"sphere 0"}
+/// with the results of kernel/ray.h: hit, miss, tangent, coplanar, degenerate, invalid; t, u and v stand only beside
+/// hit and tangent, and t is null where it is beyond the doubles. `first` is "sphere 0", "triangle 0" (counted from 0),
+/// "tie", "none" or "invalid".
+///
+/// A line that is no query gives {"error":"...","line":7}, lines counted from 1, and the rest are still answered.
+/// Returns how many such lines there were.
+long cast(std::istream& queries, std::ostream& answers);
+
+}  // namespace reference

@@ -1,0 +1,40 @@
+// One query of `raygrade cast`, read from its line. The only file that knows the JSON parser is cast_query.cpp.
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "reference/kernel/ray.h"
+
+namespace reference {
+
+struct CastQuery {
+    kernel::Ray<double> ray;
+    std::vector<Sphere<double>> spheres;
+    std::vector<Triangle<double>> triangles;
+};
+
+/// The line is no query; what() says why.
+class MalformedQuery : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+class CastQueryReader {
+  public:
+    CastQueryReader();
+    ~CastQueryReader();
+    CastQueryReader(const CastQueryReader&) = delete;
+    CastQueryReader& operator=(const CastQueryReader&) = delete;
+
+    /// Writes into `query`, whose memory it keeps from line to line. Throws MalformedQuery.
+    void read(const std::string& line, CastQuery& query);
+
+  private:
+    struct Parser;
+    std::unique_ptr<Parser> parser_;
+};
+
+}  // namespace reference

@@ -1,0 +1,115 @@
+#include "reference/cast.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace {
+
+std::string answer(const std::string& queries) {
+    std::istringstream in(queries);
+    std::ostringstream out;
+    reference::cast(in, out);
+    return out.str();
+}
+
+const std::string ray = R"("origin":[0,0,2],"direction":[0,0,-1])";
+const std::string sphere = R"({"center":[1,1,0],"radius":2})";
+const std::string triangle = R"([[0,-2,2],[2,2,2],[-2,2,2]])";
+
+TEST(Cast, AnswersTheHandoutsScene) {
+    // 2 - √2 = 0.5857864376269049512: the shortest decimal that reads back as the nearest double.
+    EXPECT_EQ(answer("{" + ray + R"(,"spheres":[)" + sphere + R"(],"triangles":[)" + triangle + "]}\n"),
+              R"({"spheres":[{"result":"hit","t":0.585786437626905}],)"
+              R"("triangles":[{"result":"hit","t":0,"u":0.25,"v":0.25}],"first":"triangle 0"})"
+              "\n");
+}
+
+TEST(Cast, KeysComeInAnyOrderAndObjectsMayBeLeftOut) {
+    EXPECT_EQ(answer(R"({"direction":[0,0,-1],"origin":[0,0,2]})"),
+              "{\"spheres\":[],\"triangles\":[],\"first\":\"none\"}\n");
+}
+
+TEST(Cast, ReadsHexFloatsToTheirLastBit) {
+    const std::string query = R"({"origin":["-0x1p-149",0.25,"0x1p+0"],"direction":[0,0,-1],)"
+                              R"("triangles":[[[0,0,0],[1,0,0],[0,"0x1.8p-1",0]]]})";
+    EXPECT_EQ(answer(query), "{\"spheres\":[],\"triangles\":[{\"result\":\"miss\"}],\"first\":\"none\"}\n");
+}
+
+TEST(Cast, NamesEveryResult) {
+    const auto only_sphere = [&](const std::string& origin, const std::string& direction, const std::string& object) {
+        return answer(R"({"origin":)" + origin + R"(,"direction":)" + direction + R"(,"spheres":[)" + object + "]}");
+    };
+    const std::string unit = R"({"center":[0,0,0],"radius":1})";
+    EXPECT_EQ(only_sphere("[1,0,2]", "[0,0,-1]", unit),
+              "{\"spheres\":[{\"result\":\"tangent\",\"t\":2}],\"triangles\":[],\"first\":\"sphere 0\"}\n");
+    EXPECT_EQ(only_sphere("[1.5,0,2]", "[0,0,-1]", unit),
+              "{\"spheres\":[{\"result\":\"miss\"}],\"triangles\":[],\"first\":\"none\"}\n");
+    const std::string invalid = "{\"spheres\":[{\"result\":\"invalid\"}],\"triangles\":[],\"first\":\"invalid\"}\n";
+    EXPECT_EQ(only_sphere("[0,0,2]", "[0,0,0]", unit), invalid);
+    EXPECT_EQ(only_sphere(R"([0,0,"inf"])", "[0,0,-1]", unit), invalid);
+    EXPECT_EQ(only_sphere(R"([0,0,"nan"])", "[0,0,-1]", unit), invalid);
+    EXPECT_EQ(only_sphere("[0,0,2]", "[0,0,-1]", R"({"center":[0,0,0],"radius":0})"), invalid);
+    EXPECT_EQ(answer(R"({"origin":[-5,0,2],"direction":[1,0,0],"triangles":[)" + triangle +
+                     R"(,[[0,0,0],[1,1,1],[2,2,2]],[["-inf",0,0],[0,1,0],[1,0,0]]]})"),
+              R"({"spheres":[],"triangles":[{"result":"coplanar"},{"result":"degenerate"},{"result":"invalid"}],)"
+              R"("first":"invalid"})"
+              "\n");
+}
+
+TEST(Cast, CountsTheFirstFromZeroAmongItsKind) {
+    const std::string far = R"({"center":[0,0,-9],"radius":1})";
+    const std::string near = R"({"center":[0,0,0],"radius":1})";
+    EXPECT_NE(answer("{" + ray + R"(,"spheres":[)" + far + "," + near + "]}").find("\"first\":\"sphere 1\""),
+              std::string::npos);
+    EXPECT_NE(answer("{" + ray + R"(,"spheres":[)" + near + "," + far + "," + near + "]}").find("\"first\":\"tie\""),
+              std::string::npos);
+    // A tie behind the first hit is none.
+    EXPECT_NE(
+        answer("{" + ray + R"(,"spheres":[)" + far + "," + far + "," + near + "]}").find("\"first\":\"sphere 2\""),
+        std::string::npos);
+}
+
+TEST(Cast, ATimeBeyondTheDoublesIsNull) {
+    EXPECT_EQ(answer(R"({"origin":[0,0,1e300],"direction":[0,0,-1e-300],"spheres":[{"center":[0,0,0],"radius":1}]})"),
+              "{\"spheres\":[{\"result\":\"hit\",\"t\":null}],\"triangles\":[],\"first\":\"sphere 0\"}\n");
+}
+
+TEST(Cast, AMalformedLineIsToldByItsNumberAndTheRestAreAnswered) {
+    const std::string good = "{" + ray + "}";
+    for (const std::string& bad : {std::string("{"),
+                                   std::string(""),
+                                   std::string("[]"),
+                                   std::string("nonsense"),
+                                   std::string("{}"),
+                                   good + "x",
+                                   std::string(R"({"origin":[0,0],"direction":[0,0,1]})"),
+                                   std::string(R"({"origin":[0,0,0,0],"direction":[0,0,1]})"),
+                                   std::string(R"({"origin":[0,0,"1.5"],"direction":[0,0,1]})"),
+                                   std::string(R"({"origin":[0,0,"0x"],"direction":[0,0,1]})"),
+                                   std::string(R"({"origin":[0,0,"0x-1p0"],"direction":[0,0,1]})"),
+                                   std::string(R"({"origin":[0,0,null],"direction":[0,0,1]})"),
+                                   std::string(R"({"origin":[0,0,1e999],"direction":[0,0,1]})"),
+                                   "{" + ray + "," + ray + "}",
+                                   "{" + ray + R"(,"cubes":[]})",
+                                   "{" + ray + R"(,"spheres":[{"center":[0,0,0]}]})",
+                                   "{" + ray + R"(,"spheres":[{"center":[0,0,0],"radius":1,"name":2}]})",
+                                   "{" + ray + R"(,"triangles":[[[0,0,0],[0,0,0]]]})",
+                                   "{" + ray + R"(,"spheres":{}})",
+                                   std::string("\xff\xfe")}) {
+        SCOPED_TRACE(bad);
+        std::istringstream in(good + "\n" + bad + "\n" + good + "\n");
+        std::ostringstream out;
+        EXPECT_EQ(reference::cast(in, out), 1);
+        const std::string text = out.str();
+        EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
+        const std::size_t second = text.find('\n') + 1;
+        EXPECT_EQ(text.substr(second, 10), "{\"error\":\"");
+        const std::size_t third = text.find('\n', second) + 1;
+        EXPECT_NE(text.find("\"line\":2}"), std::string::npos);
+        EXPECT_EQ(text.substr(third), answer(good));
+    }
+}
+
+}  // namespace

@@ -1,0 +1,139 @@
+// The certified keys of the two sample scenes, as constants. Each is derived beside it by hand; 20 digits of a root are
+// written so that the compiler rounds them to the nearest double.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "reference/answer_key.h"
+
+namespace {
+
+using namespace reference;
+
+constexpr double sqrt_2 = 1.41421356237309504880;
+constexpr double half_sqrt_2 = 0.70710678118654752440;
+
+const Answer* find(const AnswerKey& key, int number, std::string_view name, std::size_t which = 0) {
+    for (const KeyQuestion& question : key.questions) {
+        for (const KeyItem& item : question.items) {
+            if (question.number == number && item.spec.name == name && which < item.answers.size()) {
+                return &item.answers[which];
+            }
+        }
+    }
+    return nullptr;
+}
+
+/// `exact`: every component is a double, and so lo = hi.
+void expect_item(const AnswerKey& key, int number, std::string_view name, const Numbers& value, bool exact) {
+    SCOPED_TRACE(name);
+    const Answer* answer = find(key, number, name);
+    ASSERT_NE(answer, nullptr);
+    EXPECT_EQ(std::get<Numbers>(answer->value), value);
+    ASSERT_EQ(answer->lo.size(), value.size());
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        EXPECT_TRUE(answer->lo[i] <= value[i] && value[i] <= answer->hi[i]);
+        if (exact) {
+            EXPECT_EQ(answer->lo[i], answer->hi[i]);
+        }
+        EXPECT_GE(answer->allowance[i], 0);
+        EXPECT_LT(answer->allowance[i], 0.01);
+    }
+}
+
+AnswerKey key_of(const std::string& name) {
+    return make_key(load_assignment(name, RAYGRADE_ASSIGNMENTS), Precision::certified);
+}
+
+TEST(CertifiedKey, A6_2021) {
+    const AnswerKey key = key_of("a6-2021");
+    // Pixel (150, 100) of 301 x 201 is the window's middle: -2 + 4 * 301/602 = 0.
+    expect_item(key, 1, "P_VCS", {0, 0, -2}, true);
+    // eye - lookat = (0, 0, 4) and vup = y.
+    expect_item(key, 2, "X_vcs", {1, 0, 0}, true);
+    expect_item(key, 2, "Y_vcs", {0, 1, 0}, true);
+    expect_item(key, 2, "Z_vcs", {0, 0, 1}, true);
+    expect_item(key, 3, "M_VCS_to_WCS", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 4, 1}, true);
+    expect_item(key, 4, "P_WCS", {0, 0, 2}, true);
+    expect_item(key, 5, "V", {0, 0, -1}, true);
+    // S - C = (-1, -1, 2): b = 2 * -2, c = 6 - 4, d = 16 - 8, t = (4 - 2√2) / 2.
+    expect_item(key, 6, "a", {1}, true);
+    expect_item(key, 6, "b", {-4}, true);
+    expect_item(key, 6, "c", {2}, true);
+    expect_item(key, 6, "d", {8}, true);
+    expect_item(key, 6, "t", {0.58578643762690495120}, false);
+    // (0, 0, 2 - t), less (1, 1, 0), over 2.
+    expect_item(key, 6, "hit", {0, 0, sqrt_2}, false);
+    expect_item(key, 7, "normal", {-0.5, -0.5, half_sqrt_2}, false);
+    // -V, B - A = (2, 4, 0), C - A = (-2, 4, 0); S - A = (0, 2, 0) = 1/4 (B - A) + 1/4 (C - A).
+    expect_item(key, 8, "matrix", {0, 0, 1, 2, 4, 0, -2, 4, 0}, true);
+    expect_item(key, 8, "rhs", {0, 2, 0}, true);
+    expect_item(key, 8, "t", {0}, true);
+    expect_item(key, 8, "u", {0.25}, true);
+    expect_item(key, 8, "v", {0.25}, true);
+    expect_item(key, 8, "hit", {0, 0, 2}, true);
+    expect_item(key, 9, "normal", {0, 0, 1}, true);
+    EXPECT_EQ(std::get<Verdict>(find(key, 10, "verdict")->value), Verdict::triangle_first);
+    EXPECT_EQ(std::get<Verdict>(find(key, 10, "verdict", 1)->value), Verdict::sphere_first);
+    EXPECT_EQ(key.decisions.sphere, "hit");
+    EXPECT_EQ(key.decisions.triangle, "boundary");
+    EXPECT_EQ(key.decisions.first, "triangle");
+    EXPECT_EQ(key.decisions.policy, std::vector<std::string>{"boundary"});
+}
+
+TEST(CertifiedKey, A6_Edge) {
+    const AnswerKey key = key_of("a6-edge");
+    expect_item(key, 1, "P_VCS", {0, 0, -2}, true);
+    // eye - lookat = (6, 0, 0), so Z = x, X = y cross x = -z.
+    expect_item(key, 2, "X_vcs", {0, 0, -1}, true);
+    expect_item(key, 2, "Y_vcs", {0, 1, 0}, true);
+    expect_item(key, 2, "Z_vcs", {1, 0, 0}, true);
+    expect_item(key, 3, "M_VCS_to_WCS", {0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 6, 1, 0, 1}, true);
+    expect_item(key, 4, "P_WCS", {4, 1, 0}, true);
+    expect_item(key, 5, "V", {-1, 0, 0}, true);
+    // S - C = (3, 1, -1): b = 2 * -3, c = 11 - 4, d = 36 - 28, t = (6 - 2√2) / 2.
+    expect_item(key, 6, "a", {1}, true);
+    expect_item(key, 6, "b", {-6}, true);
+    expect_item(key, 6, "c", {7}, true);
+    expect_item(key, 6, "d", {8}, true);
+    expect_item(key, 6, "t", {1.58578643762690495120}, false);
+    expect_item(key, 6, "hit", {2.41421356237309504880, 1, 0}, false);
+    expect_item(key, 7, "normal", {half_sqrt_2, 0.5, -0.5}, false);
+    // B - A = (0, 0, 2), C - A = (-2, 3, 3), S - A = (1, 1, 1). By y, 3v = 1; by z, 2u + 3v = 1, so u = 0 exactly; by
+    // x, t - 2v = 1.
+    expect_item(key, 8, "matrix", {1, 0, 0, 0, 0, 2, -2, 3, 3}, true);
+    expect_item(key, 8, "rhs", {1, 1, 1}, true);
+    expect_item(key, 8, "t", {1.66666666666666666667}, false);
+    expect_item(key, 8, "u", {0}, true);
+    expect_item(key, 8, "v", {0.33333333333333333333}, false);
+    expect_item(key, 8, "hit", {2.33333333333333333333, 1, 0}, false);
+    // (B-A) x (C-A) = (-6, -4, 0).
+    expect_item(key, 9, "normal", {-0.83205029433784368303, -0.55470019622522912202, 0}, false);
+    EXPECT_EQ(std::get<Verdict>(find(key, 10, "verdict")->value), Verdict::sphere_first);
+    EXPECT_EQ(find(key, 10, "verdict", 1), nullptr);
+    EXPECT_EQ(key.decisions.sphere, "hit");
+    EXPECT_EQ(key.decisions.triangle, "hit");
+    EXPECT_EQ(key.decisions.first, "sphere");
+    EXPECT_TRUE(key.decisions.policy.empty());
+}
+
+TEST(CertifiedKey, JsonHasEnclosuresIn17DigitsAndReadsBackAsTheSameDoubles) {
+    const AnswerKey key = key_of("a6-2021");
+    const std::string text = to_json(key);
+    // 2 - √2 lies between these two doubles.
+    EXPECT_NE(text.find("\"lo\": 0.58578643762690485"), std::string::npos) << text;
+    EXPECT_NE(text.find("\"hi\": 0.58578643762690497"), std::string::npos);
+    const auto json = nlohmann::json::parse(text);
+    EXPECT_EQ(json["precision"], "certified");
+    const auto& t = json["questions"][5]["items"][4];
+    EXPECT_EQ(t["name"], "t");
+    EXPECT_EQ(t["value"].get<double>(), 0.58578643762690495120);
+    EXPECT_GT(t["allowance"].get<double>(), 0);
+    EXPECT_EQ(json["questions"][2]["items"][0]["allowance"].size(), 4);
+    EXPECT_EQ(json["decisions"]["triangle"], "boundary");
+    EXPECT_EQ(json["decisions"]["policy"], nlohmann::json::array({"boundary"}));
+    EXPECT_FALSE(json.contains("notes"));
+}
+
+}  // namespace

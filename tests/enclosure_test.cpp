@@ -1,0 +1,155 @@
+// Every item's enclosure against 512-bit arithmetic by other formulas than the stages', on 1,000 random scenes.
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/mpfr.hpp>
+#include <map>
+
+#include "reference/answer_key.h"
+#include "tests/random_scene.h"
+
+namespace {
+
+using namespace reference;
+
+/// 155 digits are 515 bits.
+using Real =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<155>, boost::multiprecision::et_off>;
+struct P {
+    Real x, y, z;
+};
+P operator+(const P& p, const P& q) {
+    return {p.x + q.x, p.y + q.y, p.z + q.z};
+}
+P operator-(const P& p, const P& q) {
+    return {p.x - q.x, p.y - q.y, p.z - q.z};
+}
+P operator*(const Real& s, const P& p) {
+    return {s * p.x, s * p.y, s * p.z};
+}
+Real operator*(const P& p, const P& q) {
+    return p.x * q.x + p.y * q.y + p.z * q.z;
+}
+P cross_of(const P& p, const P& q) {
+    return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+}
+P unit(const P& p) {
+    return Real(1 / sqrt(p * p)) * p;
+}
+std::vector<Real> list(const P& p) {
+    return {p.x, p.y, p.z};
+}
+
+Real real(const Decimal& number) {
+    return Real(number.text());
+}
+P real(const Vec3<Decimal>& p) {
+    return {real(p.x), real(p.y), real(p.z)};
+}
+
+using Truth = std::map<ItemId, std::vector<Real>>;
+
+/// The axes by Gram and Schmidt; no matrix is inverted. Returns the ray's start and direction.
+std::pair<P, P> add_camera(Truth& truth, const Scene<Decimal>& scene) {
+    const P eye = real(scene.camera.eye);
+    const P up = real(scene.camera.vup);
+    const P Z = unit(eye - real(scene.camera.lookat));
+    const P Y = unit(up - (up * Z) * Z);
+    const P X = cross_of(Y, Z);
+    const auto& window = scene.window;
+    const Real x = real(window.clip_left) + (Real(scene.pixel.x) + Real(0.5)) / window.width *
+                                                (real(window.clip_right) - real(window.clip_left));
+    const Real y = real(window.clip_bottom) + (Real(scene.pixel.y) + Real(0.5)) / window.height *
+                                                  (real(window.clip_top) - real(window.clip_bottom));
+    const Real z = -real(window.clip_near);
+    const P step = x * X + y * Y + z * Z;
+    truth[{1, "P_VCS"}] = {x, y, z};
+    truth[{2, "X_vcs"}] = list(X);
+    truth[{2, "Y_vcs"}] = list(Y);
+    truth[{2, "Z_vcs"}] = list(Z);
+    truth[{3, "M_VCS_to_WCS"}] = {X.x, X.y, X.z, 0, Y.x, Y.y, Y.z, 0, Z.x, Z.y, Z.z, 0, eye.x, eye.y, eye.z, 1};
+    truth[{4, "P_WCS"}] = list(eye + step);
+    truth[{5, "V"}] = list(unit(step));
+    return {eye + step, unit(step)};
+}
+
+/// By the point of the ray next to the centre.
+void add_sphere(Truth& truth, const P& start, const P& V, const Sphere<Decimal>& sphere) {
+    const P to_center = real(sphere.center) - start;
+    const Real R = real(sphere.radius);
+    const Real nearest = to_center * V;
+    const Real half_chord_squared = R * R - (to_center * to_center - nearest * nearest);
+    truth[{6, "a"}] = {Real(1)};
+    truth[{6, "b"}] = {-2 * nearest};
+    truth[{6, "c"}] = {to_center * to_center - R * R};
+    truth[{6, "d"}] = {4 * half_chord_squared};
+    if (half_chord_squared < 0) return;
+    const Real half_chord = sqrt(half_chord_squared);
+    const Real t = nearest > half_chord ? nearest - half_chord : nearest + half_chord;
+    if (t < 0) return;
+    truth[{6, "t"}] = {t};
+    truth[{6, "hit"}] = list(start + t * V);
+    truth[{7, "normal"}] = list((1 / R) * (t * V - to_center));
+}
+
+/// By the plane, and u and v from the Gram matrix of the edges.
+void add_triangle(Truth& truth, const P& start, const P& V, const Triangle<Decimal>& triangle) {
+    const P A = real(triangle.A);
+    const P p = real(triangle.B) - A;
+    const P q = real(triangle.C) - A;
+    const P N = cross_of(p, q);
+    const Real t = (N * (A - start)) / (N * V);
+    const P in_plane = start + t * V - A;
+    const Real gram = (p * p) * (q * q) - (p * q) * (p * q);
+    truth[{8, "matrix"}] = {-V.x, -V.y, -V.z, p.x, p.y, p.z, q.x, q.y, q.z};
+    truth[{8, "rhs"}] = list(start - A);
+    truth[{8, "t"}] = {t};
+    truth[{8, "u"}] = {((q * q) * (in_plane * p) - (p * q) * (in_plane * q)) / gram};
+    truth[{8, "v"}] = {((p * p) * (in_plane * q) - (p * q) * (in_plane * p)) / gram};
+    truth[{8, "hit"}] = list(start + t * V);
+    truth[{9, "normal"}] = list(unit(N));
+}
+
+void expect_enclosed(const Answer& answer, const std::vector<Real>& truth) {
+    // What 512 bits may themselves be off by here.
+    const Real slack("1e-140");
+    ASSERT_EQ(answer.lo.size(), truth.size());
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        EXPECT_TRUE(Real(answer.lo[i]) - slack <= truth[i]) << answer.lo[i] << " > " << truth[i];
+        EXPECT_TRUE(truth[i] <= Real(answer.hi[i]) + slack) << answer.hi[i] << " < " << truth[i];
+        EXPECT_LE(answer.hi[i], std::nextafter(answer.lo[i], HUGE_VAL)) << "not the tightest doubles";
+        const double value = std::get<Numbers>(answer.value)[i];
+        EXPECT_TRUE(value == answer.lo[i] || value == answer.hi[i]);
+        const double other = value == answer.lo[i] ? answer.hi[i] : answer.lo[i];
+        EXPECT_TRUE(abs(Real(value) - truth[i]) <= abs(Real(other) - truth[i]) + slack) << "not the nearer double";
+    }
+}
+
+TEST(Enclosure, HoldsTheTruthOfEveryItemOnAThousandScenes) {
+    int sphere_hits = 0;
+    int triangle_hits = 0;
+    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+        SCOPED_TRACE(seed);
+        const Assignment assignment = random_assignment(seed);
+        const AnswerKey key = make_key(assignment, Precision::certified);
+        Truth truth;
+        const auto [start, V] = add_camera(truth, assignment.scene);
+        add_sphere(truth, start, V, assignment.scene.spheres[0]);
+        add_triangle(truth, start, V, assignment.scene.triangles[0]);
+        for (const KeyQuestion& question : key.questions) {
+            for (const KeyItem& item : question.items) {
+                SCOPED_TRACE(item.spec.name);
+                const Answer& answer = item.answers.front();
+                const auto found = truth.find({question.number, item.spec.name});
+                ASSERT_EQ(found != truth.end(), std::holds_alternative<Numbers>(answer.value));
+                if (found != truth.end()) expect_enclosed(answer, found->second);
+            }
+        }
+        sphere_hits += key.decisions.sphere == "hit" ? 1 : 0;
+        triangle_hits += key.decisions.triangle == "hit" ? 1 : 0;
+    }
+    // The scenes must exercise what they are drawn for.
+    EXPECT_GT(sphere_hits, 100);
+    EXPECT_GT(triangle_hits, 30);
+}
+
+}  // namespace

@@ -1,0 +1,109 @@
+// A closed mesh has no holes: a ray from inside hits it wherever it is aimed, at faces, edges and vertices alike.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+
+#include "reference/kernel/triangle.h"
+#include "tests/kernel/random_numbers.h"
+
+namespace {
+
+using distributions::P;
+using distributions::Random;
+using reference::Triangle;
+using namespace reference::kernel;
+
+/// Vertices and faces by their numbers; every edge belongs to two faces.
+struct Mesh {
+    std::vector<P> vertices;
+    std::vector<std::array<std::size_t, 3>> faces;
+};
+
+Mesh octahedron() {
+    return {{P(1, 0, 0), P(-1, 0, 0), P(0, 1, 0), P(0, -1, 0), P(0, 0, 1), P(0, 0, -1)},
+            {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+}
+
+/// Each face in four, with the new vertices on the unit sphere but for a random dent, rounded to T.
+template <class T>
+Mesh refined(const Mesh& mesh, Random& random) {
+    Mesh result{mesh.vertices, {}};
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> middles;
+    const auto middle = [&](std::size_t a, std::size_t b) {
+        const auto [entry, is_new] = middles.try_emplace(std::minmax(a, b), result.vertices.size());
+        if (is_new) {
+            const P sum = mesh.vertices[a] + mesh.vertices[b];
+            const P p = reference::scaled(sum, random.between(0.9, 1) / std::sqrt(dot(sum, sum)));
+            result.vertices.emplace_back(static_cast<double>(static_cast<T>(p.x)),
+                                         static_cast<double>(static_cast<T>(p.y)),
+                                         static_cast<double>(static_cast<T>(p.z)));
+        }
+        return entry->second;
+    };
+    for (const auto& [a, b, c] : mesh.faces) {
+        const std::size_t ab = middle(a, b);
+        const std::size_t bc = middle(b, c);
+        const std::size_t ca = middle(c, a);
+        result.faces.insert(result.faces.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    return result;
+}
+
+template <class T>
+Mesh dented_ball(Random& random) {
+    Mesh mesh = octahedron();
+    for (int level = 0; level < 3; ++level) mesh = refined<T>(mesh, random);
+    return mesh;
+}
+
+int hits(const Mesh& mesh, const Ray<double>& ray) {
+    int count = 0;
+    for (const auto& [a, b, c] : mesh.faces) {
+        const Triangle<double> face{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+        if (decide(ray, face) == TriangleResult::hit) ++count;
+    }
+    return count;
+}
+
+/// Rays from near the middle at every vertex and at points of every edge, in T's precision; the number without a hit.
+template <class T>
+int holes_of(const Mesh& mesh, Random& random) {
+    int holes = 0;
+    const auto round = [](double x) { return static_cast<double>(static_cast<T>(x)); };
+    const auto shoot_at = [&](const P& target) {
+        const P from = random.point(0.3);
+        const P origin(round(from.x), round(from.y), round(from.z));
+        const P d = target - origin;
+        if (hits(mesh, {origin, P(round(d.x), round(d.y), round(d.z))}) == 0) ++holes;
+    };
+    for (const P& vertex : mesh.vertices) shoot_at(vertex);
+    for (const auto& [a, b, c] : mesh.faces) {
+        for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+            shoot_at(mesh.vertices[from] +
+                     reference::scaled(P(mesh.vertices[to] - mesh.vertices[from]), random.between(0, 1)));
+        }
+    }
+    return holes;
+}
+
+constexpr std::uint64_t seed = 20211101;
+
+TEST(Watertight, NoRayInFloatsLeavesAClosedMesh) {
+    Random random(seed);
+    for (int round = 0; round < 5; ++round) EXPECT_EQ(holes_of<float>(dented_ball<float>(random), random), 0);
+}
+
+TEST(Watertight, NoRayInDoublesLeavesAClosedMesh) {
+    Random random(seed + 1);
+    for (int round = 0; round < 5; ++round) EXPECT_EQ(holes_of<double>(dented_ball<double>(random), random), 0);
+}
+
+TEST(Watertight, TheTestSeesAHole) {
+    Random random(seed + 2);
+    Mesh mesh = dented_ball<float>(random);
+    mesh.faces.pop_back();
+    EXPECT_GT(holes_of<float>(mesh, random), 0);
+}
+
+}  // namespace

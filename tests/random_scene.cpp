@@ -1,0 +1,40 @@
+#include "tests/random_scene.h"
+
+#include <fmt/format.h>
+
+#include "tests/kernel/random_numbers.h"
+
+namespace {
+
+using namespace reference;
+using distributions::Random;
+
+Decimal decimal(Random& random, double size) {
+    return *Decimal::parse(fmt::format("{:.{}f}", size * random.number(), random.whole(0, 3)));
+}
+
+Vec3<Decimal> point(Random& random, double size) {
+    return {decimal(random, size), decimal(random, size), decimal(random, size)};
+}
+
+Decimal positive(Random& random, double least, double most) {
+    return *Decimal::parse(fmt::format("{:.2f}", random.between(least, most)));
+}
+
+}  // namespace
+
+Assignment random_assignment(std::uint64_t seed) {
+    Random random(seed);
+    Assignment assignment;
+    assignment.name = fmt::format("scene {}", seed);
+    Scene<Decimal>& scene = assignment.scene;
+    scene.camera = {point(random, 9), point(random, 2), point(random, 3)};
+    scene.camera.eye.z = positive(random, 5, 12);
+    scene.camera.vup.y = positive(random, 4, 9);
+    scene.window = {*Decimal::parse("-2"),  positive(random, 1, 3), *Decimal::parse("-1.1"), positive(random, 1, 2),
+                    positive(random, 1, 3), random.whole(2, 640),   random.whole(2, 480)};
+    scene.pixel = {random.whole(0, scene.window.width - 1), random.whole(0, scene.window.height - 1)};
+    scene.spheres.push_back({point(random, 2), positive(random, 1, 4)});
+    scene.triangles.push_back({point(random, 6), point(random, 6), point(random, 6)});
+    return assignment;
+}

@@ -1,0 +1,188 @@
+// What is wrong with a scene is told by file, line, key and cure; what is unusual and right is accepted.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reference/answer_key.h"
+
+namespace {
+
+using namespace reference;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// The lines are counted in the tests below.
+const std::string scene =
+    "[camera]\n"                                        // 1
+    "eye = [0, 0, 4]\n"                                 // 2
+    "lookat = [0, 0, 0]\n"                              // 3
+    "vup = [0, 1, 0]\n"                                 // 4
+    "[window]\n"                                        // 5
+    "clip_left = -2\n"                                  // 6
+    "clip_right = 2\n"                                  // 7
+    "clip_bottom = -1\n"                                // 8
+    "clip_top = 1\n"                                    // 9
+    "clip_near = 2\n"                                   // 10
+    "width = 301\n"                                     // 11
+    "height = 201\n"                                    // 12
+    "pixel = [150, 100]\n"                              // 13
+    "[[sphere]]\n"                                      // 14
+    "center = [1, 1, 0]\n"                              // 15
+    "radius = 2\n"                                      // 16
+    "[[triangle]]\n"                                    // 17
+    "vertices = [[0, -2, 2], [2, 2, 2], [-2, 2, 2]]\n"  // 18
+    "[rubric]\n";                                       // 19
+
+std::string with(const std::string& line, const std::string& other) {
+    std::string text = scene;
+    const std::size_t at = text.find(line);
+    EXPECT_NE(at, std::string::npos) << line;
+    return text.replace(at, line.size(), other);
+}
+
+Assignment read(const std::string& text) {
+    return parse_assignment(text, "folder/year.toml");
+}
+
+std::string complaint(const std::string& line, const std::string& other) {
+    try {
+        read(with(line, other));
+    } catch (const AssignmentError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+auto says(const std::string& place, const std::string& what) {
+    return AllOf(HasSubstr("folder/year.toml:" + place), HasSubstr(what));
+}
+
+TEST(SceneReader, AcceptsTheSceneThatTheseTestsBreak) {
+    EXPECT_EQ(read(scene).notes.size(), 0U);
+}
+
+TEST(SceneReader, H53_VupParallelToTheView) {
+    EXPECT_THAT(complaint("vup = [0, 1, 0]", "vup = [0, 0, 1]"), says("4: camera.vup", "such as [0, 1, 0]"));
+    EXPECT_THAT(complaint("eye = [0, 0, 4]", "eye = [0, -7.5, 0]"), says("4: camera.vup", "such as [0, 0, 1]"));
+    // In doubles 0.1 * 3 is not 0.3; in decimals this vup is exactly parallel to the view.
+    EXPECT_THAT(complaint("eye = [0, 0, 4]\nlookat = [0, 0, 0]\nvup = [0, 1, 0]",
+                          "eye = [0.1, 0.1, 0.1]\nlookat = [0, 0, 0]\nvup = [0.3, 0.3, 0.3]"),
+                says("4: camera.vup", "parallel"));
+    EXPECT_THAT(complaint("vup = [0, 1, 0]", "vup = [0, 0, 0]"), says("4: camera.vup", "is zero"));
+}
+
+TEST(SceneReader, H55_EyeAtLookat) {
+    EXPECT_THAT(complaint("eye = [0, 0, 4]", "eye = [0, 0.0, -0e9]"), says("3: camera.lookat", "is the eye"));
+}
+
+TEST(SceneReader, H31_Radius) {
+    EXPECT_THAT(complaint("radius = 2", "radius = 0"), says("16: sphere[1].radius", "must be above 0"));
+    EXPECT_THAT(complaint("radius = 2", "radius = -1"), says("16: sphere[1].radius", "must be above 0"));
+    EXPECT_THAT(complaint("radius = 2", "radius = inf"), says("16: sphere[1].radius", "is not a finite number"));
+}
+
+TEST(SceneReader, H33_NumbersAreFiniteAndOfASizeThatCanBeMarked) {
+    EXPECT_THAT(complaint("eye = [0, 0, 4]", "eye = [nan, 0, 4]"), says("2: camera.eye", "is not a finite number"));
+    EXPECT_THAT(complaint("center = [1, 1, 0]", "center = [1, -inf, 0]"), says("15: sphere[1].center", "finite"));
+    EXPECT_THAT(complaint("center = [1, 1, 0]", "center = [1, 1e151, 0]"),
+                says("15: sphere[1].center", "1e151 is out of range"));
+    EXPECT_THAT(complaint("clip_left = -2", "clip_left = -1e-301"), says("6: window.clip_left", "out of range"));
+    EXPECT_THAT(complaint("[2, 2, 2]", "[2, 2, 2e200]"), says("18: triangle[1].vertices", "out of range"));
+}
+
+TEST(SceneReader, WindowHasAnExtentOnBothAxesAndANearPlane) {
+    EXPECT_THAT(complaint("clip_right = 2", "clip_right = -2.0"), says("7: window.clip_right", "window is empty"));
+    EXPECT_THAT(complaint("clip_top = 1", "clip_top = -1"), says("9: window.clip_top", "window is empty"));
+    EXPECT_THAT(complaint("clip_near = 2", "clip_near = 0"), says("10: window.clip_near", "must be above 0"));
+    EXPECT_THAT(complaint("clip_near = 2", "clip_near = -2"), says("10: window.clip_near", "must be above 0"));
+}
+
+TEST(SceneReader, MirroredWindowIsAcceptedAndSaid) {
+    const Assignment mirrored = read(with("clip_right = 2", "clip_right = -3"));
+    EXPECT_THAT(mirrored.notes, ElementsAre(HasSubstr("mirrored left to right")));
+    EXPECT_THAT(read(with("clip_top = 1", "clip_top = -2")).notes, ElementsAre(HasSubstr("mirrored upside down")));
+    EXPECT_THAT(to_json(make_key(mirrored, Precision::certified)), HasSubstr("mirrored left to right"));
+}
+
+TEST(SceneReader, PixelsAreWholeAndInTheWindow) {
+    EXPECT_THAT(complaint("width = 301", "width = 0"), says("11: window.width", "from 1 to"));
+    EXPECT_THAT(complaint("height = 201", "height = -1"), says("12: window.height", "from 1 to"));
+    EXPECT_THAT(complaint("pixel = [150, 100]", "pixel = [301, 100]"), says("13: window.pixel", "from 0 to 300"));
+    EXPECT_THAT(complaint("pixel = [150, 100]", "pixel = [150, -1]"), says("13: window.pixel", "from 0 to 200"));
+    EXPECT_THAT(complaint("pixel = [150, 100]", "pixel = [150.5, 100]"), says("13: window.pixel", "whole"));
+    // The nearest double is 150.
+    EXPECT_THAT(complaint("pixel = [150, 100]", "pixel = [150.00000000000000000001, 100]"),
+                says("13: window.pixel", "whole"));
+    EXPECT_EQ(complaint("pixel = [150, 100]", "pixel = [150.0, 100]"), "accepted");
+}
+
+TEST(SceneReader, H43_TriangleWithoutArea) {
+    const std::string vertices = "[[0, -2, 2], [2, 2, 2], [-2, 2, 2]]";
+    EXPECT_THAT(complaint(vertices, "[[0.1, 0.1, 0], [0.2, 0.2, 0], [0.3, 0.3, 0]]"),
+                says("18: triangle[1].vertices", "no area"));
+    EXPECT_THAT(complaint(vertices, "[[1, 1, 1], [1, 1, 1], [2, 3, 4]]"), says("18: triangle[1].vertices", "no area"));
+    EXPECT_EQ(complaint(vertices, "[[0.1, 0.1, 0], [0.2, 0.2, 0], [0.3, 0.3, 1e-290]]"), "accepted");
+}
+
+std::vector<int> questions(const AnswerKey& key) {
+    std::vector<int> numbers;
+    for (const KeyQuestion& question : key.questions) numbers.push_back(question.number);
+    return numbers;
+}
+
+TEST(SceneReader, TheQuestionsFollowWhatTheSceneHolds) {
+    const std::string sphere = "[[sphere]]\ncenter = [1, 1, 0]\nradius = 2\n";
+    const std::string triangle = "[[triangle]]\nvertices = [[0, -2, 2], [2, 2, 2], [-2, 2, 2]]\n";
+    const auto asked = [](const std::string& text) { return questions(make_key(read(text), Precision::certified)); };
+    EXPECT_THAT(asked(scene), ElementsAre(1, 2, 3, 4, 5, 6, 7, 8, 9, 10));
+    EXPECT_THAT(asked(with(triangle, "")), ElementsAre(1, 2, 3, 4, 5, 6, 7));
+    EXPECT_THAT(asked(with(sphere, "")), ElementsAre(1, 2, 3, 4, 5, 8, 9));
+    EXPECT_THAT(asked(with(sphere + triangle, "")), ElementsAre(1, 2, 3, 4, 5));
+}
+
+TEST(SceneReader, OfSeveralSpheresTheOneThatIsHitFirstIsAskedAbout) {
+    const std::string missed = "[[sphere]]\ncenter = [9, 9, 9]\nradius = 1\n";
+    const std::string nearer = "[[sphere]]\ncenter = [0, 0, 1]\nradius = 0.5\n";
+    const AnswerKey key = make_key(read(with("[[sphere]]\n", missed + nearer + "[[sphere]]\n")), Precision::certified);
+    EXPECT_EQ(std::get<Numbers>(key.questions.at(5).items.at(4).answers.front().value), Numbers{0.5});
+    EXPECT_EQ(key.decisions.sphere, "hit");
+    // Where none is hit, it is the first one written: its c is 81 + 81 + 49 - 1.
+    const AnswerKey none =
+        make_key(read(with("center = [1, 1, 0]\nradius = 2\n",
+                           "center = [9, 9, 9]\nradius = 1\n[[sphere]]\ncenter = [8, 8, 8]\nradius = 1\n")),
+                 Precision::certified);
+    EXPECT_EQ(std::get<Numbers>(none.questions.at(5).items.at(2).answers.front().value), Numbers{210});
+    EXPECT_EQ(none.decisions.sphere, "miss");
+}
+
+TEST(SceneReader, OfSeveralTrianglesTheOneThatIsHitFirstIsAskedAbout) {
+    const std::string nearer = "[[triangle]]\nvertices = [[0, -2, 1.5], [2, 2, 1.5], [-2, 2, 1.5]]\n";
+    const std::string farther = "[[triangle]]\nvertices = [[0, -2, 1], [2, 2, 1], [-2, 2, 1]]\n";
+    const AnswerKey key =
+        make_key(read(with("[[triangle]]\n", farther + nearer + "[[triangle]]\n")), Precision::certified);
+    // t >= 0 asks about the handout's own triangle, t > 0 about the nearer one of the others.
+    const std::vector<Answer>& t = key.questions.at(7).items.at(2).answers;
+    ASSERT_EQ(t.size(), 2U);
+    EXPECT_EQ(std::get<Numbers>(t[0].value), Numbers{0});
+    EXPECT_EQ(std::get<Numbers>(t[1].value), Numbers{0.5});
+}
+
+TEST(Rubric, ANarrowToleranceIsRefusedWithTheItemAndBothNumbers) {
+    const Assignment narrow = read(scene + "[rubric.tolerance]\n6.t = 1e-9\n");
+    try {
+        make_key(narrow, Precision::certified);
+        FAIL() << "accepted";
+    } catch (const AssignmentError& error) {
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("question 6, t"), HasSubstr("1e-09"), HasSubstr("may be off by")));
+    }
+    EXPECT_NO_THROW(make_key(narrow, Precision::double_));
+    EXPECT_NO_THROW(make_key(read(scene + "[rubric.tolerance]\n6.t = 0.01\n"), Precision::certified));
+}
+
+TEST(Rubric, HasNoToleranceUnlessOneIsWritten) {
+    EXPECT_FALSE(read(scene).rubric.tolerance_of(6, "t").has_value());
+    EXPECT_EQ(read(scene + "[rubric.tolerance]\n6.t = 0.5\n").rubric.tolerance_of(6, "t"), 0.5);
+    EXPECT_EQ(read(scene + "[rubric.tolerance]\ndefault = 0.25\n").rubric.tolerance_of(6, "t"), 0.25);
+}
+
+}  // namespace
