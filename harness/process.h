@@ -1,4 +1,4 @@
-// Runs one program with limits, and tells how it ended. The only file that knows Boost.Process is process.cpp.
+// Runs one program with limits, and tells how it ended. The only file that knows Boost.Process is launch.cpp.
 #pragma once
 
 #include <chrono>
@@ -30,12 +30,13 @@ struct Command {
 };
 
 enum class Ended {
-    not_started,   ///< nothing was run, because an earlier stage gave nothing to run
-    exited,        ///< by itself; exit_code tells
-    signalled,     ///< killed by a signal it or the kernel raised; signal tells
-    cpu_limit,
+    not_started,  ///< nothing was run, because an earlier stage gave nothing to run
+    exited,       ///< by itself; exit_code tells
+    signalled,    ///< killed by a signal it or the kernel raised; signal tells
+    cpu_limit,    ///< from here on: killed as a whole by us
     wall_limit,
     memory_limit,
+    process_limit,  ///< more processes and threads at one time than allowed: a fork bomb
     output_limit,
 };
 
@@ -51,8 +52,14 @@ struct ProcessResult {
     bool errors_truncated = false;  ///< there was more on stderr
 };
 
-/// Runs the command to its end or to a limit, with stdin from /dev/null, and leaves no process of it behind. Safe to call
-/// from several threads. Throws HarnessError when the machine could not run it or could not tell how it ended.
+/// The supervisor every command runs under: `raygrade-shim` beside this executable, or where the build put it. Throws
+/// HarnessError when there is none.
+std::filesystem::path shim_program();
+
+/// Runs the command to its end or to a limit, with stdin from /dev/null, and leaves no process of it behind. Safe to
+/// call from several threads. A limit decides even over a program that went beyond it and ended by itself before it was
+/// noticed. Throws HarnessError when the machine could not run it (no such program or folder, no more processes) or
+/// could not tell how it ended.
 ProcessResult run_process(const Command& command);
 
 }  // namespace harness

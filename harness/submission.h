@@ -9,7 +9,9 @@
 namespace harness {
 
 struct Submission {
-    std::string id;                      ///< unique within a batch; the folder's name, or the file's without ".cpp"
+    /// Unique within a batch: the folder's name, or the file's without its ending. Valid UTF-8 without control
+    /// characters and '/', so that it can name a report (other bytes are written as %XX).
+    std::string id;
     std::filesystem::path file;          ///< the source on this machine; empty when there is none
     std::string source;                  ///< its bytes, at most intake's limit
     std::string source_sha256;           ///< lower-case hexadecimal; empty when there is no source

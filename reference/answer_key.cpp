@@ -4,150 +4,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <optional>
 #include <stdexcept>
 
-#include "reference/pipeline.h"
+#include "reference/reading_answers.h"
 
 namespace reference {
 namespace {
 
 std::string_view to_string(PixelConvention convention) {
     switch (convention) {
-        case PixelConvention::centre: return "centre";
-        case PixelConvention::grid: return "grid";
-        case PixelConvention::corner: return "corner";
+        case PixelConvention::centre:
+            return "centre";
+        case PixelConvention::grid:
+            return "grid";
+        case PixelConvention::corner:
+            return "corner";
     }
     return "";
-}
-
-/// The values of one run of the stages by question and item name.
-using Values = std::map<std::pair<int, std::string_view>, Value>;
-
-/// As a double, and never -0: the key's zeros have no sign.
-template <class S>
-double plain(const S& x) {
-    return static_cast<double>(x) + 0.0;
-}
-
-template <class S>
-Value number(const S& x) {
-    return Numbers{plain(x)};
-}
-
-template <class S>
-Value vector(const Vec3<S>& p) {
-    return Numbers{plain(p.x), plain(p.y), plain(p.z)};
-}
-
-template <int N, class S>
-Value matrix(const glm::mat<N, N, S>& M) {
-    Numbers numbers;
-    for (int column = 0; column < N; ++column) {
-        for (int row = 0; row < N; ++row) numbers.push_back(plain(M[column][row]));
-    }
-    return numbers;
-}
-
-template <class T, class Convert>
-Value present(const std::optional<T>& value, Convert convert) {
-    return value ? convert(*value) : Value(NoValue{});
-}
-
-template <class S>
-struct PipelineRun {
-    CameraAnswers<S> camera;
-    std::optional<SphereAnswers<S>> sphere;
-    std::optional<TriangleAnswers<S>> triangle;
-    std::optional<Verdict> verdict;  ///< empty when unsure
-};
-
-template <class S>
-PipelineRun<S> run_pipeline(const Scene<S>& scene, PixelConvention convention, Boundary boundary) {
-    PipelineRun<S> run{answer_camera(scene, convention), {}, {}, {}};
-    if (!scene.spheres.empty()) run.sphere = answer_sphere(run.camera, scene.spheres.front(), boundary);
-    if (!scene.triangles.empty()) run.triangle = answer_triangle(run.camera, scene.triangles.front());
-    const std::optional<S> t_sphere = run.sphere ? run.sphere->t : std::nullopt;
-    const std::optional<S> t_triangle = run.triangle ? hit_distance(*run.triangle, boundary) : std::nullopt;
-    run.verdict = first_hit(t_sphere, t_triangle);
-    return run;
-}
-
-template <class S>
-Values values_of(const PipelineRun<S>& run, Boundary boundary) {
-    Values values;
-    const CameraAnswers<S>& camera = run.camera;
-    values[{1, "P_VCS"}] = vector(camera.P_VCS);
-    values[{2, "X_vcs"}] = vector(camera.basis.X_vcs);
-    values[{2, "Y_vcs"}] = vector(camera.basis.Y_vcs);
-    values[{2, "Z_vcs"}] = vector(camera.basis.Z_vcs);
-    values[{3, "M_VCS_to_WCS"}] = matrix<4>(camera.M_VCS_to_WCS);
-    values[{4, "P_WCS"}] = vector(camera.P_WCS);
-    values[{5, "V"}] = vector(camera.V);
-    if (run.sphere) {
-        const Quadratic<S>& quadratic = run.sphere->quadratic;
-        values[{6, "a"}] = number(quadratic.a);
-        values[{6, "b"}] = number(quadratic.b);
-        values[{6, "c"}] = number(quadratic.c);
-        values[{6, "d"}] = number(quadratic.d);
-        values[{6, "t"}] = present(run.sphere->t, number<S>);
-        values[{6, "hit"}] = present(run.sphere->hit, vector<S>);
-        values[{7, "normal"}] = present(run.sphere->normal, vector<S>);
-    }
-    if (run.triangle) {
-        const TriangleAnswers<S>& triangle = *run.triangle;
-        const bool shown = hit_distance(triangle, boundary).has_value() || triangle.classification != TriangleHit::boundary;
-        values[{8, "matrix"}] = matrix<3>(triangle.system.matrix);
-        values[{8, "rhs"}] = vector(triangle.system.rhs);
-        values[{8, "t"}] = present(triangle.t, number<S>);
-        values[{8, "u"}] = present(triangle.u, number<S>);
-        values[{8, "v"}] = present(triangle.v, number<S>);
-        values[{8, "hit"}] = shown ? present(triangle.hit, vector<S>) : Value(NoValue{});
-        values[{9, "normal"}] = vector(triangle.normal);
-    }
-    if (run.sphere && run.triangle && run.verdict) values[{10, "verdict"}] = *run.verdict;
-    return values;
-}
-
-std::string sphere_decision(RootChoice choice, std::partial_ordering d) {
-    switch (choice) {
-        case RootChoice::miss: return "miss";
-        case RootChoice::smaller:
-        case RootChoice::larger: return d == 0 ? "tangent" : "hit";
-        case RootChoice::unsure: return "unsure";
-    }
-    return "";
-}
-
-std::string_view triangle_decision(TriangleHit hit) {
-    switch (hit) {
-        case TriangleHit::hit: return "hit";
-        case TriangleHit::boundary: return "boundary";
-        case TriangleHit::miss: return "miss";
-        case TriangleHit::parallel: return "parallel";
-        case TriangleHit::unsure: return "unsure";
-    }
-    return "";
-}
-
-std::string_view first_decision(std::optional<Verdict> verdict) {
-    if (!verdict) return "unsure";
-    switch (*verdict) {
-        case Verdict::sphere_first: return "sphere";
-        case Verdict::triangle_first: return "triangle";
-        case Verdict::tie: return "tie";
-        case Verdict::no_hit: return "none";
-    }
-    return "";
-}
-
-template <class S>
-Decisions decisions_of(const PipelineRun<S>& run) {
-    Decisions decisions;
-    if (run.sphere) decisions.sphere = sphere_decision(run.sphere->choice, sign_of(run.sphere->quadratic.d));
-    if (run.triangle) decisions.triangle = triangle_decision(run.triangle->classification);
-    if (run.sphere || run.triangle) decisions.first = first_decision(run.verdict);
-    return decisions;
 }
 
 bool is_finite(const Value& value) {
@@ -166,7 +40,8 @@ std::vector<Reading> accepted_readings(const Rubric& rubric) {
 }
 
 KeyItem& item_of(AnswerKey& key, const ItemSpec& spec) {
-    if (key.questions.empty() || key.questions.back().number < spec.question) key.questions.push_back({spec.question, {}});
+    if (key.questions.empty() || key.questions.back().number < spec.question)
+        key.questions.push_back({spec.question, {}});
     const auto question = std::find_if(key.questions.begin(), key.questions.end(),
                                        [&](const KeyQuestion& q) { return q.number == spec.question; });
     const auto item = std::find_if(question->items.begin(), question->items.end(),
@@ -174,19 +49,20 @@ KeyItem& item_of(AnswerKey& key, const ItemSpec& spec) {
     return item == question->items.end() ? question->items.emplace_back(KeyItem{spec, {}}) : *item;
 }
 
-void add_answers(AnswerKey& key, const Values& values, const Reading& reading) {
+void add_answers(AnswerKey& key, const ReadingAnswers& run) {
     for (const ItemSpec& spec : all_items()) {
-        const auto found = values.find({spec.question, spec.name});
-        if (found == values.end()) continue;
-        if (!is_finite(found->second)) {
-            throw std::domain_error(fmt::format("{}: question {}, {} is not a finite number; check the camera and the "
-                                                "objects of the scene",
-                                                key.assignment, spec.question, spec.name));
+        const auto found = run.answers.find({spec.question, spec.name});
+        if (found == run.answers.end()) continue;
+        if (!is_finite(found->second.value)) {
+            throw std::domain_error(
+                fmt::format("{}: question {}, {} is not a finite number; check the camera and the "
+                            "objects of the scene",
+                            key.assignment, spec.question, spec.name));
         }
         std::vector<Answer>& answers = item_of(key, spec).answers;
         const bool known = std::any_of(answers.begin(), answers.end(),
-                                       [&](const Answer& answer) { return answer.value == found->second; });
-        if (!known) answers.push_back({found->second, reading});
+                                       [&](const Answer& answer) { return answer.value == found->second.value; });
+        if (!known) answers.push_back(found->second);
     }
 }
 
@@ -205,33 +81,76 @@ void note_policy(AnswerKey& key) {
     if (convention) key.decisions.policy.emplace_back("pixel convention");
 }
 
+/// As a double, and never -0: the key's zeros have no sign.
 template <class S>
-AnswerKey make_key_in(const Assignment& assignment, Precision precision) {
+Value plain(const ItemValue<S>& value) {
+    if (const Verdict* verdict = std::get_if<Verdict>(&value)) return *verdict;
+    if (std::holds_alternative<NoValue>(value)) return NoValue{};
+    Numbers numbers;
+    for (const S& x : std::get<std::vector<S>>(value)) numbers.push_back(static_cast<double>(x) + 0.0);
+    return numbers;
+}
+
+/// What a right program that computes in S finds.
+template <class S>
+ReadingAnswers answer_in(const Assignment& assignment, const Reading& reading) {
     const Scene<S> scene = convert_scene<S>(assignment.scene, [](const Decimal& x) { return scalar_from<S>(x); });
-    const std::vector<Reading> readings = accepted_readings(assignment.rubric);
-    AnswerKey key{assignment.name, precision, readings.front(), {}, {}};
-    for (const Reading& reading : readings) {
-        const PipelineRun<S> run = run_pipeline(scene, reading.convention, reading.boundary);
-        const Decisions decisions = decisions_of(run);
-        for (const std::string& decision : {decisions.sphere, decisions.triangle, decisions.first}) {
-            if (decision == "unsure") {
-                throw std::domain_error(fmt::format("{}: whether the ray hits can't be decided at {} precision",
-                                                    assignment.name, reference::to_string(precision)));
-            }
-        }
-        if (key.questions.empty()) key.decisions = decisions;
-        add_answers(key, values_of(run, reading.boundary), reading);
+    const SceneAnswers<S> answers = answer_scene(scene, reading.convention, reading.boundary);
+    ReadingAnswers result{decisions_of(answers), {}};
+    for (const auto& [id, value] : values_of(answers, reading.boundary)) result.answers[id] = {plain(value), reading};
+    return result;
+}
+
+ReadingAnswers answer_at(Precision precision, const Assignment& assignment, const Reading& reading) {
+    switch (precision) {
+        case Precision::float_:
+            return answer_in<float>(assignment, reading);
+        case Precision::double_:
+            return answer_in<double>(assignment, reading);
+        case Precision::certified:
+            return certified_answers(assignment, reading);
     }
-    note_policy(key);
-    return key;
+    throw std::logic_error("a precision without a scalar");
+}
+
+void refuse_unsure(const Decisions& decisions, const Assignment& assignment, Precision precision) {
+    for (const std::string& decision : {decisions.sphere, decisions.triangle, decisions.first}) {
+        if (decision == "unsure") {
+            throw std::domain_error(fmt::format("{}: whether the ray hits can't be decided at {} precision",
+                                                assignment.name, reference::to_string(precision)));
+        }
+    }
+}
+
+/// A tolerance narrower than what a correct program may be off by would cost that program its marks.
+void refuse_narrow_tolerance(const AnswerKey& key, const Rubric& rubric) {
+    for (const KeyQuestion& question : key.questions) {
+        for (const KeyItem& item : question.items) {
+            const Answer& answer = item.answers.front();
+            const std::optional<double> tolerance = rubric.tolerance_of(question.number, std::string(item.spec.name));
+            if (!tolerance || answer.allowance.empty() || answer.allowance_from == Arithmetic::none) continue;
+            const double needed = *std::max_element(answer.allowance.begin(), answer.allowance.end());
+            const double given = *tolerance * unit_of(std::get<Numbers>(answer.value));
+            if (given >= needed) continue;
+            throw AssignmentError(fmt::format(
+                "{}: rubric.tolerance: question {}, {}: {} allows {:.3g}, and a correct program in {} may be off by "
+                "{:.3g}; leave the tolerance out or write at least {:.3g}",
+                key.assignment, question.number, item.spec.name, *tolerance, given, to_string(answer.allowance_from),
+                needed, std::nextafter(needed / unit_of(std::get<Numbers>(answer.value)), HUGE_VAL) * 1.01));
+        }
+    }
 }
 
 }  // namespace
 
 std::string_view to_string(Precision precision) {
     switch (precision) {
-        case Precision::float_: return "float";
-        case Precision::double_: return "double";
+        case Precision::float_:
+            return "float";
+        case Precision::double_:
+            return "double";
+        case Precision::certified:
+            return "certified";
     }
     return "";
 }
@@ -249,19 +168,29 @@ std::string reason(const Answer& answer, const AnswerKey& key) {
 }
 
 AnswerKey make_key(const Assignment& assignment, Precision precision) {
-    switch (precision) {
-        case Precision::float_: return make_key_in<float>(assignment, precision);
-        case Precision::double_: return make_key_in<double>(assignment, precision);
+    const std::vector<Reading> readings = accepted_readings(assignment.rubric);
+    AnswerKey key{assignment.name, precision, readings.front(), {}, {}, assignment.notes};
+    for (const Reading& reading : readings) {
+        const ReadingAnswers run = answer_at(precision, assignment, reading);
+        refuse_unsure(run.decisions, assignment, precision);
+        if (key.questions.empty()) key.decisions = run.decisions;
+        add_answers(key, run);
     }
-    throw std::logic_error("make_key: a precision without a scalar");
+    note_policy(key);
+    if (precision == Precision::certified) refuse_narrow_tolerance(key, assignment.rubric);
+    return key;
 }
 
 std::string_view sentence(Verdict verdict) {
     switch (verdict) {
-        case Verdict::triangle_first: return "ray hits triangle first";
-        case Verdict::sphere_first: return "ray hits sphere first";
-        case Verdict::tie: return "ray hits sphere and triangle at the same t";
-        case Verdict::no_hit: return "ray hits nothing";
+        case Verdict::triangle_first:
+            return "ray hits triangle first";
+        case Verdict::sphere_first:
+            return "ray hits sphere first";
+        case Verdict::tie:
+            return "ray hits sphere and triangle at the same t";
+        case Verdict::no_hit:
+            return "ray hits nothing";
     }
     return "";
 }

@@ -2,25 +2,20 @@
 #pragma once
 
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "reference/allowance.h"
 #include "reference/assignment.h"
+#include "reference/decisions.h"
+#include "reference/item_values.h"
 #include "reference/items.h"
-#include "reference/stages/first_hit.h"
-#include "reference/stages/sphere.h"
 
 namespace reference {
-
-/// There is no such value: the ray misses, or the linear system has no solution.
-struct NoValue {
-    friend bool operator==(NoValue, NoValue) = default;
-};
 
 /// The components of a scalar, a vector or a matrix; a matrix column by column (GLM's order).
 using Numbers = std::vector<double>;
 
-using Value = std::variant<NoValue, Numbers, Verdict>;
+using Value = ItemValue<double>;
 
 /// How one right program may read the handout where the handout leaves it open.
 struct Reading {
@@ -32,6 +27,13 @@ struct Reading {
 struct Answer {
     Value value;
     Reading reading;
+
+    // By component, of a certified key only, and empty for NoValue and verdicts.
+    Numbers lo = {};  ///< lo <= true value <= hi, proven; lo = hi where the true value is a double
+    Numbers hi = {};  ///< else neighbouring doubles, and `value` is the nearer one
+    Numbers allowance =
+        {};  ///< what a correct program may be off from [lo, hi]; >= 0, infinite where nothing bounds it
+    Arithmetic allowance_from = Arithmetic::float_;  ///< the arithmetic whose roundings the allowance covers
 };
 
 struct KeyItem {
@@ -44,15 +46,8 @@ struct KeyQuestion {
     std::vector<KeyItem> items;
 };
 
-/// How the ray meets the scene; empty for what the scene does not hold.
-struct Decisions {
-    std::string sphere;               ///< hit, miss, tangent or unsure
-    std::string triangle;             ///< hit, miss, boundary, parallel or unsure
-    std::string first;                ///< sphere, triangle, tie, none or unsure
-    std::vector<std::string> policy;  ///< "boundary" and "pixel convention" where an answer depends on them
-};
-
-enum class Precision { float_, double_ };
+/// Certified decides exactly and encloses every value; its decisions are never unsure.
+enum class Precision { float_, double_, certified };
 std::string_view to_string(Precision precision);
 
 struct AnswerKey {
@@ -61,14 +56,17 @@ struct AnswerKey {
     Reading canonical;                   ///< the reading of every item's first answer
     std::vector<KeyQuestion> questions;  ///< those the scene calls for, by number
     Decisions decisions;
+    std::vector<std::string> notes;  ///< what an instructor should know about the scene; from the Assignment
 };
 
-/// What makes `answer` right beside the canonical one, as a phrase that follows "accepted because": "the rubric accepts the
-/// grid pixel convention". Empty for the canonical reading.
+/// What makes `answer` right beside the canonical one, as a phrase that follows "accepted because": "the rubric accepts
+/// the grid pixel convention". Empty for the canonical reading.
 std::string reason(const Answer& answer, const AnswerKey& key);
 
 /// Runs the stages on the assignment's scene. Throws std::domain_error naming the item when a value is not finite or a
-/// decision is unsure: that scene can't be marked at this precision.
+/// decision is unsure: that scene can't be marked at this precision. A certified key exists for every scene that
+/// parse_assignment accepts; it throws AssignmentError where the rubric's tolerance is narrower than an item's
+/// allowance.
 AnswerKey make_key(const Assignment& assignment, Precision precision);
 
 /// As a right program prints it: the handout's questions, one labelled answer a line, in glm::to_string's format.

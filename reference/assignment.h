@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -34,14 +35,15 @@ struct Rubric {
     static constexpr double points_per_question = 10.0;
 
     /// How far an answer may be from the key, in the item's own unit and relative to the item's largest component where
-    /// that is above 1: |given - key| <= tolerance * max(1, |key|).
-    double tolerance = 1e-4;
+    /// that is above 1: |given - key| <= tolerance * max(1, |key|). It widens the key's allowance and may not be
+    /// narrower; without one the allowance alone counts.
+    std::optional<double> tolerance;
     /// The same for a question or a single item: "6" or "6.t".
     std::map<std::string, double> item_tolerance;
 
     double points_of(int question) const;
-    /// The most special tolerance that is given: of the item, else of the question, else `tolerance`.
-    double tolerance_of(int question, const std::string& item) const;
+    /// The most special tolerance that is given: of the item, else of the question, else `tolerance`; empty for none.
+    std::optional<double> tolerance_of(int question, const std::string& item) const;
 };
 
 struct Assignment {
@@ -49,7 +51,12 @@ struct Assignment {
     std::string title;  ///< for people
     Scene<Decimal> scene;
     Rubric rubric;
+    /// What is allowed in the scene and worth saying: a mirrored window. Whole sentences.
+    std::vector<std::string> notes;
 };
+
+/// What a tolerance is relative to: the largest component of the key's value, or 1 where that is below 1.
+double unit_of(const std::vector<double>& key_value);
 
 /// The assignment can't be used. what() is a complete message: file, line, key, what is wrong and the way out.
 class AssignmentError : public std::runtime_error {

@@ -9,7 +9,9 @@ namespace {
 
 constexpr std::size_t longest_text = 400;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
 
 /// The characters of `text` from `at` that are digits; moves `at` past them.
 std::size_t skip_digits(std::string_view text, std::size_t& at) {
@@ -60,8 +62,12 @@ std::optional<Decimal> Decimal::parse(std::string_view text) {
     return result;
 }
 
-float Decimal::to_float() const { return nearest<float>(text_, sign()); }
-double Decimal::to_double() const { return nearest<double>(text_, sign()); }
+float Decimal::to_float() const {
+    return nearest<float>(text_, sign());
+}
+double Decimal::to_double() const {
+    return nearest<double>(text_, sign());
+}
 
 int Decimal::sign() const {
     const std::string_view mantissa = std::string_view(text_).substr(0, text_.find_first_of("eE"));

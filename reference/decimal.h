@@ -13,8 +13,8 @@ class Decimal {
     /// Zero.
     Decimal() = default;
 
-    /// Reads [sign] digits [. digits] [e [sign] digits], at most 400 characters, with TOML's underscores between digits.
-    /// Empty when the text is anything else: inf and nan are not decimals.
+    /// Reads [sign] digits [. digits] [e [sign] digits], at most 400 characters, with TOML's underscores between
+    /// digits. Empty when the text is anything else: inf and nan are not decimals.
     static std::optional<Decimal> parse(std::string_view text);
 
     /// As written, without underscores and without a leading '+'.

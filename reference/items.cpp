@@ -31,23 +31,32 @@ constexpr std::array items = {
 };
 
 constexpr std::array<std::string_view, 10> titles = {
-    "pixel in VCS",  "basis vectors of VCS", "M_VCS_to_WCS",    "pixel in WCS",    "ray direction",
-    "ray and sphere", "sphere normal",       "ray and triangle", "triangle normal", "first hit",
+    "pixel in VCS",   "basis vectors of VCS", "M_VCS_to_WCS",     "pixel in WCS",    "ray direction",
+    "ray and sphere", "sphere normal",        "ray and triangle", "triangle normal", "first hit",
 };
 
 }  // namespace
 
-std::span<const ItemSpec> all_items() { return items; }
+std::span<const ItemSpec> all_items() {
+    return items;
+}
 
-std::string_view question_title(int question) { return titles.at(static_cast<std::size_t>(question - 1)); }
+std::string_view question_title(int question) {
+    return titles.at(static_cast<std::size_t>(question - 1));
+}
 
 int component_count(Shape shape) {
     switch (shape) {
-        case Shape::scalar: return 1;
-        case Shape::vector: return 3;
-        case Shape::matrix3: return 9;
-        case Shape::matrix4: return 16;
-        case Shape::verdict: return 0;
+        case Shape::scalar:
+            return 1;
+        case Shape::vector:
+            return 3;
+        case Shape::matrix3:
+            return 9;
+        case Shape::matrix4:
+            return 16;
+        case Shape::verdict:
+            return 0;
     }
     return 0;
 }

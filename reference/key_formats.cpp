@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reference/answer_key.h"
+#include "reference/value_json.h"
 
 namespace reference {
 namespace {
@@ -29,11 +30,16 @@ std::string value_text(const Value& value, Shape shape) {
     if (const Verdict* verdict = std::get_if<Verdict>(&value)) return std::string(sentence(*verdict));
     const Numbers& numbers = std::get<Numbers>(value);
     switch (shape) {
-        case Shape::scalar: return fmt::format("{:.6g}", numbers.front());
-        case Shape::vector: return "vec3" + group(numbers);
-        case Shape::matrix3: return matrix_text(numbers, 3);
-        case Shape::matrix4: return matrix_text(numbers, 4);
-        case Shape::verdict: return "";
+        case Shape::scalar:
+            return fmt::format("{:.6g}", numbers.front());
+        case Shape::vector:
+            return "vec3" + group(numbers);
+        case Shape::matrix3:
+            return matrix_text(numbers, 3);
+        case Shape::matrix4:
+            return matrix_text(numbers, 4);
+        case Shape::verdict:
+            return "";
     }
     return "";
 }
@@ -51,22 +57,58 @@ ordered_json shaped(const Numbers& numbers, Shape shape) {
     return columns;
 }
 
+/// An infinite allowance is null: nothing bounds what a program may find.
+ordered_json allowance_json(const Answer& answer, Shape shape) {
+    if (answer.allowance_from == Arithmetic::none) return nullptr;
+    return shaped(answer.allowance, shape);
+}
+
+void add_enclosure(ordered_json& json, const Answer& answer, Shape shape) {
+    if (answer.lo.empty()) return;
+    json["lo"] = shaped(answer.lo, shape);
+    json["hi"] = shaped(answer.hi, shape);
+    json["allowance"] = allowance_json(answer, shape);
+    if (answer.allowance_from != Arithmetic::float_) json["allowance_from"] = to_string(answer.allowance_from);
+}
+
+ordered_json item_json(const KeyItem& item, const AnswerKey& key) {
+    ordered_json json{{"name", item.spec.name}, {"value", value_json(item.answers.front().value, item.spec.shape)}};
+    add_enclosure(json, item.answers.front(), item.spec.shape);
+    for (std::size_t i = 1; i < item.answers.size(); ++i) {
+        const Answer& also = item.answers[i];
+        json["also_accepted"].push_back(
+            {{"value", value_json(also.value, item.spec.shape)}, {"because", reason(also, key)}});
+    }
+    return json;
+}
+
+/// As dump(2), but a number has 17 significant digits, which show where it lies among the doubles.
+void write(const ordered_json& json, const std::string& new_line, std::string& text) {
+    if (json.is_number_float()) {
+        text += fmt::format("{:.17g}", json.get<double>());
+    } else if (json.is_structured() && !json.empty()) {
+        const std::string inner = new_line + "  ";
+        const bool is_object = json.is_object();
+        text += is_object ? "{" : "[";
+        std::string separator;
+        for (const auto& [key, value] : json.items()) {
+            text += separator + inner + (is_object ? ordered_json(key).dump() + ": " : "");
+            write(value, inner, text);
+            separator = ",";
+        }
+        text += new_line + (is_object ? "}" : "]");
+    } else {
+        text += json.dump();
+    }
+}
+
+}  // namespace
+
 ordered_json value_json(const Value& value, Shape shape) {
     if (std::holds_alternative<NoValue>(value)) return nullptr;
     if (const Verdict* verdict = std::get_if<Verdict>(&value)) return sentence(*verdict);
     return shaped(std::get<Numbers>(value), shape);
 }
-
-ordered_json item_json(const KeyItem& item, const AnswerKey& key) {
-    ordered_json json{{"name", item.spec.name}, {"value", value_json(item.answers.front().value, item.spec.shape)}};
-    for (std::size_t i = 1; i < item.answers.size(); ++i) {
-        const Answer& also = item.answers[i];
-        json["also_accepted"].push_back({{"value", value_json(also.value, item.spec.shape)}, {"because", reason(also, key)}});
-    }
-    return json;
-}
-
-}  // namespace
 
 std::string to_text(const AnswerKey& key) {
     std::string text;
@@ -97,7 +139,10 @@ std::string to_json(const AnswerKey& key) {
     if (!key.decisions.first.empty()) decisions["first"] = key.decisions.first;
     decisions["policy"] = key.decisions.policy;
     json["decisions"] = decisions;
-    return json.dump(2) + "\n";
+    if (!key.notes.empty()) json["notes"] = key.notes;
+    std::string text;
+    write(json, "\n", text);
+    return text + "\n";
 }
 
 }  // namespace reference

@@ -28,10 +28,12 @@ struct SphereAnswers {
     std::optional<Vec3<S>> normal;
 };
 
-/// Question 8 and 9. t, u, v and hit solve the linear system, inside the triangle or not; empty where there is no solution.
+/// Question 8 and 9. t, u, v and hit solve the linear system, inside the triangle or not; empty where there is no
+/// solution.
 template <class S>
 struct TriangleAnswers {
     LinearSystem<S> system;
+    CramerSolution<S> solution;
     TriangleHit classification;
     std::optional<S> t;
     std::optional<S> u;
@@ -65,7 +67,7 @@ template <class S>
 TriangleAnswers<S> answer_triangle(const CameraAnswers<S>& ray, const Triangle<S>& triangle) {
     const LinearSystem<S> system = triangle_system(ray.P_WCS, ray.V, triangle);
     const CramerSolution<S> solution = solve_by_cramer(system);
-    TriangleAnswers<S> answers{system, classify(solution), {}, {}, {}, {}, triangle_normal(triangle)};
+    TriangleAnswers<S> answers{system, solution, classify(solution), {}, {}, {}, {}, triangle_normal(triangle)};
     const auto det = sign_of(solution.det);
     if (det < 0 || det > 0) {
         answers.t = solution.t_numerator / solution.det;

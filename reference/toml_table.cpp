@@ -44,8 +44,8 @@ struct TomlTable::Impl {
     std::string way;  ///< "camera." or "sphere[1]."; empty for the root
 
     [[noreturn]] void fail_at(std::size_t line, std::string_view key, const std::string& what) const {
-        throw AssignmentError(fmt::format("{}:{}: {}{}: {}", document->path, std::max<std::size_t>(line, 1), way, key,
-                                          what));
+        throw AssignmentError(
+            fmt::format("{}:{}: {}{}: {}", document->path, std::max<std::size_t>(line, 1), way, key, what));
     }
 
     const toml::node& required(std::string_view key) const {
@@ -74,7 +74,9 @@ struct TomlTable::Impl {
         const std::string_view written =
             columns(nth_line(document->text, region.begin.line), region.begin.column, region.end.column);
         const std::optional<Decimal> number = Decimal::parse(written);
-        if (!number) fail_at(region.begin.line, key, fmt::format("\"{}\" is not a finite number", written));
+        if (!number)
+            fail_at(region.begin.line, key,
+                    fmt::format("\"{}\" is not a finite number; write one in decimal digits", written));
         return *number;
     }
 
@@ -99,8 +101,12 @@ void TomlTable::allow_only(std::initializer_list<std::string_view> allowed) cons
     }
 }
 
-bool TomlTable::has(std::string_view key) const { return impl_->table->contains(key); }
-bool TomlTable::is_table(std::string_view key) const { return impl_->required(key).is_table(); }
+bool TomlTable::has(std::string_view key) const {
+    return impl_->table->contains(key);
+}
+bool TomlTable::is_table(std::string_view key) const {
+    return impl_->required(key).is_table();
+}
 
 std::vector<std::string> TomlTable::keys() const {
     std::vector<std::string> result;
@@ -111,7 +117,8 @@ std::vector<std::string> TomlTable::keys() const {
 TomlTable TomlTable::table(std::string_view key) const {
     const toml::node& node = impl_->required(key);
     if (!node.is_table()) impl_->fail_at(node.source().begin.line, key, fmt::format("must be a table [{}]", key));
-    return TomlTable(std::make_shared<Impl>(Impl{impl_->document, node.as_table(), fmt::format("{}{}.", impl_->way, key)}));
+    return TomlTable(
+        std::make_shared<Impl>(Impl{impl_->document, node.as_table(), fmt::format("{}{}.", impl_->way, key)}));
 }
 
 std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
@@ -122,13 +129,16 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
     if (elements == nullptr) impl_->fail_at(node->source().begin.line, key, fmt::format("must be written [[{}]]", key));
     for (const toml::node& element : *elements) {
         const std::string way = fmt::format("{}{}[{}].", impl_->way, key, result.size() + 1);
-        if (!element.is_table()) impl_->fail_at(element.source().begin.line, key, fmt::format("must be written [[{}]]", key));
+        if (!element.is_table())
+            impl_->fail_at(element.source().begin.line, key, fmt::format("must be written [[{}]]", key));
         result.push_back(TomlTable(std::make_shared<Impl>(Impl{impl_->document, element.as_table(), way})));
     }
     return result;
 }
 
-std::string TomlTable::string(std::string_view key) const { return impl_->string(impl_->required(key), key); }
+std::string TomlTable::string(std::string_view key) const {
+    return impl_->string(impl_->required(key), key);
+}
 
 std::vector<std::string> TomlTable::strings(std::string_view key) const {
     const toml::node& node = impl_->required(key);
@@ -139,7 +149,9 @@ std::vector<std::string> TomlTable::strings(std::string_view key) const {
     return result;
 }
 
-Decimal TomlTable::decimal(std::string_view key) const { return impl_->decimal(impl_->required(key), key); }
+Decimal TomlTable::decimal(std::string_view key) const {
+    return impl_->decimal(impl_->required(key), key);
+}
 
 std::vector<Decimal> TomlTable::decimals(std::string_view key, std::size_t count) const {
     return impl_->decimals(impl_->required(key), key, count);

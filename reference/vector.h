@@ -2,13 +2,12 @@
 // GLM's own dot, cross, length and normalize accept built-in scalars only, so the generic ones are here.
 #pragma once
 
+#include <cmath>
+#include <compare>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-
-#include <cmath>
-#include <compare>
 
 #ifndef GLM_FORCE_XYZW_ONLY
 #error "Define GLM_FORCE_XYZW_ONLY for the whole project: GLM's unions refuse scalars that are classes."
@@ -53,10 +52,16 @@ Vec3<S> normalized(const Vec3<S>& p) {
     return Vec3<S>(p.x / norm, p.y / norm, p.z / norm);
 }
 
-/// The sign of x: less, equivalent or greater than zero, unordered where x cannot tell (NaN, or an interval around zero).
-/// A scalar class overloads this beside itself; every decision of the stages goes through it.
-inline std::partial_ordering sign_of(float x) { return x <=> 0.0F; }
-inline std::partial_ordering sign_of(double x) { return x <=> 0.0; }
-inline std::partial_ordering sign_of(long double x) { return x <=> 0.0L; }
+/// The sign of x: less, equivalent or greater than zero, unordered where x cannot tell (NaN, or an interval around
+/// zero). A scalar class overloads this beside itself; every decision of the stages goes through it.
+inline std::partial_ordering sign_of(float x) {
+    return x <=> 0.0F;
+}
+inline std::partial_ordering sign_of(double x) {
+    return x <=> 0.0;
+}
+inline std::partial_ordering sign_of(long double x) {
+    return x <=> 0.0L;
+}
 
 }  // namespace reference

@@ -9,7 +9,8 @@ namespace reference {
 
 enum class Verdict { triangle_first, sphere_first, tie, no_hit };
 
-/// Question 10: the object with the smaller t; an empty t is an object that the ray does not hit.
+/// Question 10 from two values of t, as a program compares them: the object with the smaller t; an empty t is an object
+/// that the ray does not hit.
 /// Empty where the order could not be told (see sign_of).
 template <class S>
 std::optional<Verdict> first_hit(const std::optional<S>& t_sphere, const std::optional<S>& t_triangle) {

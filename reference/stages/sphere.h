@@ -32,8 +32,8 @@ Quadratic<S> sphere_quadratic(const Vec3<S>& start, const Vec3<S>& V, const Sphe
 /// Which root of the quadratic is the hit. `unsure` where a sign could not be told (see sign_of).
 enum class RootChoice { miss, smaller, larger, unsure };
 
-/// Question 6: "if there are 2 positive roots, pick the smaller one", decided by the signs of d, c and b alone. The roots'
-/// product is c/a and their sum -b/a, so no root is computed and none is rounded before it is judged.
+/// Question 6: "if there are 2 positive roots, pick the smaller one", decided by the signs of d, c and b alone. The
+/// roots' product is c/a and their sum -b/a, so no root is computed and none is rounded before it is judged.
 template <class S>
 RootChoice choose_root(const Quadratic<S>& quadratic, Boundary boundary) {
     const auto d = sign_of(quadratic.d);

@@ -42,7 +42,8 @@ enum class TriangleHit {
     hit,       ///< t > 0, u >= 0, v >= 0, u + v <= 1
     boundary,  ///< the same with t = 0 exactly: a hit or a miss as the boundary policy says
     miss,
-    parallel,  ///< det = 0: t, u and v do not exist
+    parallel,  ///< det = 0: the ray runs beside the triangle's plane; t, u and v do not exist
+    coplanar,  ///< det = 0 and the ray lies in the plane; t, u and v do not exist
     unsure,    ///< a sign could not be told (see sign_of)
 };
 
@@ -50,7 +51,11 @@ template <class S>
 TriangleHit classify(const CramerSolution<S>& solution) {
     const auto det = sign_of(solution.det);
     if (det == std::partial_ordering::unordered) return TriangleHit::unsure;
-    if (det == 0) return TriangleHit::parallel;
+    if (det == 0) {
+        const auto start = sign_of(solution.t_numerator);
+        if (start == std::partial_ordering::unordered) return TriangleHit::unsure;
+        return start == 0 ? TriangleHit::coplanar : TriangleHit::parallel;
+    }
     const auto towards = [&](const S& numerator) { return sign_of(det < 0 ? S(-numerator) : S(numerator)); };
     const auto u = towards(solution.u_numerator);
     const auto v = towards(solution.v_numerator);

@@ -1,0 +1,133 @@
+#include "harness/build.h"
+
+#include <fcntl.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <sstream>
+#include <system_error>
+
+#include "harness/failure.h"
+#include "harness/file_descriptor.h"
+#include "harness/names.h"
+
+namespace harness {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
+constexpr const char* source_name = "ray_cast.cpp";
+constexpr const char* program_name = "ray_cast";
+
+std::filesystem::path find_on_path(const std::string& name) {
+    const char* const path = std::getenv("PATH");
+    std::istringstream folders(path != nullptr ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        const auto candidate = std::filesystem::path(folder) / name;
+        std::error_code ignored;
+        if (candidate.is_absolute() && std::filesystem::is_regular_file(candidate, ignored) &&
+            access(candidate.c_str(), X_OK) == 0) {
+            return candidate;
+        }
+    }
+    throw HarnessError("There is no C++ compiler: " + name + " is in no folder of PATH (" +
+                       printable(path ? path : "") + "). Install it with: apt install g++");
+}
+
+void write_source(const std::string& source, const std::filesystem::path& file) {
+    const FileDescriptor out(open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
+    bool good = static_cast<bool>(out);
+    for (std::size_t at = 0; good && at < source.size();) {
+        const ssize_t written = write(out.get(), source.data() + at, source.size() - at);
+        if (written > 0) at += static_cast<std::size_t>(written);
+        good = written > 0 || (written < 0 && errno == EINTR);
+    }
+    if (good) return;
+    throw HarnessError("Could not write " + in_quotes(file) + ": " + std::generic_category().message(errno) +
+                       ". Make room there, or set TMPDIR to another folder.");
+}
+
+/// A full disk makes the compiler fail with an ordinary error, which must not be read as the student's.
+void refuse_a_full_disk(const std::filesystem::path& scratch) {
+    constexpr std::uint64_t needed = 4 * mebibyte;
+    struct statvfs disk {};
+    if (statvfs(scratch.c_str(), &disk) != 0 || disk.f_bavail * disk.f_frsize >= needed) return;
+    throw HarnessError("The disk of " + in_quotes(scratch) +
+                       " is full, so the compiler could not write the program. Make room, "
+                       "or set TMPDIR to another folder.");
+}
+
+/// Nothing of the harness's own environment: it could change the messages (LANG), add headers (CPATH) or tell secrets.
+/// The compiler finds its assembler and linker beside itself or in the system's folders.
+std::vector<std::string> compiler_environment(const BuildSettings& settings, const std::filesystem::path& scratch) {
+    return {"PATH=" + settings.compiler.parent_path().string() + ":/usr/local/bin:/usr/bin:/bin", "LANG=C.UTF-8",
+            "LC_ALL=C", "HOME=" + scratch.string(), "TMPDIR=" + scratch.string()};
+}
+
+bool is_limit(Ended ended) {
+    switch (ended) {
+        case Ended::not_started:
+        case Ended::exited:
+        case Ended::signalled:
+            return false;
+        case Ended::cpu_limit:
+        case Ended::wall_limit:
+        case Ended::memory_limit:
+        case Ended::process_limit:
+        case Ended::output_limit:
+            return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+BuildSettings default_build_settings() {
+    BuildSettings settings;
+    settings.compiler = find_on_path("g++");
+    // -O1: as quick to compile as -O0 with GLM (0.7 s each), and the least at which g++ follows values far enough to
+    // warn of an uninitialised variable.
+    settings.flags = {"-std=c++17", "-DGLM_ENABLE_EXPERIMENTAL=", "-Wall", "-Wextra",
+                      "-O1",        "-fdiagnostics-color=never"};
+    settings.limits = {.cpu = 20s,
+                       .wall = 100s,
+                       .memory_bytes = 1024 * mebibyte,
+                       .file_bytes = 64 * mebibyte,
+                       .stack_bytes = 64 * mebibyte,
+                       .output_bytes = 64 * 1024,
+                       .error_bytes = 64 * 1024,
+                       .processes = 32,
+                       .open_files = 256};
+    return settings;
+}
+
+Build build(const Submission& submission, const BuildSettings& settings, const std::filesystem::path& scratch) {
+    Build build;
+    if (submission.problem) return build;
+    write_source(submission.source, scratch / source_name);
+    Command command;
+    command.argv = {settings.compiler.string()};
+    command.argv.insert(command.argv.end(), settings.flags.begin(), settings.flags.end());
+    // Relative names, so that the messages are the same wherever the scratch folder lies.
+    command.argv.insert(command.argv.end(), {"-o", program_name, source_name});
+    command.working_directory = scratch;
+    command.environment = compiler_environment(settings, scratch);
+    command.limits = settings.limits;
+    const ProcessResult result = run_process(command);
+    build.tried = true;
+    build.reached_limit = is_limit(result.ended);
+    build.diagnostics = result.errors;
+    build.wall = result.wall;
+    const auto program = scratch / program_name;
+    if (result.ended == Ended::exited && result.exit_code == 0 && std::filesystem::is_regular_file(program)) {
+        build.program = program;
+    } else {
+        refuse_a_full_disk(scratch);
+    }
+    return build;
+}
+
+}  // namespace harness

@@ -1,0 +1,159 @@
+#include "harness/clean_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+namespace harness {
+namespace {
+
+constexpr char escape = '\x1b';
+constexpr char32_t replacement = 0xFFFD;
+/// A terminal's escape sequence is shorter; bounds the search for its end.
+constexpr std::size_t longest_escape = 256;
+
+struct Decoded {
+    char32_t code;
+    std::size_t bytes;  ///< 1 to 4; 1 for an invalid byte, whose code is U+FFFD
+};
+
+bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+
+/// One code point of UTF-8 (RFC 3629: no overlong forms, no surrogates, at most U+10FFFF).
+Decoded decode(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text[0]);
+    if (lead < 0x80) return {lead, 1};
+    const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+    if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return {replacement, 1};
+    char32_t code = lead & (0xFFU >> (length + 1));
+    for (std::size_t i = 1; i < length; ++i) {
+        if (!is_continuation(text[i])) return {replacement, 1};
+        code = (code << 6U) | (static_cast<unsigned char>(text[i]) & 0x3FU);
+    }
+    constexpr std::array<char32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};
+    const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
+    if (code < least.at(length) || surrogate || code > 0x10FFFF) return {replacement, 1};
+    return {code, length};
+}
+
+/// The length of the terminal escape sequence at the start of `text`, which begins with ESC.
+std::size_t escape_length(std::string_view text) {
+    const std::size_t end = std::min(text.size(), longest_escape);
+    if (end < 2) return 1;
+    if (text[1] == '[') {  // CSI: parameters, then a final byte from '@' to '~'
+        for (std::size_t i = 2; i < end; ++i) {
+            if (text[i] >= '@' && text[i] <= '~') return i + 1;
+            if (text[i] < ' ') return i;
+        }
+        return 2;
+    }
+    if (text[1] == ']') {  // OSC: up to BEL or ESC backslash
+        for (std::size_t i = 2; i < end && text[i] != '\n'; ++i) {
+            if (text[i] == '\a') return i + 1;
+            if (text[i] == escape) return i + 1 < end && text[i + 1] == '\\' ? i + 2 : i;
+        }
+        return 2;
+    }
+    return text[1] >= ' ' && text[1] <= '~' ? 2 : 1;
+}
+
+struct Spelling {
+    char32_t first;
+    char32_t last;
+    std::string_view ascii;
+};
+
+/// What students print for an ASCII sign or a Latin letter.
+constexpr std::array spellings = {
+    Spelling{0x00A0, 0x00A0, " "},   Spelling{0x00AD, 0x00AD, ""},        Spelling{0x00B2, 0x00B2, "^2"},
+    Spelling{0x00B3, 0x00B3, "^3"},  Spelling{0x00B7, 0x00B7, "*"},       Spelling{0x00D7, 0x00D7, "*"},
+    Spelling{0x0394, 0x0394, "Delta"}, Spelling{0x03B1, 0x03B1, "alpha"}, Spelling{0x03B2, 0x03B2, "beta"},
+    Spelling{0x03B3, 0x03B3, "gamma"}, Spelling{0x03B4, 0x03B4, "delta"}, Spelling{0x03BB, 0x03BB, "lambda"},
+    Spelling{0x2000, 0x200A, " "},   Spelling{0x200B, 0x200D, ""},        Spelling{0x2010, 0x2015, "-"},
+    Spelling{0x2018, 0x2019, "'"},   Spelling{0x201C, 0x201D, "\""},      Spelling{0x2022, 0x2022, "*"},
+    Spelling{0x2032, 0x2032, "'"},   Spelling{0x208A, 0x208A, "+"},       Spelling{0x208B, 0x208B, "-"},
+    Spelling{0x2093, 0x2093, "x"},   Spelling{0x209B, 0x209B, "s"},       Spelling{0x209C, 0x209C, "t"},
+    Spelling{0x2190, 0x2190, "<-"},  Spelling{0x2192, 0x2192, "->"},      Spelling{0x21D2, 0x21D2, "=>"},
+    Spelling{0x2206, 0x2206, "Delta"}, Spelling{0x2212, 0x2212, "-"},     Spelling{0x221A, 0x221A, "sqrt"},
+    Spelling{0x221E, 0x221E, "inf"}, Spelling{0x2248, 0x2248, "="},       Spelling{0x2260, 0x2260, "!="},
+    Spelling{0x2264, 0x2264, "<="},  Spelling{0x2265, 0x2265, ">="},      Spelling{0x22C5, 0x22C5, "*"},
+    Spelling{0x2329, 0x2329, "<"},   Spelling{0x232A, 0x232A, ">"},       Spelling{0x239B, 0x23AE, "|"},
+    Spelling{0x2500, 0x2501, "-"},   Spelling{0x2502, 0x2503, "|"},       Spelling{0x2504, 0x254F, "|"},
+    Spelling{0x2550, 0x2550, "="},   Spelling{0x2551, 0x256C, "|"},       Spelling{0x27E8, 0x27E8, "<"},
+    Spelling{0x27E9, 0x27E9, ">"},   Spelling{0x3008, 0x3008, "<"},       Spelling{0x3009, 0x3009, ">"},
+    Spelling{0xFEFF, 0xFEFF, ""},    Spelling{0xFF0D, 0xFF0D, "-"},
+};
+
+void append_plain(std::string& out, char32_t code, std::string_view utf8) {
+    if (code >= 0x2080 && code <= 0x2089) {  // subscript digits
+        out += static_cast<char>('0' + (code - 0x2080));
+        return;
+    }
+    const auto* found = std::find_if(spellings.begin(), spellings.end(),
+                                     [&](const Spelling& s) { return code >= s.first && code <= s.last; });
+    out += found == spellings.end() ? utf8 : found->ascii;
+}
+
+constexpr std::string_view replacement_utf8 = "\xEF\xBF\xBD";
+
+bool is_control(char32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
+
+}  // namespace
+
+std::string clean_text(std::string_view bytes) {
+    std::string out;
+    out.reserve(bytes.size());
+    for (std::size_t i = 0; i < bytes.size();) {
+        const char c = bytes[i];
+        if (c == escape) {
+            i += escape_length(bytes.substr(i));
+            continue;
+        }
+        if (c == '\r') {
+            if (i + 1 == bytes.size() || bytes[i + 1] != '\n') out += '\n';
+            ++i;
+            continue;
+        }
+        if (c == '\n' || c == '\t') {
+            out += c;
+            ++i;
+            continue;
+        }
+        const Decoded decoded = decode(bytes.substr(i));
+        if (is_control(decoded.code)) {
+            out += ' ';
+        } else if (decoded.code == replacement) {
+            out += replacement_utf8;
+        } else if (decoded.code < 0x80) {
+            out += c;
+        } else {
+            append_plain(out, decoded.code, bytes.substr(i, decoded.bytes));
+        }
+        i += decoded.bytes;
+    }
+    return out;
+}
+
+std::string escape_control(std::string_view bytes) {
+    std::string out;
+    out.reserve(bytes.size());
+    for (std::size_t i = 0; i < bytes.size();) {
+        const Decoded decoded = decode(bytes.substr(i));
+        if (bytes[i] == '\n' || bytes[i] == '\t') {
+            out += bytes[i];
+        } else if (is_control(decoded.code)) {
+            out += fmt::format("\\x{:02x}", static_cast<std::uint32_t>(decoded.code));
+        } else if (decoded.code == replacement && decoded.bytes == 1) {
+            out += fmt::format("\\x{:02x}", static_cast<unsigned char>(bytes[i]));
+        } else {
+            out += bytes.substr(i, decoded.bytes);
+        }
+        i += decoded.bytes;
+    }
+    return out;
+}
+
+}  // namespace harness

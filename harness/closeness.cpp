@@ -1,0 +1,79 @@
+#include "harness/closeness.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace harness {
+namespace {
+
+using reference::Shape;
+
+std::vector<PrintedNumber> transposed(const std::vector<PrintedNumber>& numbers) {
+    const std::size_t n = numbers.size() == 16 ? 4 : 3;
+    std::vector<PrintedNumber> result;
+    for (std::size_t column = 0; column < n; ++column) {
+        for (std::size_t row = 0; row < n; ++row) result.push_back(numbers[row * n + column]);
+    }
+    return result;
+}
+
+Closeness compare_numbers(const std::vector<PrintedNumber>& given, const Target& target, double allowance, int min_decimals) {
+    if (target.no_value || given.size() != target.components.size()) return {};
+    Closeness closeness{true, 0.0};
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const Real& real = target.components[i];
+        const double component_allowance = target.allowance.empty() ? allowance : target.allowance[i];
+        if (!is_within(given[i], real, component_allowance, min_decimals)) closeness.within = false;
+        const double distance = std::max({real.lo() - given[i].value, given[i].value - real.hi(), 0.0});
+        if (!std::isfinite(given[i].value)) closeness.error.reset();
+        if (closeness.error) closeness.error = std::max(*closeness.error, distance);
+    }
+    return closeness;
+}
+
+}  // namespace
+
+double half_unit(const PrintedNumber& number, int min_decimals) {
+    constexpr int stream_digits = 6;
+    if (number.exact) return 0.0;
+    const int decimals = number.significant >= stream_digits ? number.decimals : std::max(number.decimals, min_decimals);
+    return 0.5 * std::pow(10.0, -decimals);
+}
+
+bool is_within(const PrintedNumber& given, const Real& target, double allowance, int min_decimals) {
+    const double slack = allowance + half_unit(given, min_decimals);
+    return std::isfinite(given.value) && target.lo() - slack <= given.value && given.value <= target.hi() + slack;
+}
+
+Real enclosure_of(const PrintedNumber& number) {
+    if (number.exact || number.decimals == 0 || !std::isfinite(number.value)) return Real(number.value);
+    const double half = 0.5 * std::pow(10.0, -number.decimals);
+    return Real::widened(number.value - half, number.value + half);
+}
+
+std::vector<PrintedNumber> by_columns(const MatchedItem& printed) {
+    return printed.order == MatrixOrder::rows ? transposed(printed.value->numbers) : printed.value->numbers;
+}
+
+Closeness compare(const MatchedItem& printed, const Target& target, double allowance, int min_decimals) {
+    std::vector<PrintedNumber> numbers = printed.value->numbers;
+    if (numbers.empty()) return {target.no_value, {}};
+    const Shape shape = printed.spec.shape;
+    if (shape == Shape::matrix3 || shape == Shape::matrix4) {
+        const Closeness closeness = compare_numbers(by_columns(printed), target, allowance, min_decimals);
+        if (closeness.within || printed.order != MatrixOrder::unsaid) return closeness;
+        const Closeness other = compare_numbers(transposed(numbers), target, allowance, min_decimals);
+        return other.within ? other : closeness;
+    }
+    if (shape == Shape::vector && numbers.size() == 4) {
+        const PrintedNumber w = numbers.back();
+        numbers.pop_back();
+        Closeness closeness = compare_numbers(numbers, target, allowance, min_decimals);
+        const bool homogeneous = is_within(w, Real(1.0), allowance, min_decimals) || is_within(w, Real(0.0), allowance, min_decimals);
+        closeness.within = closeness.within && homogeneous;
+        return closeness;
+    }
+    return compare_numbers(numbers, target, allowance, min_decimals);
+}
+
+}  // namespace harness

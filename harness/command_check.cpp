@@ -1,0 +1,25 @@
+#include <fmt/format.h>
+
+#include "harness/commands.h"
+#include "harness/intake.h"
+#include "harness/report/report.h"
+
+namespace harness {
+
+int check_command(const CheckOptions& options) {
+    const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
+    const Marking marking{assignment, reference::make_key(assignment, reference::Precision::certified)};
+    const std::vector<Submission> submissions = take_in(options.source);
+    if (submissions.size() != 1) {
+        fmt::print(stderr, "raygrade: {}: holds {} submissions; `raygrade check` takes one, `raygrade grade` a class\n",
+                   options.source.string(), submissions.size());
+        return usage;
+    }
+    const Graded graded = grade(submissions.front(), marking);
+    fmt::print("{}", report::check_text(graded));
+    if (graded.outcome == Outcome::not_graded) return some_not_graded;
+    const bool too_few = options.fail_under && graded.score.points < *options.fail_under / 100 * graded.score.max_points;
+    return too_few ? some_not_graded : all_graded;
+}
+
+}  // namespace harness

@@ -1,0 +1,33 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/commands.h"
+#include "harness/doctor.h"
+
+namespace harness {
+namespace {
+
+std::string_view mark(Finding::Level level) {
+    switch (level) {
+        case Finding::Level::good: return "good";
+        case Finding::Level::warning: return "warning";
+        case Finding::Level::bad: return "BAD";
+    }
+    return "";
+}
+
+}  // namespace
+
+int doctor_command() {
+    const std::vector<Finding> findings = examine_machine();
+    for (const Finding& finding : findings) {
+        fmt::print("{:<8} {}: {}\n", mark(finding.level), finding.what, finding.detail);
+        if (!finding.way_out.empty()) fmt::print("{:<8} -> {}\n", "", finding.way_out);
+    }
+    const bool bad = std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.level == Finding::Level::bad; });
+    fmt::print("{}\n", bad ? "This machine can't grade yet." : "This machine is ready to grade.");
+    return bad ? some_not_graded : all_graded;
+}
+
+}  // namespace harness

@@ -1,0 +1,153 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <condition_variable>
+#include <cstring>
+#include <fstream>
+#include <mutex>
+#include <thread>
+
+#include "harness/commands.h"
+#include "harness/failure.h"
+#include "harness/intake.h"
+#include "harness/report/report.h"
+
+namespace harness {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A mistake of usage: what() is for the instructor.
+class UsageError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Shows on stderr how many submissions are done, while it lives: a bar where stderr is a terminal, else nothing.
+class ProgressBar {
+  public:
+    ProgressBar(const std::atomic<std::size_t>& done, std::size_t total) : done_(done), total_(total) {
+        if (isatty(STDERR_FILENO) == 1) painter_ = std::jthread([this](const std::stop_token& stop) { paint(stop); });
+    }
+    ~ProgressBar() {
+        if (!painter_.joinable()) return;
+        painter_.request_stop();
+        painter_.join();
+        fmt::print(stderr, "\r\x1b[K");
+    }
+    ProgressBar(const ProgressBar&) = delete;
+    ProgressBar& operator=(const ProgressBar&) = delete;
+
+  private:
+    void paint(const std::stop_token& stop) const {
+        constexpr std::size_t width = 40;
+        std::mutex mutex;
+        std::unique_lock lock(mutex);
+        std::condition_variable_any wake;
+        while (!stop.stop_requested()) {
+            const std::size_t filled = total_ == 0 ? width : width * done_ / total_;
+            fmt::print(stderr, "\r[{}{}] {} of {}", std::string(filled, '#'), std::string(width - filled, '.'), done_.load(), total_);
+            wake.wait_for(lock, stop, std::chrono::milliseconds(100), [] { return false; });
+        }
+    }
+
+    const std::atomic<std::size_t>& done_;
+    std::size_t total_;
+    std::jthread painter_;
+};
+
+/// Writes a whole file or throws HarnessError; what was there before stays until the new one is complete.
+void write_file(const fs::path& file, const std::string& text) {
+    const fs::path fresh = file.string() + ".new";
+    errno = 0;
+    std::ofstream stream(fresh, std::ios::binary);
+    stream << text;
+    stream.close();
+    if (!stream) {
+        const std::string why = errno == 0 ? "writing failed" : std::strerror(errno);
+        std::error_code ignored;
+        fs::remove(fresh, ignored);
+        throw HarnessError(fmt::format("{}: can't be written: {}; free some space or name another folder with --out", file.string(), why));
+    }
+    fs::rename(fresh, file);
+}
+
+/// Makes the results' folder, empty or with an earlier run's results that may be replaced. Throws UsageError.
+void prepare_folder(const fs::path& out, bool force) {
+    std::error_code error;
+    if (fs::exists(out, error) && !fs::is_directory(out, error)) {
+        throw UsageError(fmt::format("{}: is a file; name a folder for the results with --out", out.string()));
+    }
+    const bool empty = !fs::exists(out, error) || fs::is_empty(out, error);
+    const bool earlier = fs::exists(out / "grades.json", error);
+    if (!empty && earlier && !force) {
+        throw UsageError(fmt::format("{}: holds the results of an earlier run; replace them with --force, or name another folder with --out", out.string()));
+    }
+    if (!empty && !earlier) {
+        throw UsageError(fmt::format("{}: is not empty and holds no results of raygrade; name another folder with --out", out.string()));
+    }
+    const fs::path probe = out / "feedback";
+    fs::create_directories(probe, error);
+    if (error) throw UsageError(fmt::format("{}: can't be made: {}; name another folder with --out", probe.string(), error.message()));
+    if (access(out.c_str(), W_OK | X_OK) != 0 || access(probe.c_str(), W_OK | X_OK) != 0) {
+        throw UsageError(fmt::format("{}: can't be written: {}; name another folder with --out", out.string(), std::strerror(errno)));
+    }
+}
+
+/// The name of a submission's feedback: its id, which may hold the path before it, cut where a file name would be too long.
+std::string feedback_name(const std::string& id, std::size_t index) {
+    constexpr std::size_t longest = 200;
+    std::string name;
+    for (const char c : id) name += c == '/' ? "%2F" : std::string(1, c);
+    if (name.size() > longest) name = fmt::format("{}-{}", name.substr(0, longest), index + 1);
+    return name + ".md";
+}
+
+void write_results(const std::vector<Graded>& graded, const Marking& marking, const fs::path& out) {
+    const fs::path feedback = out / "feedback";
+    for (const auto& entry : fs::directory_iterator(feedback)) {
+        if (entry.path().extension() == ".md") fs::remove(entry.path());  // of an earlier run, under --force
+    }
+    for (std::size_t i = 0; i < graded.size(); ++i) {
+        write_file(feedback / feedback_name(graded[i].submission.id, i), report::feedback_markdown(graded[i], marking));
+    }
+    write_file(out / "grades.csv", report::grades_csv(graded));
+    write_file(out / "grades.json", report::grades_json(graded, marking));
+}
+
+}  // namespace
+
+int grade_command(const GradeOptions& options) {
+    const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
+    const Marking marking{assignment, reference::make_key(assignment, reference::Precision::certified)};
+    for (const std::string& note : marking.key.notes) fmt::print(stderr, "note: {}\n", note);
+    std::vector<Graded> graded;
+    try {
+        const std::vector<Submission> submissions = take_in_all(options.paths);
+        prepare_folder(options.out, options.force);
+        std::atomic<std::size_t> done = 0;
+        const ProgressBar bar(done, submissions.size());
+        graded = grade_all(submissions, marking, options.jobs, done);
+    } catch (const UsageError& error) {
+        fmt::print(stderr, "raygrade: {}\n", error.what());
+        return usage;
+    }
+    fmt::print("{}", report::class_table(graded));
+    std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
+    for (const Graded& one : graded) {
+        for (const std::string& note : one.submission.notes) fmt::print(stderr, "note: {}: {}\n", one.submission.id, note);
+    }
+    try {
+        write_results(graded, marking, options.out);
+    } catch (const fs::filesystem_error& error) {
+        throw HarnessError(fmt::format("{}: can't be written: {}", error.path1().string(), error.code().message()));
+    }
+    fmt::print("\nresults: {}\nfeedback: {}\n", (options.out / "grades.json").string(), (options.out / "feedback").string());
+    const bool all = std::none_of(graded.begin(), graded.end(), [](const Graded& one) { return one.outcome == Outcome::not_graded; });
+    return all ? all_graded : some_not_graded;
+}
+
+}  // namespace harness

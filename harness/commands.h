@@ -1,0 +1,49 @@
+// The subcommands of raygrade. Each writes results to stdout, its own voice to stderr, and returns the exit status.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reference/answer_key.h"
+
+namespace harness {
+
+/// The exit status of raygrade. Marks never change it, except under `check --fail-under`.
+enum ExitStatus : int {
+    all_graded = 0,
+    some_not_graded = 1,  ///< also a check that found no marks to give or too few
+    usage = 2,            ///< the command line, a path or an assignment is wrong; nothing was graded
+    our_fault = 3,
+};
+
+struct GradeOptions {
+    std::vector<std::filesystem::path> paths;
+    std::string assignment;
+    std::filesystem::path out;
+    int jobs = 1;
+    bool force = false;  ///< replace the results of an earlier run
+};
+int grade_command(const GradeOptions& options);
+
+struct CheckOptions {
+    std::filesystem::path source;
+    std::string assignment;
+    std::optional<double> fail_under;  ///< percent of the points
+};
+int check_command(const CheckOptions& options);
+
+struct ReferenceOptions {
+    std::string assignment;
+    std::string precision = "certified";  ///< float, double or certified
+    std::string format = "text";          ///< text or json
+};
+int reference_command(const ReferenceOptions& options);
+
+int doctor_command();
+
+/// Where the assignments that come with raygrade are.
+std::filesystem::path assignments_folder();
+
+}  // namespace harness

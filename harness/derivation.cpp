@@ -1,0 +1,246 @@
+#include "harness/derivation.h"
+
+#include <utility>
+
+#include "reference/scene_answers.h"
+
+namespace harness {
+namespace {
+
+using reference::Boundary;
+using reference::Quadratic;
+using reference::RootChoice;
+using reference::Vec3;
+
+using Targets = std::vector<Target>;
+using Form = QuadraticForm;
+
+constexpr ItemId P_VCS{1, "P_VCS"}, X{2, "X_vcs"}, Y{2, "Y_vcs"}, Z{2, "Z_vcs"}, M{3, "M_VCS_to_WCS"}, P_WCS{4, "P_WCS"}, V{5, "V"};
+constexpr ItemId a{6, "a"}, b{6, "b"}, c{6, "c"}, d{6, "d"}, t_s{6, "t"}, hit_s{6, "hit"}, normal_s{7, "normal"};
+constexpr ItemId matrix{8, "matrix"}, rhs{8, "rhs"}, t_t{8, "t"}, u{8, "u"}, v{8, "v"}, hit_t{8, "hit"};
+
+/// The value, unless an input is missing.
+template <class... Inputs>
+Targets from(auto compute, const std::optional<Inputs>&... inputs) {
+    if (!(inputs && ...)) return {};
+    return {target_of(compute(*inputs...))};
+}
+
+Targets x_from_z(const Known& known, const RealScene& scene, Form) {
+    return from([&](const Vec3<Real>& z) { return reference::normalized(reference::cross(scene.camera.vup, z)); }, known.vector(Z));
+}
+
+Targets y_from_z_x(const Known& known, const RealScene&, Form) {
+    return from([](const Vec3<Real>& z, const Vec3<Real>& x) { return reference::cross(z, x); }, known.vector(Z), known.vector(X));
+}
+
+Targets m_from_basis(const Known& known, const RealScene& scene, Form) {
+    return from([&](const Vec3<Real>& x, const Vec3<Real>& y,
+                    const Vec3<Real>& z) { return reference::vcs_to_wcs(reference::Basis<Real>{x, y, z}, scene.camera.eye); },
+                known.vector(X), known.vector(Y), known.vector(Z));
+}
+
+Targets p_wcs_from_m(const Known& known, const RealScene&, Form) {
+    return from([](const auto& m, const auto& p) { return reference::pixel_to_wcs(m, p); }, known.matrix4(M), known.vector(P_VCS));
+}
+
+/// The same without the division by w, for a matrix whose last row is not (0, 0, 0, 1).
+Targets p_wcs_undivided(const Known& known, const RealScene&, Form) {
+    return from(
+        [](const reference::Mat4<Real>& m, const Vec3<Real>& p) {
+            const auto row = [&](int i) { return m[0][i] * p.x + m[1][i] * p.y + m[2][i] * p.z + m[3][i]; };
+            return Vec3<Real>(row(0), row(1), row(2));
+        },
+        known.matrix4(M), known.vector(P_VCS));
+}
+
+Targets p_wcs_from_basis(const Known& known, const RealScene& scene, Form) {
+    return from(
+        [&](const auto& x, const auto& y, const auto& z, const auto& p) {
+            return Vec3<Real>(scene.camera.eye + reference::scaled(x, p.x) + reference::scaled(y, p.y) + reference::scaled(z, p.z));
+        },
+        known.vector(X), known.vector(Y), known.vector(Z), known.vector(P_VCS));
+}
+
+Targets v_from_p(const Known& known, const RealScene& scene, Form) {
+    return from([&](const auto& p) { return reference::ray_direction(p, scene.camera.eye); }, known.vector(P_WCS));
+}
+
+/// V, unless it has no length: what follows from such a direction is trivial.
+std::optional<Vec3<Real>> direction_of(const Known& known) {
+    const auto direction = known.vector(V);
+    if (!direction || sign_of(reference::dot(*direction, *direction)) == 0) return std::nullopt;
+    return direction;
+}
+
+std::optional<Quadratic<Real>> quadratic_of(const Known& known, const RealScene& scene, Form form) {
+    const auto p = known.vector(P_WCS);
+    const auto direction = direction_of(known);
+    if (!p || !direction) return std::nullopt;
+    Quadratic<Real> quadratic = reference::sphere_quadratic(*p, *direction, scene.spheres.front());
+    if (form == Form::half_b) {
+        quadratic.b = quadratic.b / Real(2);
+        quadratic.d = quadratic.b * quadratic.b - quadratic.a * quadratic.c;
+    }
+    return quadratic;
+}
+
+template <Real Quadratic<Real>::*Coefficient>
+Targets coefficient(const Known& known, const RealScene& scene, Form form) {
+    return from([](const Quadratic<Real>& q) { return q.*Coefficient; }, quadratic_of(known, scene, form));
+}
+
+Targets d_from_abc(const Known& known, const RealScene&, Form form) {
+    const Real factor(form == Form::half_b ? 1 : 4);
+    return from([&](const Real& p, const Real& q, const Real& r) { return q * q - factor * p * r; }, known.scalar(a), known.scalar(b),
+                known.scalar(c));
+}
+
+/// The hit root of a quadratic given by its coefficients; each root that a rounded sign leaves possible.
+Targets roots_of(Quadratic<Real> quadratic, Form form) {
+    if (form == Form::half_b) {
+        quadratic.b = quadratic.b * Real(2);
+        quadratic.d = quadratic.d * Real(4);
+    }
+    Targets targets;
+    for (const Boundary boundary : {Boundary::nonnegative, Boundary::positive}) {
+        const RootChoice choice = reference::choose_root(quadratic, boundary);
+        if (choice == RootChoice::miss) targets.push_back(no_value());
+        const bool unsure = choice == RootChoice::unsure;
+        for (const RootChoice root : {RootChoice::smaller, RootChoice::larger}) {
+            if (choice == root || unsure) targets.push_back(target_of(*reference::root(quadratic, root)));
+        }
+    }
+    return targets;
+}
+
+/// c is taken to agree with a, b and d, from which the student computed the roots.
+Targets t_from_abd(const Known& known, const RealScene&, Form form) {
+    const auto p = known.scalar(a), q = known.scalar(b), disc = known.scalar(d);
+    if (!p || !q || !disc || sign_of(*p) == 0) return {};
+    const Real four_a_c = form == Form::half_b ? (*q * *q - *disc) * Real(4) : *q * *q - *disc;
+    return roots_of({*p, *q, four_a_c / (Real(4) * *p), *disc}, form);
+}
+
+Targets t_from_abc(const Known& known, const RealScene& scene, Form form) {
+    const auto p = known.scalar(a), q = known.scalar(b), r = known.scalar(c);
+    if (!p || !q || !r || sign_of(*p) == 0) return {};
+    const Targets disc = d_from_abc(known, scene, form);
+    return roots_of({*p, *q, *r, disc.front().components.front()}, form);
+}
+
+Targets point_from_t(const Known& known, const ItemId& t) {
+    const auto parameter = known.scalar(t);
+    if (!parameter) return {no_value()};
+    return from([&](const auto& p, const auto& direction) { return reference::point_on_ray(p, direction, *parameter); },
+                known.vector(P_WCS), direction_of(known));
+}
+
+Targets sphere_point(const Known& known, const RealScene&, Form) { return point_from_t(known, t_s); }
+
+Targets sphere_normal_from_hit(const Known& known, const RealScene& scene, Form) {
+    const auto hit = known.vector(hit_s);
+    if (!hit) return {no_value()};
+    const auto& sphere = scene.spheres.front();
+    const Vec3<Real> from_center = *hit - sphere.center;
+    return {target_of(reference::normalized(from_center)), target_of(reference::scaled(from_center, Real(1) / sphere.radius))};
+}
+
+Targets matrix_from_v(const Known& known, const RealScene& scene, Form) {
+    return from([&](const auto& p, const auto& direction) { return reference::triangle_system(p, direction, scene.triangles.front()).matrix; },
+                known.vector(P_WCS), direction_of(known));
+}
+
+Targets rhs_from_p(const Known& known, const RealScene& scene, Form) {
+    return from([&](const auto& p) { return Vec3<Real>(p - scene.triangles.front().A); }, known.vector(P_WCS));
+}
+
+Targets solution(const std::optional<reference::LinearSystem<Real>>& system, Real reference::CramerSolution<Real>::*numerator) {
+    if (!system) return {};
+    const auto solved = reference::solve_by_cramer(*system);
+    const auto det = sign_of(solved.det);
+    if (!(det < 0 || det > 0)) return {};
+    return {target_of(solved.*numerator / solved.det)};
+}
+
+template <Real reference::CramerSolution<Real>::*Numerator>
+Targets solve_printed(const Known& known, const RealScene&, Form) {
+    const auto m = known.matrix3(matrix);
+    const auto r = known.vector(rhs);
+    if (!m || !r) return {};
+    return solution(reference::LinearSystem<Real>{*m, *r}, Numerator);
+}
+
+template <Real reference::CramerSolution<Real>::*Numerator>
+Targets solve_ray(const Known& known, const RealScene& scene, Form) {
+    const auto p = known.vector(P_WCS);
+    const auto direction = direction_of(known);
+    if (!p || !direction) return {};
+    return solution(reference::triangle_system(*p, *direction, scene.triangles.front()), Numerator);
+}
+
+Targets triangle_point(const Known& known, const RealScene&, Form) {
+    Targets targets = point_from_t(known, t_t);
+    const auto t = known.scalar(t_t), bu = known.scalar(u), bv = known.scalar(v);
+    const bool certain = t && bu && bv && sign_of(*t) > 0 && sign_of(*bu) >= 0 && sign_of(*bv) >= 0 && sign_of(Real(1) - *bu - *bv) >= 0;
+    if (!certain) targets.push_back(no_value());  // no true hit: the point may be left out
+    return targets;
+}
+
+Targets triangle_point_from_uv(const Known& known, const RealScene& scene, Form) {
+    const auto& triangle = scene.triangles.front();
+    return from(
+        [&](const Real& p, const Real& q) {
+            return Vec3<Real>(triangle.A + reference::scaled(Vec3<Real>(triangle.B - triangle.A), p) +
+                              reference::scaled(Vec3<Real>(triangle.C - triangle.A), q));
+        },
+        known.scalar(u), known.scalar(v));
+}
+
+using Solved = reference::CramerSolution<Real>;
+
+const std::vector<Derivation>& derivations() {
+    static const std::vector<Derivation> table = {
+        {X, {Z}, x_from_z},
+        {Y, {Z, X}, y_from_z_x},
+        {M, {X, Y, Z}, m_from_basis},
+        {P_WCS, {M, P_VCS}, p_wcs_from_m},
+        {P_WCS, {M, P_VCS}, p_wcs_undivided},
+        {P_WCS, {X, Y, Z, P_VCS}, p_wcs_from_basis},
+        {V, {P_WCS}, v_from_p},
+        {a, {V}, coefficient<&Quadratic<Real>::a>},
+        {b, {P_WCS, V}, coefficient<&Quadratic<Real>::b>},
+        {c, {P_WCS}, coefficient<&Quadratic<Real>::c>},
+        {d, {a, b, c}, d_from_abc},
+        {t_s, {a, b, d}, t_from_abd},
+        {t_s, {a, b, c}, t_from_abc},
+        {hit_s, {P_WCS, V, t_s}, sphere_point},
+        {normal_s, {hit_s}, sphere_normal_from_hit},
+        {matrix, {V}, matrix_from_v},
+        {rhs, {P_WCS}, rhs_from_p},
+        {t_t, {matrix, rhs}, solve_printed<&Solved::t_numerator>},
+        {u, {matrix, rhs}, solve_printed<&Solved::u_numerator>},
+        {v, {matrix, rhs}, solve_printed<&Solved::v_numerator>},
+        {t_t, {P_WCS, V}, solve_ray<&Solved::t_numerator>},
+        {u, {P_WCS, V}, solve_ray<&Solved::u_numerator>},
+        {v, {P_WCS, V}, solve_ray<&Solved::v_numerator>},
+        {hit_t, {P_WCS, V, t_t}, triangle_point},
+        {hit_t, {u, v}, triangle_point_from_uv},
+    };
+    return table;
+}
+
+}  // namespace
+
+RealScene real_scene(const reference::Assignment& assignment, const reference::Reading& reading) {
+    const auto scene = reference::convert_scene<double>(assignment.scene, [](const reference::Decimal& x) { return x.to_double(); });
+    const auto answers = reference::answer_scene(scene, reading.convention, reading.boundary);
+    RealScene real = reference::convert_scene<Real>(scene, [](double x) { return Real(x); });
+    if (!real.spheres.empty()) std::swap(real.spheres.front(), real.spheres[answers.sphere_index]);
+    if (!real.triangles.empty()) std::swap(real.triangles.front(), real.triangles[answers.triangle_index]);
+    return real;
+}
+
+std::span<const Derivation> all_derivations() { return derivations(); }
+
+}  // namespace harness

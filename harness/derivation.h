@@ -1,0 +1,32 @@
+// How each item follows from items before it, by the stages of the reference: the ground of follow-through.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "harness/known.h"
+#include "reference/scene.h"
+
+namespace harness {
+
+using RealScene = reference::Scene<Real>;
+
+/// The scene's numbers as the nearest doubles. Where it holds several spheres or triangles, the one that the questions are about comes
+/// first.
+RealScene real_scene(const reference::Assignment& assignment, const reference::Reading& reading);
+
+/// Whether the student's coefficients are those of a t^2 + 2 b' t + c = 0, with d' = b'^2 - ac.
+enum class QuadraticForm { full, half_b };
+
+/// One way to compute an item. An item may have several.
+struct Derivation {
+    ItemId item;
+    std::vector<ItemId> inputs;
+    /// Every value that the inputs can give; more than one where intervals leave a decision open. None when the substitution is
+    /// degenerate and says nothing, such as a direction of length 0.
+    std::vector<Target> (*compute)(const Known& known, const RealScene& scene, QuadraticForm form);
+};
+
+std::span<const Derivation> all_derivations();
+
+}  // namespace harness

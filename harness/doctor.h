@@ -1,0 +1,25 @@
+// What this machine has and lacks for grading.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace harness {
+
+struct Finding {
+    enum class Level {
+        good,
+        warning,  ///< grading works, but not as well
+        bad,      ///< nothing can be graded
+    };
+    std::string what;  ///< a few words: "compiler"
+    Level level = Level::good;
+    std::string detail;   ///< what was found, with versions, paths and times
+    std::string way_out;  ///< a command or an action; empty when good
+};
+
+/// Looks, and really compiles and runs a small GLM program under the supervisor; some two seconds. Never throws: what
+/// fails is a finding.
+std::vector<Finding> examine_machine();
+
+}  // namespace harness

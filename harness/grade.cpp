@@ -1,0 +1,135 @@
+#include "harness/grade.h"
+
+#include <fmt/format.h>
+
+#include <csignal>
+#include <cstring>
+#include <thread>
+
+#include "harness/failure.h"
+#include "harness/run.h"
+#include "harness/scratch.h"
+#include "harness/transcript.h"
+
+namespace harness {
+namespace {
+
+double seconds(std::chrono::milliseconds time) { return static_cast<double>(time.count()) / 1000.0; }
+
+std::string signal_name(int signal) {
+    const char* name = sigabbrev_np(signal);
+    return name == nullptr ? fmt::format("signal {}", signal) : fmt::format("SIG{}", name);
+}
+
+/// What a signal usually means, for a student.
+std::string_view signal_meaning(int signal) {
+    switch (signal) {
+        case SIGSEGV:
+        case SIGBUS: return "; it used memory that is not its own, such as a null pointer or an index beyond an array";
+        case SIGABRT: return "; it called abort, as an uncaught exception or a failed assert does";
+        case SIGFPE: return "; it divided an integer by zero";
+        case SIGXFSZ: return "; it wrote a file beyond the limit";
+        default: return "";
+    }
+}
+
+Outcome outcome_of(const ProcessResult& run) {
+    switch (run.ended) {
+        case Ended::not_started: return Outcome::compile_error;
+        case Ended::exited: return run.output.empty() ? Outcome::no_output : Outcome::graded;
+        case Ended::signalled:
+        case Ended::process_limit: return Outcome::crashed;
+        case Ended::cpu_limit:
+        case Ended::wall_limit: return Outcome::timed_out;
+        case Ended::memory_limit: return Outcome::memory_limit;
+        case Ended::output_limit: return Outcome::output_limit;
+    }
+    return Outcome::not_graded;
+}
+
+std::string explain(const Build& build, const ProcessResult& run, const Limits& limits) {
+    constexpr std::string_view still_marked = " What it printed before is marked.";
+    switch (run.ended) {
+        case Ended::not_started:
+            return build.reached_limit ? "The compiler ran out of time or memory on this source." : "The source does not compile.";
+        case Ended::exited:
+            if (run.output.empty()) return fmt::format("The program ended with exit code {} and printed nothing.", run.exit_code);
+            return run.exit_code == 0 ? "" : fmt::format("The program ended with exit code {}.", run.exit_code);
+        case Ended::signalled:
+            return fmt::format("The program crashed ({}){}.{}", signal_name(run.signal), signal_meaning(run.signal), still_marked);
+        case Ended::process_limit:
+            return fmt::format("The program started more than {} processes and threads at one time and was stopped.{}", limits.processes, still_marked);
+        case Ended::cpu_limit:
+            return fmt::format("Time limit: the program was stopped after {:g} s of computing; is there an endless loop?{}", seconds(limits.cpu), still_marked);
+        case Ended::wall_limit:
+            return fmt::format("Time limit: the program was stopped after {:g} s; does it wait for something?{}", seconds(limits.wall), still_marked);
+        case Ended::memory_limit:
+            return fmt::format("The program used more than {} MiB of memory and was stopped.{}", limits.memory_bytes >> 20U, still_marked);
+        case Ended::output_limit:
+            return fmt::format("The program printed more than {} KiB and was stopped; is there an endless loop?{}", limits.output_bytes >> 10U, still_marked);
+    }
+    return "";
+}
+
+void grade_into(Graded& graded, const Marking& marking) {
+    if (graded.submission.problem) {
+        graded.explanation = *graded.submission.problem;
+        return;
+    }
+    const Scratch scratch;
+    const Limits limits = default_run_limits();
+    graded.build = build(graded.submission, default_build_settings(), scratch.path());
+    graded.run = run(graded.build, limits, scratch.path());
+    graded.score = score(read_transcript(graded.run.output), marking.key, marking.assignment);
+    graded.outcome = outcome_of(graded.run);
+    graded.explanation = explain(graded.build, graded.run, limits);
+    graded.run.output = {};  // up to a mebibyte; the score holds what counts
+}
+
+}  // namespace
+
+std::string_view to_string(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::graded: return "graded";
+        case Outcome::compile_error: return "compile_error";
+        case Outcome::crashed: return "crashed";
+        case Outcome::timed_out: return "timed_out";
+        case Outcome::output_limit: return "output_limit";
+        case Outcome::memory_limit: return "memory_limit";
+        case Outcome::no_output: return "no_output";
+        case Outcome::not_graded: return "not_graded";
+    }
+    return "";
+}
+
+Graded grade(const Submission& submission, const Marking& marking) {
+    Graded graded;
+    graded.submission = submission;
+    try {
+        grade_into(graded, marking);
+    } catch (const HarnessError& error) {
+        graded = Graded{};
+        graded.submission = submission;
+        graded.explanation = error.what();
+    }
+    if (graded.outcome == Outcome::not_graded) graded.score = score({}, marking.key, marking.assignment);
+    graded.submission.source = {};
+    return graded;
+}
+
+std::vector<Graded> grade_all(const std::vector<Submission>& submissions, const Marking& marking, int jobs, std::atomic<std::size_t>& done) {
+    std::vector<Graded> results(submissions.size());
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < submissions.size(); i = next++) {
+            results[i] = grade(submissions[i], marking);
+            ++done;
+        }
+    };
+    std::vector<std::jthread> workers;
+    for (int job = 0; job < jobs; ++job) workers.emplace_back(work);
+    workers.clear();  // joins
+    return results;
+}
+
+}  // namespace harness

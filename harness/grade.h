@@ -1,0 +1,53 @@
+// The main path: submission → build → run → transcript → score, for one submission and for a class.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "harness/build.h"
+#include "harness/process.h"
+#include "harness/score.h"
+#include "harness/submission.h"
+#include "reference/answer_key.h"
+
+namespace harness {
+
+/// How a submission ended. A program that ended early is still marked for what it printed.
+enum class Outcome {
+    graded,
+    compile_error,
+    crashed,       ///< ended by a signal, or for starting too many processes
+    timed_out,
+    output_limit,
+    memory_limit,
+    no_output,     ///< ended by itself without having printed anything
+    not_graded,    ///< no marks: the submission could not be read, or the machine failed
+};
+
+/// The name in reports and in grades.json.
+std::string_view to_string(Outcome outcome);
+
+struct Graded {
+    Submission submission;
+    Outcome outcome = Outcome::not_graded;
+    std::string explanation;  ///< a sentence: the first stage that went wrong; empty when none did
+    Build build;
+    ProcessResult run;  ///< without the output, which has been read
+    Score score;        ///< all missing when nothing was printed
+};
+
+/// What every submission is held to.
+struct Marking {
+    reference::Assignment assignment;
+    reference::AnswerKey key;  ///< the assignment's
+};
+
+/// Grades one submission. The machine's failures become Outcome::not_graded with the message.
+Graded grade(const Submission& submission, const Marking& marking);
+
+/// Grades a class with `jobs` (at least 1) submissions at a time, each on its own. Results in the order given, whatever the order of
+/// finishing. `done` counts the finished ones while it works.
+std::vector<Graded> grade_all(const std::vector<Submission>& submissions, const Marking& marking, int jobs, std::atomic<std::size_t>& done);
+
+}  // namespace harness

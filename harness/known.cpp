@@ -1,0 +1,77 @@
+#include "harness/known.h"
+
+namespace harness {
+namespace {
+
+template <int N>
+glm::mat<N, N, Real> matrix_of(const std::vector<Real>& components) {
+    glm::mat<N, N, Real> M(Real(0.0));
+    for (int column = 0; column < N; ++column) {
+        for (int row = 0; row < N; ++row) M[column][row] = components[static_cast<std::size_t>(column * N + row)];
+    }
+    return M;
+}
+
+template <int N>
+Target target_of_matrix(const glm::mat<N, N, Real>& M) {
+    Target target;
+    for (int column = 0; column < N; ++column) {
+        for (int row = 0; row < N; ++row) target.components.push_back(M[column][row]);
+    }
+    return target;
+}
+
+}  // namespace
+
+const Target* Known::find(const ItemId& id, std::size_t components) const {
+    const auto found = targets_.find(id);
+    if (found == targets_.end() || found->second.components.size() != components) return nullptr;
+    return &found->second;
+}
+
+std::optional<Real> Known::scalar(const ItemId& id) const {
+    const Target* target = find(id, 1);
+    return target == nullptr ? std::nullopt : std::optional(target->components[0]);
+}
+
+std::optional<reference::Vec3<Real>> Known::vector(const ItemId& id) const {
+    const Target* target = find(id, 3);
+    if (target == nullptr) return std::nullopt;
+    return reference::Vec3<Real>(target->components[0], target->components[1], target->components[2]);
+}
+
+std::optional<reference::Mat3<Real>> Known::matrix3(const ItemId& id) const {
+    const Target* target = find(id, 9);
+    return target == nullptr ? std::nullopt : std::optional(matrix_of<3>(target->components));
+}
+
+std::optional<reference::Mat4<Real>> Known::matrix4(const ItemId& id) const {
+    const Target* target = find(id, 16);
+    return target == nullptr ? std::nullopt : std::optional(matrix_of<4>(target->components));
+}
+
+Target printed_target(const MatchedItem& printed) {
+    Target target;
+    if (printed.value->numbers.empty()) return no_value();
+    for (const PrintedNumber& number : by_columns(printed)) target.components.push_back(enclosure_of(number));
+    if (printed.spec.shape == reference::Shape::vector) target.components.resize(3);
+    return target;
+}
+
+Target target_of(const Real& x) { return {false, {x}, {}}; }
+Target target_of(const reference::Vec3<Real>& p) { return {false, {p.x, p.y, p.z}, {}}; }
+Target target_of(const reference::Mat3<Real>& M) { return target_of_matrix<3>(M); }
+Target target_of(const reference::Mat4<Real>& M) { return target_of_matrix<4>(M); }
+Target no_value() { return {true, {}, {}}; }
+
+Target target_of(const reference::Answer& answer) {
+    const auto* numbers = std::get_if<reference::Numbers>(&answer.value);
+    if (numbers == nullptr) return no_value();
+    Target target;
+    for (std::size_t i = 0; i < numbers->size(); ++i) {
+        target.components.push_back(answer.lo.empty() ? Real((*numbers)[i]) : Real(answer.lo[i], answer.hi[i]));
+    }
+    return target;
+}
+
+}  // namespace harness

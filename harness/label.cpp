@@ -1,0 +1,191 @@
+#include "harness/label.h"
+
+#include <re2/re2.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace harness {
+namespace {
+
+using reference::ItemSpec;
+
+/// The names an item goes by, in lower case without anything but letters and digits. `weak` names often mean it.
+struct Names {
+    int question;
+    std::string_view item;
+    std::vector<std::string_view> names;
+    std::vector<std::string_view> weak;
+};
+
+const std::vector<Names>& vocabulary() {
+    static const std::vector<Names> table = {
+        {1, "P_VCS", {"pvcs", "pixelvcs", "pixelinvcs", "pvc", "vcs", "pixelinviewcoordinates", "pixelincameracoordinates", "pview", "pcam", "pcamera"}, {"p", "pixel", "point", "view", "camera", "viewcoordinates", "cameracoordinates"}},
+        {2, "X_vcs", {"xvcs", "x", "xaxis", "xbasis", "basisx", "vcsx", "xvector", "xcam", "xdir"}, {"right", "u", "side", "s", "basis1", "vx"}},
+        {2, "Y_vcs", {"yvcs", "y", "yaxis", "ybasis", "basisy", "vcsy", "yvector", "ycam", "ydir"}, {"up", "v", "trueup", "basis2", "vy"}},
+        {2, "Z_vcs", {"zvcs", "z", "zaxis", "zbasis", "basisz", "vcsz", "zvector", "zcam", "zdir"}, {"w", "n", "forward", "back", "backward", "basis3", "vz"}},
+        {3, "M_VCS_to_WCS", {"mvcstowcs", "m", "mvcs2wcs", "vcstowcs", "mvcswcs", "matrix", "inverseview", "inverseviewmatrix", "inverseofview", "inverseoftheviewmatrix", "viewinverse", "inverseofviewmatrix", "minv", "vcs2wcs", "invview"}, {"transform", "inverse", "cameratoworld", "viewtoworld"}},
+        {4, "P_WCS", {"pwcs", "pixelwcs", "pixelinwcs", "wcs", "pwc", "pixelinworldcoordinates", "pworld", "worldcoordinates", "s", "worldposition"}, {"p", "pixel", "point", "world", "position"}},
+        {5, "V", {"v", "direction", "raydirection", "raydir", "unitv", "vhat", "dir", "vector", "unitvector", "d", "vwcs", "ray", "directionv"}, {"unit", "normalized", "normalised"}},
+        {6, "a", {"a", "acoefficient", "coefficienta", "coeffa", "qa", "aq"}, {}},
+        {6, "b", {"b", "bcoefficient", "coefficientb", "coeffb", "b'", "bprime", "halfb", "bhalf", "qb"}, {}},
+        {6, "c", {"c", "ccoefficient", "coefficientc", "coeffc", "qc"}, {}},
+        {6, "d", {"d", "disc", "discriminant", "delta", "dis", "discr", "bb4ac", "b24ac", "bbac", "b2ac", "d'", "det"}, {"determinant", "radicand"}},
+        {6, "t", {"t", "ts", "tsphere", "tval", "tvalue", "rayparameter", "rayparametert", "parametert", "parameter", "thit", "smallert", "tsmaller", "tmin", "tnear", "smallestt", "smallerroot", "smallerpositiveroot", "solution", "rayt"}, {"t1", "t0", "t2", "root", "root1", "root2", "roots", "distance", "lambda", "raydistance", "tminus", "tplus"}},
+        {6, "hit", {"hit", "hitpoint", "ps", "psphere", "intersection", "intersectionpoint", "pointofintersection", "hitpos", "hitposition", "spherehit", "spherehitpoint", "sphereintersection", "phit"}, {"p", "point", "pos", "position", "location", "i"}},
+        {7, "normal", {"n", "normal", "ns", "nsphere", "spherenormal", "normalofsphere", "normalofthesphere", "surfacenormal", "unitnormal", "nhat", "normaln", "normalvector"}, {"normalized", "normalised"}},
+        {8, "matrix", {"a", "matrix", "matrixa", "amatrix", "m", "coefficientmatrix", "systemmatrix", "linearsystem", "system", "lhs", "mat", "leftside", "lefthandside", "thematrix"}, {"equations", "augmented"}},
+        {8, "rhs", {"rhs", "b", "righthandside", "rightside", "right", "righthand", "bvector", "vectorb", "rhsvector", "constant", "rightvector"}, {"d", "y", "sa", "solutionvector"}},
+        {8, "t", {"t", "tt", "ttri", "ttriangle", "tval", "tvalue", "rayparameter", "parametert", "rayparametert", "thit", "rayt"}, {"distance", "parameter", "t1", "lambda", "raydistance"}},
+        {8, "u", {"u", "uvalue", "barycentricu", "baryu", "beta"}, {}},
+        {8, "v", {"v", "vvalue", "barycentricv", "baryv", "gamma"}, {}},
+        {8, "hit", {"hit", "hitpoint", "pt", "ptri", "ptriangle", "intersection", "intersectionpoint", "pointofintersection", "hitpos", "hitposition", "trianglehit", "trianglehitpoint", "triangleintersection", "phit"}, {"p", "point", "pos", "position", "location", "i"}},
+        {9, "normal", {"n", "normal", "nt", "ntri", "ntriangle", "trianglenormal", "normaloftriangle", "normalofthetriangle", "surfacenormal", "unitnormal", "nhat", "normaln", "normalvector"}, {"normalized", "normalised"}},
+        {10, "verdict", {}, {}},
+    };
+    return table;
+}
+
+const Names& names_of(const ItemSpec& item) {
+    const auto& table = vocabulary();
+    return *std::find_if(table.begin(), table.end(),
+                         [&](const Names& n) { return n.question == item.question && n.item == item.name; });
+}
+
+/// Words that say nothing about which item a value is.
+constexpr std::array fillers = {"the", "is", "of", "value", "values", "are", "for", "answer", "result", "my", "final", "so", "then", "get", "we",
+                                "and", "in", "at", "its", "computed", "equals", "with", "vec3", "vec4", "vector", "point", "unit", "length", "xyz"};
+
+/// Words that say the value is on the way to an answer, or about one. "length of N" is not N.
+constexpr std::array not_an_answer = {"debug", "dbg", "before", "unnormalized", "unnormalised", "nonnormalized", "raw", "temp", "tmp", "check", "checking", "verify",
+                                      "verification", "test", "reduced", "reduction", "elimination", "echelon", "expected", "wrong", "trace", "log", "intermediate",
+                                      "sanity", "old", "undivided"};
+
+struct Words {
+    std::vector<std::string> tokens;  ///< lower case, split at everything but letters, digits and "'"
+    bool formula = false;             ///< holds an operator: names in it are operands
+};
+
+bool is_word_char(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '\'' ||
+           static_cast<unsigned char>(c) >= 0x80;
+}
+
+Words split_words(std::string_view label) {
+    Words words;
+    bool in_word = false;
+    for (std::size_t i = 0; i < label.size(); ++i) {
+        const char c = label[i];
+        if (is_word_char(c)) {
+            if (!in_word) words.tokens.emplace_back();
+            words.tokens.back() += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+            in_word = true;
+            continue;
+        }
+        in_word = false;
+        const bool spaced = i > 0 && i + 1 < label.size() && label[i - 1] == ' ' && label[i + 1] == ' ';
+        const bool operands = i > 0 && i + 1 < label.size() && (i < 2 || !is_word_char(label[i - 2])) && is_word_char(label[i - 1]) &&
+                              (i + 2 >= label.size() || !is_word_char(label[i + 2]));
+        if (c == '*' || c == '/' || c == '^' || c == '+' || (c == '-' && (spaced || operands))) words.formula = true;
+    }
+    return words;
+}
+
+bool contains(const auto& list, const auto& element) { return std::find(list.begin(), list.end(), element) != list.end(); }
+
+std::string join(const std::vector<std::string>& tokens, std::size_t first, std::size_t last) {
+    std::string joined;
+    for (std::size_t i = first; i < last; ++i) joined += tokens[i];
+    return joined;
+}
+
+/// How many tokens a run of tokens must have so that their letters, joined, are one of `names`: the longest run found, or 0.
+std::size_t longest_name(const std::vector<std::string>& tokens, const std::vector<std::string_view>& names) {
+    constexpr std::size_t longest_run = 5;
+    std::size_t best = 0;
+    for (std::size_t first = 0; first < tokens.size(); ++first) {
+        for (std::size_t last = first + 1; last <= tokens.size() && last - first <= longest_run; ++last) {
+            if (last - first > best && contains(names, join(tokens, first, last))) best = last - first;
+        }
+    }
+    return best;
+}
+
+bool says_no_answer(const Words& words) {
+    for (std::size_t i = 0; i < words.tokens.size(); ++i) {
+        if (contains(not_an_answer, words.tokens[i])) return true;
+        const bool negated = words.tokens[i] == "not" || words.tokens[i] == "un" || words.tokens[i] == "non";
+        if (negated && i + 1 < words.tokens.size() && words.tokens[i + 1].starts_with("normali")) return true;
+    }
+    return false;
+}
+
+LabelFit fit_words(const Words& words, const Names& names) {
+    if (words.tokens.empty()) return LabelFit::none;
+    const std::string whole = join(words.tokens, 0, words.tokens.size());
+    if (contains(names.names, whole)) return LabelFit::exact;
+    if (words.formula) return contains(names.weak, whole) ? LabelFit::weak : LabelFit::foreign;
+    const std::size_t named = longest_name(words.tokens, names.names);
+    const auto filler = std::count_if(words.tokens.begin(), words.tokens.end(), [](const std::string& w) { return contains(fillers, w); });
+    if (named > 0 && named + static_cast<std::size_t>(filler) >= words.tokens.size()) return LabelFit::exact;
+    if (named > 0) return LabelFit::named;
+    return longest_name(words.tokens, names.weak) > 0 ? LabelFit::weak : LabelFit::foreign;
+}
+
+}  // namespace
+
+LabelFit fit_label(std::string_view label, std::string_view above, const ItemSpec& item) {
+    const Words words = split_words(label);
+    if (says_no_answer(words)) return LabelFit::forbidden;
+    if (!words.tokens.empty()) return fit_words(words, names_of(item));
+    const Words title = split_words(above);
+    if (title.tokens.empty()) return LabelFit::none;
+    if (says_no_answer(title)) return LabelFit::forbidden;
+    const LabelFit fit = fit_words(title, names_of(item));
+    if (fit == LabelFit::exact) return LabelFit::exact;
+    return fit == LabelFit::named ? LabelFit::title : LabelFit::none;
+}
+
+std::vector<std::size_t> listed_items(std::string_view label, std::span<const ItemSpec> items) {
+    std::vector<std::size_t> listed;
+    const Words words = split_words(label);
+    if (says_no_answer(words)) return {};
+    for (const std::string& token : words.tokens) {
+        const auto item = std::find_if(items.begin(), items.end(), [&](const ItemSpec& i) { return contains(names_of(i).names, token); });
+        if (item == items.end()) {
+            if (listed.empty()) continue;  // "coefficients a b c"
+            return {};
+        }
+        const auto index = static_cast<std::size_t>(item - items.begin());
+        if (contains(listed, index)) return {};
+        listed.push_back(index);
+    }
+    return listed.size() >= 2 ? listed : std::vector<std::size_t>();
+}
+
+MatrixOrder matrix_order(std::string_view label) {
+    const Words words = split_words(label);
+    bool rows = false;
+    bool columns = false;
+    for (const std::string& token : words.tokens) {
+        rows = rows || token == "row" || token == "rows" || token == "rowwise" || token == "transpose" || token == "transposed";
+        columns = columns || token == "column" || token == "columns" || token == "col" || token == "cols" || token == "columnwise";
+    }
+    // "row by row", "each row", "matrix (columns are t, u, v)" printed by rows: a label that names what the columns mean says
+    // nothing about the order of printing.
+    static const RE2 meaning(R"((?i)col(?:umn)?s?\W*(?:are|is|order|for|of|:|=|\()?\W*(?:\b[-]?[tuv]\b\W*){2,3})");
+    if (columns && RE2::PartialMatch(re2::StringPiece(label.data(), label.size()), meaning)) columns = false;
+    if (rows == columns) return MatrixOrder::unsaid;
+    return rows ? MatrixOrder::rows : MatrixOrder::columns;
+}
+
+bool is_row_label(std::string_view label) {
+    static const RE2 pattern(R"((?i)^\W*(?:(?:the\s+)?(?:row|col|column|r|c|line|m|a|mat|eq|equation)\W*(?:no\W*|nr\W*|#)?\d|\d|(?:first|second|third|fourth|1st|2nd|3rd|4th)\s+(?:row|col|column)|M\w*\[\d\]|[-]?[tuv]\s+col(?:umn)?|col(?:umn)?\s+[-]?[tuvxyz]|-\s*V|B\s*-\s*A|C\s*-\s*A|e1|e2|edge\s*[12])\W*$)");
+    return RE2::FullMatch(re2::StringPiece(label.data(), label.size()), pattern);
+}
+
+}  // namespace harness

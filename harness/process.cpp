@@ -1,0 +1,179 @@
+// Running a stranger's program.
+//
+// Theory of operation. run_process starts the shim (shim.cpp), not the program. Four pipes join them: the program's
+// stdout and stderr, the shim's status line, and the lifeline, whose write end only this process holds; closing it, or
+// dying, makes the shim kill everything. One io_context per run reads the three pipes in bounded pieces, waits for the
+// shim through a pidfd, and keeps one timer: while the shim lives, its last-resort deadline; once it is gone, the 250
+// ms a pipe may still take to run dry. The shim decides how the program ended; only the output limit is noticed here.
+//
+#include "harness/process.h"
+
+#include <signal.h>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/system/system_error.hpp>
+#include <optional>
+#include <system_error>
+
+#include "harness/capture.h"
+#include "harness/failure.h"
+#include "harness/launch.h"
+#include "harness/names.h"
+#include "harness/process_tree.h"
+#include "harness/shim_protocol.h"
+
+namespace harness {
+namespace {
+
+using boost::asio::posix::stream_descriptor;
+using boost::system::error_code;
+
+constexpr std::chrono::milliseconds drain_time{250};
+/// Beyond the wall limit, for a shim that can't kill or was itself stopped.
+constexpr std::chrono::seconds grace_for_the_shim{10};
+constexpr std::uint64_t longest_status = 1024;
+
+/// One shim from start to end.
+class Supervision {
+  public:
+    explicit Supervision(const Command& command);
+    Supervision(const Supervision&) = delete;
+    Supervision& operator=(const Supervision&) = delete;
+
+    /// Returns when the shim is reaped and its pipes are done with.
+    void wait();
+    ProcessResult result();
+
+  private:
+    void reap_shim();
+    void force_end();
+    void pipe_ended();
+    void output_limit_reached();
+
+    const Command& command_;
+    boost::asio::io_context io_{1};
+    boost::asio::steady_timer timer_{io_};
+    Shim shim_;
+    std::optional<Capture> output_, errors_, status_;
+    stream_descriptor shim_gone_{io_};
+    int open_pipes_ = 3;
+};
+
+Supervision::Supervision(const Command& command) : command_(command) {
+    launch(shim_, command);
+    output_.emplace(io_, std::move(shim_.output), command.limits.output_bytes);
+    errors_.emplace(io_, std::move(shim_.errors), command.limits.error_bytes);
+    status_.emplace(io_, std::move(shim_.status), longest_status);
+    shim_gone_.assign(shim_.gone.release());
+}
+
+void Supervision::wait() {
+    const auto nothing = [] {};
+    const auto ended = [this] { pipe_ended(); };
+    output_->start([this] { output_limit_reached(); }, ended);
+    errors_->start(nothing, ended);
+    status_->start(nothing, ended);
+    shim_gone_.async_wait(stream_descriptor::wait_read, [this](error_code) { reap_shim(); });
+    timer_.expires_after(command_.limits.wall + grace_for_the_shim);
+    timer_.async_wait([this](error_code error) {
+        if (!error) force_end();
+    });
+    io_.run();
+}
+
+void Supervision::reap_shim() {
+    shim_.end();
+    if (open_pipes_ == 0) {
+        timer_.cancel();
+        return;
+    }
+    timer_.expires_after(drain_time);
+    timer_.async_wait([this](error_code error) {
+        if (error) return;
+        output_->stop();
+        errors_->stop();
+        status_->stop();
+    });
+}
+
+/// The shim is stopped or stuck. It can't reap, so the tree stays where it is and can be killed from here.
+void Supervision::force_end() {
+    for (int i = 0; i < 10; ++i) kill_below(shim_.pid);
+    kill(shim_.pid, SIGKILL);
+}
+
+void Supervision::pipe_ended() {
+    if (--open_pipes_ == 0 && shim_.pid < 0) timer_.cancel();
+}
+
+void Supervision::output_limit_reached() {
+    shim_.lifeline.close();
+    output_->stop();
+}
+
+[[noreturn]] void throw_not_executed(const Command& command, const ShimStatus& status) {
+    const auto what = status.step == "chdir" ? command.working_directory : std::filesystem::path(command.argv[0]);
+    throw HarnessError("Could not run " + in_quotes(what) + ": " + std::generic_category().message(status.number) +
+                       " (" + status.step + "). Check that it is there and that you may use it.");
+}
+
+[[noreturn]] void throw_cut_short(const Command& command) {
+    throw HarnessError("No word from the supervisor (raygrade-shim) about " + in_quotes(command.argv[0]) +
+                       ": it was killed, perhaps by the program itself. Try again, with more free memory.");
+}
+
+Ended ended(const Command& command, const ShimStatus& status) {
+    switch (status.how) {
+        case ShimStatus::How::exited:
+            return Ended::exited;
+        case ShimStatus::How::signalled:
+            return Ended::signalled;
+        case ShimStatus::How::cpu_limit:
+            return Ended::cpu_limit;
+        case ShimStatus::How::wall_limit:
+            return Ended::wall_limit;
+        case ShimStatus::How::memory_limit:
+            return Ended::memory_limit;
+        case ShimStatus::How::process_limit:
+            return Ended::process_limit;
+        case ShimStatus::How::not_executed:
+            throw_not_executed(command, status);
+        case ShimStatus::How::lifeline_cut:
+            break;
+    }
+    throw_cut_short(command);
+}
+
+ProcessResult Supervision::result() {
+    const auto status = from_line(status_->take());
+    if (!status) throw_cut_short(command_);
+    ProcessResult result;
+    // Whatever ended first, the reader sees an output that is cut off.
+    result.ended = output_->truncated() ? Ended::output_limit : ended(command_, *status);
+    if (result.ended == Ended::exited) result.exit_code = status->number;
+    if (result.ended == Ended::signalled) result.signal = status->number;
+    result.cpu = std::chrono::ceil<std::chrono::milliseconds>(status->cpu);
+    result.wall = std::chrono::ceil<std::chrono::milliseconds>(status->wall);
+    result.peak_memory_bytes = status->peak_memory_bytes;
+    result.output = output_->take();
+    result.errors = errors_->take();
+    result.errors_truncated = errors_->truncated();
+    return result;
+}
+
+}  // namespace
+
+ProcessResult run_process(const Command& command) {
+    try {
+        Supervision supervision(command);
+        supervision.wait();
+        return supervision.result();
+    } catch (const boost::system::system_error& failure) {
+        throw HarnessError("Could not watch over " + in_quotes(command.argv.at(0)) + ": " + failure.what() +
+                           ". Grade fewer submissions at a time (-j).");
+    }
+}
+
+}  // namespace harness

@@ -1,0 +1,139 @@
+#include "harness/process_tree.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "harness/file_descriptor.h"
+
+namespace harness {
+namespace {
+
+/// A small file of /proc, which gives its whole text in one read.
+std::string read_small_file(int folder, const char* name) {
+    const FileDescriptor file(openat(folder, name, O_RDONLY | O_CLOEXEC));
+    if (!file) return {};
+    char text[1024];
+    const ssize_t size = read(file.get(), text, sizeof text);
+    return size > 0 ? std::string(text, static_cast<std::size_t>(size)) : std::string();
+}
+
+/// The fields of a stat line from the third on (proc(5) counts from 1). The second, the name in parentheses, is chosen
+/// by the program and may hold blanks and parentheses itself; hence the last one is looked for.
+std::vector<std::string_view> stat_fields(std::string_view line) {
+    std::vector<std::string_view> fields;
+    std::size_t at = line.rfind(')');
+    if (at == std::string_view::npos) return fields;
+    for (at += 2; at < line.size();) {
+        const std::size_t end = std::min(line.find(' ', at), line.size());
+        fields.push_back(line.substr(at, end - at));
+        at = end + 1;
+    }
+    return fields;
+}
+
+std::int64_t number(std::string_view text) {
+    std::int64_t value = 0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+/// Empty when there is no such process, or no longer.
+std::optional<ProcessRecord> read_record(int proc, pid_t pid) {
+    const std::string line = read_small_file(proc, (std::to_string(pid) + "/stat").c_str());
+    const auto fields = stat_fields(line);
+    if (fields.size() < 22) return std::nullopt;
+    static const std::int64_t ticks_per_second = sysconf(_SC_CLK_TCK);
+    static const std::int64_t page_bytes = sysconf(_SC_PAGESIZE);
+    const auto field = [&](std::size_t as_in_the_manual) { return number(fields[as_in_the_manual - 3]); };
+    ProcessRecord record;
+    record.pid = pid;
+    record.parent = static_cast<pid_t>(field(4));
+    record.group = static_cast<pid_t>(field(5));
+    record.zombie = fields[0] == "Z" || fields[0] == "X";
+    record.cpu = std::chrono::milliseconds((field(14) + field(15) + field(16) + field(17)) * 1000 / ticks_per_second);
+    record.threads = static_cast<int>(field(20));
+    record.memory_bytes = static_cast<std::uint64_t>(field(24) * page_bytes);
+    return record;
+}
+
+FileDescriptor open_proc() {
+    return FileDescriptor(open("/proc", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+}
+
+bool by_parent(const ProcessRecord& a, const ProcessRecord& b) {
+    return a.parent < b.parent;
+}
+
+/// A group is killed in one step of the kernel, which no fork can slip through: a fork bomb outruns any killing one by
+/// one.
+void kill_group(pid_t group) {
+    if (group > 1 && group != getpgrp()) kill(-group, SIGKILL);
+}
+
+/// An orphan that forks and exits in a loop lives for some 100 µs and is gone before a walk through /proc comes to it.
+/// It is a child of `root`, and its number is among the last ones given, which /proc/loadavg tells.
+void kill_newest_children(int proc, pid_t root) {
+    const std::string load = read_small_file(proc, "loadavg");
+    const auto newest = static_cast<pid_t>(number(std::string_view(load).substr(load.rfind(' ') + 1)));
+    for (pid_t pid = newest; pid > std::max(newest - 8, 1); --pid) {
+        const auto record = read_record(proc, pid);
+        if (record && record->parent == root) kill_group(record->group);
+    }
+}
+
+}  // namespace
+
+std::vector<ProcessRecord> list_processes(const std::vector<pid_t>& skip) {
+    std::vector<ProcessRecord> processes;
+    const std::unique_ptr<DIR, int (*)(DIR*)> folder(opendir("/proc"), closedir);
+    if (!folder) return processes;
+    while (const dirent* entry = readdir(folder.get())) {
+        const auto pid = static_cast<pid_t>(std::atoi(entry->d_name));
+        if (pid <= 0 || std::binary_search(skip.begin(), skip.end(), pid)) continue;
+        if (const auto record = read_record(dirfd(folder.get()), pid)) processes.push_back(*record);
+    }
+    return processes;
+}
+
+std::vector<ProcessRecord> below(pid_t root, std::vector<ProcessRecord> processes) {
+    std::sort(processes.begin(), processes.end(), by_parent);
+    std::vector<ProcessRecord> found;
+    const auto add_children_of = [&](pid_t parent) {
+        ProcessRecord wanted;
+        wanted.parent = parent;
+        const auto [first, last] = std::equal_range(processes.begin(), processes.end(), wanted, by_parent);
+        found.insert(found.end(), first, last);
+    };
+    add_children_of(root);
+    // The list is no snapshot: a number used twice within one walk could close a circle, hence the bound.
+    for (std::size_t i = 0; i < found.size() && found.size() <= processes.size(); ++i) add_children_of(found[i].pid);
+    return found;
+}
+
+void kill_below(pid_t root) {
+    const FileDescriptor proc = open_proc();
+    kill_newest_children(proc.get(), root);
+    std::set<pid_t> groups;
+    const auto processes = below(root, list_processes());
+    for (const auto& process : processes) {
+        // Once for each group: a thousand times a thousand members would keep the kernel busy for minutes.
+        if (groups.insert(process.group).second) kill_group(process.group);
+    }
+    for (const auto& process : processes) {
+        if (!process.zombie) kill(process.pid, SIGKILL);
+    }
+}
+
+}  // namespace harness

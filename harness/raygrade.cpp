@@ -1,0 +1,101 @@
+// The command line.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <clocale>
+#include <thread>
+
+#include "harness/commands.h"
+#include "harness/failure.h"
+
+namespace {
+
+using namespace harness;
+
+constexpr const char* about =
+    "Grades a ray-casting assignment: compiles each ray_cast.cpp, runs it, reads its ten\n"
+    "answers and marks them against a certified key.\n\n"
+    "  raygrade grade class/ --out results     a class: marks, reports, grades.json\n"
+    "  raygrade check ray_cast.cpp             a student's own check before handing in\n"
+    "  raygrade reference                      the canonical answers\n"
+    "  raygrade doctor                         what this machine has and lacks";
+
+constexpr const char* footer =
+    "Exit status: 0 all graded, 1 some not graded, 2 a mistake in the command or the assignment, 3 a fault of raygrade.\n"
+    "Marks never change it, except under `check --fail-under`.";
+
+void add_assignment(CLI::App& command, std::string& assignment) {
+    command.add_option("-a,--assignment", assignment, "The name of an assignment that comes with raygrade, or a .toml file")
+        ->type_name("NAME|FILE")
+        ->capture_default_str();
+}
+
+int run(int argc, char** argv) {
+    CLI::App app(about, "raygrade");
+    app.footer(footer);
+    app.require_subcommand(1);
+    app.get_formatter()->column_width(36);
+
+    GradeOptions grade{{}, "default", "results", static_cast<int>(std::max(1U, std::thread::hardware_concurrency())), false};
+    CLI::App& grade_app = *app.add_subcommand("grade", "Grade a class: a source, a folder of student folders, or a folder of sources");
+    grade_app.add_option("paths", grade.paths, "What to grade: files and folders, in the order of the report")->required()->type_name("PATH...");
+    add_assignment(grade_app, grade.assignment);
+    grade_app.add_option("-o,--out", grade.out, "The folder for grades.json, grades.csv and feedback/<id>.md")->type_name("DIR")->capture_default_str();
+    grade_app.add_option("-j,--jobs", grade.jobs, "How many submissions to grade at a time; changes nothing but the time")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N")
+        ->capture_default_str();
+    grade_app.add_flag("--force", grade.force, "Replace the results of an earlier run in the output folder");
+    grade_app.footer("Example: raygrade grade submissions/ --assignment a6-2021 --out results -j 4");
+
+    CheckOptions check{{}, "default", {}};
+    CLI::App& check_app = *app.add_subcommand("check", "Check one ray_cast.cpp before handing it in: a verdict for each answer, never the answer");
+    check_app.add_option("source", check.source, "The source, e.g. ray_cast.cpp")->required()->type_name("FILE");
+    add_assignment(check_app, check.assignment);
+    check_app.add_option("--fail-under", check.fail_under, "Exit with status 1 below this share of the points")->check(CLI::Range(0.0, 100.0))->type_name("PERCENT");
+    check_app.footer("Example: raygrade check ray_cast.cpp");
+
+    ReferenceOptions reference_options{"default"};
+    CLI::App& reference_app = *app.add_subcommand("reference", "Print the canonical answers, as a right program prints them or as JSON");
+    add_assignment(reference_app, reference_options.assignment);
+    reference_app.add_option("-p,--precision", reference_options.precision, "The arithmetic; certified encloses every true value and decides exactly")
+        ->check(CLI::IsMember({"float", "double", "certified"}))
+        ->capture_default_str();
+    reference_app.add_option("-f,--format", reference_options.format, "text in the handout's own format, or json (raygrade/key/1)")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str();
+    reference_app.footer("Example: raygrade reference --assignment a6-edge --format json");
+
+    CLI::App& doctor_app = *app.add_subcommand("doctor", "Say what this machine has and lacks for grading");
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? all_graded : usage;
+    }
+    if (grade_app.parsed()) return grade_command(grade);
+    if (check_app.parsed()) return check_command(check);
+    if (reference_app.parsed()) return reference_command(reference_options);
+    return doctor_app.parsed() ? doctor_command() : usage;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::setlocale(LC_CTYPE, "C.UTF-8");
+    try {
+        return run(argc, argv);
+    } catch (const reference::AssignmentError& error) {
+        fmt::print(stderr, "raygrade: {}\n", error.what());
+        return usage;
+    } catch (const std::domain_error& error) {
+        fmt::print(stderr, "raygrade: {}\n", error.what());
+        return usage;
+    } catch (const HarnessError& error) {
+        fmt::print(stderr, "raygrade: {}\n", error.what());
+        return some_not_graded;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "raygrade: a fault of raygrade: {}\nPlease report it with the command you ran.\n", error.what());
+        return our_fault;
+    }
+}

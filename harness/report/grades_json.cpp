@@ -1,0 +1,90 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "harness/clean_text.h"
+#include "harness/report/report.h"
+#include "reference/value_json.h"
+
+namespace harness::report {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Marks are sums of shares; what is left of the rounding is cut off at a millionth of a point.
+double tidy(double points) { return std::round(points * 1e6) / 1e6; }
+
+double seconds(std::chrono::milliseconds time) { return static_cast<double>(time.count()) / 1000.0; }
+
+ordered_json or_null(const std::string& text) { return text.empty() ? ordered_json(nullptr) : ordered_json(escape_control(text)); }
+
+ordered_json item_json(const ItemScore& item) {
+    ordered_json json{{"name", item.spec.name},
+                      {"verdict", to_string(item.verdict)},
+                      {"points", tidy(item.points)},
+                      {"max_points", tidy(item.max_points)},
+                      {"printed", or_null(item.printed)},
+                      {"line", item.line == 0 ? ordered_json(nullptr) : ordered_json(item.line)},
+                      {"expected", reference::value_json(item.expected, item.spec.shape)},
+                      {"error", item.error ? ordered_json(*item.error) : ordered_json(nullptr)},
+                      {"allowance", item.allowance},
+                      {"accepted_as", or_null(item.accepted_as)},
+                      {"diagnosis", or_null(item.diagnosis)}};
+    return json;
+}
+
+ordered_json question_json(const QuestionScore& question) {
+    ordered_json items = ordered_json::array();
+    for (const ItemScore& item : question.items) items.push_back(item_json(item));
+    return {{"number", question.number},
+            {"verdict", to_string(question.verdict)},
+            {"points", tidy(question.points)},
+            {"max_points", tidy(question.max_points)},
+            {"items", items}};
+}
+
+ordered_json run_json(const ProcessResult& run) {
+    const bool exited = run.ended == Ended::exited;
+    const bool signalled = run.ended == Ended::signalled;
+    return {{"exit_code", exited ? ordered_json(run.exit_code) : ordered_json(nullptr)},
+            {"signal", signalled ? ordered_json(run.signal) : ordered_json(nullptr)},
+            {"cpu_seconds", seconds(run.cpu)},
+            {"wall_seconds", seconds(run.wall)},
+            {"peak_memory_bytes", run.peak_memory_bytes}};
+}
+
+ordered_json submission_json(const Graded& graded) {
+    const bool marked = graded.outcome != Outcome::not_graded;
+    ordered_json notes = ordered_json::array();
+    for (const std::string& note : graded.submission.notes) notes.push_back(escape_control(note));
+    ordered_json questions = ordered_json::array();
+    if (marked) {
+        for (const QuestionScore& question : graded.score.questions) questions.push_back(question_json(question));
+    }
+    return {{"id", escape_control(graded.submission.id)},
+            {"student", {{"name", nullptr}, {"lms_user_id", nullptr}, {"late", nullptr}}},
+            {"file", escape_control(graded.submission.file.string())},
+            {"source_sha256", or_null(graded.submission.source_sha256)},
+            {"outcome", to_string(graded.outcome)},
+            {"explanation", or_null(graded.explanation)},
+            {"notes", notes},
+            {"build", {{"seconds", seconds(graded.build.wall)}, {"diagnostics", escape_control(graded.build.diagnostics)}}},
+            {"run", run_json(graded.run)},
+            {"points", marked ? ordered_json(tidy(graded.score.points)) : ordered_json(nullptr)},
+            {"max_points", tidy(graded.score.max_points)},
+            {"questions", questions},
+            {"flags", ordered_json::array()}};
+}
+
+}  // namespace
+
+std::string grades_json(const std::vector<Graded>& graded, const Marking& marking) {
+    ordered_json submissions = ordered_json::array();
+    for (const Graded& one : graded) submissions.push_back(submission_json(one));
+    const ordered_json json{{"schema", "raygrade/grades/1"},
+                            {"assignment", marking.assignment.name},
+                            {"sandbox", "shim"},
+                            {"submissions", submissions}};
+    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace harness::report

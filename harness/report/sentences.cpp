@@ -1,0 +1,49 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "harness/report/report.h"
+
+namespace harness::report {
+namespace {
+
+std::string expected_shape(reference::Shape shape) {
+    switch (shape) {
+        case reference::Shape::scalar: return "one number";
+        case reference::Shape::vector: return "a vector of three numbers";
+        case reference::Shape::matrix3: return "a 3 x 3 matrix";
+        case reference::Shape::matrix4: return "a 4 x 4 matrix";
+        case reference::Shape::verdict: return "a sentence that says which object is hit first";
+    }
+    return "";
+}
+
+bool holds_no_number(const ItemScore& item) {
+    return !item.error && (item.printed.find("nan") != std::string::npos || item.printed.find("inf") != std::string::npos);
+}
+
+}  // namespace
+
+std::string points_text(double points) {
+    std::string text = fmt::format("{:.2f}", points);
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+    return text == "-0" ? "0" : text;
+}
+
+std::string item_sentence(const ItemScore& item) {
+    switch (item.verdict) {
+        case ItemVerdict::right: return item.accepted_as.empty() ? "" : fmt::format("Accepted: {}.", item.accepted_as);
+        case ItemVerdict::follow: return "Not the expected value, but it follows correctly from an earlier mistake of yours.";
+        case ItemVerdict::missing:
+            return fmt::format("Not found in the output. Print {} with a label under this question's heading.", expected_shape(item.spec.shape));
+        case ItemVerdict::unreadable:
+            return fmt::format("This can't be read as an answer; {} is asked for.", expected_shape(item.spec.shape));
+        case ItemVerdict::wrong: break;
+    }
+    if (holds_no_number(item)) return "That is not a number (nan or inf): look for a division by zero or the root of a negative number.";
+    if (!item.advice.empty()) return item.advice;
+    return "That is not the expected value, nor does it follow from your earlier answers.";
+}
+
+}  // namespace harness::report

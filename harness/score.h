@@ -1,0 +1,56 @@
+// What a submission's answers are worth. A pure function of what was printed, the key and the assignment.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/transcript.h"
+#include "reference/answer_key.h"
+
+namespace harness {
+
+enum class ItemVerdict {
+    right,
+    follow,      ///< wrong, but it follows from the student's own earlier wrong values
+    wrong,
+    missing,
+    unreadable,  ///< something was printed for it that has another shape
+};
+
+/// The name in reports and in grades.json.
+std::string_view to_string(ItemVerdict verdict);
+
+struct ItemScore {
+    reference::ItemSpec spec;
+    ItemVerdict verdict = ItemVerdict::missing;
+    double points = 0;
+    double max_points = 0;
+    std::string printed;          ///< verbatim, at most 200 bytes; empty when nothing was
+    int line = 0;                 ///< of the output, 1-based; 0 when nothing was printed
+    reference::Value expected;    ///< the key's canonical value
+    std::optional<double> error;  ///< the largest distance of a component from the key; empty when there is none
+    double allowance = 0;         ///< how far a component may be off, besides its rounding
+    std::string accepted_as;      ///< why another form or reading is right; empty for the canonical one
+    std::string diagnosis;        ///< the mistake's name, e.g. "far root"; empty when unknown
+    std::string advice;           ///< one sentence about the mistake; never the expected value
+};
+
+struct QuestionScore {
+    int number = 0;
+    ItemVerdict verdict = ItemVerdict::right;  ///< the worst of its items: wrong, missing, follow, right; unreadable counts as wrong
+    double points = 0;
+    double max_points = 0;
+    std::vector<ItemScore> items;
+};
+
+struct Score {
+    double points = 0;
+    double max_points = 0;
+    std::vector<QuestionScore> questions;  ///< in the handout's order
+};
+
+/// Marks a transcript. `key` must be the assignment's.
+Score score(const Transcript& transcript, const reference::AnswerKey& key, const reference::Assignment& assignment);
+
+}  // namespace harness

@@ -1,0 +1,235 @@
+// The shim: a small process between the harness and a stranger's program.
+//
+// Theory of operation. The harness starts one shim per run. The shim makes itself the reaper of all its descendants, so
+// that a daemon that leaves its parent and its session falls to the shim and not to init: as long as a process of the
+// program lives, the shim has a child, and when wait says there is none, none is left. It starts the program
+// (shim_program.cpp) and then sleeps until a child ends, 20 ms are over, or the lifeline closes. The lifeline is a pipe
+// whose other end only the harness holds: it closes when the harness wants an end, and when the harness dies, even of
+// SIGKILL. Every 20 ms the shim adds up processor time, resident memory and tasks of the whole tree. When the program
+// ends or a limit is reached, it kills and reaps until nothing is left, and writes one status line to a descriptor the
+// program never had.
+//
+// The shim measures because nobody else can: a child's peak memory starts at that of the process it was forked from,
+// and the harness is big; the processor time of the whole tree is known only to the one who reaps it all. Statically
+// linked, it starts in a millisecond and needs nothing inside a sandbox. It trusts its command line, which only the
+// harness writes.
+//
+// What it can't do without a sandbox: a program of the same user can kill or stop it. Then there is no status line, or
+// none in time, which is the harness's matter.
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sched.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/signalfd.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/file_descriptor.h"
+#include "harness/process_tree.h"
+#include "harness/shim_program.h"
+#include "harness/shim_protocol.h"
+
+namespace harness {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using How = ShimStatus::How;
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+
+constexpr milliseconds between_checks{20};
+
+microseconds total(const rusage& usage) {
+    return std::chrono::seconds(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+           microseconds(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+}
+
+/// Everything known about the program's tree while it runs.
+struct Watch {
+    const Limits& limits;
+    pid_t program;
+    std::vector<pid_t> strangers;  ///< sorted; older than the program, so never below it
+    Clock::time_point start = Clock::now();
+    std::optional<int> wait_status{};  ///< of the program, once it has ended
+    std::uint64_t peak_memory_bytes = 0;
+};
+
+/// Reaps every child that has ended. False when there is no child at all any more.
+bool reap(Watch& watch) {
+    for (;;) {
+        int status = 0;
+        rusage usage{};
+        const pid_t pid = wait4(-1, &status, WNOHANG | __WALL, &usage);
+        if (pid == 0) return true;
+        if (pid < 0 && errno == EINTR) continue;
+        if (pid < 0) return false;
+        if (pid == watch.program) watch.wait_status = status;
+        watch.peak_memory_bytes =
+            std::max(watch.peak_memory_bytes, static_cast<std::uint64_t>(usage.ru_maxrss) * std::uint64_t{1024});
+    }
+}
+
+microseconds reaped_cpu() {
+    rusage usage{};
+    getrusage(RUSAGE_CHILDREN, &usage);
+    return total(usage);
+}
+
+/// The limit the living tree has gone beyond, if any.
+std::optional<How> check_tree(Watch& watch) {
+    microseconds cpu = reaped_cpu();
+    std::uint64_t memory_bytes = 0;
+    int tasks = 0;
+    for (const auto& process : below(getpid(), list_processes(watch.strangers))) {
+        cpu += process.cpu;
+        memory_bytes += process.memory_bytes;
+        if (!process.zombie) tasks += process.threads;
+    }
+    watch.peak_memory_bytes = std::max(watch.peak_memory_bytes, memory_bytes);
+    if (cpu > watch.limits.cpu) return How::cpu_limit;
+    if (memory_bytes > watch.limits.memory_bytes) return How::memory_limit;
+    if (tasks > watch.limits.processes) return How::process_limit;
+    return std::nullopt;
+}
+
+/// Sleeps until a child ends, the lifeline closes or `longest` is over. True when the lifeline is closed.
+bool sleep_until_news(int child_fd, int lifeline_fd, milliseconds longest) {
+    pollfd waiting[2] = {{child_fd, POLLIN, 0}, {lifeline_fd, 0, 0}};
+    poll(waiting, 2, static_cast<int>(std::max(longest.count(), milliseconds::rep{0})));
+    signalfd_siginfo ignored;
+    while (read(child_fd, &ignored, sizeof ignored) > 0) {
+    }
+    return (waiting[1].revents & (POLLHUP | POLLERR | POLLNVAL)) != 0;
+}
+
+/// Watches the tree until the program has ended (then empty) or something else ends it.
+std::optional<How> watch_tree(Watch& watch, int child_fd, int lifeline_fd) {
+    const auto end = watch.start + watch.limits.wall;
+    auto next_check = watch.start + between_checks;
+    for (;;) {
+        reap(watch);
+        if (watch.wait_status) return std::nullopt;
+        const auto now = Clock::now();
+        if (now >= end) return How::wall_limit;
+        // Only when its time has come: a storm of ending children must not make the shim walk /proc all the time.
+        if (now >= next_check) {
+            if (const auto limit = check_tree(watch)) return limit;
+            next_check = Clock::now() + between_checks;
+        }
+        const auto pause = std::chrono::ceil<milliseconds>(std::min(end, next_check) - Clock::now());
+        if (sleep_until_news(child_fd, lifeline_fd, pause)) return How::lifeline_cut;
+    }
+}
+
+/// Kills until there is nothing left to reap.
+void end_tree(Watch& watch, int child_fd, int lifeline_fd) {
+    while (reap(watch)) {
+        kill_below(getpid());
+        if (reap(watch)) sleep_until_news(child_fd, lifeline_fd, milliseconds(1));
+    }
+}
+
+/// The limits decide, also when a program slipped past one between two checks and ended by itself: the same program is
+/// to get the same verdict every time.
+ShimStatus conclude(const Watch& watch, std::optional<How> cause, microseconds wall) {
+    ShimStatus status;
+    status.cpu = reaped_cpu();
+    status.wall = wall;
+    status.peak_memory_bytes = watch.peak_memory_bytes;
+    const int wait_status = watch.wait_status.value_or(0);
+    const bool exited = WIFEXITED(wait_status);
+    status.number = exited ? WEXITSTATUS(wait_status) : cause ? 0 : WTERMSIG(wait_status);
+    if (!cause && status.cpu > watch.limits.cpu) cause = How::cpu_limit;
+    if (!cause && status.peak_memory_bytes > watch.limits.memory_bytes) cause = How::memory_limit;
+    status.how = cause.value_or(exited ? How::exited : How::signalled);
+    return status;
+}
+
+/// Out of the program's reach as far as this goes without a sandbox. Null, or the step that failed.
+const char* harden() {
+    if (prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0) != 0) return "subreaper";
+    if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return "no_new_privs";
+    // When memory runs out, the kernel is to choose something of this tree and not the harness. It has to be written
+    // before the shim's /proc entries become root's.
+    std::ofstream("/proc/self/oom_score_adj") << 1000;
+    if (prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) != 0) return "dumpable";
+    // A fork bomb of a thousand processes would leave the shim a thousandth of the processor to end it with. Only root is
+    // allowed this, but only root needs it: for others the kernel keeps RLIMIT_NPROC. The program does not inherit it.
+    const sched_param lowest_real_time = {.sched_priority = 1};
+    sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &lowest_real_time);
+    return nullptr;
+}
+
+/// Every signal that can be blocked is; ended children are read from the descriptor returned.
+FileDescriptor listen_for_children() {
+    sigset_t all;
+    sigfillset(&all);
+    sigprocmask(SIG_SETMASK, &all, nullptr);
+    sigset_t children;
+    sigemptyset(&children);
+    sigaddset(&children, SIGCHLD);
+    return FileDescriptor(signalfd(-1, &children, SFD_CLOEXEC | SFD_NONBLOCK));
+}
+
+/// Points the given descriptor at /dev/null.
+bool silence(int descriptor) {
+    const FileDescriptor null(open("/dev/null", O_RDWR | O_CLOEXEC));
+    return null && dup2(null.get(), descriptor) >= 0;
+}
+
+std::vector<pid_t> running_now() {
+    std::vector<pid_t> pids;
+    for (const auto& process : list_processes()) pids.push_back(process.pid);
+    std::sort(pids.begin(), pids.end());
+    return pids;
+}
+
+ShimStatus not_executed(int error, const std::string& step) {
+    ShimStatus status;
+    status.number = error;
+    status.step = step;
+    return status;
+}
+
+ShimStatus supervise(const ShimOrders& orders) {
+    fcntl(orders.status_fd, F_SETFD, FD_CLOEXEC);
+    fcntl(orders.lifeline_fd, F_SETFD, FD_CLOEXEC);
+    if (const char* failed = harden()) return not_executed(errno, failed);
+    const FileDescriptor child_fd = listen_for_children();
+    if (!child_fd) return not_executed(errno, "signalfd");
+    if (!silence(STDIN_FILENO)) return not_executed(errno, "open-dev-null");
+    const auto strangers = running_now();
+    const auto start = Clock::now();
+    const StartedProgram program = start_program(orders);
+    if (program.pid < 0) return not_executed(program.failed_errno, program.failed_step);
+    // The pipes are to close when the program's last process is gone; the shim must not hold them open.
+    silence(STDOUT_FILENO);
+    silence(STDERR_FILENO);
+    Watch watch{orders.limits, program.pid, strangers, start};
+    const auto cause = watch_tree(watch, child_fd.get(), orders.lifeline_fd);
+    const auto wall = std::chrono::duration_cast<microseconds>(Clock::now() - start);
+    end_tree(watch, child_fd.get(), orders.lifeline_fd);
+    return conclude(watch, cause, wall);
+}
+
+}  // namespace
+}  // namespace harness
+
+int main(int argc, char** argv) {
+    const auto orders = harness::from_arguments(std::vector<std::string>(argv + 1, argv + argc));
+    if (!orders) return 2;
+    const std::string line = harness::to_line(harness::supervise(*orders));
+    const ssize_t written = write(orders->status_fd, line.data(), line.size());
+    return written == static_cast<ssize_t>(line.size()) ? 0 : 1;
+}

@@ -1,0 +1,118 @@
+#include "harness/shim_protocol.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <map>
+
+namespace harness {
+namespace {
+
+constexpr std::array<std::string_view, 8> how_names = {"exited",       "signalled",     "cpu_limit",    "wall_limit",
+                                                       "memory_limit", "process_limit", "lifeline_cut", "not_executed"};
+
+using Words = std::map<std::string, std::string, std::less<>>;
+
+/// Splits "name=value"; false when there is no '='.
+bool add_word(Words& words, std::string_view text) {
+    const std::size_t middle = text.find('=');
+    if (middle == std::string_view::npos) return false;
+    words.emplace(text.substr(0, middle), text.substr(middle + 1));
+    return true;
+}
+
+/// Reads the word called `name` into `value`; false when it is missing or not a number.
+template <class Number>
+bool take(const Words& words, std::string_view name, Number& value) {
+    const auto word = words.find(name);
+    if (word == words.end()) return false;
+    const char* const end = word->second.data() + word->second.size();
+    const auto [stop, error] = std::from_chars(word->second.data(), end, value);
+    return error == std::errc{} && stop == end;
+}
+
+template <class Duration>
+bool take_duration(const Words& words, std::string_view name, Duration& value) {
+    typename Duration::rep count{};
+    const bool ok = take(words, name, count);
+    value = Duration(count);
+    return ok;
+}
+
+template <class Number>
+std::string word(std::string_view name, Number value) {
+    return std::string(name) + '=' + std::to_string(value);
+}
+
+}  // namespace
+
+std::vector<std::string> to_arguments(const ShimOrders& orders) {
+    const Limits& limits = orders.limits;
+    std::vector<std::string> arguments = {
+        word("status-fd", orders.status_fd),
+        word("lifeline-fd", orders.lifeline_fd),
+        word("cpu-ms", limits.cpu.count()),
+        word("wall-ms", limits.wall.count()),
+        word("memory-bytes", limits.memory_bytes),
+        word("file-bytes", limits.file_bytes),
+        word("stack-bytes", limits.stack_bytes),
+        word("processes", limits.processes),
+        word("open-files", limits.open_files),
+        "directory=" + orders.working_directory,
+        "--",
+    };
+    arguments.insert(arguments.end(), orders.argv.begin(), orders.argv.end());
+    return arguments;
+}
+
+std::optional<ShimOrders> from_arguments(const std::vector<std::string>& arguments) {
+    Words words;
+    std::size_t i = 0;
+    for (; i < arguments.size() && arguments[i] != "--"; ++i) {
+        if (!add_word(words, arguments[i])) return std::nullopt;
+    }
+    if (i + 1 >= arguments.size() || !words.contains("directory")) return std::nullopt;
+    ShimOrders orders;
+    Limits& limits = orders.limits;
+    orders.working_directory = words["directory"];
+    orders.argv.assign(arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1, arguments.end());
+    const bool complete =
+        take(words, "status-fd", orders.status_fd) && take(words, "lifeline-fd", orders.lifeline_fd) &&
+        take_duration(words, "cpu-ms", limits.cpu) && take_duration(words, "wall-ms", limits.wall) &&
+        take(words, "memory-bytes", limits.memory_bytes) && take(words, "file-bytes", limits.file_bytes) &&
+        take(words, "stack-bytes", limits.stack_bytes) && take(words, "processes", limits.processes) &&
+        take(words, "open-files", limits.open_files);
+    return complete ? std::optional(orders) : std::nullopt;
+}
+
+std::string to_line(const ShimStatus& status) {
+    return "how=" + std::string(how_names[static_cast<std::size_t>(status.how)]) + ' ' + word("number", status.number) +
+           ' ' + word("cpu-us", status.cpu.count()) + ' ' + word("wall-us", status.wall.count()) + ' ' +
+           word("peak-bytes", status.peak_memory_bytes) + " step=" + status.step + '\n';
+}
+
+std::optional<ShimStatus> from_line(std::string_view line) {
+    if (!line.ends_with('\n')) return std::nullopt;
+    line.remove_suffix(1);
+    if (line.find('\n') != std::string_view::npos) return std::nullopt;
+    Words words;
+    while (!line.empty()) {
+        const std::size_t end = std::min(line.find(' '), line.size());
+        if (!add_word(words, line.substr(0, end))) return std::nullopt;
+        line.remove_prefix(std::min(end + 1, line.size()));
+    }
+    ShimStatus status;
+    const bool complete = take(words, "number", status.number) && take_duration(words, "cpu-us", status.cpu) &&
+                          take_duration(words, "wall-us", status.wall) &&
+                          take(words, "peak-bytes", status.peak_memory_bytes) && words.contains("step");
+    if (!complete) return std::nullopt;
+    status.step = words["step"];
+    for (std::size_t i = 0; i < how_names.size(); ++i) {
+        if (how_names[i] != words["how"]) continue;
+        status.how = static_cast<ShimStatus::How>(i);
+        return status;
+    }
+    return std::nullopt;
+}
+
+}  // namespace harness

@@ -1,0 +1,93 @@
+#include "harness/source_file.h"
+
+#include <fcntl.h>
+#include <sodium.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <system_error>
+
+#include "harness/failure.h"
+#include "harness/file_descriptor.h"
+#include "harness/intake.h"
+#include "harness/names.h"
+
+namespace harness {
+namespace {
+
+std::string sha256(const std::string& bytes) {
+    if (sodium_init() < 0) throw HarnessError("libsodium could not be set up: no random numbers on this machine.");
+    std::array<unsigned char, crypto_hash_sha256_BYTES> hash;
+    crypto_hash_sha256(hash.data(), reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+    std::array<char, 2 * hash.size() + 1> hex;
+    sodium_bin2hex(hex.data(), hex.size(), hash.data(), hash.size());
+    return hex.data();
+}
+
+std::string problem_of(int error, const std::filesystem::path& file) {
+    if (error == ELOOP)
+        return in_quotes(file) + " is a symbolic link. Put the file itself there: links are not followed.";
+    const std::string reason = std::generic_category().message(error);
+    const std::string way_out = error == EACCES ? " Make it readable: chmod u+r." : "";
+    return "Could not read " + in_quotes(file) + ": " + reason + '.' + way_out;
+}
+
+std::string too_large(const std::filesystem::path& file) {
+    return in_quotes(file) + " is larger than " + std::to_string(largest_source_bytes >> 20) +
+           " MiB and was not read. Ask for the source alone, without data or output in it.";
+}
+
+}  // namespace
+
+bool is_source_name(const std::filesystem::path& file) {
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    return ending == ".cpp" || ending == ".cc" || ending == ".cxx";
+}
+
+void read_source(Submission& submission, Links links) {
+    const auto& path = submission.file;
+    // Without O_NONBLOCK, opening a FIFO waits for its writer.
+    const int flags = O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY | (links == Links::refuse ? O_NOFOLLOW : 0);
+    const FileDescriptor file(open(path.c_str(), flags));
+    struct stat info {};
+    if (!file || fstat(file.get(), &info) != 0) {
+        submission.problem = problem_of(errno, path);
+        return;
+    }
+    if (!S_ISREG(info.st_mode)) {
+        submission.problem =
+            in_quotes(path) + " is not a file but a folder, pipe or device. Put the source itself there.";
+        return;
+    }
+    if (static_cast<std::uintmax_t>(info.st_size) > largest_source_bytes) {
+        submission.problem = too_large(path);
+        return;
+    }
+    std::string bytes(largest_source_bytes + 1, '\0');
+    std::size_t size = 0;
+    while (size < bytes.size()) {
+        const ssize_t got = read(file.get(), bytes.data() + size, bytes.size() - size);
+        if (got == 0) break;
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) {
+            submission.problem = problem_of(errno, path);
+            return;
+        }
+        size += static_cast<std::size_t>(got);
+    }
+    if (size > largest_source_bytes) {
+        submission.problem = too_large(path);
+        return;
+    }
+    bytes.resize(size);
+    bytes.shrink_to_fit();
+    submission.source_sha256 = sha256(bytes);
+    submission.source = std::move(bytes);
+}
+
+}  // namespace harness

@@ -1,0 +1,247 @@
+#include "harness/token.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <limits>
+#include <string>
+
+namespace harness {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+}
+bool is_word_char(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
+
+class Lexer {
+  public:
+    explicit Lexer(std::string_view line) : line_(line) {}
+
+    std::vector<Token> run() {
+        while (at_ < line_.size()) step();
+        return std::move(tokens_);
+    }
+
+  private:
+    char peek(std::size_t ahead = 0) const { return at_ + ahead < line_.size() ? line_[at_ + ahead] : '\0'; }
+
+    void add(Token::Kind kind, std::size_t length) {
+        tokens_.push_back({kind, at_, at_ + length, {}});
+        at_ += length;
+    }
+
+    void step() {
+        const char c = peek();
+        if (c == ' ' || c == '\t') {
+            ++at_;
+        } else if (starts_number()) {
+            take_number();
+        } else if (is_letter(c) || c == '_' || is_digit(c)) {
+            take_word();
+        } else {
+            take_sign(c);
+        }
+    }
+
+    /// Whether a '+' or '-' here belongs to the number after it, as in "(-4" and "1 -4 2" but not in "3-2".
+    bool may_be_signed() const {
+        return at_ == 0 || !(is_word_char(line_[at_ - 1]) || line_[at_ - 1] == ')' || line_[at_ - 1] == ']');
+    }
+
+    bool starts_digits(std::size_t ahead) const {
+        return is_digit(peek(ahead)) || (peek(ahead) == '.' && is_digit(peek(ahead + 1)));
+    }
+
+    /// The length of "nan", "inf" or "infinity" here, whatever its case; 0 when there is none.
+    std::size_t special_length(std::size_t ahead) const {
+        for (const std::string_view name : {"nan(ind)", "infinity", "nan", "inf"}) {
+            const bool same = std::equal(name.begin(), name.end(), line_.begin() + static_cast<std::ptrdiff_t>(std::min(at_ + ahead, line_.size())),
+                                         line_.begin() + static_cast<std::ptrdiff_t>(std::min(at_ + ahead + name.size(), line_.size())),
+                                         [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); });
+            if (same && !is_word_char(peek(ahead + name.size()))) return name.size();
+        }
+        return 0;
+    }
+
+    bool starts_number() const {
+        const std::size_t sign = peek() == '-' || peek() == '+' ? 1 : 0;
+        if (sign == 1 && !may_be_signed()) return false;
+        if (sign == 0 && at_ > 0 && is_word_char(line_[at_ - 1])) return false;
+        return starts_digits(sign) || special_length(sign) > 0;
+    }
+
+    void take_number() {
+        const std::size_t sign = peek() == '-' || peek() == '+' ? 1 : 0;
+        if (const std::size_t length = special_length(sign); length > 0) {
+            const bool nan = peek(sign) == 'n' || peek(sign) == 'N';
+            const double value = nan ? std::numeric_limits<double>::quiet_NaN() : std::numeric_limits<double>::infinity();
+            add(Token::Kind::number, sign + length);
+            tokens_.back().number.value = peek_back_sign() ? -value : value;
+            return;
+        }
+        std::size_t length = sign;
+        while (is_digit(peek(length))) ++length;
+        int decimals = 0;
+        if (peek(length) == '.' && (length == sign || !is_letter(peek(length + 1)))) {
+            ++length;
+            while (is_digit(peek(length))) {
+                ++length;
+                ++decimals;
+            }
+        }
+        const std::size_t mantissa_end = length;
+        const int exponent = take_exponent(length);
+        if (is_letter(peek(length)) || peek(length) == '_') {  // "3x3", "2nd", "4ac": a word that begins with a digit
+            at_ += sign;
+            take_word();
+            return;
+        }
+        const std::size_t begin = at_;
+        add(Token::Kind::number, length);
+        tokens_.back().number = parse(begin, sign, mantissa_end, length, decimals, exponent);
+    }
+
+    bool peek_back_sign() const { return line_[tokens_.back().begin] == '-'; }
+
+    /// Moves `length` past an exponent, if there is one, and returns its value.
+    int take_exponent(std::size_t& length) const {
+        if (peek(length) != 'e' && peek(length) != 'E') return 0;
+        std::size_t end = length + 1;
+        const bool negative = peek(end) == '-';
+        if (negative || peek(end) == '+') ++end;
+        if (!is_digit(peek(end))) return 0;
+        int exponent = 0;
+        for (; is_digit(peek(end)); ++end) exponent = std::min(exponent * 10 + (peek(end) - '0'), 100000);
+        length = end;
+        return negative ? -exponent : exponent;
+    }
+
+    PrintedNumber parse(std::size_t begin, std::size_t sign, std::size_t mantissa_end, std::size_t length, int decimals,
+                        int exponent) const {
+        PrintedNumber number;
+        number.decimals = decimals - exponent;
+        const std::string_view mantissa = line_.substr(begin + sign, mantissa_end - sign);
+        bool leading = true;
+        for (const char c : mantissa) {
+            leading = leading && (c == '0' || c == '.');
+            if (!leading && is_digit(c)) ++number.significant;
+        }
+        const std::string_view text = line_.substr(begin + sign, length - sign);
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number.value);
+        if (error == std::errc::result_out_of_range) {
+            number.value = exponent < 0 ? 0.0 : std::numeric_limits<double>::infinity();
+        }
+        if (line_[begin] == '-') number.value = -number.value;
+        return number;
+    }
+
+    void take_word() {
+        std::size_t length = 0;
+        while (true) {
+            const char c = peek(length);
+            if (is_word_char(c) || (c == '\'' && length > 0)) {
+                ++length;
+            } else if (c == ':' && peek(length + 1) == ':' && is_letter(peek(length + 2))) {
+                length += 2;
+            } else if (c == '.' && length > 0 && is_letter(peek(length + 1)) && !is_word_char(peek(length + 2))) {
+                length += 2;  // a component: "P.x"
+            } else if (c == '[' && length > 0 && is_digit(peek(length + 1)) && peek(length + 2) == ']') {
+                length += 3;  // an index: "M[0]"
+            } else {
+                break;
+            }
+        }
+        add(Token::Kind::word, length);
+    }
+
+    /// Whether the '<' here opens a list of numbers: only numbers, commas and blanks follow up to its '>'.
+    bool opens_angle_list() const {
+        constexpr std::size_t longest_list = 300;
+        constexpr std::string_view in_list = "0123456789.eE+-, \t;naifNAIF";
+        const std::size_t close = line_.substr(at_, longest_list).find('>', 1);
+        if (close == std::string_view::npos || close == 1) return false;
+        const std::string_view inside = line_.substr(at_ + 1, close - 1);
+        return inside.find_first_not_of(in_list) == std::string_view::npos &&
+               inside.find_first_of("0123456789naNA") != std::string_view::npos;
+    }
+
+    std::size_t run_length(char c) const {
+        std::size_t length = 1;
+        while (peek(length) == c) ++length;
+        return length;
+    }
+
+    void take_sign(char c) {
+        switch (c) {
+            case '(':
+            case '[':
+            case '{': return add(Token::Kind::open, 1);
+            case ')':
+            case ']':
+            case '}': return add(Token::Kind::close, 1);
+            case '<': return take_less();
+            case '>': return take_greater();
+            case ',':
+            case ';': return add(Token::Kind::comma, 1);
+            case '|': return add(Token::Kind::bar, run_length('|'));
+            case '=': return take_equals();
+            case ':': return add(Token::Kind::equals, peek(1) == '=' ? 2 : 1);
+            case '~': return add(peek(1) == '=' ? Token::Kind::equals : Token::Kind::other, peek(1) == '=' ? 2 : 1);
+            case '!': return add(peek(1) == '=' ? Token::Kind::compare : Token::Kind::other, peek(1) == '=' ? 2 : 1);
+            case '+':
+            case '/':
+            case '^':
+            case '*': return take_operator(c);
+            case '-': return take_minus();
+            default: return add(Token::Kind::other, 1);
+        }
+    }
+
+    void take_less() {
+        if (peek(1) == '=') return add(Token::Kind::compare, 2);
+        if (opens_angle_list()) {
+            open_angle_ = true;
+            return add(Token::Kind::open, 1);
+        }
+        if (peek(1) == '-') return add(Token::Kind::other, 2);
+        add(Token::Kind::compare, 1);
+    }
+
+    void take_greater() {
+        if (open_angle_) {
+            open_angle_ = false;
+            return add(Token::Kind::close, 1);
+        }
+        add(Token::Kind::compare, peek(1) == '=' ? 2 : 1);
+    }
+
+    void take_equals() {
+        const std::size_t length = run_length('=');
+        if (length == 1 && peek(1) == '>') return add(Token::Kind::equals, 2);
+        add(length <= 2 ? Token::Kind::equals : Token::Kind::other, length);
+    }
+
+    void take_operator(char c) {
+        const std::size_t length = run_length(c);
+        add(length == 1 ? Token::Kind::op : Token::Kind::other, length);
+    }
+
+    void take_minus() {
+        const std::size_t length = run_length('-');
+        if (peek(length) == '>') return add(Token::Kind::equals, length + 1);
+        add(length == 1 ? Token::Kind::op : Token::Kind::other, length);
+    }
+
+    std::string_view line_;
+    std::size_t at_ = 0;
+    bool open_angle_ = false;
+    std::vector<Token> tokens_;
+};
+
+}  // namespace
+
+std::vector<Token> tokenize(std::string_view line) { return Lexer(line).run(); }
+
+}  // namespace harness

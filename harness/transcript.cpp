@@ -1,0 +1,151 @@
+#include "harness/transcript.h"
+
+#include <re2/re2.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "harness/clean_text.h"
+#include "harness/heading.h"
+#include "harness/line_reader.h"
+
+namespace harness {
+namespace {
+
+std::vector<std::string_view> split_lines(std::string_view text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = text.find('\n');
+        lines.push_back(text.substr(0, end));
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    }
+    return lines;
+}
+
+
+/// "t: none", "hit point = no hit", "N -> (not defined)": a label, then words that say there is no value.
+std::optional<PrintedValue> read_no_value(std::string_view line) {
+    constexpr std::size_t longest = 300;
+    static const RE2 pattern(
+        R"((?i)^\s*(.{0,80}?)\s*(?:[:=]|->|\s-\s)\s*[(<"'\[]*\s*((?:none|no |not |non-?existent|n/?a\b|nil\b|null\b|undefined|does not|doesn't|miss|imaginary|complex|-+\s*$|invalid|there is no|ray misses).*)$)");
+    static const RE2 unlabelled(
+        R"((?i)^\s*[(<"'\[*]*\s*((?:none|no (?:real )?(?:hit|intersection|solution|root|normal)|not? hit|n/a\b|(?:the )?ray (?:misses|does not hit|doesn't hit)|there is no (?:hit|intersection)|miss(?:es|ed)?\b).*)$)");
+    re2::StringPiece label;
+    re2::StringPiece words;
+    const std::string_view start = line.substr(0, longest);
+    const re2::StringPiece piece(start.data(), start.size());
+    if (!RE2::PartialMatch(piece, pattern, &label, &words) && !RE2::PartialMatch(piece, unlabelled, &words)) {
+        return std::nullopt;
+    }
+    PrintedValue value;
+    value.label = std::string(label);
+    value.printed = std::string(words.substr(0, 200));
+    return value;
+}
+
+/// The x, y, z or w that a label names, as 0 to 3, and the label without it: "hit point: x" is component 0 of "hit point".
+struct ComponentLabel {
+    int component;
+    std::string base;
+};
+
+std::optional<ComponentLabel> read_component(const PrintedValue& value) {
+    if (value.numbers.size() != 1 || value.label.empty()) return std::nullopt;
+    static const RE2 pattern(R"((?i)^(?:(.*?)(?:[\s:.,(_\-]+|\[))?(?:([xyzw])|([0-3])\])\s*$)");
+    re2::StringPiece base;
+    re2::StringPiece letter;
+    re2::StringPiece index;
+    if (!RE2::FullMatch(value.label, pattern, &base, &letter, &index)) return std::nullopt;
+    std::string name(base);
+    while (!name.empty() && std::string_view(" \t=:-.,(").find(name.back()) != std::string_view::npos) name.pop_back();
+    if (!letter.empty()) {
+        constexpr std::string_view letters = "xyzw";
+        return ComponentLabel{static_cast<int>(letters.find(static_cast<char>(letter[0] | 0x20))), name};
+    }
+    return ComponentLabel{index[0] - '0', name};
+}
+
+/// Joins "x = 0, y = 0, z = -2", on one line or on several, into one vector.
+std::vector<PrintedValue> join_components(std::vector<PrintedValue> values) {
+    std::vector<PrintedValue> joined;
+    for (std::size_t i = 0; i < values.size();) {
+        std::size_t count = 0;
+        std::string base;
+        while (i + count < values.size()) {
+            const auto label = read_component(values[i + count]);
+            if (!label || label->component != static_cast<int>(count)) break;
+            if (count > 0 && !label->base.empty() && label->base != base) break;
+            if (count > 0 && values[i + count].line - values[i + count - 1].line > 1) break;
+            if (count == 0) base = label->base;
+            ++count;
+        }
+        if (count < 3) {
+            joined.push_back(std::move(values[i++]));
+            continue;
+        }
+        PrintedValue vector = values[i];
+        vector.label = base;
+        vector.printed = values[i].label + " = " + values[i].printed;
+        for (std::size_t k = 1; k < count; ++k) {
+            const PrintedValue& component = values[i + k];
+            vector.numbers.push_back(component.numbers[0]);
+            vector.printed += ", " + component.label + " = " + component.printed;
+        }
+        joined.push_back(std::move(vector));
+        i += count;
+    }
+    return joined;
+}
+
+class TranscriptReader {
+  public:
+    Transcript run(const std::vector<std::string_view>& lines) {
+        const auto headings = find_headings(lines);
+        transcript_.sections.push_back({});
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            std::string_view rest = lines[i];
+            const int number = static_cast<int>(i) + 1;
+            if (headings[i]) {
+                rest.remove_prefix(std::min(rest.size(), headings[i]->end));
+                transcript_.sections.push_back({headings[i]->question, {}, {}, number});
+                above_.clear();
+            }
+            read(rest, number);
+        }
+        for (Section& section : transcript_.sections) section.values = join_components(std::move(section.values));
+        return std::move(transcript_);
+    }
+
+  private:
+    void read(std::string_view line, int number) {
+        Section& section = transcript_.sections.back();
+        section.lines.emplace_back(line);
+        LineReading reading = read_line(line);
+        if (reading.values.empty()) {
+            if (auto none = read_no_value(line)) reading.values.push_back(std::move(*none));
+        }
+        if (reading.values.empty()) {
+            constexpr std::size_t longest_above = 200;
+            if (reading.has_words) above_ = std::string(line.substr(0, longest_above));
+            return;
+        }
+        reading.values.front().above = above_;
+        above_.clear();
+        for (PrintedValue& value : reading.values) {
+            value.line = number;
+            section.values.push_back(std::move(value));
+        }
+    }
+
+    Transcript transcript_;
+    std::string above_;  ///< the last line of words, until a value takes it
+};
+
+}  // namespace
+
+Transcript read_transcript(std::string_view output) {
+    const std::string text = clean_text(output);
+    return TranscriptReader().run(split_lines(text));
+}
+
+}  // namespace harness

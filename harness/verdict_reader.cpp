@@ -1,0 +1,123 @@
+#include "harness/verdict_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace harness {
+namespace {
+
+using reference::Verdict;
+
+constexpr std::size_t longest_line = 400;
+
+std::vector<std::string> words_of(std::string_view line) {
+    std::vector<std::string> words;
+    bool in_word = false;
+    for (char c : line.substr(0, longest_line)) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+        const bool letter = (c >= 'a' && c <= 'z') || c == '\'';
+        if (letter && !in_word) words.emplace_back();
+        if (letter) words.back() += c;
+        in_word = letter;
+    }
+    return words;
+}
+
+template <std::size_t N>
+bool is_one_of(const std::string& word, const std::array<std::string_view, N>& list) {
+    return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+constexpr std::array<std::string_view, 3> sphere_words = {"sphere", "sphere's", "ball"};
+constexpr std::array<std::string_view, 3> triangle_words = {"triangle", "triangle's", "tri"};
+constexpr std::array<std::string_view, 18> hit_words = {"hit",    "hits",   "closest", "nearest", "closer", "nearer", "before",    "wins", "winner",
+                                                        "visible", "front", "smaller", "smallest", "seen",  "chosen", "intersects", "intersected", "earlier"};
+constexpr std::array<std::string_view, 8> negations = {"not", "doesn't", "never", "misses", "missed", "miss", "no", "isn't"};
+constexpr std::array<std::string_view, 4> debug_words = {"debug", "dbg", "trace", "log"};
+
+std::optional<Verdict> object_of(const std::string& word) {
+    if (is_one_of(word, sphere_words)) return Verdict::sphere_first;
+    if (is_one_of(word, triangle_words)) return Verdict::triangle_first;
+    return std::nullopt;
+}
+
+/// The object named nearest before the word "first", else the one nearest behind it.
+std::optional<Verdict> object_at_first(const std::vector<std::string>& words) {
+    constexpr std::size_t reach = 6;
+    std::optional<Verdict> found;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (words[i] != "first") continue;
+        std::optional<Verdict> near;
+        for (std::size_t k = 1; k <= reach && k <= i && !near; ++k) near = object_of(words[i - k]);
+        for (std::size_t k = 1; k <= reach && i + k < words.size() && !near; ++k) near = object_of(words[i + k]);
+        if (near && found && *near != *found) return std::nullopt;  // the question's text: "triangle first / sphere first"
+        if (near) found = near;
+    }
+    return found;
+}
+
+bool any(const std::vector<std::string>& words, const auto& list) {
+    return std::any_of(words.begin(), words.end(), [&](const std::string& word) { return is_one_of(word, list); });
+}
+
+bool says_nothing_is_hit(const std::vector<std::string>& words) {
+    constexpr std::array<std::string_view, 4> nothing = {"nothing", "neither", "none", "anything"};
+    if (any(words, nothing)) return true;
+    const bool both = std::count_if(words.begin(), words.end(), [](const std::string& w) { return object_of(w).has_value(); }) >= 2;
+    constexpr std::array<std::string_view, 5> all = {"both", "everything", "object", "objects", "any"};
+    const bool about_all = both || any(words, all) || words.size() <= 3;
+    constexpr std::array<std::string_view, 7> hit = {"hit", "hits", "misses", "missed", "miss", "intersection", "intersect"};
+    return about_all && any(words, negations) && any(words, hit);
+}
+
+bool says_tie(const std::vector<std::string>& words) {
+    constexpr std::array<std::string_view, 5> tie = {"tie", "tied", "simultaneously", "same", "equal"};
+    return any(words, tie);
+}
+
+/// "sphere is closer than triangle", "closest: sphere", or just "sphere".
+std::optional<Verdict> object_compared(const std::vector<std::string>& words) {
+    std::vector<Verdict> objects;
+    for (const std::string& word : words) {
+        if (const auto object = object_of(word)) objects.push_back(*object);
+    }
+    if (objects.empty()) return std::nullopt;
+    const bool one_object = std::all_of(objects.begin(), objects.end(), [&](Verdict v) { return v == objects.front(); });
+    if (one_object) {
+        if (any(words, negations)) return std::nullopt;
+        return any(words, hit_words) || words.size() <= 2 ? std::optional(objects.front()) : std::nullopt;
+    }
+    constexpr std::array<std::string_view, 9> compares = {"before", "closer", "nearer", "smaller", "less", "front", "earlier", "than", "wins"};
+    return any(words, compares) ? std::optional(objects.front()) : std::nullopt;
+}
+
+std::optional<Verdict> verdict_of(std::string_view line) {
+    const std::vector<std::string> words = words_of(line);
+    if (words.empty() || any(words, debug_words)) return std::nullopt;
+    if (const auto object = object_at_first(words)) return object;
+    if (says_nothing_is_hit(words)) return Verdict::no_hit;
+    if (std::find(words.begin(), words.end(), "first") != words.end() && !says_tie(words)) return std::nullopt;
+    if (says_tie(words)) return Verdict::tie;
+    return object_compared(words);
+}
+
+bool is_about_a_number(std::string_view line) { return line.find_first_of("0123456789") != std::string_view::npos; }
+
+}  // namespace
+
+std::optional<PrintedVerdict> read_verdict(const std::vector<std::string>& lines) {
+    std::optional<PrintedVerdict> plain;        // a sentence
+    std::optional<PrintedVerdict> with_number;  // "closest hit: sphere at t = 0.58", if there is no plain one
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto verdict = verdict_of(lines[i]);
+        if (!verdict) continue;
+        constexpr std::size_t longest_printed = 200;
+        const std::size_t begin = std::min(lines[i].find_first_not_of(" \t:-*#>="), lines[i].size());
+        PrintedVerdict printed{*verdict, lines[i].substr(begin, longest_printed), i};
+        (is_about_a_number(lines[i]) ? with_number : plain) = std::move(printed);
+    }
+    return plain ? plain : with_number;
+}
+
+}  // namespace harness

@@ -1,0 +1,65 @@
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "reference/exact/certified.h"
+#include "reference/reading_answers.h"
+
+namespace reference {
+namespace {
+
+Rational exact(const Decimal& number) {
+    const std::optional<Rational> x = to_rational(number);
+    if (!x) throw std::domain_error(number.text() + " is too large or too small for a certified key");
+    return *x;
+}
+
+Branches branches_of(const SceneAnswers<Certified>& answers) {
+    Branches branches{answers.sphere_index, RootChoice::miss, answers.triangle_index, false};
+    if (answers.sphere) branches.root = answers.sphere->choice;
+    if (answers.triangle) branches.triangle_has_solution = answers.triangle->t.has_value();
+    return branches;
+}
+
+/// The distance from [lo, hi] to the farther end of what correct programs find, rounded up.
+double allowance(double lo, double hi, double least, double most) {
+    const double farther = std::max(lo - least, most - hi);
+    return farther > 0 ? std::nextafter(farther, HUGE_VAL) : 0.0;
+}
+
+void enclose_numbers(Answer& answer, const std::vector<Certified>& numbers, const ItemBounds& bounds) {
+    Numbers values;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const Enclosure enclosure = numbers[i].enclosure();
+        values.push_back(enclosure.nearest);
+        answer.lo.push_back(enclosure.lo);
+        answer.hi.push_back(enclosure.hi);
+        answer.allowance.push_back(allowance(enclosure.lo, enclosure.hi, bounds.lo.at(i), bounds.hi.at(i)));
+    }
+    answer.value = values;
+    answer.allowance_from = bounds.arithmetic;
+}
+
+}  // namespace
+
+ReadingAnswers certified_answers(const Assignment& assignment, const Reading& reading) {
+    const Scene<Rational> rationals = convert_scene<Rational>(assignment.scene, exact);
+    const auto basis = std::make_shared<RootBasis>();
+    const Scene<Certified> scene =
+        convert_scene<Certified>(rationals, [&](const Rational& x) { return Certified(FieldNumber(x, basis)); });
+    const SceneAnswers<Certified> answers = answer_scene(scene, reading.convention, reading.boundary);
+    const std::map<ItemId, ItemBounds> bounds =
+        bounds_of_correct_programs(rationals, reading.convention, branches_of(answers));
+    ReadingAnswers result{decisions_of(answers), {}};
+    for (const auto& [id, value] : values_of(answers, reading.boundary)) {
+        Answer& answer = result.answers[id];
+        answer.reading = reading;
+        if (const Verdict* verdict = std::get_if<Verdict>(&value)) answer.value = *verdict;
+        if (const auto* numbers = std::get_if<std::vector<Certified>>(&value)) {
+            enclose_numbers(answer, *numbers, bounds.at(id));
+        }
+    }
+    return result;
+}
+
+}  // namespace reference

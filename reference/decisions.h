@@ -1,0 +1,79 @@
+// How the ray meets the scene, in words.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/scene_answers.h"
+
+namespace reference {
+
+/// Empty for what the scene does not hold. Of several spheres it is the one that the ray hits first, else the first one
+/// written; the same for triangles.
+struct Decisions {
+    std::string sphere;               ///< hit, miss, tangent, boundary (the ray starts on the sphere) or unsure
+    std::string triangle;             ///< hit, miss, boundary (t = 0), coplanar or unsure
+    std::string first;                ///< sphere, triangle, tie, none or unsure
+    std::vector<std::string> policy;  ///< "boundary" and "pixel convention" where an answer depends on them
+};
+
+template <class S>
+std::string_view sphere_decision(const SphereAnswers<S>& sphere) {
+    switch (sphere.choice) {
+        case RootChoice::miss:
+            return "miss";
+        case RootChoice::smaller:
+        case RootChoice::larger:
+            break;
+        case RootChoice::unsure:
+            return "unsure";
+    }
+    if (sign_of(sphere.quadratic.d) == 0) return "tangent";
+    return sign_of(sphere.quadratic.c) == 0 ? "boundary" : "hit";
+}
+
+inline std::string_view triangle_decision(TriangleHit hit) {
+    switch (hit) {
+        case TriangleHit::hit:
+            return "hit";
+        case TriangleHit::boundary:
+            return "boundary";
+        case TriangleHit::miss:
+            return "miss";
+        case TriangleHit::parallel:
+            return "miss";
+        case TriangleHit::coplanar:
+            return "coplanar";
+        case TriangleHit::unsure:
+            return "unsure";
+    }
+    return "";
+}
+
+inline std::string_view first_decision(std::optional<Verdict> verdict) {
+    if (!verdict) return "unsure";
+    switch (*verdict) {
+        case Verdict::sphere_first:
+            return "sphere";
+        case Verdict::triangle_first:
+            return "triangle";
+        case Verdict::tie:
+            return "tie";
+        case Verdict::no_hit:
+            return "none";
+    }
+    return "";
+}
+
+/// Under the boundary that the answers were made with.
+template <class S>
+Decisions decisions_of(const SceneAnswers<S>& answers) {
+    Decisions decisions;
+    if (answers.sphere) decisions.sphere = sphere_decision(*answers.sphere);
+    if (answers.triangle) decisions.triangle = triangle_decision(answers.triangle->classification);
+    if (answers.sphere || answers.triangle) decisions.first = first_decision(answers.verdict);
+    return decisions;
+}
+
+}  // namespace reference

@@ -1,0 +1,52 @@
+// The scalar of the certified key: the stages run over it unchanged, its signs are exact and its values are proven
+// enclosures.
+#pragma once
+
+#include <compare>
+#include <memory>
+
+#include "reference/exact/field.h"
+
+namespace reference {
+
+/// A real number kept as the way it was computed: exactly in a field of square roots as long as that goes (all of the
+/// handout's camera and triangle), and beyond it (the root of an irrational discriminant) as an expression that is
+/// evaluated in balls of whatever precision is asked for. Immutable; copies share.
+class Certified {
+  public:
+    /// Zero.
+    Certified() : Certified(0) {}
+    explicit Certified(int x) : Certified(FieldNumber(Rational(x))) {}
+    explicit Certified(FieldNumber x);
+
+    Certified operator-() const { return Certified(0) - *this; }
+    Certified& operator+=(const Certified& y) { return *this = *this + y; }
+    Certified& operator-=(const Certified& y) { return *this = *this - y; }
+    Certified& operator*=(const Certified& y) { return *this = *this * y; }
+    Certified& operator/=(const Certified& y) { return *this = *this / y; }
+    friend Certified operator+(const Certified& x, const Certified& y);
+    friend Certified operator-(const Certified& x, const Certified& y);
+    friend Certified operator*(const Certified& x, const Certified& y);
+    /// Throws std::domain_error where y is exactly zero.
+    friend Certified operator/(const Certified& x, const Certified& y);
+    /// Of a number that is known not to be negative; throws std::domain_error where it is provably negative.
+    friend Certified sqrt(const Certified& x);
+
+    /// Exact for every number of the field. For an expression beyond it: unordered when `most_bits` cannot tell.
+    friend std::partial_ordering sign_of(const Certified& x);
+
+    /// Doubles around the true value: equal where it is a double, else neighbours. For an expression beyond the field
+    /// that is exactly a double or midway between two, the tightest bounds that `most_bits` give.
+    Enclosure enclosure() const;
+
+  private:
+    enum class Operation { exact, add, subtract, multiply, divide, sqrt };
+    struct Node;
+    Certified(Operation operation, const Certified& x, const Certified& y);
+    const FieldNumber* exact() const;
+    Ball ball(Bits bits) const;
+
+    std::shared_ptr<const Node> node_;
+};
+
+}  // namespace reference

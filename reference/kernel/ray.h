@@ -1,0 +1,72 @@
+// What the certified kernel takes and gives. Inputs are floats or doubles, exactly as they are; a float becomes the
+// same double. The policy is closed: t >= 0 is a hit, edges and vertices belong to the triangle, a tangent touches.
+#pragma once
+
+#include "reference/scene.h"
+
+namespace reference::kernel {
+
+/// The points origin + t direction with t >= 0. The direction need not have unit length.
+template <class T>
+struct Ray {
+    Vec3<T> origin;
+    Vec3<T> direction;
+};
+
+enum class SphereResult {
+    hit,
+    miss,
+    tangent,  ///< the discriminant is exactly 0, and t >= 0
+    invalid,  ///< a number is not finite, the direction is zero, or the radius is not above 0
+};
+
+enum class TriangleResult {
+    hit,
+    miss,
+    coplanar,    ///< the ray lies in the triangle's plane, whether it meets the triangle or not
+    degenerate,  ///< the triangle has no area
+    invalid,     ///< a number is not finite, or the direction is zero
+};
+
+/// t is within one unit in the last place of the true value, and exactly 0 where that is 0; +0, never -0. Infinite
+/// where the true value is beyond the doubles. 0 without a hit.
+struct SphereHit {
+    SphereResult result;
+    double t;
+};
+
+/// As SphereHit, for t, u and v.
+struct TriangleHit {
+    TriangleResult result;
+    double t;
+    double u;
+    double v;
+};
+
+inline bool is_finite(const Vec3<double>& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+inline bool is_valid(const Ray<double>& ray) {
+    const Vec3<double>& d = ray.direction;
+    return is_finite(ray.origin) && is_finite(d) && (d.x != 0 || d.y != 0 || d.z != 0);
+}
+
+/// The same numbers in double.
+inline Ray<double> as_double(const Ray<float>& ray) {
+    return {Vec3<double>(ray.origin), Vec3<double>(ray.direction)};
+}
+inline Sphere<double> as_double(const Sphere<float>& sphere) {
+    return {Vec3<double>(sphere.center), static_cast<double>(sphere.radius)};
+}
+inline Triangle<double> as_double(const Triangle<float>& triangle) {
+    return {Vec3<double>(triangle.A), Vec3<double>(triangle.B), Vec3<double>(triangle.C)};
+}
+
+/// The numbers in another scalar that is made from a double.
+template <class S>
+Vec3<S> over(const Vec3<double>& p) {
+    return Vec3<S>(S(p.x), S(p.y), S(p.z));
+}
+
+}  // namespace reference::kernel

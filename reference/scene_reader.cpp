@@ -1,0 +1,138 @@
+#include "reference/scene_reader.h"
+
+#include <fmt/format.h>
+
+#include "reference/exact/rational.h"
+
+namespace reference {
+namespace {
+
+/// Twice as many, the denominator of a pixel's centre, is still an int.
+constexpr int most_pixels_per_side = 1 << 29;
+
+/// In range, as to_rational demands.
+Rational exact(const TomlTable& table, std::string_view key, const Decimal& number) {
+    const std::optional<Rational> x = to_rational(number);
+    if (!x) {
+        table.fail(key, fmt::format("{} is out of range: write 0 or a number between 1e-300 and 1e150 in size; "
+                                    "scale the scene if need be",
+                                    number.text()));
+    }
+    return *x;
+}
+
+Vec3<Rational> exact(const TomlTable& table, std::string_view key, const Vec3<Decimal>& p) {
+    return {exact(table, key, p.x), exact(table, key, p.y), exact(table, key, p.z)};
+}
+
+Vec3<Rational> difference(const Vec3<Rational>& p, const Vec3<Rational>& q) {
+    return {Rational(p.x - q.x), Rational(p.y - q.y), Rational(p.z - q.z)};
+}
+
+Vec3<Rational> exact_cross(const Vec3<Rational>& p, const Vec3<Rational>& q) {
+    return {Rational(p.y * q.z - p.z * q.y), Rational(p.z * q.x - p.x * q.z), Rational(p.x * q.y - p.y * q.x)};
+}
+
+bool is_zero(const Vec3<Rational>& p) {
+    return p.x == 0 && p.y == 0 && p.z == 0;
+}
+
+Vec3<Decimal> read_vector(const TomlTable& table, std::string_view key) {
+    const std::vector<Decimal> numbers = table.decimals(key, 3);
+    return {numbers[0], numbers[1], numbers[2]};
+}
+
+Decimal read_positive(const TomlTable& table, std::string_view key, std::string_view reason) {
+    const Decimal number = table.decimal(key);
+    exact(table, key, number);
+    if (number.sign() <= 0) table.fail(key, fmt::format("is {}, and must be above 0: {}", number.text(), reason));
+    return number;
+}
+
+Camera<Decimal> read_camera(const TomlTable& table) {
+    table.allow_only({"eye", "lookat", "vup"});
+    const Camera<Decimal> camera{read_vector(table, "eye"), read_vector(table, "lookat"), read_vector(table, "vup")};
+    const Vec3<Rational> view = difference(exact(table, "eye", camera.eye), exact(table, "lookat", camera.lookat));
+    const Vec3<Rational> up = exact(table, "vup", camera.vup);
+    if (is_zero(view)) table.fail("lookat", "is the eye itself; move it to the point that the camera looks at");
+    if (is_zero(up)) table.fail("vup", "is zero; write the direction that is up, such as [0, 1, 0]");
+    if (is_zero(exact_cross(up, view))) {
+        const bool along_y = view.x == 0 && view.z == 0;
+        table.fail("vup", fmt::format("is parallel to the view from eye to lookat, so no direction is right; write "
+                                      "another, such as {}",
+                                      along_y ? "[0, 0, 1]" : "[0, 1, 0]"));
+    }
+    return camera;
+}
+
+/// The window's extent along one axis must not be empty; where it runs backwards the picture is mirrored, which is
+/// said.
+void check_extent(const TomlTable& table, std::string_view from, std::string_view to, std::string_view effect,
+                  std::vector<std::string>& notes) {
+    const Rational low = exact(table, from, table.decimal(from));
+    const Rational high = exact(table, to, table.decimal(to));
+    if (low == high) table.fail(to, fmt::format("equals {}, so the window is empty; set them apart", from));
+    if (low > high) {
+        notes.push_back(fmt::format("{} is greater than {}: the window is mirrored {}.", from, to, effect));
+    }
+}
+
+Window<Decimal> read_window(const TomlTable& table, std::vector<std::string>& notes) {
+    table.allow_only({"clip_left", "clip_right", "clip_bottom", "clip_top", "clip_near", "width", "height", "pixel"});
+    check_extent(table, "clip_left", "clip_right", "left to right", notes);
+    check_extent(table, "clip_bottom", "clip_top", "upside down", notes);
+    return {table.decimal("clip_left"),
+            table.decimal("clip_right"),
+            table.decimal("clip_bottom"),
+            table.decimal("clip_top"),
+            read_positive(table, "clip_near", "the image plane lies before the eye"),
+            table.integer("width", 1, most_pixels_per_side),
+            table.integer("height", 1, most_pixels_per_side)};
+}
+
+Pixel read_pixel(const TomlTable& table, const Window<Decimal>& window) {
+    const std::vector<Decimal> numbers = table.decimals("pixel", 2);
+    const auto inside = [&](const Decimal& number, int count, std::string_view side) {
+        const Rational index = exact(table, "pixel", number);
+        if (index < 0 || index >= count || index.get_den() != 1) {
+            table.fail("pixel", fmt::format("{} is not a pixel of the window: {} counts whole pixels from 0 to {}",
+                                            number.text(), side, count - 1));
+        }
+        return static_cast<int>(index.get_num().get_si());
+    };
+    return {inside(numbers[0], window.width, "x"), inside(numbers[1], window.height, "y")};
+}
+
+Sphere<Decimal> read_sphere(const TomlTable& table) {
+    table.allow_only({"center", "radius"});
+    const Vec3<Decimal> center = read_vector(table, "center");
+    exact(table, "center", center);
+    return {center, read_positive(table, "radius", "a sphere has points on it")};
+}
+
+Triangle<Decimal> read_triangle(const TomlTable& table) {
+    table.allow_only({"vertices"});
+    const std::vector<std::vector<Decimal>> rows = table.decimal_rows("vertices", 3, 3);
+    const auto vertex = [&](std::size_t i) { return Vec3<Decimal>(rows[i][0], rows[i][1], rows[i][2]); };
+    const Triangle<Decimal> triangle{vertex(0), vertex(1), vertex(2)};
+    const Vec3<Rational> A = exact(table, "vertices", triangle.A);
+    const Vec3<Rational> B = exact(table, "vertices", triangle.B);
+    const Vec3<Rational> C = exact(table, "vertices", triangle.C);
+    if (is_zero(exact_cross(difference(B, A), difference(C, A)))) {
+        table.fail("vertices", "lie on one line, so the triangle has no area and no normal; move one of them off it");
+    }
+    return triangle;
+}
+
+}  // namespace
+
+Scene<Decimal> read_scene(const TomlTable& root, std::vector<std::string>& notes) {
+    const TomlTable window = root.table("window");
+    Scene<Decimal> scene{read_camera(root.table("camera")), read_window(window, notes), {}, {}, {}};
+    scene.pixel = read_pixel(window, scene.window);
+    for (const TomlTable& sphere : root.tables("sphere")) scene.spheres.push_back(read_sphere(sphere));
+    for (const TomlTable& triangle : root.tables("triangle")) scene.triangles.push_back(read_triangle(triangle));
+    return scene;
+}
+
+}  // namespace reference

@@ -1,0 +1,13 @@
+// A value of the key in JSON, the same in the key and in grades.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "reference/answer_key.h"
+
+namespace reference {
+
+/// A scalar as a number, a vector as an array, a matrix as an array of columns, a verdict as its sentence, no value as null.
+nlohmann::ordered_json value_json(const Value& value, Shape shape);
+
+}  // namespace reference

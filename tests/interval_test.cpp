@@ -1,0 +1,71 @@
+#include "reference/interval.h"
+
+#include <gtest/gtest.h>
+
+#include "reference/pipeline.h"
+
+namespace {
+
+using reference::Interval;
+using I = Interval<float>;
+
+TEST(Interval, HoldsTheExactResultOfEveryOperation) {
+    const float xs[] = {-3.7F, -0.1F, 0.0F, 1e-30F, 0.3F, 1.0F, 16777217.0F};
+    for (const float x : xs) {
+        for (const float y : xs) {
+            const double a = x;
+            const double b = y;
+            const auto holds = [](const I& interval, double truth) {
+                return interval.lo() <= truth && truth <= interval.hi();
+            };
+            EXPECT_TRUE(holds(I(x) + I(y), a + b)) << x << ' ' << y;
+            EXPECT_TRUE(holds(I(x) - I(y), a - b)) << x << ' ' << y;
+            EXPECT_TRUE(holds(I(x) * I(y), a * b)) << x << ' ' << y;
+            if (y != 0) {
+                EXPECT_TRUE(holds(I(x) / I(y), a / b)) << x << ' ' << y;
+            }
+        }
+    }
+}
+
+TEST(Interval, OneThirdIsHeldByTwoNeighboursOfTheNearestFloat) {
+    const I third = I(1) / I(3);
+    EXPECT_LT(static_cast<double>(third.lo()) * 3, 1.0);
+    EXPECT_GT(static_cast<double>(third.hi()) * 3, 1.0);
+    EXPECT_EQ(std::nextafter(std::nextafter(third.lo(), 1.0F), 1.0F), third.hi());
+}
+
+TEST(Interval, AWholeNumberThatAFloatCannotHoldIsWidened) {
+    EXPECT_TRUE(static_cast<double>(I(16777217).lo()) < 16777217 && 16777217 < static_cast<double>(I(16777217).hi()));
+    EXPECT_EQ(I(16777216).lo(), I(16777216).hi());
+}
+
+TEST(Interval, SignIsUnorderedAroundZeroOnly) {
+    EXPECT_EQ(sign_of(I(-1.0F, 1.0F)), std::partial_ordering::unordered);
+    EXPECT_EQ(sign_of(I(0.0F, 1.0F)), std::partial_ordering::unordered);
+    EXPECT_EQ(sign_of(I(0.0F)), std::partial_ordering::equivalent);
+    EXPECT_EQ(sign_of(I(1e-45F, 1.0F)), std::partial_ordering::greater);
+    EXPECT_EQ(sign_of(I(-1.0F, -1e-45F)), std::partial_ordering::less);
+}
+
+TEST(Interval, WhatCannotBeBoundedIsTheWholeLine) {
+    EXPECT_FALSE((I(1) / I(-1.0F, 1.0F)).is_bounded());
+    EXPECT_FALSE((I(1) / I(0)).is_bounded());
+    EXPECT_FALSE(I(std::nanf("")).is_bounded());
+    EXPECT_FALSE(sqrt(I(-1.0F)).is_bounded());
+    EXPECT_FALSE((I(3e38F) + I(3e38F)).is_bounded());
+    EXPECT_FALSE((I(0.0F, 1.0F) * I::whole()).is_bounded());
+    EXPECT_TRUE((I(0) * I::whole()).is_zero());
+}
+
+TEST(Interval, RunsTheStagesAndHoldsTheHandoutsSphereHit) {
+    using reference::Vec3;
+    const reference::CameraAnswers<I> ray{{}, {}, {}, Vec3<I>(I(0), I(0), I(2)), Vec3<I>(I(0), I(0), I(-1))};
+    const reference::Sphere<I> sphere{Vec3<I>(I(1), I(1), I(0)), I(2)};
+    const auto answers = answer_sphere(ray, sphere, reference::Boundary::nonnegative);
+    ASSERT_TRUE(answers.t);
+    EXPECT_LT(static_cast<double>(answers.t->lo()), 2 - std::sqrt(2.0));
+    EXPECT_GT(static_cast<double>(answers.t->hi()), 2 - std::sqrt(2.0));
+}
+
+}  // namespace

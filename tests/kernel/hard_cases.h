@@ -1,0 +1,31 @@
+// The hard cases of numbers near a decision, by their ids. Inputs are float32 unless a case says otherwise; expected
+// results were found by hand or in exact fractions, digits as far as they are quoted.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "reference/kernel/first.h"
+
+namespace hard_cases {
+
+struct SphereCase {
+    std::string_view id;
+    reference::kernel::Ray<float> ray;
+    reference::Sphere<float> sphere;
+    reference::kernel::SphereResult result;
+    std::string_view t = "0";  ///< to the digits quoted; for a hit or tangent
+};
+
+struct TriangleCase {
+    std::string_view id;
+    reference::kernel::Ray<float> ray;
+    reference::Triangle<float> triangle;
+    reference::kernel::TriangleResult result;
+    std::string_view t = "0", u = "0", v = "0";  ///< "" where none is quoted
+};
+
+std::vector<SphereCase> sphere_cases();
+std::vector<TriangleCase> triangle_cases();
+
+}  // namespace hard_cases

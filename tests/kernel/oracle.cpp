@@ -1,0 +1,90 @@
+#include "tests/kernel/oracle.h"
+
+#include <cmath>
+
+namespace oracle {
+namespace {
+
+Point minus(const Point& p, const Point& q) {
+    return {p.x - q.x, p.y - q.y, p.z - q.z};
+}
+
+bool is_zero(const Point& p) {
+    return p.x == 0 && p.y == 0 && p.z == 0;
+}
+
+}  // namespace
+
+Point exact(const Vec3<double>& p) {
+    return {Rational(p.x), Rational(p.y), Rational(p.z)};
+}
+
+Rational dot(const Point& p, const Point& q) {
+    return p.x * q.x + p.y * q.y + p.z * q.z;
+}
+
+Real real(const Rational& x) {
+    return Real(numerator(x)) / Real(denominator(x));
+}
+
+Real SphereTruth::t() const {
+    const Real root = sqrt(real(Rational(h * h - a * c)));
+    return (smaller ? Real(-real(h) - root) : Real(-real(h) + root)) / real(a);
+}
+
+SphereTruth sphere(const Ray<double>& ray, const Sphere<double>& sphere) {
+    const Point d = exact(ray.direction);
+    const Point f = minus(exact(ray.origin), exact(sphere.center));
+    const Rational R(sphere.radius);
+    SphereTruth truth{SphereResult::miss, dot(d, d), dot(d, f), dot(f, f) - R * R};
+    const Rational D = truth.h * truth.h - truth.a * truth.c;
+    if (D < 0) return truth;
+    // -h - √D >= 0, else -h + √D >= 0, each by its square.
+    truth.smaller = truth.h <= 0 && truth.h * truth.h >= D;
+    const bool larger = truth.h <= 0 || D >= truth.h * truth.h;
+    if (truth.smaller || larger) truth.result = D == 0 ? SphereResult::tangent : SphereResult::hit;
+    return truth;
+}
+
+TriangleTruth triangle(const Ray<double>& ray, const Triangle<double>& triangle) {
+    const Point A = exact(triangle.A);
+    const Point p = minus(exact(triangle.B), A);
+    const Point q = minus(exact(triangle.C), A);
+    const Point d = exact(ray.direction);
+    const Point start = minus(exact(ray.origin), A);
+    const Point normal{p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+    if (is_zero(normal)) return {TriangleResult::degenerate, 0, 0, 0};
+    const Rational approach = dot(normal, d);
+    const Rational height = dot(normal, start);
+    if (approach == 0) return {height == 0 ? TriangleResult::coplanar : TriangleResult::miss, 0, 0, 0};
+    const Rational t = -height / approach;
+    const Point in_plane{start.x + t * d.x, start.y + t * d.y, start.z + t * d.z};
+    const Rational pp = dot(p, p);
+    const Rational pq = dot(p, q);
+    const Rational qq = dot(q, q);
+    const Rational gram = pp * qq - pq * pq;
+    const Rational u = (qq * dot(in_plane, p) - pq * dot(in_plane, q)) / gram;
+    const Rational v = (pp * dot(in_plane, q) - pq * dot(in_plane, p)) / gram;
+    const bool hit = t >= 0 && u >= 0 && v >= 0 && u + v <= 1;
+    return {hit ? TriangleResult::hit : TriangleResult::miss, t, u, v};
+}
+
+int order(const SphereTruth& sphere, const Rational& t) {
+    const Rational middle = -sphere.h / sphere.a;
+    const Rational D = sphere.h * sphere.h - sphere.a * sphere.c;
+    // The root is middle ∓ √D / a; compare √D / a with its distance from t by squares.
+    const Rational distance = sphere.smaller ? Rational(middle - t) : Rational(t - middle);
+    if (distance < 0) return sphere.smaller ? -1 : 1;
+    const int root_is_farther = Rational(D / (sphere.a * sphere.a)).compare(Rational(distance * distance));
+    return sphere.smaller ? -root_is_farther : root_is_farther;
+}
+
+bool is_within_one_ulp(double given, const Real& truth) {
+    const double below = std::nextafter(given, -HUGE_VAL);
+    const double above = std::nextafter(given, HUGE_VAL);
+    if (std::isinf(given)) return truth > Real(below);
+    const bool above_below = std::isinf(below) || Real(below) <= truth;
+    return above_below && (std::isinf(above) || truth <= Real(above));
+}
+
+}  // namespace oracle

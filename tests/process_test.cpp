@@ -1,0 +1,352 @@
+#include "harness/process.h"
+
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <fstream>
+#include <iterator>
+#include <thread>
+
+#include "harness/failure.h"
+#include "temporary_folder.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+using harness::Ended;
+using harness::HarnessError;
+using harness::ProcessResult;
+using testing::HasSubstr;
+
+constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
+
+/// Limits no well-behaved helper comes near, even on a busy machine.
+harness::Limits wide_limits() {
+    return {.cpu = 10s,
+            .wall = 15s,
+            .memory_bytes = 512 * mebibyte,
+            .file_bytes = 16 * mebibyte,
+            .stack_bytes = 8 * mebibyte,
+            .output_bytes = 64 * 1024,
+            .error_bytes = 1024,
+            .processes = 16,
+            .open_files = 64};
+}
+
+/// One run of the misbehaving helper, recognisable in /proc by an environment variable of its own.
+class Stranger {
+  public:
+    explicit Stranger(std::vector<std::string> arguments) {
+        static std::atomic<int> count{0};
+        mark_ = "RAYGRADE_TEST=" + std::to_string(getpid()) + '-' + std::to_string(count++);
+        command.argv = {MISBEHAVE};
+        command.argv.insert(command.argv.end(), arguments.begin(), arguments.end());
+        command.working_directory = folder_.path();
+        command.environment = {mark_};
+        command.limits = wide_limits();
+    }
+
+    ProcessResult operator()() const { return harness::run_process(command); }
+
+    /// How many processes with the mark there are, the supervisor among them.
+    int alive() const {
+        int found = 0;
+        for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+            std::ifstream file(entry.path() / "environ", std::ios::binary);
+            const std::string text{std::istreambuf_iterator<char>(file), {}};
+            if (text.find(mark_ + '\0') != std::string::npos) ++found;
+        }
+        return found;
+    }
+    bool waits_for(bool (*wanted)(int)) const {
+        for (int i = 0; i < 500; ++i) {
+            if (wanted(alive())) return true;
+            std::this_thread::sleep_for(20ms);
+        }
+        return false;
+    }
+
+    harness::Command command;
+    const std::filesystem::path& folder() const { return folder_.path(); }
+
+  private:
+    TemporaryFolder folder_;
+    std::string mark_;
+};
+
+std::string why_not(const Stranger& run) {
+    try {
+        run();
+    } catch (const HarnessError& error) {
+        return error.what();
+    }
+    return "no HarnessError";
+}
+
+std::ptrdiff_t open_descriptors() {
+    const std::filesystem::directory_iterator all("/proc/self/fd");
+    return std::distance(begin(all), end(all));
+}
+
+TEST(RunProcess, TellsEveryExitCodeAsItIs) {
+    for (const int code : {0, 3, 126, 127, 134, 139, 255}) {
+        const auto result = Stranger({"exit", std::to_string(code)})();
+        EXPECT_EQ(result.ended, Ended::exited);
+        EXPECT_EQ(result.exit_code, code);
+    }
+}
+
+TEST(RunProcess, TellsTheSignalThatEndedTheProgram) {
+    const auto crash = Stranger({"segv"})();
+    EXPECT_EQ(crash.ended, Ended::signalled);
+    EXPECT_EQ(crash.signal, SIGSEGV);
+    const auto abortion = Stranger({"abort"})();
+    EXPECT_EQ(abortion.ended, Ended::signalled);
+    EXPECT_EQ(abortion.signal, SIGABRT);
+}
+
+TEST(RunProcess, KeepsTheTwoOutputsApart) {
+    const auto result = Stranger({"both-outputs"})();
+    EXPECT_EQ(result.output, "out");
+    EXPECT_EQ(result.errors, "err");
+    EXPECT_FALSE(result.errors_truncated);
+}
+
+TEST(RunProcess, GivesTheProgramItsEnvironmentAndFolderAndNothingElse) {
+    const Stranger run({"surroundings"});
+    EXPECT_EQ(run().output, run.command.environment[0] + '\n' + run.folder().string() + '\n');
+}
+
+TEST(RunProcess, GivesAnEmptyStdin) {
+    EXPECT_EQ(Stranger({"read-stdin"})().exit_code, 0);
+}
+
+TEST(RunProcess, GivesNoDescriptorButTheStandardThree) {
+    EXPECT_EQ(Stranger({"list-descriptors"})().output, "0 1 2 ");
+}
+
+TEST(RunProcess, DoesNotBelieveAStatusTheProgramForged) {
+    EXPECT_EQ(Stranger({"forge-status"})().exit_code, 7);
+}
+
+TEST(RunProcess, RestoresTheSignalsItsCallerIgnores) {
+    const auto before = signal(SIGPIPE, SIG_IGN);
+    EXPECT_EQ(Stranger({"signals"})().exit_code, 0);
+    signal(SIGPIPE, before);
+}
+
+TEST(RunProcess, KillsASpinningProgramAtTheCpuLimit) {
+    Stranger run({"spin"});
+    run.command.limits.cpu = 300ms;
+    const auto result = run();
+    EXPECT_EQ(result.ended, Ended::cpu_limit);
+    EXPECT_GE(result.cpu, 300ms);
+    EXPECT_LE(result.cpu, 2s);
+    EXPECT_GE(result.wall, 250ms);
+    EXPECT_EQ(run.alive(), 0);
+}
+
+TEST(RunProcess, CountsTheCpuTimeOfTheWholeTree) {
+    for (const char* mode : {"spinning-children", "orphan-that-spins"}) {
+        Stranger run({mode});
+        run.command.limits.cpu = 400ms;
+        const auto result = run();
+        EXPECT_EQ(result.ended, Ended::cpu_limit) << mode;
+        EXPECT_GE(result.cpu, 400ms) << mode;
+        EXPECT_LE(result.cpu, 3s) << mode;
+        EXPECT_EQ(run.alive(), 0) << mode;
+    }
+}
+
+TEST(RunProcess, KillsASleeperThatIgnoresEverySignalAtTheWallLimit) {
+    Stranger run({"ignore-signals"});
+    run.command.limits.wall = 300ms;
+    const auto result = run();
+    EXPECT_EQ(result.ended, Ended::wall_limit);
+    EXPECT_GE(result.wall, 300ms);
+    EXPECT_LE(result.wall, 5s);
+    EXPECT_LE(result.cpu, 250ms);
+    EXPECT_EQ(run.alive(), 0);
+}
+
+TEST(RunProcess, KillsAProgramThatStopsItself) {
+    Stranger run({"stop-itself"});
+    run.command.limits.wall = 300ms;
+    EXPECT_EQ(run().ended, Ended::wall_limit);
+    EXPECT_EQ(run.alive(), 0);
+}
+
+TEST(RunProcess, KillsAProgramThatGrowsBeyondTheMemoryLimit) {
+    Stranger run({"grow-memory"});
+    run.command.limits.memory_bytes = 64 * mebibyte;
+    const auto result = run();
+    EXPECT_EQ(result.ended, Ended::memory_limit);
+    EXPECT_GT(result.peak_memory_bytes, 64 * mebibyte);
+    EXPECT_EQ(run.alive(), 0);
+}
+
+TEST(RunProcess, CountsTheMemoryOfTheWholeTree) {
+    Stranger run({"children-with-memory"});
+    run.command.limits.memory_bytes = 128 * mebibyte;
+    EXPECT_EQ(run().ended, Ended::memory_limit);
+    EXPECT_EQ(run.alive(), 0);
+}
+
+TEST(RunProcess, NoticesAMemoryPeakBetweenTwoChecks) {
+    Stranger run({"touch-memory", "50"});
+    const auto within = run();
+    EXPECT_EQ(within.ended, Ended::exited);
+    EXPECT_GE(within.peak_memory_bytes, 50 * mebibyte);
+    EXPECT_LE(within.peak_memory_bytes, 60 * mebibyte);
+    run.command.limits.memory_bytes = 40 * mebibyte;
+    EXPECT_EQ(run().ended, Ended::memory_limit);
+}
+
+TEST(RunProcess, DoesNotCountTheMemoryOfItsCaller) {
+    const std::vector<char> large(100 * mebibyte, 'x');
+    EXPECT_LE(Stranger({"exit"})().peak_memory_bytes, 20 * mebibyte + large.at(0) - 'x');
+}
+
+TEST(RunProcess, EndsAForkBomb) {
+    for (const char* mode : {"fork-bomb", "fork-bomb-in-sessions"}) {
+        const Stranger run({mode});
+        const auto start = std::chrono::steady_clock::now();
+        EXPECT_EQ(run().ended, Ended::process_limit) << mode;
+        EXPECT_LE(std::chrono::steady_clock::now() - start, 15s) << mode;
+        EXPECT_EQ(run.alive(), 0) << mode;
+    }
+}
+
+TEST(RunProcess, KillsADaemonThatHoldsTheOutputOpen) {
+    const Stranger run({"daemonise"});
+    const auto result = run();
+    EXPECT_EQ(result.ended, Ended::exited);
+    EXPECT_EQ(result.output, "done\n");
+    EXPECT_LE(result.wall, 5s);
+    EXPECT_EQ(run.alive(), 0);
+}
+
+TEST(RunProcess, KillsOrphansThatReplaceThemselves) {
+    const Stranger run({"replace-itself"});
+    EXPECT_EQ(run().ended, Ended::exited);
+    EXPECT_EQ(run.alive(), 0);
+}
+
+TEST(RunProcess, CutsEndlessOutputAtTheLimit) {
+    Stranger run({"endless-output"});
+    run.command.limits.output_bytes = 10000;
+    const auto result = run();
+    EXPECT_EQ(result.ended, Ended::output_limit);
+    EXPECT_EQ(result.output, std::string(10000, 'x'));
+    EXPECT_EQ(run.alive(), 0);
+}
+
+TEST(RunProcess, AcceptsAnOutputOfExactlyTheLimit) {
+    Stranger run({"write-bytes", "20000"});
+    run.command.limits.output_bytes = 20000;
+    EXPECT_EQ(run().ended, Ended::exited);
+    EXPECT_EQ(run().output.size(), 20000U);
+    run.command.limits.output_bytes = 19999;
+    EXPECT_EQ(run().ended, Ended::output_limit);
+}
+
+TEST(RunProcess, ReadsAndDropsEndlessErrors) {
+    Stranger run({"endless-errors"});
+    run.command.limits.cpu = 300ms;
+    const auto result = run();
+    EXPECT_EQ(result.ended, Ended::cpu_limit);
+    EXPECT_EQ(result.errors, std::string(1024, 'x'));
+    EXPECT_TRUE(result.errors_truncated);
+}
+
+TEST(RunProcess, EndsAProgramWhoseFileGrowsTooLarge) {
+    const Stranger run({"big-file"});
+    const auto result = run();
+    EXPECT_EQ(result.ended, Ended::signalled);
+    EXPECT_EQ(result.signal, SIGXFSZ);
+    EXPECT_EQ(std::filesystem::file_size(run.folder() / "big"), 16 * mebibyte);
+}
+
+TEST(RunProcess, WaitsForAProgramThatClosedItsOutputs) {
+    const auto result = Stranger({"close-outputs"})();
+    EXPECT_EQ(result.output, "before");
+    EXPECT_EQ(result.exit_code, 5);
+}
+
+TEST(RunProcess, SaysThatTheMachineFailedWhenThereIsNoProgram) {
+    Stranger run({});
+    run.command.argv = {"/no/such/program"};
+    EXPECT_THAT(why_not(run), HasSubstr("\"/no/such/program\": No such file or directory"));
+    run.command.argv = {"/etc/passwd"};
+    EXPECT_THAT(why_not(run), HasSubstr("\"/etc/passwd\": Permission denied"));
+    EXPECT_EQ(run.alive(), 0);
+}
+
+TEST(RunProcess, SaysThatTheMachineFailedWhenTheFolderIsMissing) {
+    Stranger run({"exit"});
+    run.command.working_directory = "/no/such/folder";
+    EXPECT_THAT(why_not(run), HasSubstr("\"/no/such/folder\": No such file or directory"));
+}
+
+TEST(RunProcess, DoesNotBlameTheStudentWhenTheSupervisorWasKilled) {
+    const Stranger run({"kill-supervisor"});
+    EXPECT_THAT(why_not(run), HasSubstr("No word from the supervisor"));
+    EXPECT_TRUE(run.waits_for([](int alive) { return alive == 0; }));
+}
+
+TEST(RunProcess, EndsEvenWhenTheSupervisorWasStopped) {
+    Stranger run({"stop-supervisor"});
+    run.command.limits.wall = 200ms;
+    EXPECT_THAT(why_not(run), HasSubstr("No word from the supervisor"));
+    EXPECT_TRUE(run.waits_for([](int alive) { return alive == 0; }));
+}
+
+TEST(RunProcess, LeavesNothingBehindWhenTheHarnessIsKilled) {
+    Stranger sleeping({"ignore-signals"});
+    const pid_t harness = fork();
+    ASSERT_GE(harness, 0);
+    if (harness == 0) {
+        sleeping();
+        _exit(0);
+    }
+    // The fork of the test itself bears no mark: its environment is that of the test.
+    EXPECT_TRUE(sleeping.waits_for([](int alive) { return alive >= 2; }));
+    kill(harness, SIGKILL);
+    waitpid(harness, nullptr, 0);
+    EXPECT_TRUE(sleeping.waits_for([](int alive) { return alive == 0; }));
+}
+
+TEST(RunProcess, RunsInEightThreadsAtOnceAndLeaksNoDescriptor) {
+    Stranger({"exit"})();
+    const auto before = open_descriptors();
+    std::vector<std::thread> threads;
+    std::atomic<int> right{0};
+    for (int i = 0; i < 8; ++i) {
+        threads.emplace_back([i, &right] {
+            for (int j = 0; j < 12; ++j) {
+                const int code = i * 12 + j;
+                const auto result = Stranger({"exit", std::to_string(code)})();
+                if (result.ended == Ended::exited && result.exit_code == code) ++right;
+                const auto output = Stranger({"write-bytes", std::to_string(1000 + code)})();
+                if (output.output.size() == static_cast<std::size_t>(1000 + code)) ++right;
+            }
+        });
+    }
+    for (auto& thread : threads) thread.join();
+    EXPECT_EQ(right, 8 * 12 * 2);
+    EXPECT_EQ(open_descriptors(), before);
+}
+
+TEST(RunProcess, LeaksNoDescriptorWhenItFails) {
+    Stranger run({});
+    run.command.argv = {"/no/such/program"};
+    why_not(run);
+    const auto before = open_descriptors();
+    for (int i = 0; i < 20; ++i) why_not(run);
+    EXPECT_EQ(open_descriptors(), before);
+}
+
+}  // namespace
