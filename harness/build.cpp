@@ -22,6 +22,10 @@ constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
 constexpr const char* source_name = "ray_cast.cpp";
 constexpr const char* program_name = "ray_cast";
 
+/// ICE_EXIT_CODE in gcc/system.h: the compiler, its assembler or its linker was ended by a signal, as by the one for a
+/// file that grew too large, or gave up with an internal error.
+constexpr int broken_down = 4;
+
 std::filesystem::path find_on_path(const std::string& name) {
     const char* const path = std::getenv("PATH");
     std::istringstream folders(path != nullptr ? path : "");
@@ -89,7 +93,7 @@ BuildSettings default_build_settings() {
     BuildSettings settings;
     settings.compiler = find_on_path("g++");
     // -O1: as quick to compile as -O0 with GLM (0.7 s each), and the least at which g++ follows values far enough to
-    // warn of an uninitialised variable.
+    // warn of a vector that was never set.
     settings.flags = {"-std=c++17", "-DGLM_ENABLE_EXPERIMENTAL=", "-Wall", "-Wextra",
                       "-O1",        "-fdiagnostics-color=never"};
     settings.limits = {.cpu = 20s,
@@ -118,7 +122,7 @@ Build build(const Submission& submission, const BuildSettings& settings, const s
     command.limits = settings.limits;
     const ProcessResult result = run_process(command);
     build.tried = true;
-    build.reached_limit = is_limit(result.ended);
+    build.reached_limit = is_limit(result.ended) || (result.ended == Ended::exited && result.exit_code == broken_down);
     build.diagnostics = result.errors;
     build.wall = result.wall;
     const auto program = scratch / program_name;

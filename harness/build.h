@@ -25,13 +25,13 @@ BuildSettings default_build_settings();
 struct Build {
     std::optional<std::filesystem::path> program;  ///< absolute; empty when it did not compile or was not tried
     bool tried = false;                            ///< false when the submission had nothing to compile
-    bool reached_limit = false;                    ///< the compiler ran out of time, memory or file size
-    std::string diagnostics;  ///< the compiler's messages as it wrote them (hostile bytes), bounded
+    bool reached_limit = false;  ///< the compiler ran out of time, memory or file size, or broke down over the source
+    std::string diagnostics;     ///< the compiler's messages as it wrote them (hostile bytes), bounded
     std::chrono::milliseconds wall{0};
 };
 
-/// Compiles the submission's bytes in `scratch`, an existing empty folder of this submission alone. Warnings are kept and
-/// cost nothing. Throws HarnessError.
+/// Compiles the submission's bytes in `scratch`, an existing empty folder of this submission alone. Warnings are kept
+/// and cost nothing. Throws HarnessError.
 Build build(const Submission& submission, const BuildSettings& settings, const std::filesystem::path& scratch);
 
 }  // namespace harness

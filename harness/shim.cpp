@@ -164,8 +164,9 @@ const char* harden() {
     // before the shim's /proc entries become root's.
     std::ofstream("/proc/self/oom_score_adj") << 1000;
     if (prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) != 0) return "dumpable";
-    // A fork bomb of a thousand processes would leave the shim a thousandth of the processor to end it with. Only root is
-    // allowed this, but only root needs it: for others the kernel keeps RLIMIT_NPROC. The program does not inherit it.
+    // A fork bomb of a thousand processes would leave the shim a thousandth of the processor to end it with. Only root
+    // is allowed this, but only root needs it: for others the kernel keeps RLIMIT_NPROC. The program does not inherit
+    // it.
     const sched_param lowest_real_time = {.sched_priority = 1};
     sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &lowest_real_time);
     return nullptr;

@@ -20,7 +20,7 @@
 namespace {
 
 using Clock = std::chrono::steady_clock;
-const auto deadline = Clock::now() + std::chrono::seconds(20);
+const auto deadline = Clock::now() + std::chrono::seconds(40);
 
 bool time_left() {
     return Clock::now() < deadline;
@@ -203,6 +203,17 @@ int raise_and_sleep(pid_t whom, int number) {
     return 0;
 }
 
+/// The second process would outlive a supervisor that is merely killed.
+int stop_supervisor() {
+    const pid_t supervisor = getppid();
+    if (fork() == 0) {
+        setsid();
+        sleep_long();
+        _exit(0);
+    }
+    return raise_and_sleep(supervisor, SIGSTOP);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -236,7 +247,7 @@ int main(int argc, char** argv) {
         {"abort", []() -> int { std::abort(); }},
         {"stop-itself", [] { return raise_and_sleep(getpid(), SIGSTOP); }},
         {"kill-supervisor", [] { return raise_and_sleep(getppid(), SIGKILL); }},
-        {"stop-supervisor", [] { return raise_and_sleep(getppid(), SIGSTOP); }},
+        {"stop-supervisor", stop_supervisor},
         {"sleep", [] { return sleep_long(), 0; }},
     };
     const auto found = modes.find(mode);

@@ -1,0 +1,154 @@
+#include "harness/build.h"
+
+#include <gmock/gmock.h>
+#include <stdlib.h>
+
+#include <fstream>
+
+#include "harness/failure.h"
+#include "temporary_folder.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+using harness::Build;
+using harness::Submission;
+using testing::HasSubstr;
+using testing::Not;
+
+Submission with_source(std::string source) {
+    Submission submission;
+    submission.id = "s01";
+    submission.source = std::move(source);
+    return submission;
+}
+
+Build compile(const std::string& source, const TemporaryFolder& folder) {
+    return harness::build(with_source(source), harness::default_build_settings(), folder.path());
+}
+
+TEST(Build, MakesAProgram) {
+    const TemporaryFolder folder;
+    const Build built = compile("int main() {}\n", folder);
+    EXPECT_TRUE(built.tried);
+    ASSERT_TRUE(built.program) << built.diagnostics;
+    EXPECT_TRUE(built.program->is_absolute());
+    EXPECT_EQ(built.diagnostics, "");
+    EXPECT_GT(built.wall, 0ms);
+}
+
+TEST(Build, TakesGlmInEverySpelling) {
+    const std::string use = "int main() { return glm::to_string(glm::vec3(1)).empty(); }\n";
+    const std::string headers = "#include \"glm/glm.hpp\"\n#include <glm/gtx/string_cast.hpp>\n";
+    for (const char* first : {"", "#define GLM_ENABLE_EXPERIMENTAL\n"}) {
+        const TemporaryFolder folder;
+        const Build built = compile(first + headers + use, folder);
+        EXPECT_TRUE(built.program) << first << built.diagnostics;
+        EXPECT_EQ(built.diagnostics, "") << first;
+    }
+}
+
+TEST(Build, KeepsWarningsAndTheProgram) {
+    const TemporaryFolder folder;
+    const Build built =
+        compile("#include <bits/stdc++.h>\n#define GLM_ENABLE_EXPERIMENTAL 1\nint main() { int unused; }\n", folder);
+    EXPECT_TRUE(built.program);
+    EXPECT_THAT(built.diagnostics, HasSubstr("ray_cast.cpp:3:18: warning: unused variable 'unused'"));
+    EXPECT_THAT(built.diagnostics, HasSubstr("\"GLM_ENABLE_EXPERIMENTAL\" redefined"));
+}
+
+TEST(Build, WarnsOfAVectorThatWasNeverSet) {
+    const TemporaryFolder folder;
+    const Build built =
+        compile("#include <glm/glm.hpp>\n#include <iostream>\nint main() { glm::vec3 n; std::cout << n.x; }\n", folder);
+    EXPECT_TRUE(built.program);
+    EXPECT_THAT(built.diagnostics, HasSubstr("uninitialized"));
+}
+
+TEST(Build, GivesTheErrorsWithoutColoursAndWithoutTheScratchFolder) {
+    const TemporaryFolder folder;
+    const Build built = compile("int main() { return undeclared; }\n", folder);
+    EXPECT_TRUE(built.tried);
+    EXPECT_FALSE(built.program);
+    EXPECT_FALSE(built.reached_limit);
+    EXPECT_THAT(built.diagnostics, HasSubstr("ray_cast.cpp:1:21: error: 'undeclared' was not declared"));
+    EXPECT_THAT(built.diagnostics, Not(HasSubstr("\x1b[")));
+    EXPECT_THAT(built.diagnostics, Not(HasSubstr(folder.path().string())));
+}
+
+TEST(Build, FailsWithoutAMain) {
+    const TemporaryFolder folder;
+    const Build built = compile("", folder);
+    EXPECT_TRUE(built.tried);
+    EXPECT_FALSE(built.program);
+    EXPECT_THAT(built.diagnostics, HasSubstr("main"));
+}
+
+TEST(Build, DoesNotTryASubmissionWithAProblem) {
+    const TemporaryFolder folder;
+    Submission submission = with_source("int main() {}");
+    submission.problem = "unreadable";
+    const Build built = harness::build(submission, harness::default_build_settings(), folder.path());
+    EXPECT_FALSE(built.tried);
+    EXPECT_FALSE(built.program);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(Build, TellsThatTheCompilerRanOutOfTime) {
+    const TemporaryFolder folder;
+    auto settings = harness::default_build_settings();
+    settings.limits.cpu = 100ms;
+    const Build built =
+        harness::build(with_source("#include <bits/stdc++.h>\nint main() {}\n"), settings, folder.path());
+    EXPECT_TRUE(built.reached_limit);
+    EXPECT_FALSE(built.program);
+}
+
+TEST(Build, TellsThatTheCompilersFileBecameTooLarge) {
+    const TemporaryFolder folder;
+    const Build built = compile("char big[200000000] = {1};\nint main() { return big[1]; }\n", folder);
+    EXPECT_TRUE(built.reached_limit) << built.diagnostics;
+    EXPECT_FALSE(built.program);
+}
+
+TEST(Build, BoundsTheMessages) {
+    const TemporaryFolder folder;
+    std::string source = "int main() {\n";
+    for (int i = 0; i < 3000; ++i) source += "undeclared" + std::to_string(i) + ";\n";
+    const Build built = compile(source + "}\n", folder);
+    EXPECT_FALSE(built.program);
+    EXPECT_FALSE(built.reached_limit);
+    EXPECT_EQ(built.diagnostics.size(), 64U * 1024);
+}
+
+TEST(Build, DoesNotHandTheHarnessesEnvironmentOn) {
+    const TemporaryFolder folder;
+    folder.write("hidden/trap.h", "#error trapped\n");
+    setenv("CPLUS_INCLUDE_PATH", (folder.path() / "hidden").c_str(), 1);
+    const TemporaryFolder scratch;
+    const Build built = compile("#if __has_include(<trap.h>)\n#error found\n#endif\nint main() {}\n", scratch);
+    unsetenv("CPLUS_INCLUDE_PATH");
+    EXPECT_TRUE(built.program) << built.diagnostics;
+}
+
+TEST(Build, SaysThatTheMachineFailedWhenTheScratchFolderIsGone) {
+    const TemporaryFolder folder;
+    EXPECT_THROW(
+        harness::build(with_source("int main() {}"), harness::default_build_settings(), folder.path() / "missing"),
+        harness::HarnessError);
+}
+
+TEST(DefaultBuildSettings, SayHowToGetACompiler) {
+    const std::string path = getenv("PATH");
+    setenv("PATH", "/nonexistent", 1);
+    std::string message;
+    try {
+        harness::default_build_settings();
+    } catch (const harness::HarnessError& error) {
+        message = error.what();
+    }
+    setenv("PATH", path.c_str(), 1);
+    EXPECT_THAT(message, HasSubstr("apt install g++"));
+}
+
+}  // namespace

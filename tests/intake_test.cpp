@@ -1,0 +1,218 @@
+#include "harness/intake.h"
+
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include "as_nobody.h"
+#include "harness/failure.h"
+#include "temporary_folder.h"
+
+namespace {
+
+using harness::HarnessError;
+using harness::Submission;
+using harness::take_in;
+using harness::take_in_all;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<std::string> ids(const std::vector<Submission>& submissions) {
+    std::vector<std::string> all;
+    for (const auto& submission : submissions) all.push_back(submission.id);
+    return all;
+}
+
+std::string problem_of_only(const std::vector<Submission>& submissions) {
+    EXPECT_EQ(submissions.size(), 1U);
+    return submissions.at(0).problem.value_or("no problem");
+}
+
+std::string why_not(const std::filesystem::path& path) {
+    try {
+        take_in(path);
+    } catch (const HarnessError& error) {
+        return error.what();
+    }
+    return "no HarnessError";
+}
+
+TEST(TakeIn, TakesAFolderOfStudentFoldersSortedById) {
+    const TemporaryFolder folder;
+    folder.write("zoe/ray_cast.cpp", "z");
+    folder.write("adam/RayCast.CXX", "a");
+    folder.write("eve/main.cc", "e");
+    folder.write("README.md", "ignored");
+    const auto submissions = take_in(folder.path());
+    EXPECT_THAT(ids(submissions), ElementsAre("adam", "eve", "zoe"));
+    EXPECT_EQ(submissions[2].source, "z");
+    EXPECT_EQ(submissions[2].file, folder.path() / "zoe/ray_cast.cpp");
+    EXPECT_FALSE(submissions[2].problem);
+}
+
+TEST(TakeIn, TakesAFlatFolderAsOneSubmissionAFile) {
+    const TemporaryFolder folder;
+    folder.write("bob.cpp", "b");
+    folder.write("alice.cpp", "a");
+    EXPECT_THAT(ids(take_in(folder.path())), ElementsAre("alice", "bob"));
+}
+
+TEST(TakeIn, TakesAFolderWithRayCastAsOneStudents) {
+    const TemporaryFolder folder;
+    folder.write("s07/ray_cast.cpp", "it");
+    folder.write("s07/old.cpp", "not it");
+    folder.write("s07/vec.h", "");
+    folder.write("s07/notes/todo.txt", "");
+    const auto submissions = take_in(folder.path() / "s07");
+    ASSERT_THAT(ids(submissions), ElementsAre("s07"));
+    EXPECT_EQ(submissions[0].source, "it");
+    EXPECT_THAT(submissions[0].notes, ElementsAre("Only \"ray_cast.cpp\" is graded; not \"old.cpp\".",
+                                                  "Only \"ray_cast.cpp\" is compiled, without \"vec.h\"."));
+}
+
+TEST(TakeIn, TakesSourcesBesideStudentFoldersToo) {
+    const TemporaryFolder folder;
+    folder.write("ray_cast.cpp", "top");
+    folder.write("s01/ray_cast.cpp", "one");
+    folder.write("s02/answers.txt", "no source");
+    const auto submissions = take_in(folder.path());
+    ASSERT_THAT(ids(submissions), ElementsAre("ray_cast", "s01", "s02"));
+    EXPECT_THAT(submissions[2].problem.value_or(""), HasSubstr("holds no C++ source"));
+}
+
+TEST(TakeIn, IgnoresFoldersWithoutSourcesBesideAFlatClass) {
+    const TemporaryFolder folder;
+    folder.write("alice.cpp", "a");
+    folder.write("build/alice.o", "");
+    EXPECT_THAT(ids(take_in(folder.path())), ElementsAre("alice"));
+}
+
+TEST(TakeIn, NamesARayCastFileAfterItsFolderAndAnyOtherAfterItself) {
+    const TemporaryFolder folder;
+    EXPECT_THAT(ids(take_in(folder.write("s03/ray_cast.cpp", ""))), ElementsAre("s03"));
+    EXPECT_THAT(ids(take_in(folder.write("s03/mine.cpp", ""))), ElementsAre("mine"));
+    EXPECT_THAT(ids(take_in(folder.path() / "s03/")), ElementsAre("s03"));
+}
+
+TEST(TakeIn, IgnoresHiddenFilesAndFolders) {
+    const TemporaryFolder folder;
+    folder.write("s01/ray_cast.cpp", "");
+    folder.write("s01/.ray_cast.cpp.swp.cpp", "");
+    folder.write(".git/x.cpp", "");
+    const auto submissions = take_in(folder.path());
+    ASSERT_THAT(ids(submissions), ElementsAre("s01"));
+    EXPECT_THAT(submissions[0].notes, IsEmpty());
+}
+
+TEST(TakeIn, HashesTheSource) {
+    const TemporaryFolder folder;
+    const auto submissions = take_in(folder.write("s01/ray_cast.cpp", "abc"));
+    // FIPS 180-2, appendix B.1.
+    EXPECT_EQ(submissions[0].source_sha256, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST(TakeIn, NamesBothSourcesWhenItCantChoose) {
+    const TemporaryFolder folder;
+    folder.write("s01/a.cpp", "");
+    folder.write("s01/b.cpp", "");
+    EXPECT_THAT(problem_of_only(take_in(folder.path())), HasSubstr("\"a.cpp\", \"b.cpp\""));
+}
+
+TEST(TakeIn, SaysWhereTheSourceIsWhenItLiesTooDeep) {
+    const TemporaryFolder folder;
+    folder.write("s01/assignment 6/ray_cast.cpp", "");
+    EXPECT_THAT(problem_of_only(take_in(folder.path())), HasSubstr("s01/assignment 6\". Move it up"));
+}
+
+TEST(TakeIn, DoesNotFollowALinkInsideAFolder) {
+    const TemporaryFolder folder;
+    const auto secret = folder.write(".secret/key.cpp", "the key");
+    folder.make_folder("s01");
+    std::filesystem::create_symlink(secret, folder.path() / "s01/ray_cast.cpp");
+    std::filesystem::create_symlink(secret.parent_path(), folder.path() / "s02");
+    const auto submissions = take_in(folder.path());
+    ASSERT_THAT(ids(submissions), ElementsAre("s01", "s02"));
+    for (const auto& submission : submissions) {
+        EXPECT_THAT(submission.problem.value_or(""), HasSubstr("is a symbolic link"));
+        EXPECT_EQ(submission.source, "");
+    }
+}
+
+TEST(TakeIn, FollowsALinkThatWasGiven) {
+    const TemporaryFolder folder;
+    folder.write("class/s01/ray_cast.cpp", "x");
+    std::filesystem::create_symlink(folder.path() / "class", folder.path() / "link");
+    EXPECT_THAT(ids(take_in(folder.path() / "link")), ElementsAre("s01"));
+}
+
+TEST(TakeIn, DoesNotReadALargeSource) {
+    const TemporaryFolder folder;
+    const auto file = folder.write("s01/ray_cast.cpp", "");
+    std::filesystem::resize_file(file, 100 << 20);
+    const auto submissions = take_in(folder.path());
+    EXPECT_THAT(problem_of_only(submissions), HasSubstr("is larger than 1 MiB"));
+    EXPECT_EQ(submissions[0].source, "");
+}
+
+TEST(TakeIn, TakesASourceOfExactlyTheLimit) {
+    const TemporaryFolder folder;
+    const auto file = folder.write("s01/ray_cast.cpp", std::string(harness::largest_source_bytes, '/'));
+    EXPECT_EQ(take_in(file)[0].source.size(), harness::largest_source_bytes);
+    folder.write("s01/ray_cast.cpp", std::string(harness::largest_source_bytes + 1, '/'));
+    EXPECT_THAT(problem_of_only(take_in(file)), HasSubstr("is larger"));
+}
+
+TEST(TakeIn, DoesNotHangOnAPipe) {
+    const TemporaryFolder folder;
+    folder.make_folder("s01");
+    ASSERT_EQ(mkfifo((folder.path() / "s01/ray_cast.cpp").c_str(), 0600), 0);
+    EXPECT_THAT(problem_of_only(take_in(folder.path())), HasSubstr("is not a file"));
+}
+
+TEST(TakeIn, SaysHowToMakeAnUnreadableSourceReadable) {
+    const TemporaryFolder folder;
+    std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
+    std::filesystem::permissions(folder.write("s01/ray_cast.cpp", "x"), std::filesystem::perms::none);
+    std::filesystem::permissions(folder.make_folder("s02"), std::filesystem::perms::none);
+    const AsNobody somebody_else;
+    const auto submissions = take_in(folder.path());
+    EXPECT_THAT(submissions.at(0).problem.value_or(""), HasSubstr("chmod u+r"));
+    EXPECT_THAT(submissions.at(1).problem.value_or(""), HasSubstr("chmod u+rx"));
+}
+
+TEST(TakeIn, KeepsStrangeNamesButMakesTheIdPrintable) {
+    const TemporaryFolder folder;
+    for (const char* name : {"O'Neil \"Jo\"", "Zoë 名", "new\nline", "bad\xFF"}) {
+        folder.write(std::filesystem::path(name) / "ray_cast.cpp", name);
+    }
+    const auto submissions = take_in(folder.path());
+    EXPECT_THAT(ids(submissions), ElementsAre("O'Neil \"Jo\"", "Zoë 名", "bad%FF", "new%0Aline"));
+    EXPECT_EQ(submissions[3].source, "new\nline");
+}
+
+TEST(TakeIn, RefusesAPathWithoutSubmissions) {
+    const TemporaryFolder folder;
+    EXPECT_THAT(why_not(folder.make_folder("empty")), HasSubstr("empty\" holds no C++ source"));
+    EXPECT_THAT(why_not(folder.path() / "missing"), HasSubstr("There is no "));
+    EXPECT_THAT(why_not(folder.write("a.txt", "")), HasSubstr("neither a folder nor a C++ source"));
+    EXPECT_THAT(why_not("/dev/null"), HasSubstr("neither"));
+}
+
+TEST(TakeInAll, KeepsTheOrderOfThePathsAndMakesIdsUnique) {
+    const TemporaryFolder folder;
+    for (const char* file : {"2021/s01/ray_cast.cpp", "2021/s02/ray_cast.cpp", "2020/s01/ray_cast.cpp"}) {
+        folder.write(file, file);
+    }
+    EXPECT_THAT(ids(take_in_all({folder.path() / "2021", folder.path() / "2020"})),
+                ElementsAre("2021-s01", "s02", "2020-s01"));
+    EXPECT_THAT(ids(take_in_all({folder.path() / "2021/s01", folder.path() / "2020/s01/ray_cast.cpp"})),
+                ElementsAre("2021-s01", "2020-s01"));
+}
+
+TEST(TakeInAll, NumbersWhatWasGivenTwice) {
+    const TemporaryFolder folder;
+    const auto file = folder.write("s01/ray_cast.cpp", "");
+    EXPECT_THAT(ids(take_in_all({file, file})), ElementsAre("s01", "s01-2"));
+}
+
+}  // namespace
