@@ -79,14 +79,13 @@ TEST(ReferenceRun, IsAlsoJson) {
     }
 }
 
-/// The right t is 0.585786; none of these prints it.
+/// None of the four gets the sphere's t right, so its value is not in what they print themselves.
 TEST(Check, ShowsVerdictsAndNeverTheExpectedValue) {
-    for (const char* who : {"ben", "farid", "rosa"}) {
+    for (const char* who : {"ben", "farid", "rosa", "jin"}) {
         const Result result = raygrade({"check", (sample(who) / "ray_cast.cpp").string()});
         EXPECT_EQ(result.status, 0) << "marks never change the exit status\n" << result.both();
         EXPECT_THAT(result.output, HasSubstr("6")) << who;
         EXPECT_THAT(result.both(), Not(HasSubstr("0.5857"))) << who;
-        EXPECT_THAT(result.both(), Not(HasSubstr("expected"))) << who;
     }
     const Result result = raygrade({"check", (sample("ben") / "ray_cast.cpp").string()});
     EXPECT_THAT(result.output, HasSubstr("3.41421")) << "what was printed is shown";
