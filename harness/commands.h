@@ -41,6 +41,9 @@ struct ReferenceOptions {
 };
 int reference_command(const ReferenceOptions& options);
 
+/// Answers the queries on stdin; some_not_graded when a line was none.
+int cast_command();
+
 int doctor_command();
 
 /// Where the assignments that come with raygrade are.

@@ -18,6 +18,7 @@ constexpr const char* about =
     "  raygrade grade class/ --out results     a class: marks, reports, grades.json\n"
     "  raygrade check ray_cast.cpp             a student's own check before handing in\n"
     "  raygrade reference                      the canonical answers\n"
+    "  raygrade cast < queries.jsonl           exact answers to any rays\n"
     "  raygrade doctor                         what this machine has and lacks";
 
 constexpr const char* footer =
@@ -66,6 +67,11 @@ int run(int argc, char** argv) {
         ->capture_default_str();
     reference_app.footer("Example: raygrade reference --assignment a6-edge --format json");
 
+    CLI::App& cast_app = *app.add_subcommand("cast", "Answer rays exactly: one JSON query a line on stdin, one JSON answer a line on stdout");
+    cast_app.footer(
+        "A query: {\"origin\":[0,0,2],\"direction\":[0,0,-1],\"spheres\":[{\"center\":[1,1,0],\"radius\":2}],\"triangles\":[]}\n"
+        "Numbers are JSON numbers or hex floats in quotes. t >= 0, edges and vertices are hits, a tangent is one in the order.");
+
     CLI::App& doctor_app = *app.add_subcommand("doctor", "Say what this machine has and lacks for grading");
 
     try {
@@ -76,6 +82,7 @@ int run(int argc, char** argv) {
     if (grade_app.parsed()) return grade_command(grade);
     if (check_app.parsed()) return check_command(check);
     if (reference_app.parsed()) return reference_command(reference_options);
+    if (cast_app.parsed()) return cast_command();
     return doctor_app.parsed() ? doctor_command() : usage;
 }
 
