@@ -1,6 +1,8 @@
 #include "reference/affine.h"
 
+#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace reference {
 namespace {
@@ -8,6 +10,16 @@ namespace {
 /// Above the errors of a sum of up to thousands of doubles, relative to the sum of their sizes: each term is off by a
 /// few 2^-53, and summing n of them adds n 2^-53.
 constexpr double own_error = 0x1p-40;
+
+/// A sum in lanes, as the compiler may not reorder additions of doubles to use vectors.
+class Sum {
+  public:
+    void add(std::size_t i, double x) { lanes_[i % lanes_.size()] += x; }
+    double value() const { return std::accumulate(lanes_.begin(), lanes_.end(), 0.0); }
+
+  private:
+    std::array<double, 8> lanes_{};
+};
 
 }  // namespace
 
@@ -20,14 +32,23 @@ Affine<T>::Affine(const Interval<double>& range, Roundings& roundings) : roundin
     center_ = range.lo() / 2 + range.hi() / 2;
     if (range.lo() == range.hi()) return;
     const double size = std::max(center_ - range.lo(), range.hi() - center_) * (1 + own_error);
-    deviations_.push_back({roundings.next(), size + std::numeric_limits<double>::denorm_min()});
+    deviate(size + std::numeric_limits<double>::denorm_min());
+}
+
+template <std::floating_point T>
+void Affine<T>::deviate(double size) {
+    if (roundings_ == nullptr) {
+        slack_ += size;
+        return;
+    }
+    deviations_.resize(roundings_->next() + 1);
+    deviations_.back() = size;
+    sizes_ += size;
 }
 
 template <std::floating_point T>
 double Affine<T>::radius() const {
-    double sum = slack_;
-    for (const Deviation& deviation : deviations_) sum += std::abs(deviation.size);
-    return sum * (1 + own_error);
+    return (sizes_ + slack_) * (1 + own_error);
 }
 
 template <std::floating_point T>
@@ -49,7 +70,7 @@ template <std::floating_point T>
 Affine<T> Affine<T>::operator-() const {
     Affine result = *this;
     result.center_ = 0.0 - center_;
-    for (Deviation& deviation : result.deviations_) deviation.size = -deviation.size;
+    for (double& deviation : result.deviations_) deviation = -deviation;
     return result;
 }
 
@@ -59,26 +80,26 @@ Affine<T> Affine<T>::combination(double p, const Affine& x, double q, const Affi
     result.roundings_ = x.roundings_ != nullptr ? x.roundings_ : y.roundings_;
     result.center_ = p * x.center_ + q * y.center_;
     result.slack_ = std::abs(p) * x.slack_ + std::abs(q) * y.slack_;
-    result.deviations_.reserve(x.deviations_.size() + y.deviations_.size() + 1);
-    auto one = x.deviations_.begin();
-    auto other = y.deviations_.begin();
-    while (one != x.deviations_.end() || other != y.deviations_.end()) {
-        const bool has_one = one != x.deviations_.end();
-        const bool has_other = other != y.deviations_.end();
-        if (has_one && has_other && one->rounding == other->rounding) {
-            result.deviations_.push_back({one->rounding, p * one->size + q * other->size});
-            // What cancels here does so up to the roundings of the two products.
-            result.slack_ += 0x1p-51 * (std::abs(p * one->size) + std::abs(q * other->size));
-            ++one;
-            ++other;
-        } else if (has_one && (!has_other || one->rounding < other->rounding)) {
-            result.deviations_.push_back({one->rounding, p * one->size});
-            ++one;
-        } else {
-            result.deviations_.push_back({other->rounding, q * other->size});
-            ++other;
-        }
+    const std::vector<double>& longer = x.deviations_.size() < y.deviations_.size() ? y.deviations_ : x.deviations_;
+    const std::size_t common = std::min(x.deviations_.size(), y.deviations_.size());
+    const double factor = &longer == &x.deviations_ ? p : q;
+    result.deviations_.resize(longer.size());
+    Sum sizes;
+    Sum operands;
+    for (std::size_t i = 0; i < common; ++i) {
+        const double one = p * x.deviations_[i];
+        const double other = q * y.deviations_[i];
+        result.deviations_[i] = one + other;
+        sizes.add(i, std::abs(one + other));
+        operands.add(i, std::abs(one) + std::abs(other));
     }
+    for (std::size_t i = common; i < longer.size(); ++i) {
+        result.deviations_[i] = factor * longer[i];
+        sizes.add(i, std::abs(factor * longer[i]));
+    }
+    result.sizes_ = sizes.value();
+    // What cancels here does so up to the roundings of the two products.
+    result.slack_ += 0x1p-51 * (1 + own_error) * operands.value();
     result.slack_ += 0x1p-51 * (std::abs(p * x.center_) + std::abs(q * y.center_));
     return result;
 }
@@ -97,11 +118,7 @@ Affine<T> Affine<T>::rounded() const {
     const double most = std::abs(result.center_) + result.radius();
     if (!(most < static_cast<double>(std::numeric_limits<T>::max()))) return unbounded();
     const double size = half_unit * (1 + own_error) * most + static_cast<double>(std::numeric_limits<T>::denorm_min());
-    if (result.roundings_ == nullptr) {
-        result.slack_ += size;
-    } else {
-        result.deviations_.push_back({result.roundings_->next(), size});
-    }
+    result.deviate(size);
     return result;
 }
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <compare>
-#include <cstdint>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -13,13 +13,16 @@
 
 namespace reference {
 
-/// Counts the roundings of one run; outlives its numbers.
+/// Numbers the roundings of one run; outlives its numbers.
 class Roundings {
   public:
-    std::uint32_t next() { return count_++; }
+    std::size_t next() { return count_++; }
+    std::size_t count() const { return count_; }
+    /// Gives the numbers from `count` on away again. The numbers made since are not used with what is made later.
+    void restart_at(std::size_t count) { count_ = count; }
 
   private:
-    std::uint32_t count_ = 0;
+    std::size_t count_ = 0;
 };
 
 /// center + sum of deviation_i e_i + rest, where each e_i in [-1, 1] belongs to one rounding and |rest| <= slack. All
@@ -54,18 +57,15 @@ class Affine {
     friend std::partial_ordering sign_of(const Affine& x) { return sign_of(x.range()); }
 
   private:
-    struct Deviation {
-        std::uint32_t rounding;
-        double size;
-    };
-
     Affine plus(const Affine& y) const;
     Affine times(const Affine& y) const;
     Affine over(const Affine& y) const;
     Affine root() const;
 
     static Affine unbounded();
+    void deviate(double size);
     bool is_exactly(double x) const { return deviations_.empty() && slack_ == 0 && center_ == x; }
+    /// At least how far a value may be from the center.
     double radius() const;
     /// p x + q y for the deviations, and p center + q center: the linear part of every operation.
     static Affine combination(double p, const Affine& x, double q, const Affine& y);
@@ -76,8 +76,9 @@ class Affine {
 
     Roundings* roundings_ = nullptr;
     double center_ = 0;
-    double slack_ = 0;                   ///< infinite when nothing is known
-    std::vector<Deviation> deviations_;  ///< by rounding, ascending
+    double slack_ = 0;                ///< infinite when nothing is known
+    double sizes_ = 0;                ///< the sum of the deviations' sizes
+    std::vector<double> deviations_;  ///< by the rounding's number; what is missing at the end is 0
 };
 
 extern template class Affine<float>;

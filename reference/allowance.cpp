@@ -66,21 +66,28 @@ Vec3<S> P_VCS_of(const Window<S>& window, const Pixel& pixel, PixelConvention co
             coordinate(window.clip_bottom, window.clip_top, pixel.y, window.height), -window.clip_near};
 }
 
-/// A program's way through questions 1 to 5, for each basis and each way to question 4.
+/// A program's ways through questions 1 to 5 from a basis on, one for each way to question 4.
 template <class S>
-std::vector<CameraAnswers<S>> camera_ways(const Scene<S>& scene, PixelConvention convention, Roundings& roundings) {
-    const Vec3<S>& eye = scene.camera.eye;
-    const Vec3<S> p = P_VCS_of(scene.window, scene.pixel, convention, roundings);
+std::vector<CameraAnswers<S>> camera_ways(const Vec3<S>& p, const Basis<S>& basis, const Vec3<S>& eye) {
     std::vector<CameraAnswers<S>> ways;
-    for (const Basis<S>& basis : bases(scene.camera)) {
-        for (const Mat4<S>& M : inverse_views(basis, eye)) {
-            const Vec3<S> P_WCS = pixel_to_wcs(M, p);
-            ways.push_back({p, basis, M, P_WCS, unit_vector(Vec3<S>(P_WCS - eye))});
-        }
-        const Vec3<S> step = scaled(basis.X_vcs, p.x) + scaled(basis.Y_vcs, p.y) + scaled(basis.Z_vcs, p.z);
-        ways.push_back({p, basis, vcs_to_wcs(basis, eye), eye + step, unit_vector(step)});
+    for (const Mat4<S>& M : inverse_views(basis, eye)) {
+        const Vec3<S> P_WCS = pixel_to_wcs(M, p);
+        ways.push_back({p, basis, M, P_WCS, unit_vector(Vec3<S>(P_WCS - eye))});
     }
+    const Vec3<S> step = scaled(basis.X_vcs, p.x) + scaled(basis.Y_vcs, p.y) + scaled(basis.Z_vcs, p.z);
+    ways.push_back({p, basis, vcs_to_wcs(basis, eye), eye + step, unit_vector(step)});
     return ways;
+}
+
+template <class S>
+void add_camera(Hulls& hulls, const CameraAnswers<S>& ray) {
+    hulls.add({1, "P_VCS"}, ray.P_VCS);
+    hulls.add({2, "X_vcs"}, ray.basis.X_vcs);
+    hulls.add({2, "Y_vcs"}, ray.basis.Y_vcs);
+    hulls.add({2, "Z_vcs"}, ray.basis.Z_vcs);
+    hulls.add({3, "M_VCS_to_WCS"}, ray.M_VCS_to_WCS);
+    hulls.add({4, "P_WCS"}, ray.P_WCS);
+    hulls.add({5, "V"}, ray.V);
 }
 
 template <class S>
@@ -128,17 +135,19 @@ Hulls hulls_in(const Scene<Rational>& exact, PixelConvention convention, const B
     using S = Affine<T>;
     Roundings roundings;
     const Scene<S> scene = convert_scene<S>(exact, [&](const Rational& x) { return read_number<T>(x, roundings); });
+    const Vec3<S> p = P_VCS_of(scene.window, scene.pixel, convention, roundings);
+    const std::vector<Basis<S>> all_bases = bases(scene.camera);
+    const std::size_t before_ways = roundings.count();
     Hulls hulls;
-    for (const CameraAnswers<S>& ray : camera_ways(scene, convention, roundings)) {
-        hulls.add({1, "P_VCS"}, ray.P_VCS);
-        hulls.add({2, "X_vcs"}, ray.basis.X_vcs);
-        hulls.add({2, "Y_vcs"}, ray.basis.Y_vcs);
-        hulls.add({2, "Z_vcs"}, ray.basis.Z_vcs);
-        hulls.add({3, "M_VCS_to_WCS"}, ray.M_VCS_to_WCS);
-        hulls.add({4, "P_WCS"}, ray.P_WCS);
-        hulls.add({5, "V"}, ray.V);
-        if (!scene.spheres.empty()) add_sphere(hulls, ray, scene.spheres.at(branches.sphere_index), branches.root);
-        if (!scene.triangles.empty()) {
+    for (const Basis<S>& basis : all_bases) {
+        roundings.restart_at(before_ways);
+        const std::vector<CameraAnswers<S>> ways = camera_ways(p, basis, scene.camera.eye);
+        const std::size_t before_objects = roundings.count();
+        for (const CameraAnswers<S>& ray : ways) {
+            roundings.restart_at(before_objects);
+            add_camera(hulls, ray);
+            if (!scene.spheres.empty()) add_sphere(hulls, ray, scene.spheres.at(branches.sphere_index), branches.root);
+            if (scene.triangles.empty()) continue;
             add_triangle(hulls, ray, scene.triangles.at(branches.triangle_index), branches.triangle_has_solution);
         }
     }
