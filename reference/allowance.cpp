@@ -81,11 +81,16 @@ std::vector<CameraAnswers<S>> camera_ways(const Vec3<S>& p, const Basis<S>& basi
 
 template <class S>
 void add_camera(Hulls& hulls, const CameraAnswers<S>& ray) {
+    const Mat4<S>& M = ray.M_VCS_to_WCS;
     hulls.add({1, "P_VCS"}, ray.P_VCS);
     hulls.add({2, "X_vcs"}, ray.basis.X_vcs);
     hulls.add({2, "Y_vcs"}, ray.basis.Y_vcs);
     hulls.add({2, "Z_vcs"}, ray.basis.Z_vcs);
-    hulls.add({3, "M_VCS_to_WCS"}, ray.M_VCS_to_WCS);
+    // As the columns of an inverted view matrix.
+    hulls.add({2, "X_vcs"}, Vec3<S>(M[0]));
+    hulls.add({2, "Y_vcs"}, Vec3<S>(M[1]));
+    hulls.add({2, "Z_vcs"}, Vec3<S>(M[2]));
+    hulls.add({3, "M_VCS_to_WCS"}, M);
     hulls.add({4, "P_WCS"}, ray.P_WCS);
     hulls.add({5, "V"}, ray.V);
 }
