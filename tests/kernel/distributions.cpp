@@ -51,6 +51,16 @@ SphereCase on_the_surface(std::uint64_t seed) {
     const double radius = random.between(0.5, 2);
     return mixed(random, {{center + scaled(random.direction(), radius), random.direction()}, {center, radius}});
 }
+/// As above with whole numbers and one of them nudged, sometimes by the smallest step a double has.
+SphereCase a_hair_off_the_surface(std::uint64_t seed) {
+    Random random(seed);
+    const double size = random.whole(1, 20);
+    SphereCase c{{P(3 * size, 0, 4 * size), random.whole_point(4)}, {P(0, 0, 0), 5 * size}};
+    if (c.ray.direction == P(0, 0, 0)) c.ray.direction = P(0, 0, 1);
+    c.ray.origin.y = random.number() * std::exp2(random.whole(-1000, -1));
+    if (random.whole(0, 3) == 0) c.sphere.radius = random.nudged(c.sphere.radius);
+    return c;
+}
 SphereCase scaled_by_a_power_of_two(std::uint64_t seed) {
     const SphereCase c = grazing(seed);
     const double factor = std::exp2(Random(seed + 1).whole(0, 1) == 0 ? -60 : 60);
@@ -259,6 +269,7 @@ std::vector<Distribution<SphereCase>> spheres() {
             {"far and tiny", far_and_tiny},
             {"huge and near", huge_and_near},
             {"on the surface", on_the_surface},
+            {"a hair off the surface", a_hair_off_the_surface},
             {"scaled by 2^60 or 2^-60", scaled_by_a_power_of_two},
             {"non-unit direction", non_unit_direction},
             {"exact tangent", exact_tangent},
