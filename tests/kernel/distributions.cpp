@@ -67,6 +67,17 @@ SphereCase scaled_by_a_power_of_two(std::uint64_t seed) {
     return {{scaled(c.ray.origin, factor), c.ray.direction},
             {scaled(c.sphere.center, factor), c.sphere.radius * factor}};
 }
+/// Where squares, cubes or fourth powers of the lengths leave the range of doubles, wholly or in part.
+double to_the_ends(std::uint64_t seed) {
+    static constexpr std::array<int, 8> exponents{-1000, -537, -530, -360, -268, 255, 340, 500};
+    return std::exp2(exponents[static_cast<std::size_t>(Random(seed).whole(0, 7))]);
+}
+SphereCase sphere_at_the_ends_of_the_range(std::uint64_t seed) {
+    const SphereCase c = benign_sphere(seed);
+    const double factor = to_the_ends(seed + 1);
+    return {{scaled(c.ray.origin, factor), c.ray.direction},
+            {scaled(c.sphere.center, factor), c.sphere.radius * factor}};
+}
 SphereCase non_unit_direction(std::uint64_t seed) {
     Random random(seed);
     const double near_one = 1 + random.number() * std::exp2(random.whole(-40, -2));
@@ -190,6 +201,12 @@ TriangleCase tiny(std::uint64_t seed) {
     return {{scaled(c.ray.origin, factor), scaled(c.ray.direction, factor)},
             {scaled(c.triangle.A, factor), scaled(c.triangle.B, factor), scaled(c.triangle.C, factor)}};
 }
+TriangleCase triangle_at_the_ends_of_the_range(std::uint64_t seed) {
+    const TriangleCase c = benign_triangle(seed);
+    const double factor = to_the_ends(seed + 1);
+    return {{scaled(c.ray.origin, factor), scaled(c.ray.direction, to_the_ends(seed + 2))},
+            {scaled(c.triangle.A, factor), scaled(c.triangle.B, factor), scaled(c.triangle.C, factor)}};
+}
 TriangleCase integer_grid(std::uint64_t seed) {
     Random random(seed);
     const P d = random.whole_point(3);
@@ -271,6 +288,7 @@ std::vector<Distribution<SphereCase>> spheres() {
             {"on the surface", on_the_surface},
             {"a hair off the surface", a_hair_off_the_surface},
             {"scaled by 2^60 or 2^-60", scaled_by_a_power_of_two},
+            {"at the ends of the range", sphere_at_the_ends_of_the_range},
             {"non-unit direction", non_unit_direction},
             {"exact tangent", exact_tangent},
             {"nearly tangent by its radius", nearly_tangent_by_radius},
@@ -278,9 +296,16 @@ std::vector<Distribution<SphereCase>> spheres() {
 }
 
 std::vector<Distribution<TriangleCase>> triangles() {
-    return {{"benign", benign_triangle},      {"edge-aimed", edge_aimed},   {"vertex-aimed", vertex_aimed},
-            {"sliver", sliver_inside},        {"sliver edge", sliver_edge}, {"near-parallel", near_parallel},
-            {"far and small", far_and_small}, {"offset 1e6", offset_1e6},   {"tiny", tiny},
+    return {{"benign", benign_triangle},
+            {"edge-aimed", edge_aimed},
+            {"vertex-aimed", vertex_aimed},
+            {"sliver", sliver_inside},
+            {"sliver edge", sliver_edge},
+            {"near-parallel", near_parallel},
+            {"far and small", far_and_small},
+            {"offset 1e6", offset_1e6},
+            {"tiny", tiny},
+            {"at the ends of the range", triangle_at_the_ends_of_the_range},
             {"integer grid", integer_grid}};
 }
 
