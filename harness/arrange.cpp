@@ -33,22 +33,27 @@ bool is_aside(const PrintedValue& value, std::span<const ItemSpec> items) {
 
 bool is_list_of(const PrintedValue& value, std::size_t count) { return value.groups == 1 && value.numbers.size() == count; }
 
+/// Whether a value may stand within a block: the rows of a matrix have no labels but "row 1", and one may carry the matrix's own,
+/// as in "    [ 0 -2 ]" over "A = [ 3 0 ]".
+bool may_be_in_block(const PrintedValue& value, std::span<const ItemSpec> items) {
+    if (value.label.empty() || is_row_label(value.label)) return true;
+    return vector_fit(value, items) < LabelFit::named && !is_aside(value, items);
+}
+
 /// Whether values[at] to values[at + n - 1] are the rows or columns of one matrix, each with `count` numbers.
 bool is_block(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n, std::size_t count,
               std::span<const ItemSpec> items) {
-    if (at + n > values.size()) return false;
-    const PrintedValue& first = values[at];
-    if (!is_list_of(first, count)) return false;
-    if (!first.label.empty() && !is_row_label(first.label) && vector_fit(first, items) >= LabelFit::named) return false;
-    if (is_aside(first, items)) return false;
-    for (std::size_t k = 1; k < n; ++k) {
+    if (at + n > values.size() || is_aside(values[at], items)) return false;
+    std::size_t own_labels = 0;
+    for (std::size_t k = 0; k < n; ++k) {
         const PrintedValue& value = values[at + k];
-        const bool labelled_row = is_row_label(value.label);
-        if (!is_list_of(value, count) || (!value.label.empty() && !labelled_row)) return false;
+        if (!is_list_of(value, count) || !may_be_in_block(value, items)) return false;
+        if (!value.label.empty() && !is_row_label(value.label)) ++own_labels;
+        if (k == 0) continue;
         if (!value.above.empty() && !is_row_label(value.above)) return false;
-        if (value.line - values[at + k - 1].line > 2) return false;
+        if (value.line - values[at + k - 1].last_line > 2) return false;
     }
-    return true;
+    return own_labels <= 1;
 }
 
 bool is_augmented_row(const PrintedValue& value) { return value.bar_after == 3 || !value.typed; }
@@ -65,11 +70,12 @@ MatrixOrder block_order(const std::vector<PrintedValue>& values, std::size_t at,
     const PrintedValue& first = values[at];
     const PrintedValue& last = values[at + n - 1];
     MatrixOrder otherwise = first.typed ? MatrixOrder::columns : MatrixOrder::rows;
-    if (is_row_label(last.label)) {
-        const MatrixOrder said = matrix_order(last.label);
-        const bool row_letter = last.label.front() == 'r' || last.label.front() == 'R';
+    const std::string& row_label = last.label.empty() ? last.above : last.label;
+    if (is_row_label(row_label)) {
+        const MatrixOrder said = matrix_order(row_label);
+        const bool row_letter = row_label.front() == 'r' || row_label.front() == 'R';
         if (said != MatrixOrder::unsaid) return said;
-        const bool digit = last.label.front() >= '0' && last.label.front() <= '9';
+        const bool digit = row_label.front() >= '0' && row_label.front() <= '9';
         otherwise = row_letter || (digit && !first.typed) ? MatrixOrder::rows : MatrixOrder::columns;
     }
     return order_of(first, otherwise);
@@ -81,6 +87,9 @@ std::vector<Candidate> gather_block(const std::vector<PrintedValue>& values, std
     matrix.value.numbers.clear();
     matrix.value.printed.clear();
     matrix.value.groups = static_cast<int>(n);
+    for (std::size_t k = 0; k < n; ++k) {
+        if (!values[at + k].label.empty()) matrix.value.label = values[at + k].label;
+    }
     if (is_row_label(matrix.value.label)) matrix.value.label.clear();
     Candidate rhs{values[at], MatrixOrder::unsaid};
     rhs.value.numbers.clear();

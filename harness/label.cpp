@@ -30,21 +30,21 @@ const std::vector<Names>& vocabulary() {
         {2, "Z_vcs", {"zvcs", "z", "zaxis", "zbasis", "basisz", "vcsz", "zvector", "zcam", "zdir"}, {"w", "n", "forward", "back", "backward", "basis3", "vz"}},
         {3, "M_VCS_to_WCS", {"mvcstowcs", "m", "mvcs2wcs", "vcstowcs", "mvcswcs", "matrix", "inverseview", "inverseviewmatrix", "inverseofview", "inverseoftheviewmatrix", "viewinverse", "inverseofviewmatrix", "minv", "vcs2wcs", "invview"}, {"transform", "inverse", "cameratoworld", "viewtoworld"}},
         {4, "P_WCS", {"pwcs", "pixelwcs", "pixelinwcs", "wcs", "pwc", "pixelinworldcoordinates", "pworld", "worldcoordinates", "s", "worldposition"}, {"p", "pixel", "point", "world", "position"}},
-        {5, "V", {"v", "direction", "raydirection", "raydir", "unitv", "vhat", "dir", "vector", "unitvector", "d", "vwcs", "ray", "directionv"}, {"unit", "normalized", "normalised"}},
+        {5, "V", {"v", "direction", "raydirection", "raydir", "unitv", "vhat", "dir", "vector", "unitvector", "d", "vwcs", "ray", "directionv", "vnormalized", "vnormalised", "normalizedv", "normalisedv", "normalized", "normalised"}, {"unit"}},
         {6, "a", {"a", "acoefficient", "coefficienta", "coeffa", "qa", "aq"}, {}},
-        {6, "b", {"b", "bcoefficient", "coefficientb", "coeffb", "b'", "bprime", "halfb", "bhalf", "qb"}, {}},
+        {6, "b", {"b", "bcoefficient", "coefficientb", "coeffb", "b'", "bprime", "halfb", "bhalf", "qb"}, {"h", "b2"}},
         {6, "c", {"c", "ccoefficient", "coefficientc", "coeffc", "qc"}, {}},
-        {6, "d", {"d", "disc", "discriminant", "delta", "dis", "discr", "bb4ac", "b24ac", "bbac", "b2ac", "d'", "det"}, {"determinant", "radicand"}},
+        {6, "d", {"d", "disc", "discriminant", "delta", "dis", "discr", "bb4ac", "b24ac", "bbac", "b2ac", "d'", "det"}, {"determinant", "radicand", "d4"}},
         {6, "t", {"t", "ts", "tsphere", "tval", "tvalue", "rayparameter", "rayparametert", "parametert", "parameter", "thit", "smallert", "tsmaller", "tmin", "tnear", "smallestt", "smallerroot", "smallerpositiveroot", "solution", "rayt"}, {"t1", "t0", "t2", "root", "root1", "root2", "roots", "distance", "lambda", "raydistance", "tminus", "tplus"}},
         {6, "hit", {"hit", "hitpoint", "ps", "psphere", "intersection", "intersectionpoint", "pointofintersection", "hitpos", "hitposition", "spherehit", "spherehitpoint", "sphereintersection", "phit"}, {"p", "point", "pos", "position", "location", "i"}},
-        {7, "normal", {"n", "normal", "ns", "nsphere", "spherenormal", "normalofsphere", "normalofthesphere", "surfacenormal", "unitnormal", "nhat", "normaln", "normalvector"}, {"normalized", "normalised"}},
+        {7, "normal", {"n", "normal", "ns", "nsphere", "spherenormal", "normalofsphere", "normalofthesphere", "surfacenormal", "unitnormal", "nhat", "normaln", "normalvector", "normalized", "normalised", "nnormalized", "nnormalised", "normalizedn", "normalisedn", "unitn", "nunit"}, {}},
         {8, "matrix", {"a", "matrix", "matrixa", "amatrix", "m", "coefficientmatrix", "systemmatrix", "linearsystem", "system", "lhs", "mat", "leftside", "lefthandside", "thematrix"}, {"equations", "augmented"}},
         {8, "rhs", {"rhs", "b", "righthandside", "rightside", "right", "righthand", "bvector", "vectorb", "rhsvector", "constant", "rightvector"}, {"d", "y", "sa", "solutionvector"}},
-        {8, "t", {"t", "tt", "ttri", "ttriangle", "tval", "tvalue", "rayparameter", "parametert", "rayparametert", "thit", "rayt"}, {"distance", "parameter", "t1", "lambda", "raydistance"}},
+        {8, "t", {"t", "tt", "ttri", "ttriangle", "tval", "tvalue", "rayparameter", "parametert", "rayparametert", "thit", "rayt"}, {"distance", "parameter", "t1", "lambda", "mu", "raydistance"}},
         {8, "u", {"u", "uvalue", "barycentricu", "baryu", "beta"}, {}},
         {8, "v", {"v", "vvalue", "barycentricv", "baryv", "gamma"}, {}},
         {8, "hit", {"hit", "hitpoint", "pt", "ptri", "ptriangle", "intersection", "intersectionpoint", "pointofintersection", "hitpos", "hitposition", "trianglehit", "trianglehitpoint", "triangleintersection", "phit"}, {"p", "point", "pos", "position", "location", "i"}},
-        {9, "normal", {"n", "normal", "nt", "ntri", "ntriangle", "trianglenormal", "normaloftriangle", "normalofthetriangle", "surfacenormal", "unitnormal", "nhat", "normaln", "normalvector"}, {"normalized", "normalised"}},
+        {9, "normal", {"n", "normal", "nt", "ntri", "ntriangle", "trianglenormal", "normaloftriangle", "normalofthetriangle", "surfacenormal", "unitnormal", "nhat", "normaln", "normalvector", "normalized", "normalised", "nnormalized", "nnormalised", "normalizedn", "normalisedn", "unitn", "nunit"}, {}},
         {10, "verdict", {}, {}},
     };
     return table;
@@ -184,7 +184,7 @@ MatrixOrder matrix_order(std::string_view label) {
 }
 
 bool is_row_label(std::string_view label) {
-    static const RE2 pattern(R"((?i)^\W*(?:(?:the\s+)?(?:row|col|column|r|c|line|m|a|mat|eq|equation)\W*(?:no\W*|nr\W*|#)?\d|\d|(?:first|second|third|fourth|1st|2nd|3rd|4th)\s+(?:row|col|column)|M\w*\[\d\]|[-]?[tuv]\s+col(?:umn)?|col(?:umn)?\s+[-]?[tuvxyz]|-\s*V|B\s*-\s*A|C\s*-\s*A|e1|e2|edge\s*[12])\W*$)");
+    static const RE2 pattern(R"((?i)^\W*(?:(?:(?:the|of|matrix|mat|a|m)\s+)*(?:row|col|column|r|c|line|m|a|mat|eq|equation)\W*(?:no\W*|nr\W*|#)?\d|\d|(?:first|second|third|fourth|1st|2nd|3rd|4th)\s+(?:row|col|column)|M\w*\[\d\]|[-]?[tuv]\s+col(?:umn)?|col(?:umn)?\s+[-]?[tuvxyz]|-\s*V|B\s*-\s*A|C\s*-\s*A|e1|e2|edge\s*[12])\W*$)");
     return RE2::FullMatch(re2::StringPiece(label.data(), label.size()), pattern);
 }
 

@@ -102,9 +102,13 @@ class Reader {
             ++at_;
             return;
         }
+        if (is(at_, Kind::open) && is(at_ + 1, Kind::equals) && partner_[at_] < tokens_.size()) {
+            at_ = partner_[at_] + 1;  // a remark: "0.333 (= 1/3)"
+            return;
+        }
         std::optional<Found> found;
         if (is(at_, Kind::open)) found = read_bracket(at_);
-        if (is(at_, Kind::number)) found = read_run(at_);
+        if (is(at_, Kind::number) && !is_index(at_)) found = read_run(at_);
         if (!found) {
             ++at_;
             return;
@@ -132,6 +136,7 @@ class Reader {
         }
         value.label = label(begin);
         if (is_prose(value, found)) return;
+        if (is_equation(value)) return;
         const std::size_t end = tokens_[found.last - 1].end;
         value.printed = std::string(line_.substr(begin, std::min(end - begin, longest_printed)));
         label_begin_ = end;
@@ -172,6 +177,21 @@ class Reader {
         if (!is(found.first - 1, Kind::word) || !is(found.last, Kind::word)) return false;
         const std::size_t gap = tokens_[found.first].begin - tokens_[found.first - 1].end;
         return gap <= 1 && value.label.find(' ') != std::string::npos;
+    }
+
+    /// The 0 of "a t^2 + b t + c = 0", which is no answer.
+    static bool is_equation(const PrintedValue& value) {
+        const bool zero = value.numbers.size() == 1 && value.numbers[0].value == 0 && value.numbers[0].decimals == 0;
+        return zero && value.label.find('+') != std::string::npos;
+    }
+
+    /// "row 1", "column 0": the number is part of the label.
+    bool is_index(std::size_t i) const {
+        static const RE2 counted(R"((?i)rows?|col(?:umn)?s?|line|eq(?:uation)?|root)");
+        const bool whole = tokens_[i].number.decimals == 0 && tokens_[i].number.value >= 0 && tokens_[i].number.value < 10;
+        if (!whole || i == 0 || !is(i - 1, Kind::word)) return false;
+        const std::string_view word = text(i - 1);
+        return RE2::FullMatch(re2::StringPiece(word.data(), word.size()), counted);
     }
 
     /// Whether number token `i`, a fraction up to `end`, is a term of a formula or of a comparison.
@@ -246,6 +266,10 @@ class Reader {
                 continue;
             }
             const bool apart = is(i, Kind::op) && text(i) == "-" && is(i + 1, Kind::number) && !is(i - 1, Kind::number);
+            if (is(i, Kind::open) && is(i + 1, Kind::equals)) {  // a remark: "( 0.5 (= 1/2), … )"
+                i = std::min(partner_[i], end) + 1;
+                continue;
+            }
             if (is(i, Kind::open)) {
                 if (++depth > deepest) return std::nullopt;
                 group_begin = found.numbers.size();

@@ -125,12 +125,13 @@ class Matcher {
         return false;
     }
 
-    /// Of values labelled alike the last counts. Values without a label come in the order of the items.
+    /// Of values labelled alike the last counts. Values without a label come in the order of the items; the loss grows with the
+    /// square of the distance, so that of two values the one printed first goes to the first item.
     std::int64_t order_gain(LabelFit fit, std::size_t i, std::size_t k) const {
         constexpr std::int64_t most = 9'000;
         if (fit >= LabelFit::title && !group_.several_questions) return std::min<std::int64_t>(static_cast<std::int64_t>(k), most);
         const std::int64_t apart = std::abs(static_cast<std::int64_t>(i) - static_cast<std::int64_t>(k));
-        return -std::min<std::int64_t>(300 * apart, most);
+        return -std::min<std::int64_t>(60 * apart * apart, most);
     }
 
     const Group& group_;

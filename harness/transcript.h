@@ -17,8 +17,10 @@ struct PrintedValue {
     bool typed = false;                  ///< printed with a GLM type name, as glm::to_string does
     std::string label;                   ///< the words before it on its line; empty when there are none
     std::string above;                   ///< the line of words above it, for the first value under such a line; else empty
+    bool above_is_title = false;         ///< that line is the heading's own
     std::string printed;                 ///< as printed, one line, at most 200 bytes
     int line = 0;                        ///< 1-based, in the program's output
+    int last_line = 0;                   ///< the same, of its last number
 };
 
 /// What was printed under one heading.
