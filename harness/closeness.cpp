@@ -20,7 +20,8 @@ std::vector<PrintedNumber> transposed(const std::vector<PrintedNumber>& numbers)
     return result;
 }
 
-Closeness compare_numbers(const std::vector<PrintedNumber>& given, const Target& target, double allowance, int min_decimals) {
+Closeness compare_numbers(const std::vector<PrintedNumber>& given, const Target& target, double allowance,
+                          int min_decimals) {
     if (target.no_value || given.size() != target.components.size()) return {};
     Closeness closeness{true, 0.0};
     for (std::size_t i = 0; i < given.size(); ++i) {
@@ -38,8 +39,9 @@ Closeness compare_numbers(const std::vector<PrintedNumber>& given, const Target&
 
 double half_unit(const PrintedNumber& number, int min_decimals) {
     if (number.exact) return 0.0;
-    const int decimals = number.significant >= stream_digits ? number.decimals : std::max(number.decimals, min_decimals);
-    return 0.5 * std::pow(10.0, -decimals);
+    if (number.significant >= stream_digits) return 0.5 * std::pow(10.0, -number.decimals);
+    const int stream_decimals = number.decimals + stream_digits - number.significant;
+    return 0.5 * std::pow(10.0, -std::min(stream_decimals, std::max(number.decimals, min_decimals)));
 }
 
 bool is_within(const PrintedNumber& given, const Real& target, double allowance, int min_decimals) {
@@ -47,10 +49,19 @@ bool is_within(const PrintedNumber& given, const Real& target, double allowance,
     return std::isfinite(given.value) && target.lo() - slack <= given.value && given.value <= target.hi() + slack;
 }
 
+bool is_multiple(const PrintedNumber& given, const Real& target, double factor, double allowance, int min_decimals) {
+    const double undone = given.value / factor;
+    const double slack = allowance + half_unit(given, min_decimals) / std::max(1.0, std::abs(factor));
+    return factor != 0 && std::isfinite(undone) && target.lo() - slack <= undone && undone <= target.hi() + slack;
+}
+
 Real enclosure_of(const PrintedNumber& number, Digits digits) {
-    if (number.exact || number.decimals == 0 || !std::isfinite(number.value)) return Real(number.value);
+    const bool whole = number.decimals == 0 && (digits == Digits::as_printed || number.value == 0);
+    if (number.exact || whole || !std::isfinite(number.value)) return Real(number.value);
     double half = 0.5 * std::pow(10.0, -number.decimals);
-    if (digits == Digits::of_stream && number.significant < stream_digits) half *= std::pow(10.0, number.significant - stream_digits);
+    if (digits == Digits::of_stream && number.significant < stream_digits)
+        half *= std::pow(10.0, number.significant - stream_digits);
+    if (number.value == 0) return std::signbit(number.value) ? Real(-half, 0.0) : Real(0.0, half);
     return Real::widened(number.value - half, number.value + half);
 }
 
@@ -72,7 +83,8 @@ Closeness compare(const MatchedItem& printed, const Target& target, double allow
         const PrintedNumber w = numbers.back();
         numbers.pop_back();
         Closeness closeness = compare_numbers(numbers, target, allowance, min_decimals);
-        const bool homogeneous = is_within(w, Real(1.0), allowance, min_decimals) || is_within(w, Real(0.0), allowance, min_decimals);
+        const bool homogeneous =
+            is_within(w, Real(1.0), allowance, min_decimals) || is_within(w, Real(0.0), allowance, min_decimals);
         closeness.within = closeness.within && homogeneous;
         return closeness;
     }

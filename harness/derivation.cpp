@@ -1,7 +1,9 @@
 #include "harness/derivation.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "harness/own_verdict.h"
 #include "reference/scene_answers.h"
 
 namespace harness {
@@ -15,7 +17,8 @@ using reference::Vec3;
 using Targets = std::vector<Target>;
 using Form = QuadraticForm;
 
-constexpr ItemId P_VCS{1, "P_VCS"}, X{2, "X_vcs"}, Y{2, "Y_vcs"}, Z{2, "Z_vcs"}, M{3, "M_VCS_to_WCS"}, P_WCS{4, "P_WCS"}, V{5, "V"};
+constexpr ItemId P_VCS{1, "P_VCS"}, X{2, "X_vcs"}, Y{2, "Y_vcs"}, Z{2, "Z_vcs"}, M{3, "M_VCS_to_WCS"},
+    P_WCS{4, "P_WCS"}, V{5, "V"};
 constexpr ItemId a{6, "a"}, b{6, "b"}, c{6, "c"}, d{6, "d"}, t_s{6, "t"}, hit_s{6, "hit"}, normal_s{7, "normal"};
 constexpr ItemId matrix{8, "matrix"}, rhs{8, "rhs"}, t_t{8, "t"}, u{8, "u"}, v{8, "v"}, hit_t{8, "hit"};
 
@@ -27,21 +30,50 @@ Targets from(auto compute, const std::optional<Inputs>&... inputs) {
 }
 
 Targets x_from_z(const Known& known, const RealScene& scene, Form) {
-    return from([&](const Vec3<Real>& z) { return reference::normalized(reference::cross(scene.camera.vup, z)); }, known.vector(Z));
+    return from([&](const Vec3<Real>& z) { return reference::normalized(reference::cross(scene.camera.vup, z)); },
+                known.vector(Z));
+}
+
+// What follows from a vector without length, or from axes in one plane, is trivial: a program that prints zeros is not
+// marked for them. Digits that leave it open count as zeros.
+bool may_be_zero(const Real& x) {
+    return x.contains(0.0);
+}
+bool may_be_zero(const Vec3<Real>& p) {
+    return may_be_zero(p.x) && may_be_zero(p.y) && may_be_zero(p.z);
+}
+
+bool spans_space(const Vec3<Real>& x, const Vec3<Real>& y, const Vec3<Real>& z) {
+    return !may_be_zero(reference::dot(reference::cross(x, y), z));
+}
+
+std::optional<reference::Basis<Real>> basis_of(const Known& known) {
+    const auto x = known.vector(X), y = known.vector(Y), z = known.vector(Z);
+    if (!x || !y || !z || !spans_space(*x, *y, *z)) return std::nullopt;
+    return reference::Basis<Real>{*x, *y, *z};
+}
+
+std::optional<reference::Mat4<Real>> regular_matrix(const Known& known) {
+    const auto m = known.matrix4(M);
+    const auto axis = [&](int i) { return Vec3<Real>((*m)[i][0], (*m)[i][1], (*m)[i][2]); };
+    if (!m || !spans_space(axis(0), axis(1), axis(2))) return std::nullopt;
+    return m;
 }
 
 Targets y_from_z_x(const Known& known, const RealScene&, Form) {
-    return from([](const Vec3<Real>& z, const Vec3<Real>& x) { return reference::cross(z, x); }, known.vector(Z), known.vector(X));
+    const auto x = known.vector(X), z = known.vector(Z);
+    if (!x || !z) return {};
+    const Vec3<Real> y = reference::cross(*z, *x);
+    return may_be_zero(y) ? Targets{} : Targets{target_of(y)};
 }
 
 Targets m_from_basis(const Known& known, const RealScene& scene, Form) {
-    return from([&](const Vec3<Real>& x, const Vec3<Real>& y,
-                    const Vec3<Real>& z) { return reference::vcs_to_wcs(reference::Basis<Real>{x, y, z}, scene.camera.eye); },
-                known.vector(X), known.vector(Y), known.vector(Z));
+    return from([&](const auto& basis) { return reference::vcs_to_wcs(basis, scene.camera.eye); }, basis_of(known));
 }
 
 Targets p_wcs_from_m(const Known& known, const RealScene&, Form) {
-    return from([](const auto& m, const auto& p) { return reference::pixel_to_wcs(m, p); }, known.matrix4(M), known.vector(P_VCS));
+    return from([](const auto& m, const auto& p) { return reference::pixel_to_wcs(m, p); }, regular_matrix(known),
+                known.vector(P_VCS));
 }
 
 /// The same without the division by w, for a matrix whose last row is not (0, 0, 0, 1).
@@ -51,25 +83,26 @@ Targets p_wcs_undivided(const Known& known, const RealScene&, Form) {
             const auto row = [&](int i) { return m[0][i] * p.x + m[1][i] * p.y + m[2][i] * p.z + m[3][i]; };
             return Vec3<Real>(row(0), row(1), row(2));
         },
-        known.matrix4(M), known.vector(P_VCS));
+        regular_matrix(known), known.vector(P_VCS));
 }
 
 Targets p_wcs_from_basis(const Known& known, const RealScene& scene, Form) {
     return from(
-        [&](const auto& x, const auto& y, const auto& z, const auto& p) {
-            return Vec3<Real>(scene.camera.eye + reference::scaled(x, p.x) + reference::scaled(y, p.y) + reference::scaled(z, p.z));
+        [&](const reference::Basis<Real>& basis, const auto& p) {
+            return Vec3<Real>(scene.camera.eye + reference::scaled(basis.X_vcs, p.x) +
+                              reference::scaled(basis.Y_vcs, p.y) + reference::scaled(basis.Z_vcs, p.z));
         },
-        known.vector(X), known.vector(Y), known.vector(Z), known.vector(P_VCS));
+        basis_of(known), known.vector(P_VCS));
 }
 
 Targets v_from_p(const Known& known, const RealScene& scene, Form) {
     return from([&](const auto& p) { return reference::ray_direction(p, scene.camera.eye); }, known.vector(P_WCS));
 }
 
-/// V, unless it has no length: what follows from such a direction is trivial.
+/// V, unless it has no length.
 std::optional<Vec3<Real>> direction_of(const Known& known) {
     const auto direction = known.vector(V);
-    if (!direction || sign_of(reference::dot(*direction, *direction)) == 0) return std::nullopt;
+    if (!direction || may_be_zero(*direction)) return std::nullopt;
     return direction;
 }
 
@@ -90,23 +123,32 @@ Targets coefficient(const Known& known, const RealScene& scene, Form form) {
     return from([](const Quadratic<Real>& q) { return q.*Coefficient; }, quadratic_of(known, scene, form));
 }
 
+/// a, unless it is zero: without it there is no quadratic, and its discriminant and roots are trivial.
+std::optional<Real> leading_coefficient(const Known& known) {
+    const auto p = known.scalar(a);
+    return p && !may_be_zero(*p) ? p : std::nullopt;
+}
+
 Targets d_from_abc(const Known& known, const RealScene&, Form form) {
     const Real factor(form == Form::half_b ? 1 : 4);
-    return from([&](const Real& p, const Real& q, const Real& r) { return q * q - factor * p * r; }, known.scalar(a), known.scalar(b),
-                known.scalar(c));
+    const auto q = known.scalar(b), r = known.scalar(c);
+    if (q && r && may_be_zero(*q) && may_be_zero(*r)) return {};
+    return from([&](const Real& p) { return *q * *q - factor * p * *r; },
+                q && r ? leading_coefficient(known) : std::nullopt);
 }
 
 /// The hit root of a quadratic given by its coefficients; each root that a rounded sign leaves possible.
-Targets roots_of(Quadratic<Real> quadratic, Form form) {
+Targets roots_of(Quadratic<Real> quadratic, const RealScene& scene, Form form) {
     if (form == Form::half_b) {
         quadratic.b = quadratic.b * Real(2);
         quadratic.d = quadratic.d * Real(4);
     }
     Targets targets;
-    for (const Boundary boundary : {Boundary::nonnegative, Boundary::positive}) {
+    for (const Boundary boundary : scene.boundaries) {
         const RootChoice choice = reference::choose_root(quadratic, boundary);
         if (choice == RootChoice::miss) targets.push_back(no_value());
         const bool unsure = choice == RootChoice::unsure;
+        if (unsure && !(sign_of(quadratic.c) < 0)) targets.push_back(no_value());
         for (const RootChoice root : {RootChoice::smaller, RootChoice::larger}) {
             if (choice == root || unsure) targets.push_back(target_of(*reference::root(quadratic, root)));
         }
@@ -115,18 +157,18 @@ Targets roots_of(Quadratic<Real> quadratic, Form form) {
 }
 
 /// c is taken to agree with a, b and d, from which the student computed the roots.
-Targets t_from_abd(const Known& known, const RealScene&, Form form) {
-    const auto p = known.scalar(a), q = known.scalar(b), disc = known.scalar(d);
-    if (!p || !q || !disc || sign_of(*p) == 0) return {};
+Targets t_from_abd(const Known& known, const RealScene& scene, Form form) {
+    const auto p = leading_coefficient(known), q = known.scalar(b), disc = known.scalar(d);
+    if (!p || !q || !disc) return {};
     const Real four_a_c = form == Form::half_b ? (*q * *q - *disc) * Real(4) : *q * *q - *disc;
-    return roots_of({*p, *q, four_a_c / (Real(4) * *p), *disc}, form);
+    return roots_of({*p, *q, four_a_c / (Real(4) * *p), *disc}, scene, form);
 }
 
 Targets t_from_abc(const Known& known, const RealScene& scene, Form form) {
-    const auto p = known.scalar(a), q = known.scalar(b), r = known.scalar(c);
-    if (!p || !q || !r || sign_of(*p) == 0) return {};
     const Targets disc = d_from_abc(known, scene, form);
-    return roots_of({*p, *q, *r, disc.front().components.front()}, form);
+    if (disc.empty()) return {};
+    return roots_of({*known.scalar(a), *known.scalar(b), *known.scalar(c), disc.front().components.front()}, scene,
+                    form);
 }
 
 Targets point_from_t(const Known& known, const ItemId& t) {
@@ -136,26 +178,34 @@ Targets point_from_t(const Known& known, const ItemId& t) {
                 known.vector(P_WCS), direction_of(known));
 }
 
-Targets sphere_point(const Known& known, const RealScene&, Form) { return point_from_t(known, t_s); }
+Targets sphere_point(const Known& known, const RealScene&, Form) {
+    return point_from_t(known, t_s);
+}
 
 Targets sphere_normal_from_hit(const Known& known, const RealScene& scene, Form) {
     const auto hit = known.vector(hit_s);
     if (!hit) return {no_value()};
     const auto& sphere = scene.spheres.front();
     const Vec3<Real> from_center = *hit - sphere.center;
-    return {target_of(reference::normalized(from_center)), target_of(reference::scaled(from_center, Real(1) / sphere.radius))};
+    if (may_be_zero(from_center)) return {};
+    return {target_of(reference::normalized(from_center)),
+            target_of(reference::scaled(from_center, Real(1) / sphere.radius))};
 }
 
 Targets matrix_from_v(const Known& known, const RealScene& scene, Form) {
-    return from([&](const auto& p, const auto& direction) { return reference::triangle_system(p, direction, scene.triangles.front()).matrix; },
-                known.vector(P_WCS), direction_of(known));
+    return from(
+        [&](const auto& p, const auto& direction) {
+            return reference::triangle_system(p, direction, scene.triangles.front()).matrix;
+        },
+        known.vector(P_WCS), direction_of(known));
 }
 
 Targets rhs_from_p(const Known& known, const RealScene& scene, Form) {
     return from([&](const auto& p) { return Vec3<Real>(p - scene.triangles.front().A); }, known.vector(P_WCS));
 }
 
-Targets solution(const std::optional<reference::LinearSystem<Real>>& system, Real reference::CramerSolution<Real>::*numerator) {
+Targets solution(const std::optional<reference::LinearSystem<Real>>& system,
+                 Real reference::CramerSolution<Real>::*numerator) {
     if (!system) return {};
     const auto solved = reference::solve_by_cramer(*system);
     const auto det = sign_of(solved.det);
@@ -179,11 +229,12 @@ Targets solve_ray(const Known& known, const RealScene& scene, Form) {
     return solution(reference::triangle_system(*p, *direction, scene.triangles.front()), Numerator);
 }
 
-Targets triangle_point(const Known& known, const RealScene&, Form) {
+Targets triangle_point(const Known& known, const RealScene& scene, Form) {
     Targets targets = point_from_t(known, t_t);
-    const auto t = known.scalar(t_t), bu = known.scalar(u), bv = known.scalar(v);
-    const bool certain = t && bu && bv && sign_of(*t) > 0 && sign_of(*bu) >= 0 && sign_of(*bv) >= 0 && sign_of(Real(1) - *bu - *bv) >= 0;
-    if (!certain) targets.push_back(no_value());  // no true hit: the point may be left out
+    const HitValues values{{}, known.scalar(t_t), known.scalar(u), known.scalar(v)};
+    const bool may_miss = std::any_of(scene.boundaries.begin(), scene.boundaries.end(),
+                                      [&](Boundary boundary) { return hits_triangle(values, boundary) != Hits::yes; });
+    if (may_miss) targets.push_back(no_value());  // without a true hit the point may be left out
     return targets;
 }
 
@@ -224,7 +275,7 @@ const std::vector<Derivation>& derivations() {
         {t_t, {P_WCS, V}, solve_ray<&Solved::t_numerator>},
         {u, {P_WCS, V}, solve_ray<&Solved::u_numerator>},
         {v, {P_WCS, V}, solve_ray<&Solved::v_numerator>},
-        {hit_t, {P_WCS, V, t_t}, triangle_point},
+        {hit_t, {P_WCS, V, t_t, u, v}, triangle_point},
         {hit_t, {u, v}, triangle_point_from_uv},
     };
     return table;
@@ -233,14 +284,20 @@ const std::vector<Derivation>& derivations() {
 }  // namespace
 
 RealScene real_scene(const reference::Assignment& assignment, const reference::Reading& reading) {
-    const auto scene = reference::convert_scene<double>(assignment.scene, [](const reference::Decimal& x) { return x.to_double(); });
+    const auto scene =
+        reference::convert_scene<double>(assignment.scene, [](const reference::Decimal& x) { return x.to_double(); });
     const auto answers = reference::answer_scene(scene, reading.convention, reading.boundary);
-    RealScene real = reference::convert_scene<Real>(scene, [](double x) { return Real(x); });
+    RealScene real{reference::convert_scene<Real>(scene, [](double x) { return Real(x); }), {}};
     if (!real.spheres.empty()) std::swap(real.spheres.front(), real.spheres[answers.sphere_index]);
     if (!real.triangles.empty()) std::swap(real.triangles.front(), real.triangles[answers.triangle_index]);
+    using reference::BoundaryPolicy;
+    if (assignment.rubric.boundary != BoundaryPolicy::positive) real.boundaries.push_back(Boundary::nonnegative);
+    if (assignment.rubric.boundary != BoundaryPolicy::nonnegative) real.boundaries.push_back(Boundary::positive);
     return real;
 }
 
-std::span<const Derivation> all_derivations() { return derivations(); }
+std::span<const Derivation> all_derivations() {
+    return derivations();
+}
 
 }  // namespace harness

@@ -9,10 +9,12 @@
 
 namespace harness {
 
-using RealScene = reference::Scene<Real>;
+/// The scene's numbers as the nearest doubles. Where it holds several spheres or triangles, the one that the questions
+/// are about comes first.
+struct RealScene : reference::Scene<Real> {
+    std::vector<reference::Boundary> boundaries;  ///< how the rubric lets a hit at t = 0 exactly count
+};
 
-/// The scene's numbers as the nearest doubles. Where it holds several spheres or triangles, the one that the questions are about comes
-/// first.
 RealScene real_scene(const reference::Assignment& assignment, const reference::Reading& reading);
 
 /// Whether the student's coefficients are those of a t^2 + 2 b' t + c = 0, with d' = b'^2 - ac.
@@ -22,8 +24,8 @@ enum class QuadraticForm { full, half_b };
 struct Derivation {
     ItemId item;
     std::vector<ItemId> inputs;
-    /// Every value that the inputs can give; more than one where intervals leave a decision open. None when the substitution is
-    /// degenerate and says nothing, such as a direction of length 0.
+    /// Every value that the inputs can give; more than one where intervals leave a decision open. None when the
+    /// substitution is degenerate and says nothing, such as a direction of length 0.
     std::vector<Target> (*compute)(const Known& known, const RealScene& scene, QuadraticForm form);
 };
 

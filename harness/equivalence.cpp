@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
+
+#include "reference/stages/triangle.h"
 
 namespace harness {
 namespace {
@@ -29,44 +32,145 @@ std::vector<bool> possible_orders(MatrixOrder order) {
     return {};
 }
 
-constexpr std::array<std::array<int, 3>, 6> permutations = {{{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {1, 0, 2}, {2, 1, 0}}};
+constexpr std::array<std::array<int, 3>, 6> permutations = {
+    {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {1, 0, 2}, {2, 1, 0}}};
 
-std::size_t at(int column, std::size_t row) { return static_cast<std::size_t>(column) * 3 + row; }
+std::size_t at(int column, std::size_t row) {
+    return static_cast<std::size_t>(column) * 3 + row;
+}
 
-double middle(const Real& x) { return 0.5 * (x.lo() + x.hi()); }
+double middle(const Real& x) {
+    return 0.5 * (x.lo() + x.hi());
+}
+
+/// Whether the printed d may be b^2 - factor ac: by the digits of all, and by four roundings of float.
+bool is_possible(const PrintedNumber& d, const PrintedNumber& a, const PrintedNumber& b, const PrintedNumber& c,
+                 const Real& factor, Digits digits) {
+    const Real square = enclosure_of(b, digits) * enclosure_of(b, digits);
+    const Real product = factor * enclosure_of(a, digits) * enclosure_of(c, digits);
+    const Real given = enclosure_of(d, digits);
+    const double roundings =
+        4 * 0x1p-24 * (std::abs(square.hi()) + std::max(std::abs(product.lo()), std::abs(product.hi())));
+    const Real difference = square - product + Real(-roundings, roundings);
+    return given.lo() <= difference.hi() && difference.lo() <= given.hi();
+}
+
+/// Whether the number is the target with its allowance, divided by `divisor` and then multiplied.
+bool is_right_multiple(const PrintedNumber& number, const Target& target, int divisor, double factor,
+                       int min_decimals) {
+    return is_multiple(number, target.components.front() / Real(divisor), factor, target.allowance.front(),
+                       min_decimals);
+}
+
+QuadraticForm find_quadratic_form(const PrintedQuadratic& printed, std::span<const Known> keys, int min_decimals) {
+    const PrintedNumber* a = number_of(printed.a);
+    const PrintedNumber* b = number_of(printed.b);
+    const PrintedNumber* c = number_of(printed.c);
+    const PrintedNumber* d = number_of(printed.d);
+    if (a == nullptr || b == nullptr || c == nullptr || d == nullptr) return QuadraticForm::full;
+    const auto is_discriminant = [&](const Real& factor) {
+        return is_possible(*d, *a, *b, *c, factor, Digits::as_printed) ||
+               is_possible(*d, *a, *b, *c, factor, Digits::of_stream);
+    };
+    if (!is_discriminant(Real(1))) return QuadraticForm::full;
+    if (!is_discriminant(Real(4))) return QuadraticForm::half_b;
+    const auto is_b_over = [&](int divisor) {
+        return std::any_of(keys.begin(), keys.end(), [&](const Known& key) {
+            const Target* target = key.number({6, "b"});
+            return target != nullptr && is_right_multiple(*b, *target, divisor, 1.0, min_decimals);
+        });
+    };
+    return is_b_over(2) && !is_b_over(1) ? QuadraticForm::half_b : QuadraticForm::full;
+}
+
+/// What a, b and c of the key are all multiplied by; empty when they are not, or by 1.
+std::optional<double> find_factor(const PrintedQuadratic& printed, const Known& key, QuadraticForm form,
+                                  int min_decimals) {
+    const PrintedNumber* a = number_of(printed.a);
+    const PrintedNumber* b = number_of(printed.b);
+    const PrintedNumber* c = number_of(printed.c);
+    const Target* key_a = key.number({6, "a"});
+    const Target* key_b = key.number({6, "b"});
+    const Target* key_c = key.number({6, "c"});
+    if (a == nullptr || b == nullptr || c == nullptr || key_a == nullptr || key_b == nullptr || key_c == nullptr)
+        return std::nullopt;
+    const int b_divisor = form == QuadraticForm::half_b ? 2 : 1;
+    const auto multiplied_by = [&](double factor) {
+        return is_right_multiple(*b, *key_b, b_divisor, factor, min_decimals) &&
+               is_right_multiple(*c, *key_c, 1, factor, min_decimals);
+    };
+    // By 1 when a alone is wrong, or the digits are too few to tell.
+    if (is_right_multiple(*a, *key_a, 1, 1.0, min_decimals) || multiplied_by(1.0)) return std::nullopt;
+    const double factor = a->value / middle(key_a->components.front());
+    return multiplied_by(factor) ? std::optional(factor) : std::nullopt;
+}
 
 /// The factor between the student's row and the target's, from the target's largest component; 1 for a row of zeros.
-double estimate_factor(const std::vector<PrintedNumber>& given, const std::array<int, 3>& column, const Target& matrix, std::size_t row) {
+double estimate_factor(const std::vector<PrintedNumber>& given, const std::array<int, 3>& column, const Target& matrix,
+                       std::size_t row) {
     int largest = 0;
     for (int j = 1; j < 3; ++j) {
-        if (std::abs(middle(matrix.components[at(j, row)])) > std::abs(middle(matrix.components[at(largest, row)]))) largest = j;
+        if (std::abs(middle(matrix.components[at(j, row)])) > std::abs(middle(matrix.components[at(largest, row)])))
+            largest = j;
     }
     const double target = middle(matrix.components[at(largest, row)]);
     const double factor = given[at(column[static_cast<std::size_t>(largest)], row)].value / target;
     return std::isfinite(factor) && factor != 0 ? factor : 1.0;
 }
 
-bool fits(const std::vector<PrintedNumber>& given, const SystemForm& form, const Target& matrix, double allowance, int min_decimals) {
+bool fits(const std::vector<PrintedNumber>& given, const SystemForm& form, const Target& matrix, double allowance,
+          int min_decimals) {
     for (std::size_t j = 0; j < 3; ++j) {
         for (std::size_t row = 0; row < 3; ++row) {
-            const double factor = form.row_factor[row];
-            const Real target = matrix.components[j * 3 + row] * Real(factor);
-            const double slack = allowance * std::max(1.0, std::abs(factor));
-            if (!is_within(given[at(form.column[j], row)], target, slack, min_decimals)) return false;
+            const PrintedNumber& number = given[at(form.column[j], row)];
+            if (!is_multiple(number, matrix.components[j * 3 + row], form.row_factor[row], allowance, min_decimals))
+                return false;
         }
     }
     return true;
 }
 
-bool fits_rhs(const MatchedItem* printed, const Target& rhs, const SystemForm& form, double allowance, int min_decimals) {
-    if (printed == nullptr) return true;
-    const double widest = *std::max_element(form.row_factor.begin(), form.row_factor.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
-    return compare(*printed, scaled_rhs(rhs, form), allowance * std::max(1.0, std::abs(widest)), min_decimals).within;
+bool fits_rhs(const MatchedItem* printed, const Target& rhs, const SystemForm& form, double allowance,
+              int min_decimals) {
+    return printed == nullptr || is_scaled_rhs(*printed, rhs, form, allowance, min_decimals);
 }
 
-/// The first order of rows and columns in which the printed matrix, with the row factors that `factors` gives, is `matrix`.
-std::optional<SystemForm> find_form(const MatchedItem& printed, const Target& matrix, double allowance, int min_decimals, auto factors,
-                                    auto accepts) {
+double distance(const std::vector<PrintedNumber>& given, const std::array<int, 3>& permutation, const Target& matrix) {
+    double sum = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+        for (std::size_t row = 0; row < 3; ++row)
+            sum += std::abs(given[at(permutation[j], row)].value - middle(matrix.components[j * 3 + row]));
+    }
+    return sum;
+}
+
+/// How many of the printed t, u and v solve the printed system, read in this form.
+int solved_unknowns(const MatchedItem& printed, const MatchedItem* printed_rhs, const PrintedSolution& solution,
+                    const SystemForm& form, int min_decimals) {
+    if (printed_rhs == nullptr) return 0;
+    const Target matrix = in_handout_order(printed, form, Digits::as_printed);
+    const Target rhs = printed_target(*printed_rhs, Digits::as_printed);
+    if (rhs.components.size() != 3) return 0;
+    const auto column = [&](std::size_t j) {
+        return reference::Vec3<Real>(matrix.components[3 * j], matrix.components[3 * j + 1],
+                                     matrix.components[3 * j + 2]);
+    };
+    const reference::Vec3<Real> right(rhs.components[0], rhs.components[1], rhs.components[2]);
+    const auto solved =
+        reference::solve_by_cramer(reference::LinearSystem<Real>{{column(0), column(1), column(2)}, right});
+    const auto fits = [&](const MatchedItem* unknown, const Real& numerator) {
+        const PrintedNumber* number = number_of(unknown);
+        const Real value = numerator / solved.det;
+        return number != nullptr && value.is_bounded() && is_within(*number, value, 0.0, min_decimals) ? 1 : 0;
+    };
+    return fits(solution.t, solved.t_numerator) + fits(solution.u, solved.u_numerator) +
+           fits(solution.v, solved.v_numerator);
+}
+
+/// The first order of rows and columns in which the printed matrix, with the row factors that `factors` gives, is
+/// `matrix`.
+std::optional<SystemForm> find_form(const MatchedItem& printed, const Target& matrix, double allowance,
+                                    int min_decimals, auto factors, auto accepts) {
     if (matrix.components.size() != 9 || printed.value->numbers.size() != 9) return std::nullopt;
     for (const bool by_rows : possible_orders(printed.order)) {
         const std::vector<PrintedNumber> given = columns_of(printed, by_rows);
@@ -80,33 +184,24 @@ std::optional<SystemForm> find_form(const MatchedItem& printed, const Target& ma
 
 }  // namespace
 
-QuadraticScale find_quadratic_scale(const PrintedQuadratic& printed, const Known& key, double allowance, int min_decimals) {
-    const PrintedNumber* a = number_of(printed.a);
-    const PrintedNumber* b = number_of(printed.b);
-    const PrintedNumber* c = number_of(printed.c);
-    const PrintedNumber* d = number_of(printed.d);
-    QuadraticScale scale;
-    if (a == nullptr || b == nullptr || c == nullptr) return scale;
-    const Real p = enclosure_of(*a, Digits::of_stream), q = enclosure_of(*b, Digits::of_stream), r = enclosure_of(*c, Digits::of_stream);
-    if (d != nullptr) {
-        const double slack = allowance * std::max(1.0, std::abs(d->value));
-        const bool half = is_within(*d, q * q - p * r, slack, min_decimals);
-        const bool full = is_within(*d, q * q - Real(4) * p * r, slack, min_decimals);
-        if (half && !full) scale.form = QuadraticForm::half_b;
+QuadraticScale find_quadratic_scale(const PrintedQuadratic& printed, std::span<const Known> keys, int min_decimals) {
+    QuadraticScale scale{find_quadratic_form(printed, keys, min_decimals), 1.0};
+    for (const Known& key : keys) {
+        const auto factor = find_factor(printed, key, scale.form, min_decimals);
+        if (!factor) continue;
+        scale.factor = *factor;
+        break;
     }
-    const auto key_a = key.scalar({6, "a"}), key_b = key.scalar({6, "b"}), key_c = key.scalar({6, "c"});
-    if (!key_a || !key_b || !key_c || is_within(*a, *key_a, allowance, min_decimals)) return scale;
-    const double factor = a->value / middle(*key_a);
-    if (!std::isfinite(factor) || factor == 0) return scale;
-    const Real b_target = *key_b * Real(factor) / Real(scale.form == QuadraticForm::half_b ? 2 : 1);
-    const double slack = allowance * std::max(1.0, std::abs(factor));
-    if (is_within(*b, b_target, slack, min_decimals) && is_within(*c, *key_c * Real(factor), slack, min_decimals)) scale.factor = factor;
     return scale;
 }
 
-bool SystemForm::is_scaled() const { return row_factor != std::array<double, 3>{1.0, 1.0, 1.0}; }
+bool SystemForm::is_scaled() const {
+    return row_factor != std::array<double, 3>{1.0, 1.0, 1.0};
+}
 
-bool SystemForm::is_canonical() const { return column == std::array<int, 3>{0, 1, 2} && !is_scaled(); }
+bool SystemForm::is_canonical() const {
+    return column == std::array<int, 3>{0, 1, 2} && !is_scaled();
+}
 
 std::string SystemForm::describe() const {
     std::string text;
@@ -122,56 +217,64 @@ std::string SystemForm::describe() const {
     return text;
 }
 
-std::optional<SystemForm> find_column_order(const MatchedItem& printed, const Target& matrix, double allowance, int min_decimals) {
-    return find_form(printed, matrix, allowance, min_decimals, [](const auto&, const auto&) { return std::array<double, 3>{1.0, 1.0, 1.0}; },
-                     [](const SystemForm&) { return true; });
+std::optional<SystemForm> find_column_order(const MatchedItem& printed, const Target& matrix, double allowance,
+                                            int min_decimals) {
+    return find_form(
+        printed, matrix, allowance, min_decimals,
+        [](const auto&, const auto&) {
+            return std::array<double, 3>{1.0, 1.0, 1.0};
+        },
+        [](const SystemForm&) { return true; });
 }
 
-std::optional<SystemForm> find_multiplied_form(const MatchedItem& printed, const MatchedItem* printed_rhs, const Target& matrix,
-                                               const Target& rhs, double allowance, int min_decimals) {
+std::optional<SystemForm> find_multiplied_form(const MatchedItem& printed, const MatchedItem* printed_rhs,
+                                               const Target& matrix, const Target& rhs, double allowance,
+                                               int min_decimals) {
     const auto factors = [&](const std::vector<PrintedNumber>& given, const std::array<int, 3>& column) {
         std::array<double, 3> factor{};
         for (std::size_t row = 0; row < 3; ++row) factor[row] = estimate_factor(given, column, matrix, row);
         return factor;
     };
-    const auto rhs_agrees = [&](const SystemForm& form) { return fits_rhs(printed_rhs, rhs, form, allowance, min_decimals); };
+    const auto rhs_agrees = [&](const SystemForm& form) {
+        return fits_rhs(printed_rhs, rhs, form, allowance, min_decimals);
+    };
     return find_form(printed, matrix, allowance, min_decimals, factors, rhs_agrees);
 }
 
-Target scaled_rhs(const Target& rhs, const SystemForm& form) {
-    Target scaled = rhs;
-    for (std::size_t row = 0; row < scaled.components.size() && row < 3; ++row) {
-        scaled.components[row] = scaled.components[row] * Real(form.row_factor[row]);
+bool is_scaled_rhs(const MatchedItem& printed, const Target& rhs, const SystemForm& form, double allowance,
+                   int min_decimals) {
+    const std::vector<PrintedNumber>& given = printed.value->numbers;
+    if (given.size() != 3 || rhs.components.size() != 3) return false;
+    for (std::size_t row = 0; row < 3; ++row) {
+        if (!is_multiple(given[row], rhs.components[row], form.row_factor[row], allowance, min_decimals)) return false;
     }
-    return scaled;
+    return true;
 }
 
-SystemForm nearest_column_order(const MatchedItem& printed, const Target& matrix) {
-    SystemForm nearest;
-    double least = std::numeric_limits<double>::infinity();
+SystemForm likeliest_column_order(const MatchedItem& printed, const MatchedItem* printed_rhs,
+                                  const PrintedSolution& solution, const Target& matrix, int min_decimals) {
+    SystemForm likeliest;
+    std::pair<int, double> best{-1, 0.0};  // how many unknowns fit, and minus the distance
     for (const bool by_rows : possible_orders(printed.order)) {
         const std::vector<PrintedNumber> given = columns_of(printed, by_rows);
         for (const auto& permutation : permutations) {
-            double distance = 0;
-            for (std::size_t j = 0; j < 3; ++j) {
-                for (std::size_t row = 0; row < 3; ++row) {
-                    distance += std::abs(given[at(permutation[j], row)].value - middle(matrix.components[j * 3 + row]));
-                }
-            }
-            if (distance < least) {
-                least = distance;
-                nearest = {permutation, {1.0, 1.0, 1.0}, by_rows};
-            }
+            const SystemForm form{permutation, {1.0, 1.0, 1.0}, by_rows};
+            const std::pair<int, double> fit{solved_unknowns(printed, printed_rhs, solution, form, min_decimals),
+                                             -distance(given, permutation, matrix)};
+            if (fit <= best) continue;
+            best = fit;
+            likeliest = form;
         }
     }
-    return nearest;
+    return likeliest;
 }
 
 Target in_handout_order(const MatchedItem& printed, const SystemForm& form, Digits digits) {
     const std::vector<PrintedNumber> given = columns_of(printed, form.by_rows);
     Target target;
     for (const int column : form.column) {
-        for (std::size_t row = 0; row < 3; ++row) target.components.push_back(enclosure_of(given[at(column, row)], digits));
+        for (std::size_t row = 0; row < 3; ++row)
+            target.components.push_back(enclosure_of(given[at(column, row)], digits));
     }
     return target;
 }

@@ -22,15 +22,15 @@ bool agrees(const MatchedItem& printed, const Target& target, Evidence& evidence
         if (form) evidence.system = form;
         return form.has_value();
     }
-    if (id == ItemId{8, "rhs"} && evidence.system && !target.no_value) {
-        const Target scaled = scaled_rhs(target, *evidence.system);
-        return compare(printed, scaled, allowance, evidence.min_decimals).within;
+    if (id == ItemId{8, "rhs"} && evidence.system && evidence.system->is_scaled() && !target.no_value) {
+        return is_scaled_rhs(printed, target, *evidence.system, allowance, evidence.min_decimals);
     }
     return compare(printed, target, allowance, evidence.min_decimals).within;
 }
 
 /// Runs one derivation with every choice of inputs.
-bool follows_by(const Derivation& derivation, const MatchedItem& printed, Evidence& evidence, double allowance, Digits digits) {
+bool follows_by(const Derivation& derivation, const MatchedItem& printed, Evidence& evidence, double allowance,
+                Digits digits) {
     const std::map<ItemId, Target>& own_values = evidence.own_values(digits);
     const std::size_t choices = std::size_t{1} << derivation.inputs.size();
     for (std::size_t choice = 1; choice < choices; ++choice) {

@@ -12,20 +12,25 @@ namespace harness {
 
 /// What the student printed, beside the key.
 struct Evidence {
-    Known key;                         ///< the key's canonical values
+    Known key;  ///< the key's canonical values
     RealScene scene;
     int min_decimals = 2;
     QuadraticScale quadratic;          ///< the form of the student's question 6
     std::optional<SystemForm> system;  ///< the layout of the student's linear system, once the matrix has been judged
     std::map<ItemId, Target> own[2];   ///< what was printed, where it can be read, by Digits
     std::set<ItemId> deviating;        ///< those items of own that are not the key's canonical answer
+    std::set<ItemId> right;            ///< those items of own that are right, in whatever form or reading
+    std::set<ItemId>
+        close_calls;  ///< those that are right because float may decide so (close_call.h), or follow from such
+    std::vector<Known> conventions;  ///< the key by pixel convention, with allowances (tolerance.h)
+    std::vector<Known> float_keys;   ///< the same as right float programs know it
 
     const std::map<ItemId, Target>& own_values(Digits digits) const { return own[digits == Digits::of_stream ? 0 : 1]; }
 };
 
-/// Whether the printed value is what a right stage gives for some choice of inputs, each the student's own or the key's, of which at
-/// least one is an own value that deviates from the key. A result too wide to say anything, or trivial, does not count.
-/// For question 8's matrix the layout found is stored in evidence.system.
+/// Whether the printed value is what a right stage gives for some choice of inputs, each the student's own or the
+/// key's, of which at least one is an own value that deviates from the key. A result too wide to say anything, or
+/// trivial, does not count. For question 8's matrix the layout found is stored in evidence.system.
 bool follows(const MatchedItem& printed, Evidence& evidence, double allowance);
 
 /// Whether the printed value is one of `targets`, in the layout of the student's linear system where it is part of it.

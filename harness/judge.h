@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "harness/follow.h"
+#include "harness/close_call.h"
 #include "harness/score.h"
 
 namespace harness {
@@ -12,24 +12,26 @@ namespace harness {
 class Judge {
   public:
     /// The three must outlive the judge.
-    Judge(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key, const reference::Assignment& assignment);
+    Judge(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
+          const reference::Assignment& assignment);
 
     /// Everything of the item's score but its points. Every item of the key once, in the handout's order.
     ItemScore judge(const reference::KeyItem& item);
 
   private:
     const MatchedItem* readable(const ItemId& id) const;
-    Target target_with_allowance(const reference::KeyItem& item, const reference::Answer& answer) const;
     void collect_evidence();
+    void remember(const reference::KeyItem& item, const MatchedItem& printed);
+    void forget(const ItemId& id);
     ItemVerdict judge_value(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score);
     ItemScore start_score(const reference::KeyItem& item) const;
     bool is_right(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score);
-    bool is_right_quadratic(const MatchedItem& printed, ItemScore& score) const;
+    bool is_right_quadratic(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score) const;
     bool is_right_matrix(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score);
-    bool is_right_multiplied(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score);
+    bool is_right_multiplied(const MatchedItem& printed, ItemScore& score);
     bool is_right_rhs(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score) const;
     ItemVerdict judge_verdict(const reference::KeyItem& item, const PrintedVerdict& printed, ItemScore& score) const;
-    void remember(const MatchedItem& printed);
+    std::optional<HitValues> own_hits() const;
 
     const std::vector<MatchedItem>& matched_;
     const reference::AnswerKey& key_;

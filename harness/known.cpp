@@ -1,5 +1,8 @@
 #include "harness/known.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace harness {
 namespace {
 
@@ -19,6 +22,16 @@ Target target_of_matrix(const glm::mat<N, N, Real>& M) {
         for (int row = 0; row < N; ++row) target.components.push_back(M[column][row]);
     }
     return target;
+}
+
+/// The longest chain of float roundings that one stage puts on one of its inputs: the length in a unit vector, a dot
+/// product of three terms in a root. A result with that many roundings is the exact result of inputs so many roundings
+/// away.
+constexpr double roundings_of_stage = 8;
+
+Real rounded_by_stage(const Real& x) {
+    const double slack = roundings_of_stage * 0x1p-24 * std::max(std::abs(x.lo()), std::abs(x.hi()));
+    return x.is_zero() ? x : x + Real(-slack, slack);
 }
 
 }  // namespace
@@ -53,16 +66,27 @@ std::optional<reference::Mat4<Real>> Known::matrix4(const ItemId& id) const {
 Target printed_target(const MatchedItem& printed, Digits digits) {
     Target target;
     if (printed.value->numbers.empty()) return no_value();
-    for (const PrintedNumber& number : by_columns(printed)) target.components.push_back(enclosure_of(number, digits));
+    for (const PrintedNumber& number : by_columns(printed))
+        target.components.push_back(rounded_by_stage(enclosure_of(number, digits)));
     if (printed.spec.shape == reference::Shape::vector) target.components.resize(3);
     return target;
 }
 
-Target target_of(const Real& x) { return {false, {x}, {}}; }
-Target target_of(const reference::Vec3<Real>& p) { return {false, {p.x, p.y, p.z}, {}}; }
-Target target_of(const reference::Mat3<Real>& M) { return target_of_matrix<3>(M); }
-Target target_of(const reference::Mat4<Real>& M) { return target_of_matrix<4>(M); }
-Target no_value() { return {true, {}, {}}; }
+Target target_of(const Real& x) {
+    return {false, {x}, {}};
+}
+Target target_of(const reference::Vec3<Real>& p) {
+    return {false, {p.x, p.y, p.z}, {}};
+}
+Target target_of(const reference::Mat3<Real>& M) {
+    return target_of_matrix<3>(M);
+}
+Target target_of(const reference::Mat4<Real>& M) {
+    return target_of_matrix<4>(M);
+}
+Target no_value() {
+    return {true, {}, {}};
+}
 
 Target target_of(const reference::Answer& answer) {
     const auto* numbers = std::get_if<reference::Numbers>(&answer.value);

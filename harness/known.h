@@ -1,4 +1,5 @@
-// What is known of the items while one of them is judged: the key's values, with some replaced by what the student printed.
+// What is known of the items while one of them is judged: the key's values, with some replaced by what the student
+// printed.
 #pragma once
 
 #include <map>
@@ -15,8 +16,10 @@ using reference::ItemId;
 
 class Known {
   public:
-
     void set(const ItemId& id, Target target) { targets_[id] = std::move(target); }
+    const std::map<ItemId, Target>& targets() const { return targets_; }
+    /// Null when nothing is known of the item, or that it has no value.
+    const Target* number(const ItemId& id) const { return find(id, 1); }
 
     /// The item's value in its shape; empty when it has none (the ray misses) or the scene does not ask for it.
     std::optional<Real> scalar(const ItemId& id) const;
@@ -29,7 +32,8 @@ class Known {
     std::map<ItemId, Target> targets_;
 };
 
-/// A readable printed value as a target, so that it can stand in for the key's.
+/// A readable printed value as a target, so that it can stand in for the key's: what its digits say, widened by what
+/// float arithmetic adds when a stage computes with it.
 Target printed_target(const MatchedItem& printed, Digits digits);
 
 Target target_of(const Real& x);

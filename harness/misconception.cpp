@@ -12,7 +12,8 @@ Known with_own(const Evidence& evidence, Digits digits) {
 }
 
 bool explains(const Misconception& mistake, const MatchedItem& printed, Evidence& evidence, double allowance) {
-    for (const Known& known : {with_own(evidence, Digits::of_stream), with_own(evidence, Digits::as_printed), evidence.key}) {
+    for (const Known& known :
+         {with_own(evidence, Digits::of_stream), with_own(evidence, Digits::as_printed), evidence.key}) {
         if (is_one_of(printed, mistake.compute(known, evidence.scene), evidence, allowance)) return true;
     }
     return false;
@@ -23,7 +24,8 @@ bool explains(const Misconception& mistake, const MatchedItem& printed, Evidence
 std::span<const Misconception> all_misconceptions() {
     static const std::vector<Misconception> table = [] {
         std::vector<Misconception> all = mistakes::of_camera();
-        for (const auto* more : {&mistakes::of_sphere(), &mistakes::of_triangle()}) all.insert(all.end(), more->begin(), more->end());
+        for (const auto* more : {&mistakes::of_sphere(), &mistakes::of_triangle()})
+            all.insert(all.end(), more->begin(), more->end());
         return all;
     }();
     return table;

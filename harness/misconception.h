@@ -1,4 +1,5 @@
-// Named mistakes: each is one stage with one change. A wrong answer that is what the changed stage gives gets the mistake's name.
+// Named mistakes: each is one stage with one change. A wrong answer that is what the changed stage gives gets the
+// mistake's name.
 #pragma once
 
 #include <span>
@@ -19,8 +20,8 @@ struct Misconception {
 
 std::span<const Misconception> all_misconceptions();
 
-/// The mistake that explains a wrong printed value, computed from the student's own earlier values or, failing that, from the key's;
-/// null when none does.
+/// The mistake that explains a wrong printed value, computed from the student's own earlier values or, failing that,
+/// from the key's; null when none does.
 const Misconception* find_misconception(const MatchedItem& printed, Evidence& evidence, double allowance);
 
 }  // namespace harness

@@ -22,7 +22,9 @@ Targets from(auto compute, const std::optional<Inputs>&... inputs) {
     return {target_of(compute(*inputs...))};
 }
 
-inline Targets just(const Vec& p) { return {target_of(p)}; }
+inline Targets just(const Vec& p) {
+    return {target_of(p)};
+}
 
 inline Targets both(Targets one, const Targets& other) {
     one.insert(one.end(), other.begin(), other.end());
@@ -31,8 +33,9 @@ inline Targets both(Targets one, const Targets& other) {
 
 /// start + sign * t * V, a hit point with one of its inputs changed.
 inline Targets point_with(const Known& known, const ItemId& t, const std::optional<Vec>& start, int sign) {
-    return from([&](const Vec& p, const Vec& direction, const Real& s) { return reference::point_on_ray(p, direction, Real(sign) * s); }, start,
-                known.vector({5, "V"}), known.scalar(t));
+    return from([&](const Vec& p, const Vec& direction,
+                    const Real& s) { return reference::point_on_ray(p, direction, Real(sign) * s); },
+                start, known.vector({5, "V"}), known.scalar(t));
 }
 
 }  // namespace harness::mistakes

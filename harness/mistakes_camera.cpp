@@ -9,21 +9,28 @@ using namespace mistakes;
 using reference::cross;
 using reference::normalized;
 
-constexpr ItemId P_VCS{1, "P_VCS"}, X{2, "X_vcs"}, Y{2, "Y_vcs"}, Z{2, "Z_vcs"}, M{3, "M_VCS_to_WCS"}, P_WCS{4, "P_WCS"}, V{5, "V"};
+constexpr ItemId P_VCS{1, "P_VCS"}, X{2, "X_vcs"}, Y{2, "Y_vcs"}, Z{2, "Z_vcs"}, M{3, "M_VCS_to_WCS"},
+    P_WCS{4, "P_WCS"}, V{5, "V"};
 
-Vec view(const RealScene& scene) { return scene.camera.eye - scene.camera.lookat; }
+Vec view(const RealScene& scene) {
+    return scene.camera.eye - scene.camera.lookat;
+}
 
 Vec pixel_at(const RealScene& scene, const Real& x, const Real& y) {
     const auto& window = scene.window;
     const auto along = [](const Real& from, const Real& to, const Real& share) { return from + (to - from) * share; };
-    return Vec(along(window.clip_left, window.clip_right, x), along(window.clip_bottom, window.clip_top, y), -window.clip_near);
+    return Vec(along(window.clip_left, window.clip_right, x), along(window.clip_bottom, window.clip_top, y),
+               -window.clip_near);
 }
 
-Real share(double index, int count) { return Real(index) / Real(count); }
+Real share(double index, int count) {
+    return Real(index) / Real(count);
+}
 
 Targets with_every_convention(const RealScene& scene, auto change) {
     Targets targets;
-    for (const auto convention : {reference::PixelConvention::centre, reference::PixelConvention::grid, reference::PixelConvention::corner}) {
+    for (const auto convention :
+         {reference::PixelConvention::centre, reference::PixelConvention::grid, reference::PixelConvention::corner}) {
         targets.push_back(target_of(change(reference::pixel_to_vcs(scene.window, scene.pixel, convention))));
     }
     return targets;
@@ -38,7 +45,9 @@ Targets unit_z(const Known&, const RealScene& scene) {
 Targets zero_z(const Known&, const RealScene& scene) {
     return with_every_convention(scene, [](const Vec& p) { return Vec(p.x, p.y, Real(0)); });
 }
-Targets integer_division(const Known&, const RealScene& scene) { return just(pixel_at(scene, Real(0), Real(0))); }
+Targets integer_division(const Known&, const RealScene& scene) {
+    return just(pixel_at(scene, Real(0), Real(0)));
+}
 Targets pixel_corner(const Known&, const RealScene& scene) {
     return just(reference::pixel_to_vcs(scene.window, scene.pixel, reference::PixelConvention::corner));
 }
@@ -50,23 +59,33 @@ Targets pixel_upside_down(const Known&, const RealScene& scene) {
 Targets window_ignored(const Known&, const RealScene& scene) {
     const auto& window = scene.window;
     const Real x = share(scene.pixel.x + 0.5, window.width), y = share(scene.pixel.y + 0.5, window.height);
-    return {target_of(Vec(Real(2) * x - Real(1), Real(2) * y - Real(1), -window.clip_near)), target_of(Vec(x, y, -window.clip_near))};
+    return {target_of(Vec(Real(2) * x - Real(1), Real(2) * y - Real(1), -window.clip_near)),
+            target_of(Vec(x, y, -window.clip_near))};
 }
 Targets window_not_shifted(const Known&, const RealScene& scene) {
     const auto& window = scene.window;
     return just(Vec((window.clip_right - window.clip_left) * share(scene.pixel.x + 0.5, window.width),
-                    (window.clip_top - window.clip_bottom) * share(scene.pixel.y + 0.5, window.height), -window.clip_near));
+                    (window.clip_top - window.clip_bottom) * share(scene.pixel.y + 0.5, window.height),
+                    -window.clip_near));
 }
 Targets one_pixel_too_far(const Known&, const RealScene& scene) {
-    return just(pixel_at(scene, share(scene.pixel.x + 1.0, scene.window.width), share(scene.pixel.y + 1.0, scene.window.height)));
+    return just(pixel_at(scene, share(scene.pixel.x + 1.0, scene.window.width),
+                         share(scene.pixel.y + 1.0, scene.window.height)));
 }
 Targets sides_mixed_up(const Known&, const RealScene& scene) {
-    return just(pixel_at(scene, share(scene.pixel.x + 0.5, scene.window.height), share(scene.pixel.y + 0.5, scene.window.width)));
+    return just(pixel_at(scene, share(scene.pixel.x + 0.5, scene.window.height),
+                         share(scene.pixel.y + 0.5, scene.window.width)));
 }
 
-Targets z_forward(const Known&, const RealScene& scene) { return just(normalized(Vec(-view(scene)))); }
-Targets z_long(const Known&, const RealScene& scene) { return {target_of(view(scene)), target_of(Vec(-view(scene)))}; }
-Targets z_is_eye(const Known&, const RealScene& scene) { return just(normalized(scene.camera.eye)); }
+Targets z_forward(const Known&, const RealScene& scene) {
+    return just(normalized(Vec(-view(scene))));
+}
+Targets z_long(const Known&, const RealScene& scene) {
+    return {target_of(view(scene)), target_of(Vec(-view(scene)))};
+}
+Targets z_is_eye(const Known&, const RealScene& scene) {
+    return just(normalized(scene.camera.eye));
+}
 Targets x_order(const Known& known, const RealScene& scene) {
     return from([&](const Vec& z) { return normalized(cross(z, scene.camera.vup)); }, known.vector(Z));
 }
@@ -124,13 +143,16 @@ Matrix axes_in_rows(const Matrix& m) {
 template <Matrix (*Change)(const Matrix&)>
 Targets matrix_with(const Known& known, const RealScene& scene) {
     return from(
-        [&](const Vec& x, const Vec& y, const Vec& z) { return Change(reference::vcs_to_wcs(reference::Basis<Real>{x, y, z}, scene.camera.eye)); },
+        [&](const Vec& x, const Vec& y, const Vec& z) {
+            return Change(reference::vcs_to_wcs(reference::Basis<Real>{x, y, z}, scene.camera.eye));
+        },
         known.vector(X), known.vector(Y), known.vector(Z));
 }
 
 template <Matrix (*Change)(const Matrix&)>
 Targets point_by(const Known& known, const RealScene&) {
-    return from([](const Matrix& m, const Vec& p) { return reference::pixel_to_wcs(Change(m), p); }, known.matrix4(M), known.vector(P_VCS));
+    return from([](const Matrix& m, const Vec& p) { return reference::pixel_to_wcs(Change(m), p); }, known.matrix4(M),
+                known.vector(P_VCS));
 }
 
 Targets v_long(const Known& known, const RealScene& scene) {
@@ -145,19 +167,25 @@ Targets v_from_origin(const Known& known, const RealScene&) {
 Targets v_in_vcs(const Known& known, const RealScene&) {
     return from([](const Vec& p) { return normalized(p); }, known.vector(P_VCS));
 }
-Targets v_to_lookat(const Known&, const RealScene& scene) { return just(normalized(Vec(-view(scene)))); }
+Targets v_to_lookat(const Known&, const RealScene& scene) {
+    return just(normalized(Vec(-view(scene))));
+}
 
 }  // namespace
 
 const std::vector<Misconception>& mistakes::of_camera() {
     static const std::vector<Misconception> table = {
         {"positive z", "The camera looks along -z: the image plane lies at z = -clipNear.", P_VCS, positive_z},
-        {"integer division", "The pixel's number is divided by the number of pixels in integers, which gives 0; divide as floating point.",
+        {"integer division",
+         "The pixel's number is divided by the number of pixels in integers, which gives 0; divide as floating point.",
          P_VCS, integer_division},
         {"corner of the pixel", "The point is the pixel's corner; half a pixel is missing.", P_VCS, pixel_corner},
-        {"y counted from the top", "y_DCS counts from the bottom of the image, not from the top.", P_VCS, pixel_upside_down},
-        {"window not applied", "The pixel is scaled to a standard square, not to the clip window.", P_VCS, window_ignored},
-        {"window not shifted", "The pixel is scaled to the window's size, but not moved to its left and bottom edges.", P_VCS, window_not_shifted},
+        {"y counted from the top", "y_DCS counts from the bottom of the image, not from the top.", P_VCS,
+         pixel_upside_down},
+        {"window not applied", "The pixel is scaled to a standard square, not to the clip window.", P_VCS,
+         window_ignored},
+        {"window not shifted", "The pixel is scaled to the window's size, but not moved to its left and bottom edges.",
+         P_VCS, window_not_shifted},
         {"one pixel too far", "Pixels are counted from 0, not from 1.", P_VCS, one_pixel_too_far},
         {"width and height mixed up", "x is divided by the height and y by the width.", P_VCS, sides_mixed_up},
         {"near plane at 1", "The image plane is at distance clipNear, not at distance 1.", P_VCS, unit_z},
@@ -169,13 +197,18 @@ const std::vector<Misconception>& mistakes::of_camera() {
         {"not normalised", "X_vcs must have length 1.", X, x_long},
         {"cross product order", "Y_vcs is Z x X; the cross product is the other way round.", Y, y_order},
         {"vup taken as Y", "Y_vcs is Z x X; vup only says roughly where up is.", Y, y_is_vup},
-        {"translation missing", "The fourth column must hold the eye; only the rotation is there.", M, matrix_with<without_translation>},
+        {"translation missing", "The fourth column must hold the eye; only the rotation is there.", M,
+         matrix_with<without_translation>},
         {"matrix transposed", "The matrix is transposed: GLM's constructors take columns.", M, matrix_with<transposed>},
-        {"view matrix, not its inverse", "This is the view matrix, from WCS to VCS; its inverse is asked for.", M, matrix_with<view_matrix>},
-        {"translation negated", "The fourth column must hold the eye, not its negative.", M, matrix_with<negated_translation>},
+        {"view matrix, not its inverse", "This is the view matrix, from WCS to VCS; its inverse is asked for.", M,
+         matrix_with<view_matrix>},
+        {"translation negated", "The fourth column must hold the eye, not its negative.", M,
+         matrix_with<negated_translation>},
         {"axes in rows", "The axes are the columns of the matrix; they are in its rows.", M, matrix_with<axes_in_rows>},
-        {"translation missing", "The pixel was transformed as a direction; as a point it has w = 1.", P_WCS, point_by<without_translation>},
-        {"view matrix, not its inverse", "The pixel was transformed by the view matrix; M_VCS_to_WCS is its inverse.", P_WCS, point_by<view_matrix>},
+        {"translation missing", "The pixel was transformed as a direction; as a point it has w = 1.", P_WCS,
+         point_by<without_translation>},
+        {"view matrix, not its inverse", "The pixel was transformed by the view matrix; M_VCS_to_WCS is its inverse.",
+         P_WCS, point_by<view_matrix>},
         {"matrix transposed", "The pixel was multiplied by the transposed matrix.", P_WCS, point_by<transposed>},
         {"not normalised", "V must have length 1.", V, v_long},
         {"points to the eye", "V points from the eye to the pixel, not back.", V, v_backward},

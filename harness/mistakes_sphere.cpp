@@ -8,21 +8,30 @@ using namespace mistakes;
 using reference::dot;
 using reference::normalized;
 
-constexpr ItemId P_WCS{4, "P_WCS"}, V{5, "V"}, a{6, "a"}, b{6, "b"}, c{6, "c"}, d{6, "d"}, t{6, "t"}, hit{6, "hit"}, normal{7, "normal"};
+constexpr ItemId P_WCS{4, "P_WCS"}, V{5, "V"}, a{6, "a"}, b{6, "b"}, c{6, "c"}, d{6, "d"}, t{6, "t"}, hit{6, "hit"},
+    normal{7, "normal"};
 
-const reference::Sphere<Real>& sphere(const RealScene& scene) { return scene.spheres.front(); }
-Real radius_squared(const RealScene& scene) { return sphere(scene).radius * sphere(scene).radius; }
+const reference::Sphere<Real>& sphere(const RealScene& scene) {
+    return scene.spheres.front();
+}
+Real radius_squared(const RealScene& scene) {
+    return sphere(scene).radius * sphere(scene).radius;
+}
 
 template <int Factor>
 Targets b_times(const Known& known, const RealScene& scene) {
-    return from([&](const Vec& p, const Vec& direction) { return Real(Factor) * dot(direction, Vec(p - sphere(scene).center)); },
+    return from([&](const Vec& p,
+                    const Vec& direction) { return Real(Factor) * dot(direction, Vec(p - sphere(scene).center)); },
                 known.vector(P_WCS), known.vector(V));
 }
 Targets b_from_eye(const Known& known, const RealScene& scene) {
-    return from([&](const Vec& direction) { return Real(2) * dot(direction, Vec(scene.camera.eye - sphere(scene).center)); }, known.vector(V));
+    return from(
+        [&](const Vec& direction) { return Real(2) * dot(direction, Vec(scene.camera.eye - sphere(scene).center)); },
+        known.vector(V));
 }
 Targets b_without_center(const Known& known, const RealScene&) {
-    return from([](const Vec& p, const Vec& direction) { return Real(2) * dot(direction, p); }, known.vector(P_WCS), known.vector(V));
+    return from([](const Vec& p, const Vec& direction) { return Real(2) * dot(direction, p); }, known.vector(P_WCS),
+                known.vector(V));
 }
 
 Targets c_plus(const Known& known, const RealScene& scene, const Real& term) {
@@ -33,9 +42,15 @@ Targets c_plus(const Known& known, const RealScene& scene, const Real& term) {
         },
         known.vector(P_WCS));
 }
-Targets c_radius_not_squared(const Known& known, const RealScene& scene) { return c_plus(known, scene, -sphere(scene).radius); }
-Targets c_without_radius(const Known& known, const RealScene& scene) { return c_plus(known, scene, Real(0)); }
-Targets c_radius_added(const Known& known, const RealScene& scene) { return c_plus(known, scene, radius_squared(scene)); }
+Targets c_radius_not_squared(const Known& known, const RealScene& scene) {
+    return c_plus(known, scene, -sphere(scene).radius);
+}
+Targets c_without_radius(const Known& known, const RealScene& scene) {
+    return c_plus(known, scene, Real(0));
+}
+Targets c_radius_added(const Known& known, const RealScene& scene) {
+    return c_plus(known, scene, radius_squared(scene));
+}
 Targets c_from_eye(const Known&, const RealScene& scene) {
     const Vec from_center = scene.camera.eye - sphere(scene).center;
     return {target_of(dot(from_center, from_center) - radius_squared(scene))};
@@ -65,13 +80,15 @@ Targets root_by(const Known& known, auto compute) {
     return from(compute, known.scalar(a), known.scalar(b), discriminant);
 }
 Targets t_far_root(const Known& known, const RealScene&) {
-    return both(root_by(known, [](const Real& p, const Real& q, const Real& e) { return (-q + sqrt(e)) / (Real(2) * p); }),
-                root_by(known, [](const Real& p, const Real& q, const Real& e) { return (-q + sqrt(e)) / p; }));
+    return both(
+        root_by(known, [](const Real& p, const Real& q, const Real& e) { return (-q + sqrt(e)) / (Real(2) * p); }),
+        root_by(known, [](const Real& p, const Real& q, const Real& e) { return (-q + sqrt(e)) / p; }));
 }
 Targets t_precedence(const Known& known, const RealScene&) {
-    return both(both(root_by(known, [](const Real& p, const Real& q, const Real& e) { return -q - sqrt(e) / Real(2) * p; }),
-                     root_by(known, [](const Real& p, const Real& q, const Real& e) { return -q - sqrt(e) / (Real(2) * p); })),
-                root_by(known, [](const Real& p, const Real& q, const Real& e) { return (-q - sqrt(e)) / Real(2) * p; }));
+    return both(
+        both(root_by(known, [](const Real& p, const Real& q, const Real& e) { return -q - sqrt(e) / Real(2) * p; }),
+             root_by(known, [](const Real& p, const Real& q, const Real& e) { return -q - sqrt(e) / (Real(2) * p); })),
+        root_by(known, [](const Real& p, const Real& q, const Real& e) { return (-q - sqrt(e)) / Real(2) * p; }));
 }
 Targets t_not_halved(const Known& known, const RealScene&) {
     return root_by(known, [](const Real& p, const Real& q, const Real& e) { return (-q - sqrt(e)) / p; });
@@ -80,8 +97,9 @@ Targets t_without_root(const Known& known, const RealScene&) {
     return root_by(known, [](const Real& p, const Real& q, const Real& e) { return (-q - e) / (Real(2) * p); });
 }
 Targets t_sign_of_b(const Known& known, const RealScene&) {
-    return both(root_by(known, [](const Real& p, const Real& q, const Real& e) { return (q - sqrt(e)) / (Real(2) * p); }),
-                root_by(known, [](const Real& p, const Real& q, const Real& e) { return (q + sqrt(e)) / (Real(2) * p); }));
+    return both(
+        root_by(known, [](const Real& p, const Real& q, const Real& e) { return (q - sqrt(e)) / (Real(2) * p); }),
+        root_by(known, [](const Real& p, const Real& q, const Real& e) { return (q + sqrt(e)) / (Real(2) * p); }));
 }
 Targets t_behind(const Known& known, const RealScene&) {
     return root_by(known, [](const Real& p, const Real& q, const Real& e) { return (-q - sqrt(e)) / (Real(2) * p); });
@@ -90,9 +108,15 @@ Targets t_of_closest_approach(const Known& known, const RealScene&) {
     return from([](const Real& p, const Real& q) { return -q / (Real(2) * p); }, known.scalar(a), known.scalar(b));
 }
 
-Targets hit_from_eye(const Known& known, const RealScene& scene) { return point_with(known, t, scene.camera.eye, 1); }
-Targets hit_without_start(const Known& known, const RealScene&) { return point_with(known, t, Vec(Real(0.0)), 1); }
-Targets hit_backward(const Known& known, const RealScene&) { return point_with(known, t, known.vector(P_WCS), -1); }
+Targets hit_from_eye(const Known& known, const RealScene& scene) {
+    return point_with(known, t, scene.camera.eye, 1);
+}
+Targets hit_without_start(const Known& known, const RealScene&) {
+    return point_with(known, t, Vec(Real(0.0)), 1);
+}
+Targets hit_backward(const Known& known, const RealScene&) {
+    return point_with(known, t, known.vector(P_WCS), -1);
+}
 
 Targets n_inward(const Known& known, const RealScene& scene) {
     return from([&](const Vec& p) { return normalized(Vec(sphere(scene).center - p)); }, known.vector(hit));
@@ -126,14 +150,18 @@ const std::vector<Misconception>& mistakes::of_sphere() {
         {"factor 4 missing", "The discriminant is b^2 - 4ac.", d, d_with<-1>},
         {"sign in the discriminant", "The discriminant is b^2 minus 4ac.", d, d_with<4>},
         {"factor 2 for 4", "The discriminant is b^2 - 4ac.", d, d_with<-2>},
-        {"root of the discriminant", "This is the square root of the discriminant; the discriminant itself is asked for.", d, d_root},
+        {"root of the discriminant",
+         "This is the square root of the discriminant; the discriminant itself is asked for.", d, d_root},
         {"b not squared", "The discriminant is b squared minus 4ac.", d, d_b_not_squared},
         {"far root", "That is the far root of the quadratic; the smaller positive root is asked for.", t, t_far_root},
-        {"operator precedence", "The whole of -b - sqrt(d) is divided by the whole of 2a; put both in brackets.", t, t_precedence},
+        {"operator precedence", "The whole of -b - sqrt(d) is divided by the whole of 2a; put both in brackets.", t,
+         t_precedence},
         {"not divided by 2", "The root is (-b - sqrt(d)) / (2a); the 2 is missing.", t, t_not_halved},
-        {"square root forgotten", "The root holds the square root of the discriminant, not the discriminant.", t, t_without_root},
+        {"square root forgotten", "The root holds the square root of the discriminant, not the discriminant.", t,
+         t_without_root},
         {"sign of b in the root", "The root begins with minus b.", t, t_sign_of_b},
-        {"closest approach", "That is where the ray is nearest to the centre, -b / (2a), not where it hits.", t, t_of_closest_approach},
+        {"closest approach", "That is where the ray is nearest to the centre, -b / (2a), not where it hits.", t,
+         t_of_closest_approach},
         {"root behind the start", "That root is not positive: it lies behind the start of the ray.", t, t_behind},
         {"ray starts at the eye", "The hit point is S + tV with S = P_WCS, not the eye.", hit, hit_from_eye},
         {"start forgotten", "The hit point is S + tV; S is missing.", hit, hit_without_start},

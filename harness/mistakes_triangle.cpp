@@ -10,11 +10,18 @@ using reference::normalized;
 using Matrix = reference::Mat3<Real>;
 using Solved = reference::CramerSolution<Real>;
 
-constexpr ItemId P_WCS{4, "P_WCS"}, V{5, "V"}, matrix{8, "matrix"}, rhs{8, "rhs"}, t{8, "t"}, u{8, "u"}, v{8, "v"}, hit{8, "hit"}, normal{9, "normal"};
+constexpr ItemId P_WCS{4, "P_WCS"}, V{5, "V"}, matrix{8, "matrix"}, rhs{8, "rhs"}, t{8, "t"}, u{8, "u"}, v{8, "v"},
+    hit{8, "hit"}, normal{9, "normal"};
 
-const reference::Triangle<Real>& triangle(const RealScene& scene) { return scene.triangles.front(); }
-Vec edge1(const RealScene& scene) { return triangle(scene).B - triangle(scene).A; }
-Vec edge2(const RealScene& scene) { return triangle(scene).C - triangle(scene).A; }
+const reference::Triangle<Real>& triangle(const RealScene& scene) {
+    return scene.triangles.front();
+}
+Vec edge1(const RealScene& scene) {
+    return triangle(scene).B - triangle(scene).A;
+}
+Vec edge2(const RealScene& scene) {
+    return triangle(scene).C - triangle(scene).A;
+}
 
 Targets system_with(const Known& known, auto columns) {
     return from([&](const Vec& direction) { return columns(direction); }, known.vector(V));
@@ -26,7 +33,8 @@ Targets edges_reversed(const Known& known, const RealScene& scene) {
     return system_with(known, [&](const Vec& direction) { return Matrix(-direction, -edge1(scene), -edge2(scene)); });
 }
 Targets vertices_for_edges(const Known& known, const RealScene& scene) {
-    return system_with(known, [&](const Vec& direction) { return Matrix(-direction, triangle(scene).B, triangle(scene).C); });
+    return system_with(known,
+                       [&](const Vec& direction) { return Matrix(-direction, triangle(scene).B, triangle(scene).C); });
 }
 Targets transposed_system(const Known& known, const RealScene& scene) {
     return system_with(known, [&](const Vec& direction) {
@@ -38,7 +46,9 @@ Targets transposed_system(const Known& known, const RealScene& scene) {
 Targets rhs_reversed(const Known& known, const RealScene& scene) {
     return from([&](const Vec& p) { return Vec(triangle(scene).A - p); }, known.vector(P_WCS));
 }
-Targets rhs_from_eye(const Known&, const RealScene& scene) { return just(Vec(scene.camera.eye - triangle(scene).A)); }
+Targets rhs_from_eye(const Known&, const RealScene& scene) {
+    return just(Vec(scene.camera.eye - triangle(scene).A));
+}
 Targets rhs_without_a(const Known& known, const RealScene&) {
     return from([](const Vec& p) { return p; }, known.vector(P_WCS));
 }
@@ -53,30 +63,47 @@ std::optional<Solved> solve(const Known& known, const RealScene& scene, const st
 }
 template <Real Solved::*Numerator, int Sign = 1>
 Targets unknown(const Known& known, const RealScene& scene) {
-    return from([](const Solved& s) { return Real(Sign) * s.*Numerator / s.det; }, solve(known, scene, known.vector(P_WCS)));
+    return from([](const Solved& s) { return Real(Sign) * s.*Numerator / s.det; },
+                solve(known, scene, known.vector(P_WCS)));
 }
 template <Real Solved::*Numerator>
 Targets undivided(const Known& known, const RealScene& scene) {
     return from([](const Solved& s) { return s.*Numerator; }, solve(known, scene, known.vector(P_WCS)));
 }
 Targets weight_of_a(const Known& known, const RealScene& scene) {
-    return from([](const Solved& s) { return Real(1) - (s.u_numerator + s.v_numerator) / s.det; }, solve(known, scene, known.vector(P_WCS)));
+    return from([](const Solved& s) { return Real(1) - (s.u_numerator + s.v_numerator) / s.det; },
+                solve(known, scene, known.vector(P_WCS)));
 }
 Targets t_from_eye(const Known& known, const RealScene& scene) {
     return from([](const Solved& s) { return s.t_numerator / s.det; }, solve(known, scene, scene.camera.eye));
 }
 
-Targets hit_from_eye(const Known& known, const RealScene& scene) { return point_with(known, t, scene.camera.eye, 1); }
-Targets hit_without_start(const Known& known, const RealScene&) { return point_with(known, t, Vec(Real(0.0)), 1); }
-Targets hit_backward(const Known& known, const RealScene&) { return point_with(known, t, known.vector(P_WCS), -1); }
+Targets hit_from_eye(const Known& known, const RealScene& scene) {
+    return point_with(known, t, scene.camera.eye, 1);
+}
+Targets hit_without_start(const Known& known, const RealScene&) {
+    return point_with(known, t, Vec(Real(0.0)), 1);
+}
+Targets hit_backward(const Known& known, const RealScene&) {
+    return point_with(known, t, known.vector(P_WCS), -1);
+}
 Targets hit_without_a(const Known& known, const RealScene& scene) {
-    return from([&](const Real& p, const Real& q) { return Vec(reference::scaled(edge1(scene), p) + reference::scaled(edge2(scene), q)); },
-                known.scalar(u), known.scalar(v));
+    return from(
+        [&](const Real& p, const Real& q) {
+            return Vec(reference::scaled(edge1(scene), p) + reference::scaled(edge2(scene), q));
+        },
+        known.scalar(u), known.scalar(v));
 }
 
-Targets n_order(const Known&, const RealScene& scene) { return just(normalized(cross(edge2(scene), edge1(scene)))); }
-Targets n_long(const Known&, const RealScene& scene) { return just(cross(edge1(scene), edge2(scene))); }
-Targets n_order_and_long(const Known&, const RealScene& scene) { return just(cross(edge2(scene), edge1(scene))); }
+Targets n_order(const Known&, const RealScene& scene) {
+    return just(normalized(cross(edge2(scene), edge1(scene))));
+}
+Targets n_long(const Known&, const RealScene& scene) {
+    return just(cross(edge1(scene), edge2(scene)));
+}
+Targets n_order_and_long(const Known&, const RealScene& scene) {
+    return just(cross(edge2(scene), edge1(scene)));
+}
 Targets n_of_vertices(const Known&, const RealScene& scene) {
     const auto& corners = triangle(scene);
     return {target_of(normalized(cross(corners.B, corners.C))), target_of(normalized(cross(corners.A, corners.B))),
@@ -84,7 +111,8 @@ Targets n_of_vertices(const Known&, const RealScene& scene) {
 }
 
 constexpr std::string_view starts_at_eye = "The ray P = S + tV starts at the pixel, S = P_WCS, not at the eye.";
-constexpr std::string_view check_columns = "That is the value of another unknown; check which column of the matrix stands for which unknown.";
+constexpr std::string_view check_columns =
+    "That is the value of another unknown; check which column of the matrix stands for which unknown.";
 constexpr std::string_view divide_by_det = "Cramer's rule divides by the determinant of the matrix.";
 
 }  // namespace
@@ -93,13 +121,15 @@ const std::vector<Misconception>& mistakes::of_triangle() {
     static const std::vector<Misconception> table = {
         {"V not negated", "Brought to the side of u and v, V changes its sign.", matrix, v_not_negated},
         {"edges the wrong way round", "The columns for u and v are B - A and C - A.", matrix, edges_reversed},
-        {"vertices for edges", "The columns for u and v are the edges B - A and C - A, not the vertices.", matrix, vertices_for_edges},
+        {"vertices for edges", "The columns for u and v are the edges B - A and C - A, not the vertices.", matrix,
+         vertices_for_edges},
         {"matrix transposed", "The matrix is transposed: GLM's constructors take columns.", matrix, transposed_system},
         {"right-hand side negated", "The right-hand side is S - A for this matrix.", rhs, rhs_reversed},
         {"ray starts at the eye", "The right-hand side is S - A with S = P_WCS, not the eye.", rhs, rhs_from_eye},
         {"A forgotten", "The right-hand side is S - A.", rhs, rhs_without_a},
         {"ray starts at the eye", starts_at_eye, t, t_from_eye},
-        {"sign of t", "The sign of t is wrong; check the sign of V in the system.", t, unknown<&Solved::t_numerator, -1>},
+        {"sign of t", "The sign of t is wrong; check the sign of V in the system.", t,
+         unknown<&Solved::t_numerator, -1>},
         {"wrong unknown", check_columns, t, unknown<&Solved::u_numerator>},
         {"wrong unknown", check_columns, t, unknown<&Solved::v_numerator>},
         {"not divided by the determinant", divide_by_det, t, undivided<&Solved::t_numerator>},
@@ -117,10 +147,13 @@ const std::vector<Misconception>& mistakes::of_triangle() {
         {"start forgotten", "The hit point is S + tV; S is missing.", hit, hit_without_start},
         {"sign of t", "The hit point is S plus tV.", hit, hit_backward},
         {"A forgotten", "The hit point is A + u(B-A) + v(C-A); A is missing.", hit, hit_without_a},
-        {"cross product order", "The normal is (B-A) x (C-A); the cross product is the other way round.", normal, n_order},
+        {"cross product order", "The normal is (B-A) x (C-A); the cross product is the other way round.", normal,
+         n_order},
         {"not normalised", "The normal must have length 1.", normal, n_long},
-        {"cross product order, not normalised", "The normal is (B-A) x (C-A), and must have length 1.", normal, n_order_and_long},
-        {"vertices for edges", "The normal is the cross product of the edges B - A and C - A, not of the vertices.", normal, n_of_vertices},
+        {"cross product order, not normalised", "The normal is (B-A) x (C-A), and must have length 1.", normal,
+         n_order_and_long},
+        {"vertices for edges", "The normal is the cross product of the edges B - A and C - A, not of the vertices.",
+         normal, n_of_vertices},
     };
     return table;
 }

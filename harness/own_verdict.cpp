@@ -1,46 +1,71 @@
 #include "harness/own_verdict.h"
 
-#include <cmath>
-#include <optional>
-
-#include "harness/closeness.h"
-#include "reference/stages/sphere.h"
+#include <algorithm>
 
 namespace harness {
 namespace {
 
 using reference::Boundary;
+using reference::Verdict;
+using enum Hits;
 
-/// A printed t as a hit: empty for none, for a t before the start, and for one that rounds to 0 where 0 is no hit.
-std::optional<double> hit_at(const MatchedItem& printed, Boundary boundary, int min_decimals) {
-    if (printed.value->numbers.empty()) return std::nullopt;
-    const PrintedNumber& t = printed.value->numbers.front();
-    const bool zero = std::abs(t.value) <= half_unit(t, min_decimals);
-    if (zero) return boundary == Boundary::nonnegative ? std::optional(0.0) : std::nullopt;
-    return t.value > 0 ? std::optional(t.value) : std::nullopt;
+/// Whether x >= 0, for a student who may forgive `allowance` below it.
+Hits not_negative(const Real& x, double allowance) {
+    if (x.lo() >= 0) return yes;
+    return x.hi() + allowance < 0 ? no : maybe;
 }
 
-/// Whether u and v lie in the triangle, edges included, as far as their digits tell.
-bool inside(const MatchedItem& u, const MatchedItem& v, int min_decimals) {
-    if (u.value->numbers.empty() || v.value->numbers.empty()) return false;
-    const PrintedNumber& bu = u.value->numbers.front();
-    const PrintedNumber& bv = v.value->numbers.front();
-    const double slack = half_unit(bu, min_decimals) + half_unit(bv, min_decimals);
-    return bu.value >= -slack && bv.value >= -slack && bu.value + bv.value <= 1 + slack;
+Hits is_in_front(const Real& t, double allowance, Boundary boundary) {
+    if (boundary == Boundary::nonnegative) return not_negative(t, allowance);
+    if (t.lo() > allowance) return yes;  // a student may ask for t > 1e-6, so as not to hit where the ray starts
+    return t.hi() + allowance < 0 || t.is_zero() ? no : maybe;
+}
+
+Hits worst(std::initializer_list<Hits> answers) {
+    return std::max(answers);
+}
+
+/// Who is first where both are hit: by digits that may leave it open.
+std::vector<Verdict> order_of(const Real& sphere_t, const Real& triangle_t) {
+    if (sphere_t.hi() < triangle_t.lo()) return {Verdict::sphere_first};
+    if (triangle_t.hi() < sphere_t.lo()) return {Verdict::triangle_first};
+    return {Verdict::tie, Verdict::sphere_first, Verdict::triangle_first};
+}
+
+void add(std::vector<Verdict>& verdicts, const std::vector<Verdict>& more) {
+    for (const Verdict verdict : more) {
+        if (std::find(verdicts.begin(), verdicts.end(), verdict) == verdicts.end()) verdicts.push_back(verdict);
+    }
 }
 
 }  // namespace
 
-std::vector<reference::Verdict> own_verdicts(const OwnHits& hits, int min_decimals) {
-    std::vector<reference::Verdict> verdicts;
-    if (hits.sphere_t == nullptr || hits.triangle_t == nullptr) return verdicts;
-    const bool in_triangle = hits.u == nullptr || hits.v == nullptr || inside(*hits.u, *hits.v, min_decimals);
-    for (const Boundary boundary : {Boundary::nonnegative, Boundary::positive}) {
-        const auto sphere = hit_at(*hits.sphere_t, boundary, min_decimals);
-        const auto triangle = in_triangle ? hit_at(*hits.triangle_t, boundary, min_decimals) : std::nullopt;
-        if (const auto verdict = reference::first_hit(sphere, triangle)) verdicts.push_back(*verdict);
+Hits hits_triangle(const HitValues& values, Boundary boundary) {
+    if (!values.triangle_t) return no;
+    const Hits in_front = is_in_front(*values.triangle_t, values.t_allowance, boundary);
+    if (!values.u || !values.v) return in_front;
+    const Real rest = Real(1) - *values.u - *values.v;
+    return worst({in_front, not_negative(*values.u, values.uv_allowance), not_negative(*values.v, values.uv_allowance),
+                  not_negative(rest, 2 * values.uv_allowance)});
+}
+
+std::vector<Verdict> possible_verdicts(const HitValues& values, std::span<const Boundary> boundaries) {
+    std::vector<Verdict> verdicts;
+    for (const Boundary boundary : boundaries) {
+        const Hits sphere = values.sphere_t ? is_in_front(*values.sphere_t, values.t_allowance, boundary) : no;
+        const Hits triangle = hits_triangle(values, boundary);
+        if (sphere != no && triangle != no) add(verdicts, order_of(*values.sphere_t, *values.triangle_t));
+        if (sphere != no && triangle != yes) add(verdicts, {Verdict::sphere_first});
+        if (sphere != yes && triangle != no) add(verdicts, {Verdict::triangle_first});
+        if (sphere != yes && triangle != yes) add(verdicts, {Verdict::no_hit});
     }
     return verdicts;
+}
+
+std::optional<Verdict> smaller_t(const HitValues& values) {
+    if (!values.sphere_t || !values.triangle_t) return std::nullopt;
+    const std::vector<Verdict> order = order_of(*values.sphere_t, *values.triangle_t);
+    return order.size() == 1 ? std::optional(order.front()) : std::nullopt;
 }
 
 }  // namespace harness

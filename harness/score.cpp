@@ -31,9 +31,11 @@ int rank(ItemVerdict verdict) {
 }
 
 /// The item's points: as the rubric lists them, else an equal share of the question's.
-double item_points(const reference::Rubric& rubric, const reference::KeyQuestion& question, const reference::ItemSpec& spec) {
+double item_points(const reference::Rubric& rubric, const reference::KeyQuestion& question,
+                   const reference::ItemSpec& spec) {
     const auto listed = rubric.item_points.find(question.number);
-    if (listed == rubric.item_points.end()) return rubric.points_of(question.number) / static_cast<double>(question.items.size());
+    if (listed == rubric.item_points.end())
+        return rubric.points_of(question.number) / static_cast<double>(question.items.size());
     const auto points = listed->second.find(std::string(spec.name));
     return points == listed->second.end() ? 0.0 : points->second;
 }
@@ -51,7 +53,8 @@ QuestionScore score_question(const reference::KeyQuestion& question, Judge& judg
         if (rank(judged.verdict) > rank(score.verdict)) score.verdict = judged.verdict;
         score.items.push_back(std::move(judged));
     }
-    const bool nothing = std::all_of(score.items.begin(), score.items.end(), [](const ItemScore& item) { return item.points == 0; });
+    const bool nothing =
+        std::all_of(score.items.begin(), score.items.end(), [](const ItemScore& item) { return item.points == 0; });
     score.points = nothing ? 0.0 : score.max_points - lost;
     if (score.verdict == ItemVerdict::unreadable) score.verdict = ItemVerdict::wrong;
     return score;

@@ -12,7 +12,7 @@ namespace harness {
 
 enum class ItemVerdict {
     right,
-    follow,      ///< wrong, but it follows from the student's own earlier wrong values
+    follow,  ///< wrong, but it follows from the student's own earlier wrong values
     wrong,
     missing,
     unreadable,  ///< something was printed for it that has another shape
@@ -38,7 +38,8 @@ struct ItemScore {
 
 struct QuestionScore {
     int number = 0;
-    ItemVerdict verdict = ItemVerdict::right;  ///< the worst of its items: wrong, missing, follow, right; unreadable counts as wrong
+    ItemVerdict verdict =
+        ItemVerdict::right;  ///< the worst of its items: wrong, missing, follow, right; unreadable counts as wrong
     double points = 0;
     double max_points = 0;
     std::vector<ItemScore> items;

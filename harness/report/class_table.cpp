@@ -31,13 +31,16 @@ std::string one_line(std::string text) {
 }
 
 std::size_t code_points(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
 std::string row_of(const Graded& graded, std::size_t id_width) {
-    std::string row = fmt::format("{}  {:<13}", padded(one_line(graded.submission.id), id_width), to_string(graded.outcome));
+    std::string row =
+        fmt::format("{}  {:<13}", padded(one_line(graded.submission.id), id_width), to_string(graded.outcome));
     const bool marked = graded.outcome != Outcome::not_graded;
-    for (const QuestionScore& question : graded.score.questions) row += fmt::format(" {:>5}", marked ? points_text(question.points) : "-");
+    for (const QuestionScore& question : graded.score.questions)
+        row += fmt::format(" {:>5}", marked ? points_text(question.points) : "-");
     return row + fmt::format("  {:>6}\n", marked ? points_text(graded.score.points) : "-");
 }
 
@@ -66,11 +69,13 @@ std::string summary(const std::vector<Graded>& graded) {
         if (one.outcome == Outcome::not_graded) continue;
         for (const QuestionScore& question : one.score.questions) count(tallies[question.number], question);
     }
-    std::string text = fmt::format("\n{:<26} {:>7}  {:>6} {:>6} {:>6} {:>7} {:>10}\n", "question", "average", "right", "follow", "wrong", "missing", "unreadable");
+    std::string text = fmt::format("\n{:<26} {:>7}  {:>6} {:>6} {:>6} {:>7} {:>10}\n", "question", "average", "right",
+                                   "follow", "wrong", "missing", "unreadable");
     for (const auto& [number, tally] : tallies) {
         const double share = tally.max_points > 0 ? 100 * tally.points / tally.max_points : 0;
-        text += fmt::format("{:>2}  {:<22} {:>5.0f} %  {:>6} {:>6} {:>6} {:>7} {:>10}\n", number, reference::question_title(number), share, tally.right,
-                            tally.follow, tally.wrong, tally.missing, tally.unreadable);
+        text += fmt::format("{:>2}  {:<22} {:>5.0f} %  {:>6} {:>6} {:>6} {:>7} {:>10}\n", number,
+                            reference::question_title(number), share, tally.right, tally.follow, tally.wrong,
+                            tally.missing, tally.unreadable);
     }
     return text;
 }
@@ -80,9 +85,11 @@ std::string summary(const std::vector<Graded>& graded) {
 std::string class_table(const std::vector<Graded>& graded) {
     if (graded.empty()) return "";
     std::size_t id_width = 10;
-    for (const Graded& one : graded) id_width = std::max(id_width, std::min(widest_id, code_points(one_line(one.submission.id))));
+    for (const Graded& one : graded)
+        id_width = std::max(id_width, std::min(widest_id, code_points(one_line(one.submission.id))));
     std::string text = padded("submission", id_width) + fmt::format("  {:<13}", "outcome");
-    for (const QuestionScore& question : graded.front().score.questions) text += fmt::format(" {:>5}", fmt::format("Q{}", question.number));
+    for (const QuestionScore& question : graded.front().score.questions)
+        text += fmt::format(" {:>5}", fmt::format("Q{}", question.number));
     text += fmt::format("  {:>6}\n", "points");
     double sum = 0;
     std::size_t marked = 0;
@@ -94,11 +101,13 @@ std::string class_table(const std::vector<Graded>& graded) {
     }
     text += summary(graded);
     if (marked > 0) {
-        text += fmt::format("\n{} of {} graded, average {} of {} points\n", marked, graded.size(), points_text(sum / static_cast<double>(marked)),
-                            points_text(graded.front().score.max_points));
+        text +=
+            fmt::format("\n{} of {} graded, average {} of {} points\n", marked, graded.size(),
+                        points_text(sum / static_cast<double>(marked)), points_text(graded.front().score.max_points));
     }
     for (const Graded& one : graded) {
-        if (one.outcome == Outcome::not_graded) text += fmt::format("not graded: {}: {}\n", one_line(one.submission.id), one_line(one.explanation));
+        if (one.outcome == Outcome::not_graded)
+            text += fmt::format("not graded: {}: {}\n", one_line(one.submission.id), one_line(one.explanation));
     }
     return text;
 }

@@ -33,7 +33,9 @@ std::string code_block(const std::string& text) {
     return fmt::format("{0}\n{1}{2}{0}\n", fence, safe, safe.ends_with('\n') ? "" : "\n");
 }
 
-std::string where(const ItemScore& item) { return item.line == 0 ? "" : fmt::format(" (line {})", item.line); }
+std::string where(const ItemScore& item) {
+    return item.line == 0 ? "" : fmt::format(" (line {})", item.line);
+}
 
 std::string item_line(int question, const ItemScore& item) {
     const std::string name = item.spec.shape == reference::Shape::verdict ? "the verdict" : std::string(item.spec.name);
@@ -45,16 +47,19 @@ std::string item_line(int question, const ItemScore& item) {
 }
 
 std::string verdict_of(const QuestionScore& question) {
-    const bool all_unreadable = std::all_of(question.items.begin(), question.items.end(), [](const ItemScore& i) { return i.verdict == ItemVerdict::unreadable; });
+    const bool all_unreadable = std::all_of(question.items.begin(), question.items.end(),
+                                            [](const ItemScore& i) { return i.verdict == ItemVerdict::unreadable; });
     return all_unreadable ? "unreadable" : std::string(to_string(question.verdict));
 }
 
 std::string items_worth_saying(const Score& score) {
     std::string text;
     for (const QuestionScore& question : score.questions) {
-        const bool all_missing = std::all_of(question.items.begin(), question.items.end(), [](const ItemScore& i) { return i.verdict == ItemVerdict::missing; });
+        const bool all_missing = std::all_of(question.items.begin(), question.items.end(),
+                                             [](const ItemScore& i) { return i.verdict == ItemVerdict::missing; });
         if (all_missing && question.items.size() > 1) {
-            text += fmt::format("- Question {}: no answer was found in the output. 0 of {} points.\n", question.number, points_text(question.max_points));
+            text += fmt::format("- Question {}: no answer was found in the output. 0 of {} points.\n", question.number,
+                                points_text(question.max_points));
             continue;
         }
         for (const ItemScore& item : question.items) {
@@ -76,8 +81,9 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     if (!graded.explanation.empty()) text += graded.explanation + "\n\n";
     text += "| Question | | Result | Points |\n|---:|---|---|---:|\n";
     for (const QuestionScore& question : score.questions) {
-        text += fmt::format("| {} | {} | {} | {} of {} |\n", question.number, reference::question_title(question.number), verdict_of(question),
-                            points_text(question.points), points_text(question.max_points));
+        text +=
+            fmt::format("| {} | {} | {} | {} of {} |\n", question.number, reference::question_title(question.number),
+                        verdict_of(question), points_text(question.points), points_text(question.max_points));
     }
     const std::string items = graded.outcome == Outcome::compile_error ? "" : items_worth_saying(score);
     if (!items.empty()) text += "\n## Answers to look at\n\n" + items;
@@ -87,9 +93,11 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     }
     if (!graded.build.diagnostics.empty()) {
         const bool failed = graded.outcome == Outcome::compile_error;
-        text += fmt::format("\n## The compiler's messages\n\n{}{}", failed ? "" : "Warnings cost no points.\n\n", code_block(graded.build.diagnostics));
+        text += fmt::format("\n## The compiler's messages\n\n{}{}", failed ? "" : "Warnings cost no points.\n\n",
+                            code_block(graded.build.diagnostics));
     }
-    if (!graded.run.errors.empty()) text += "\n## What the program wrote to standard error\n\n" + code_block(graded.run.errors);
+    if (!graded.run.errors.empty())
+        text += "\n## What the program wrote to standard error\n\n" + code_block(graded.run.errors);
     return text;
 }
 
@@ -97,20 +105,24 @@ std::string check_text(const Graded& graded) {
     std::string text;
     if (!graded.explanation.empty()) text += escape_control(graded.explanation) + "\n";
     for (const std::string& note : graded.submission.notes) text += escape_control(note) + "\n";
-    if (!graded.build.diagnostics.empty()) text += "\nThe compiler's messages:\n" + escape_control(graded.build.diagnostics) + "\n";
+    if (!graded.build.diagnostics.empty())
+        text += "\nThe compiler's messages:\n" + escape_control(graded.build.diagnostics) + "\n";
     if (graded.outcome == Outcome::compile_error || graded.outcome == Outcome::not_graded) return text;
     for (const QuestionScore& question : graded.score.questions) {
-        text += fmt::format("Question {}, {}: {} of {} points\n", question.number, reference::question_title(question.number), points_text(question.points),
+        text += fmt::format("Question {}, {}: {} of {} points\n", question.number,
+                            reference::question_title(question.number), points_text(question.points),
                             points_text(question.max_points));
         for (const ItemScore& item : question.items) {
             text += fmt::format("  {:<13} {:<10}{}\n", item.spec.name, to_string(item.verdict), where(item));
             const std::string sentence = item_sentence(item);
             if (sentence.empty()) continue;
             if (!item.printed.empty()) text += fmt::format("      you printed {}\n", escape_control(item.printed));
-            text += fmt::format("      {}{}\n", sentence, item.diagnosis.empty() ? "" : fmt::format(" ({})", item.diagnosis));
+            text += fmt::format("      {}{}\n", sentence,
+                                item.diagnosis.empty() ? "" : fmt::format(" ({})", item.diagnosis));
         }
     }
-    return text + fmt::format("\n{} of {} points\n", points_text(graded.score.points), points_text(graded.score.max_points));
+    return text +
+           fmt::format("\n{} of {} points\n", points_text(graded.score.points), points_text(graded.score.max_points));
 }
 
 }  // namespace harness::report

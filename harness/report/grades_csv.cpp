@@ -10,7 +10,8 @@ namespace {
 /// A quoted cell. What a spreadsheet would compute is text behind an apostrophe.
 std::string cell(const std::string& text) {
     std::string safe = escape_control(text);
-    if (!safe.empty() && std::string_view("=+-@\t\r").find(safe.front()) != std::string_view::npos) safe.insert(0, 1, '\'');
+    if (!safe.empty() && std::string_view("=+-@\t\r").find(safe.front()) != std::string_view::npos)
+        safe.insert(0, 1, '\'');
     std::string quoted(2 * safe.size() + 2, '\0');
     quoted.resize(csv_write(quoted.data(), quoted.size(), safe.data(), safe.size()));
     return quoted;
@@ -21,14 +22,16 @@ std::string cell(const std::string& text) {
 std::string grades_csv(const std::vector<Graded>& graded) {
     std::string text = "id,outcome,points,max_points";
     if (!graded.empty()) {
-        for (const QuestionScore& question : graded.front().score.questions) text += fmt::format(",Q{}", question.number);
+        for (const QuestionScore& question : graded.front().score.questions)
+            text += fmt::format(",Q{}", question.number);
     }
     text += ",explanation\r\n";
     for (const Graded& one : graded) {
         const bool marked = one.outcome != Outcome::not_graded;
-        text += fmt::format("{},{},{},{}", cell(one.submission.id), to_string(one.outcome), marked ? points_text(one.score.points) : "",
-                            points_text(one.score.max_points));
-        for (const QuestionScore& question : one.score.questions) text += "," + (marked ? points_text(question.points) : "");
+        text += fmt::format("{},{},{},{}", cell(one.submission.id), to_string(one.outcome),
+                            marked ? points_text(one.score.points) : "", points_text(one.score.max_points));
+        for (const QuestionScore& question : one.score.questions)
+            text += "," + (marked ? points_text(question.points) : "");
         text += "," + cell(one.explanation) + "\r\n";
     }
     return text;

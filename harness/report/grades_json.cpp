@@ -11,11 +11,17 @@ namespace {
 using nlohmann::ordered_json;
 
 /// Marks are sums of shares; what is left of the rounding is cut off at a millionth of a point.
-double tidy(double points) { return std::round(points * 1e6) / 1e6; }
+double tidy(double points) {
+    return std::round(points * 1e6) / 1e6;
+}
 
-double seconds(std::chrono::milliseconds time) { return static_cast<double>(time.count()) / 1000.0; }
+double seconds(std::chrono::milliseconds time) {
+    return static_cast<double>(time.count()) / 1000.0;
+}
 
-ordered_json or_null(const std::string& text) { return text.empty() ? ordered_json(nullptr) : ordered_json(escape_control(text)); }
+ordered_json or_null(const std::string& text) {
+    return text.empty() ? ordered_json(nullptr) : ordered_json(escape_control(text));
+}
 
 ordered_json item_json(const ItemScore& item) {
     ordered_json json{{"name", item.spec.name},
@@ -60,19 +66,20 @@ ordered_json submission_json(const Graded& graded) {
     if (marked) {
         for (const QuestionScore& question : graded.score.questions) questions.push_back(question_json(question));
     }
-    return {{"id", escape_control(graded.submission.id)},
-            {"student", {{"name", nullptr}, {"lms_user_id", nullptr}, {"late", nullptr}}},
-            {"file", escape_control(graded.submission.file.string())},
-            {"source_sha256", or_null(graded.submission.source_sha256)},
-            {"outcome", to_string(graded.outcome)},
-            {"explanation", or_null(graded.explanation)},
-            {"notes", notes},
-            {"build", {{"seconds", seconds(graded.build.wall)}, {"diagnostics", escape_control(graded.build.diagnostics)}}},
-            {"run", run_json(graded.run)},
-            {"points", marked ? ordered_json(tidy(graded.score.points)) : ordered_json(nullptr)},
-            {"max_points", tidy(graded.score.max_points)},
-            {"questions", questions},
-            {"flags", ordered_json::array()}};
+    return {
+        {"id", escape_control(graded.submission.id)},
+        {"student", {{"name", nullptr}, {"lms_user_id", nullptr}, {"late", nullptr}}},
+        {"file", escape_control(graded.submission.file.string())},
+        {"source_sha256", or_null(graded.submission.source_sha256)},
+        {"outcome", to_string(graded.outcome)},
+        {"explanation", or_null(graded.explanation)},
+        {"notes", notes},
+        {"build", {{"seconds", seconds(graded.build.wall)}, {"diagnostics", escape_control(graded.build.diagnostics)}}},
+        {"run", run_json(graded.run)},
+        {"points", marked ? ordered_json(tidy(graded.score.points)) : ordered_json(nullptr)},
+        {"max_points", tidy(graded.score.max_points)},
+        {"questions", questions},
+        {"flags", ordered_json::array()}};
 }
 
 }  // namespace

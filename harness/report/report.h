@@ -1,4 +1,5 @@
-// What instructors and students get to read. All text from a submission is escaped here: control bytes, invalid UTF-8, Markdown.
+// What instructors and students get to read. All text from a submission is escaped here: control bytes, invalid UTF-8,
+// Markdown.
 #pragma once
 
 #include <string>
@@ -14,15 +15,16 @@ std::string class_table(const std::vector<Graded>& graded);
 /// The format raygrade/grades/1, indented, with a final newline.
 std::string grades_json(const std::vector<Graded>& graded, const Marking& marking);
 
-/// One row a submission, RFC 4180 with a header: id, outcome, points, max_points and the points by question. A cell that a
-/// spreadsheet would take for a formula begins with an apostrophe.
+/// One row a submission, RFC 4180 with a header: id, outcome, points, max_points and the points by question. A cell
+/// that a spreadsheet would take for a formula begins with an apostrophe.
 std::string grades_csv(const std::vector<Graded>& graded);
 
-/// A student's feedback as Markdown: points and, for each lost mark, question, line, what was printed and what is wrong with it. Never
-/// an expected value.
+/// A student's feedback as Markdown: points and, for each lost mark, question, line, what was printed and what is wrong
+/// with it. Never an expected value.
 std::string feedback_markdown(const Graded& graded, const Marking& marking);
 
-/// The same marking for a student's own check, on a terminal: a verdict for every item, with the reason. Never an expected value.
+/// The same marking for a student's own check, on a terminal: a verdict for every item, with the reason. Never an
+/// expected value.
 std::string check_text(const Graded& graded);
 
 /// Points as people write them: at most two decimals, no trailing zeros.

@@ -19,7 +19,8 @@ std::string expected_shape(reference::Shape shape) {
 }
 
 bool holds_no_number(const ItemScore& item) {
-    return !item.error && (item.printed.find("nan") != std::string::npos || item.printed.find("inf") != std::string::npos);
+    return !item.error &&
+           (item.printed.find("nan") != std::string::npos || item.printed.find("inf") != std::string::npos);
 }
 
 }  // namespace
@@ -34,14 +35,17 @@ std::string points_text(double points) {
 std::string item_sentence(const ItemScore& item) {
     switch (item.verdict) {
         case ItemVerdict::right: return item.accepted_as.empty() ? "" : fmt::format("Accepted: {}.", item.accepted_as);
-        case ItemVerdict::follow: return "Not the right value, but it follows correctly from an earlier mistake of yours.";
+        case ItemVerdict::follow:
+            return "Not the right value, but it follows correctly from an earlier mistake of yours.";
         case ItemVerdict::missing:
-            return fmt::format("Not found in the output. Print {} with a label under this question's heading.", expected_shape(item.spec.shape));
+            return fmt::format("Not found in the output. Print {} with a label under this question's heading.",
+                               expected_shape(item.spec.shape));
         case ItemVerdict::unreadable:
             return fmt::format("This can't be read as an answer; {} is asked for.", expected_shape(item.spec.shape));
         case ItemVerdict::wrong: break;
     }
-    if (holds_no_number(item)) return "That is not a number (nan or inf): look for a division by zero or the root of a negative number.";
+    if (holds_no_number(item))
+        return "That is not a number (nan or inf): look for a division by zero or the root of a negative number.";
     if (!item.advice.empty()) return item.advice;
     return "That is not the right value, nor does it follow from your earlier answers.";
 }

@@ -1,0 +1,70 @@
+#include "harness/tolerance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace harness {
+namespace {
+
+using reference::Answer;
+using reference::KeyItem;
+using reference::PixelConvention;
+
+/// Where nothing bounds how far float arithmetic may be off, as at a tangent, an answer is held to this share of its
+/// size.
+constexpr double allowance_without_bound = 0.01;
+
+/// What a key without certified allowances is held to: some roundings of float, beside the item's size.
+constexpr double uncertified_allowance = 1e-4;
+
+/// The item's first answer with the convention, or else its first: answers that several readings share are listed once.
+const Answer& answer_under(PixelConvention convention, const KeyItem& item) {
+    const auto found = std::find_if(item.answers.begin(), item.answers.end(),
+                                    [&](const Answer& answer) { return answer.reading.convention == convention; });
+    return found == item.answers.end() ? item.answers.front() : *found;
+}
+
+}  // namespace
+
+Target target_with_allowance(const KeyItem& item, const Answer& answer, const reference::Rubric& rubric) {
+    Target target = target_of(answer);
+    const auto* numbers = std::get_if<reference::Numbers>(&answer.value);
+    if (numbers == nullptr) return target;
+    const double unit = reference::unit_of(*numbers);
+    const double tolerance = unit * rubric.tolerance_of(item.spec.question, std::string(item.spec.name)).value_or(0.0);
+    for (std::size_t i = 0; i < numbers->size(); ++i) {
+        double allowance = answer.allowance.empty() ? uncertified_allowance * unit : answer.allowance[i];
+        if (!std::isfinite(allowance)) allowance = allowance_without_bound * unit;
+        target.allowance.push_back(std::max(allowance, tolerance));
+    }
+    return target;
+}
+
+std::vector<Known> keys_by_convention(const reference::AnswerKey& key, const reference::Rubric& rubric) {
+    std::vector<Known> keys;
+    for (const PixelConvention convention : rubric.pixel_conventions) {
+        Known& known = keys.emplace_back();
+        for (const reference::KeyQuestion& question : key.questions) {
+            for (const KeyItem& item : question.items) {
+                known.set({question.number, item.spec.name},
+                          target_with_allowance(item, answer_under(convention, item), rubric));
+            }
+        }
+    }
+    return keys;
+}
+
+Known widened_by_allowance(const Known& key) {
+    Known known;
+    for (auto [id, target] : key.targets()) {
+        for (std::size_t i = 0; i < target.allowance.size(); ++i) {
+            const double allowance = target.allowance[i];
+            if (allowance > 0) target.components[i] += Real(-allowance, allowance);
+        }
+        target.allowance.clear();
+        known.set(id, std::move(target));
+    }
+    return known;
+}
+
+}  // namespace harness

@@ -1,0 +1,232 @@
+// The same answers in any layout get the same marks. Every trial prints its seed when it fails; the trial's number is
+// the seed.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/score.h"
+#include "tests/random_scene.h"
+#include "tests/student/mistakes.h"
+#include "tests/student/printout.h"
+#include "tests/student/scenes.h"
+
+namespace {
+
+using namespace harness;
+using reference::ItemId;
+using student::Layout;
+using student::Program;
+using student::Way;
+
+constexpr std::uint64_t trials = 240;
+constexpr int max_failures = 3;  // printed in full
+
+Way random_way(std::uint64_t seed) {
+    constexpr int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {1, 0, 2}, {2, 1, 0}};
+    std::mt19937_64 random(seed ^ 0x5bd1e995U);
+    Way way;
+    way.arithmetic = static_cast<Way::Arithmetic>(random() % 3);
+    way.convention = random() % 4 == 0 ? reference::PixelConvention::grid : reference::PixelConvention::centre;
+    way.boundary = random() % 2 == 0 ? reference::Boundary::positive : reference::Boundary::nonnegative;
+    way.half_b = random() % 4 == 0;
+    const auto& order = orders[random() % 6];
+    way.columns.assign(order, order + 3);
+    way.true_hits_only = random() % 2 == 0;
+    return way;
+}
+
+Score mark(const std::string& output, const student::Marking& marking) {
+    return score(read_transcript(output), marking.key, marking.assignment);
+}
+
+std::string lost_items(const Score& score) {
+    std::string text;
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (item.verdict == ItemVerdict::right) continue;
+            text += std::to_string(question.number) + "." + std::string(item.spec.name) + " is " +
+                    std::string(to_string(item.verdict)) + ": " + item.printed + "\n";
+        }
+    }
+    return text;
+}
+
+class Layouts : public testing::TestWithParam<std::string_view> {};
+
+TEST_P(Layouts, OfRightAnswersGetFullMarks) {
+    const student::Marking marking = student::scene_named(GetParam());
+    int failures = 0;
+    for (std::uint64_t seed = 1; seed <= trials && failures < max_failures; ++seed) {
+        const Layout layout = student::random_layout(seed, 2);
+        const Program program(marking.assignment, random_way(seed));
+        const std::string output = print(program, layout);
+        const std::string lost = lost_items(mark(output, marking));
+        EXPECT_EQ(lost, "") << layout.describe() << "\n" << output;
+        if (!lost.empty()) ++failures;
+    }
+}
+
+std::string test_name(const testing::TestParamInfo<std::string_view>& info) {
+    std::string name(info.param);
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
+}
+
+TEST(LayoutsOfRandomScenes, GetFullMarksForRightAnswers) {
+    int failures = 0;
+    for (std::uint64_t seed = 1; seed <= 300 && failures < max_failures; ++seed) {
+        reference::Assignment assignment = random_assignment(seed);
+        const student::Marking marking{assignment, make_key(assignment, reference::Precision::certified)};
+        for (std::uint64_t layout_seed = 3 * seed; layout_seed < 3 * seed + 3; ++layout_seed) {
+            const Layout layout = student::random_layout(layout_seed, 2);
+            const std::string output = print(Program(assignment, random_way(layout_seed)), layout);
+            const std::string lost = lost_items(mark(output, marking));
+            EXPECT_EQ(lost, "") << "scene " << seed << ", " << layout.describe() << "\n" << output;
+            if (!lost.empty()) ++failures;
+        }
+    }
+}
+
+/// A mistake in any item: its stage done wrongly, or one number of it altered.
+struct Planted {
+    Program::Mistake mistake;
+    std::string name;
+};
+
+Planted random_mistake(std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    if (random() % 2 == 0) {
+        const auto& named = student::named_mistakes()[random() % student::named_mistakes().size()];
+        return {named.mistake, std::string(named.name)};
+    }
+    std::vector<ItemId> numeric;
+    for (const reference::ItemSpec& spec : reference::all_items()) {
+        if (spec.shape != reference::Shape::verdict) numeric.emplace_back(spec.question, spec.name);
+    }
+    const ItemId id = numeric[random() % numeric.size()];
+    const std::uint64_t component = random();
+    const auto alter = [=](const Program&, const std::optional<student::Floats>& right) {
+        std::optional<student::Floats> value = right;
+        if (!value) return value;
+        float& x = (*value)[component % value->size()];
+        x = x * 1.375F + 0.25F;
+        return value;
+    };
+    return {{id, alter}, "altered"};
+}
+
+bool is_finite(const Program& program) {
+    for (const auto& [id, value] : program.values()) {
+        if (value && !std::all_of(value->begin(), value->end(), [](float x) { return std::isfinite(x); })) return false;
+    }
+    return true;
+}
+
+/// Whether so many digits of the discriminant cancel that those printed of b and c do not tell it, or so few that they
+/// do not tell whether b is halved.
+bool cancels(const Program& program) {
+    const float b = program.scalar({6, "b"});
+    const float ac = program.scalar({6, "a"}) * program.scalar({6, "c"});
+    return std::abs(b * b - 4 * ac) < 0.01F * b * b || std::abs(ac) < 0.01F * b * b;
+}
+
+/// The program with the mistake; empty where the scene has no place for it, as without a hit point, or where it
+/// computes no numbers.
+std::optional<Program> make_mistake(const student::Marking& marking, const Way& way, const Program::Mistake& mistake) {
+    try {
+        Program program(marking.assignment, way, mistake);
+        return is_finite(program) && !cancels(program) ? std::optional(std::move(program)) : std::nullopt;
+    } catch (const std::bad_optional_access&) {
+        return std::nullopt;
+    }
+}
+
+/// Whether two values are so far apart that no digits or roundings make one look like the other.
+bool differs_clearly(const std::optional<student::Floats>& one, const std::optional<student::Floats>& other,
+                     double allowance) {
+    if (one.has_value() != other.has_value()) return true;
+    if (!one) return false;
+    for (std::size_t i = 0; i < one->size(); ++i) {
+        if (std::abs((*one)[i] - (*other)[i]) > 2 * allowance + 0.02F * std::max(1.0F, std::abs((*other)[i])))
+            return true;
+    }
+    return false;
+}
+
+/// What is wrong with the marks of a program that made one mistake; empty when nothing is.
+std::string unjust_verdicts(const Score& score, const Program& wrong, const Program& right, const ItemId& mistake,
+                            bool is_decided) {
+    std::string text;
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) {
+            const ItemId id{question.number, item.spec.name};
+            const bool is_verdict = item.spec.shape == reference::Shape::verdict;
+            const bool same =
+                is_verdict ? wrong.verdict() == right.verdict() : wrong.values().at(id) == right.values().at(id);
+            const bool different =
+                !is_verdict && differs_clearly(wrong.values().at(id), right.values().at(id), item.allowance);
+            std::string fair = "right or follow";
+            const bool no_value = !is_verdict && (!wrong.values().at(id) || !right.values().at(id));
+            if (id == mistake)
+                fair = "wrong";
+            else if (no_value && !is_decided)
+                fair = "right or follow";
+            else if (same)
+                fair = "right";
+            else if (different)
+                fair = "follow";
+            if (fair.find(to_string(item.verdict)) != std::string::npos) continue;
+            text += fmt::format("{}.{} is {}, not {}: {} (accepted as '{}', allowance {})\n", question.number,
+                                item.spec.name, to_string(item.verdict), fair, item.printed, item.accepted_as,
+                                item.allowance);
+        }
+    }
+    return text;
+}
+
+/// Whether the hits of this scene are the same for every right program: the rubric accepts one reading of t = 0, and no
+/// rounding matters.
+bool is_decided(const student::Marking& marking) {
+    const std::string& name = marking.assignment.name;
+    return !name.starts_with("barely") && !name.starts_with("almost") && name != "grazing" && name != "a6-2021" &&
+           name != "a6-edge";
+}
+
+/// On the handout's scene the row of V has nothing else in it, so that it is merely multiplied by -1, on both sides.
+bool is_equivalent(const student::Marking& marking, const Planted& planted) {
+    return marking.assignment.name == "a6-2021" && planted.name == "V not negated";
+}
+
+TEST_P(Layouts, OfOneMistakeLoseThatItemAlone) {
+    const student::Marking marking = student::scene_named(GetParam());
+    int failures = 0;
+    int tried = 0;
+    for (std::uint64_t seed = 1; seed <= trials && failures < max_failures; ++seed) {
+        const Planted planted = random_mistake(seed);
+        Way way = random_way(seed);
+        way.convention = reference::PixelConvention::centre;
+        way.half_b = way.half_b && planted.mistake.item.first != 6;
+        if (planted.mistake.item == ItemId{8, "matrix"}) way.columns = {0, 1, 2};
+        const Program right(marking.assignment, way);
+        const std::optional<Program> wrong = make_mistake(marking, way, planted.mistake);
+        const auto& id = planted.mistake.item;
+        if (!wrong || is_equivalent(marking, planted) ||
+            !differs_clearly(wrong->values().at(id), right.values().at(id), 0))
+            continue;
+        ++tried;
+        const Layout layout = student::random_layout(seed, 6);
+        const std::string output = print(*wrong, layout);
+        const std::string unjust = unjust_verdicts(mark(output, marking), *wrong, right, id, is_decided(marking));
+        EXPECT_EQ(unjust, "") << planted.name << " in " << id.first << "." << id.second << ", " << layout.describe()
+                              << "\n"
+                              << output;
+        if (!unjust.empty()) ++failures;
+    }
+    EXPECT_GT(tried, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Layouts, testing::ValuesIn(student::scene_names()), test_name);
+
+}  // namespace

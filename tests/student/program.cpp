@@ -1,0 +1,170 @@
+#include "tests/student/program.h"
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "reference/scene_answers.h"
+
+namespace student {
+namespace {
+
+using reference::Boundary;
+using reference::Verdict;
+using Arithmetic = Way::Arithmetic;
+
+constexpr ItemId P_VCS{1, "P_VCS"}, X{2, "X_vcs"}, Y{2, "Y_vcs"}, Z{2, "Z_vcs"}, M{3, "M_VCS_to_WCS"},
+    P_WCS{4, "P_WCS"}, V{5, "V"};
+constexpr ItemId a{6, "a"}, b{6, "b"}, c{6, "c"}, d{6, "d"}, t_s{6, "t"}, hit_s{6, "hit"}, normal_s{7, "normal"};
+constexpr ItemId matrix{8, "matrix"}, rhs{8, "rhs"}, t_t{8, "t"}, u{8, "u"}, v{8, "v"}, hit_t{8, "hit"},
+    normal_t{9, "normal"};
+
+float read(const reference::Decimal& x) {
+    return x.to_float();
+}
+
+}  // namespace
+
+Floats floats(float x) {
+    return {x};
+}
+Floats floats(const glm::vec3& p) {
+    return {p.x, p.y, p.z};
+}
+Floats floats(const glm::mat3& m) {
+    return reference::components(m);
+}
+Floats floats(const glm::mat4& m) {
+    return reference::components(m);
+}
+
+Program::Program(const reference::Assignment& assignment, const Way& way, std::optional<Mistake> mistake)
+    : scene_(reference::convert_scene<float>(assignment.scene, read)), way_(way), mistake_(std::move(mistake)) {
+    answer_camera();
+    answer_sphere();
+    answer_triangle();
+    const auto distance = [&](const ItemId& t, bool hit) { return hit ? std::optional(scalar(t)) : std::nullopt; };
+    verdict_ = *reference::first_hit(distance(t_s, has(t_s) && is_hit_at(scalar(t_s))),
+                                     distance(t_t, has(t_t) && in_triangle() && is_hit_at(scalar(t_t))));
+}
+
+void Program::settle(const ItemId& id, std::optional<Floats> value) {
+    values_[id] = mistake_ && mistake_->item == id ? mistake_->compute(*this, value) : std::move(value);
+}
+
+glm::vec3 Program::vector(const ItemId& id) const {
+    const Floats& p = values_.at(id).value();
+    return {p[0], p[1], p[2]};
+}
+
+glm::mat4 Program::matrix4(const ItemId& id) const {
+    const Floats& p = values_.at(id).value();
+    glm::mat4 m(0.0F);
+    for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = p[static_cast<std::size_t>(i)];
+    return m;
+}
+
+void Program::answer_camera() {
+    const auto& [eye, lookat, vup] = scene_.camera;
+    settle(P_VCS, floats(reference::pixel_to_vcs(scene_.window, scene_.pixel, way_.convention)));
+    if (uses_glm()) {
+        settle(Z, floats(glm::normalize(eye - lookat)));
+        settle(X, floats(glm::normalize(glm::cross(vup, vector(Z)))));
+        settle(Y, floats(glm::cross(vector(Z), vector(X))));
+    } else {
+        settle(Z, floats(reference::normalized(glm::vec3(eye - lookat))));
+        settle(X, floats(reference::normalized(reference::cross(vup, vector(Z)))));
+        settle(Y, floats(reference::cross(vector(Z), vector(X))));
+    }
+    // A program with a mistake in its axes goes on with them; lookAt would hide it.
+    const bool own_axes = mistake_ && mistake_->item.first == 2;
+    if (uses_glm() && !own_axes) {
+        settle(M, floats(glm::inverse(glm::lookAt(eye, lookat, vup))));
+        settle(P_WCS, floats(glm::vec3(matrix4(M) * glm::vec4(vector(P_VCS), 1.0F))));
+    } else {
+        settle(M, floats(reference::vcs_to_wcs(reference::Basis<float>{vector(X), vector(Y), vector(Z)}, eye)));
+        settle(P_WCS, floats(reference::pixel_to_wcs(matrix4(M), vector(P_VCS))));
+    }
+    settle(V, floats(uses_glm() ? glm::normalize(vector(P_WCS) - eye) : reference::ray_direction(vector(P_WCS), eye)));
+}
+
+void Program::answer_sphere() {
+    const reference::Sphere<float>& sphere = scene_.spheres.front();
+    const reference::Quadratic<float> right = reference::sphere_quadratic(vector(P_WCS), vector(V), sphere);
+    settle(a, floats(right.a));
+    settle(b, floats(way_.half_b ? glm::dot(vector(V), vector(P_WCS) - sphere.center) : right.b));
+    settle(c, floats(right.c));
+    const float p = scalar(a), q = scalar(b), r = scalar(c);
+    settle(d, floats(way_.half_b ? q * q - p * r : q * q - 4 * p * r));
+    const float disc = scalar(d);
+    std::optional<Floats> t;
+    if (disc >= 0) {
+        const float divisor = way_.half_b ? p : 2 * p;
+        const float near = (-q - std::sqrt(disc)) / divisor;
+        const float far = (-q + std::sqrt(disc)) / divisor;
+        if (is_hit_at(near))
+            t = floats(near);
+        else if (is_hit_at(far))
+            t = floats(far);
+    }
+    settle(t_s, t);
+    settle(hit_s, has(t_s) ? std::optional(floats(vector(P_WCS) + scalar(t_s) * vector(V))) : std::nullopt);
+    std::optional<Floats> normal;
+    if (has(hit_s)) {
+        const glm::vec3 out = vector(hit_s) - sphere.center;
+        normal = floats(uses_glm() ? glm::normalize(out) : reference::normalized(out));
+    }
+    settle(normal_s, normal);
+}
+
+void Program::answer_triangle() {
+    const auto& [A, B, C] = scene_.triangles.front();
+    Floats columns(9);
+    const glm::vec3 right[] = {-vector(V), B - A, C - A};
+    for (std::size_t i = 0; i < 9; ++i) {
+        const auto place = static_cast<std::size_t>(way_.columns[i / 3]);
+        columns[3 * place + i % 3] = right[i / 3][static_cast<int>(i % 3)];
+    }
+    settle(matrix, columns);
+    settle(rhs, floats(vector(P_WCS) - A));
+    solve_triangle(vector(rhs));
+    const bool hit = has(t_t) && in_triangle() && is_hit_at(scalar(t_t));
+    const bool has_point = has(t_t) && (hit || !way_.true_hits_only);
+    settle(hit_t, has_point ? std::optional(floats(vector(P_WCS) + scalar(t_t) * vector(V))) : std::nullopt);
+    settle(normal_t, floats(uses_glm() ? glm::normalize(glm::cross(B - A, C - A))
+                                       : reference::triangle_normal(scene_.triangles.front())));
+}
+
+void Program::solve_triangle(const glm::vec3& right) {
+    const Floats& m = *values_.at(matrix);
+    const auto column = [&](int unknown) {
+        const auto first = 3 * static_cast<std::size_t>(way_.columns[static_cast<std::size_t>(unknown)]);
+        return glm::vec3(m[first], m[first + 1], m[first + 2]);
+    };
+    const glm::mat3 system(column(0), column(1), column(2));
+    glm::vec3 solved;
+    if (way_.arithmetic == Arithmetic::glm) {
+        solved = glm::inverse(system) * right;
+    } else if (way_.arithmetic == Arithmetic::glm_cramer) {
+        const float det = glm::determinant(system);
+        solved = glm::vec3(glm::determinant(glm::mat3(right, system[1], system[2])),
+                           glm::determinant(glm::mat3(system[0], right, system[2])),
+                           glm::determinant(glm::mat3(system[0], system[1], right))) /
+                 det;
+    } else {
+        const auto cramer = reference::solve_by_cramer(reference::LinearSystem<float>{system, right});
+        solved = glm::vec3(cramer.t_numerator, cramer.u_numerator, cramer.v_numerator) / cramer.det;
+    }
+    settle(t_t, floats(solved[0]));
+    settle(u, floats(solved[1]));
+    settle(v, floats(solved[2]));
+}
+
+bool Program::in_triangle() const {
+    return scalar(u) >= 0 && scalar(v) >= 0 && scalar(u) + scalar(v) <= 1;
+}
+
+bool Program::is_hit_at(float t) const {
+    return way_.boundary == Boundary::positive ? t > 0 : t >= 0;
+}
+
+}  // namespace student
