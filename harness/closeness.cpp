@@ -51,7 +51,9 @@ bool is_within(const PrintedNumber& given, const Real& target, double allowance,
 
 bool is_multiple(const PrintedNumber& given, const Real& target, double factor, double allowance, int min_decimals) {
     const double undone = given.value / factor;
-    const double slack = allowance + half_unit(given, min_decimals) / std::max(1.0, std::abs(factor));
+    const double half = half_unit(given, min_decimals);
+    const double forgiven = std::max(half, 0.5 * std::pow(10.0, -min_decimals));
+    const double slack = allowance + std::min(half / std::abs(factor), forgiven);
     return factor != 0 && std::isfinite(undone) && target.lo() - slack <= undone && undone <= target.hi() + slack;
 }
 
