@@ -37,22 +37,27 @@ bool is_list_of(const PrintedValue& value, std::size_t count) {
     return value.groups == 1 && value.numbers.size() == count;
 }
 
+/// Whether a value may stand within a block: the rows of a matrix have no labels but "row 1", and one may carry the
+/// matrix's own, as in "    [ 0 -2 ]" over "A = [ 3 0 ]".
+bool may_be_in_block(const PrintedValue& value, std::span<const ItemSpec> items) {
+    if (value.label.empty() || is_row_label(value.label)) return true;
+    return vector_fit(value, items) < LabelFit::named && !is_aside(value, items);
+}
+
 /// Whether values[at] to values[at + n - 1] are the rows or columns of one matrix, each with `count` numbers.
 bool is_block(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n, std::size_t count,
               std::span<const ItemSpec> items) {
-    if (at + n > values.size()) return false;
-    const PrintedValue& first = values[at];
-    if (!is_list_of(first, count)) return false;
-    if (!first.label.empty() && !is_row_label(first.label) && vector_fit(first, items) >= LabelFit::named) return false;
-    if (is_aside(first, items)) return false;
-    for (std::size_t k = 1; k < n; ++k) {
+    if (at + n > values.size() || !is_list_of(values[at], count) || is_aside(values[at], items)) return false;
+    std::size_t own_labels = 0;
+    for (std::size_t k = 0; k < n; ++k) {
         const PrintedValue& value = values[at + k];
-        const bool labelled_row = is_row_label(value.label);
-        if (!is_list_of(value, count) || (!value.label.empty() && !labelled_row)) return false;
+        if (!is_list_of(value, count) || !may_be_in_block(value, items)) return false;
+        if (!value.label.empty() && !is_row_label(value.label)) ++own_labels;
+        if (k == 0) continue;
         if (!value.above.empty() && !is_row_label(value.above)) return false;
-        if (value.line - values[at + k - 1].line > 2) return false;
+        if (value.line - values[at + k - 1].last_line > 2) return false;
     }
-    return true;
+    return own_labels <= 1;
 }
 
 bool is_augmented_row(const PrintedValue& value) {
@@ -73,11 +78,12 @@ MatrixOrder block_order(const std::vector<PrintedValue>& values, std::size_t at,
     static const RE2 opened(R"(mat[234](?:x[234])?\s*\(\s*$)");  // "A = mat3x3(" on the line above
     const bool typed = first.typed || RE2::PartialMatch(first.above, opened);
     MatrixOrder otherwise = typed ? MatrixOrder::columns : MatrixOrder::rows;
-    if (is_row_label(last.label)) {
-        const MatrixOrder said = matrix_order(last.label);
-        const bool row_letter = last.label.front() == 'r' || last.label.front() == 'R';
+    const std::string& row_label = last.label.empty() ? last.above : last.label;
+    if (is_row_label(row_label)) {
+        const MatrixOrder said = matrix_order(row_label);
+        const bool row_letter = row_label.front() == 'r' || row_label.front() == 'R';
         if (said != MatrixOrder::unsaid) return said;
-        const bool digit = last.label.front() >= '0' && last.label.front() <= '9';
+        const bool digit = row_label.front() >= '0' && row_label.front() <= '9';
         otherwise = row_letter || (digit && !typed) ? MatrixOrder::rows : MatrixOrder::columns;
     }
     return order_of(first, otherwise);
@@ -90,6 +96,9 @@ std::vector<Candidate> gather_block(const std::vector<PrintedValue>& values, std
     matrix.value.numbers.clear();
     matrix.value.printed.clear();
     matrix.value.groups = static_cast<int>(n);
+    for (std::size_t k = 0; k < n; ++k) {
+        if (!values[at + k].label.empty()) matrix.value.label = values[at + k].label;
+    }
     if (is_row_label(matrix.value.label)) matrix.value.label.clear();
     Candidate rhs{values[at], MatrixOrder::unsaid, 0, at, n};
     rhs.value.numbers.clear();
@@ -108,39 +117,53 @@ std::vector<Candidate> gather_block(const std::vector<PrintedValue>& values, std
     return {matrix, rhs};
 }
 
+/// How many values from values[at] on are numbers that stand alone on lines that follow each other, all framed or none.
+std::size_t stack_height(const std::vector<PrintedValue>& values, std::size_t at) {
+    constexpr std::size_t most = 64;
+    std::size_t height = 0;
+    while (at + height < values.size() && height < most) {
+        const PrintedValue& value = values[at + height];
+        if (value.numbers.size() != 1 || value.framed != values[at].framed || !value.after.empty()) break;
+        if (height > 0 && (!value.above.empty() || value.line != values[at + height - 1].line + 1)) break;
+        ++height;
+    }
+    return height;
+}
+
+/// Whether values[at] to values[at + n - 1] have at most one label, as in "  | 0.5 |" over "N = | 0.2 |" over "  | 0.1
+/// |".
+bool has_one_label(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n) {
+    std::size_t labels = 0;
+    for (std::size_t k = 0; k < n; ++k) labels += values[at + k].label.empty() ? 0 : 1;
+    return labels <= 1;
+}
+
 /// How many values from values[at] on are the components of one vector, printed one a line; 0 for none. They are so
 /// under a vector's name, between brackets, or where the question asks for no scalar.
 std::size_t column_vector_size(const std::vector<PrintedValue>& values, std::size_t at,
                                std::span<const ItemSpec> items) {
-    constexpr std::size_t most = 4;
-    const auto is_component = [](const PrintedValue& value) {
-        return value.numbers.size() == 1 && value.label.empty() && value.after.empty();
+    const std::size_t height = stack_height(values, at);
+    const std::size_t size = height % 3 == 0 ? 3 : height % 4 == 0 ? 4 : 0;
+    if (height == 0 || size == 0 || !has_one_label(values, at, size)) return 0;
+    const auto is = [&](Shape shape) {
+        return std::any_of(items.begin(), items.end(), [&](const ItemSpec& item) { return item.shape == shape; });
     };
-    std::size_t size = 0;
-    while (at + size < values.size() && size <= most && is_component(values[at + size])) {
-        const PrintedValue& value = values[at + size];
-        if (size > 0 &&
-            (!value.above.empty() || value.framed != values[at].framed || value.line != values[at + size - 1].line + 1))
-            break;
-        ++size;
-    }
-    if (size < 3 || size > most) return 0;
-    const bool any_vector =
-        std::any_of(items.begin(), items.end(), [](const ItemSpec& i) { return i.shape == Shape::vector; });
-    const bool any_scalar =
-        std::any_of(items.begin(), items.end(), [](const ItemSpec& i) { return i.shape == Shape::scalar; });
     const bool under_name = std::any_of(items.begin(), items.end(), [&](const ItemSpec& item) {
         return item.shape == Shape::vector && fit_label("", values[at].above, item) >= LabelFit::title;
     });
-    return any_vector && (under_name || values[at].framed || !any_scalar) ? size : 0;
+    const bool plain = !values[at].framed && !has_one_label(values, at, height);
+    return is(Shape::vector) && !plain && (under_name || values[at].framed || !is(Shape::scalar)) ? size : 0;
 }
 
 /// The components of a vector printed one a line.
 Candidate gather_column_vector(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n) {
     Candidate vector{values[at]};
     for (std::size_t k = 1; k < n; ++k) {
-        vector.value.numbers.push_back(values[at + k].numbers[0]);
-        vector.value.printed += "; " + values[at + k].printed;
+        const PrintedValue& value = values[at + k];
+        vector.value.numbers.push_back(value.numbers[0]);
+        vector.value.printed += "; " + value.printed;
+        vector.value.last_line = value.last_line;
+        if (!value.label.empty()) vector.value.label = value.label;
     }
     return vector;
 }

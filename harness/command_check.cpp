@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "harness/commands.h"
-#include "harness/intake.h"
+#include "harness/find_submissions.h"
 #include "harness/report/report.h"
 
 namespace harness {
@@ -9,11 +9,10 @@ namespace harness {
 int check_command(const CheckOptions& options) {
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
     const Marking marking{assignment, reference::make_key(assignment, reference::Precision::certified)};
-    const std::vector<Submission> submissions = take_in(options.source);
+    const std::vector<Submission> submissions = find_submissions({options.source});
     if (submissions.size() != 1) {
-        fmt::print(stderr, "raygrade: {}: holds {} submissions; `raygrade check` takes one, `raygrade grade` a class\n",
-                   options.source.string(), submissions.size());
-        return usage;
+        throw UsageError(fmt::format("{}: holds {} submissions; `raygrade check` takes one, `raygrade grade` a class",
+                                     options.source.string(), submissions.size()));
     }
     const Graded graded = grade(submissions.front(), marking);
     fmt::print("{}", report::check_text(graded));

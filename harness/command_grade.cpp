@@ -12,19 +12,13 @@
 
 #include "harness/commands.h"
 #include "harness/failure.h"
-#include "harness/intake.h"
+#include "harness/find_submissions.h"
 #include "harness/report/report.h"
 
 namespace harness {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A mistake of usage: what() is for the instructor.
-class UsageError : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
 
 /// Shows on stderr how many submissions are done, while it lives: a bar where stderr is a terminal, else nothing.
 class ProgressBar {
@@ -118,23 +112,21 @@ void write_results(const std::vector<Graded>& graded, const Marking& marking, co
     write_file(out / "grades.json", report::grades_json(graded, marking));
 }
 
+std::vector<Graded> grade_with_progress(const std::vector<Submission>& submissions, const Marking& marking, int jobs) {
+    std::atomic<std::size_t> done = 0;
+    const ProgressBar bar(done, submissions.size());
+    return grade_all(submissions, marking, jobs, done);
+}
+
 }  // namespace
 
 int grade_command(const GradeOptions& options) {
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
     const Marking marking{assignment, reference::make_key(assignment, reference::Precision::certified)};
     for (const std::string& note : marking.key.notes) fmt::print(stderr, "note: {}\n", note);
-    std::vector<Graded> graded;
-    try {
-        const std::vector<Submission> submissions = take_in_all(options.paths);
-        prepare_folder(options.out, options.force);
-        std::atomic<std::size_t> done = 0;
-        const ProgressBar bar(done, submissions.size());
-        graded = grade_all(submissions, marking, options.jobs, done);
-    } catch (const UsageError& error) {
-        fmt::print(stderr, "raygrade: {}\n", error.what());
-        return usage;
-    }
+    const std::vector<Submission> submissions = find_submissions(options.paths);
+    prepare_folder(options.out, options.force);
+    const std::vector<Graded> graded = grade_with_progress(submissions, marking, options.jobs);
     fmt::print("{}", report::class_table(graded));
     std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
     for (const Graded& one : graded) {

@@ -21,7 +21,7 @@ constexpr const char* closing =
     R"((?:\.?\s?(?:[a-h]|i{1,3}|\([a-h]\))\b|\.\d\b)?[\s*=_#~+|\\\])}"'`]*(?:[:.)\]\-,;>=|]+|\s|$))";
 constexpr const char* number = R"([.\s]*[#:.\-_(\[]*\s*(?:no\.?\s*|nr\.?\s*|number\s*)?#?\s?(\d{1,2}))";
 constexpr const char* question_words =
-    R"((?i:assignment 6,? |a6,? |(?:my )?(?:answers?|solution) (?:to|for|of) |the )?(?i:questions?|quest|ques|qn?|exercises?|exer|exc|ex|exo|problems?|prob|tasks?|aufgabe|frage|pregunta|ejercicio|question))";
+    R"((?i:assignment 6,? |a6,? |(?:my )?(?:answers?|solution) (?:to|for|of) |the )?(?i:§|questions?|quest|ques|qn?|exercises?|exer|exc|ex|exo|problems?|prob|tasks?|aufgabe|frage|pregunta|ejercicio|question))";
 constexpr const char* part_words =
     R"((?i:parts?|answers?|ans|items?|steps?|sections?|solution|results?|output|nr|no|number))";
 constexpr const char* spelled =

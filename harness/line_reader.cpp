@@ -42,6 +42,8 @@ class Reader {
         if (auto values = read_linear_form(line_)) return {std::move(*values), true};
         while (at_ < tokens_.size()) step();
         emit_before_equals();
+        // One such word may be the beginning of a sentence, which the caller reads.
+        if (reading_.values.size() == 1 && reading_.values[0].numbers.empty()) reading_.values.clear();
         join_system_row();
         read_labels_behind();
         return std::move(reading_);
@@ -89,17 +91,53 @@ class Reader {
         values.pop_back();
     }
 
+    /// Brackets that hold no value: "0.333 (= 1/3)", "1.0 (unit vector, so 1)", "2 [2 = 6 - R^2]".
+    bool is_remark(std::size_t open) const {
+        if (is(open + 1, Kind::equals)) return true;
+        if (reading_.values.empty() || partner_[open] - open > most_tokens_in_bracket) return false;
+        bool words = false;
+        bool equals = false;
+        for (std::size_t i = open + 1; i < partner_[open]; ++i) {
+            words = words || (is(i, Kind::word) && !is_inner_type(i));
+            equals = equals || is(i, Kind::equals);
+        }
+        return words && (!equals || is(open + 1, Kind::number));
+    }
+
+    /// "t": null, within a line: the label has no value.
+    bool is_no_value(std::size_t i) const {
+        static const RE2 none("(?i)none|null|nil|undefined|nothing");
+        const std::string_view word = text(i);
+        if (i == 0 || !RE2::FullMatch(re2::StringPiece(word.data(), word.size()), none)) return false;
+        const std::size_t quote = i > 1 && is(i - 1, Kind::other) && text(i - 1) == "\"" ? 1 : 0;
+        return is(i - 1 - quote, Kind::equals);
+    }
+
+    void emit_no_value() {
+        PrintedValue value;
+        value.label = label(tokens_[at_].begin);
+        value.printed = std::string(text(at_));
+        label_begin_ = tokens_[at_].end;
+        before_equals_.reset();
+        reading_.values.push_back(std::move(value));
+    }
+
     void step() {
         if (is(at_, Kind::word)) {
+            if (is_no_value(at_)) emit_no_value();
             if (!(is_type_name(text(at_)) && is(at_ + 1, Kind::open))) {
                 reading_.has_words = true;
             }
             ++at_;
             return;
         }
+        if (is(at_, Kind::open) && partner_[at_] < tokens_.size() && is_remark(at_)) {
+            at_ = partner_[at_] + 1;  // a remark: "0.333 (= 1/3)"
+            return;
+        }
         std::optional<Found> found;
         if (is(at_, Kind::open)) found = read_bracket(at_);
-        if (is(at_, Kind::number)) found = read_run(at_);
+        if (is(at_, Kind::number) && !is_index(at_)) found = read_run(at_);
         if (!found) {
             ++at_;
             return;
@@ -130,6 +168,7 @@ class Reader {
             is(found.first, Kind::open) || (opened && (is(found.last, Kind::bar) || is(found.last, Kind::close)));
         value.label = label(begin);
         if (is_prose(value, found)) return;
+        if (is_equation(value)) return;
         const std::size_t end = tokens_[found.last - 1].end;
         value.printed = std::string(line_.substr(begin, std::min(end - begin, longest_printed)));
         label_begin_ = end;
@@ -199,9 +238,29 @@ class Reader {
     /// A lone whole number within a sentence: "if there are 2 positive roots".
     bool is_prose(const PrintedValue& value, const Found& found) const {
         if (value.numbers.size() != 1 || value.numbers[0].decimals != 0 || found.first == 0) return false;
+        static const RE2 counted(R"((?i)of|to|by|than|for|from|question|step|part)");
+        const std::string_view before = text(found.first - 1);
+        const auto spaces = std::count(value.label.begin(), value.label.end(), ' ');
+        if (spaces >= 4 && RE2::FullMatch(re2::StringPiece(before.data(), before.size()), counted)) return true;
         if (!is(found.first - 1, Kind::word) || !is(found.last, Kind::word)) return false;
         const std::size_t gap = tokens_[found.first].begin - tokens_[found.first - 1].end;
         return gap <= 1 && value.label.find(' ') != std::string::npos;
+    }
+
+    /// The 0 of "a t^2 + b t + c = 0", which is no answer.
+    static bool is_equation(const PrintedValue& value) {
+        const bool zero = value.numbers.size() == 1 && value.numbers[0].value == 0 && value.numbers[0].decimals == 0;
+        return zero && value.label.find('+') != std::string::npos;
+    }
+
+    /// "row 1", "column 0": the number is part of the label.
+    bool is_index(std::size_t i) const {
+        static const RE2 counted(R"((?i)rows?|col(?:umn)?s?|line|eq(?:uation)?|root)");
+        const bool whole =
+            tokens_[i].number.decimals == 0 && tokens_[i].number.value >= 0 && tokens_[i].number.value < 10;
+        if (!whole || i == 0 || !is(i - 1, Kind::word)) return false;
+        const std::string_view word = text(i - 1);
+        return RE2::FullMatch(re2::StringPiece(word.data(), word.size()), counted);
     }
 
     /// Whether number token `i`, a fraction up to `end`, is a term of a formula or of a comparison.
@@ -209,6 +268,8 @@ class Reader {
         const bool compared = is(end, Kind::compare) && !(i > 0 && is(i - 1, Kind::equals));  // not "t = 0.9 > 0"
         if (is(end, Kind::op) || compared) return true;
         if (i == 0) return false;
+        const bool glued = tokens_.size() == 3 && is(0, Kind::word) && i == 2 && tokens_[0].end == tokens_[1].begin;
+        if (glued && text(1) == "-" && tokens_[1].end == tokens_[2].begin) return false;  // "b-3.5"
         if (is(i - 1, Kind::compare)) return true;
         // A '-' after '=', ',' or a bracket is a sign that stands apart, and one at the line's start is a bullet.
         return is(i - 1, Kind::op) && i >= 2 && !is(i - 2, Kind::equals) && !is(i - 2, Kind::open) &&
@@ -237,7 +298,7 @@ class Reader {
     }
 
     /// "col 1 (t): 0 0 -1": a number that is a label's index.
-    bool is_index(std::size_t next) const {
+    bool is_named_index(std::size_t next) const {
         return is(next, Kind::open) && is(next + 1, Kind::word) && is(next + 2, Kind::close) &&
                is(next + 3, Kind::equals);
     }
@@ -257,7 +318,7 @@ class Reader {
                 if (found.numbers.empty()) return std::nullopt;
                 break;
             }
-            if (is_index(number.next)) return std::nullopt;
+            if (is_named_index(number.next)) return std::nullopt;
             // "Root 1 = 3.41", "row 0: 1 0 0": here too.
             if (!found.numbers.empty() && is(number.next, Kind::equals)) break;
             found.numbers.push_back(number.number);
@@ -293,6 +354,10 @@ class Reader {
                 continue;
             }
             const bool apart = is(i, Kind::op) && text(i) == "-" && is(i + 1, Kind::number) && !is(i - 1, Kind::number);
+            if (is(i, Kind::open) && is(i + 1, Kind::equals)) {  // a remark: "( 0.5 (= 1/2), … )"
+                i = std::min(partner_[i], end) + 1;
+                continue;
+            }
             if (is(i, Kind::open)) {
                 if (++depth > deepest) return std::nullopt;
                 group_begin = found.numbers.size();

@@ -7,6 +7,7 @@
 
 #include "harness/commands.h"
 #include "harness/failure.h"
+#include "harness/find_submissions.h"
 
 namespace {
 
@@ -92,6 +93,9 @@ int main(int argc, char** argv) {
     std::setlocale(LC_CTYPE, "C.UTF-8");
     try {
         return run(argc, argv);
+    } catch (const UsageError& error) {
+        fmt::print(stderr, "raygrade: {}\n", error.what());
+        return usage;
     } catch (const reference::AssignmentError& error) {
         fmt::print(stderr, "raygrade: {}\n", error.what());
         return usage;

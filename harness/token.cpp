@@ -200,7 +200,20 @@ class Lexer {
                 break;
             }
         }
-        add(Token::Kind::word, length);
+        const std::size_t letters = letters_before_number(length);
+        add(Token::Kind::word, letters);
+        if (letters < length) take_number();
+    }
+
+    /// How much of the word here is a label when a number is glued to it, as in "t1.58579"; else all of it.
+    std::size_t letters_before_number(std::size_t length) const {
+        if (peek(length) != '.' || !is_digit(peek(length + 1)) || !is_letter(peek())) return length;
+        std::size_t letters = 0;
+        while (is_letter(peek(letters))) ++letters;
+        for (std::size_t i = letters; i < length; ++i) {
+            if (!is_digit(peek(i))) return length;
+        }
+        return letters;
     }
 
     /// Whether the '<' here opens a list of numbers: only numbers, commas and blanks follow up to its '>'.

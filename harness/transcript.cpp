@@ -46,7 +46,7 @@ std::vector<Line> split_lines(std::string_view text) {
 std::optional<PrintedValue> read_no_value(std::string_view line) {
     constexpr std::size_t longest = 300;
     static const RE2 pattern(
-        R"((?i)^\s*(.{0,80}?)\s*(?:[:=]|->|\s-\s)\s*[(<"'\[]*\s*(?:the )?((?:none|no |not |non-?existent|n/?a\b|nil\b|null\b|undefined|does not|doesn't|miss|imaginary|complex|-+\s*$|invalid|there is no|ray (?:misses|does not|doesn't|never)).*)$)");
+        R"((?i)^\s*(.{0,80}?)\s*(?:[:=]|->|\s-\s|\.{3,}|\s{3,}|\t|\|)\s*[(<"'\[]*\s*(?:the )?((?:none|no |not |non-?existent|n/?a\b|nil\b|null\b|undefined|does not|doesn't|miss|imaginary|complex|-+\s*$|invalid|there is no|ray (?:misses|does not|doesn't|never)).*)$)");
     static const RE2 unlabelled(
         R"((?i)^\s*[(<"'\[*]*\s*((?:none|no (?:(?:real|positive|valid|such|true) )*(?:hit|intersection|solution|root|normal|t\b)|not? hit|n/a\b|(?:the )?ray (?:misses|does not hit|doesn't hit)|there is no (?:hit|intersection)|miss(?:es|ed)?\b).*)$)");
     re2::StringPiece label;
@@ -98,7 +98,7 @@ std::vector<PrintedValue> join_components(std::vector<PrintedValue> values) {
             const auto label = read_component(values[i + count]);
             if (!label || label->component != static_cast<int>(count)) break;
             if (count > 0 && !label->base.empty() && label->base != base) break;
-            if (count > 0 && values[i + count].line - values[i + count - 1].line > 1) break;
+            if (count > 0 && values[i + count].line - values[i + count - 1].last_line > 1) break;
             if (count == 0) base = label->base;
             ++count;
         }
@@ -113,8 +113,40 @@ std::vector<PrintedValue> join_components(std::vector<PrintedValue> values) {
             const PrintedValue& component = values[i + k];
             vector.numbers.push_back(component.numbers[0]);
             vector.printed += ", " + component.label + " = " + component.printed;
+            vector.last_line = component.last_line;
         }
         joined.push_back(std::move(vector));
+        i += count;
+    }
+    return joined;
+}
+
+/// Joins numbers that stand one below the other under a label of their own, "column 0" or "N", into one list of three
+/// or four.
+std::vector<PrintedValue> join_stacks(std::vector<PrintedValue> values) {
+    std::vector<PrintedValue> joined;
+    for (std::size_t i = 0; i < values.size();) {
+        const auto continues = [&](std::size_t k) {
+            const PrintedValue& value = values[k];
+            return value.numbers.size() == 1 && value.label.empty() && value.after.empty() && value.above.empty() &&
+                   value.line == values[k - 1].line + 1;
+        };
+        std::size_t count = 1;
+        const bool starts = values[i].numbers.size() == 1 && values[i].label.empty() && values[i].after.empty() &&
+                            !values[i].above.empty() && !values[i].above_is_title;
+        while (starts && i + count < values.size() && continues(i + count)) ++count;
+        PrintedValue value = std::move(values[i]);
+        if (count == 3 || count == 4) {
+            for (std::size_t k = 1; k < count; ++k) {
+                const PrintedValue& below = values[i + k];
+                value.numbers.push_back(below.numbers[0]);
+                value.printed += "; " + below.printed;
+                value.last_line = below.last_line;
+            }
+        } else {
+            count = 1;
+        }
+        joined.push_back(std::move(value));
         i += count;
     }
     return joined;
@@ -135,8 +167,10 @@ class TranscriptReader {
                 above_.clear();
             }
             read(rest, number);
+            if (headings[i]) above_is_title_ = true;
         }
-        for (Section& section : transcript_.sections) section.values = join_components(std::move(section.values));
+        for (Section& section : transcript_.sections)
+            section.values = join_stacks(join_components(std::move(section.values)));
         return std::move(transcript_);
     }
 
@@ -150,19 +184,24 @@ class TranscriptReader {
         }
         if (reading.values.empty()) {
             constexpr std::size_t longest_above = 200;
-            if (reading.has_words) above_ = std::string(line.substr(0, longest_above));
+            if (reading.has_words) {
+                above_ = std::string(line.substr(0, longest_above));
+                above_is_title_ = false;
+            }
             return;
         }
         reading.values.front().above = above_;
+        reading.values.front().above_is_title = above_is_title_;
         above_.clear();
         for (PrintedValue& value : reading.values) {
-            value.line = number;
+            value.line = value.last_line = number;
             section.values.push_back(std::move(value));
         }
     }
 
     Transcript transcript_;
-    std::string above_;  ///< the last line of words, until a value takes it
+    std::string above_;            ///< the last line of words, until a value takes it
+    bool above_is_title_ = false;  ///< it is the rest of a heading
 };
 
 }  // namespace

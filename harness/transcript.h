@@ -18,10 +18,12 @@ struct PrintedValue {
     bool framed = false;                 ///< printed between brackets or bars
     bool typed = false;                  ///< printed with a GLM type name, as glm::to_string does
     std::string label;                   ///< the words before it on its line; empty when there are none
-    std::string after;    ///< the words behind it, up to the next value or the line's end, if none stand before
-    std::string above;    ///< the line of words above it, for the first value under such a line; else empty
-    std::string printed;  ///< as printed, one line, at most 200 bytes
-    int line = 0;         ///< 1-based, in the program's output
+    std::string after;            ///< the words behind it, up to the next value or the line's end, if none stand before
+    std::string above;            ///< the line of words above it, for the first value under such a line; else empty
+    bool above_is_title = false;  ///< that line is the heading's own
+    std::string printed;          ///< as printed, one line, at most 200 bytes
+    int line = 0;                 ///< 1-based, in the program's output
+    int last_line = 0;            ///< the same, of its last number
 };
 
 struct PrintedLine {

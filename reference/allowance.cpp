@@ -1,163 +1,169 @@
 #include "reference/allowance.h"
 
+#include <algorithm>
+
+#include "reference/affine.h"
 #include "reference/formulations.h"
-#include "reference/interval.h"
 
 namespace reference {
 namespace {
 
-/// Keyed as ItemValues; without verdicts and values that do not exist.
-template <class T>
-using Bounds = std::map<ItemId, std::vector<Interval<T>>>;
+using Range = Interval<double>;
 
-/// x rounded as a program reads it: the nearest T, or either neighbour of the number written.
+bool is_bounded(const std::vector<Range>& ranges) {
+    return std::all_of(ranges.begin(), ranges.end(), [](const Range& x) { return x.is_bounded(); });
+}
+
+/// Collects, item by item, the hull of the formulations that are bounded: one that may divide by zero on this scene is
+/// not held correct on it while another is. Whole lines where none is bounded.
+class Hulls {
+  public:
+    template <class Value>
+    void add(const ItemId& id, const Value& formulation) {
+        std::vector<Range> ranges;
+        for (const auto& x : components(formulation)) ranges.push_back(x.range());
+        std::vector<Range>& known = hulls_[id];
+        if (known.empty() || !is_bounded(known)) {
+            known = ranges;
+        } else if (is_bounded(ranges)) {
+            for (std::size_t i = 0; i < ranges.size(); ++i) known[i] = hull(known[i], ranges[i]);
+        }
+    }
+    const std::map<ItemId, std::vector<Range>>& all() const { return hulls_; }
+
+  private:
+    std::map<ItemId, std::vector<Range>> hulls_;
+};
+
+/// x as a program reads it: rounded to T.
 template <class T>
-Interval<T> rounded(const Rational& x) {
+Affine<T> read_number(const Rational& x, Roundings& roundings) {
     const Enclosure doubles = enclose(x);
     const auto lo = static_cast<T>(doubles.lo);
     const auto hi = static_cast<T>(doubles.hi);
-    return doubles.lo == doubles.hi && static_cast<double>(lo) == doubles.lo ? Interval<T>(lo)
-                                                                             : Interval<T>::widened(lo, hi);
+    if (doubles.lo == doubles.hi && static_cast<double>(lo) == doubles.lo) return {Range(doubles.lo), roundings};
+    const Interval<T> around = Interval<T>::widened(lo, hi);
+    return {Range(static_cast<double>(around.lo()), static_cast<double>(around.hi())), roundings};
 }
 
-template <class T>
-bool is_bounded(const std::vector<Interval<T>>& numbers) {
-    return std::all_of(numbers.begin(), numbers.end(), [](const Interval<T>& x) { return x.is_bounded(); });
+/// The hull of the bounded ways to compute one number, as a number of its own.
+template <class S>
+S any_of(const std::vector<S>& formulations, Roundings& roundings) {
+    Hulls hulls;
+    for (const S& formulation : formulations) hulls.add({}, formulation);
+    return S(hulls.all().begin()->second.front(), roundings);
 }
 
-/// The hull of those formulations that are bounded here: one that may divide by zero on this scene is not held correct
-/// on it while another is. The whole line in every component when none is bounded.
-template <class T, class Value>
-std::vector<Interval<T>> hull_of(const std::vector<Value>& formulations) {
-    std::vector<Interval<T>> result;
-    for (const Value& formulation : formulations) {
-        const std::vector<Interval<T>> numbers = components(formulation);
-        if (!is_bounded(numbers)) continue;
-        if (result.empty()) result = numbers;
-        for (std::size_t i = 0; i < numbers.size(); ++i) result[i] = hull(result[i], numbers[i]);
-    }
-    if (result.empty()) result.assign(components(formulations.front()).size(), Interval<T>::whole());
-    return result;
-}
-
-template <class T>
-Interval<T> scalar_hull(const std::vector<Interval<T>>& formulations) {
-    return hull_of<T>(formulations).front();
-}
-
-template <class T>
-Vec3<Interval<T>> vector_hull(const std::vector<Vec3<Interval<T>>>& formulations) {
-    const std::vector<Interval<T>> hulls = hull_of<T>(formulations);
-    return {hulls[0], hulls[1], hulls[2]};
-}
-
-template <class T>
-Vec3<Interval<T>> P_VCS_hull(const Window<Interval<T>>& window, const Pixel& pixel, PixelConvention convention) {
-    const int halves = convention == PixelConvention::centre ? 1 : 0;
-    const auto coordinate = [&](const Interval<T>& from, const Interval<T>& to, int index, int count) {
-        const bool one_point = convention == PixelConvention::grid && count == 1;
-        if (one_point) return scalar_hull<T>(window_coordinates(from, to, 0, 1, 1));
-        const int steps = convention == PixelConvention::grid ? count - 1 : count;
-        return scalar_hull<T>(window_coordinates(from, to, index, steps, halves));
+template <class S>
+Vec3<S> P_VCS_of(const Window<S>& window, const Pixel& pixel, PixelConvention convention, Roundings& roundings) {
+    const auto coordinate = [&](const S& from, const S& to, int index, int count) {
+        const bool grid = convention == PixelConvention::grid;
+        if (grid && count == 1) return any_of(window_coordinates(from, to, 0, 1, 1), roundings);
+        const int halves = convention == PixelConvention::centre ? 1 : 0;
+        return any_of(window_coordinates(from, to, index, grid ? count - 1 : count, halves), roundings);
     };
     return {coordinate(window.clip_left, window.clip_right, pixel.x, window.width),
             coordinate(window.clip_bottom, window.clip_top, pixel.y, window.height), -window.clip_near};
 }
 
-template <class T>
-CameraAnswers<Interval<T>> camera_hull(const Scene<Interval<T>>& scene, PixelConvention convention) {
-    using S = Interval<T>;
-    const Vec3<S>& eye = scene.camera.eye;
-    CameraAnswers<S> hulls;
-    hulls.P_VCS = P_VCS_hull<T>(scene.window, scene.pixel, convention);
-    std::vector<Vec3<S>> X;
-    std::vector<Vec3<S>> Y;
-    std::vector<Vec3<S>> Z;
-    for (const Basis<S>& basis : bases(scene.camera)) {
-        X.push_back(basis.X_vcs);
-        Y.push_back(basis.Y_vcs);
-        Z.push_back(basis.Z_vcs);
+/// A program's ways through questions 1 to 5 from a basis on, one for each way to question 4.
+template <class S>
+std::vector<CameraAnswers<S>> camera_ways(const Vec3<S>& p, const Basis<S>& basis, const Vec3<S>& eye) {
+    std::vector<CameraAnswers<S>> ways;
+    for (const Mat4<S>& M : inverse_views(basis, eye)) {
+        const Vec3<S> P_WCS = pixel_to_wcs(M, p);
+        ways.push_back({p, basis, M, P_WCS, unit_vector(Vec3<S>(P_WCS - eye))});
     }
-    hulls.basis = {vector_hull<T>(X), vector_hull<T>(Y), vector_hull<T>(Z)};
-    const std::vector<Mat4<S>> matrices = inverse_views(hulls.basis, eye);
-    const std::vector<S> M = hull_of<T>(matrices);
-    const Vec3<S>& p = hulls.P_VCS;
-    const Vec3<S> step =
-        scaled(hulls.basis.X_vcs, p.x) + scaled(hulls.basis.Y_vcs, p.y) + scaled(hulls.basis.Z_vcs, p.z);
-    std::vector<Vec3<S>> points{eye + step};
-    for (const Mat4<S>& matrix : matrices) points.push_back(pixel_to_wcs(matrix, p));
-    for (int i = 0; i < 16; ++i) hulls.M_VCS_to_WCS[i / 4][i % 4] = M[static_cast<std::size_t>(i)];
-    hulls.P_WCS = vector_hull<T>(points);
-    std::vector<Vec3<S>> directions = unit_vectors(step);
-    for (const Vec3<S>& V : unit_vectors(Vec3<S>(hulls.P_WCS - eye))) directions.push_back(V);
-    hulls.V = vector_hull<T>(directions);
+    const Vec3<S> step = scaled(basis.X_vcs, p.x) + scaled(basis.Y_vcs, p.y) + scaled(basis.Z_vcs, p.z);
+    ways.push_back({p, basis, vcs_to_wcs(basis, eye), eye + step, unit_vector(step)});
+    return ways;
+}
+
+template <class S>
+void add_camera(Hulls& hulls, const CameraAnswers<S>& ray) {
+    const Mat4<S>& M = ray.M_VCS_to_WCS;
+    hulls.add({1, "P_VCS"}, ray.P_VCS);
+    hulls.add({2, "X_vcs"}, ray.basis.X_vcs);
+    hulls.add({2, "Y_vcs"}, ray.basis.Y_vcs);
+    hulls.add({2, "Z_vcs"}, ray.basis.Z_vcs);
+    // As the columns of an inverted view matrix.
+    hulls.add({2, "X_vcs"}, Vec3<S>(M[0]));
+    hulls.add({2, "Y_vcs"}, Vec3<S>(M[1]));
+    hulls.add({2, "Z_vcs"}, Vec3<S>(M[2]));
+    hulls.add({3, "M_VCS_to_WCS"}, M);
+    hulls.add({4, "P_WCS"}, ray.P_WCS);
+    hulls.add({5, "V"}, ray.V);
+}
+
+template <class S>
+void add_sphere(Hulls& hulls, const CameraAnswers<S>& ray, const Sphere<S>& sphere, RootChoice choice) {
+    const Quadratic<S> quadratic = sphere_quadratic(ray.P_WCS, ray.V, sphere);
+    const S half_b = dot(ray.V, Vec3<S>(ray.P_WCS - sphere.center));
+    hulls.add({6, "a"}, quadratic.a);
+    hulls.add({6, "b"}, quadratic.b);
+    hulls.add({6, "c"}, quadratic.c);
+    hulls.add({6, "d"}, quadratic.d);
+    hulls.add({6, "d"}, S(4) * (half_b * half_b - quadratic.a * quadratic.c));
+    if (choice != RootChoice::smaller && choice != RootChoice::larger) return;
+    for (const S& t : sphere_roots(quadratic, choice)) {
+        const Vec3<S> hit = point_on_ray(ray.P_WCS, ray.V, t);
+        const Vec3<S> outward = hit - sphere.center;
+        hulls.add({6, "t"}, t);
+        hulls.add({6, "hit"}, hit);
+        hulls.add({7, "normal"}, unit_vector(outward));
+        hulls.add({7, "normal"}, scaled(outward, S(S(1) / sphere.radius)));
+    }
+}
+
+template <class S>
+void add_triangle(Hulls& hulls, const CameraAnswers<S>& ray, const Triangle<S>& triangle, bool has_solution) {
+    const LinearSystem<S> system = triangle_system(ray.P_WCS, ray.V, triangle);
+    const Vec3<S> normal = unit_vector(cross(system.matrix[1], system.matrix[2]));
+    hulls.add({8, "matrix"}, system.matrix);
+    hulls.add({8, "rhs"}, system.rhs);
+    hulls.add({9, "normal"}, normal);
+    if (!has_solution) return;
+    for (const Vec3<S>& solution : triangle_solutions(system)) {
+        hulls.add({8, "t"}, solution.x);
+        hulls.add({8, "u"}, solution.y);
+        hulls.add({8, "v"}, solution.z);
+        hulls.add({8, "hit"}, point_on_ray(ray.P_WCS, ray.V, solution.x));
+        hulls.add({8, "hit"}, triangle.A + scaled(system.matrix[1], solution.y) + scaled(system.matrix[2], solution.z));
+    }
+    const S t = plane_distance(system, normal);
+    hulls.add({8, "t"}, t);
+    hulls.add({8, "hit"}, point_on_ray(ray.P_WCS, ray.V, t));
+}
+
+template <class T>
+Hulls hulls_in(const Scene<Rational>& exact, PixelConvention convention, const Branches& branches) {
+    using S = Affine<T>;
+    Roundings roundings;
+    const Scene<S> scene = convert_scene<S>(exact, [&](const Rational& x) { return read_number<T>(x, roundings); });
+    const Vec3<S> p = P_VCS_of(scene.window, scene.pixel, convention, roundings);
+    const std::vector<Basis<S>> all_bases = bases(scene.camera);
+    const std::size_t before_ways = roundings.count();
+    Hulls hulls;
+    for (const Basis<S>& basis : all_bases) {
+        roundings.restart_at(before_ways);
+        const std::vector<CameraAnswers<S>> ways = camera_ways(p, basis, scene.camera.eye);
+        const std::size_t before_objects = roundings.count();
+        for (const CameraAnswers<S>& ray : ways) {
+            roundings.restart_at(before_objects);
+            add_camera(hulls, ray);
+            if (!scene.spheres.empty()) add_sphere(hulls, ray, scene.spheres.at(branches.sphere_index), branches.root);
+            if (scene.triangles.empty()) continue;
+            add_triangle(hulls, ray, scene.triangles.at(branches.triangle_index), branches.triangle_has_solution);
+        }
+    }
     return hulls;
 }
 
-template <class T>
-void add_sphere(Bounds<T>& bounds, const CameraAnswers<Interval<T>>& ray, const Sphere<Interval<T>>& sphere,
-                RootChoice choice) {
-    using S = Interval<T>;
-    const Quadratic<S> quadratic = sphere_quadratic(ray.P_WCS, ray.V, sphere);
-    const S half_b = dot(ray.V, Vec3<S>(ray.P_WCS - sphere.center));
-    bounds[{6, "a"}] = {quadratic.a};
-    bounds[{6, "b"}] = {quadratic.b};
-    bounds[{6, "c"}] = {quadratic.c};
-    bounds[{6, "d"}] = {scalar_hull<T>({quadratic.d, S(4) * (half_b * half_b - quadratic.a * quadratic.c)})};
-    if (choice != RootChoice::smaller && choice != RootChoice::larger) return;
-    const S t = scalar_hull<T>(sphere_roots(quadratic, choice));
-    const Vec3<S> hit = point_on_ray(ray.P_WCS, ray.V, t);
-    std::vector<Vec3<S>> normals = unit_vectors(Vec3<S>(hit - sphere.center));
-    normals.push_back(scaled(Vec3<S>(hit - sphere.center), S(S(1) / sphere.radius)));
-    bounds[{6, "t"}] = {t};
-    bounds[{6, "hit"}] = components(hit);
-    bounds[{7, "normal"}] = hull_of<T>(normals);
-}
-
-template <class T>
-void add_triangle(Bounds<T>& bounds, const CameraAnswers<Interval<T>>& ray, const Triangle<Interval<T>>& triangle,
-                  bool has_solution) {
-    using S = Interval<T>;
-    const LinearSystem<S> system = triangle_system(ray.P_WCS, ray.V, triangle);
-    const Vec3<S> normal = vector_hull<T>(unit_vectors(cross(system.matrix[1], system.matrix[2])));
-    bounds[{8, "matrix"}] = components(system.matrix);
-    bounds[{8, "rhs"}] = components(system.rhs);
-    bounds[{9, "normal"}] = components(normal);
-    if (!has_solution) return;
-    const Vec3<S> solution = vector_hull<T>(triangle_solutions(system));
-    const S t = scalar_hull<T>({solution.x, plane_distance(system, normal)});
-    const Vec3<S> in_triangle =
-        triangle.A + scaled(system.matrix[1], solution.y) + scaled(system.matrix[2], solution.z);
-    bounds[{8, "t"}] = {t};
-    bounds[{8, "u"}] = {solution.y};
-    bounds[{8, "v"}] = {solution.z};
-    bounds[{8, "hit"}] = hull_of<T>(std::vector<Vec3<S>>{point_on_ray(ray.P_WCS, ray.V, t), in_triangle});
-}
-
-template <class T>
-Bounds<T> bounds_in(const Scene<Rational>& exact, PixelConvention convention, const Branches& branches) {
-    const Scene<Interval<T>> scene = convert_scene<Interval<T>>(exact, [](const Rational& x) { return rounded<T>(x); });
-    const CameraAnswers<Interval<T>> ray = camera_hull(scene, convention);
-    Bounds<T> bounds{{{1, "P_VCS"}, components(ray.P_VCS)},
-                     {{2, "X_vcs"}, components(ray.basis.X_vcs)},
-                     {{2, "Y_vcs"}, components(ray.basis.Y_vcs)},
-                     {{2, "Z_vcs"}, components(ray.basis.Z_vcs)},
-                     {{3, "M_VCS_to_WCS"}, components(ray.M_VCS_to_WCS)},
-                     {{4, "P_WCS"}, components(ray.P_WCS)},
-                     {{5, "V"}, components(ray.V)}};
-    if (!scene.spheres.empty()) add_sphere(bounds, ray, scene.spheres.at(branches.sphere_index), branches.root);
-    if (!scene.triangles.empty()) {
-        add_triangle(bounds, ray, scene.triangles.at(branches.triangle_index), branches.triangle_has_solution);
-    }
-    return bounds;
-}
-
-template <class T>
-ItemBounds as_doubles(const std::vector<Interval<T>>& numbers, Arithmetic arithmetic) {
+ItemBounds as_bounds(const std::vector<Range>& ranges, Arithmetic arithmetic) {
     ItemBounds result{{}, {}, arithmetic};
-    for (const Interval<T>& x : numbers) {
-        result.lo.push_back(static_cast<double>(x.lo()));
-        result.hi.push_back(static_cast<double>(x.hi()));
+    for (const Range& range : ranges) {
+        result.lo.push_back(range.lo());
+        result.hi.push_back(range.hi());
     }
     return result;
 }
@@ -178,18 +184,18 @@ std::string_view to_string(Arithmetic arithmetic) {
 
 std::map<ItemId, ItemBounds> bounds_of_correct_programs(const Scene<Rational>& scene, PixelConvention convention,
                                                         const Branches& branches) {
-    const Bounds<float> floats = bounds_in<float>(scene, convention, branches);
-    const Bounds<double> doubles = bounds_in<double>(scene, convention, branches);
+    const Hulls floats = hulls_in<float>(scene, convention, branches);
     std::map<ItemId, ItemBounds> result;
-    for (const auto& [id, numbers] : floats) {
-        const std::vector<Interval<double>>& finer = doubles.at(id);
-        if (is_bounded(numbers)) {
-            result[id] = as_doubles(numbers, Arithmetic::float_);
-        } else if (is_bounded(finer)) {
-            result[id] = as_doubles(finer, Arithmetic::double_);
-        } else {
-            result[id] = as_doubles(finer, Arithmetic::none);
-        }
+    bool all_bounded = true;
+    for (const auto& [id, ranges] : floats.all()) {
+        all_bounded = all_bounded && is_bounded(ranges);
+        result[id] = as_bounds(ranges, is_bounded(ranges) ? Arithmetic::float_ : Arithmetic::none);
+    }
+    if (all_bounded) return result;
+    const Hulls doubles = hulls_in<double>(scene, convention, branches);
+    for (const auto& [id, ranges] : doubles.all()) {
+        const bool better = result.at(id).arithmetic == Arithmetic::none && is_bounded(ranges);
+        if (better) result[id] = as_bounds(ranges, Arithmetic::double_);
     }
     return result;
 }

@@ -6,10 +6,11 @@
 
 namespace reference {
 
-/// Division by the length, and GLM's multiplication with its reciprocal.
+/// As GLM normalises, by the reciprocal of the length. Dividing by the length leaves out one of its roundings, so a
+/// bound of this one holds for that one too.
 template <class S>
-std::vector<Vec3<S>> unit_vectors(const Vec3<S>& p) {
-    return {normalized(p), scaled(p, S(S(1) / length(p)))};
+Vec3<S> unit_vector(const Vec3<S>& p) {
+    return scaled(p, S(S(1) / length(p)));
 }
 
 /// One coordinate of question 1. `offset_halves` is 1 for a pixel's centre and 0 for its corner; `steps` the pixels, or
@@ -24,22 +25,19 @@ std::vector<S> window_coordinates(const S& from, const S& to, int index, int ste
             from + (S(2) * S(index) + S(offset_halves)) * (to - from) / (S(2) * n)};
 }
 
-/// Question 2: by normalised or by plain vectors, or as glm::lookAt has them in its rows.
+/// Question 2: from unit vectors, with vup as it is or normalised, or from plain ones that are normalised last.
+/// glm::lookAt has the same axes in its rows.
 template <class S>
 std::vector<Basis<S>> bases(const Camera<S>& camera) {
     const Vec3<S> view = camera.eye - camera.lookat;
-    std::vector<Basis<S>> result;
-    for (const Vec3<S>& Z : unit_vectors(view)) {
-        for (const Vec3<S>& up : {camera.vup, normalized(camera.vup)}) {
-            for (const Vec3<S>& X : unit_vectors(cross(up, Z))) result.push_back({X, cross(Z, X), Z});
-        }
-    }
+    const Vec3<S> Z = unit_vector(view);
+    const Vec3<S> X = unit_vector(cross(camera.vup, Z));
+    const Vec3<S> X_of_unit_up = unit_vector(cross(unit_vector(camera.vup), Z));
     const Vec3<S> right = cross(camera.vup, view);
-    for (const Vec3<S>& X : unit_vectors(right)) {
-        result.push_back({X, normalized(cross(view, right)), normalized(view)});
-        result.push_back({X, normalized(cross(normalized(view), X)), normalized(view)});
-    }
-    return result;
+    return {{X, cross(Z, X), Z},
+            {X_of_unit_up, cross(Z, X_of_unit_up), Z},
+            {unit_vector(right), unit_vector(cross(view, right)), Z},
+            {unit_vector(right), unit_vector(cross(Z, unit_vector(right))), Z}};
 }
 
 /// The inverse by cofactors over the determinant, as glm::inverse has it.

@@ -1,0 +1,180 @@
+// An allowance is what a correct program may be off by: never less than what float32 programs are off by, and not so
+// much more that a mistake passes.
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "reference/affine.h"
+#include "reference/answer_key.h"
+#include "tests/random_scene.h"
+
+namespace {
+
+using namespace reference;
+
+constexpr std::uint64_t scenes = 300;
+
+Assignment one_reading(std::uint64_t seed) {
+    Assignment assignment = random_assignment(seed);
+    assignment.rubric.pixel_conventions = {PixelConvention::centre};
+    assignment.rubric.boundary = BoundaryPolicy::nonnegative;
+    return assignment;
+}
+
+const Answer& answer(const AnswerKey& key, int number, std::string_view name) {
+    for (const KeyQuestion& question : key.questions) {
+        for (const KeyItem& item : question.items) {
+            if (question.number == number && item.spec.name == name) return item.answers.front();
+        }
+    }
+    throw std::out_of_range(std::string(name));
+}
+
+template <class T>
+void expect_allowed(const Answer& key, const std::vector<T>& given) {
+    ASSERT_EQ(key.allowance.size(), given.size());
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const auto x = static_cast<double>(given[i]);
+        EXPECT_TRUE(key.lo[i] - key.allowance[i] <= x && x <= key.hi[i] + key.allowance[i])
+            << "component " << i << ": " << x << " for [" << key.lo[i] << ", " << key.hi[i] << "] +- "
+            << key.allowance[i];
+    }
+}
+
+/// The allowance is meant for the items that a program gets by the same decisions as the key.
+void expect_run_allowed(const AnswerKey& key, const AnswerKey& run) {
+    for (const KeyQuestion& question : run.questions) {
+        for (const KeyItem& item : question.items) {
+            SCOPED_TRACE(item.spec.name);
+            const Answer& certified = answer(key, question.number, item.spec.name);
+            const auto* given = std::get_if<Numbers>(&item.answers.front().value);
+            if (given != nullptr && std::holds_alternative<Numbers>(certified.value)) expect_allowed(certified, *given);
+        }
+    }
+}
+
+TEST(Allowance, CoversTheStagesInFloatAndInDouble) {
+    for (std::uint64_t seed = 0; seed < scenes; ++seed) {
+        SCOPED_TRACE(seed);
+        const Assignment assignment = one_reading(seed);
+        const AnswerKey key = make_key(assignment, Precision::certified);
+        expect_run_allowed(key, make_key(assignment, Precision::float_));
+        expect_run_allowed(key, make_key(assignment, Precision::double_));
+    }
+}
+
+std::vector<float> list(const glm::vec3& p) {
+    return {p.x, p.y, p.z};
+}
+
+/// Questions 1 to 9 as a student writes them with GLM: lookAt, its inverse, the quadratic without a, Möller and
+/// Trumbore.
+void expect_student_allowed(const Assignment& assignment, const AnswerKey& key) {
+    const Scene<float> scene = convert_scene<float>(assignment.scene, [](const Decimal& x) { return x.to_float(); });
+    const auto& window = scene.window;
+    const float dx = (window.clip_right - window.clip_left) / static_cast<float>(window.width);
+    const float dy = (window.clip_top - window.clip_bottom) / static_cast<float>(window.height);
+    const glm::vec4 P_VCS(window.clip_left + dx / 2.0F + static_cast<float>(scene.pixel.x) * dx,
+                          window.clip_bottom + dy / 2.0F + static_cast<float>(scene.pixel.y) * dy, -window.clip_near,
+                          1);
+    const glm::vec3 eye(scene.camera.eye);
+    const glm::mat4 M = glm::inverse(glm::lookAt(eye, glm::vec3(scene.camera.lookat), glm::vec3(scene.camera.vup)));
+    const glm::vec3 S(M * P_VCS);
+    const glm::vec3 V = glm::normalize(S - eye);
+    expect_allowed(answer(key, 1, "P_VCS"), list(glm::vec3(P_VCS)));
+    expect_allowed(answer(key, 2, "X_vcs"), list(glm::vec3(M[0])));
+    std::vector<float> matrix;
+    for (int i = 0; i < 16; ++i) matrix.push_back(M[i / 4][i % 4]);
+    expect_allowed(answer(key, 3, "M_VCS_to_WCS"), matrix);
+    expect_allowed(answer(key, 4, "P_WCS"), list(S));
+    expect_allowed(answer(key, 5, "V"), list(V));
+    const glm::vec3 C(scene.spheres[0].center);
+    const float R = scene.spheres[0].radius;
+    const float b = 2 * glm::dot(V, S - C);
+    const float c = glm::dot(S - C, S - C) - R * R;
+    expect_allowed(answer(key, 6, "b"), std::vector<float>{b});
+    expect_allowed(answer(key, 6, "c"), std::vector<float>{c});
+    expect_allowed(answer(key, 6, "d"), std::vector<float>{b * b - 4 * c});
+    if (key.decisions.sphere == "hit" && c > 0) {
+        const float t = (-b - std::sqrt(b * b - 4 * c)) / 2;
+        expect_allowed(answer(key, 6, "t"), std::vector<float>{t});
+        expect_allowed(answer(key, 6, "hit"), list(S + t * V));
+        expect_allowed(answer(key, 7, "normal"), list(glm::normalize(S + t * V - C)));
+    }
+    const Triangle<float>& triangle = scene.triangles[0];
+    const glm::vec3 e1(triangle.B - triangle.A);
+    const glm::vec3 e2(triangle.C - triangle.A);
+    const glm::vec3 P = glm::cross(V, e2);
+    const glm::vec3 Q = glm::cross(S - glm::vec3(triangle.A), e1);
+    const float f = 1 / glm::dot(e1, P);
+    expect_allowed(answer(key, 8, "t"), std::vector<float>{f * glm::dot(e2, Q)});
+    expect_allowed(answer(key, 8, "u"), std::vector<float>{f * glm::dot(S - glm::vec3(triangle.A), P)});
+    expect_allowed(answer(key, 8, "v"), std::vector<float>{f * glm::dot(V, Q)});
+    expect_allowed(answer(key, 9, "normal"), list(glm::normalize(glm::cross(e1, e2))));
+}
+
+TEST(Allowance, CoversAStudentsProgramWithGlm) {
+    for (std::uint64_t seed = 0; seed < scenes; ++seed) {
+        SCOPED_TRACE(seed);
+        const Assignment assignment = one_reading(seed);
+        expect_student_allowed(assignment, make_key(assignment, Precision::certified));
+    }
+}
+
+TEST(Allowance, IsTooSmallForHalfAPixelInTheHandoutsScene) {
+    Assignment assignment = load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS);
+    assignment.rubric.pixel_conventions = {PixelConvention::centre};
+    const AnswerKey centre = make_key(assignment, Precision::certified);
+    assignment.rubric.pixel_conventions = {PixelConvention::corner};
+    const AnswerKey corner = make_key(assignment, Precision::certified);
+    for (const auto& [number, name] :
+         {std::pair(1, "P_VCS"), {4, "P_WCS"}, {5, "V"}, {6, "b"}, {6, "t"}, {7, "normal"}}) {
+        const Answer& key = answer(centre, number, name);
+        const double x = std::get<Numbers>(answer(corner, number, name).value).front();
+        EXPECT_GT(std::abs(x - key.hi.front()), 100 * key.allowance.front()) << name;
+    }
+}
+
+TEST(Allowance, IsWithinTenUnitsInTheLastPlaceOfFloatForTheHandoutsCamera) {
+    const AnswerKey key = make_key(load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS), Precision::certified);
+    for (const char* name : {"X_vcs", "Y_vcs", "Z_vcs"}) {
+        for (const double allowance : answer(key, 2, name).allowance) EXPECT_LE(allowance, 10 * 0x1p-23);
+    }
+}
+
+TEST(Affine, RemembersWhatDependsOnTheSameRounding) {
+    Roundings roundings;
+    const Affine<float> x(Interval<double>(1, 2), roundings);
+    // In plain intervals x - x is [-1, 1] and x / x is [1/2, 2].
+    EXPECT_LT((x - x).range().hi(), 1e-6);
+    EXPECT_GT((x - x).range().lo(), -1e-6);
+    EXPECT_FALSE((Affine<float>(1) / (x - x)).range().is_bounded());
+}
+
+TEST(Affine, HoldsEveryResultOfEveryOperation) {
+    Roundings roundings;
+    const Affine<float> x(Interval<double>(0.5, 3), roundings);
+    const Affine<float> y(Interval<double>(-2, -0.25), roundings);
+    for (double p = 0.5; p <= 3; p += 0.25) {
+        EXPECT_TRUE(sqrt(x).range().contains(std::sqrt(p)));
+        for (double q = -2; q <= -0.25; q += 0.25) {
+            EXPECT_TRUE((x + y).range().contains(p + q));
+            EXPECT_TRUE((x * y).range().contains(p * q));
+            EXPECT_TRUE((x / y).range().contains(p / q));
+        }
+    }
+    EXPECT_TRUE(sqrt(Affine<float>(Interval<double>(-1, 4), roundings)).range().contains(2));
+    EXPECT_TRUE(sqrt(Affine<float>(Interval<double>(-1, 4), roundings)).range().contains(0));
+    EXPECT_FALSE(sqrt(y).range().is_bounded());
+}
+
+TEST(Affine, EveryOperationRoundsOnceToItsArithmetic) {
+    Roundings roundings;
+    const Affine<float> third = Affine<float>(Interval<double>(1.0), roundings) / Affine<float>(3);
+    EXPECT_TRUE(third.range().contains(static_cast<double>(1.0F / 3.0F)));
+    EXPECT_LT(third.range().hi() - third.range().lo(), 0x1p-24);
+    const Affine<double> finer = Affine<double>(Interval<double>(1.0), roundings) / Affine<double>(3);
+    EXPECT_LT(finer.range().hi() - finer.range().lo(), 0x1p-48);
+}
+
+}  // namespace

@@ -129,7 +129,9 @@ TEST(Enclosure, HoldsTheTruthOfEveryItemOnAThousandScenes) {
     int triangle_hits = 0;
     for (std::uint64_t seed = 0; seed < 1000; ++seed) {
         SCOPED_TRACE(seed);
-        const Assignment assignment = random_assignment(seed);
+        Assignment assignment = random_assignment(seed);
+        assignment.rubric.pixel_conventions = {PixelConvention::centre};
+        assignment.rubric.boundary = BoundaryPolicy::nonnegative;
         const AnswerKey key = make_key(assignment, Precision::certified);
         Truth truth;
         const auto [start, V] = add_camera(truth, assignment.scene);

@@ -33,7 +33,8 @@ Assignment random_assignment(std::uint64_t seed) {
     scene.camera.vup.y = positive(random, 4, 9);
     scene.window = {*Decimal::parse("-2"),  positive(random, 1, 3), *Decimal::parse("-1.1"), positive(random, 1, 2),
                     positive(random, 1, 3), random.whole(2, 640),   random.whole(2, 480)};
-    scene.pixel = {random.whole(0, scene.window.width - 1), random.whole(0, scene.window.height - 1)};
+    const auto inner = [&](int count) { return random.whole(count / 3, count - 1 - count / 3); };
+    scene.pixel = {inner(scene.window.width), inner(scene.window.height)};
     scene.spheres.push_back({point(random, 2), positive(random, 1, 4)});
     scene.triangles.push_back({point(random, 6), point(random, 6), point(random, 6)});
     return assignment;

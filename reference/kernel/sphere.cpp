@@ -83,13 +83,28 @@ SphereResult decide_in_integers(const Ray<double>& ray, const Sphere<double>& sp
     });
 }
 
+/// c of the quadratic, from whole numbers: for a ray that starts so near the surface that nothing is left of it otherwise.
+/// Empty where it is not zero and far from the middle of the doubles' range.
+std::optional<DoubleDouble> exact_c(const Ray<double>& ray, const Sphere<double>& sphere) {
+    return in_integers(ray, {sphere}, {}, [&](const auto& scene) -> std::optional<DoubleDouble> {
+        const auto c = quadratic_of(scene.ray, scene.spheres.front()).c;
+        if (sign_of(c) == 0) return DoubleDouble();
+        using I = std::decay_t<decltype(c)>;
+        const double high = c.as_double();
+        const int exponent = 2 * scales_of(ray, {sphere}, {}).lengths.exponent();
+        const double size = std::ldexp(std::abs(high), exponent);
+        if (!std::isfinite(high) || !(0x1p-900 < size && size < 0x1p900)) return std::nullopt;
+        const double low = (c - I(high)).as_double();
+        return DoubleDouble(std::ldexp(high, exponent)) + DoubleDouble(std::ldexp(low, exponent));
+    });
+}
+
 /// t of a hit in double-double; empty where its relative error cannot be held below 2^-56.
 std::optional<double> root_in_double_double(const Ray<double>& ray, const Sphere<double>& sphere, SphereResult result) {
     const Level<DoubleDouble> level(ray, sphere);
     if (!level.errors) return std::nullopt;
-    const auto& [a, b, c, d] = level.quadratic;
+    const auto& [a, b, rounded_c, d] = level.quadratic;
     const double b_size = std::abs(static_cast<double>(b));
-    const double c_size = std::abs(static_cast<double>(c));
     if (result == SphereResult::tangent) {
         if (!(level.errors->b < 0x1p-56 * b_size)) return std::nullopt;
         return static_cast<double>(-b / (DoubleDouble(2) * a));
@@ -99,12 +114,16 @@ std::optional<double> root_in_double_double(const Ray<double>& ray, const Sphere
     // |√d - √d'| <= |d - d'| / √d'; |b| and √d are added, so their errors are relative to the sum.
     const double sum_error = (level.errors->b + level.errors->d / root) / (b_size + root);
     if (!(sum_error < 0x1p-58)) return std::nullopt;
-    const bool inside = static_cast<double>(c) < 0;
+    const bool c_is_known = level.errors->c < 0x1p-58 * std::abs(static_cast<double>(rounded_c));
+    const std::optional<DoubleDouble> known_c = c_is_known ? rounded_c : exact_c(ray, sphere);
+    if (!known_c) return std::nullopt;
+    const DoubleDouble& c = *known_c;
+    const auto c_sign = sign_of(c);
+    if (c_sign == 0) return 0;
     const bool towards = static_cast<double>(b) < 0;
-    if (!(level.errors->c < 0x1p-58 * c_size)) return std::nullopt;
-    if (inside && towards) return static_cast<double>((-b + spread) / (DoubleDouble(2) * a));
-    if (inside) return static_cast<double>(-(DoubleDouble(2) * c) / (b + spread));
-    return static_cast<double>((DoubleDouble(2) * c) / (-b + spread));
+    if (c_sign > 0) return static_cast<double>((DoubleDouble(2) * c) / (-b + spread));
+    if (towards) return static_cast<double>((-b + spread) / (DoubleDouble(2) * a));
+    return static_cast<double>(-(DoubleDouble(2) * c) / (b + spread));
 }
 
 /// t of a hit, correctly rounded.

@@ -60,14 +60,11 @@ TriangleResult decide_in_integers(const Ray<double>& ray, const Triangle<double>
         if (has_no_area(scene.triangles.front())) return TriangleResult::degenerate;
         switch (classify(solution_of(scene.ray, scene.triangles.front()))) {
             case reference::TriangleHit::hit:
-            case reference::TriangleHit::boundary:
-                return TriangleResult::hit;
-            case reference::TriangleHit::coplanar:
-                return TriangleResult::coplanar;
+            case reference::TriangleHit::boundary: return TriangleResult::hit;
+            case reference::TriangleHit::coplanar: return TriangleResult::coplanar;
             case reference::TriangleHit::miss:
             case reference::TriangleHit::parallel:
-            case reference::TriangleHit::unsure:
-                break;  // unsure: not with whole numbers
+            case reference::TriangleHit::unsure: break;  // unsure: not with whole numbers
         }
         return TriangleResult::miss;
     });

@@ -4,8 +4,10 @@
 #include <gmpxx.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
 #include <compare>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 namespace reference::kernel {
@@ -18,7 +20,17 @@ class Whole {
     explicit Whole(int x) : value_(x) {}
     /// mantissa * 2^shift, shift >= 0.
     Whole(std::int64_t mantissa, unsigned shift) : value_(static_cast<long>(mantissa)) { value_ <<= shift; }
+    /// x is a whole number.
+    explicit Whole(double x) : value_(x) {}
     const Number& value() const { return value_; }
+    /// A double within one unit in the last place; infinite beyond the doubles.
+    double as_double() const {
+        if constexpr (std::is_same_v<Number, mpz_class>) {
+            return mpz_sizeinbase(value_.get_mpz_t(), 2) > 1023 ? sgn(value_) * HUGE_VAL : value_.get_d();
+        } else {
+            return value_.template convert_to<double>();
+        }
+    }
 
     Whole operator-() const { return Whole(Number(-value_)); }
     friend Whole operator+(const Whole& x, const Whole& y) { return Whole(Number(x.value_ + y.value_)); }

@@ -15,33 +15,52 @@ std::string text_of(const reference::Vec3<double>& p) {
     return fmt::format("[{},{},{}]", p.x, p.y, p.z);
 }
 
-/// A ray, a sphere and a triangle a line, as the distribution draws them: numbers with all their 17 digits.
-std::string queries(const distributions::Distribution<distributions::OrderCase>& distribution, long count) {
-    std::string text;
-    for (long i = 0; i < count; ++i) {
-        const distributions::OrderCase c = distribution.make(static_cast<std::uint64_t>(i));
-        text +=
-            fmt::format(
-                R"({{"origin":{},"direction":{},"spheres":[{{"center":{},"radius":{}}}],"triangles":[[{},{},{}]]}})",
-                text_of(c.ray.origin), text_of(c.ray.direction), text_of(c.sphere.center), c.sphere.radius,
-                text_of(c.triangle.A), text_of(c.triangle.B), text_of(c.triangle.C)) +
-            "\n";
+std::string text_of(const reference::Sphere<double>& sphere) {
+    return fmt::format(R"({{"center":{},"radius":{}}})", text_of(sphere.center), sphere.radius);
+}
+
+std::string text_of(const reference::Triangle<double>& triangle) {
+    return fmt::format("[{},{},{}]", text_of(triangle.A), text_of(triangle.B), text_of(triangle.C));
+}
+
+std::string query(const distributions::Ray<double>& ray, const std::string& spheres, const std::string& triangles) {
+    return fmt::format(R"({{"origin":{},"direction":{},"spheres":[{}],"triangles":[{}]}})", text_of(ray.origin),
+                       text_of(ray.direction), spheres, triangles) +
+           "\n";
+}
+
+std::string query(const distributions::SphereCase& c) {
+    return query(c.ray, text_of(c.sphere), "");
+}
+std::string query(const distributions::TriangleCase& c) {
+    return query(c.ray, "", text_of(c.triangle));
+}
+std::string query(const distributions::OrderCase& c) {
+    return query(c.ray, text_of(c.sphere), text_of(c.triangle));
+}
+
+/// Numbers with all their 17 digits, as the distributions draw them.
+template <class Case>
+void measure(std::string_view kind, const std::vector<distributions::Distribution<Case>>& all, long count) {
+    for (const auto& distribution : all) {
+        std::string text;
+        for (long i = 0; i < count; ++i) text += query(distribution.make(static_cast<std::uint64_t>(i)));
+        std::istringstream in(text);
+        std::ostringstream out;
+        const auto start = std::chrono::steady_clock::now();
+        const long malformed = reference::cast(in, out);
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        fmt::print("{:20} {:30} {:9.0f} queries/s ({} malformed)\n", kind, distribution.name,
+                   static_cast<double>(count) / seconds.count(), malformed);
     }
-    return text;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
     const long count = argc > 1 ? std::atol(argv[1]) : 200'000;
-    for (const auto& distribution : distributions::orders()) {
-        std::istringstream in(queries(distribution, count));
-        std::ostringstream out;
-        const auto start = std::chrono::steady_clock::now();
-        const long malformed = reference::cast(in, out);
-        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-        fmt::print("{:20} {:9.0f} queries/s ({} malformed)\n", distribution.name,
-                   static_cast<double>(count) / seconds.count(), malformed);
-    }
+    measure("sphere and triangle", distributions::orders(), count);
+    measure("sphere", distributions::spheres(), count);
+    measure("triangle", distributions::triangles(), count);
     return 0;
 }

@@ -51,9 +51,30 @@ SphereCase on_the_surface(std::uint64_t seed) {
     const double radius = random.between(0.5, 2);
     return mixed(random, {{center + scaled(random.direction(), radius), random.direction()}, {center, radius}});
 }
+/// As above with whole numbers and one of them nudged, sometimes by the smallest step a double has.
+SphereCase a_hair_off_the_surface(std::uint64_t seed) {
+    Random random(seed);
+    const double size = random.whole(1, 20);
+    SphereCase c{{P(3 * size, 0, 4 * size), random.whole_point(4)}, {P(0, 0, 0), 5 * size}};
+    if (c.ray.direction == P(0, 0, 0)) c.ray.direction = P(0, 0, 1);
+    c.ray.origin.y = random.number() * std::exp2(random.whole(-1000, -1));
+    if (random.whole(0, 3) == 0) c.sphere.radius = random.nudged(c.sphere.radius);
+    return c;
+}
 SphereCase scaled_by_a_power_of_two(std::uint64_t seed) {
     const SphereCase c = grazing(seed);
     const double factor = std::exp2(Random(seed + 1).whole(0, 1) == 0 ? -60 : 60);
+    return {{scaled(c.ray.origin, factor), c.ray.direction},
+            {scaled(c.sphere.center, factor), c.sphere.radius * factor}};
+}
+/// Where squares, cubes or fourth powers of the lengths leave the range of doubles, wholly or in part.
+double to_the_ends(std::uint64_t seed) {
+    static constexpr std::array<int, 8> exponents{-1000, -537, -530, -360, -268, 255, 340, 500};
+    return std::exp2(exponents[static_cast<std::size_t>(Random(seed).whole(0, 7))]);
+}
+SphereCase sphere_at_the_ends_of_the_range(std::uint64_t seed) {
+    const SphereCase c = benign_sphere(seed);
+    const double factor = to_the_ends(seed + 1);
     return {{scaled(c.ray.origin, factor), c.ray.direction},
             {scaled(c.sphere.center, factor), c.sphere.radius * factor}};
 }
@@ -180,6 +201,12 @@ TriangleCase tiny(std::uint64_t seed) {
     return {{scaled(c.ray.origin, factor), scaled(c.ray.direction, factor)},
             {scaled(c.triangle.A, factor), scaled(c.triangle.B, factor), scaled(c.triangle.C, factor)}};
 }
+TriangleCase triangle_at_the_ends_of_the_range(std::uint64_t seed) {
+    const TriangleCase c = benign_triangle(seed);
+    const double factor = to_the_ends(seed + 1);
+    return {{scaled(c.ray.origin, factor), scaled(c.ray.direction, to_the_ends(seed + 2))},
+            {scaled(c.triangle.A, factor), scaled(c.triangle.B, factor), scaled(c.triangle.C, factor)}};
+}
 TriangleCase integer_grid(std::uint64_t seed) {
     Random random(seed);
     const P d = random.whole_point(3);
@@ -259,7 +286,9 @@ std::vector<Distribution<SphereCase>> spheres() {
             {"far and tiny", far_and_tiny},
             {"huge and near", huge_and_near},
             {"on the surface", on_the_surface},
+            {"a hair off the surface", a_hair_off_the_surface},
             {"scaled by 2^60 or 2^-60", scaled_by_a_power_of_two},
+            {"at the ends of the range", sphere_at_the_ends_of_the_range},
             {"non-unit direction", non_unit_direction},
             {"exact tangent", exact_tangent},
             {"nearly tangent by its radius", nearly_tangent_by_radius},
@@ -267,9 +296,16 @@ std::vector<Distribution<SphereCase>> spheres() {
 }
 
 std::vector<Distribution<TriangleCase>> triangles() {
-    return {{"benign", benign_triangle},      {"edge-aimed", edge_aimed},   {"vertex-aimed", vertex_aimed},
-            {"sliver", sliver_inside},        {"sliver edge", sliver_edge}, {"near-parallel", near_parallel},
-            {"far and small", far_and_small}, {"offset 1e6", offset_1e6},   {"tiny", tiny},
+    return {{"benign", benign_triangle},
+            {"edge-aimed", edge_aimed},
+            {"vertex-aimed", vertex_aimed},
+            {"sliver", sliver_inside},
+            {"sliver edge", sliver_edge},
+            {"near-parallel", near_parallel},
+            {"far and small", far_and_small},
+            {"offset 1e6", offset_1e6},
+            {"tiny", tiny},
+            {"at the ends of the range", triangle_at_the_ends_of_the_range},
             {"integer grid", integer_grid}};
 }
 

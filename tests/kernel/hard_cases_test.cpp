@@ -127,4 +127,12 @@ TEST(HardCases, DoublesAtTheEndsOfTheirRangeNeitherOverflowNorVanish) {
     }
 }
 
+TEST(HardCases, SquaresThatVanishInPartDoNotDecide) {
+    // |f|² = 0.98 s² and R² = 0.81 s², but s² is the smallest double: rounded to it they are 0 and 1.
+    using P = Vec3<double>;
+    const double s = 0x1p-537;
+    const Ray<double> away{P(0.7 * s, 0.7 * s, 0), P(1, 1, 0)};
+    EXPECT_EQ(decide(away, Sphere<double>{P(0, 0, 0), 0.9 * s}), SphereResult::miss);
+}
+
 }  // namespace
