@@ -97,7 +97,7 @@ ItemScore Judge::judge(const KeyItem& item) {
     if (printed == matched_.end()) return score;
     if (printed->verdict) {
         score.printed = printed->verdict->printed;
-        score.line = static_cast<int>(printed->verdict->line);
+        score.line = printed->verdict->line;
         score.verdict = judge_verdict(item, *printed->verdict, score);
     } else if (printed->value) {
         score.printed = printed->value->printed;
