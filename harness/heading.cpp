@@ -58,6 +58,12 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
+/// Where a heading that is `length` long ends: a '-' directly before a number is the number's.
+std::size_t end_of(std::string_view start, std::size_t length) {
+    const bool number_goes_on = length < start.size() && (is_digit(start[length]) || start[length] == '.');
+    return length > 0 && start[length - 1] == '-' && number_goes_on ? length - 1 : length;
+}
+
 std::optional<Heading> with_keyword(std::string_view start) {
     const re2::StringPiece text(start.data(), start.size());
     for (const Form& form : forms()) {
@@ -66,11 +72,11 @@ std::optional<Heading> with_keyword(std::string_view start) {
         if (RE2::PartialMatch(text, form.digits, &whole, &question) && question >= 1) {
             // "Part 1.25" is a number; "Question 6.1:" the first part of question 6.
             const bool decimal = whole.size() < start.size() && whole.ends_with(".") && is_digit(start[whole.size()]);
-            if (!decimal) return Heading{question, whole.size(), form.style};
+            if (!decimal) return Heading{question, end_of(start, whole.size()), form.style};
         }
         std::string word;
         if (RE2::PartialMatch(text, form.words, &whole, &word)) {
-            return Heading{spelled_number(word), whole.size(), form.style};
+            return Heading{spelled_number(word), end_of(start, whole.size()), form.style};
         }
     }
     return std::nullopt;

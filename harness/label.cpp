@@ -235,6 +235,15 @@ bool says_no_answer(const Words& words) {
     return false;
 }
 
+/// What the scene gives is no answer: "R = 2".
+bool is_of_the_scene(const Words& words) {
+    constexpr std::array given = {"r",      "radius",       "r2",           "center",         "centre",  "eye",
+                                  "lookat", "vup",          "width",        "height",         "dx",      "dy",
+                                  "pdcs",   "spherecenter", "sphereradius", "cameraposition", "epsilon", "eps",
+                                  "time"};
+    return contains(given, join(words.tokens, 0, words.tokens.size()));
+}
+
 LabelFit fit_words(const Words& words, const Names& names) {
     if (words.tokens.empty()) return LabelFit::none;
     const std::string whole = join(words.tokens, 0, words.tokens.size());
@@ -252,7 +261,7 @@ LabelFit fit_words(const Words& words, const Names& names) {
 
 LabelFit fit_label(std::string_view label, std::string_view above, const ItemSpec& item) {
     const Words words = split_words(label);
-    if (says_no_answer(words)) return LabelFit::forbidden;
+    if (says_no_answer(words) || is_of_the_scene(words)) return LabelFit::forbidden;
     if (!words.tokens.empty()) return fit_words(words, names_of(item));
     const Words title = split_words(above);
     if (title.tokens.empty()) return LabelFit::none;

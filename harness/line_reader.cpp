@@ -104,6 +104,15 @@ class Reader {
         return words && (!equals || is(open + 1, Kind::number));
     }
 
+    /// "sqrt(2)", "dot(V, V)".
+    bool is_call(std::size_t open) const {
+        static const RE2 function(
+            "sqrt|abs|fabs|pow|min|max|dot|cross|length|normalize|inverse|determinant|sin|cos|tan");
+        if (open == 0 || !is(open - 1, Kind::word) || tokens_[open - 1].end != tokens_[open].begin) return false;
+        const std::string_view word = text(open - 1);
+        return RE2::FullMatch(re2::StringPiece(word.data(), word.size()), function);
+    }
+
     /// "t": null, within a line: the label has no value.
     bool is_no_value(std::size_t i) const {
         static const RE2 none("(?i)none|null|nil|undefined|nothing");
@@ -133,6 +142,10 @@ class Reader {
         }
         if (is(at_, Kind::open) && partner_[at_] < tokens_.size() && is_remark(at_)) {
             at_ = partner_[at_] + 1;  // a remark: "0.333 (= 1/3)"
+            return;
+        }
+        if (is(at_, Kind::open) && partner_[at_] < tokens_.size() && is_call(at_)) {
+            at_ = partner_[at_] + 1;
             return;
         }
         std::optional<Found> found;

@@ -128,7 +128,7 @@ std::optional<std::vector<PrintedValue>> values_of(const Form& form, std::string
 }  // namespace
 
 std::optional<std::vector<PrintedValue>> read_linear_form(std::string_view line) {
-    if (line.size() > longest_line || line.find_first_of("tk") == std::string_view::npos ||
+    if (line.size() > longest_line || line.find_first_of("tuvk") == std::string_view::npos ||
         line.find_first_of("+-") == std::string_view::npos) {
         return std::nullopt;
     }

@@ -25,6 +25,12 @@ std::int64_t gain_of(LabelFit fit) {
     return 0;
 }
 
+std::size_t index_of(const ItemSpec& item) {
+    const auto items = reference::all_items();
+    const auto same = [&](const ItemSpec& i) { return i.question == item.question && i.name == item.name; };
+    return static_cast<std::size_t>(std::find_if(items.begin(), items.end(), same) - items.begin());
+}
+
 /// A candidate, and where it stands in its part.
 struct Placed {
     Candidate candidate;
@@ -33,7 +39,9 @@ struct Placed {
 
 class Matcher {
   public:
-    Matcher(std::span<const ItemSpec> items, Need need, Fits& fits) : items_(items), need_(need), fits_(fits) {}
+    Matcher(std::span<const ItemSpec> items, Need need, Fits& fits) : items_(items), need_(need), fits_(fits) {
+        for (const ItemSpec& item : items) index_.push_back(index_of(item));
+    }
 
     struct Solution {
         std::vector<std::optional<std::size_t>> candidate_of;
@@ -46,7 +54,8 @@ class Matcher {
         std::vector<LabelFit> fit(items_.size());
         for (const Placed& placed : candidates) {
             const PrintedValue& value = placed.candidate.value;
-            for (std::size_t i = 0; i < items_.size(); ++i) fit[i] = fits_(value, items_[i]);
+            const Fits::Row& row = fits_.of(value);
+            for (std::size_t i = 0; i < items_.size(); ++i) fit[i] = row[index_[i]];
             for (std::size_t i = 0; i < items_.size(); ++i) gains[i].push_back(gain(i, placed, fit));
         }
         Solution solution{solve_assignment(gains), 0};
@@ -56,11 +65,10 @@ class Matcher {
         return solution;
     }
 
-    /// Whether the words around a list name an item that the list may be, or one of its numbers.
+    /// Whether the words around a list name an item.
     bool names_an_item(const PrintedValue& value) const {
-        return std::any_of(items_.begin(), items_.end(), [&](const ItemSpec& item) {
-            return fits_(value, item) >= (has_shape(value, item) ? LabelFit::named : LabelFit::weak);
-        });
+        const Fits::Row& row = fits_.of(value);
+        return std::any_of(index_.begin(), index_.end(), [&](std::size_t i) { return row[i] >= LabelFit::weak; });
     }
 
     bool forbids(const PrintedValue& value, const ItemSpec& item) const {
@@ -84,7 +92,8 @@ class Matcher {
     bool names_another(std::size_t i, const std::vector<LabelFit>& fit) const {
         if (fit[i] >= LabelFit::named) return false;
         for (std::size_t other = 0; other < items_.size(); ++other) {
-            if (other != i && items_[other].shape == items_[i].shape && fit[other] >= LabelFit::named) return true;
+            const LabelFit least = fit[i] <= LabelFit::foreign ? LabelFit::weak : LabelFit::named;
+            if (other != i && items_[other].shape == items_[i].shape && fit[other] >= least) return true;
         }
         return false;
     }
@@ -94,10 +103,12 @@ class Matcher {
     bool names_another_question(const PrintedValue& value, const ItemSpec& item) const {
         if (items_.size() == 1) return false;
         const auto all = reference::all_items();
-        return std::any_of(all.begin(), all.end(), [&](const ItemSpec& other) {
-            return other.question != item.question && other.shape == item.shape &&
-                   fits_(value, other) == LabelFit::exact;
-        });
+        const Fits::Row& row = fits_.of(value);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (all[i].question != item.question && all[i].shape == item.shape && row[i] == LabelFit::exact)
+                return true;
+        }
+        return false;
     }
 
     /// Of values labelled alike the last counts. Values without a label come in the order of the items; of a question
@@ -115,6 +126,7 @@ class Matcher {
     }
 
     std::span<const ItemSpec> items_;
+    std::vector<std::size_t> index_;  ///< of each item in all_items()
     Need need_;
     Fits& fits_;
 };
@@ -139,10 +151,25 @@ std::vector<Placed> with_list_apart(const std::vector<Placed>& candidates, std::
     return trial;
 }
 
+/// Whether items [first, first + count) may be candidate k where the others are matched as in `solution`: nothing
+/// before it answers a later item, nothing behind it an earlier one, and none of these items is answered by name.
+bool keeps_order(const std::vector<Placed>& candidates, const Matcher& matcher, const Matcher::Solution& solution,
+                 std::size_t k, std::size_t first, std::size_t count) {
+    for (std::size_t i = 0; i < solution.candidate_of.size(); ++i) {
+        const auto& candidate = solution.candidate_of[i];
+        if (!candidate || *candidate == k) continue;
+        if ((*candidate < k && i >= first + count) || (*candidate > k && i < first)) return false;
+        const bool within = i >= first && i < first + count;
+        if (within && matcher.names_an_item(candidates[*candidate].candidate.value)) return false;
+    }
+    return true;
+}
+
 /// The best that reading one list without a name as several scalars gives, if it gains more than `best_gain`.
 std::vector<Placed> take_best_list_apart(const std::vector<Placed>& candidates, std::span<const ItemSpec> items,
                                          const Matcher& matcher, std::int64_t& best_gain) {
     constexpr std::size_t most_lists = 8;
+    const Matcher::Solution whole = matcher.solve(candidates);
     std::vector<Placed> best;
     std::size_t lists = 0;
     for (std::size_t k = 0; k < candidates.size() && lists < most_lists; ++k) {
@@ -155,7 +182,7 @@ std::vector<Placed> take_best_list_apart(const std::vector<Placed>& candidates, 
             const bool fit = std::all_of(named.begin(), named.end(), [&](const ItemSpec& item) {
                 return item.shape == Shape::scalar && !matcher.forbids(value, item);
             });
-            if (!fit) continue;
+            if (!fit || !keeps_order(candidates, matcher, whole, k, first, count)) continue;
             std::vector<Placed> trial = with_list_apart(candidates, k, items, first);
             const std::int64_t gain = matcher.solve(trial).gain;
             if (gain <= best_gain) continue;
@@ -203,17 +230,19 @@ bool has_shape(const PrintedValue& value, const ItemSpec& item) {
     return false;
 }
 
+const Fits::Row& Fits::of(const PrintedValue& value) {
+    std::string key;
+    key.reserve(value.label.size() + value.above.size() + value.after.size() + 2);
+    key.append(value.label).append(1, '\n').append(value.above).append(1, '\n').append(value.after);
+    const auto [row, is_new] = known_.try_emplace(std::move(key));
+    if (is_new) {
+        for (const ItemSpec& item : reference::all_items()) row->second.push_back(fit_value(value, item));
+    }
+    return row->second;
+}
+
 LabelFit Fits::operator()(const PrintedValue& value, const ItemSpec& item) {
-    const auto items = reference::all_items();
-    const auto index = static_cast<std::size_t>(
-        std::find_if(items.begin(), items.end(),
-                     [&](const ItemSpec& i) { return i.question == item.question && i.name == item.name; }) -
-        items.begin());
-    const std::string key = value.label + '\n' + value.above + '\n' + value.after;
-    std::vector<std::optional<LabelFit>>& row = known_[key];
-    if (row.empty()) row.resize(items.size());
-    if (!row[index]) row[index] = fit_value(value, item);
-    return *row[index];
+    return of(value)[index_of(item)];
 }
 
 Answers answer_question(std::span<const ItemSpec> items, std::span<const std::vector<PrintedValue>> parts, Need need,

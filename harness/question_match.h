@@ -15,14 +15,18 @@
 
 namespace harness {
 
-/// How well printed values name items. Remembers, since a program repeats its labels.
+/// How well printed values name items: by the words before the value; without any by those behind it, or on the line
+/// above. Remembers, since a program repeats its labels.
 class Fits {
   public:
-    /// By the words before the value; without any by those behind it, or on the line above.
+    using Row = std::vector<LabelFit>;  ///< by the item's place in reference::all_items()
+
+    /// Of all items at once. The reference stays good.
+    const Row& of(const PrintedValue& value);
     LabelFit operator()(const PrintedValue& value, const reference::ItemSpec& item);
 
   private:
-    std::unordered_map<std::string, std::vector<std::optional<LabelFit>>> known_;
+    std::unordered_map<std::string, Row> known_;
 };
 
 /// Whether a value may have the item's shape; a value without numbers has that of an item that may not exist.
@@ -40,6 +44,9 @@ struct Answers {
     std::vector<std::optional<std::size_t>> candidate_of;  ///< by item: an index into candidates
     std::int64_t gain = 0;                                 ///< the sum of the fits: larger is better
 };
+
+/// No item adds more to the gain.
+constexpr std::int64_t largest_gain = 110'000;
 
 /// `items` of one question, in the handout's order; `parts` are the runs of values that were printed for it, the last
 /// of which counts most. At most one value an item and one item a value, so that the sum of the fits is largest. Label,

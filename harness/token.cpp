@@ -200,6 +200,7 @@ class Lexer {
                 break;
             }
         }
+        if (length == 0) return add(Token::Kind::other, 1);  // the point of ".5x"
         const std::size_t letters = letters_before_number(length);
         add(Token::Kind::word, letters);
         if (letters < length) take_number();

@@ -26,6 +26,9 @@ struct PrintedValue {
     int last_line = 0;            ///< the same, of its last number
 };
 
+/// A section with more values has only its first and last ones, half of these each.
+constexpr std::size_t most_values_in_section = 4000;
+
 struct PrintedLine {
     std::string text;
     int number;  ///< 1-based, in the program's output

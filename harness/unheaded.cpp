@@ -38,7 +38,8 @@ class Division {
             for (std::size_t j = 0; j < columns; ++j) {
                 gain[q][j] = gain[q - 1][j];
                 const std::size_t longest = std::min(j, longest_run(questions_[q - 1]));
-                for (std::size_t n = 1; n <= longest; ++n) {
+                const auto most = static_cast<std::int64_t>(questions_[q - 1].size()) * largest_gain;
+                for (std::size_t n = 1; n <= longest && gain[q - 1][j - n] + most > gain[q][j]; ++n) {
                     const std::int64_t with = gain[q - 1][j - n] + answers(q - 1, j - n, n).gain;
                     if (with <= gain[q][j]) continue;
                     gain[q][j] = with;
