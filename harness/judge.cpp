@@ -137,7 +137,8 @@ bool Judge::is_right_but_coarse(const KeyItem& item, const MatchedItem& printed)
     return std::any_of(item.answers.begin(), item.answers.end(), [&](const reference::Answer& answer) {
         Target target = target_with_allowance(item, answer, rubric_);
         for (std::size_t i = 0; i < std::min(numbers.size(), target.allowance.size()); ++i) {
-            if (numbers[i].significant >= digits_that_tell) target.allowance[i] += 0.5 * std::pow(10.0, -numbers[i].decimals);
+            if (numbers[i].significant >= digits_that_tell)
+                target.allowance[i] += 0.5 * std::pow(10.0, -numbers[i].decimals);
         }
         return compare(printed, target, 0.0, rubric_.min_decimals).within;
     });

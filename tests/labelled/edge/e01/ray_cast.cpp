@@ -1,19 +1,18 @@
 // CS 870 Assignment 6: ray casting (edge scene)
-#include <iostream>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtx/string_cast.hpp>
+#include <iostream>
 
-using glm::vec3;
-using glm::vec4;
 using glm::mat3;
 using glm::mat4;
 using glm::to_string;
+using glm::vec3;
+using glm::vec4;
 using std::cout;
 
-int main()
-{
+int main() {
     vec3 center(1, 0, 1);
     float R = 2;
     vec3 A(3, 0, -1), B(3, 0, 1), C(1, 3, 2);
@@ -28,7 +27,8 @@ int main()
     vec3 P_VCS(l + (r - l) * (xd + 0.5f) / W, b + (t - b) * (yd + 0.5f) / H, -n);
     cout << to_string(P_VCS) << "\n\n";
 
-    cout << "Question 2: Obtain the three basis vectors of the VCS system, X_vcs , Y_vcs , and Z_vcs , and print them, on separate lines.\n";
+    cout << "Question 2: Obtain the three basis vectors of the VCS system, X_vcs , Y_vcs , and Z_vcs , and print them, "
+            "on separate lines.\n";
     vec3 Z = glm::normalize(eye - lookat);
     vec3 X = glm::normalize(glm::cross(vup, Z));
     vec3 Y = glm::cross(Z, X);
@@ -47,7 +47,8 @@ int main()
     vec3 V = glm::normalize(S - eye);
     cout << to_string(V) << "\n\n";
 
-    cout << "Question 6: You now have a ray P = S + tV, where S is P_WCS. Compute the point P_s where the ray hits the sphere.\n"
+    cout << "Question 6: You now have a ray P = S + tV, where S is P_WCS. Compute the point P_s where the ray hits the "
+            "sphere.\n"
             "The sphere's equation is (P - C).(P - C) = R^2. If there are 2 positive roots, pick the smaller one.\n";
     vec3 D = S - center;
     float qa = glm::dot(V, V), qb = 2 * glm::dot(V, D), qc = glm::dot(D, D) - R * R;
@@ -75,9 +76,11 @@ int main()
     cout << "the values of t, u, and v: " << x[0] << ", " << x[1] << ", " << x[2] << "\n";
     cout << "the hit point: " << to_string(Pt) << "\n\n";
 
-    cout << "Question 9: Get the surface normal of the triangle: N = (B-A)x(C-A). Normalize this vector, and print it.\n";
+    cout << "Question 9: Get the surface normal of the triangle: N = (B-A)x(C-A). Normalize this vector, and print "
+            "it.\n";
     cout << to_string(glm::normalize(glm::cross(B - A, C - A))) << "\n\n";
 
-    cout << "Question 10: Choose the point with smaller t. Print one of: ray hits triangle first / ray hits sphere first\n";
+    cout << "Question 10: Choose the point with smaller t. Print one of: ray hits triangle first / ray hits sphere "
+            "first\n";
     cout << (x[0] < ts ? "ray hits triangle first\n" : "ray hits sphere first\n");
 }

@@ -1,28 +1,26 @@
 /* ray_cast.cpp -- doubles, printf */
-#include <cstdio>
 #include <cmath>
+#include <cstdio>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 typedef glm::dvec3 vec;
 
 #define LINE "+----------------------+-------------+-------------+-------------+\n"
 
-static double z0(double x) { return x == 0 ? 0.0 : x; }   /* no minus zero */
-static void row3(const char *s, vec p)
-{
+static double z0(double x) {
+    return x == 0 ? 0.0 : x;
+} /* no minus zero */
+static void row3(const char* s, vec p) {
     printf("| %-20s | %11.6f | %11.6f | %11.6f |\n", s, z0(p.x), z0(p.y), z0(p.z));
 }
-static void row1(const char *s, double x)
-{
+static void row1(const char* s, double x) {
     printf("| %-20s | %11.6f |             |             |\n", s, z0(x));
 }
-static void title(int n, const char *s)
-{
+static void title(int n, const char* s) {
     printf(LINE "| Q%-2d %-57s |\n" LINE, n, s);
 }
 
-int main(void)
-{
+int main(void) {
     vec eye(6, 1, 0), at(0, 1, 0), up(0, 1, 0);
     vec cen(1, 0, 1);
     double R = 2;

@@ -1,14 +1,13 @@
-#include <iostream>
-#include <iomanip>
-#include <sstream>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
 using namespace std;
 using V3 = glm::dvec3;
 
 // shows a number, and next to it the fraction when it is a simple one
-string num(double x)
-{
+string num(double x) {
     ostringstream s;
     s << setprecision(10) << x;
     for (int q = 2; q <= 12; q++) {
@@ -20,10 +19,11 @@ string num(double x)
     }
     return s.str();
 }
-string vec(const V3& p) { return "( " + num(p.x) + " , " + num(p.y) + " , " + num(p.z) + " )"; }
+string vec(const V3& p) {
+    return "( " + num(p.x) + " , " + num(p.y) + " , " + num(p.z) + " )";
+}
 
-int main()
-{
+int main() {
     V3 E(6, 1, 0), L(0, 1, 0), U(0, 1, 0);
     V3 Q(1, 0, 1);
     double rho = 2;
@@ -38,8 +38,10 @@ int main()
     cout << "3. M = \n";
     for (int i = 0; i < 4; i++) {
         cout << "   [ ";
-        if (i < 3) cout << num(x[i]) << "  " << num(y[i]) << "  " << num(z[i]) << "  " << num(E[i]);
-        else cout << "0  0  0  1";
+        if (i < 3)
+            cout << num(x[i]) << "  " << num(y[i]) << "  " << num(z[i]) << "  " << num(E[i]);
+        else
+            cout << "0  0  0  1";
         cout << " ]\n";
     }
 
@@ -53,8 +55,8 @@ int main()
     double a = dot(v, v), b = 2 * dot(v, w), c = dot(w, w) - rho * rho, delta = b * b - 4 * a * c;
     double lam = (-b - sqrt(delta)) / (2 * a);
     V3 hs = S + lam * v;
-    cout << "6. a = " << num(a) << "\n   b = " << num(b) << "\n   c = " << num(c)
-         << "\n   Δ = " << num(delta) << "\n   λ = " << num(lam) << "\n   S + λv = " << vec(hs) << endl;
+    cout << "6. a = " << num(a) << "\n   b = " << num(b) << "\n   c = " << num(c) << "\n   Δ = " << num(delta)
+         << "\n   λ = " << num(lam) << "\n   S + λv = " << vec(hs) << endl;
 
     cout << "7. n = " << vec(normalize(hs - Q)) << endl;
 
@@ -64,7 +66,8 @@ int main()
     double beta = dot(r, P) / det, gamma = dot(v, T) / det, mu = dot(e2, T) / det;
     cout << "8. β(B-A) + γ(C-A) - μv = S - A, with β = u, γ = v, μ = t\n";
     for (int i = 0; i < 3; i++)
-        cout << (i == 1 ? "   A = [ " : "       [ ") << num(e1[i]) << "  " << num(e2[i]) << "  " << num(-v[i]) << " ]\n";
+        cout << (i == 1 ? "   A = [ " : "       [ ") << num(e1[i]) << "  " << num(e2[i]) << "  " << num(-v[i])
+             << " ]\n";
     cout << "   S - A = " << vec(r) << endl;
     cout << "   β = " << num(beta) << ", γ = " << num(gamma) << ", μ = " << num(mu) << endl;
     cout << "   hit = " << vec(S + mu * v) << endl;

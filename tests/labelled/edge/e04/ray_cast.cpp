@@ -1,17 +1,18 @@
 // one line per question, as short as possible
 #define GLM_ENABLE_EXPERIMENTAL
-#include <iostream>
-#include <iomanip>
-#include <glm/glm.hpp>
 #include <glm/ext.hpp>
+#include <glm/glm.hpp>
+#include <iomanip>
+#include <iostream>
 
-auto &o = std::cout;
+auto& o = std::cout;
 typedef glm::vec3 v3;
 
-std::ostream &operator<<(std::ostream &s, v3 p) { return s << '(' << p[0] << ',' << p[1] << ',' << p[2] << ')'; }
+std::ostream& operator<<(std::ostream& s, v3 p) {
+    return s << '(' << p[0] << ',' << p[1] << ',' << p[2] << ')';
+}
 
-int main()
-{
+int main() {
     o << std::fixed << std::setprecision(3);
     v3 e(6, 1, 0), l(0, 1, 0), up(0, 1, 0), c(1, 0, 1), A(3, 0, -1), B(3, 0, 1), C(1, 3, 2);
 
@@ -34,7 +35,8 @@ int main()
     o << "Q5: " << v << '\n';
 
     v3 q = s - c;
-    float qa = dot(v, v), qb = 2 * dot(v, q), qc = dot(q, q) - 4, d = qb * qb - 4 * qa * qc, t = (-qb - sqrt(d)) / 2 / qa;
+    float qa = dot(v, v), qb = 2 * dot(v, q), qc = dot(q, q) - 4, d = qb * qb - 4 * qa * qc,
+          t = (-qb - sqrt(d)) / 2 / qa;
     v3 hs = s + t * v;
     o << "Q6: (a,b,c)=(" << qa << ',' << qb << ',' << qc << ") d=" << d << " t=" << t << " P_s=" << hs << '\n';
     o << "Q7: " << glm::normalize(hs - c) << '\n';
@@ -44,7 +46,8 @@ int main()
     bool hit = tuv[0] > 0 && tuv[1] > 0 && tuv[2] > 0 && tuv[1] + tuv[2] < 1;
     o << "Q8: A=[";
     for (int r = 0; r < 3; r++) o << k[0][r] << ' ' << k[1][r] << ' ' << k[2][r] << (r < 2 ? "; " : "]");
-    o << " rhs=" << b << " (t,u,v)=" << tuv << " P_t=" << s + tuv[0] * v << (hit ? "" : " no true hit, u is not inside") << '\n';
+    o << " rhs=" << b << " (t,u,v)=" << tuv << " P_t=" << s + tuv[0] * v << (hit ? "" : " no true hit, u is not inside")
+      << '\n';
     o << "Q9: " << glm::normalize(glm::cross(B - A, C - A)) << '\n';
     o << "Q10: " << (hit && tuv[0] < t ? "ray hits triangle first" : "ray hits sphere first") << '\n';
 }

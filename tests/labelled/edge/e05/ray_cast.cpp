@@ -1,34 +1,34 @@
 // Ray casting with plain C arrays. Colours so that I can find the answers in my terminal.
+#include <math.h>
+
+#include <glm/glm.hpp>
 #include <iostream>
 #include <string>
-#include <math.h>
-#include <glm/glm.hpp>
 
 using namespace std;
 
-void head(string s) { cout << "\033[1;34m== Exercise " << s << " ==\033[0m" << endl; }
-void show(string name, float *p)
-{
+void head(string s) {
+    cout << "\033[1;34m== Exercise " << s << " ==\033[0m" << endl;
+}
+void show(string name, float* p) {
     cout << "\033[32m" << name << "\033[0m\t" << p[0] << "\t" << p[1] << "\t" << p[2] << endl;
 }
-float det(float a[3], float b[3], float c[3])
-{
+float det(float a[3], float b[3], float c[3]) {
     return a[0] * (b[1] * c[2] - c[1] * b[2]) - b[0] * (a[1] * c[2] - c[1] * a[2]) + c[0] * (a[1] * b[2] - b[1] * a[2]);
 }
-void cross(float a[3], float b[3], float r[3])
-{
+void cross(float a[3], float b[3], float r[3]) {
     r[0] = a[1] * b[2] - a[2] * b[1];
     r[1] = a[2] * b[0] - a[0] * b[2];
     r[2] = a[0] * b[1] - a[1] * b[0];
 }
-void unit(float a[3])
-{
+void unit(float a[3]) {
     float n = sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-    a[0] /= n; a[1] /= n; a[2] /= n;
+    a[0] /= n;
+    a[1] /= n;
+    a[2] /= n;
 }
 
-int main()
-{
+int main() {
     float eye[] = {6, 1, 0}, at[] = {0, 1, 0}, vup[] = {0, 1, 0};
     float c[] = {1, 0, 1}, R = 2;
     float A[] = {3, 0, -1}, B[] = {3, 0, 1}, C[] = {1, 3, 2};
@@ -111,6 +111,8 @@ int main()
     show("N", nt);
 
     head("10");
-    if (tt < t) cout << "\033[31mray hits triangle first\033[0m" << endl;
-    else cout << "\033[31mray hits sphere first\033[0m" << endl;
+    if (tt < t)
+        cout << "\033[31mray hits triangle first\033[0m" << endl;
+    else
+        cout << "\033[31mray hits sphere first\033[0m" << endl;
 }

@@ -1,10 +1,10 @@
 #define GLM_ENABLE_EXPERIMENTAL
-#include <iostream>
 #include <cmath>
 #include <cstdlib>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtx/string_cast.hpp>
+#include <iostream>
 
 using namespace std;
 using namespace glm;
@@ -43,8 +43,7 @@ int main(int argc, char* argv[]) {
     mat4 M = inverse(lookAt(eye, lookat, vup));
     for (int c = 0; c < 4; c++) {
         cout << "column " << c << endl;
-        for (int r = 0; r < 4; r++)
-            cout << "   " << M[c][r] << endl;
+        for (int r = 0; r < 4; r++) cout << "   " << M[c][r] << endl;
     }
 
     cout << "QUESTION 4" << endl;
@@ -88,8 +87,7 @@ int main(int argc, char* argv[]) {
     vec3 rhs = P_wcs - A;
     for (int c = 0; c < 3; c++) {
         cout << "column " << c << endl;
-        for (int r = 0; r < 3; r++)
-            cout << "   " << mat[c][r] << endl;
+        for (int r = 0; r < 3; r++) cout << "   " << mat[c][r] << endl;
     }
     print("rhs", rhs);
     vec3 sol = inverse(mat) * rhs;

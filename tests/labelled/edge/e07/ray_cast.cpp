@@ -1,8 +1,8 @@
-#include <iostream>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtx/string_cast.hpp>
+#include <iostream>
 using namespace std;
 
 struct Answer {
@@ -11,8 +11,7 @@ struct Answer {
     glm::dvec3 p;
 };
 
-int main()
-{
+int main() {
     const glm::dvec3 eye(6, 1, 0), lookat(0, 1, 0), vup(0, 1, 0);
 
     cout << "Part 1" << endl;
@@ -73,8 +72,10 @@ int main()
     }
 
     cout << "Part 7" << endl;
-    if (sph.hit) cout << "  N ................... " << glm::to_string(glm::normalize(sph.p - ctr)) << endl;
-    else cout << "  N ................... there is none" << endl;
+    if (sph.hit)
+        cout << "  N ................... " << glm::to_string(glm::normalize(sph.p - ctr)) << endl;
+    else
+        cout << "  N ................... there is none" << endl;
 
     cout << "Part 8" << endl;
     const glm::dvec3 A(3, 0, -1), B(3, 0, 1), C(1, 3, 2);
@@ -92,7 +93,10 @@ int main()
     cout << "  N ................... " << glm::to_string(glm::normalize(glm::cross(B - A, C - A))) << endl;
 
     cout << "Part 10" << endl;
-    if (!sph.hit && !tri.hit) cout << "  ray hits neither of them" << endl;
-    else if (tri.hit && (!sph.hit || tri.t < sph.t)) cout << "  ray hits triangle first" << endl;
-    else cout << "  ray hits sphere first" << endl;
+    if (!sph.hit && !tri.hit)
+        cout << "  ray hits neither of them" << endl;
+    else if (tri.hit && (!sph.hit || tri.t < sph.t))
+        cout << "  ray hits triangle first" << endl;
+    else
+        cout << "  ray hits sphere first" << endl;
 }

@@ -1,19 +1,18 @@
 // Assignment 6
+#include <glm/glm.hpp>
 #include <iostream>
 #include <sstream>
 #include <string>
-#include <glm/glm.hpp>
 
-using glm::vec3;
-using glm::mat3;
-using glm::mat4;
 using glm::cross;
 using glm::dot;
+using glm::mat3;
+using glm::mat4;
 using glm::normalize;
+using glm::vec3;
 
 // "{x; y; z}"
-std::string str(vec3 v)
-{
+std::string str(vec3 v) {
     std::ostringstream o;
     o << "{" << v.x << "; " << v.y << "; " << v.z << "}";
     return o.str();
@@ -21,14 +20,17 @@ std::string str(vec3 v)
 
 class Printer {
     int question = 0;
-public:
+
+  public:
     void next() { std::cout << "#" << ++question << "\n"; }
-    template <class T> void item(const char *label, T value) { std::cout << "\t- " << label << ": " << value << "\n"; }
-    void item(const char *label, vec3 value) { item(label, str(value)); }
+    template <class T>
+    void item(const char* label, T value) {
+        std::cout << "\t- " << label << ": " << value << "\n";
+    }
+    void item(const char* label, vec3 value) { item(label, str(value)); }
 };
 
-int main()
-{
+int main() {
     Printer out;
     vec3 eye(6, 1, 0), lookat(0, 1, 0), vup(0, 1, 0), sphere(1, 0, 1);
     float radius = 2;

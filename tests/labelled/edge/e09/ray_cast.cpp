@@ -1,7 +1,8 @@
 #define GLM_ENABLE_EXPERIMENTAL
-#include <iostream>
-#include <iomanip>
 #include <cmath>
+#include <iomanip>
+#include <iostream>
+
 #include "glm/glm.hpp"
 #include "glm/gtc/matrix_transform.hpp"
 #include "glm/gtx/string_cast.hpp"
@@ -12,8 +13,7 @@ using std::endl;
 
 #define BANNER(n) cout << "\n*****************\n*  QUESTION " << std::setw(2) << n << "  *\n*****************\n"
 
-int main()
-{
+int main() {
     dvec3 eye(6, 1, 0);
     dvec3 lookat(0, 1, 0);
     dvec3 vup(0, 1, 0);

@@ -1,21 +1,21 @@
-#include <iostream>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <iostream>
 using namespace std;
 
 typedef glm::vec3 Point;
 typedef glm::vec3 Vector;
 
-ostream& operator<<(ostream& os, glm::vec3 p)
-{
+ostream& operator<<(ostream& os, glm::vec3 p) {
     return os << "[" << p.x << " " << p.y << " " << p.z << "]";
 }
 
-void q(int n) { cout << endl << "Answer to question " << n << endl; }
+void q(int n) {
+    cout << endl << "Answer to question " << n << endl;
+}
 
-int main()
-{
+int main() {
     Point eye(6, 1, 0), lookat(0, 1, 0);
     Vector vup(0, 1, 0);
 
@@ -69,8 +69,7 @@ int main()
     Point A(3, 0, -1), B(3, 0, 1), C(1, 3, 2);
     Vector c1 = -V, c2 = B - A, c3 = C - A, rhs = A - S;
     cout << "A" << endl;
-    for (int i = 0; i < 3; i++)
-        cout << "[" << c1[i] << " " << c2[i] << " " << c3[i] << "]" << endl;
+    for (int i = 0; i < 3; i++) cout << "[" << c1[i] << " " << c2[i] << " " << c3[i] << "]" << endl;
     cout << "rhs " << rhs << endl;
     glm::vec3 sol = glm::inverse(glm::mat3(c1, c2, c3)) * rhs;
     cout << "t " << sol.x << endl << "u " << sol.y << endl << "v " << sol.z << endl;

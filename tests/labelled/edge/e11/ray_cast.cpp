@@ -1,28 +1,27 @@
 // A6 - with my own small matrix class on top of std::vector
-#include <iostream>
-#include <vector>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <iostream>
+#include <vector>
 
 typedef glm::dvec3 dv;
 
 class Mat {
     std::vector<double> e;
     int n;
-public:
+
+  public:
     Mat(int n) : n(n) { e.resize(n * n); }
     double& at(int row, int col) { return e.at(row * n + col); }
-    void print()
-    {
+    void print() {
         for (int r = 0; r < n; r++) {
             for (int c = 0; c < n; c++) std::cout << at(r, c) << (c + 1 < n ? ", " : "");
             std::cout << std::endl;
         }
     }
     // determinant by the rule of Sarrus
-    double det3()
-    {
+    double det3() {
         double s = 0;
         for (int c = 0; c <= n; c++) {
             s += at(0, c) * at(1, (c + 1) % n) * at(2, (c + 2) % n);
@@ -32,13 +31,11 @@ public:
     }
 };
 
-void print(const char* name, dv p)
-{
+void print(const char* name, dv p) {
     std::cout << name << ": x=" << p.x << " y=" << p.y << " z=" << p.z << std::endl;
 }
 
-int main()
-{
+int main() {
     dv eye(6, 1, 0), look(0, 1, 0), up(0, 1, 0);
 
     std::cout << "(1)" << std::endl;

@@ -1,17 +1,15 @@
-#include <iostream>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <iostream>
 using namespace std;
 using namespace glm;
 
-void show(vec3 v)
-{
+void show(vec3 v) {
     cout << v.x << v.y << v.z << endl;
 }
 
-int main()
-{
+int main() {
     vec3 eye(6, 1, 0), lookat(0, 1, 0), vup(0, 1, 0);
     vec3 center(1, 0, 1);
     float R = 2;
@@ -32,8 +30,7 @@ int main()
     mat4 m = inverse(lookAt(eye, lookat, vup));
     cout << "Question 3:" << endl;
     for (int i = 0; i < 4; i++) {
-        for (int j = 0; j < 4; j++)
-            cout << m[j][i];
+        for (int j = 0; j < 4; j++) cout << m[j][i];
     }
     cout << endl;
 
@@ -65,8 +62,7 @@ int main()
     vec3 tuv = inverse(mm) * r;
     cout << "Question 8:" << endl;
     for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            cout << mm[j][i];
+        for (int j = 0; j < 3; j++) cout << mm[j][i];
     cout << endl;
     show(r);
     cout << tuv.x << endl << tuv.y << endl << tuv.z << endl;

@@ -1,19 +1,22 @@
-#include <iostream>
-#include <iomanip>
 #include <complex>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <iomanip>
+#include <iostream>
 
 using std::cout;
 typedef std::complex<double> cd;
 typedef glm::dvec3 V3;
 
 std::string line(60, '-');
-void title(int n) { cout << line << "\n Question " << n << " of 10\n" << line << "\n"; }
-std::ostream &operator<<(std::ostream &o, const V3 &p) { return o << "x: " << p.x << "   y: " << p.y << "   z: " << p.z; }
+void title(int n) {
+    cout << line << "\n Question " << n << " of 10\n" << line << "\n";
+}
+std::ostream& operator<<(std::ostream& o, const V3& p) {
+    return o << "x: " << p.x << "   y: " << p.y << "   z: " << p.z;
+}
 
-int main()
-{
+int main() {
     cout << std::fixed << std::setprecision(9);
     const V3 eye(-2.5, 3, 7), lookat(1, 0.5, -1), vup(0, 1, 0), centre(3, -1, -2);
     const double R = 1.5;
@@ -45,17 +48,23 @@ int main()
 
     title(6);
     double a = dot(V, V), b = 2 * dot(V, S - centre), c = dot(S - centre, S - centre) - R * R, d = b * b - 4 * a * c;
-    cout << " a              " << a << "\n b              " << b << "\n c              " << c << "\n d              " << d << "\n";
+    cout << " a              " << a << "\n b              " << b << "\n c              " << c << "\n d              "
+         << d << "\n";
     cd root = std::sqrt(cd(d, 0)), t1 = (-b - root) / (2 * a), t2 = (-b + root) / (2 * a);
     cout << " roots          " << t1 << " and " << t2 << "\n";
     bool real = t1.imag() == 0;
     double t = real ? t1.real() : -1;
-    if (real) cout << " t              " << t << "\n hit point      " << S + t * V << "\n";
-    else cout << " t              the roots are complex, there is no real t\n hit point      none, the ray does not hit the sphere\n";
+    if (real)
+        cout << " t              " << t << "\n hit point      " << S + t * V << "\n";
+    else
+        cout << " t              the roots are complex, there is no real t\n hit point      none, the ray does not hit "
+                "the sphere\n";
 
     title(7);
-    if (real) cout << " normal         " << normalize(S + t * V - centre) << "\n";
-    else cout << " normal         none\n";
+    if (real)
+        cout << " normal         " << normalize(S + t * V - centre) << "\n";
+    else
+        cout << " normal         none\n";
 
     title(8);
     glm::dmat3 k(-V, B - A, C - A);
@@ -73,5 +82,7 @@ int main()
 
     title(10);
     bool hit = s[0] > 0 && s[1] >= 0 && s[2] >= 0 && s[1] + s[2] <= 1;
-    cout << (hit && (!real || s[0] < t) ? " ray hits triangle first\n" : real ? " ray hits sphere first\n" : " no hit\n");
+    cout << (hit && (!real || s[0] < t) ? " ray hits triangle first\n"
+             : real                     ? " ray hits sphere first\n"
+                                        : " no hit\n");
 }

@@ -1,14 +1,13 @@
-#include <iostream>
-#include <iomanip>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <iomanip>
+#include <iostream>
 using namespace std;
 
 #define P3(v) "(" << (v).x << ", " << (v).y << ", " << (v).z << ")"
 
-int main(void)
-{
+int main(void) {
     const glm::dvec3 eye(-2.5, 3, 7), lookat(1, 0.5, -1), vup(0, 1, 0);
     cout << setprecision(7);
 
@@ -38,11 +37,15 @@ int main(void)
     double a = glm::dot(V, V), b = glm::dot(V, o), c = glm::dot(o, o) - 1.5 * 1.5, d = b * b - 4 * a * c;
     cout << "QUESTION 6. a = " << a << ", b = " << b << ", c = " << c << ", d = " << d << endl;
     double t = d < 0 ? -1 : (-b - sqrt(d)) / (2 * a);
-    if (t > 0) cout << "            t = " << t << ", P_s = " << P3(S + t * V) << endl;
-    else cout << "            t = none and P_s = none since d < 0, so the ray doesn't hit the sphere" << endl;
+    if (t > 0)
+        cout << "            t = " << t << ", P_s = " << P3(S + t * V) << endl;
+    else
+        cout << "            t = none and P_s = none since d < 0, so the ray doesn't hit the sphere" << endl;
 
-    if (t > 0) cout << "QUESTION 7. N = " << P3(glm::normalize(S + t * V - cen)) << endl;
-    else cout << "QUESTION 7. N = none" << endl;
+    if (t > 0)
+        cout << "QUESTION 7. N = " << P3(glm::normalize(S + t * V - cen)) << endl;
+    else
+        cout << "QUESTION 7. N = none" << endl;
 
     glm::dvec3 A(-4, 0.5, -1), B(3, -1.5, 0.5), C(0.5, 6.5, -2), e1 = B - A, e2 = C - A, r = S - A;
     glm::dvec3 pv = glm::cross(V, e2), qv = glm::cross(r, e1);

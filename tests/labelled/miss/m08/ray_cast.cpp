@@ -1,14 +1,13 @@
-#include <iostream>
 #include <cmath>
 #include <cstdlib>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtx/string_cast.hpp>
+#include <iostream>
 
 using namespace std;
 
-int main()
-{
+int main() {
     glm::vec3 eye(-2.5, 3, 7), lookat(1, 0.5, -1), vup(0, 1, 0), C(3, -1, -2);
     float R = 1.5;
 
@@ -31,8 +30,7 @@ int main()
     cout << "3: inverse of the view matrix" << endl;
     glm::mat4 M = glm::inverse(glm::lookAt(eye, lookat, vup));
     for (int i = 0; i < 4; i++)
-        for (int j = 0; j < 4; j++)
-            cout << "M[" << i << "][" << j << "] = " << M[i][j] << (j < 3 ? "  " : "\n");
+        for (int j = 0; j < 4; j++) cout << "M[" << i << "][" << j << "] = " << M[i][j] << (j < 3 ? "  " : "\n");
 
     // 4
     cout << "4: pixel to WCS" << endl;
@@ -81,6 +79,8 @@ int main()
 
     // 10
     cout << "10: first" << endl;
-    if (tuv.x < t) cout << "ray hits triangle first" << endl;
-    else cout << "ray hits sphere first" << endl;
+    if (tuv.x < t)
+        cout << "ray hits triangle first" << endl;
+    else
+        cout << "ray hits sphere first" << endl;
 }

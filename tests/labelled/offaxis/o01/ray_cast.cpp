@@ -1,29 +1,25 @@
 // Ray Casting, CS 770
-#include <iostream>
-#include <string>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtx/string_cast.hpp>
+#include <iostream>
+#include <string>
 
-static void exercise(int n, const std::string &what)
-{
+static void exercise(int n, const std::string& what) {
     std::cout << (n > 1 ? "\n" : "") << "Exercise " << n << " - " << what << "\n";
 }
 
 template <typename T>
-static void show(const std::string &name, const T &value)
-{
+static void show(const std::string& name, const T& value) {
     std::cout << "    " << name << " = " << glm::to_string(value) << "\n";
 }
 
-static void show(const std::string &name, float value)
-{
+static void show(const std::string& name, float value) {
     std::cout << "    " << name << " = " << value << "\n";
 }
 
-int main()
-{
+int main() {
     const glm::vec3 eye(3.0f, 4.0f, 12.0f), lookat(-0.5f, 0.8f, -1.2f), vup(0.1f, 1.0f, 0.2f);
     const float clipLeft = -1.6f, clipRight = 2.4f, clipBottom = -1.1f, clipTop = 1.3f, clipNear = 1.5f;
     const float W = 640, H = 384;

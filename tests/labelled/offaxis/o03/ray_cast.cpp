@@ -1,21 +1,23 @@
 /**
  * Ray caster, geometric steps only.
  */
-#include <iostream>
-#include <iomanip>
-#include <optional>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <iomanip>
+#include <iostream>
+#include <optional>
 
 using vec = glm::dvec3;
 
-struct Ray { vec o, d; vec at(double t) const { return o + t * d; } };
+struct Ray {
+    vec o, d;
+    vec at(double t) const { return o + t * d; }
+};
 struct Tri {
     vec a, b, c;
     vec normal() const { return glm::normalize(glm::cross(b - a, c - a)); }
     // Moller & Trumbore
-    std::optional<vec> hit(const Ray& r) const
-    {
+    std::optional<vec> hit(const Ray& r) const {
         vec e1 = b - a, e2 = c - a, p = glm::cross(r.d, e2);
         double det = glm::dot(e1, p);
         if (std::abs(det) < 1e-12) return {};
@@ -25,10 +27,11 @@ struct Tri {
     }
 };
 
-std::ostream& operator<<(std::ostream& o, const vec& v) { return o << v.x << ", " << v.y << ", " << v.z; }
+std::ostream& operator<<(std::ostream& o, const vec& v) {
+    return o << v.x << ", " << v.y << ", " << v.z;
+}
 
-int main()
-{
+int main() {
     std::cout << std::scientific << std::setprecision(8);
     const vec eye{3, 4, 12}, target{-0.5, 0.8, -1.2}, up{0.1, 1, 0.2};
     const double l = -1.6, r = 2.4, b = -1.1, t = 1.3, n = 1.5;
@@ -58,11 +61,13 @@ int main()
     const vec center{6.6, -1.4, 0.5};
     const double radius = 1.8;
     const vec oc = ray.o - center;
-    const double qa = glm::dot(ray.d, ray.d), qb = 2 * glm::dot(oc, ray.d), qc = glm::dot(oc, oc) - radius * radius, disc = qb * qb - 4 * qa * qc;
+    const double qa = glm::dot(ray.d, ray.d), qb = 2 * glm::dot(oc, ray.d), qc = glm::dot(oc, oc) - radius * radius,
+                 disc = qb * qb - 4 * qa * qc;
     // numerically stable roots
     const double q = -0.5 * (qb + std::copysign(std::sqrt(disc), qb));
     const double far = q / qa, near = qc / q;
-    std::cout << "  a:          " << qa << "\n  b:          " << qb << "\n  c:          " << qc << "\n  d:          " << disc << '\n';
+    std::cout << "  a:          " << qa << "\n  b:          " << qb << "\n  c:          " << qc
+              << "\n  d:          " << disc << '\n';
     const double ts = near > 0 ? std::min(near, far) : far;
     std::cout << "  t:          " << ts << "\n  hit point:  " << ray.at(ts) << '\n';
 
@@ -73,8 +78,7 @@ int main()
     // u(A-B) + v(A-C) + tV = A - S
     const Tri tri{{3.2, -2.25, 3.8}, {8.7, -0.5, 3.1}, {5.4, 4.6, 4.3}};
     const vec cols[3] = {tri.a - tri.b, tri.a - tri.c, ray.d};
-    for (int i = 0; i < 3; ++i)
-        std::cout << "  col " << i << ":      " << cols[i] << '\n';
+    for (int i = 0; i < 3; ++i) std::cout << "  col " << i << ":      " << cols[i] << '\n';
     std::cout << "  rhs:        " << tri.a - ray.o << '\n';
     const auto uvt = tri.hit(ray);
     std::cout << "  t:          " << uvt->z << "\n  u:          " << uvt->x << "\n  v:          " << uvt->y << '\n';

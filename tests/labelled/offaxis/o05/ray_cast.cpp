@@ -1,17 +1,18 @@
-#include <iostream>
-#include <iomanip>
 #include <cmath>
-#include <utility>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <iomanip>
+#include <iostream>
+#include <utility>
 
 using namespace std;
 using glm::vec3;
 
-void p(vec3 v) { cout << v.x << "\t" << v.y << "\t" << v.z << endl; }
+void p(vec3 v) {
+    cout << v.x << "\t" << v.y << "\t" << v.z << endl;
+}
 
-int main()
-{
+int main() {
     cout << setprecision(3);
 
     vec3 eye(3, 4, 12), lookat(-.5, .8, -1.2), vup(.1, 1, .2);
@@ -23,9 +24,12 @@ int main()
 
     cout << "Ex. 2" << endl;
     vec3 Z = normalize(eye - lookat), X = normalize(cross(vup, Z)), Y = normalize(cross(Z, X));
-    cout << "X_vcs\t"; p(X);
-    cout << "Y_vcs\t"; p(Y);
-    cout << "Z_vcs\t"; p(Z);
+    cout << "X_vcs\t";
+    p(X);
+    cout << "Y_vcs\t";
+    p(Y);
+    cout << "Z_vcs\t";
+    p(Z);
 
     cout << "Ex. 3" << endl;
     glm::mat4 M = inverse(glm::lookAt(eye, lookat, vup));
@@ -51,7 +55,8 @@ int main()
     cout << "discriminant\t" << disc << endl;
     float t = (-qb - sqrt(disc)) / (2 * qa);
     cout << "t\t" << t << endl;
-    cout << "hit\t"; p(S + t * V);
+    cout << "hit\t";
+    p(S + t * V);
 
     cout << "Ex. 7" << endl;
     p(normalize(S + t * V - c));
@@ -86,7 +91,8 @@ int main()
     }
     float tt = m[0][3] / m[0][0], u = m[1][3] / m[1][1], v = m[2][3] / m[2][2];
     cout << "t\t" << tt << endl << "u\t" << u << endl << "v\t" << v << endl;
-    cout << "hit\t"; p(A + u * (B - A) + v * (C - A));
+    cout << "hit\t";
+    p(A + u * (B - A) + v * (C - A));
 
     cout << "Ex. 9" << endl;
     p(normalize(cross(B - A, C - A)));

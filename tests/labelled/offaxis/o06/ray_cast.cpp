@@ -1,15 +1,14 @@
 #define GLM_ENABLE_EXPERIMENTAL
-#include <iostream>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtx/string_cast.hpp>
+#include <iostream>
 
 using namespace std;
 using namespace glm;
 
-int main()
-{
+int main() {
     const dvec3 eye(3, 4, 12);
     const dvec3 lookat(-0.5, 0.8, -1.2);
     const dvec3 vup(0.1, 1.0, 0.2);
@@ -27,7 +26,8 @@ int main()
     dvec3 Z_VCS = normalize(eye - lookat);
     dvec3 X_VCS = normalize(cross(vup, Z_VCS));
     dvec3 Y_VCS = cross(Z_VCS, X_VCS);
-    cout << "Problem 2\nX_VCS: " << to_string(X_VCS) << "\nY_VCS: " << to_string(Y_VCS) << "\nZ_VCS: " << to_string(Z_VCS) << "\n";
+    cout << "Problem 2\nX_VCS: " << to_string(X_VCS) << "\nY_VCS: " << to_string(Y_VCS)
+         << "\nZ_VCS: " << to_string(Z_VCS) << "\n";
 
     dmat4 M = inverse(lookAt(eye, lookat, vup));
     cout << "Problem 3\nM_VCS_to_WCS: " << to_string(M) << "\n";
@@ -46,14 +46,16 @@ int main()
     double d = b * b - 4 * a * c;
     double t1 = (-b - sqrt(d)) / (2 * a);
     dvec3 P_s = S + t1 * V;
-    cout << "Problem 6\na: " << a << "\nb: " << b << "\nc: " << c << "\nd: " << d << "\nt: " << t1 << "\nP_s: " << to_string(P_s) << "\n";
+    cout << "Problem 6\na: " << a << "\nb: " << b << "\nc: " << c << "\nd: " << d << "\nt: " << t1
+         << "\nP_s: " << to_string(P_s) << "\n";
 
     cout << "Problem 7\nN: " << to_string(normalize(P_s - center)) << "\n";
 
     dmat3 L(-V, B - A, C - A);
     dvec3 rhs = S - A;
     dvec3 tuv = inverse(L) * rhs;
-    cout << "Problem 8\nA: " << to_string(L) << "\nrhs: " << to_string(rhs) << "\n(t, u, v): " << to_string(tuv) << "\nP_t: " << to_string(S + tuv.x * V) << "\n";
+    cout << "Problem 8\nA: " << to_string(L) << "\nrhs: " << to_string(rhs) << "\n(t, u, v): " << to_string(tuv)
+         << "\nP_t: " << to_string(S + tuv.x * V) << "\n";
 
     cout << "Problem 9\nN: " << to_string(normalize(cross(B - A, C - A))) << "\n";
 

@@ -1,16 +1,19 @@
 // HW6
-#include <iostream>
-#include <iomanip>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <iomanip>
+#include <iostream>
 using namespace std;
 using namespace glm;
 
-void out(string label, dvec3 v) { cout << left << setw(18) << label << right << setw(11) << v.x << setw(11) << v.y << setw(11) << v.z << "\n"; }
-void out(string label, double x) { cout << left << setw(18) << label << right << setw(11) << x << "\n"; }
+void out(string label, dvec3 v) {
+    cout << left << setw(18) << label << right << setw(11) << v.x << setw(11) << v.y << setw(11) << v.z << "\n";
+}
+void out(string label, double x) {
+    cout << left << setw(18) << label << right << setw(11) << x << "\n";
+}
 
-int main()
-{
+int main() {
     cout << fixed << setprecision(5);
     dvec3 eye(3, 4, 12), lookat(-0.5, 0.8, -1.2), vup(0.1, 1, 0.2);
 
@@ -64,8 +67,10 @@ int main()
     }
 
     cout << "Task 7\n";
-    if (hit) out("N_sphere", normalize(ps - center));
-    else cout << "N_sphere          does not exist\n";
+    if (hit)
+        out("N_sphere", normalize(ps - center));
+    else
+        cout << "N_sphere          does not exist\n";
 
     cout << "Task 8\n";
     dvec3 A(3.2, -2.25, 3.8), B(8.7, -0.5, 3.1), C(5.4, 4.6, 4.3);
@@ -85,7 +90,10 @@ int main()
 
     cout << "Task 10\n";
     bool inside = x.x >= 0 && x.y >= 0 && x.x + x.y <= 1 && x.z > 0;
-    if (inside && (!hit || x.z < t)) cout << "ray hits triangle first\n";
-    else if (hit) cout << "ray hits sphere first\n";
-    else cout << "ray hits nothing\n";
+    if (inside && (!hit || x.z < t))
+        cout << "ray hits triangle first\n";
+    else if (hit)
+        cout << "ray hits sphere first\n";
+    else
+        cout << "ray hits nothing\n";
 }

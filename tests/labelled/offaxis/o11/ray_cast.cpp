@@ -1,15 +1,14 @@
-#include <iostream>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtx/string_cast.hpp>
+#include <iostream>
 
 using namespace std;
 using namespace glm;
 
 // Jacobi iteration: repeat until the solution does not change any more
-dvec3 solve(dmat3 A, dvec3 b)
-{
+dvec3 solve(dmat3 A, dvec3 b) {
     dvec3 x(0), old;
     do {
         old = x;
@@ -23,8 +22,7 @@ dvec3 solve(dmat3 A, dvec3 b)
     return x;
 }
 
-int main()
-{
+int main() {
     dvec3 eye(3, 4, 12), lookat(-0.5, 0.8, -1.2), vup(0.1, 1, 0.2);
 
     cout << "Question 1:" << endl;
@@ -84,7 +82,9 @@ int main()
     cout << "N = " << to_string(normalize(cross(B - A, C - A))) << endl;
 
     cout << "Question 10:" << endl;
-    if (tuv.x < t) cout << "ray hits triangle first" << endl;
-    else cout << "ray hits sphere first" << endl;
+    if (tuv.x < t)
+        cout << "ray hits triangle first" << endl;
+    else
+        cout << "ray hits sphere first" << endl;
     return 0;
 }
