@@ -49,10 +49,13 @@ bool is_within(const PrintedNumber& given, const Real& target, double allowance,
     return std::isfinite(given.value) && target.lo() - slack <= given.value && given.value <= target.hi() + slack;
 }
 
-bool is_multiple(const PrintedNumber& given, const Real& target, double factor, double allowance, int min_decimals) {
-    const double undone = given.value / factor;
-    const double slack = allowance + half_unit(given, min_decimals) / std::max(1.0, std::abs(factor));
-    return factor != 0 && std::isfinite(undone) && target.lo() - slack <= undone && undone <= target.hi() + slack;
+bool is_multiple(const PrintedNumber& given, const Real& target, const Real& factor, double allowance,
+                 int min_decimals) {
+    if (!std::isfinite(given.value) || !factor.is_bounded() || factor.contains(0.0)) return false;
+    const double size = std::min(std::abs(factor.lo()), std::abs(factor.hi()));
+    const double half = half_unit(given, min_decimals) * std::min(1.0, size);
+    const Real undone = Real(given.value - half, given.value + half) / factor;
+    return target.lo() - allowance <= undone.hi() && undone.lo() <= target.hi() + allowance;
 }
 
 Real enclosure_of(const PrintedNumber& number, Digits digits) {

@@ -39,9 +39,11 @@ Closeness compare(const MatchedItem& printed, const Target& target, double allow
 /// The same for one number.
 bool is_within(const PrintedNumber& given, const Real& target, double allowance, int min_decimals);
 
-/// Whether the number is `target` times `factor`. Divided by the factor it must be as close as a plain answer, so that
-/// nothing is gained by a small one: half a unit of 0.01 * x counts as half a unit of x.
-bool is_multiple(const PrintedNumber& given, const Real& target, double factor, double allowance, int min_decimals);
+/// Whether the number is `target` times `factor`, which is known to some digits. Divided by the factor it must be as
+/// close as a plain answer, so that nothing is gained by a small one: half a unit of 0.01 * x counts as half a unit of
+/// x.
+bool is_multiple(const PrintedNumber& given, const Real& target, const Real& factor, double allowance,
+                 int min_decimals);
 
 /// How a printed number stands for the number behind it.
 enum class Digits {
