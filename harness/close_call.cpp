@@ -5,17 +5,20 @@
 namespace harness {
 namespace {
 
-constexpr ItemId t_s{6, "t"}, t_t{8, "t"}, u{8, "u"}, v{8, "v"}, hit_t{8, "hit"};
+constexpr ItemId d{6, "d"}, t_s{6, "t"}, t_t{8, "t"}, u{8, "u"}, v{8, "v"}, hit_t{8, "hit"};
 
 ItemId id_of(const reference::ItemSpec& spec) {
     return {spec.question, spec.name};
 }
 
-/// Everything that `known` may give for the item, by every derivation of it.
+/// Everything that `known` may give for the item, by every derivation of it; for the sphere's t by the discriminant
+/// alone.
 std::vector<Target> results_of(const ItemId& id, const Known& known, const RealScene& scene, QuadraticForm form) {
     std::vector<Target> results;
     for (const Derivation& derivation : all_derivations()) {
-        if (derivation.item != id) continue;
+        const auto& inputs = derivation.inputs;
+        const bool past_discriminant = id == t_s && std::find(inputs.begin(), inputs.end(), d) == inputs.end();
+        if (derivation.item != id || past_discriminant) continue;
         const std::vector<Target> more = derivation.compute(known, scene, form);
         results.insert(results.end(), more.begin(), more.end());
     }

@@ -49,12 +49,14 @@ bool is_within(const PrintedNumber& given, const Real& target, double allowance,
     return std::isfinite(given.value) && target.lo() - slack <= given.value && given.value <= target.hi() + slack;
 }
 
-bool is_multiple(const PrintedNumber& given, const Real& target, double factor, double allowance, int min_decimals) {
-    const double undone = given.value / factor;
-    const double half = half_unit(given, min_decimals);
-    const double forgiven = std::max(half, 0.5 * std::pow(10.0, -min_decimals));
-    const double slack = allowance + std::min(half / std::abs(factor), forgiven);
-    return factor != 0 && std::isfinite(undone) && target.lo() - slack <= undone && undone <= target.hi() + slack;
+bool is_multiple(const PrintedNumber& given, const Real& target, const Real& factor, double allowance,
+                 int min_decimals) {
+    if (!std::isfinite(given.value) || !factor.is_bounded() || factor.contains(0.0)) return false;
+    const double size = std::min(std::abs(factor.lo()), std::abs(factor.hi()));
+    const double forgiven = std::max(half_unit(given, min_decimals), 0.5 * std::pow(10.0, -min_decimals));
+    const double half = std::min(half_unit(given, min_decimals), forgiven * size);
+    const Real undone = Real(given.value - half, given.value + half) / factor;
+    return target.lo() - allowance <= undone.hi() && undone.lo() <= target.hi() + allowance;
 }
 
 Real enclosure_of(const PrintedNumber& number, Digits digits) {

@@ -1,6 +1,7 @@
 #include "harness/derivation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "harness/own_verdict.h"
@@ -143,6 +144,7 @@ Targets roots_of(Quadratic<Real> quadratic, const RealScene& scene, Form form) {
         quadratic.b = quadratic.b * Real(2);
         quadratic.d = quadratic.d * Real(4);
     }
+    if (sign_of(quadratic.a) < 0) quadratic = {-quadratic.a, -quadratic.b, -quadratic.c, quadratic.d};
     Targets targets;
     for (const Boundary boundary : scene.boundaries) {
         const RootChoice choice = reference::choose_root(quadratic, boundary);
@@ -283,6 +285,26 @@ const std::vector<Derivation>& derivations() {
 
 }  // namespace
 
+namespace {
+
+double size_of(const reference::Scene<double>& scene) {
+    double size = 1;
+    const auto reach = [&](const Vec3<double>& p) {
+        size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    };
+    reach(scene.camera.eye);
+    for (const auto& sphere : scene.spheres) {
+        reach(sphere.center);
+        size = std::max(size, sphere.radius);
+    }
+    for (const auto& triangle : scene.triangles) {
+        for (const Vec3<double>& vertex : {triangle.A, triangle.B, triangle.C}) reach(vertex);
+    }
+    return size;
+}
+
+}  // namespace
+
 RealScene real_scene(const reference::Assignment& assignment, const reference::Reading& reading) {
     const auto scene =
         reference::convert_scene<double>(assignment.scene, [](const reference::Decimal& x) { return x.to_double(); });
@@ -290,6 +312,7 @@ RealScene real_scene(const reference::Assignment& assignment, const reference::R
     RealScene real{reference::convert_scene<Real>(scene, [](double x) { return Real(x); }), {}};
     if (!real.spheres.empty()) std::swap(real.spheres.front(), real.spheres[answers.sphere_index]);
     if (!real.triangles.empty()) std::swap(real.triangles.front(), real.triangles[answers.triangle_index]);
+    real.size = size_of(scene);
     using reference::BoundaryPolicy;
     if (assignment.rubric.boundary != BoundaryPolicy::positive) real.boundaries.push_back(Boundary::nonnegative);
     if (assignment.rubric.boundary != BoundaryPolicy::nonnegative) real.boundaries.push_back(Boundary::positive);

@@ -13,6 +13,7 @@ namespace harness {
 /// are about comes first.
 struct RealScene : reference::Scene<Real> {
     std::vector<reference::Boundary> boundaries;  ///< how the rubric lets a hit at t = 0 exactly count
+    double size = 1;                              ///< its largest coordinate, at least 1
 };
 
 RealScene real_scene(const reference::Assignment& assignment, const reference::Reading& reading);

@@ -32,6 +32,10 @@ std::vector<bool> possible_orders(MatrixOrder order) {
     return {};
 }
 
+double allowance_of(const Target& target, std::size_t component, double otherwise) {
+    return target.allowance.empty() ? otherwise : target.allowance[component];
+}
+
 constexpr std::array<std::array<int, 3>, 6> permutations = {
     {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {1, 0, 2}, {2, 1, 0}}};
 
@@ -56,7 +60,7 @@ bool is_possible(const PrintedNumber& d, const PrintedNumber& a, const PrintedNu
 }
 
 /// Whether the number is the target with its allowance, divided by `divisor` and then multiplied.
-bool is_right_multiple(const PrintedNumber& number, const Target& target, int divisor, double factor,
+bool is_right_multiple(const PrintedNumber& number, const Target& target, int divisor, const Real& factor,
                        int min_decimals) {
     return is_multiple(number, target.components.front() / Real(divisor), factor, target.allowance.front(),
                        min_decimals);
@@ -77,15 +81,15 @@ QuadraticForm find_quadratic_form(const PrintedQuadratic& printed, std::span<con
     const auto is_b_over = [&](int divisor) {
         return std::any_of(keys.begin(), keys.end(), [&](const Known& key) {
             const Target* target = key.number({6, "b"});
-            return target != nullptr && is_right_multiple(*b, *target, divisor, 1.0, min_decimals);
+            return target != nullptr && is_right_multiple(*b, *target, divisor, Real(1.0), min_decimals);
         });
     };
     return is_b_over(2) && !is_b_over(1) ? QuadraticForm::half_b : QuadraticForm::full;
 }
 
 /// What a, b and c of the key are all multiplied by; empty when they are not, or by 1.
-std::optional<double> find_factor(const PrintedQuadratic& printed, const Known& key, QuadraticForm form,
-                                  int min_decimals) {
+std::optional<Real> find_factor(const PrintedQuadratic& printed, const Known& key, QuadraticForm form,
+                                int min_decimals) {
     const PrintedNumber* a = number_of(printed.a);
     const PrintedNumber* b = number_of(printed.b);
     const PrintedNumber* c = number_of(printed.c);
@@ -95,27 +99,29 @@ std::optional<double> find_factor(const PrintedQuadratic& printed, const Known& 
     if (a == nullptr || b == nullptr || c == nullptr || key_a == nullptr || key_b == nullptr || key_c == nullptr)
         return std::nullopt;
     const int b_divisor = form == QuadraticForm::half_b ? 2 : 1;
-    const auto multiplied_by = [&](double factor) {
+    const auto multiplied_by = [&](const Real& factor) {
         return is_right_multiple(*b, *key_b, b_divisor, factor, min_decimals) &&
                is_right_multiple(*c, *key_c, 1, factor, min_decimals);
     };
     // By 1 when a alone is wrong, or the digits are too few to tell.
-    if (is_right_multiple(*a, *key_a, 1, 1.0, min_decimals) || multiplied_by(1.0)) return std::nullopt;
-    const double factor = a->value / middle(key_a->components.front());
+    if (is_right_multiple(*a, *key_a, 1, Real(1.0), min_decimals) || multiplied_by(Real(1.0))) return std::nullopt;
+    const Real factor = enclosure_of(*a, Digits::as_printed) / key_a->components.front();
     return multiplied_by(factor) ? std::optional(factor) : std::nullopt;
 }
 
 /// The factor between the student's row and the target's, from the target's largest component; 1 for a row of zeros.
-double estimate_factor(const std::vector<PrintedNumber>& given, const std::array<int, 3>& column, const Target& matrix,
-                       std::size_t row) {
+Real estimate_factor(const std::vector<PrintedNumber>& given, const std::array<int, 3>& column, const Target& matrix,
+                     std::size_t row) {
     int largest = 0;
     for (int j = 1; j < 3; ++j) {
         if (std::abs(middle(matrix.components[at(j, row)])) > std::abs(middle(matrix.components[at(largest, row)])))
             largest = j;
     }
-    const double target = middle(matrix.components[at(largest, row)]);
-    const double factor = given[at(column[static_cast<std::size_t>(largest)], row)].value / target;
-    return std::isfinite(factor) && factor != 0 ? factor : 1.0;
+    const PrintedNumber& number = given[at(column[static_cast<std::size_t>(largest)], row)];
+    const double allowance = allowance_of(matrix, at(largest, row), 0.0);
+    const Real target = matrix.components[at(largest, row)] + Real(-allowance, allowance);
+    const Real factor = enclosure_of(number, Digits::as_printed) / target;
+    return !factor.is_bounded() || factor.contains(0.0) || factor.contains(1.0) ? Real(1.0) : factor;
 }
 
 bool fits(const std::vector<PrintedNumber>& given, const SystemForm& form, const Target& matrix, double allowance,
@@ -123,7 +129,9 @@ bool fits(const std::vector<PrintedNumber>& given, const SystemForm& form, const
     for (std::size_t j = 0; j < 3; ++j) {
         for (std::size_t row = 0; row < 3; ++row) {
             const PrintedNumber& number = given[at(form.column[j], row)];
-            if (!is_multiple(number, matrix.components[j * 3 + row], form.row_factor[row], allowance, min_decimals))
+            const std::size_t i = j * 3 + row;
+            if (!is_multiple(number, matrix.components[i], form.row_factor[row], allowance_of(matrix, i, allowance),
+                             min_decimals))
                 return false;
         }
     }
@@ -185,7 +193,8 @@ std::optional<SystemForm> find_form(const MatchedItem& printed, const Target& ma
 }  // namespace
 
 QuadraticScale find_quadratic_scale(const PrintedQuadratic& printed, std::span<const Known> keys, int min_decimals) {
-    QuadraticScale scale{find_quadratic_form(printed, keys, min_decimals), 1.0};
+    QuadraticScale scale;
+    scale.form = find_quadratic_form(printed, keys, min_decimals);
     for (const Known& key : keys) {
         const auto factor = find_factor(printed, key, scale.form, min_decimals);
         if (!factor) continue;
@@ -195,8 +204,12 @@ QuadraticScale find_quadratic_scale(const PrintedQuadratic& printed, std::span<c
     return scale;
 }
 
+bool is_one(const Real& factor) {
+    return factor.lo() == 1 && factor.hi() == 1;
+}
+
 bool SystemForm::is_scaled() const {
-    return row_factor != std::array<double, 3>{1.0, 1.0, 1.0};
+    return !std::all_of(row_factor.begin(), row_factor.end(), is_one);
 }
 
 bool SystemForm::is_canonical() const {
@@ -222,7 +235,7 @@ std::optional<SystemForm> find_column_order(const MatchedItem& printed, const Ta
     return find_form(
         printed, matrix, allowance, min_decimals,
         [](const auto&, const auto&) {
-            return std::array<double, 3>{1.0, 1.0, 1.0};
+            return std::array<Real, 3>{Real(1.0), Real(1.0), Real(1.0)};
         },
         [](const SystemForm&) { return true; });
 }
@@ -231,7 +244,7 @@ std::optional<SystemForm> find_multiplied_form(const MatchedItem& printed, const
                                                const Target& matrix, const Target& rhs, double allowance,
                                                int min_decimals) {
     const auto factors = [&](const std::vector<PrintedNumber>& given, const std::array<int, 3>& column) {
-        std::array<double, 3> factor{};
+        std::array<Real, 3> factor{};
         for (std::size_t row = 0; row < 3; ++row) factor[row] = estimate_factor(given, column, matrix, row);
         return factor;
     };
@@ -243,10 +256,12 @@ std::optional<SystemForm> find_multiplied_form(const MatchedItem& printed, const
 
 bool is_scaled_rhs(const MatchedItem& printed, const Target& rhs, const SystemForm& form, double allowance,
                    int min_decimals) {
-    const std::vector<PrintedNumber>& given = printed.value->numbers;
-    if (given.size() != 3 || rhs.components.size() != 3) return false;
+    const std::vector<PrintedNumber>& given = printed.value->numbers;  // three, or four with a w
+    if (given.size() < 3 || rhs.components.size() != 3) return false;
     for (std::size_t row = 0; row < 3; ++row) {
-        if (!is_multiple(given[row], rhs.components[row], form.row_factor[row], allowance, min_decimals)) return false;
+        const double component_allowance = allowance_of(rhs, row, allowance);
+        if (!is_multiple(given[row], rhs.components[row], form.row_factor[row], component_allowance, min_decimals))
+            return false;
     }
     return true;
 }
@@ -258,7 +273,7 @@ SystemForm likeliest_column_order(const MatchedItem& printed, const MatchedItem*
     for (const bool by_rows : possible_orders(printed.order)) {
         const std::vector<PrintedNumber> given = columns_of(printed, by_rows);
         for (const auto& permutation : permutations) {
-            const SystemForm form{permutation, {1.0, 1.0, 1.0}, by_rows};
+            const SystemForm form{permutation, {Real(1.0), Real(1.0), Real(1.0)}, by_rows};
             const std::pair<int, double> fit{solved_unknowns(printed, printed_rhs, solution, form, min_decimals),
                                              -distance(given, permutation, matrix)};
             if (fit <= best) continue;

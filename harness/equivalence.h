@@ -12,10 +12,12 @@
 
 namespace harness {
 
+bool is_one(const Real& factor);
+
 /// What a student's items of question 6 are held to.
 struct QuadraticScale {
     QuadraticForm form = QuadraticForm::full;
-    double factor = 1.0;  ///< every coefficient is the handout's times this
+    Real factor = Real(1.0);  ///< every coefficient is the handout's times this, known to the digits printed
 };
 
 /// The printed a, b, c, d of question 6; null where an item was not printed readably.
@@ -34,8 +36,9 @@ QuadraticScale find_quadratic_scale(const PrintedQuadratic& printed, std::span<c
 /// How a student's linear system is laid out beside the handout's (-V | B-A | C-A) (t, u, v) = rhs.
 struct SystemForm {
     std::array<int, 3> column = {0, 1, 2};  ///< the student's column that holds the handout's column 0, 1, 2
-    std::array<double, 3> row_factor = {1.0, 1.0, 1.0};  ///< the student's row is the handout's times this
-    bool by_rows = false;                                ///< the printout is to be read row by row
+    /// The student's row is the handout's times this, known to the digits printed.
+    std::array<Real, 3> row_factor = {Real(1.0), Real(1.0), Real(1.0)};
+    bool by_rows = false;  ///< the printout is to be read row by row
 
     bool is_canonical() const;
     bool is_scaled() const;

@@ -28,26 +28,35 @@ bool agrees(const MatchedItem& printed, const Target& target, Evidence& evidence
     return compare(printed, target, allowance, evidence.min_decimals).within;
 }
 
+/// What is known when the student's own values are taken for those inputs whose bits are set in `choice`, and the key's
+/// for the others. Empty when that is no fair choice: nothing was printed for such an input, or a printed one that is
+/// not right is passed over.
+std::optional<Known> choose(const Derivation& derivation, std::size_t choice, const Evidence& evidence, Digits digits) {
+    const std::map<ItemId, Target>& own_values = evidence.own_values(digits);
+    Known known = evidence.key;
+    bool deviates = false;
+    for (std::size_t i = 0; i < derivation.inputs.size(); ++i) {
+        const ItemId& input = derivation.inputs[i];
+        const auto own = own_values.find(input);
+        const bool chosen = (choice >> i & 1U) != 0;
+        const bool must_be_chosen = own != own_values.end() && !evidence.right.contains(input);
+        if ((chosen && own == own_values.end()) || (!chosen && must_be_chosen)) return std::nullopt;
+        if (!chosen) continue;
+        known.set(input, own->second);
+        deviates = deviates || evidence.deviating.contains(input);
+    }
+    return deviates ? std::optional(std::move(known)) : std::nullopt;
+}
+
 /// Runs one derivation with every choice of inputs.
 bool follows_by(const Derivation& derivation, const MatchedItem& printed, Evidence& evidence, double allowance,
                 Digits digits) {
-    const std::map<ItemId, Target>& own_values = evidence.own_values(digits);
     const std::size_t choices = std::size_t{1} << derivation.inputs.size();
     for (std::size_t choice = 1; choice < choices; ++choice) {
-        Known known = evidence.key;
-        bool possible = true;
-        bool deviates = false;
-        for (std::size_t i = 0; i < derivation.inputs.size(); ++i) {
-            if ((choice >> i & 1U) == 0) continue;
-            const auto own = own_values.find(derivation.inputs[i]);
-            possible = possible && own != own_values.end();
-            if (!possible) break;
-            known.set(own->first, own->second);
-            deviates = deviates || evidence.deviating.contains(own->first);
-        }
-        if (!possible || !deviates) continue;
+        const auto known = choose(derivation, choice, evidence, digits);
+        if (!known) continue;
         for (const QuadraticForm form : {evidence.quadratic.form, QuadraticForm::full}) {
-            if (is_one_of(printed, derivation.compute(known, evidence.scene, form), evidence, allowance)) return true;
+            if (is_one_of(printed, derivation.compute(*known, evidence.scene, form), evidence, allowance)) return true;
         }
     }
     return false;

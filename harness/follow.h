@@ -29,9 +29,10 @@ struct Evidence {
     const std::map<ItemId, Target>& own_values(Digits digits) const { return own[digits == Digits::of_stream ? 0 : 1]; }
 };
 
-/// Whether the printed value is what a right stage gives for some choice of inputs, each the student's own or the
-/// key's, of which at least one is an own value that deviates from the key. A result too wide to say anything, or
-/// trivial, does not count. For question 8's matrix the layout found is stored in evidence.system.
+/// Whether the printed value is what a right stage gives for the student's own inputs, of which at least one deviates
+/// from the key. An input that was printed rightly may be the key's instead, as it was before it was rounded; so is one
+/// that was not printed. A result too wide to say anything, or trivial, does not count. For question 8's matrix the
+/// layout found is stored in evidence.system.
 bool follows(const MatchedItem& printed, Evidence& evidence, double allowance);
 
 /// Whether the printed value is one of `targets`, in the layout of the student's linear system where it is part of it.

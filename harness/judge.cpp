@@ -22,6 +22,14 @@ ItemId id_of(const reference::ItemSpec& spec) {
     return {spec.question, spec.name};
 }
 
+/// Whether float would lose the scene's numbers, and their squares, beside such a one: what follows from it is the
+/// number itself.
+bool swallows_scene(const PrintedValue& value, const RealScene& scene) {
+    const double largest = 0x1p24 * scene.size * scene.size;
+    return std::any_of(value.numbers.begin(), value.numbers.end(),
+                       [&](const PrintedNumber& number) { return std::abs(number.value) > largest; });
+}
+
 }  // namespace
 
 Judge::Judge(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
@@ -52,7 +60,9 @@ void Judge::remember(const KeyItem& item, const MatchedItem& printed) {
     const ItemId id = id_of(item.spec);
     ItemScore score = start_score(item);
     const bool right = is_right(item, printed, score);
+    const bool usable = !swallows_scene(*printed.value, evidence_.scene);
     for (const Digits digits : {Digits::of_stream, Digits::as_printed}) {
+        if (!usable) break;
         Target own = printed_target(printed, digits);
         if (id == matrix && !own.no_value) {
             const Target key = target_of(evidence_.key.matrix3(matrix).value_or(reference::Mat3<Real>(Real(0.0))));
@@ -164,9 +174,9 @@ bool Judge::is_right(const KeyItem& item, const MatchedItem& printed, ItemScore&
 bool Judge::is_right_quadratic(const KeyItem& item, const MatchedItem& printed, ItemScore& score) const {
     const std::string_view name = printed.spec.name;
     const bool half = evidence_.quadratic.form == QuadraticForm::half_b && (name == "b" || name == "d");
-    const double k = evidence_.quadratic.factor;
-    const double factor = name == "d" ? k * k : k;
-    if (name == "t" || (!half && factor == 1.0)) return false;
+    const Real& k = evidence_.quadratic.factor;
+    const Real factor = name == "d" && !is_one(k) ? k * k : k;
+    if (name == "t" || (!half && is_one(factor))) return false;
     const Real divisor(!half ? 1 : name == "b" ? 2 : 4);
     const bool right = std::any_of(item.answers.begin(), item.answers.end(), [&](const reference::Answer& answer) {
         const Target target = target_of(answer);
@@ -241,6 +251,16 @@ std::optional<HitValues> Judge::own_hits() const {
     return hits;
 }
 
+bool Judge::is_same_wrong_t() const {
+    const MatchedItem* sphere_t = readable({6, "t"});
+    const MatchedItem* triangle_t = readable({8, "t"});
+    if (sphere_t == nullptr || triangle_t == nullptr || sphere_t->value->numbers.empty() ||
+        triangle_t->value->numbers.empty())
+        return false;
+    const bool wrong = !evidence_.right.contains({6, "t"}) || !evidence_.right.contains({8, "t"});
+    return wrong && sphere_t->value->numbers.front().value == triangle_t->value->numbers.front().value;
+}
+
 ItemVerdict Judge::judge_verdict(const KeyItem& item, const PrintedVerdict& printed, ItemScore& score) const {
     const auto contains = [&](const std::vector<reference::Verdict>& verdicts) {
         return std::find(verdicts.begin(), verdicts.end(), printed.verdict) != verdicts.end();
@@ -262,7 +282,7 @@ ItemVerdict Judge::judge_verdict(const KeyItem& item, const PrintedVerdict& prin
     const bool own_deviates = std::any_of(deciding.begin(), deciding.end(),
                                           [&](const ItemId& id) { return evidence_.deviating.contains(id); });
     const bool follows_own = hits && (agrees_with_own || printed.verdict == smaller_t(*hits));
-    if (follows_own && own_deviates) return ItemVerdict::follow;
+    if (follows_own && own_deviates && !is_same_wrong_t()) return ItemVerdict::follow;
     if (hits && !follows_own) {
         score.diagnosis = "verdict against own values";
         score.advice =

@@ -34,6 +34,8 @@ class Judge {
     bool is_right_rhs(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score) const;
     ItemVerdict judge_verdict(const reference::KeyItem& item, const PrintedVerdict& printed, ItemScore& score) const;
     std::optional<HitValues> own_hits() const;
+    /// The same number for both objects, which is not right for both: nothing is first by it.
+    bool is_same_wrong_t() const;
 
     const std::vector<MatchedItem>& matched_;
     const reference::AnswerKey& key_;

@@ -158,6 +158,14 @@ Targets point_by(const Known& known, const RealScene&) {
 Targets v_long(const Known& known, const RealScene& scene) {
     return from([&](const Vec& p) { return Vec(p - scene.camera.eye); }, known.vector(P_WCS));
 }
+Targets v_with_w(const Known& known, const RealScene& scene) {
+    return from(
+        [&](const Vec& p) {
+            const Vec way = p - scene.camera.eye;
+            return reference::scaled(way, Real(1) / sqrt(reference::dot(way, way) + Real(1)));
+        },
+        known.vector(P_WCS));
+}
 Targets v_backward(const Known& known, const RealScene& scene) {
     return from([&](const Vec& p) { return normalized(Vec(scene.camera.eye - p)); }, known.vector(P_WCS));
 }
@@ -211,6 +219,8 @@ const std::vector<Misconception>& mistakes::of_camera() {
          P_WCS, point_by<view_matrix>},
         {"matrix transposed", "The pixel was multiplied by the transposed matrix.", P_WCS, point_by<transposed>},
         {"not normalised", "V must have length 1.", V, v_long},
+        {"normalised with w", "V was normalised as a vec4 whose w is 1; normalise its first three components.", V,
+         v_with_w},
         {"points to the eye", "V points from the eye to the pixel, not back.", V, v_backward},
         {"eye forgotten", "V is the direction from the eye to the pixel, not from the origin.", V, v_from_origin},
         {"in view coordinates", "V must be in world coordinates; it is in view coordinates.", V, v_in_vcs},

@@ -7,10 +7,11 @@
 namespace harness {
 namespace {
 
-double share_of(ItemVerdict verdict, const reference::Rubric& rubric) {
+/// `follow` is the share that a follow-through answer earns.
+double share_of(ItemVerdict verdict, double follow) {
     switch (verdict) {
         case ItemVerdict::right: return 1.0;
-        case ItemVerdict::follow: return rubric.follow_through;
+        case ItemVerdict::follow: return follow;
         case ItemVerdict::wrong:
         case ItemVerdict::missing:
         case ItemVerdict::unreadable: return 0.0;
@@ -40,24 +41,53 @@ double item_points(const reference::Rubric& rubric, const reference::KeyQuestion
     return points == listed->second.end() ? 0.0 : points->second;
 }
 
-QuestionScore score_question(const reference::KeyQuestion& question, Judge& judge, const reference::Rubric& rubric) {
+/// Everything but the points.
+QuestionScore judge_question(const reference::KeyQuestion& question, Judge& judge, const reference::Rubric& rubric) {
     QuestionScore score;
     score.number = question.number;
     score.max_points = rubric.points_of(question.number);
-    double lost = 0;  // counted down from the whole, so that a question without a mistake has exactly its points
     for (const reference::KeyItem& item : question.items) {
         ItemScore judged = judge.judge(item);
         judged.max_points = item_points(rubric, question, item.spec);
-        judged.points = judged.max_points * share_of(judged.verdict, rubric);
-        lost += judged.max_points - judged.points;
         if (rank(judged.verdict) > rank(score.verdict)) score.verdict = judged.verdict;
         score.items.push_back(std::move(judged));
     }
-    const bool nothing =
-        std::all_of(score.items.begin(), score.items.end(), [](const ItemScore& item) { return item.points == 0; });
-    score.points = nothing ? 0.0 : score.max_points - lost;
     if (score.verdict == ItemVerdict::unreadable) score.verdict = ItemVerdict::wrong;
     return score;
+}
+
+/// The points of all follow-through answers, before their share of them.
+double followed_points(const Score& score) {
+    double sum = 0;
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) sum += item.verdict == ItemVerdict::follow ? item.max_points : 0.0;
+    }
+    return sum;
+}
+
+void award(QuestionScore& question, double follow) {
+    double lost = 0;  // counted down from the whole, so that a question without a mistake has exactly its points
+    for (ItemScore& item : question.items) {
+        item.points = item.max_points * share_of(item.verdict, follow);
+        lost += item.max_points - item.points;
+    }
+    const bool nothing = std::all_of(question.items.begin(), question.items.end(),
+                                     [](const ItemScore& item) { return item.points == 0; });
+    question.points = nothing ? 0.0 : question.max_points - lost;
+}
+
+void award_points(Score& score, const reference::Rubric& rubric) {
+    double follow = rubric.follow_through;
+    const double followed = followed_points(score) * follow;
+    const double cap = rubric.follow_through_cap * score.max_points;
+    if (followed > cap) {
+        score.follow_cap = cap;
+        follow *= cap / followed;
+    }
+    for (QuestionScore& question : score.questions) {
+        award(question, follow);
+        score.points += question.points;
+    }
 }
 
 }  // namespace
@@ -82,10 +112,10 @@ Score score(const Transcript& transcript, const reference::AnswerKey& key, const
     Judge judge(matched, key, assignment);
     Score score;
     for (const reference::KeyQuestion& question : key.questions) {
-        score.questions.push_back(score_question(question, judge, assignment.rubric));
-        score.points += score.questions.back().points;
+        score.questions.push_back(judge_question(question, judge, assignment.rubric));
         score.max_points += score.questions.back().max_points;
     }
+    award_points(score, assignment.rubric);
     return score;
 }
 

@@ -48,6 +48,7 @@ struct QuestionScore {
 struct Score {
     double points = 0;
     double max_points = 0;
+    std::optional<double> follow_cap;      ///< the rubric's cap on follow-through, in points, where it has cut some
     std::vector<QuestionScore> questions;  ///< in the handout's order
 };
 

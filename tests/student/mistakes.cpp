@@ -153,6 +153,7 @@ std::vector<NamedMistake> of_camera() {
         on("matrix transposed", P_WCS,
            [](const Names& n) { return by_matrix(n, glm::transpose(n.program.matrix4(M))); }),
         on("not normalised", V, [](const Names& n) { return n.S() - n.eye(); }),
+        on("normalised with w", V, [](const Names& n) { return vec3(normalize(vec4(n.S(), 1) - vec4(n.eye(), 0))); }),
         on("points to the eye", V, [](const Names& n) { return normalize(n.eye() - n.S()); }),
         on("eye forgotten", V, [](const Names& n) { return normalize(n.S()); }),
         on("in view coordinates", V, [](const Names& n) { return normalize(n.vec(P_VCS)); }),
@@ -188,6 +189,8 @@ std::vector<NamedMistake> of_root() {
         on("not divided by 2", t_s, [](const Names& n) { return (-n.at(b) - std::sqrt(n.at(d))) / n.at(a); }),
         on("square root forgotten", t_s, [](const Names& n) { return (-n.at(b) - n.at(d)) / (2 * n.at(a)); }),
         on("sign of b in the root", t_s, [](const Names& n) { return (n.at(b) - std::sqrt(n.at(d))) / (2 * n.at(a)); }),
+        on("root behind the start", t_s,
+           [](const Names& n) { return (-n.at(b) - std::sqrt(n.at(d))) / (2 * n.at(a)); }),
         on("closest approach", t_s, [](const Names& n) { return -n.at(b) / (2 * n.at(a)); }),
     };
 }

@@ -1,5 +1,6 @@
 #include "tests/student/program.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -90,17 +91,19 @@ void Program::answer_camera() {
 void Program::answer_sphere() {
     const reference::Sphere<float>& sphere = scene_.spheres.front();
     const reference::Quadratic<float> right = reference::sphere_quadratic(vector(P_WCS), vector(V), sphere);
-    settle(a, floats(right.a));
-    settle(b, floats(way_.half_b ? glm::dot(vector(V), vector(P_WCS) - sphere.center) : right.b));
-    settle(c, floats(right.c));
+    const float k = way_.quadratic_factor;
+    settle(a, floats(k * right.a));
+    settle(b, floats(k * (way_.half_b ? glm::dot(vector(V), vector(P_WCS) - sphere.center) : right.b)));
+    settle(c, floats(k * right.c));
     const float p = scalar(a), q = scalar(b), r = scalar(c);
     settle(d, floats(way_.half_b ? q * q - p * r : q * q - 4 * p * r));
     const float disc = scalar(d);
     std::optional<Floats> t;
     if (disc >= 0) {
         const float divisor = way_.half_b ? p : 2 * p;
-        const float near = (-q - std::sqrt(disc)) / divisor;
-        const float far = (-q + std::sqrt(disc)) / divisor;
+        const float one = (-q - std::sqrt(disc)) / divisor;
+        const float other = (-q + std::sqrt(disc)) / divisor;
+        const float near = std::min(one, other), far = std::max(one, other);
         if (is_hit_at(near))
             t = floats(near);
         else if (is_hit_at(far))
@@ -122,10 +125,10 @@ void Program::answer_triangle() {
     const glm::vec3 right[] = {-vector(V), B - A, C - A};
     for (std::size_t i = 0; i < 9; ++i) {
         const auto place = static_cast<std::size_t>(way_.columns[i / 3]);
-        columns[3 * place + i % 3] = right[i / 3][static_cast<int>(i % 3)];
+        columns[3 * place + i % 3] = way_.row_factors[i % 3] * right[i / 3][static_cast<int>(i % 3)];
     }
     settle(matrix, columns);
-    settle(rhs, floats(vector(P_WCS) - A));
+    settle(rhs, floats((vector(P_WCS) - A) * glm::vec3(way_.row_factors[0], way_.row_factors[1], way_.row_factors[2])));
     solve_triangle(vector(rhs));
     const bool hit = has(t_t) && in_triangle() && is_hit_at(scalar(t_t));
     const bool has_point = has(t_t) && (hit || !way_.true_hits_only);

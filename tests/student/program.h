@@ -21,9 +21,11 @@ struct Way {
     enum class Arithmetic { stages, glm, glm_cramer } arithmetic = Arithmetic::stages;
     reference::PixelConvention convention = reference::PixelConvention::centre;
     reference::Boundary boundary = reference::Boundary::nonnegative;
-    bool half_b = false;                   ///< b' = b/2 and d' = b'^2 - ac
-    std::vector<int> columns = {0, 1, 2};  ///< the place of the columns for t, u and v in the printed matrix
-    bool true_hits_only = false;           ///< no hit point where there is no true hit
+    float quadratic_factor = 1;                  ///< a, b and c are multiplied by this
+    std::vector<float> row_factors = {1, 1, 1};  ///< the rows of the linear system, on both sides
+    bool half_b = false;                         ///< b' = b/2 and d' = b'^2 - ac
+    std::vector<int> columns = {0, 1, 2};        ///< the place of the columns for t, u and v in the printed matrix
+    bool true_hits_only = false;                 ///< no hit point where there is no true hit
 };
 
 /// The answers so far. A value that does not exist (the ray misses) is an empty optional.

@@ -1,0 +1,127 @@
+#include "harness/close_call.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/printed_values.h"
+#include "tests/student/printout.h"
+
+namespace harness {
+namespace {
+
+using reference::Boundary;
+using student::Program;
+using student::Way;
+
+/// The output of a right program with one line replaced.
+std::string with_line(std::string output, int question, const std::string& label, const std::string& value) {
+    const std::size_t heading = output.find("Question " + std::to_string(question) + ":");
+    const std::size_t line = output.find("\n" + label + ": ", heading);
+    EXPECT_NE(line, std::string::npos) << label;
+    output.replace(line, output.find('\n', line + 1) - line, "\n" + label + ": " + value);
+    return output;
+}
+
+std::string right_output(const student::Marking& marking, bool true_hits_only = false) {
+    Way way;
+    way.true_hits_only = true_hits_only;
+    return print(Program(marking.assignment, way));
+}
+
+TEST(CloseCall, OfATangentGoesEitherWay) {
+    for (const char* scene : {"barely hit", "barely missed"}) {
+        const student::Marking marking = student::scene_named(scene);
+        std::string miss = right_output(marking);
+        miss = with_line(miss, 6, "d", "-0.000004");
+        miss = with_line(miss, 6, "t", "no hit");
+        miss = with_line(miss, 6, "Hit point P_s", "no hit");
+        miss = with_line(miss, 7, "Sphere normal", "none");
+        const Score score = mark(miss, marking);
+        for (const ItemId& id : {ItemId{6, "t"}, ItemId{6, "hit"}, ItemId{7, "normal"}})
+            EXPECT_EQ(verdict_on(score, id), "right") << scene << id.second;
+        std::string hit = with_line(miss, 6, "d", "0.000001");
+        hit = with_line(hit, 6, "t", "4.999500");
+        EXPECT_EQ(verdict_on(mark(hit, marking), {6, "t"}), "right") << scene;
+    }
+}
+
+TEST(CloseCall, IsNotOneAgainstTheStudentsOwnDiscriminant) {
+    const student::Marking marking = student::scene_named("barely hit");
+    std::string output = with_line(right_output(marking), 6, "d", "0.000004");
+    output = with_line(output, 6, "t", "no hit");
+    EXPECT_EQ(verdict_on(mark(output, marking), {6, "t"}), "wrong");
+}
+
+TEST(CloseCall, IsNotOneWhereTheRayHitsPlainly) {
+    const student::Marking marking = student::off_axis_scene();
+    const Score score = mark(with_line(right_output(marking), 6, "t", "no hit"), marking);
+    EXPECT_EQ(verdict_on(score, {6, "t"}), "wrong");
+}
+
+TEST(CloseCall, LeavesTheHitPointOfAMissToTheStudent) {
+    const student::Marking marking = student::scene_named("triangle missed");
+    EXPECT_EQ(verdict_on(mark(right_output(marking, true), marking), {8, "hit"}), "right");
+    EXPECT_EQ(verdict_on(mark(right_output(marking, false), marking), {8, "hit"}), "right");
+}
+
+TEST(CloseCall, HoldsTheRubricsPolicyWhereTIsZeroExactly) {
+    const std::string toml = R"(
+[camera]
+eye = [0, 0, 4]
+lookat = [0, 0, 0]
+vup = [0, 1, 0]
+[window]
+clip_left = -2
+clip_right = 2
+clip_bottom = -1
+clip_top = 1
+clip_near = 2
+width = 301
+height = 201
+pixel = [150, 100]
+[[sphere]]
+center = [1, 1, 0]
+radius = 2
+[[triangle]]
+vertices = [[0, -2, 2], [2, 2, 2], [-2, 2, 2]]
+[rubric]
+boundary = )";
+    const auto marks = [&](const std::string& policy, Boundary boundary) {
+        const student::Marking marking = student::marking_of(toml + "\"" + policy + "\"", "policy");
+        Way way;
+        way.boundary = boundary;
+        way.true_hits_only = true;
+        student::Layout exact_zeros;
+        exact_zeros.format = student::NumberFormat::stream;
+        const Score score = mark(print(Program(marking.assignment, way), exact_zeros), marking);
+        return verdict_on(score, {8, "hit"}) + " " + verdict_on(score, {10, "verdict"});
+    };
+    EXPECT_EQ(marks("either", Boundary::positive), "right right");
+    EXPECT_EQ(marks("either", Boundary::nonnegative), "right right");
+    EXPECT_EQ(marks("nonnegative", Boundary::nonnegative), "right right");
+    EXPECT_EQ(marks("nonnegative", Boundary::positive), "wrong wrong");
+    EXPECT_EQ(marks("positive", Boundary::positive), "right right");
+    EXPECT_EQ(marks("positive", Boundary::nonnegative), "right wrong")
+        << "the point of the plane may be printed all the same";
+}
+
+TEST(CloseVerdicts, AreAllThatATieMayRoundTo) {
+    for (const char* scene : {"tie", "almost a tie"}) {
+        const student::Marking marking = student::scene_named(scene);
+        const std::string output = right_output(marking);
+        for (const char* verdict :
+             {"ray hits sphere first", "ray hits triangle first", "ray hits sphere and triangle at the same t"}) {
+            std::string claimed = output;
+            const std::size_t line = claimed.rfind("ray hits");
+            claimed.replace(line, claimed.find('\n', line) - line, verdict);
+            EXPECT_EQ(verdict_on(mark(claimed, marking), {10, "verdict"}), "right") << scene << ": " << verdict;
+        }
+        std::string nothing = output;
+        const std::size_t line = nothing.rfind("ray hits");
+        nothing.replace(line, nothing.find('\n', line) - line, "ray hits nothing");
+        EXPECT_EQ(verdict_on(mark(nothing, marking), {10, "verdict"}), "wrong") << scene;
+    }
+}
+
+}  // namespace
+}  // namespace harness

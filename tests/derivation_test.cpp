@@ -1,0 +1,213 @@
+#include "harness/derivation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "harness/tolerance.h"
+#include "tests/printed_values.h"
+
+namespace harness {
+namespace {
+
+constexpr ItemId X{2, "X_vcs"}, Y{2, "Y_vcs"}, Z{2, "Z_vcs"}, M{3, "M_VCS_to_WCS"}, P_VCS{1, "P_VCS"},
+    P_WCS{4, "P_WCS"}, V{5, "V"};
+constexpr ItemId a{6, "a"}, b{6, "b"}, c{6, "c"}, d{6, "d"}, t_s{6, "t"}, hit_s{6, "hit"}, normal_s{7, "normal"};
+constexpr ItemId matrix{8, "matrix"}, rhs{8, "rhs"}, t_t{8, "t"}, u{8, "u"}, v{8, "v"}, hit_t{8, "hit"};
+
+class Derivations : public testing::Test {
+  protected:
+    Derivations()
+        : marking(student::handout_scene()),
+          scene(real_scene(marking.assignment, marking.key.canonical)),
+          known(keys_by_convention(marking.key, marking.assignment.rubric).front()) {}
+
+    void print(const ItemId& id, std::string_view text) {
+        known.set(id, printed_target(printed_item(id, text), Digits::as_printed));
+    }
+
+    std::vector<Target> results(const ItemId& id, QuadraticForm form = QuadraticForm::full) const {
+        std::vector<Target> all;
+        for (const Derivation& derivation : all_derivations()) {
+            if (derivation.item != id) continue;
+            for (const Target& target : derivation.compute(known, scene, form)) all.push_back(target);
+        }
+        return all;
+    }
+
+    bool gives(const ItemId& id, std::string_view text, QuadraticForm form = QuadraticForm::full) const {
+        const auto all = results(id, form);
+        return std::any_of(all.begin(), all.end(), [&](const Target& target) {
+            return compare(printed_item(id, text), target, 1e-6, 2).within;
+        });
+    }
+
+    /// No result but such as say nothing.
+    bool gives_nothing(const ItemId& id) const {
+        const auto all = results(id);
+        return std::all_of(all.begin(), all.end(), [](const Target& target) {
+            return !target.no_value && std::any_of(target.components.begin(), target.components.end(),
+                                                   [](const Real& x) { return !x.is_bounded(); });
+        });
+    }
+
+    student::Marking marking;
+    RealScene scene;
+    Known known;
+};
+
+TEST_F(Derivations, OfTheKeyGiveTheKey) {
+    std::set<ItemId> derived;
+    for (const Derivation& derivation : all_derivations()) {
+        derived.insert(derivation.item);
+        const auto targets = derivation.compute(known, scene, QuadraticForm::full);
+        ASSERT_FALSE(targets.empty()) << derivation.item.first << "." << derivation.item.second;
+        const Target& key = known.targets().at(derivation.item);
+        const bool found = std::any_of(targets.begin(), targets.end(), [&](const Target& target) {
+            if (target.components.size() != key.components.size()) return false;
+            for (std::size_t i = 0; i < key.components.size(); ++i) {
+                if (target.components[i].lo() > key.components[i].hi() + 1e-9 ||
+                    target.components[i].hi() < key.components[i].lo() - 1e-9)
+                    return false;
+            }
+            return true;
+        });
+        EXPECT_TRUE(found) << derivation.item.first << "." << derivation.item.second;
+    }
+    EXPECT_EQ(derived.size(), 18U)
+        << "all but P_VCS, Z_vcs, the triangle's normal and the verdict, which depend on the scene alone";
+}
+
+TEST_F(Derivations, GiveTheRootForTheStudentsOwnCoefficients) {
+    print(c, "0");
+    print(d, "16");
+    EXPECT_TRUE(gives(t_s, "4"));
+    EXPECT_TRUE(gives(t_s, "0")) << "t = 0 counts where the rubric says either";
+}
+
+TEST_F(Derivations, KnowTheRootOfHalfB) {
+    print(b, "-2");
+    print(d, "2");
+    EXPECT_TRUE(gives(t_s, "0.585786", QuadraticForm::half_b));
+    EXPECT_FALSE(gives(t_s, "0.585786", QuadraticForm::full));
+}
+
+TEST_F(Derivations, HaveNoHitForANegativeDiscriminant) {
+    print(d, "-1");
+    EXPECT_TRUE(gives(t_s, "none"));
+    EXPECT_FALSE(gives(t_s, "nan"));
+}
+
+TEST_F(Derivations, LeaveOpenWhatADiscriminantOfZeroDigitsMeans) {
+    print(d, "-0.000001");
+    EXPECT_TRUE(gives(t_s, "none"));
+    print(b, "-4");
+    print(d, "0.000000");
+    EXPECT_TRUE(gives(t_s, "2"));
+}
+
+TEST_F(Derivations, HaveNoPointAndNoNormalWithoutAHit) {
+    known.set(t_s, no_value());
+    EXPECT_TRUE(gives(hit_s, "none"));
+    known.set(hit_s, no_value());
+    EXPECT_TRUE(gives(normal_s, "none"));
+}
+
+TEST_F(Derivations, AllowNoPointOnlyOutsideTheTriangle) {
+    print(t_t, "1.5");
+    EXPECT_FALSE(gives(hit_t, "none"));
+    print(u, "-0.5");
+    EXPECT_TRUE(gives(hit_t, "none"));
+}
+
+TEST_F(Derivations, HoldTheRubricsBoundaryWhereTIsZero) {
+    EXPECT_TRUE(gives(hit_t, "none")) << "either";
+    scene.boundaries = {reference::Boundary::nonnegative};
+    EXPECT_FALSE(gives(hit_t, "none"));
+    scene.boundaries = {reference::Boundary::positive};
+    EXPECT_TRUE(gives(hit_t, "none"));
+}
+
+TEST_F(Derivations, SayNothingOfADirectionWithoutLength) {
+    for (const char* zero : {"0 0 0", "0.000000 0.000000 0.000000", "-0.00 0.00 0.00"}) {
+        print(V, zero);
+        EXPECT_TRUE(results(a).empty()) << zero;
+        EXPECT_TRUE(results(b).empty()) << zero;
+        EXPECT_TRUE(results(matrix).empty()) << zero;
+    }
+}
+
+TEST_F(Derivations, SayNothingOfASingularSystem) {
+    print(matrix, "0 0 0 0 0 0 0 0 0");
+    known.set(V, no_value());
+    EXPECT_TRUE(results(t_t).empty());
+    print(matrix, "1 2 3 1 2 3 0 0 1");
+    EXPECT_TRUE(results(u).empty());
+}
+
+TEST_F(Derivations, SayNothingOfANormalAtTheCentre) {
+    print(hit_s, "1 1 0");
+    EXPECT_TRUE(gives_nothing(normal_s));
+    print(hit_s, "1.000000 1.000000 0.000000");
+    EXPECT_TRUE(gives_nothing(normal_s));
+    EXPECT_FALSE(gives(normal_s, "0 0 0"));
+}
+
+TEST_F(Derivations, SayNothingOfAxesThatAreZeroOrInOnePlane) {
+    print(X, "0 0 0");
+    EXPECT_TRUE(results(M).empty());
+    EXPECT_FALSE(gives(Y, "0 0 0"));
+    print(X, "1 0 0");
+    print(Y, "0 0 1");
+    EXPECT_TRUE(results(M).empty()) << "Y = Z";
+}
+
+TEST_F(Derivations, SayNothingOfASingularMatrix) {
+    print(M, "0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0");
+    EXPECT_FALSE(gives(P_WCS, "0 0 0"));
+}
+
+TEST_F(Derivations, SayNothingOfAVanishingQuadratic) {
+    print(a, "0");
+    print(b, "0");
+    print(c, "0");
+    EXPECT_TRUE(results(d).empty());
+    EXPECT_TRUE(results(t_s).empty());
+}
+
+TEST_F(Derivations, TakeAMatrixWithAnotherLastRowBothWays) {
+    print(M, "1 0 0 0 0 1 0 0 0 0 1 1 0 0 0 1");  // transposed: w is z + 1
+    print(P_VCS, "0.5 0 -3");
+    EXPECT_TRUE(gives(P_WCS, "0.5 0 -3"));
+    EXPECT_TRUE(gives(P_WCS, "-0.25 0 1.5")) << "divided by w";
+}
+
+TEST(RealScene, HasTheObjectAskedAboutFirst) {
+    const student::Marking marking = student::marking_of(R"(
+[camera]
+eye = [0, 0, 8]
+lookat = [0, 0, 0]
+vup = [0, 1, 0]
+[window]
+clip_left = -2
+clip_right = 2
+clip_bottom = -1
+clip_top = 1
+clip_near = 2
+width = 301
+height = 201
+pixel = [150, 100]
+[[sphere]]
+center = [0, 0, -9]
+radius = 1
+[[sphere]]
+center = [0, 0, 0]
+radius = 2
+)",
+                                                         "two");
+    EXPECT_EQ(real_scene(marking.assignment, marking.key.canonical).spheres.front().radius.lo(), 2.0);
+}
+
+}  // namespace
+}  // namespace harness

@@ -1,0 +1,197 @@
+#include "harness/judge.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "tests/printed_values.h"
+#include "tests/student/printout.h"
+
+namespace harness {
+namespace {
+
+using student::Program;
+using student::Way;
+
+/// Output of the handout's scene with some lines other than right; by label.
+std::string handout_output(const std::map<std::string, std::string>& changed = {}) {
+    const std::pair<const char*, std::vector<std::pair<const char*, const char*>>> questions[] = {
+        {"1", {{"P_VCS", "vec3(0.000000, 0.000000, -2.000000)"}}},
+        {"2",
+         {{"X_vcs", "vec3(1.000000, 0.000000, 0.000000)"},
+          {"Y_vcs", "vec3(0.000000, 1.000000, 0.000000)"},
+          {"Z_vcs", "vec3(0.000000, 0.000000, 1.000000)"}}},
+        {"3",
+         {{"M",
+           "mat4x4((1.000000, 0.000000, 0.000000, 0.000000), (0.000000, 1.000000, 0.000000, 0.000000), "
+           "(0.000000, 0.000000, 1.000000, 0.000000), (0.000000, 0.000000, 4.000000, 1.000000))"}}},
+        {"4", {{"P_WCS", "vec3(0.000000, 0.000000, 2.000000)"}}},
+        {"5", {{"V", "vec3(0.000000, 0.000000, -1.000000)"}}},
+        {"6",
+         {{"a", "1"},
+          {"b", "-4"},
+          {"c", "2"},
+          {"d", "8"},
+          {"t", "0.585786"},
+          {"P_s", "vec3(0.000000, 0.000000, 1.414214)"}}},
+        {"7", {{"N", "vec3(-0.500000, -0.500000, 0.707107)"}}},
+        {"8",
+         {{"A",
+           "mat3x3((0.000000, 0.000000, 1.000000), (2.000000, 4.000000, 0.000000), (-2.000000, 4.000000, 0.000000))"},
+          {"rhs", "vec3(0.000000, 2.000000, 0.000000)"},
+          {"t8", "0"},
+          {"u", "0.25"},
+          {"v", "0.25"},
+          {"P_t", "vec3(0.000000, 0.000000, 2.000000)"}}},
+        {"9", {{"N9", "vec3(0.000000, 0.000000, 1.000000)"}}},
+    };
+    std::string text;
+    for (const auto& [number, lines] : questions) {
+        text += fmt::format("Question {}:\n", number);
+        for (const auto& [label, value] : lines) {
+            const auto other = changed.find(label);
+            const std::string shown = std::string(label) == "t8" ? "t" : std::string(label) == "N9" ? "N" : label;
+            if (other == changed.end() || !other->second.empty())
+                text += fmt::format("{}: {}\n", shown, other == changed.end() ? value : other->second);
+        }
+    }
+    const auto verdict = changed.find("verdict");
+    return text + "Question 10:\n" + (verdict == changed.end() ? "ray hits triangle first" : verdict->second) + "\n";
+}
+
+std::string verdict_with(const std::map<std::string, std::string>& changed, const ItemId& id) {
+    static const student::Marking marking = student::handout_scene();
+    return verdict_on(mark(handout_output(changed), marking), id);
+}
+
+std::string accepted_with(const std::map<std::string, std::string>& changed, const ItemId& id) {
+    static const student::Marking marking = student::handout_scene();
+    return item_of(mark(handout_output(changed), marking), id).accepted_as;
+}
+
+TEST(Judge, FindsEveryItemOfAPlainOutputRight) {
+    const Score score = mark(handout_output(), student::handout_scene());
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items)
+            EXPECT_EQ(item.verdict, ItemVerdict::right) << question.number << item.spec.name;
+    }
+}
+
+TEST(Judge, NeverFindsNanOrInfinityRight) {
+    for (const char* text : {"nan", "-nan", "inf", "-inf"}) {
+        EXPECT_EQ(verdict_with({{"t", text}}, {6, "t"}), "wrong") << text;
+        EXPECT_EQ(verdict_with({{"P_s", fmt::format("vec3({0}, {0}, {0})", text)}}, {6, "hit"}), "wrong") << text;
+    }
+}
+
+TEST(Judge, TakesMinusZeroForZero) {
+    EXPECT_EQ(verdict_with({{"t8", "-0"}}, {8, "t"}), "right");
+    EXPECT_EQ(verdict_with({{"X_vcs", "vec3(1.000000, -0.000000, -0.000000)"}}, {2, "X_vcs"}), "right");
+}
+
+TEST(Judge, AcceptsHalfBOnlyWithItsOwnDiscriminant) {
+    EXPECT_EQ(verdict_with({{"b", "-2"}, {"d", "2"}}, {6, "b"}), "right");
+    EXPECT_EQ(verdict_with({{"b", "-2"}, {"d", "2"}}, {6, "d"}), "right");
+    EXPECT_EQ(accepted_with({{"b", "-2"}, {"d", "2"}}, {6, "b"}), "the form with b' = b/2 and d' = b'^2 - ac");
+    EXPECT_EQ(verdict_with({{"b", "-2"}}, {6, "b"}), "wrong") << "d = 8 is that of b = -4";
+    EXPECT_EQ(verdict_with({{"b", "-2"}, {"d", "-4"}}, {6, "b"}), "wrong") << "the factor 2 is missing";
+    EXPECT_EQ(verdict_with({{"b", "-2"}, {"d", "-4"}}, {6, "d"}), "follow");
+}
+
+TEST(Judge, AcceptsAQuadraticMultipliedAsAWhole) {
+    const std::map<std::string, std::string> doubled = {{"a", "2"}, {"b", "-8"}, {"c", "4"}, {"d", "32"}};
+    for (const char* name : {"a", "b", "c", "d", "t"}) EXPECT_EQ(verdict_with(doubled, {6, name}), "right") << name;
+    EXPECT_EQ(verdict_with({{"a", "2"}, {"b", "-8"}, {"c", "4"}}, {6, "d"}), "right") << "8 is still right by itself";
+    EXPECT_EQ(verdict_with({{"a", "2"}, {"b", "-8"}}, {6, "a"}), "wrong");
+}
+
+TEST(Judge, ReadsAVectorOfFour) {
+    EXPECT_EQ(verdict_with({{"P_WCS", "vec4(0.000000, 0.000000, 2.000000, 1.000000)"}}, {4, "P_WCS"}), "right");
+    EXPECT_EQ(verdict_with({{"V", "vec4(0.000000, 0.000000, -1.000000, 0.000000)"}}, {5, "V"}), "right");
+    EXPECT_EQ(verdict_with({{"P_WCS", "vec4(0.000000, 0.000000, 2.000000, 3.000000)"}}, {4, "P_WCS"}), "wrong");
+}
+
+TEST(Judge, AcceptsTheSystemWithRowsMultipliedOnBothSides) {
+    const char* rows_doubled =
+        "mat3x3((0.000000, 0.000000, 1.000000), (2.000000, 8.000000, 0.000000), (-2.000000, 8.000000, 0.000000))";
+    EXPECT_EQ(verdict_with({{"A", rows_doubled}, {"rhs", "vec3(0.000000, 4.000000, 0.000000)"}}, {8, "matrix"}),
+              "right");
+    EXPECT_EQ(verdict_with({{"A", rows_doubled}, {"rhs", "vec3(0.000000, 4.000000, 0.000000)"}}, {8, "rhs"}), "right");
+    EXPECT_EQ(verdict_with({{"A", rows_doubled}}, {8, "matrix"}), "wrong") << "the right-hand side is not doubled";
+}
+
+TEST(Judge, DoesNotAcceptATransposedSystem) {
+    EXPECT_EQ(verdict_with({{"A",
+                             "mat3x3((0.000000, 2.000000, -2.000000), (0.000000, 4.000000, 4.000000), (1.000000, "
+                             "0.000000, 0.000000))"}},
+                           {8, "matrix"}),
+              "wrong");
+}
+
+TEST(Judge, HoldsToTheRubricsDecimals) {
+    EXPECT_EQ(verdict_with({{"t", "0.59"}}, {6, "t"}), "right");
+    EXPECT_EQ(verdict_with({{"t", "0.58"}}, {6, "t"}), "wrong") << "cut off, not rounded";
+    EXPECT_EQ(verdict_with({{"t", "0.6"}}, {6, "t"}), "wrong") << "one decimal";
+    EXPECT_EQ(verdict_with({{"t", "1"}}, {6, "t"}), "wrong") << "an integer";
+}
+
+TEST(Judge, HoldsTheVerdictAgainstTheStudentsOwnValues) {
+    const std::map<std::string, std::string> far = {{"t8", "0.75"}, {"t", "3.414214"}};
+    auto says_sphere = far;
+    says_sphere["verdict"] = "ray hits sphere first";
+    static const student::Marking marking = student::handout_scene();
+    const Score score = mark(handout_output(says_sphere), marking);
+    EXPECT_EQ(verdict_on(score, {10, "verdict"}), "wrong");
+    EXPECT_EQ(item_of(score, {10, "verdict"}).diagnosis, "verdict against own values");
+    EXPECT_EQ(verdict_with({{"verdict", "ray hits nothing"}}, {10, "verdict"}), "wrong");
+    EXPECT_EQ(verdict_with({{"verdict", "ray hits sphere first"}}, {10, "verdict"}), "right")
+        << "t = 0 is not positive";
+    EXPECT_EQ(verdict_with({{"t8", "5"}, {"verdict", "ray hits sphere first"}}, {10, "verdict"}), "right")
+        << "right is right";
+}
+
+TEST(Judge, LetsTheVerdictFollowFromWrongValues) {
+    student::Marking marking = student::off_axis_scene();
+    Program program(marking.assignment, {}, Program::Mistake{{6, "t"}, [](const Program&, const auto&) {
+                                                                 return std::optional(student::Floats{77.0F});
+                                                             }});
+    EXPECT_EQ(verdict_on(mark(print(program), marking), {10, "verdict"}), "follow");
+}
+
+TEST(Judge, AcceptsEveryPixelConventionOfTheRubricInEveryForm) {
+    const student::Marking marking = student::off_axis_scene();
+    Way grid;
+    grid.convention = reference::PixelConvention::grid;
+    grid.half_b = true;
+    grid.columns = {2, 0, 1};
+    const Score score = mark(print(Program(marking.assignment, grid)), marking);
+    EXPECT_EQ(score.points, 100.0);
+    EXPECT_EQ(item_of(score, {1, "P_VCS"}).accepted_as, "the rubric accepts the grid pixel convention");
+    Way corner;
+    corner.convention = reference::PixelConvention::corner;
+    const Score other = mark(print(Program(marking.assignment, corner)), marking);
+    EXPECT_EQ(verdict_on(other, {1, "P_VCS"}), "wrong");
+    EXPECT_EQ(verdict_on(other, {4, "P_WCS"}), "follow");
+}
+
+TEST(Judge, AcceptsMultipliedFormsInEveryPixelConvention) {
+    const student::Marking marking = student::off_axis_scene();
+    Way way;
+    way.convention = reference::PixelConvention::grid;
+    way.quadratic_factor = -2.5F;
+    way.row_factors = {-1, 2, 0.5F};
+    const Score score = mark(print(Program(marking.assignment, way)), marking);
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items)
+            EXPECT_EQ(item.verdict, ItemVerdict::right) << question.number << item.spec.name << item.printed;
+    }
+}
+
+TEST(Judge, TellsNothingReadableFromNothing) {
+    EXPECT_EQ(verdict_with({{"P_s", "12"}}, {6, "hit"}), "unreadable");
+    EXPECT_EQ(verdict_with({{"P_s", ""}}, {6, "hit"}), "missing");
+}
+
+}  // namespace
+}  // namespace harness

@@ -1,0 +1,73 @@
+#include "harness/known.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/printed_values.h"
+
+namespace harness {
+namespace {
+
+constexpr ItemId t{6, "t"}, V{5, "V"}, M{3, "M_VCS_to_WCS"}, matrix{8, "matrix"};
+
+TEST(Known, SaysNothingOfWhatIsNotKnownOrHasNoValue) {
+    Known known;
+    EXPECT_FALSE(known.scalar(t));
+    known.set(t, no_value());
+    EXPECT_FALSE(known.scalar(t));
+    EXPECT_FALSE(known.number(t));
+}
+
+TEST(Known, SaysNothingInAnotherShape) {
+    Known known;
+    known.set(V, target_of(Real(1.0)));
+    EXPECT_FALSE(known.vector(V));
+    EXPECT_TRUE(known.scalar(V));
+}
+
+TEST(Known, KeepsAMatrixColumnByColumn) {
+    Known known;
+    known.set(matrix, printed_target(printed_item(matrix, "1 2 3 4 5 6 7 8 9"), Digits::as_printed));
+    const auto m = known.matrix3(matrix);
+    ASSERT_TRUE(m);
+    EXPECT_TRUE((*m)[1][0].contains(4.0));
+    EXPECT_TRUE((*m)[0][1].contains(2.0));
+    EXPECT_EQ(target_of(*m).components.size(), 9U);
+}
+
+TEST(Known, TurnsAMatrixPrintedByRowsIntoColumns) {
+    Known known;
+    known.set(
+        M, printed_target(printed_item(M, "1 0 0 7 0 1 0 8 0 0 1 9 0 0 0 1", MatrixOrder::rows), Digits::as_printed));
+    const auto m = known.matrix4(M);
+    ASSERT_TRUE(m);
+    EXPECT_TRUE((*m)[3][0].contains(7.0));
+    EXPECT_TRUE((*m)[0][3].is_zero());
+}
+
+TEST(PrintedTarget, DropsTheW) {
+    EXPECT_EQ(printed_target(printed_item(V, "0 0 -1 0"), Digits::as_printed).components.size(), 3U);
+}
+
+TEST(PrintedTarget, OfAWordHasNoValue) {
+    EXPECT_TRUE(printed_target(printed_item(t, "none"), Digits::as_printed).no_value);
+}
+
+TEST(PrintedTarget, IsWidenedByTheRoundingsOfAStage) {
+    const Real x = printed_target(printed_item(t, "10000"), Digits::as_printed).components.front();
+    EXPECT_TRUE(x.contains(10000 + 8 * 0x1p-24 * 10000));
+    EXPECT_FALSE(x.contains(10000.01));
+    EXPECT_TRUE(printed_target(printed_item(t, "0"), Digits::as_printed).components.front().is_zero())
+        << "zero has no roundings";
+}
+
+TEST(TargetOf, HoldsTheEnclosureOfACertifiedAnswer) {
+    const student::Marking marking = student::off_axis_scene();
+    const reference::Answer& answer = marking.key.questions.front().items.front().answers.front();
+    const Target target = target_of(answer);
+    ASSERT_EQ(target.components.size(), 3U);
+    EXPECT_EQ(target.components[0].lo(), answer.lo[0]);
+    EXPECT_EQ(target.components[0].hi(), answer.hi[0]);
+}
+
+}  // namespace
+}  // namespace harness

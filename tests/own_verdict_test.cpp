@@ -1,0 +1,107 @@
+#include "harness/own_verdict.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/printed_values.h"
+
+namespace harness {
+namespace {
+
+using reference::Boundary;
+using testing::ElementsAre;
+using testing::UnorderedElementsAre;
+using enum reference::Verdict;
+
+Real of(std::string_view text) {
+    return enclosure_of(printed_number(text), Digits::as_printed);
+}
+
+HitValues values(std::string_view sphere_t, std::string_view triangle_t, std::string_view u = "0.25",
+                 std::string_view v = "0.25") {
+    HitValues hits{{}, {}, of(u), of(v)};
+    if (sphere_t != "none") hits.sphere_t = of(sphere_t);
+    if (triangle_t != "none") hits.triangle_t = of(triangle_t);
+    return hits;
+}
+
+std::vector<reference::Verdict> under(const HitValues& hits, std::initializer_list<Boundary> boundaries) {
+    return possible_verdicts(hits, std::vector<Boundary>(boundaries));
+}
+
+std::vector<reference::Verdict> verdicts(const HitValues& hits) {
+    return under(hits, {Boundary::nonnegative, Boundary::positive});
+}
+
+TEST(PossibleVerdicts, NameTheSmallerT) {
+    EXPECT_THAT(verdicts(values("1.59", "0.75")), ElementsAre(triangle_first));
+    EXPECT_THAT(verdicts(values("0.59", "0.75")), ElementsAre(sphere_first));
+}
+
+TEST(PossibleVerdicts, AreAllThreeWhereTheDigitsOfBothTAreTheSame) {
+    EXPECT_THAT(verdicts(values("1.59", "1.59")), UnorderedElementsAre(sphere_first, triangle_first, tie));
+    EXPECT_THAT(verdicts(values("1.590", "1.5904")), UnorderedElementsAre(sphere_first, triangle_first, tie));
+    EXPECT_THAT(verdicts(values("1.590", "1.592")), ElementsAre(sphere_first));
+}
+
+TEST(PossibleVerdicts, FollowTheBoundaryWhereTIsZeroExactly) {
+    EXPECT_THAT(under(values("1.59", "0"), {Boundary::nonnegative}), ElementsAre(triangle_first));
+    EXPECT_THAT(under(values("1.59", "0"), {Boundary::positive}), ElementsAre(sphere_first));
+    EXPECT_THAT(verdicts(values("1.59", "0")), UnorderedElementsAre(triangle_first, sphere_first));
+}
+
+TEST(PossibleVerdicts, TakeAPrintedZeroForWhatItsSignSays) {
+    EXPECT_THAT(under(values("1.59", "0.000000"), {Boundary::nonnegative}), ElementsAre(triangle_first));
+    EXPECT_THAT(under(values("1.59", "-0.000000"), {Boundary::nonnegative}),
+                UnorderedElementsAre(triangle_first, sphere_first));
+    EXPECT_THAT(under(values("1.59", "-0"), {Boundary::nonnegative}), ElementsAre(triangle_first)) << "-0 >= 0";
+}
+
+TEST(PossibleVerdicts, KnowNoHitWithoutANumber) {
+    EXPECT_THAT(verdicts(values("none", "0.5")), ElementsAre(triangle_first));
+    EXPECT_THAT(verdicts(values("0.5", "none")), ElementsAre(sphere_first));
+    EXPECT_THAT(verdicts(values("none", "none")), ElementsAre(no_hit));
+}
+
+TEST(PossibleVerdicts, DoNotHitBehindTheStart) {
+    EXPECT_THAT(verdicts(values("-1.5", "-0.5")), ElementsAre(no_hit));
+    EXPECT_THAT(verdicts(values("-1.5", "0.5")), ElementsAre(triangle_first));
+}
+
+TEST(PossibleVerdicts, DoNotHitATriangleOutsideOfIt) {
+    EXPECT_THAT(verdicts(values("1.59", "0.75", "-0.5", "0.25")), ElementsAre(sphere_first));
+    EXPECT_THAT(verdicts(values("1.59", "0.75", "0.75", "0.5")), ElementsAre(sphere_first));
+    EXPECT_THAT(verdicts(values("none", "0.75", "1.5", "-1")), ElementsAre(no_hit));
+}
+
+TEST(PossibleVerdicts, HitTheTrianglesEdge) {
+    EXPECT_THAT(verdicts(values("1.59", "0.75", "0", "0.25")), ElementsAre(triangle_first));
+    EXPECT_THAT(verdicts(values("1.59", "0.75", "0.00", "0.25")), ElementsAre(triangle_first));
+}
+
+TEST(PossibleVerdicts, LeaveTheEdgeOpenWhereTheDigitsDo) {
+    EXPECT_THAT(verdicts(values("1.59", "0.75", "-0.00", "0.25")), UnorderedElementsAre(triangle_first, sphere_first));
+    EXPECT_THAT(verdicts(values("1.59", "0.75", "0.500", "0.500")), UnorderedElementsAre(triangle_first, sphere_first));
+}
+
+TEST(PossibleVerdicts, ForgiveAStudentsOwnToleranceUpToTheAllowance) {
+    HitValues hits = values("1.59", "0.75", "-1.2e-07", "0.25");
+    EXPECT_THAT(verdicts(hits), ElementsAre(sphere_first));
+    hits.uv_allowance = 1e-6;
+    EXPECT_THAT(verdicts(hits), UnorderedElementsAre(triangle_first, sphere_first));
+}
+
+TEST(PossibleVerdicts, TakeThePointForInsideWhereUOrVIsUnknown) {
+    HitValues hits = values("1.59", "0.75");
+    hits.u.reset();
+    EXPECT_THAT(verdicts(hits), ElementsAre(triangle_first));
+}
+
+TEST(SmallerT, LooksAtNoSign) {
+    EXPECT_EQ(smaller_t(values("-3", "0.5", "7", "7")), sphere_first);
+    EXPECT_EQ(smaller_t(values("1.59", "1.59")), std::nullopt);
+    EXPECT_EQ(smaller_t(values("none", "1.59")), std::nullopt);
+}
+
+}  // namespace
+}  // namespace harness

@@ -1,0 +1,52 @@
+#include "tests/printed_values.h"
+
+#include <algorithm>
+
+#include "harness/token.h"
+
+using namespace harness;
+
+namespace {
+
+std::vector<PrintedNumber> numbers_in(std::string_view text) {
+    std::vector<PrintedNumber> numbers;
+    for (const Token& token : tokenize(text)) {
+        if (token.kind == Token::Kind::number) numbers.push_back(token.number);
+    }
+    return numbers;
+}
+
+}  // namespace
+
+PrintedNumber printed_number(std::string_view text) {
+    return numbers_in(text).at(0);
+}
+
+MatchedItem printed_item(const reference::ItemId& id, std::string_view text, MatrixOrder order) {
+    const auto items = reference::all_items();
+    const auto spec = std::find_if(items.begin(), items.end(), [&](const reference::ItemSpec& item) {
+        return item.question == id.first && item.name == id.second;
+    });
+    MatchedItem item{*spec, PrintedValue{}, order, {}, false};
+    item.value->numbers = numbers_in(text);
+    item.value->printed = std::string(text);
+    item.value->line = 1;
+    return item;
+}
+
+Score mark(std::string_view output, const student::Marking& marking) {
+    return score(read_transcript(output), marking.key, marking.assignment);
+}
+
+const ItemScore& item_of(const Score& score, const reference::ItemId& id) {
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (question.number == id.first && item.spec.name == id.second) return item;
+        }
+    }
+    throw std::out_of_range("no such item");
+}
+
+std::string verdict_on(const Score& score, const reference::ItemId& id) {
+    return std::string(to_string(item_of(score, id).verdict));
+}

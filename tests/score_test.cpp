@@ -1,0 +1,142 @@
+#include "harness/score.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/printed_values.h"
+#include "tests/student/mistakes.h"
+#include "tests/student/printout.h"
+
+namespace harness {
+namespace {
+
+using reference::ItemId;
+using student::Program;
+
+/// Marks the program that divides by integers in question 1 and goes on with that: one item wrong, many that follow.
+Score with_many_followers(student::Marking marking) {
+    for (const student::NamedMistake& mistake : student::named_mistakes()) {
+        if (mistake.name == "integer division")
+            return mark(print(Program(marking.assignment, {}, mistake.mistake)), marking);
+    }
+    throw std::logic_error("no such mistake");
+}
+
+double followed(const Score& score) {
+    double points = 0;
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) points += item.verdict == ItemVerdict::follow ? item.points : 0;
+    }
+    return points;
+}
+
+void expect_that_points_add_up(const Score& score) {
+    double points = 0, max_points = 0;
+    for (const QuestionScore& question : score.questions) {
+        double of_items = 0, max_of_items = 0;
+        for (const ItemScore& item : question.items) {
+            of_items += item.points;
+            max_of_items += item.max_points;
+            EXPECT_LE(0, item.points);
+            EXPECT_LE(item.points, item.max_points);
+        }
+        EXPECT_NEAR(question.points, of_items, 1e-9) << question.number;
+        EXPECT_NEAR(question.max_points, max_of_items, 1e-9) << question.number;
+        points += question.points;
+        max_points += question.max_points;
+    }
+    EXPECT_NEAR(score.points, points, 1e-9);
+    EXPECT_NEAR(score.max_points, max_points, 1e-9);
+}
+
+TEST(Score, IsExactlyAllPointsForAllRight) {
+    const student::Marking marking = student::off_axis_scene();
+    const Score score = mark(print(Program(marking.assignment, {})), marking);
+    EXPECT_EQ(score.points, 100.0);
+    EXPECT_EQ(score.max_points, 100.0);
+    expect_that_points_add_up(score);
+}
+
+TEST(Score, IsZeroAndAllMissingForNoOutput) {
+    const Score score = mark("", student::off_axis_scene());
+    EXPECT_EQ(score.points, 0.0);
+    for (const QuestionScore& question : score.questions) {
+        EXPECT_EQ(question.verdict, ItemVerdict::missing);
+        for (const ItemScore& item : question.items) EXPECT_EQ(item.verdict, ItemVerdict::missing);
+    }
+}
+
+TEST(Score, GivesFollowThroughItsCredit) {
+    student::Marking marking = student::off_axis_scene();
+    EXPECT_NEAR(with_many_followers(marking).points, 90.0, 1e-9) << "full credit by default";
+    marking.assignment.rubric.follow_through = 0.5;
+    const Score half = with_many_followers(marking);
+    EXPECT_LT(half.points, 90.0);
+    expect_that_points_add_up(half);
+    marking.assignment.rubric.follow_through = 0;
+    EXPECT_EQ(followed(with_many_followers(marking)), 0.0);
+}
+
+TEST(Score, CapsWhatFollowThroughEarnsInAll) {
+    student::Marking marking = student::off_axis_scene();
+    const double uncapped = followed(with_many_followers(marking));
+    ASSERT_GT(uncapped, 30);
+    marking.assignment.rubric.follow_through_cap = 0.2;
+    const Score capped = with_many_followers(marking);
+    EXPECT_NEAR(followed(capped), 20.0, 1e-9);
+    EXPECT_NEAR(capped.points, 90.0 - uncapped + 20.0, 1e-9);
+    EXPECT_EQ(capped.follow_cap, 20.0);
+    expect_that_points_add_up(capped);
+    marking.assignment.rubric.follow_through_cap = 0.0;
+    EXPECT_EQ(followed(with_many_followers(marking)), 0.0);
+}
+
+TEST(Score, SaysNothingOfACapThatCutsNothing) {
+    student::Marking marking = student::off_axis_scene();
+    marking.assignment.rubric.follow_through_cap = 0.9;
+    EXPECT_FALSE(with_many_followers(marking).follow_cap);
+    EXPECT_NEAR(with_many_followers(marking).points, 90.0, 1e-9);
+}
+
+TEST(Score, CapsAfterTheCreditHasBeenGiven) {
+    student::Marking marking = student::off_axis_scene();
+    const double uncapped = followed(with_many_followers(marking));
+    marking.assignment.rubric.follow_through = 0.5;
+    marking.assignment.rubric.follow_through_cap = uncapped / 200 + 0.01;
+    EXPECT_NEAR(followed(with_many_followers(marking)), uncapped / 2, 1e-9);
+}
+
+TEST(Score, TakesPointsOfSingleItemsFromTheRubric) {
+    student::Marking marking = student::off_axis_scene();
+    marking.assignment.rubric.points[6] = 10;
+    marking.assignment.rubric.item_points[6] = {{"t", 8}, {"hit", 2}};
+    const Score score = mark(print(Program(marking.assignment, {})), marking);
+    EXPECT_EQ(item_of(score, {6, "t"}).points, 8.0);
+    EXPECT_EQ(item_of(score, {6, "a"}).max_points, 0.0);
+    expect_that_points_add_up(score);
+}
+
+TEST(QuestionVerdict, IsTheWorstOfItsItems) {
+    const student::Marking marking = student::off_axis_scene();
+
+    const Score without_t = mark(print(Program(marking.assignment, {}), {},
+                                       [](const ItemId& id) {
+                                           return id != ItemId{6, "t"};
+                                       }),
+                                 marking);
+    EXPECT_EQ(without_t.questions[5].verdict, ItemVerdict::missing);
+    const Score followed = with_many_followers(marking);
+    EXPECT_EQ(followed.questions[0].verdict, ItemVerdict::wrong);
+    EXPECT_EQ(followed.questions[3].verdict, ItemVerdict::follow);
+    EXPECT_EQ(followed.questions[1].verdict, ItemVerdict::right);
+}
+
+TEST(ItemVerdict, HasTheNamesOfTheFormat) {
+    EXPECT_EQ(to_string(ItemVerdict::right), "right");
+    EXPECT_EQ(to_string(ItemVerdict::follow), "follow");
+    EXPECT_EQ(to_string(ItemVerdict::wrong), "wrong");
+    EXPECT_EQ(to_string(ItemVerdict::missing), "missing");
+    EXPECT_EQ(to_string(ItemVerdict::unreadable), "unreadable");
+}
+
+}  // namespace
+}  // namespace harness

@@ -1,0 +1,131 @@
+// Outputs of those who would have marks without answers.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "tests/printed_values.h"
+#include "tests/student/printout.h"
+
+namespace harness {
+namespace {
+
+using reference::ItemId;
+using student::Program;
+
+/// The handout's layout with the same text for every number; a word for every answer when it is none.
+std::string everywhere(std::string_view number, const std::string& verdict) {
+    std::string text;
+    int question = 0;
+    for (const reference::ItemSpec& spec : reference::all_items()) {
+        if (spec.question != question) text += fmt::format("Question {}:\n", question = spec.question);
+        if (spec.shape == reference::Shape::verdict) {
+            text += verdict + "\n";
+            continue;
+        }
+        std::string numbers(number);
+        for (int i = 1; i < reference::component_count(spec.shape); ++i) numbers += fmt::format(" {}", number);
+        const bool is_word =
+            number.find_first_of("0123456789") == std::string_view::npos && number != "nan" && number != "inf";
+        text += fmt::format("{}: {}\n", spec.label, is_word ? std::string(number) : numbers);
+    }
+    return text;
+}
+
+/// What an output earns on each scene that float can decide, at most.
+double most_points(const std::function<std::string()>& output) {
+    double most = 0;
+    for (const char* scene : {"handout", "edge", "off axis", "triangle first", "inside", "large"}) {
+        const Score score = mark(output(), student::scene_named(scene));
+        for (const QuestionScore& question : score.questions) {
+            for (const ItemScore& item : question.items) {
+                if (item.points > 0)
+                    fmt::print("{}: {}.{} is {}: {}\n", scene, question.number, item.spec.name, to_string(item.verdict),
+                               item.printed);
+            }
+        }
+        most = std::max(most, score.points);
+    }
+    return most;
+}
+
+TEST(UndeservedMarks, AreNotEarnedByZeros) {
+    for (const char* zero : {"0", "0.0", "0.00", "0.000000", "-0.000000", "0e0"}) {
+        EXPECT_LT(most_points([&] { return everywhere(zero, "ray hits nothing"); }), 5) << zero;
+    }
+}
+
+TEST(UndeservedMarks, AreNotEarnedByNanAndInfinity) {
+    for (const char* text : {"nan", "inf"})
+        EXPECT_EQ(most_points([&] { return everywhere(text, "ray hits nothing"); }), 0) << text;
+}
+
+TEST(UndeservedMarks, AreNotEarnedByNoneEverywhere) {
+    // On the handout's scene "t is positive" has no true hit of the triangle, so that no hit point is a right answer
+    // there.
+    for (const char* word : {"none", "no hit"})
+        EXPECT_LT(most_points([&] { return everywhere(word, "ray hits nothing"); }), 1.7) << word;
+}
+
+TEST(UndeservedMarks, AreNotEarnedByOnesOrHugeNumbers) {
+    for (const char* number : {"1", "1e30", "-1e30", "1e308"}) {
+        EXPECT_LE(most_points([&] { return everywhere(number, "ray hits nothing"); }), 7) << number;
+    }
+}
+
+TEST(UndeservedMarks, AreNotEarnedByPrintingFewDigits) {
+    // Whole numbers everywhere: what is right is what is near a whole number.
+    const student::Marking marking = student::off_axis_scene();
+    student::Layout layout;
+    layout.format = student::NumberFormat::fixed;
+    layout.digits = 0;
+    layout.vectors = student::VectorLayout::bracketed;
+    layout.matrices = student::MatrixLayout::labelled_columns;
+    const Score score = mark(print(Program(marking.assignment, {}), layout), marking);
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (item.verdict != ItemVerdict::right || item.spec.shape == reference::Shape::verdict) continue;
+            EXPECT_LE(item.error.value_or(0), 0.005 + item.allowance)
+                << question.number << item.spec.name << item.printed;
+        }
+    }
+    EXPECT_LT(score.points, 30);
+}
+
+TEST(UndeservedMarks, AreNotEarnedByBothVerdicts) {
+    const student::Marking marking = student::off_axis_scene();
+    std::string output = print(Program(marking.assignment, {}));
+    output += "ray hits triangle first / ray hits sphere first\nray hits triangle first\n";
+    EXPECT_EQ(verdict_on(mark(output, marking), {10, "verdict"}), "wrong") << "the last one counts";
+}
+
+TEST(UndeservedMarks, AreNotEarnedByASystemOfZeros) {
+    for (const char* scene : {"handout", "off axis"}) {
+        const student::Marking marking = student::scene_named(scene);
+        std::string output = print(Program(marking.assignment, {}));
+        const std::size_t matrix = output.find("\nMatrix A: ");
+        output.replace(matrix, output.find('\n', matrix + 1) - matrix,
+                       "\nMatrix A: mat3x3((0.000000, 0.000000, 0.000000), (0.000000, 0.000000, 0.000000), (0.000000, "
+                       "0.000000, 0.000000))");
+        const std::size_t rhs = output.find("\nRight-hand side: ");
+        output.replace(rhs, output.find('\n', rhs + 1) - rhs, "\nRight-hand side: vec3(0.000000, 0.000000, 0.000000)");
+        const Score score = mark(output, marking);
+        EXPECT_EQ(verdict_on(score, {8, "matrix"}), "wrong") << scene;
+        EXPECT_EQ(verdict_on(score, {8, "rhs"}), "wrong") << scene;
+        EXPECT_EQ(verdict_on(score, {8, "t"}), "right") << "what is right stays right";
+    }
+}
+
+TEST(UndeservedMarks, AreNotEarnedByOneWrongAxisThatMakesTheRestTrivial) {
+    const student::Marking marking = student::off_axis_scene();
+    const Program program(marking.assignment, {}, Program::Mistake{{1, "P_VCS"}, [](const Program&, const auto&) {
+                                                                       return std::optional(student::Floats{0, 0, 0});
+                                                                   }});
+    const Score score = mark(print(program), marking);
+    EXPECT_EQ(verdict_on(score, {4, "P_WCS"}), "follow") << "the eye";
+    for (const ItemId& id : {ItemId{5, "V"}, ItemId{6, "a"}, ItemId{6, "b"}, ItemId{8, "matrix"}, ItemId{8, "u"}})
+        EXPECT_EQ(verdict_on(score, id), "wrong") << id.second;
+}
+
+}  // namespace
+}  // namespace harness
