@@ -1,5 +1,7 @@
 #include "harness/arrange.h"
 
+#include <re2/re2.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -31,10 +33,12 @@ bool is_aside(const PrintedValue& value, std::span<const ItemSpec> items) {
     return fit_label(value.label, value.above, items.front()) == LabelFit::forbidden;
 }
 
-bool is_list_of(const PrintedValue& value, std::size_t count) { return value.groups == 1 && value.numbers.size() == count; }
+bool is_list_of(const PrintedValue& value, std::size_t count) {
+    return value.groups == 1 && value.numbers.size() == count;
+}
 
-/// Whether a value may stand within a block: the rows of a matrix have no labels but "row 1", and one may carry the matrix's own,
-/// as in "    [ 0 -2 ]" over "A = [ 3 0 ]".
+/// Whether a value may stand within a block: the rows of a matrix have no labels but "row 1", and one may carry the
+/// matrix's own, as in "    [ 0 -2 ]" over "A = [ 3 0 ]".
 bool may_be_in_block(const PrintedValue& value, std::span<const ItemSpec> items) {
     if (value.label.empty() || is_row_label(value.label)) return true;
     return vector_fit(value, items) < LabelFit::named && !is_aside(value, items);
@@ -43,7 +47,7 @@ bool may_be_in_block(const PrintedValue& value, std::span<const ItemSpec> items)
 /// Whether values[at] to values[at + n - 1] are the rows or columns of one matrix, each with `count` numbers.
 bool is_block(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n, std::size_t count,
               std::span<const ItemSpec> items) {
-    if (at + n > values.size() || is_aside(values[at], items)) return false;
+    if (at + n > values.size() || !is_list_of(values[at], count) || is_aside(values[at], items)) return false;
     std::size_t own_labels = 0;
     for (std::size_t k = 0; k < n; ++k) {
         const PrintedValue& value = values[at + k];
@@ -56,7 +60,9 @@ bool is_block(const std::vector<PrintedValue>& values, std::size_t at, std::size
     return own_labels <= 1;
 }
 
-bool is_augmented_row(const PrintedValue& value) { return value.bar_after == 3 || !value.typed; }
+bool is_augmented_row(const PrintedValue& value) {
+    return value.bar_after == 3 || !value.typed;
+}
 
 MatrixOrder order_of(const PrintedValue& first, MatrixOrder otherwise) {
     for (const std::string* text : {&first.label, &first.above}) {
@@ -69,21 +75,24 @@ MatrixOrder order_of(const PrintedValue& first, MatrixOrder otherwise) {
 MatrixOrder block_order(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n) {
     const PrintedValue& first = values[at];
     const PrintedValue& last = values[at + n - 1];
-    MatrixOrder otherwise = first.typed ? MatrixOrder::columns : MatrixOrder::rows;
+    static const RE2 opened(R"(mat[234](?:x[234])?\s*\(\s*$)");  // "A = mat3x3(" on the line above
+    const bool typed = first.typed || RE2::PartialMatch(first.above, opened);
+    MatrixOrder otherwise = typed ? MatrixOrder::columns : MatrixOrder::rows;
     const std::string& row_label = last.label.empty() ? last.above : last.label;
     if (is_row_label(row_label)) {
         const MatrixOrder said = matrix_order(row_label);
         const bool row_letter = row_label.front() == 'r' || row_label.front() == 'R';
         if (said != MatrixOrder::unsaid) return said;
         const bool digit = row_label.front() >= '0' && row_label.front() <= '9';
-        otherwise = row_letter || (digit && !first.typed) ? MatrixOrder::rows : MatrixOrder::columns;
+        otherwise = row_letter || (digit && !typed) ? MatrixOrder::rows : MatrixOrder::columns;
     }
     return order_of(first, otherwise);
 }
 
 /// A block of rows as one matrix; with four numbers a row the fourth is the right-hand side.
-std::vector<Candidate> gather_block(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n, std::size_t count) {
-    Candidate matrix{values[at], block_order(values, at, n)};
+std::vector<Candidate> gather_block(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n,
+                                    std::size_t count) {
+    Candidate matrix{values[at], block_order(values, at, n), 0, at, n};
     matrix.value.numbers.clear();
     matrix.value.printed.clear();
     matrix.value.groups = static_cast<int>(n);
@@ -91,13 +100,14 @@ std::vector<Candidate> gather_block(const std::vector<PrintedValue>& values, std
         if (!values[at + k].label.empty()) matrix.value.label = values[at + k].label;
     }
     if (is_row_label(matrix.value.label)) matrix.value.label.clear();
-    Candidate rhs{values[at], MatrixOrder::unsaid};
+    Candidate rhs{values[at], MatrixOrder::unsaid, 0, at, n};
     rhs.value.numbers.clear();
     rhs.value.printed.clear();
     rhs.value.label = "right-hand side";
     for (std::size_t k = 0; k < n; ++k) {
         const PrintedValue& row = values[at + k];
-        matrix.value.numbers.insert(matrix.value.numbers.end(), row.numbers.begin(), row.numbers.begin() + static_cast<std::ptrdiff_t>(n));
+        matrix.value.numbers.insert(matrix.value.numbers.end(), row.numbers.begin(),
+                                    row.numbers.begin() + static_cast<std::ptrdiff_t>(n));
         matrix.value.printed += (k == 0 ? "" : "; ") + row.printed;
         if (count > n) rhs.value.numbers.push_back(row.numbers.back());
     }
@@ -107,10 +117,64 @@ std::vector<Candidate> gather_block(const std::vector<PrintedValue>& values, std
     return {matrix, rhs};
 }
 
+/// How many values from values[at] on are numbers that stand alone on lines that follow each other, all framed or none.
+std::size_t stack_height(const std::vector<PrintedValue>& values, std::size_t at) {
+    constexpr std::size_t most = 64;
+    std::size_t height = 0;
+    while (at + height < values.size() && height < most) {
+        const PrintedValue& value = values[at + height];
+        if (value.numbers.size() != 1 || value.framed != values[at].framed || !value.after.empty()) break;
+        if (height > 0 && (!value.above.empty() || value.line != values[at + height - 1].line + 1)) break;
+        ++height;
+    }
+    return height;
+}
+
+/// Whether values[at] to values[at + n - 1] have at most one label, as in "  | 0.5 |" over "N = | 0.2 |" over "  | 0.1
+/// |".
+bool has_one_label(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n) {
+    std::size_t labels = 0;
+    for (std::size_t k = 0; k < n; ++k) labels += values[at + k].label.empty() ? 0 : 1;
+    return labels <= 1;
+}
+
+/// How many values from values[at] on are the components of one vector, printed one a line; 0 for none. They are so
+/// under a vector's name, between brackets, or where the question asks for no scalar.
+std::size_t column_vector_size(const std::vector<PrintedValue>& values, std::size_t at,
+                               std::span<const ItemSpec> items) {
+    const std::size_t height = stack_height(values, at);
+    const std::size_t size = height % 3 == 0 ? 3 : height % 4 == 0 ? 4 : 0;
+    if (height == 0 || size == 0 || !has_one_label(values, at, size)) return 0;
+    const auto is = [&](Shape shape) {
+        return std::any_of(items.begin(), items.end(), [&](const ItemSpec& item) { return item.shape == shape; });
+    };
+    const bool under_name = std::any_of(items.begin(), items.end(), [&](const ItemSpec& item) {
+        return item.shape == Shape::vector && fit_label("", values[at].above, item) >= LabelFit::title;
+    });
+    const bool plain = !values[at].framed && !has_one_label(values, at, height);
+    return is(Shape::vector) && !plain && (under_name || values[at].framed || !is(Shape::scalar)) ? size : 0;
+}
+
+/// The components of a vector printed one a line.
+Candidate gather_column_vector(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n) {
+    Candidate vector{values[at]};
+    for (std::size_t k = 1; k < n; ++k) {
+        const PrintedValue& value = values[at + k];
+        vector.value.numbers.push_back(value.numbers[0]);
+        vector.value.printed += "; " + value.printed;
+        vector.value.last_line = value.last_line;
+        if (!value.label.empty()) vector.value.label = value.label;
+    }
+    return vector;
+}
+
 /// A matrix in one value: nested brackets, or a flat list of all its numbers.
 std::optional<Candidate> whole_matrix(const PrintedValue& value, std::size_t n) {
-    if (value.numbers.size() != n * n || (value.groups != 1 && value.groups != static_cast<int>(n))) return std::nullopt;
-    const MatrixOrder otherwise = value.typed ? MatrixOrder::columns : value.groups == 1 ? MatrixOrder::unsaid : MatrixOrder::rows;
+    if (value.numbers.size() != n * n || (value.groups != 1 && value.groups != static_cast<int>(n)))
+        return std::nullopt;
+    const MatrixOrder otherwise = value.typed         ? MatrixOrder::columns
+                                  : value.groups == 1 ? MatrixOrder::unsaid
+                                                      : MatrixOrder::rows;
     return Candidate{value, order_of(value, otherwise)};
 }
 
@@ -138,7 +202,11 @@ std::vector<Candidate> gather_matrices(const std::vector<PrintedValue>& values, 
         const auto append = [&](const std::vector<Candidate>& found, std::size_t used) {
             const PrintedValue& value = found.front().value;
             found_matrix = found_matrix || (n != 0 && value.numbers.size() == n * n && !is_aside(value, items));
-            candidates.insert(candidates.end(), found.begin(), found.end());
+            for (const Candidate& candidate : found) {
+                candidates.push_back(candidate);
+                candidates.back().first = i;
+                candidates.back().count = used;
+            }
             i += used;
         };
         if (may_gather && n != 0 && is_block(values, i, n, n, items)) {
@@ -149,6 +217,8 @@ std::vector<Candidate> gather_matrices(const std::vector<PrintedValue>& values, 
             append({*matrix}, 1);
         } else if (const auto augmented = n == 3 ? whole_augmented(values[i]) : std::nullopt) {
             append(*augmented, 1);
+        } else if (const std::size_t size = column_vector_size(values, i, items); size != 0) {
+            append({gather_column_vector(values, i, size)}, size);
         } else {
             append({Candidate{values[i], MatrixOrder::unsaid}}, 1);
         }
@@ -157,11 +227,12 @@ std::vector<Candidate> gather_matrices(const std::vector<PrintedValue>& values, 
 }
 
 /// Question 2's axes printed as one 3 x 3 block: an axis a group.
-std::vector<Candidate> split_groups(const PrintedValue& value) {
+std::vector<Candidate> split_groups(const Candidate& list) {
+    const PrintedValue& value = list.value;
     std::vector<Candidate> parts;
     const std::size_t size = value.numbers.size() / static_cast<std::size_t>(value.groups);
     for (std::size_t k = 0; k < static_cast<std::size_t>(value.groups); ++k) {
-        Candidate part{value, MatrixOrder::unsaid};
+        Candidate part{value, MatrixOrder::unsaid, list.part, list.first, list.count};
         part.value.groups = 1;
         const auto begin = value.numbers.begin() + static_cast<std::ptrdiff_t>(k * size);
         part.value.numbers.assign(begin, begin + static_cast<std::ptrdiff_t>(size));
@@ -174,16 +245,19 @@ std::vector<Candidate> split_groups(const PrintedValue& value) {
 
 std::vector<ItemSpec> scalars_of(std::span<const ItemSpec> items) {
     std::vector<ItemSpec> scalars;
-    std::copy_if(items.begin(), items.end(), std::back_inserter(scalars), [](const ItemSpec& i) { return i.shape == Shape::scalar; });
+    std::copy_if(items.begin(), items.end(), std::back_inserter(scalars),
+                 [](const ItemSpec& i) { return i.shape == Shape::scalar; });
     return scalars;
 }
 
 }  // namespace
 
-std::vector<Candidate> take_apart(const PrintedValue& value, std::span<const ItemSpec> items, std::size_t first) {
+std::vector<Candidate> take_apart(const Candidate& list, std::span<const ItemSpec> items, std::size_t first) {
+    const PrintedValue& value = list.value;
     std::vector<Candidate> parts;
     for (std::size_t k = 0; k < value.numbers.size(); ++k) {
-        Candidate part{value, MatrixOrder::unsaid};
+        Candidate part{value,      MatrixOrder::unsaid, list.part,
+                       list.first, list.count,          static_cast<int>(value.numbers.size())};
         part.value.numbers = {value.numbers[k]};
         part.value.groups = 1;
         part.value.label = std::string(items[first + k].name);
@@ -201,13 +275,14 @@ std::vector<Candidate> arrange(const std::vector<PrintedValue>& values, std::spa
     for (Candidate& candidate : gather_matrices(values, items)) {
         const PrintedValue& value = candidate.value;
         const std::string& names = value.label.empty() ? value.above : value.label;
-        const std::vector<std::size_t> listed = value.groups == 1 ? listed_items(names, scalars) : std::vector<std::size_t>();
+        const std::vector<std::size_t> listed =
+            value.groups == 1 ? listed_items(names, scalars) : std::vector<std::size_t>();
         if (listed.size() >= 2 && listed.size() == value.numbers.size()) {
             std::vector<ItemSpec> named;
             for (const std::size_t i : listed) named.push_back(scalars[i]);
-            for (Candidate& part : take_apart(value, named, 0)) result.push_back(std::move(part));
+            for (Candidate& part : take_apart(candidate, named, 0)) result.push_back(std::move(part));
         } else if (matrix_size(items) == 0 && vectors >= 2 && value.groups == static_cast<int>(vectors)) {
-            for (Candidate& part : split_groups(value)) result.push_back(std::move(part));
+            for (Candidate& part : split_groups(candidate)) result.push_back(std::move(part));
         } else {
             result.push_back(std::move(candidate));
         }

@@ -4,7 +4,8 @@
 
 namespace harness {
 
-std::vector<std::optional<std::size_t>> solve_assignment(const std::vector<std::vector<std::optional<std::int64_t>>>& gains) {
+std::vector<std::optional<std::size_t>> solve_assignment(
+    const std::vector<std::vector<std::optional<std::int64_t>>>& gains) {
     const std::size_t rows = gains.size();
     const std::size_t real_columns = rows == 0 ? 0 : gains.front().size();
     // Each row has a column of its own behind the real ones that stands for "no column".

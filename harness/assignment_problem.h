@@ -10,6 +10,7 @@ namespace harness {
 /// For each row the column it gets, or none, so that no column is used twice and the sum of the gains is largest.
 /// gains[row][column]; empty where the two may not meet; leaving a row alone gains 0. All rows have the same length.
 /// By shortest augmenting paths (Jonker and Volgenant 1987): rows^2 * (rows + columns) steps.
-std::vector<std::optional<std::size_t>> solve_assignment(const std::vector<std::vector<std::optional<std::int64_t>>>& gains);
+std::vector<std::optional<std::size_t>> solve_assignment(
+    const std::vector<std::vector<std::optional<std::int64_t>>>& gains);
 
 }  // namespace harness

@@ -75,14 +75,12 @@ bool is_limit(Ended ended) {
     switch (ended) {
         case Ended::not_started:
         case Ended::exited:
-        case Ended::signalled:
-            return false;
+        case Ended::signalled: return false;
         case Ended::cpu_limit:
         case Ended::wall_limit:
         case Ended::memory_limit:
         case Ended::process_limit:
-        case Ended::output_limit:
-            return true;
+        case Ended::output_limit: return true;
     }
     return false;
 }

@@ -20,7 +20,9 @@ struct Decoded {
     std::size_t bytes;  ///< 1 to 4; 1 for an invalid byte, whose code is U+FFFD
 };
 
-bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+bool is_continuation(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
 
 /// One code point of UTF-8 (RFC 3629: no overlong forms, no surrogates, at most U+10FFFF).
 Decoded decode(std::string_view text) {
@@ -68,23 +70,25 @@ struct Spelling {
 
 /// What students print for an ASCII sign or a Latin letter.
 constexpr std::array spellings = {
-    Spelling{0x00A0, 0x00A0, " "},   Spelling{0x00AD, 0x00AD, ""},        Spelling{0x00B2, 0x00B2, "^2"},
-    Spelling{0x00B3, 0x00B3, "^3"},  Spelling{0x00B7, 0x00B7, "*"},       Spelling{0x00D7, 0x00D7, "*"},
+    Spelling{0x00A0, 0x00A0, " "},     Spelling{0x00AD, 0x00AD, ""},      Spelling{0x00B2, 0x00B2, "^2"},
+    Spelling{0x00B3, 0x00B3, "^3"},    Spelling{0x00B7, 0x00B7, "*"},     Spelling{0x00D7, 0x00D7, "*"},
     Spelling{0x0394, 0x0394, "Delta"}, Spelling{0x03B1, 0x03B1, "alpha"}, Spelling{0x03B2, 0x03B2, "beta"},
     Spelling{0x03B3, 0x03B3, "gamma"}, Spelling{0x03B4, 0x03B4, "delta"}, Spelling{0x03BB, 0x03BB, "lambda"},
-    Spelling{0x2000, 0x200A, " "},   Spelling{0x200B, 0x200D, ""},        Spelling{0x2010, 0x2015, "-"},
-    Spelling{0x2018, 0x2019, "'"},   Spelling{0x201C, 0x201D, "\""},      Spelling{0x2022, 0x2022, "*"},
-    Spelling{0x2032, 0x2032, "'"},   Spelling{0x208A, 0x208A, "+"},       Spelling{0x208B, 0x208B, "-"},
-    Spelling{0x2093, 0x2093, "x"},   Spelling{0x209B, 0x209B, "s"},       Spelling{0x209C, 0x209C, "t"},
-    Spelling{0x2190, 0x2190, "<-"},  Spelling{0x2192, 0x2192, "->"},      Spelling{0x21D2, 0x21D2, "=>"},
-    Spelling{0x2206, 0x2206, "Delta"}, Spelling{0x2212, 0x2212, "-"},     Spelling{0x221A, 0x221A, "sqrt"},
-    Spelling{0x221E, 0x221E, "inf"}, Spelling{0x2248, 0x2248, "="},       Spelling{0x2260, 0x2260, "!="},
-    Spelling{0x2264, 0x2264, "<="},  Spelling{0x2265, 0x2265, ">="},      Spelling{0x22C5, 0x22C5, "*"},
-    Spelling{0x2329, 0x2329, "<"},   Spelling{0x232A, 0x232A, ">"},       Spelling{0x239B, 0x23AE, "|"},
-    Spelling{0x2500, 0x2501, "-"},   Spelling{0x2502, 0x2503, "|"},       Spelling{0x2504, 0x254F, "|"},
-    Spelling{0x2550, 0x2550, "="},   Spelling{0x2551, 0x256C, "|"},       Spelling{0x27E8, 0x27E8, "<"},
-    Spelling{0x27E9, 0x27E9, ">"},   Spelling{0x3008, 0x3008, "<"},       Spelling{0x3009, 0x3009, ">"},
-    Spelling{0xFEFF, 0xFEFF, ""},    Spelling{0xFF0D, 0xFF0D, "-"},
+    Spelling{0x00EA, 0x00EA, "e"},     Spelling{0x0177, 0x0177, "y"},     Spelling{0x0300, 0x036F, ""},
+    Spelling{0x1E91, 0x1E91, "z"},     Spelling{0x20D0, 0x20FF, ""},      Spelling{0x2000, 0x200A, " "},
+    Spelling{0x200B, 0x200D, ""},      Spelling{0x2010, 0x2015, "-"},     Spelling{0x2018, 0x2019, "'"},
+    Spelling{0x201C, 0x201D, "\""},    Spelling{0x2022, 0x2022, "*"},     Spelling{0x2032, 0x2032, "'"},
+    Spelling{0x208A, 0x208A, "+"},     Spelling{0x208B, 0x208B, "-"},     Spelling{0x2093, 0x2093, "x"},
+    Spelling{0x209B, 0x209B, "s"},     Spelling{0x209C, 0x209C, "t"},     Spelling{0x2190, 0x2190, "<-"},
+    Spelling{0x2192, 0x2192, "->"},    Spelling{0x21D2, 0x21D2, "=>"},    Spelling{0x2206, 0x2206, "Delta"},
+    Spelling{0x2212, 0x2212, "-"},     Spelling{0x221A, 0x221A, "sqrt"},  Spelling{0x221E, 0x221E, "inf"},
+    Spelling{0x2248, 0x2248, "="},     Spelling{0x2260, 0x2260, "!="},    Spelling{0x2264, 0x2264, "<="},
+    Spelling{0x2265, 0x2265, ">="},    Spelling{0x22C5, 0x22C5, "*"},     Spelling{0x2329, 0x2329, "<"},
+    Spelling{0x232A, 0x232A, ">"},     Spelling{0x239B, 0x23AE, "|"},     Spelling{0x2500, 0x2501, "-"},
+    Spelling{0x2502, 0x2503, "|"},     Spelling{0x2504, 0x254F, "|"},     Spelling{0x2550, 0x2550, "="},
+    Spelling{0x2551, 0x256C, "|"},     Spelling{0x27E8, 0x27E8, "<"},     Spelling{0x27E9, 0x27E9, ">"},
+    Spelling{0x3008, 0x3008, "<"},     Spelling{0x3009, 0x3009, ">"},     Spelling{0xFEFF, 0xFEFF, ""},
+    Spelling{0xFF0D, 0xFF0D, "-"},
 };
 
 void append_plain(std::string& out, char32_t code, std::string_view utf8) {
@@ -99,7 +103,9 @@ void append_plain(std::string& out, char32_t code, std::string_view utf8) {
 
 constexpr std::string_view replacement_utf8 = "\xEF\xBF\xBD";
 
-bool is_control(char32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
+bool is_control(char32_t code) {
+    return code < 0x20 || (code >= 0x7F && code < 0xA0);
+}
 
 }  // namespace
 

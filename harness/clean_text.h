@@ -6,13 +6,14 @@
 
 namespace harness {
 
-/// Valid UTF-8 without control characters other than '\n' and '\t': terminal escapes are removed, CR LF and CR end a line,
-/// bytes that are not UTF-8 become U+FFFD. What stands for ASCII is ASCII afterwards: the minus sign U+2212 and dashes, no-break
-/// spaces, angle and box brackets, sub- and superscript digits ("t₁" is "t1", "b²" is "b^2"), Greek letters by name.
-/// Linear in the number of bytes; a line stays a line, so line numbers are the program's.
+/// Valid UTF-8 without control characters other than '\n' and '\t': terminal escapes are removed, CR LF and CR end a
+/// line, bytes that are not UTF-8 become U+FFFD. What stands for ASCII is ASCII afterwards: the minus sign U+2212 and
+/// dashes, no-break spaces, angle and box brackets, sub- and superscript digits ("t₁" is "t1", "b²" is "b^2"), Greek
+/// letters by name. Linear in the number of bytes; a line stays a line, so line numbers are the program's.
 std::string clean_text(std::string_view bytes);
 
-/// The same bytes made safe to show: as clean_text, but nothing is rewritten to ASCII and escapes stay visible as "\x1b".
+/// The same bytes made safe to show: as clean_text, but nothing is rewritten to ASCII and escapes stay visible as
+/// "\x1b".
 std::string escape_control(std::string_view bytes);
 
 }  // namespace harness

@@ -25,7 +25,8 @@ int doctor_command() {
         fmt::print("{:<8} {}: {}\n", mark(finding.level), finding.what, finding.detail);
         if (!finding.way_out.empty()) fmt::print("{:<8} -> {}\n", "", finding.way_out);
     }
-    const bool bad = std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.level == Finding::Level::bad; });
+    const bool bad =
+        std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.level == Finding::Level::bad; });
     fmt::print("{}\n", bad ? "This machine can't grade yet." : "This machine is ready to grade.");
     return bad ? some_not_graded : all_graded;
 }

@@ -43,7 +43,8 @@ class ProgressBar {
         std::condition_variable_any wake;
         while (!stop.stop_requested()) {
             const std::size_t filled = total_ == 0 ? width : width * done_ / total_;
-            fmt::print(stderr, "\r[{}{}] {} of {}", std::string(filled, '#'), std::string(width - filled, '.'), done_.load(), total_);
+            fmt::print(stderr, "\r[{}{}] {} of {}", std::string(filled, '#'), std::string(width - filled, '.'),
+                       done_.load(), total_);
             wake.wait_for(lock, stop, std::chrono::milliseconds(100), [] { return false; });
         }
     }
@@ -64,7 +65,8 @@ void write_file(const fs::path& file, const std::string& text) {
         const std::string why = errno == 0 ? "writing failed" : std::strerror(errno);
         std::error_code ignored;
         fs::remove(fresh, ignored);
-        throw HarnessError(fmt::format("{}: can't be written: {}; free some space or name another folder with --out", file.string(), why));
+        throw HarnessError(fmt::format("{}: can't be written: {}; free some space or name another folder with --out",
+                                       file.string(), why));
     }
     fs::rename(fresh, file);
 }
@@ -78,20 +80,27 @@ void prepare_folder(const fs::path& out, bool force) {
     const bool empty = !fs::exists(out, error) || fs::is_empty(out, error);
     const bool earlier = fs::exists(out / "grades.json", error);
     if (!empty && earlier && !force) {
-        throw UsageError(fmt::format("{}: holds the results of an earlier run; replace them with --force, or name another folder with --out", out.string()));
+        throw UsageError(fmt::format(
+            "{}: holds the results of an earlier run; replace them with --force, or name another folder with --out",
+            out.string()));
     }
     if (!empty && !earlier) {
-        throw UsageError(fmt::format("{}: is not empty and holds no results of raygrade; name another folder with --out", out.string()));
+        throw UsageError(fmt::format(
+            "{}: is not empty and holds no results of raygrade; name another folder with --out", out.string()));
     }
     const fs::path probe = out / "feedback";
     fs::create_directories(probe, error);
-    if (error) throw UsageError(fmt::format("{}: can't be made: {}; name another folder with --out", probe.string(), error.message()));
+    if (error)
+        throw UsageError(
+            fmt::format("{}: can't be made: {}; name another folder with --out", probe.string(), error.message()));
     if (access(out.c_str(), W_OK | X_OK) != 0 || access(probe.c_str(), W_OK | X_OK) != 0) {
-        throw UsageError(fmt::format("{}: can't be written: {}; name another folder with --out", out.string(), std::strerror(errno)));
+        throw UsageError(fmt::format("{}: can't be written: {}; name another folder with --out", out.string(),
+                                     std::strerror(errno)));
     }
 }
 
-/// The name of a submission's feedback: its id, which may hold the path before it, cut where a file name would be too long.
+/// The name of a submission's feedback: its id, which may hold the path before it, cut where a file name would be too
+/// long.
 std::string feedback_name(const std::string& id, std::size_t index) {
     constexpr std::size_t longest = 200;
     std::string name;
@@ -130,15 +139,18 @@ int grade_command(const GradeOptions& options) {
     fmt::print("{}", report::class_table(graded));
     std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
     for (const Graded& one : graded) {
-        for (const std::string& note : one.submission.notes) fmt::print(stderr, "note: {}: {}\n", one.submission.id, note);
+        for (const std::string& note : one.submission.notes)
+            fmt::print(stderr, "note: {}: {}\n", one.submission.id, note);
     }
     try {
         write_results(graded, marking, options.out);
     } catch (const fs::filesystem_error& error) {
         throw HarnessError(fmt::format("{}: can't be written: {}", error.path1().string(), error.code().message()));
     }
-    fmt::print("\nresults: {}\nfeedback: {}\n", (options.out / "grades.json").string(), (options.out / "feedback").string());
-    const bool all = std::none_of(graded.begin(), graded.end(), [](const Graded& one) { return one.outcome == Outcome::not_graded; });
+    fmt::print("\nresults: {}\nfeedback: {}\n", (options.out / "grades.json").string(),
+               (options.out / "feedback").string());
+    const bool all = std::none_of(graded.begin(), graded.end(),
+                                  [](const Graded& one) { return one.outcome == Outcome::not_graded; });
     return all ? all_graded : some_not_graded;
 }
 

@@ -6,12 +6,15 @@
 
 namespace harness {
 
-std::filesystem::path assignments_folder() { return RAYGRADE_ASSIGNMENTS; }
+std::filesystem::path assignments_folder() {
+    return RAYGRADE_ASSIGNMENTS;
+}
 
 namespace {
 
 reference::Precision precision_of(const std::string& name) {
-    for (const auto precision : {reference::Precision::float_, reference::Precision::double_, reference::Precision::certified}) {
+    for (const auto precision :
+         {reference::Precision::float_, reference::Precision::double_, reference::Precision::certified}) {
         if (reference::to_string(precision) == name) return precision;
     }
     throw std::logic_error("a precision the command line let through: " + name);
@@ -28,8 +31,8 @@ int reference_command(const ReferenceOptions& options) {
         if (options.format == "json") break;
         for (const reference::KeyItem& item : question.items) {
             for (std::size_t i = 1; i < item.answers.size(); ++i) {
-                fmt::print(stderr, "note: question {}, {} has another right answer: {}\n", question.number, item.spec.name,
-                           reference::reason(item.answers[i], key));
+                fmt::print(stderr, "note: question {}, {} has another right answer: {}\n", question.number,
+                           item.spec.name, reference::reason(item.answers[i], key));
             }
         }
     }

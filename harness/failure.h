@@ -1,5 +1,6 @@
 // The machine's failure: fork fails, no compiler, the disk is full, no status line. The submission at hand is then
-// "not graded" and the others go on. A student's failure is data, never an exception; our own mistakes are std::logic_error.
+// "not graded" and the others go on. A student's failure is data, never an exception; our own mistakes are
+// std::logic_error.
 #pragma once
 
 #include <stdexcept>

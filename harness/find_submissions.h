@@ -15,7 +15,8 @@ class UsageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The submissions of the paths given, in their order. A path that can't be read or holds no submission throws UsageError.
+/// The submissions of the paths given, in their order. A path that can't be read or holds no submission throws
+/// UsageError.
 std::vector<Submission> find_submissions(const std::vector<std::filesystem::path>& paths);
 
 }  // namespace harness

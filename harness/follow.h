@@ -18,8 +18,9 @@ struct Evidence {
     QuadraticScale quadratic;          ///< the form of the student's question 6
     std::optional<SystemForm> system;  ///< the layout of the student's linear system, once the matrix has been judged
     std::map<ItemId, Target> own[2];   ///< what was printed, where it can be read, by Digits
-    std::set<ItemId> deviating;        ///< those items of own that are not the key's canonical answer
-    std::set<ItemId> right;            ///< those items of own that are right, in whatever form or reading
+    std::set<ItemId>
+        deviating;  ///< those items of own that no accepted reading makes right, however few digits were printed
+    std::set<ItemId> right;  ///< those items of own that are right, in whatever form or reading
     std::set<ItemId>
         close_calls;  ///< those that are right because float may decide so (close_call.h), or follow from such
     std::vector<Known> conventions;  ///< the key by pixel convention, with allowances (tolerance.h)

@@ -14,7 +14,9 @@
 namespace harness {
 namespace {
 
-double seconds(std::chrono::milliseconds time) { return static_cast<double>(time.count()) / 1000.0; }
+double seconds(std::chrono::milliseconds time) {
+    return static_cast<double>(time.count()) / 1000.0;
+}
 
 std::string signal_name(int signal) {
     const char* name = sigabbrev_np(signal);
@@ -51,22 +53,31 @@ std::string explain(const Build& build, const ProcessResult& run, const Limits& 
     constexpr std::string_view still_marked = " What it printed before is marked.";
     switch (run.ended) {
         case Ended::not_started:
-            return build.reached_limit ? "The compiler ran out of time or memory on this source." : "The source does not compile.";
+            return build.reached_limit ? "The compiler ran out of time or memory on this source."
+                                       : "The source does not compile.";
         case Ended::exited:
-            if (run.output.empty()) return fmt::format("The program ended with exit code {} and printed nothing.", run.exit_code);
+            if (run.output.empty())
+                return fmt::format("The program ended with exit code {} and printed nothing.", run.exit_code);
             return run.exit_code == 0 ? "" : fmt::format("The program ended with exit code {}.", run.exit_code);
         case Ended::signalled:
-            return fmt::format("The program crashed ({}){}.{}", signal_name(run.signal), signal_meaning(run.signal), still_marked);
+            return fmt::format("The program crashed ({}){}.{}", signal_name(run.signal), signal_meaning(run.signal),
+                               still_marked);
         case Ended::process_limit:
-            return fmt::format("The program started more than {} processes and threads at one time and was stopped.{}", limits.processes, still_marked);
+            return fmt::format("The program started more than {} processes and threads at one time and was stopped.{}",
+                               limits.processes, still_marked);
         case Ended::cpu_limit:
-            return fmt::format("Time limit: the program was stopped after {:g} s of computing; is there an endless loop?{}", seconds(limits.cpu), still_marked);
+            return fmt::format(
+                "Time limit: the program was stopped after {:g} s of computing; is there an endless loop?{}",
+                seconds(limits.cpu), still_marked);
         case Ended::wall_limit:
-            return fmt::format("Time limit: the program was stopped after {:g} s; does it wait for something?{}", seconds(limits.wall), still_marked);
+            return fmt::format("Time limit: the program was stopped after {:g} s; does it wait for something?{}",
+                               seconds(limits.wall), still_marked);
         case Ended::memory_limit:
-            return fmt::format("The program used more than {} MiB of memory and was stopped.{}", limits.memory_bytes >> 20U, still_marked);
+            return fmt::format("The program used more than {} MiB of memory and was stopped.{}",
+                               limits.memory_bytes >> 20U, still_marked);
         case Ended::output_limit:
-            return fmt::format("The program printed more than {} KiB and was stopped; is there an endless loop?{}", limits.output_bytes >> 10U, still_marked);
+            return fmt::format("The program printed more than {} KiB and was stopped; is there an endless loop?{}",
+                               limits.output_bytes >> 10U, still_marked);
     }
     return "";
 }
@@ -117,7 +128,8 @@ Graded grade(const Submission& submission, const Marking& marking) {
     return graded;
 }
 
-std::vector<Graded> grade_all(const std::vector<Submission>& submissions, const Marking& marking, int jobs, std::atomic<std::size_t>& done) {
+std::vector<Graded> grade_all(const std::vector<Submission>& submissions, const Marking& marking, int jobs,
+                              std::atomic<std::size_t>& done) {
     std::vector<Graded> results(submissions.size());
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {

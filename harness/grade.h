@@ -17,12 +17,12 @@ namespace harness {
 enum class Outcome {
     graded,
     compile_error,
-    crashed,       ///< ended by a signal, or for starting too many processes
+    crashed,  ///< ended by a signal, or for starting too many processes
     timed_out,
     output_limit,
     memory_limit,
-    no_output,     ///< ended by itself without having printed anything
-    not_graded,    ///< no marks: the submission could not be read, or the machine failed
+    no_output,   ///< ended by itself without having printed anything
+    not_graded,  ///< no marks: the submission could not be read, or the machine failed
 };
 
 /// The name in reports and in grades.json.
@@ -46,8 +46,9 @@ struct Marking {
 /// Grades one submission. The machine's failures become Outcome::not_graded with the message.
 Graded grade(const Submission& submission, const Marking& marking);
 
-/// Grades a class with `jobs` (at least 1) submissions at a time, each on its own. Results in the order given, whatever the order of
-/// finishing. `done` counts the finished ones while it works.
-std::vector<Graded> grade_all(const std::vector<Submission>& submissions, const Marking& marking, int jobs, std::atomic<std::size_t>& done);
+/// Grades a class with `jobs` (at least 1) submissions at a time, each on its own. Results in the order given, whatever
+/// the order of finishing. `done` counts the finished ones while it works.
+std::vector<Graded> grade_all(const std::vector<Submission>& submissions, const Marking& marking, int jobs,
+                              std::atomic<std::size_t>& done);
 
 }  // namespace harness

@@ -3,6 +3,7 @@
 #include <re2/re2.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string>
 
@@ -11,100 +12,149 @@
 namespace harness {
 namespace {
 
+constexpr std::size_t longest_heading = 200;
+
 /// What may stand before a heading's first word: blanks and decoration.
-constexpr const char* decoration = R"(^[\s*=\-_#~+|/\\<>.:!\[({"'`]*)";
-/// What may close its number.
-constexpr const char* closing = R"((?:\s*[a-h]\b)?[\s*=_#~+|\\\])}"'`]*(?:[:.)\]\-,;>=]+|\s|$))";
+constexpr const char* decoration = R"(^[\s*=\-_#~+|/\\<>.:!\[({"'`\x{FFFD}]*)";
+/// A sub-question's letter or number, then what may close the heading's number.
+constexpr const char* closing =
+    R"((?:\.?\s?(?:[a-h]|i{1,3}|\([a-h]\))\b|\.\d\b)?[\s*=_#~+|\\\])}"'`]*(?:[:.)\]\-,;>=|]+|\s|$))";
+constexpr const char* number = R"([.\s]*[#:.\-_(\[]*\s*(?:no\.?\s*|nr\.?\s*|number\s*)?#?\s?(\d{1,2}))";
+constexpr const char* question_words =
+    R"((?i:assignment 6,? |a6,? |(?:my )?(?:answers?|solution) (?:to|for|of) |the )?(?i:§|questions?|quest|ques|qn?|exercises?|exer|exc|ex|exo|problems?|prob|tasks?|aufgabe|frage|pregunta|ejercicio|question))";
+constexpr const char* part_words =
+    R"((?i:parts?|answers?|ans|items?|steps?|sections?|solution|results?|output|nr|no|number))";
+constexpr const char* spelled =
+    R"(\s*[#:\-_]?\s*(?i:(one|two|three|four|five|six|seven|eight|nine|ten))\b[\s:.)\-*=]*))";
 
-constexpr const char* keywords =
-    R"((?i:questions?|quest|ques|q|exercises?|ex|exo|parts?|problems?|prob|answers?|ans|a(?:nswer)? to question|tasks?|items?|steps?|nr|no|number|aufgabe|frage|pregunta|ejercicio))";
-
-const RE2& keyword_heading() {
-    static const RE2 pattern(std::string("(") + decoration + "(?:" + "(?i:assignment 6,? |a6,? |answer (?:to|for) )?" + keywords +
-                             R"()[.\s]*[#:.\-_(\[]*\s*(?:no\.?\s*|nr\.?\s*)?#?(\d{1,2}))" + closing + ")");
-    return pattern;
+std::string pattern_of(const char* words, const char* rest) {
+    return std::string("(") + decoration + words + rest;
 }
 
-const RE2& spelled_heading() {
-    static const RE2 pattern(std::string("(") + decoration + "(?:" + keywords +
-                             R"()\s+(?i:(one|two|three|four|five|six|seven|eight|nine|ten))\b[\s:.)\-*=]*))");
-    return pattern;
-}
+struct Form {
+    Heading::Style style;
+    RE2 digits;
+    RE2 words;
+};
 
-const RE2& bare_heading() {
-    static const RE2 pattern(R"((^[\s*=\-_#~+|/\[(]*(\d{1,2})\s*(?:[.):\]][\s.)\]:*=\-_#~|]*|[\s*=\-_#~|]*$)))");
-    return pattern;
+const std::array<Form, 2>& forms() {
+    static const std::array<Form, 2> all = {
+        Form{Heading::Style::question, RE2(pattern_of(question_words, (std::string(number) + closing + ")").c_str())),
+             RE2(pattern_of(question_words, spelled))},
+        Form{Heading::Style::part, RE2(pattern_of(part_words, (std::string(number) + closing + ")").c_str())),
+             RE2(pattern_of(part_words, spelled))}};
+    return all;
 }
 
 int spelled_number(std::string word) {
-    std::transform(word.begin(), word.end(), word.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    constexpr std::string_view names[] = {"one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten"};
-    return static_cast<int>(std::find(std::begin(names), std::end(names), word) - std::begin(names)) + 1;
+    std::transform(word.begin(), word.end(), word.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    constexpr std::array<std::string_view, 10> names = {"one", "two",   "three", "four", "five",
+                                                        "six", "seven", "eight", "nine", "ten"};
+    return static_cast<int>(std::find(names.begin(), names.end(), word) - names.begin()) + 1;
 }
 
-std::optional<Heading> match_number(std::string_view line, const RE2& pattern, bool has_keyword) {
-    re2::StringPiece whole;
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// Where a heading that is `length` long ends: a '-' directly before a number is the number's.
+std::size_t end_of(std::string_view start, std::size_t length) {
+    const bool number_goes_on = length < start.size() && (is_digit(start[length]) || start[length] == '.');
+    return length > 0 && start[length - 1] == '-' && number_goes_on ? length - 1 : length;
+}
+
+std::optional<Heading> with_keyword(std::string_view start) {
+    const re2::StringPiece text(start.data(), start.size());
+    for (const Form& form : forms()) {
+        re2::StringPiece whole;
+        int question = 0;
+        if (RE2::PartialMatch(text, form.digits, &whole, &question) && question >= 1) {
+            // "Part 1.25" is a number; "Question 6.1:" the first part of question 6.
+            const bool decimal = whole.size() < start.size() && whole.ends_with(".") && is_digit(start[whole.size()]);
+            if (!decimal) return Heading{question, end_of(start, whole.size()), form.style};
+        }
+        std::string word;
+        if (RE2::PartialMatch(text, form.words, &whole, &word)) {
+            return Heading{spelled_number(word), end_of(start, whole.size()), form.style};
+        }
+    }
+    return std::nullopt;
+}
+
+/// Whether a line that begins with "4." is a list of numbers, such as the matrix row "1. 0. 0. 4.".
+bool is_row_of_numbers(std::string_view line, std::size_t heading_end) {
+    const std::vector<Token> tokens = tokenize(line.substr(heading_end));
+    const bool only_numbers = std::all_of(tokens.begin(), tokens.end(), [](const Token& token) {
+        return token.kind == Token::Kind::number || token.kind == Token::Kind::comma;
+    });
+    const bool any_point = std::any_of(tokens.begin(), tokens.end(), [&](const Token& token) {
+        return token.kind == Token::Kind::number && line[heading_end + token.end - 1] == '.';
+    });
+    return only_numbers && any_point;
+}
+
+/// "1.", "2)", "(3)", "--- 4 ---", "#5", "[6]", "6a)".
+std::optional<Heading> bare(std::string_view start) {
+    static const RE2 pattern(
+        R"((^([\s*=\-_#~+|/\[({]*)(\d{1,2})(?:\s?([a-h])|\.\d\b)?(\s*[.):\]}][\s.)\]}:*=\-_#~|]*|[\s*=\-_#~|]*$)))");
+    re2::StringPiece whole, before, letter, after;
     int question = 0;
-    if (!RE2::PartialMatch(re2::StringPiece(line.data(), line.size()), pattern, &whole, &question)) return std::nullopt;
-    if (question < 1) return std::nullopt;
-    return Heading{question, whole.size(), has_keyword};
+    if (!RE2::PartialMatch(re2::StringPiece(start.data(), start.size()), pattern, &whole, &before, &question, &letter,
+                           &after)) {
+        return std::nullopt;
+    }
+    if (question < 1 || question > 10) return std::nullopt;
+    std::size_t end = whole.size();
+    const bool number_goes_on = end < start.size() && is_digit(start[end]);
+    const bool punctuated =
+        std::string_view(after.data(), after.size()).find_first_of(".):]}") != std::string_view::npos;
+    // A sign that belongs to an answer: "5. -2.0".
+    if (punctuated && number_goes_on && end > 0 && start[end - 1] == '-') --end;
+    if (number_goes_on && (start[end - 1] == '.' || !punctuated)) return std::nullopt;  // "1.25"
+    const bool decorated =
+        std::string_view(before.data(), before.size()).find_first_of("*=-_#~+|/[({") != std::string_view::npos;
+    const bool signed_number = before.ends_with("-") || before.ends_with("+");
+    const bool ruled = before.find("--") != re2::StringPiece::npos;
+    if (signed_number && !ruled) return std::nullopt;    // "-4"
+    if (!punctuated && !decorated) return std::nullopt;  // a lone number
+    if (is_row_of_numbers(start, end)) return std::nullopt;
+    return Heading{question, end, Heading::Style::bare};
 }
 
-/// Whether a bare number starts a list of numbers, such as a matrix row "1. 0. 0. 4.", or stands alone as an answer.
-bool is_row_of_numbers(std::string_view line) {
-    constexpr std::size_t row_tokens = 64;
-    std::size_t numbers = 0;
-    std::size_t words = 0;
-    for (const Token& token : tokenize(line.substr(0, 512))) {
-        if (token.kind == Token::Kind::number) ++numbers;
-        if (token.kind == Token::Kind::word) ++words;
-        if (numbers + words > row_tokens) break;
-    }
-    return words == 0 && numbers != 1;
-}
-
-/// Bare numbers are headings when they count the questions: at least three different ones.
-bool counts_questions(const std::vector<std::optional<Heading>>& headings) {
-    std::set<int> numbers;
-    for (const auto& heading : headings) {
-        if (heading && heading->question <= 10) numbers.insert(heading->question);
-    }
-    return numbers.size() >= 3;
+/// The style of the headings, from which questions each names. A style further down the list also counts within
+/// questions, so it needs to name many more to be the one.
+std::size_t choose_style(const std::array<std::set<int>, 3>& named) {
+    constexpr std::size_t fewest_bare = 3;
+    const std::size_t questions = named[0].size();
+    const std::size_t parts = named[1].size();
+    const std::size_t bare_numbers = named[2].size() < fewest_bare ? 0 : named[2].size();
+    const std::size_t others = std::max(parts, bare_numbers);
+    if (questions > 0 && (others < 5 || 3 * questions >= others)) return 0;
+    return parts > 0 && 2 * parts >= bare_numbers ? 1 : bare_numbers > 0 ? 2 : 0;
 }
 
 }  // namespace
 
 std::optional<Heading> read_heading(std::string_view line) {
-    constexpr std::size_t longest_heading = 200;
     const std::string_view start = line.substr(0, longest_heading);
-    if (auto heading = match_number(start, keyword_heading(), true)) return heading;
-    re2::StringPiece whole;
-    std::string word;
-    if (RE2::PartialMatch(re2::StringPiece(start.data(), start.size()), spelled_heading(), &whole, &word)) {
-        return Heading{spelled_number(word), whole.size(), true};
-    }
-    auto heading = match_number(start, bare_heading(), false);
-    if (!heading || heading->question > 10) return std::nullopt;
-    const bool decorated = start.find_first_of("*=-_#~+|/[(") < start.find_first_of("0123456789");
-    const bool alone = start.find_first_not_of(" \t", heading->end) == std::string_view::npos;
-    const std::string_view number_end = start.substr(0, heading->end);
-    if (number_end.find_first_of(".):]") == std::string_view::npos && !decorated) return std::nullopt;  // a lone number
-    if (!alone && is_row_of_numbers(start) && number_end.find_first_of("):]") == std::string_view::npos) return std::nullopt;
-    return heading;
+    if (start.find_first_not_of(" \t") == std::string_view::npos) return std::nullopt;
+    if (auto heading = with_keyword(start)) return heading;
+    return bare(start);
 }
 
 std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_view>& lines) {
     std::vector<std::optional<Heading>> headings;
     headings.reserve(lines.size());
-    bool any_keyword = false;
+    std::array<std::set<int>, 3> named;  // by style
     for (const std::string_view line : lines) {
         headings.push_back(read_heading(line));
-        any_keyword = any_keyword || (headings.back() && headings.back()->has_keyword);
+        if (!headings.back() || headings.back()->question > 10) continue;
+        named.at(static_cast<std::size_t>(headings.back()->style)).insert(headings.back()->question);
     }
-    if (any_keyword || !counts_questions(headings)) {
-        for (auto& heading : headings) {
-            if (heading && !heading->has_keyword) heading.reset();
-        }
+    const std::size_t best = choose_style(named);
+    for (auto& heading : headings) {
+        if (heading && static_cast<std::size_t>(heading->style) != best) heading.reset();
     }
     return headings;
 }

@@ -8,16 +8,24 @@
 namespace harness {
 
 struct Heading {
-    int question;      ///< 1 to 99
-    std::size_t end;   ///< byte offset in the line behind the number and its punctuation: a title or an answer may follow
-    bool has_keyword;  ///< "Question", "Q", …; without one the number stands alone, as in "1." or "--- 1 ---"
+    /// How the number is introduced. A program keeps to one of these; a number introduced otherwise is something else,
+    /// such as "Step 2" within question 6.
+    enum class Style {
+        question,  ///< "Question", "Q", "Exercise", "Problem", …
+        part,      ///< "Part", "Answer", "Step", "No.", …, which may also count within a question
+        bare,      ///< the number alone: "1.", "2)", "--- 3 ---", "6a)"
+    };
+    int question;  ///< 1 to 99
+    std::size_t
+        end;  ///< byte offset in the line behind the number and its punctuation: a title or an answer may follow
+    Style style;
 };
 
 /// The heading a line begins with, if it does. Linear in the line's length.
 std::optional<Heading> read_heading(std::string_view line);
 
-/// Which of `lines` are headings. A transcript that names its questions with a keyword is divided by these only, since a bare
-/// "1." may then be a number. Result: one entry a line, empty where the line is no heading.
+/// Which of `lines` are headings: those of the style that names the most of the questions 1 to 10; bare numbers only if
+/// they name at least three. Result: one entry a line, empty where the line is no heading.
 std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_view>& lines);
 
 }  // namespace harness

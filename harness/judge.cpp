@@ -74,7 +74,7 @@ void Judge::remember(const KeyItem& item, const MatchedItem& printed) {
         }
         evidence_.own[digits == Digits::of_stream ? 0 : 1][id] = std::move(own);
     }
-    if (!right || !score.accepted_as.empty()) evidence_.deviating.insert(id);
+    if (!right && !is_right_but_coarse(item, printed)) evidence_.deviating.insert(id);
     const bool close_call = !right && (is_close_call(printed, evidence_, score.allowance) ||
                                        follows_from_close_call(printed, evidence_, score.allowance));
     if (close_call) evidence_.close_calls.insert(id);
@@ -107,7 +107,7 @@ ItemScore Judge::judge(const KeyItem& item) {
     if (printed == matched_.end()) return score;
     if (printed->verdict) {
         score.printed = printed->verdict->printed;
-        score.line = static_cast<int>(printed->verdict->line);
+        score.line = printed->verdict->line;
         score.verdict = judge_verdict(item, *printed->verdict, score);
     } else if (printed->value) {
         score.printed = printed->value->printed;
@@ -126,6 +126,11 @@ ItemVerdict Judge::judge_value(const KeyItem& item, const MatchedItem& printed, 
         score.error.reset();
         return ItemVerdict::right;
     }
+    if (is_right_but_coarse(item, printed)) {
+        score.diagnosis = "too few decimals";
+        score.advice = "As far as it goes this is right, but it is rounded too much; print more decimals.";
+        return ItemVerdict::wrong;
+    }
     if (follows(printed, evidence_, score.allowance)) return ItemVerdict::follow;
     if (id == matrix && is_right_multiplied(printed, score)) return ItemVerdict::right;
     if (printed.value->numbers.empty()) forget(id);  // nothing follows from a wrong "none"
@@ -134,6 +139,19 @@ ItemVerdict Judge::judge_value(const KeyItem& item, const MatchedItem& printed, 
         score.advice = mistake->advice;
     }
     return ItemVerdict::wrong;
+}
+
+bool Judge::is_right_but_coarse(const KeyItem& item, const MatchedItem& printed) const {
+    constexpr int digits_that_tell = 3;  // "1" rounds too many values to tell which was meant
+    const std::vector<PrintedNumber> numbers = by_columns(printed);
+    return std::any_of(item.answers.begin(), item.answers.end(), [&](const reference::Answer& answer) {
+        Target target = target_with_allowance(item, answer, rubric_);
+        for (std::size_t i = 0; i < std::min(numbers.size(), target.allowance.size()); ++i) {
+            if (numbers[i].significant >= digits_that_tell)
+                target.allowance[i] += 0.5 * std::pow(10.0, -numbers[i].decimals);
+        }
+        return compare(printed, target, 0.0, rubric_.min_decimals).within;
+    });
 }
 
 bool Judge::is_right(const KeyItem& item, const MatchedItem& printed, ItemScore& score) {

@@ -26,6 +26,8 @@ class Judge {
     ItemVerdict judge_value(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score);
     ItemScore start_score(const reference::KeyItem& item) const;
     bool is_right(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score);
+    /// Whether the key rounds to what was printed, which has fewer decimals than the rubric's min_decimals.
+    bool is_right_but_coarse(const reference::KeyItem& item, const MatchedItem& printed) const;
     bool is_right_quadratic(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score) const;
     bool is_right_matrix(const reference::KeyItem& item, const MatchedItem& printed, ItemScore& score);
     bool is_right_multiplied(const MatchedItem& printed, ItemScore& score);

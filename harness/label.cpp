@@ -24,27 +24,129 @@ struct Names {
 
 const std::vector<Names>& vocabulary() {
     static const std::vector<Names> table = {
-        {1, "P_VCS", {"pvcs", "pixelvcs", "pixelinvcs", "pvc", "vcs", "pixelinviewcoordinates", "pixelincameracoordinates", "pview", "pcam", "pcamera"}, {"p", "pixel", "point", "view", "camera", "viewcoordinates", "cameracoordinates"}},
-        {2, "X_vcs", {"xvcs", "x", "xaxis", "xbasis", "basisx", "vcsx", "xvector", "xcam", "xdir"}, {"right", "u", "side", "s", "basis1", "vx"}},
-        {2, "Y_vcs", {"yvcs", "y", "yaxis", "ybasis", "basisy", "vcsy", "yvector", "ycam", "ydir"}, {"up", "v", "trueup", "basis2", "vy"}},
-        {2, "Z_vcs", {"zvcs", "z", "zaxis", "zbasis", "basisz", "vcsz", "zvector", "zcam", "zdir"}, {"w", "n", "forward", "back", "backward", "basis3", "vz"}},
-        {3, "M_VCS_to_WCS", {"mvcstowcs", "m", "mvcs2wcs", "vcstowcs", "mvcswcs", "matrix", "inverseview", "inverseviewmatrix", "inverseofview", "inverseoftheviewmatrix", "viewinverse", "inverseofviewmatrix", "minv", "vcs2wcs", "invview"}, {"transform", "inverse", "cameratoworld", "viewtoworld"}},
-        {4, "P_WCS", {"pwcs", "pixelwcs", "pixelinwcs", "wcs", "pwc", "pixelinworldcoordinates", "pworld", "worldcoordinates", "s", "worldposition"}, {"p", "pixel", "point", "world", "position"}},
-        {5, "V", {"v", "direction", "raydirection", "raydir", "unitv", "vhat", "dir", "vector", "unitvector", "d", "vwcs", "ray", "directionv", "vnormalized", "vnormalised", "normalizedv", "normalisedv", "normalized", "normalised"}, {"unit"}},
-        {6, "a", {"a", "acoefficient", "coefficienta", "coeffa", "qa", "aq"}, {}},
-        {6, "b", {"b", "bcoefficient", "coefficientb", "coeffb", "b'", "bprime", "halfb", "bhalf", "qb"}, {"h", "b2"}},
-        {6, "c", {"c", "ccoefficient", "coefficientc", "coeffc", "qc"}, {}},
-        {6, "d", {"d", "disc", "discriminant", "delta", "dis", "discr", "bb4ac", "b24ac", "bbac", "b2ac", "d'", "det"}, {"determinant", "radicand", "d4"}},
-        {6, "t", {"t", "ts", "tsphere", "tval", "tvalue", "rayparameter", "rayparametert", "parametert", "parameter", "thit", "smallert", "tsmaller", "tmin", "tnear", "smallestt", "smallerroot", "smallerpositiveroot", "solution", "rayt"}, {"t1", "t0", "t2", "root", "root1", "root2", "roots", "distance", "lambda", "raydistance", "tminus", "tplus"}},
-        {6, "hit", {"hit", "hitpoint", "ps", "psphere", "intersection", "intersectionpoint", "pointofintersection", "hitpos", "hitposition", "spherehit", "spherehitpoint", "sphereintersection", "phit"}, {"p", "point", "pos", "position", "location", "i"}},
-        {7, "normal", {"n", "normal", "ns", "nsphere", "spherenormal", "normalofsphere", "normalofthesphere", "surfacenormal", "unitnormal", "nhat", "normaln", "normalvector", "normalized", "normalised", "nnormalized", "nnormalised", "normalizedn", "normalisedn", "unitn", "nunit"}, {}},
-        {8, "matrix", {"a", "matrix", "matrixa", "amatrix", "m", "coefficientmatrix", "systemmatrix", "linearsystem", "system", "lhs", "mat", "leftside", "lefthandside", "thematrix"}, {"equations", "augmented"}},
-        {8, "rhs", {"rhs", "b", "righthandside", "rightside", "right", "righthand", "bvector", "vectorb", "rhsvector", "constant", "rightvector"}, {"d", "y", "sa", "solutionvector"}},
-        {8, "t", {"t", "tt", "ttri", "ttriangle", "tval", "tvalue", "rayparameter", "parametert", "rayparametert", "thit", "rayt"}, {"distance", "parameter", "t1", "lambda", "mu", "raydistance"}},
+        {1,
+         "P_VCS",
+         {"pvcs", "pixelvcs", "pixelinvcs", "pvc", "vcs", "pixelinviewcoordinates", "pixelincameracoordinates", "pview",
+          "pcam", "pcamera"},
+         {"p", "pixel", "point", "view", "camera", "viewcoordinates", "cameracoordinates"}},
+        {2,
+         "X_vcs",
+         {"xvcs", "x", "xaxis", "xbasis", "basisx", "vcsx", "xvector", "xcam", "xdir"},
+         {"right", "u", "side", "s", "basis1", "vx", "e1", "ex"}},
+        {2,
+         "Y_vcs",
+         {"yvcs", "y", "yaxis", "ybasis", "basisy", "vcsy", "yvector", "ycam", "ydir"},
+         {"up", "v", "trueup", "basis2", "vy", "e2", "ey"}},
+        {2,
+         "Z_vcs",
+         {"zvcs", "z", "zaxis", "zbasis", "basisz", "vcsz", "zvector", "zcam", "zdir"},
+         {"w", "n", "forward", "back", "backward", "basis3", "vz", "e3", "ez"}},
+        {3,
+         "M_VCS_to_WCS",
+         {"mvcstowcs", "m", "mvcs2wcs", "vcstowcs", "mvcswcs", "matrix", "inverseview", "inverseviewmatrix",
+          "inverseofview", "inverseoftheviewmatrix", "viewinverse", "inverseofviewmatrix", "minv", "vcs2wcs",
+          "invview"},
+         {"transform", "inverse", "cameratoworld", "viewtoworld"}},
+        {4,
+         "P_WCS",
+         {"pwcs", "pixelwcs", "pixelinwcs", "wcs", "pwc", "pixelinworldcoordinates", "pworld", "worldcoordinates", "s",
+          "worldposition"},
+         {"p", "pixel", "point", "world", "position"}},
+        {5,
+         "V",
+         {"v", "direction", "raydirection", "raydir", "unitv", "vhat", "dir", "vector", "unitvector", "d", "vwcs",
+          "ray", "directionv", "vnormalized", "vnormalised", "normalizedv", "normalisedv", "normalized", "normalised"},
+         {"unit", "normalized", "normalised"}},
+        {6, "a", {"a", "acoefficient", "coefficienta", "coeffa", "qa", "aq", "alpha"}, {}},
+        {6,
+         "b",
+         {"b", "bcoefficient", "coefficientb", "coeffb", "b'", "bprime", "halfb", "bhalf", "qb", "beta"},
+         {"h", "b2"}},
+        {6, "c", {"c", "ccoefficient", "coefficientc", "coeffc", "qc", "gamma"}, {}},
+        {6,
+         "d",
+         {"d", "disc", "discriminant", "delta", "dis", "discr", "bb4ac", "b24ac", "bbac", "b2ac", "d'", "det"},
+         {"determinant", "radicand", "d4"}},
+        {6,
+         "t",
+         {"t", "ts", "tsphere", "tval", "tvalue", "rayparameter", "rayparametert", "parametert", "parameter", "thit",
+          "smallert", "tsmaller", "tmin", "tnear", "smallestt", "smallerroot", "smallerpositiveroot", "solution",
+          "rayt"},
+         {"t1", "t0", "t2", "root", "root1", "root2", "roots", "distance", "lambda", "raydistance", "tminus", "tplus"}},
+        {6,
+         "hit",
+         {"hit", "hitpoint", "ps", "psphere", "intersection", "intersectionpoint", "pointofintersection", "hitpos",
+          "hitposition", "spherehit", "spherehitpoint", "sphereintersection", "phit"},
+         {"p", "point", "pos", "position", "location", "i"}},
+        {7,
+         "normal",
+         {"n",
+          "normal",
+          "ns",
+          "nsphere",
+          "spherenormal",
+          "normalofsphere",
+          "normalofthesphere",
+          "surfacenormal",
+          "unitnormal",
+          "nhat",
+          "normaln",
+          "normalvector",
+          "normalized",
+          "normalised",
+          "nnormalized",
+          "nnormalised",
+          "normalizedn",
+          "normalisedn",
+          "unitn",
+          "nunit"},
+         {"normalized", "normalised"}},
+        {8,
+         "matrix",
+         {"a", "matrix", "matrixa", "amatrix", "m", "coefficientmatrix", "systemmatrix", "linearsystem", "system",
+          "lhs", "mat", "leftside", "lefthandside", "thematrix"},
+         {"equations", "augmented"}},
+        {8,
+         "rhs",
+         {"rhs", "b", "righthandside", "rightside", "right", "righthand", "bvector", "vectorb", "rhsvector", "constant",
+          "rightvector"},
+         {"d", "y", "sa", "solutionvector"}},
+        {8,
+         "t",
+         {"t", "tt", "ttri", "ttriangle", "tval", "tvalue", "rayparameter", "parametert", "rayparametert", "thit",
+          "rayt"},
+         {"distance", "parameter", "t1", "lambda", "raydistance", "mu"}},
         {8, "u", {"u", "uvalue", "barycentricu", "baryu", "beta"}, {}},
         {8, "v", {"v", "vvalue", "barycentricv", "baryv", "gamma"}, {}},
-        {8, "hit", {"hit", "hitpoint", "pt", "ptri", "ptriangle", "intersection", "intersectionpoint", "pointofintersection", "hitpos", "hitposition", "trianglehit", "trianglehitpoint", "triangleintersection", "phit"}, {"p", "point", "pos", "position", "location", "i"}},
-        {9, "normal", {"n", "normal", "nt", "ntri", "ntriangle", "trianglenormal", "normaloftriangle", "normalofthetriangle", "surfacenormal", "unitnormal", "nhat", "normaln", "normalvector", "normalized", "normalised", "nnormalized", "nnormalised", "normalizedn", "normalisedn", "unitn", "nunit"}, {}},
+        {8,
+         "hit",
+         {"hit", "hitpoint", "pt", "ptri", "ptriangle", "intersection", "intersectionpoint", "pointofintersection",
+          "hitpos", "hitposition", "trianglehit", "trianglehitpoint", "triangleintersection", "phit"},
+         {"p", "point", "pos", "position", "location", "i"}},
+        {9,
+         "normal",
+         {"n",
+          "normal",
+          "nt",
+          "ntri",
+          "ntriangle",
+          "trianglenormal",
+          "normaloftriangle",
+          "normalofthetriangle",
+          "surfacenormal",
+          "unitnormal",
+          "nhat",
+          "normaln",
+          "normalvector",
+          "normalized",
+          "normalised",
+          "nnormalized",
+          "nnormalised",
+          "normalizedn",
+          "normalisedn",
+          "unitn",
+          "nunit"},
+         {"normalized", "normalised"}},
         {10, "verdict", {}, {}},
     };
     return table;
@@ -57,13 +159,18 @@ const Names& names_of(const ItemSpec& item) {
 }
 
 /// Words that say nothing about which item a value is.
-constexpr std::array fillers = {"the", "is", "of", "value", "values", "are", "for", "answer", "result", "my", "final", "so", "then", "get", "we",
-                                "and", "in", "at", "its", "computed", "equals", "with", "vec3", "vec4", "vector", "point", "unit", "length", "xyz"};
+constexpr std::array fillers = {"the",    "is",     "of",         "value",      "values",      "are",      "for",
+                                "answer", "result", "my",         "final",      "so",          "then",     "get",
+                                "we",     "and",    "in",         "at",         "its",         "computed", "equals",
+                                "with",   "also",   "normalized", "normalised", "unit-length", "vec3",     "vec4",
+                                "vector", "point",  "unit",       "length",     "xyz"};
 
 /// Words that say the value is on the way to an answer, or about one. "length of N" is not N.
-constexpr std::array not_an_answer = {"debug", "dbg", "before", "unnormalized", "unnormalised", "nonnormalized", "raw", "temp", "tmp", "check", "checking", "verify",
-                                      "verification", "test", "reduced", "reduction", "elimination", "echelon", "expected", "wrong", "trace", "log", "intermediate",
-                                      "sanity", "old", "undivided"};
+constexpr std::array not_an_answer = {
+    "debug",   "dbg",          "before",      "unnormalized", "unnormalised", "nonnormalized", "raw",
+    "temp",    "tmp",          "check",       "checking",     "verify",       "verification",  "test",
+    "reduced", "reduction",    "elimination", "echelon",      "expected",     "wrong",         "trace",
+    "log",     "intermediate", "sanity",      "old",          "undivided"};
 
 struct Words {
     std::vector<std::string> tokens;  ///< lower case, split at everything but letters, digits and "'"
@@ -88,14 +195,16 @@ Words split_words(std::string_view label) {
         }
         in_word = false;
         const bool spaced = i > 0 && i + 1 < label.size() && label[i - 1] == ' ' && label[i + 1] == ' ';
-        const bool operands = i > 0 && i + 1 < label.size() && (i < 2 || !is_word_char(label[i - 2])) && is_word_char(label[i - 1]) &&
-                              (i + 2 >= label.size() || !is_word_char(label[i + 2]));
+        const bool operands = i > 0 && i + 1 < label.size() && (i < 2 || !is_word_char(label[i - 2])) &&
+                              is_word_char(label[i - 1]) && (i + 2 >= label.size() || !is_word_char(label[i + 2]));
         if (c == '*' || c == '/' || c == '^' || c == '+' || (c == '-' && (spaced || operands))) words.formula = true;
     }
     return words;
 }
 
-bool contains(const auto& list, const auto& element) { return std::find(list.begin(), list.end(), element) != list.end(); }
+bool contains(const auto& list, const auto& element) {
+    return std::find(list.begin(), list.end(), element) != list.end();
+}
 
 std::string join(const std::vector<std::string>& tokens, std::size_t first, std::size_t last) {
     std::string joined;
@@ -103,16 +212,18 @@ std::string join(const std::vector<std::string>& tokens, std::size_t first, std:
     return joined;
 }
 
-/// How many tokens a run of tokens must have so that their letters, joined, are one of `names`: the longest run found, or 0.
-std::size_t longest_name(const std::vector<std::string>& tokens, const std::vector<std::string_view>& names) {
+/// Which tokens belong to a run whose letters, joined, are one of `names`.
+std::vector<bool> covered_by(const std::vector<std::string>& tokens, const std::vector<std::string_view>& names) {
     constexpr std::size_t longest_run = 5;
-    std::size_t best = 0;
+    std::vector<bool> covered(tokens.size(), false);
     for (std::size_t first = 0; first < tokens.size(); ++first) {
         for (std::size_t last = first + 1; last <= tokens.size() && last - first <= longest_run; ++last) {
-            if (last - first > best && contains(names, join(tokens, first, last))) best = last - first;
+            if (!contains(names, join(tokens, first, last))) continue;
+            std::fill(covered.begin() + static_cast<std::ptrdiff_t>(first),
+                      covered.begin() + static_cast<std::ptrdiff_t>(last), true);
         }
     }
-    return best;
+    return covered;
 }
 
 bool says_no_answer(const Words& words) {
@@ -124,23 +235,33 @@ bool says_no_answer(const Words& words) {
     return false;
 }
 
+/// What the scene gives is no answer: "R = 2".
+bool is_of_the_scene(const Words& words) {
+    constexpr std::array given = {"r",      "radius",       "r2",           "center",         "centre",  "eye",
+                                  "lookat", "vup",          "width",        "height",         "dx",      "dy",
+                                  "pdcs",   "spherecenter", "sphereradius", "cameraposition", "epsilon", "eps",
+                                  "time"};
+    return contains(given, join(words.tokens, 0, words.tokens.size()));
+}
+
 LabelFit fit_words(const Words& words, const Names& names) {
     if (words.tokens.empty()) return LabelFit::none;
     const std::string whole = join(words.tokens, 0, words.tokens.size());
     if (contains(names.names, whole)) return LabelFit::exact;
     if (words.formula) return contains(names.weak, whole) ? LabelFit::weak : LabelFit::foreign;
-    const std::size_t named = longest_name(words.tokens, names.names);
-    const auto filler = std::count_if(words.tokens.begin(), words.tokens.end(), [](const std::string& w) { return contains(fillers, w); });
-    if (named > 0 && named + static_cast<std::size_t>(filler) >= words.tokens.size()) return LabelFit::exact;
-    if (named > 0) return LabelFit::named;
-    return longest_name(words.tokens, names.weak) > 0 ? LabelFit::weak : LabelFit::foreign;
+    std::vector<bool> covered = covered_by(words.tokens, names.names);
+    if (!contains(covered, true)) {
+        return contains(covered_by(words.tokens, names.weak), true) ? LabelFit::weak : LabelFit::foreign;
+    }
+    for (std::size_t i = 0; i < covered.size(); ++i) covered[i] = covered[i] || contains(fillers, words.tokens[i]);
+    return contains(covered, false) ? LabelFit::named : LabelFit::exact;
 }
 
 }  // namespace
 
 LabelFit fit_label(std::string_view label, std::string_view above, const ItemSpec& item) {
     const Words words = split_words(label);
-    if (says_no_answer(words)) return LabelFit::forbidden;
+    if (says_no_answer(words) || is_of_the_scene(words)) return LabelFit::forbidden;
     if (!words.tokens.empty()) return fit_words(words, names_of(item));
     const Words title = split_words(above);
     if (title.tokens.empty()) return LabelFit::none;
@@ -150,14 +271,28 @@ LabelFit fit_label(std::string_view label, std::string_view above, const ItemSpe
     return fit == LabelFit::named ? LabelFit::title : LabelFit::none;
 }
 
+LabelFit fit_value(const PrintedValue& value, const ItemSpec& item) {
+    if (!value.label.empty() || value.after.empty()) return fit_label(value.label, value.above, item);
+    const LabelFit behind = fit_label(value.after, "", item);
+    if (behind == LabelFit::forbidden || behind >= LabelFit::named) return behind;
+    const auto items = reference::all_items();
+    const bool names_another = std::any_of(items.begin(), items.end(), [&](const ItemSpec& other) {
+        return other.question == item.question && fit_label(value.after, "", other) >= LabelFit::named;
+    });
+    return names_another
+               ? LabelFit::foreign
+               : std::max(fit_label("", value.above, item), behind == LabelFit::weak ? behind : LabelFit::none);
+}
+
 std::vector<std::size_t> listed_items(std::string_view label, std::span<const ItemSpec> items) {
     std::vector<std::size_t> listed;
     const Words words = split_words(label);
     if (says_no_answer(words)) return {};
     for (const std::string& token : words.tokens) {
-        const auto item = std::find_if(items.begin(), items.end(), [&](const ItemSpec& i) { return contains(names_of(i).names, token); });
+        const auto item = std::find_if(items.begin(), items.end(),
+                                       [&](const ItemSpec& i) { return contains(names_of(i).names, token); });
         if (item == items.end()) {
-            if (listed.empty()) continue;  // "coefficients a b c"
+            if (listed.empty() || contains(fillers, token)) continue;  // "coefficients a, b and c"
             return {};
         }
         const auto index = static_cast<std::size_t>(item - items.begin());
@@ -172,11 +307,13 @@ MatrixOrder matrix_order(std::string_view label) {
     bool rows = false;
     bool columns = false;
     for (const std::string& token : words.tokens) {
-        rows = rows || token == "row" || token == "rows" || token == "rowwise" || token == "transpose" || token == "transposed";
-        columns = columns || token == "column" || token == "columns" || token == "col" || token == "cols" || token == "columnwise";
+        rows = rows || token == "row" || token == "rows" || token == "rowwise" || token == "transpose" ||
+               token == "transposed";
+        columns = columns || token == "column" || token == "columns" || token == "col" || token == "cols" ||
+                  token == "columnwise";
     }
-    // "row by row", "each row", "matrix (columns are t, u, v)" printed by rows: a label that names what the columns mean says
-    // nothing about the order of printing.
+    // "row by row", "each row", "matrix (columns are t, u, v)" printed by rows: a label that names what the columns
+    // mean says nothing about the order of printing.
     static const RE2 meaning(R"((?i)col(?:umn)?s?\W*(?:are|is|order|for|of|:|=|\()?\W*(?:\b[-]?[tuv]\b\W*){2,3})");
     if (columns && RE2::PartialMatch(re2::StringPiece(label.data(), label.size()), meaning)) columns = false;
     if (rows == columns) return MatrixOrder::unsaid;
@@ -184,7 +321,8 @@ MatrixOrder matrix_order(std::string_view label) {
 }
 
 bool is_row_label(std::string_view label) {
-    static const RE2 pattern(R"((?i)^\W*(?:(?:(?:the|of|matrix|mat|a|m)\s+)*(?:row|col|column|r|c|line|m|a|mat|eq|equation)\W*(?:no\W*|nr\W*|#)?\d|\d|(?:first|second|third|fourth|1st|2nd|3rd|4th)\s+(?:row|col|column)|M\w*\[\d\]|[-]?[tuv]\s+col(?:umn)?|col(?:umn)?\s+[-]?[tuvxyz]|-\s*V|B\s*-\s*A|C\s*-\s*A|e1|e2|edge\s*[12])\W*$)");
+    static const RE2 pattern(
+        R"((?i)^\W*(?:(?:(?:the|of|matrix|mat|a|m)\s+)*(?:row|col|column|r|c|line|m|a|mat|eq|equation)\W*(?:no\W*|nr\W*|#)?\d(?:\W+-?[tuvxyz])?|\d|(?:first|second|third|fourth|1st|2nd|3rd|4th)\s+(?:row|col|column)|M\w*\[\d\]|[-]?[tuv]\s+col(?:umn)?|col(?:umn)?\s+[-]?[tuvxyz]|-\s*V|B\s*-\s*A|C\s*-\s*A|e1|e2|edge\s*[12])\W*$)");
     return RE2::FullMatch(re2::StringPiece(label.data(), label.size()), pattern);
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/transcript.h"
 #include "reference/items.h"
 
 namespace harness {
@@ -23,8 +24,12 @@ enum class LabelFit {
 /// `label` stands before the value on its line, `above` on the line above; both may be empty.
 LabelFit fit_label(std::string_view label, std::string_view above, const reference::ItemSpec& item);
 
-/// The items of a question that a label lists, when it is nothing but such a list: "(t, u, v)" or "a b c". At least two,
-/// else none. `items` are the question's; the result holds indices into it.
+/// How well the words around a value name the item: those before it on its line; without any those behind it, if they
+/// name some item of the question, else those on the line above.
+LabelFit fit_value(const PrintedValue& value, const reference::ItemSpec& item);
+
+/// The items of a question that a label lists, when it is nothing but such a list: "(t, u, v)" or "a b c". At least
+/// two, else none. `items` are the question's; the result holds indices into it.
 std::vector<std::size_t> listed_items(std::string_view label, std::span<const reference::ItemSpec> items);
 
 /// What a label says about a matrix's inner brackets or rows.

@@ -126,22 +126,14 @@ void Supervision::output_limit_reached() {
 
 Ended ended(const Command& command, const ShimStatus& status) {
     switch (status.how) {
-        case ShimStatus::How::exited:
-            return Ended::exited;
-        case ShimStatus::How::signalled:
-            return Ended::signalled;
-        case ShimStatus::How::cpu_limit:
-            return Ended::cpu_limit;
-        case ShimStatus::How::wall_limit:
-            return Ended::wall_limit;
-        case ShimStatus::How::memory_limit:
-            return Ended::memory_limit;
-        case ShimStatus::How::process_limit:
-            return Ended::process_limit;
-        case ShimStatus::How::not_executed:
-            throw_not_executed(command, status);
-        case ShimStatus::How::lifeline_cut:
-            break;
+        case ShimStatus::How::exited: return Ended::exited;
+        case ShimStatus::How::signalled: return Ended::signalled;
+        case ShimStatus::How::cpu_limit: return Ended::cpu_limit;
+        case ShimStatus::How::wall_limit: return Ended::wall_limit;
+        case ShimStatus::How::memory_limit: return Ended::memory_limit;
+        case ShimStatus::How::process_limit: return Ended::process_limit;
+        case ShimStatus::How::not_executed: throw_not_executed(command, status);
+        case ShimStatus::How::lifeline_cut: break;
     }
     throw_cut_short(command);
 }

@@ -23,11 +23,14 @@ constexpr const char* about =
     "  raygrade doctor                         what this machine has and lacks";
 
 constexpr const char* footer =
-    "Exit status: 0 all graded, 1 some not graded, 2 a mistake in the command or the assignment, 3 a fault of raygrade.\n"
+    "Exit status: 0 all graded, 1 some not graded, 2 a mistake in the command or the assignment, 3 a fault of "
+    "raygrade.\n"
     "Marks never change it, except under `check --fail-under`.";
 
 void add_assignment(CLI::App& command, std::string& assignment) {
-    command.add_option("-a,--assignment", assignment, "The name of an assignment that comes with raygrade, or a .toml file")
+    command
+        .add_option("-a,--assignment", assignment,
+                    "The name of an assignment that comes with raygrade, or a .toml file")
         ->type_name("NAME|FILE")
         ->capture_default_str();
 }
@@ -38,12 +41,19 @@ int run(int argc, char** argv) {
     app.require_subcommand(1);
     app.get_formatter()->column_width(36);
 
-    GradeOptions grade{{}, "default", "results", static_cast<int>(std::max(1U, std::thread::hardware_concurrency())), false};
-    CLI::App& grade_app = *app.add_subcommand("grade", "Grade a class: a source, a folder of student folders, or a folder of sources");
-    grade_app.add_option("paths", grade.paths, "What to grade: files and folders, in the order of the report")->required()->type_name("PATH...");
+    GradeOptions grade{
+        {}, "default", "results", static_cast<int>(std::max(1U, std::thread::hardware_concurrency())), false};
+    CLI::App& grade_app =
+        *app.add_subcommand("grade", "Grade a class: a source, a folder of student folders, or a folder of sources");
+    grade_app.add_option("paths", grade.paths, "What to grade: files and folders, in the order of the report")
+        ->required()
+        ->type_name("PATH...");
     add_assignment(grade_app, grade.assignment);
-    grade_app.add_option("-o,--out", grade.out, "The folder for grades.json, grades.csv and feedback/<id>.md")->type_name("DIR")->capture_default_str();
-    grade_app.add_option("-j,--jobs", grade.jobs, "How many submissions to grade at a time; changes nothing but the time")
+    grade_app.add_option("-o,--out", grade.out, "The folder for grades.json, grades.csv and feedback/<id>.md")
+        ->type_name("DIR")
+        ->capture_default_str();
+    grade_app
+        .add_option("-j,--jobs", grade.jobs, "How many submissions to grade at a time; changes nothing but the time")
         ->check(CLI::Range(1, 1024))
         ->type_name("N")
         ->capture_default_str();
@@ -51,27 +61,38 @@ int run(int argc, char** argv) {
     grade_app.footer("Example: raygrade grade submissions/ --assignment a6-2021 --out results -j 4");
 
     CheckOptions check{{}, "default", {}};
-    CLI::App& check_app = *app.add_subcommand("check", "Check one ray_cast.cpp before handing it in: a verdict for each answer, never the answer");
+    CLI::App& check_app = *app.add_subcommand(
+        "check", "Check one ray_cast.cpp before handing it in: a verdict for each answer, never the answer");
     check_app.add_option("source", check.source, "The source, e.g. ray_cast.cpp")->required()->type_name("FILE");
     add_assignment(check_app, check.assignment);
-    check_app.add_option("--fail-under", check.fail_under, "Exit with status 1 below this share of the points")->check(CLI::Range(0.0, 100.0))->type_name("PERCENT");
+    check_app.add_option("--fail-under", check.fail_under, "Exit with status 1 below this share of the points")
+        ->check(CLI::Range(0.0, 100.0))
+        ->type_name("PERCENT");
     check_app.footer("Example: raygrade check ray_cast.cpp");
 
     ReferenceOptions reference_options{"default"};
-    CLI::App& reference_app = *app.add_subcommand("reference", "Print the canonical answers, as a right program prints them or as JSON");
+    CLI::App& reference_app =
+        *app.add_subcommand("reference", "Print the canonical answers, as a right program prints them or as JSON");
     add_assignment(reference_app, reference_options.assignment);
-    reference_app.add_option("-p,--precision", reference_options.precision, "The arithmetic; certified encloses every true value and decides exactly")
+    reference_app
+        .add_option("-p,--precision", reference_options.precision,
+                    "The arithmetic; certified encloses every true value and decides exactly")
         ->check(CLI::IsMember({"float", "double", "certified"}))
         ->capture_default_str();
-    reference_app.add_option("-f,--format", reference_options.format, "text in the handout's own format, or json (raygrade/key/1)")
+    reference_app
+        .add_option("-f,--format", reference_options.format,
+                    "text in the handout's own format, or json (raygrade/key/1)")
         ->check(CLI::IsMember({"text", "json"}))
         ->capture_default_str();
     reference_app.footer("Example: raygrade reference --assignment a6-edge --format json");
 
-    CLI::App& cast_app = *app.add_subcommand("cast", "Answer rays exactly: one JSON query a line on stdin, one JSON answer a line on stdout");
+    CLI::App& cast_app = *app.add_subcommand(
+        "cast", "Answer rays exactly: one JSON query a line on stdin, one JSON answer a line on stdout");
     cast_app.footer(
-        "A query: {\"origin\":[0,0,2],\"direction\":[0,0,-1],\"spheres\":[{\"center\":[1,1,0],\"radius\":2}],\"triangles\":[]}\n"
-        "Numbers are JSON numbers or hex floats in quotes. t >= 0, edges and vertices are hits, a tangent is one in the order.");
+        "A query: "
+        "{\"origin\":[0,0,2],\"direction\":[0,0,-1],\"spheres\":[{\"center\":[1,1,0],\"radius\":2}],\"triangles\":[]}\n"
+        "Numbers are JSON numbers or hex floats in quotes. t >= 0, edges and vertices are hits, a tangent is one in "
+        "the order.");
 
     CLI::App& doctor_app = *app.add_subcommand("doctor", "Say what this machine has and lacks for grading");
 
@@ -106,7 +127,8 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "raygrade: {}\n", error.what());
         return some_not_graded;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "raygrade: a fault of raygrade: {}\nPlease report it with the command you ran.\n", error.what());
+        fmt::print(stderr, "raygrade: a fault of raygrade: {}\nPlease report it with the command you ran.\n",
+                   error.what());
         return our_fault;
     }
 }

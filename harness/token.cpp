@@ -9,11 +9,18 @@
 namespace harness {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
 bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
 }
-bool is_word_char(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
+bool is_word_char(char c) {
+    return is_letter(c) || is_digit(c) || c == '_';
+}
+
+/// U+FFFD, which stands for bytes that are not UTF-8.
+constexpr std::string_view unreadable = "\xEF\xBF\xBD";
 
 class Lexer {
   public:
@@ -36,6 +43,8 @@ class Lexer {
         const char c = peek();
         if (c == ' ' || c == '\t') {
             ++at_;
+        } else if (is_unreadable(at_)) {
+            at_ += unreadable.size();
         } else if (starts_number()) {
             take_number();
         } else if (is_letter(c) || c == '_' || is_digit(c)) {
@@ -45,10 +54,18 @@ class Lexer {
         }
     }
 
-    /// Whether a '+' or '-' here belongs to the number after it, as in "(-4" and "1 -4 2" but not in "3-2".
-    bool may_be_signed() const {
-        return at_ == 0 || !(is_word_char(line_[at_ - 1]) || line_[at_ - 1] == ')' || line_[at_ - 1] == ']');
+    bool is_unreadable(std::size_t at) const {
+        return at < line_.size() && line_.substr(at, unreadable.size()) == unreadable;
     }
+
+    /// Whether the byte before `at_` is part of a word.
+    bool is_in_word() const {
+        if (at_ == 0 || !is_word_char(line_[at_ - 1])) return false;
+        return at_ < unreadable.size() || !is_unreadable(at_ - unreadable.size());
+    }
+
+    /// Whether a '+' or '-' here belongs to the number after it, as in "(-4" and "1 -4 2" but not in "3-2".
+    bool may_be_signed() const { return at_ == 0 || !(is_in_word() || line_[at_ - 1] == ')' || line_[at_ - 1] == ']'); }
 
     bool starts_digits(std::size_t ahead) const {
         return is_digit(peek(ahead)) || (peek(ahead) == '.' && is_digit(peek(ahead + 1)));
@@ -56,10 +73,13 @@ class Lexer {
 
     /// The length of "nan", "inf" or "infinity" here, whatever its case; 0 when there is none.
     std::size_t special_length(std::size_t ahead) const {
-        for (const std::string_view name : {"nan(ind)", "infinity", "nan", "inf"}) {
-            const bool same = std::equal(name.begin(), name.end(), line_.begin() + static_cast<std::ptrdiff_t>(std::min(at_ + ahead, line_.size())),
-                                         line_.begin() + static_cast<std::ptrdiff_t>(std::min(at_ + ahead + name.size(), line_.size())),
-                                         [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); });
+        for (const std::string_view name :
+             {"nan(ind)", "nan(snan)", "infinity", "nan", "inf", "1.#qnan", "1.#snan", "1.#ind", "1.#inf"}) {
+            const bool same = std::equal(
+                name.begin(), name.end(),
+                line_.begin() + static_cast<std::ptrdiff_t>(std::min(at_ + ahead, line_.size())),
+                line_.begin() + static_cast<std::ptrdiff_t>(std::min(at_ + ahead + name.size(), line_.size())),
+                [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); });
             if (same && !is_word_char(peek(ahead + name.size()))) return name.size();
         }
         return 0;
@@ -68,15 +88,18 @@ class Lexer {
     bool starts_number() const {
         const std::size_t sign = peek() == '-' || peek() == '+' ? 1 : 0;
         if (sign == 1 && !may_be_signed()) return false;
-        if (sign == 0 && at_ > 0 && is_word_char(line_[at_ - 1])) return false;
+        if (sign == 0 && is_in_word()) return false;
         return starts_digits(sign) || special_length(sign) > 0;
     }
 
     void take_number() {
         const std::size_t sign = peek() == '-' || peek() == '+' ? 1 : 0;
         if (const std::size_t length = special_length(sign); length > 0) {
-            const bool nan = peek(sign) == 'n' || peek(sign) == 'N';
-            const double value = nan ? std::numeric_limits<double>::quiet_NaN() : std::numeric_limits<double>::infinity();
+            // "nan", "1.#QNAN", "1.#IND" as old Windows libraries print it; else an infinity.
+            const std::string_view name = line_.substr(at_ + sign, length);
+            const bool nan = name.find_first_of("aAdD") != std::string_view::npos;
+            const double value =
+                nan ? std::numeric_limits<double>::quiet_NaN() : std::numeric_limits<double>::infinity();
             add(Token::Kind::number, sign + length);
             tokens_.back().number.value = peek_back_sign() ? -value : value;
             return;
@@ -93,14 +116,37 @@ class Lexer {
         }
         const std::size_t mantissa_end = length;
         const int exponent = take_exponent(length);
-        if (is_letter(peek(length)) || peek(length) == '_') {  // "3x3", "2nd", "4ac": a word that begins with a digit
+        const std::size_t digits_end = length;
+        if (mantissa_end > sign + 1 && (peek(length) == 'f' || peek(length) == 'F') && !is_word_char(peek(length + 1)))
+            ++length;
+        if (starts_glued_label(length))
+            return add_number(sign, mantissa_end, digits_end, digits_end, decimals, exponent);
+        if ((is_letter(peek(length)) && !is_unreadable(at_ + length)) ||
+            peek(length) == '_') {  // "3x3", "2nd", "4ac": a word that begins with a digit
             at_ += sign;
             take_word();
             return;
         }
+        add_number(sign, mantissa_end, digits_end, length, decimals, exponent);
+    }
+
+    void add_number(std::size_t sign, std::size_t mantissa_end, std::size_t digits_end, std::size_t length,
+                    int decimals, int exponent) {
         const std::size_t begin = at_;
         add(Token::Kind::number, length);
-        tokens_.back().number = parse(begin, sign, mantissa_end, length, decimals, exponent);
+        tokens_.back().number = parse(begin, sign, mantissa_end, digits_end, decimals, exponent);
+    }
+
+    /// A label printed without a separator before it, as in "a=1b=-4c=2" or "t: 0.5858P_s: …": a word up to an '=' or
+    /// ':'.
+    bool starts_glued_label(std::size_t ahead) const {
+        constexpr std::size_t longest = 24;
+        if (!is_letter(peek(ahead)) || tokens_.empty() || tokens_.back().kind != Token::Kind::equals) return false;
+        std::size_t end = ahead;
+        while (end - ahead < longest && is_word_char(peek(end))) ++end;
+        const bool index = peek(ahead) == 'x' && is_digit(peek(ahead + 1));  // "3x3:"
+        while (peek(end) == ' ') ++end;
+        return !index && (peek(end) == '=' || peek(end) == ':');
     }
 
     bool peek_back_sign() const { return line_[tokens_.back().begin] == '-'; }
@@ -141,6 +187,7 @@ class Lexer {
         std::size_t length = 0;
         while (true) {
             const char c = peek(length);
+            if (is_unreadable(at_ + length)) break;
             if (is_word_char(c) || (c == '\'' && length > 0)) {
                 ++length;
             } else if (c == ':' && peek(length + 1) == ':' && is_letter(peek(length + 2))) {
@@ -153,6 +200,7 @@ class Lexer {
                 break;
             }
         }
+        if (length == 0) return add(Token::Kind::other, 1);  // the point of ".5x"
         const std::size_t letters = letters_before_number(length);
         add(Token::Kind::word, letters);
         if (letters < length) take_number();
@@ -255,6 +303,8 @@ class Lexer {
 
 }  // namespace
 
-std::vector<Token> tokenize(std::string_view line) { return Lexer(line).run(); }
+std::vector<Token> tokenize(std::string_view line) {
+    return Lexer(line).run();
+}
 
 }  // namespace harness

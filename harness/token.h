@@ -8,15 +8,15 @@ namespace harness {
 
 /// A number as a program printed it.
 struct PrintedNumber {
-    double value = 0;             ///< may be infinite or not a number
-    int decimals = 0;             ///< of its last digit: 1.50 has 2, 1.5e-3 has 4, 1.5e+03 has -2
-    int significant = 0;          ///< digits from the first that is not 0
-    bool exact = false;           ///< a fraction such as 5/3, which has no last digit
+    double value = 0;     ///< may be infinite or not a number
+    int decimals = 0;     ///< of its last digit: 1.50 has 2, 1.5e-3 has 4, 1.5e+03 has -2
+    int significant = 0;  ///< digits from the first that is not 0
+    bool exact = false;   ///< a fraction such as 5/3, which has no last digit
 };
 
 struct Token {
     enum class Kind {
-        word,     ///< letters, digits and '_' that begin with a letter; "P_VCS", "t1", "b'", "P.x", "M[0]", "glm::vec3"
+        word,  ///< letters, digits and '_' that begin with a letter; "P_VCS", "t1", "b'", "P.x", "M[0]", "glm::vec3"
         number,
         open,     ///< ( [ { or < before a number
         close,    ///< ) ] } or > that closes such a <

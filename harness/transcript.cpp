@@ -12,30 +12,52 @@
 namespace harness {
 namespace {
 
-std::vector<std::string_view> split_lines(std::string_view text) {
-    std::vector<std::string_view> lines;
-    while (!text.empty()) {
+struct Line {
+    std::string_view text;
+    int number;  ///< 1-based; several pieces of a line share theirs
+};
+
+/// Appends a line; in pieces where a heading follows a value without a line break: "t: 0.61Question 7:".
+void append_line(std::vector<Line>& lines, std::string_view text, int number) {
+    static const RE2 heading(
+        R"((?:[\d)\]}>.;]\s*|\s\s)((?:Question|QUESTION|Quest|Ques|Exercise|EXERCISE|Problem|PROBLEM|Q)[\s_.]*#?\s?\d{1,2}\s?[:.)\]\-]))");
+    re2::StringPiece rest(text.data(), text.size());
+    re2::StringPiece found;
+    while (RE2::FindAndConsume(&rest, heading, &found)) {
+        const auto before = static_cast<std::size_t>(found.data() - text.data());
+        if (text.substr(0, before).find_first_not_of(" \t") == std::string_view::npos) continue;
+        lines.push_back({text.substr(0, before), number});
+        text.remove_prefix(before);
+    }
+    lines.push_back({text, number});
+}
+
+std::vector<Line> split_lines(std::string_view text) {
+    std::vector<Line> lines;
+    for (int number = 1; !text.empty(); ++number) {
         const std::size_t end = text.find('\n');
-        lines.push_back(text.substr(0, end));
+        append_line(lines, text.substr(0, end), number);
         text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     }
     return lines;
 }
 
-
 /// "t: none", "hit point = no hit", "N -> (not defined)": a label, then words that say there is no value.
 std::optional<PrintedValue> read_no_value(std::string_view line) {
     constexpr std::size_t longest = 300;
     static const RE2 pattern(
-        R"((?i)^\s*(.{0,80}?)\s*(?:[:=]|->|\s-\s|\.{3,}|\s{3,}|\t|\|)\s*[(<"'\[]*\s*((?:none|no |not |non-?existent|n/?a\b|nil\b|null\b|undefined|does not|doesn't|miss|imaginary|complex|-+\s*$|invalid|there is no|ray misses).*)$)");
+        R"((?i)^\s*(.{0,80}?)\s*(?:[:=]|->|\s-\s|\.{3,}|\s{3,}|\t|\|)\s*[(<"'\[]*\s*(?:the )?((?:none|no |not |non-?existent|n/?a\b|nil\b|null\b|undefined|does not|doesn't|miss|imaginary|complex|-+\s*$|invalid|there is no|ray (?:misses|does not|doesn't|never)).*)$)");
     static const RE2 unlabelled(
         R"((?i)^\s*[(<"'\[*]*\s*((?:none|no (?:(?:real|positive|valid|such|true) )*(?:hit|intersection|solution|root|normal|t\b)|not? hit|n/a\b|(?:the )?ray (?:misses|does not hit|doesn't hit)|there is no (?:hit|intersection)|miss(?:es|ed)?\b).*)$)");
     re2::StringPiece label;
     re2::StringPiece words;
     const std::string_view start = line.substr(0, longest);
     const re2::StringPiece piece(start.data(), start.size());
+    static const RE2 sentence(
+        R"((?i)(\b(?:no (?:real|positive) (?:root|solution|value)s?\b|(?:ray|it) (?:misses|does not hit|doesn't hit|never hits)|no (?:hit|intersection)\b).*)$)");
+    static const RE2 conditional(R"((?i)\bif\b|\?|\bwhether\b|\bwhen\b)");
     if (!RE2::PartialMatch(piece, pattern, &label, &words) && !RE2::PartialMatch(piece, unlabelled, &words)) {
-        return std::nullopt;
+        if (RE2::PartialMatch(piece, conditional) || !RE2::PartialMatch(piece, sentence, &words)) return std::nullopt;
     }
     PrintedValue value;
     value.label = std::string(label);
@@ -43,7 +65,8 @@ std::optional<PrintedValue> read_no_value(std::string_view line) {
     return value;
 }
 
-/// The x, y, z or w that a label names, as 0 to 3, and the label without it: "hit point: x" is component 0 of "hit point".
+/// The x, y, z or w that a label names, as 0 to 3, and the label without it: "hit point: x" is component 0 of "hit
+/// point".
 struct ComponentLabel {
     int component;
     std::string base;
@@ -51,7 +74,7 @@ struct ComponentLabel {
 
 std::optional<ComponentLabel> read_component(const PrintedValue& value) {
     if (value.numbers.size() != 1 || value.label.empty()) return std::nullopt;
-    static const RE2 pattern(R"((?i)^(?:(.*?)(?:[\s:.,(_\-]+|\[))?(?:([xyzw])|([0-3])\])\s*$)");
+    static const RE2 pattern(R"((?i)^(?:(.*?)(?:[\s:.,(_\-]+|\[)?)?(?:([xyzw])|([0-3])\])\s*$)");
     re2::StringPiece base;
     re2::StringPiece letter;
     re2::StringPiece index;
@@ -98,16 +121,19 @@ std::vector<PrintedValue> join_components(std::vector<PrintedValue> values) {
     return joined;
 }
 
-/// Joins numbers that stand one below the other under a label of their own, "column 0" or "N", into one list of three or four.
+/// Joins numbers that stand one below the other under a label of their own, "column 0" or "N", into one list of three
+/// or four.
 std::vector<PrintedValue> join_stacks(std::vector<PrintedValue> values) {
     std::vector<PrintedValue> joined;
     for (std::size_t i = 0; i < values.size();) {
         const auto continues = [&](std::size_t k) {
             const PrintedValue& value = values[k];
-            return value.numbers.size() == 1 && value.label.empty() && value.above.empty() && value.line == values[k - 1].line + 1;
+            return value.numbers.size() == 1 && value.label.empty() && value.after.empty() && value.above.empty() &&
+                   value.line == values[k - 1].line + 1;
         };
         std::size_t count = 1;
-        const bool starts = values[i].numbers.size() == 1 && values[i].label.empty() && !values[i].above.empty() && !values[i].above_is_title;
+        const bool starts = values[i].numbers.size() == 1 && values[i].label.empty() && values[i].after.empty() &&
+                            !values[i].above.empty() && !values[i].above_is_title;
         while (starts && i + count < values.size() && continues(i + count)) ++count;
         PrintedValue value = std::move(values[i]);
         if (count == 3 || count == 4) {
@@ -126,30 +152,40 @@ std::vector<PrintedValue> join_stacks(std::vector<PrintedValue> values) {
     return joined;
 }
 
+/// Drops the middle of what no question asks for that often: a loop without end.
+void keep_ends(std::vector<PrintedValue>& values) {
+    constexpr std::ptrdiff_t end = most_values_in_section / 2;
+    if (values.size() > most_values_in_section) values.erase(values.begin() + end, values.end() - end);
+}
+
 class TranscriptReader {
   public:
-    Transcript run(const std::vector<std::string_view>& lines) {
-        const auto headings = find_headings(lines);
-        transcript_.sections.push_back({});
+    Transcript run(const std::vector<Line>& lines) {
+        std::vector<std::string_view> texts;
+        for (const Line& line : lines) texts.push_back(line.text);
+        const auto headings = find_headings(texts);
+        transcript_.sections.push_back({0, {}, {}});
         for (std::size_t i = 0; i < lines.size(); ++i) {
-            std::string_view rest = lines[i];
-            const int number = static_cast<int>(i) + 1;
+            auto [rest, number] = lines[i];
             if (headings[i]) {
                 rest.remove_prefix(std::min(rest.size(), headings[i]->end));
-                transcript_.sections.push_back({headings[i]->question, {}, {}, number});
+                transcript_.sections.push_back({headings[i]->question, {}, {}});
                 above_.clear();
             }
             read(rest, number);
             if (headings[i]) above_is_title_ = true;
         }
-        for (Section& section : transcript_.sections) section.values = join_stacks(join_components(std::move(section.values)));
+        for (Section& section : transcript_.sections) {
+            keep_ends(section.values);
+            section.values = join_stacks(join_components(std::move(section.values)));
+        }
         return std::move(transcript_);
     }
 
   private:
     void read(std::string_view line, int number) {
         Section& section = transcript_.sections.back();
-        section.lines.emplace_back(line);
+        section.lines.push_back({std::string(line), number});
         LineReading reading = read_line(line);
         if (reading.values.empty()) {
             if (auto none = read_no_value(line)) reading.values.push_back(std::move(*none));

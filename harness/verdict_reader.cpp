@@ -31,9 +31,11 @@ bool is_one_of(const std::string& word, const std::array<std::string_view, N>& l
 
 constexpr std::array<std::string_view, 3> sphere_words = {"sphere", "sphere's", "ball"};
 constexpr std::array<std::string_view, 3> triangle_words = {"triangle", "triangle's", "tri"};
-constexpr std::array<std::string_view, 18> hit_words = {"hit",    "hits",   "closest", "nearest", "closer", "nearer", "before",    "wins", "winner",
-                                                        "visible", "front", "smaller", "smallest", "seen",  "chosen", "intersects", "intersected", "earlier"};
-constexpr std::array<std::string_view, 8> negations = {"not", "doesn't", "never", "misses", "missed", "miss", "no", "isn't"};
+constexpr std::array<std::string_view, 18> hit_words = {
+    "hit",     "hits",  "closest", "nearest",  "closer", "nearer", "before",     "wins",        "winner",
+    "visible", "front", "smaller", "smallest", "seen",   "chosen", "intersects", "intersected", "earlier"};
+constexpr std::array<std::string_view, 8> negations = {"not",    "doesn't", "never", "misses",
+                                                       "missed", "miss",    "no",    "isn't"};
 constexpr std::array<std::string_view, 4> debug_words = {"debug", "dbg", "trace", "log"};
 
 std::optional<Verdict> object_of(const std::string& word) {
@@ -51,7 +53,8 @@ std::optional<Verdict> object_at_first(const std::vector<std::string>& words) {
         std::optional<Verdict> near;
         for (std::size_t k = 1; k <= reach && k <= i && !near; ++k) near = object_of(words[i - k]);
         for (std::size_t k = 1; k <= reach && i + k < words.size() && !near; ++k) near = object_of(words[i + k]);
-        if (near && found && *near != *found) return std::nullopt;  // the question's text: "triangle first / sphere first"
+        if (near && found && *near != *found)
+            return std::nullopt;  // the question's text: "triangle first / sphere first"
         if (near) found = near;
     }
     return found;
@@ -64,10 +67,12 @@ bool any(const std::vector<std::string>& words, const auto& list) {
 bool says_nothing_is_hit(const std::vector<std::string>& words) {
     constexpr std::array<std::string_view, 4> nothing = {"nothing", "neither", "none", "anything"};
     if (any(words, nothing)) return true;
-    const bool both = std::count_if(words.begin(), words.end(), [](const std::string& w) { return object_of(w).has_value(); }) >= 2;
+    const bool both =
+        std::count_if(words.begin(), words.end(), [](const std::string& w) { return object_of(w).has_value(); }) >= 2;
     constexpr std::array<std::string_view, 5> all = {"both", "everything", "object", "objects", "any"};
     const bool about_all = both || any(words, all) || words.size() <= 3;
-    constexpr std::array<std::string_view, 7> hit = {"hit", "hits", "misses", "missed", "miss", "intersection", "intersect"};
+    constexpr std::array<std::string_view, 7> hit = {"hit",  "hits",         "misses",   "missed",
+                                                     "miss", "intersection", "intersect"};
     return about_all && any(words, negations) && any(words, hit);
 }
 
@@ -83,12 +88,14 @@ std::optional<Verdict> object_compared(const std::vector<std::string>& words) {
         if (const auto object = object_of(word)) objects.push_back(*object);
     }
     if (objects.empty()) return std::nullopt;
-    const bool one_object = std::all_of(objects.begin(), objects.end(), [&](Verdict v) { return v == objects.front(); });
+    const bool one_object =
+        std::all_of(objects.begin(), objects.end(), [&](Verdict v) { return v == objects.front(); });
     if (one_object) {
         if (any(words, negations)) return std::nullopt;
         return any(words, hit_words) || words.size() <= 2 ? std::optional(objects.front()) : std::nullopt;
     }
-    constexpr std::array<std::string_view, 9> compares = {"before", "closer", "nearer", "smaller", "less", "front", "earlier", "than", "wins"};
+    constexpr std::array<std::string_view, 9> compares = {"before", "closer",  "nearer", "smaller", "less",
+                                                          "front",  "earlier", "than",   "wins"};
     return any(words, compares) ? std::optional(objects.front()) : std::nullopt;
 }
 
@@ -103,20 +110,22 @@ std::optional<Verdict> verdict_of(std::string_view line, VerdictPlace place) {
     return object_compared(words);
 }
 
-bool is_about_a_number(std::string_view line) { return line.find_first_of("0123456789") != std::string_view::npos; }
+bool is_about_a_number(std::string_view line) {
+    return line.find_first_of("0123456789") != std::string_view::npos;
+}
 
 }  // namespace
 
-std::optional<PrintedVerdict> read_verdict(const std::vector<std::string>& lines, VerdictPlace place) {
+std::optional<PrintedVerdict> read_verdict(const std::vector<PrintedLine>& lines, VerdictPlace place) {
     std::optional<PrintedVerdict> plain;        // a sentence
     std::optional<PrintedVerdict> with_number;  // "closest hit: sphere at t = 0.58", if there is no plain one
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const auto verdict = verdict_of(lines[i], place);
+    for (const auto& [text, number] : lines) {
+        const auto verdict = verdict_of(text, place);
         if (!verdict) continue;
         constexpr std::size_t longest_printed = 200;
-        const std::size_t begin = std::min(lines[i].find_first_not_of(" \t:-*#>="), lines[i].size());
-        PrintedVerdict printed{*verdict, lines[i].substr(begin, longest_printed), i};
-        (is_about_a_number(lines[i]) ? with_number : plain) = std::move(printed);
+        const std::size_t begin = std::min(text.find_first_not_of(" \t:-*#>="), text.size());
+        PrintedVerdict printed{*verdict, text.substr(begin, longest_printed), number};
+        (is_about_a_number(text) ? with_number : plain) = std::move(printed);
     }
     return plain ? plain : with_number;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/transcript.h"
 #include "reference/stages/first_hit.h"
 
 namespace harness {
@@ -12,13 +13,13 @@ namespace harness {
 struct PrintedVerdict {
     reference::Verdict verdict;
     std::string printed;  ///< the line, at most 200 bytes
-    std::size_t line;     ///< index into the lines given
+    int line;             ///< 1-based, in the program's output
 };
 
 /// Whether the lines stand under question 10's heading. Elsewhere only a sentence with "first" is a verdict.
 enum class VerdictPlace { own_section, elsewhere };
 
 /// The verdict that the lines state; where several do, the last. A line about one object's t is none.
-std::optional<PrintedVerdict> read_verdict(const std::vector<std::string>& lines, VerdictPlace place);
+std::optional<PrintedVerdict> read_verdict(const std::vector<PrintedLine>& lines, VerdictPlace place);
 
 }  // namespace harness

@@ -172,12 +172,9 @@ ItemBounds as_bounds(const std::vector<Range>& ranges, Arithmetic arithmetic) {
 
 std::string_view to_string(Arithmetic arithmetic) {
     switch (arithmetic) {
-        case Arithmetic::float_:
-            return "float";
-        case Arithmetic::double_:
-            return "double";
-        case Arithmetic::none:
-            return "none";
+        case Arithmetic::float_: return "float";
+        case Arithmetic::double_: return "double";
+        case Arithmetic::none: return "none";
     }
     return "";
 }

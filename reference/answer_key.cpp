@@ -14,12 +14,9 @@ namespace {
 
 std::string_view to_string(PixelConvention convention) {
     switch (convention) {
-        case PixelConvention::centre:
-            return "centre";
-        case PixelConvention::grid:
-            return "grid";
-        case PixelConvention::corner:
-            return "corner";
+        case PixelConvention::centre: return "centre";
+        case PixelConvention::grid: return "grid";
+        case PixelConvention::corner: return "corner";
     }
     return "";
 }
@@ -103,12 +100,9 @@ ReadingAnswers answer_in(const Assignment& assignment, const Reading& reading) {
 
 ReadingAnswers answer_at(Precision precision, const Assignment& assignment, const Reading& reading) {
     switch (precision) {
-        case Precision::float_:
-            return answer_in<float>(assignment, reading);
-        case Precision::double_:
-            return answer_in<double>(assignment, reading);
-        case Precision::certified:
-            return certified_answers(assignment, reading);
+        case Precision::float_: return answer_in<float>(assignment, reading);
+        case Precision::double_: return answer_in<double>(assignment, reading);
+        case Precision::certified: return certified_answers(assignment, reading);
     }
     throw std::logic_error("a precision without a scalar");
 }
@@ -145,12 +139,9 @@ void refuse_narrow_tolerance(const AnswerKey& key, const Rubric& rubric) {
 
 std::string_view to_string(Precision precision) {
     switch (precision) {
-        case Precision::float_:
-            return "float";
-        case Precision::double_:
-            return "double";
-        case Precision::certified:
-            return "certified";
+        case Precision::float_: return "float";
+        case Precision::double_: return "double";
+        case Precision::certified: return "certified";
     }
     return "";
 }
@@ -183,14 +174,10 @@ AnswerKey make_key(const Assignment& assignment, Precision precision) {
 
 std::string_view sentence(Verdict verdict) {
     switch (verdict) {
-        case Verdict::triangle_first:
-            return "ray hits triangle first";
-        case Verdict::sphere_first:
-            return "ray hits sphere first";
-        case Verdict::tie:
-            return "ray hits sphere and triangle at the same t";
-        case Verdict::no_hit:
-            return "ray hits nothing";
+        case Verdict::triangle_first: return "ray hits triangle first";
+        case Verdict::sphere_first: return "ray hits sphere first";
+        case Verdict::tie: return "ray hits sphere and triangle at the same t";
+        case Verdict::no_hit: return "ray hits nothing";
     }
     return "";
 }

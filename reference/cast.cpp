@@ -29,16 +29,10 @@ void append(Text& text, double x) {
 
 void append(Text& text, const kernel::SphereHit& sphere) {
     switch (sphere.result) {
-        case kernel::SphereResult::hit:
-            append(text, R"({"result":"hit","t":)");
-            break;
-        case kernel::SphereResult::tangent:
-            append(text, R"({"result":"tangent","t":)");
-            break;
-        case kernel::SphereResult::miss:
-            return append(text, R"({"result":"miss"})");
-        case kernel::SphereResult::invalid:
-            return append(text, R"({"result":"invalid"})");
+        case kernel::SphereResult::hit: append(text, R"({"result":"hit","t":)"); break;
+        case kernel::SphereResult::tangent: append(text, R"({"result":"tangent","t":)"); break;
+        case kernel::SphereResult::miss: return append(text, R"({"result":"miss"})");
+        case kernel::SphereResult::invalid: return append(text, R"({"result":"invalid"})");
     }
     append(text, sphere.t);
     append(text, "}");
@@ -46,16 +40,11 @@ void append(Text& text, const kernel::SphereHit& sphere) {
 
 void append(Text& text, const kernel::TriangleHit& triangle) {
     switch (triangle.result) {
-        case kernel::TriangleResult::hit:
-            break;
-        case kernel::TriangleResult::miss:
-            return append(text, R"({"result":"miss"})");
-        case kernel::TriangleResult::coplanar:
-            return append(text, R"({"result":"coplanar"})");
-        case kernel::TriangleResult::degenerate:
-            return append(text, R"({"result":"degenerate"})");
-        case kernel::TriangleResult::invalid:
-            return append(text, R"({"result":"invalid"})");
+        case kernel::TriangleResult::hit: break;
+        case kernel::TriangleResult::miss: return append(text, R"({"result":"miss"})");
+        case kernel::TriangleResult::coplanar: return append(text, R"({"result":"coplanar"})");
+        case kernel::TriangleResult::degenerate: return append(text, R"({"result":"degenerate"})");
+        case kernel::TriangleResult::invalid: return append(text, R"({"result":"invalid"})");
     }
     append(text, R"({"result":"hit","t":)");
     append(text, triangle.t);
@@ -76,21 +65,11 @@ void append(Text& text, const std::vector<Hit>& hits) {
 
 void append(Text& text, const kernel::First& first) {
     switch (first.kind) {
-        case kernel::First::Kind::sphere:
-            fmt::format_to(fmt::appender(text), "sphere {}", first.index);
-            break;
-        case kernel::First::Kind::triangle:
-            fmt::format_to(fmt::appender(text), "triangle {}", first.index);
-            break;
-        case kernel::First::Kind::tie:
-            append(text, "tie");
-            break;
-        case kernel::First::Kind::none:
-            append(text, "none");
-            break;
-        case kernel::First::Kind::invalid:
-            append(text, "invalid");
-            break;
+        case kernel::First::Kind::sphere: fmt::format_to(fmt::appender(text), "sphere {}", first.index); break;
+        case kernel::First::Kind::triangle: fmt::format_to(fmt::appender(text), "triangle {}", first.index); break;
+        case kernel::First::Kind::tie: append(text, "tie"); break;
+        case kernel::First::Kind::none: append(text, "none"); break;
+        case kernel::First::Kind::invalid: append(text, "invalid"); break;
     }
 }
 

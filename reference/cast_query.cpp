@@ -102,12 +102,8 @@ Key key_of(std::string_view name) {
 
 void read_value(Key key, const json::element& value, CastQuery& query) {
     switch (key) {
-        case origin:
-            query.ray.origin = point(value, "origin");
-            break;
-        case direction:
-            query.ray.direction = point(value, "direction");
-            break;
+        case origin: query.ray.origin = point(value, "origin"); break;
+        case direction: query.ray.direction = point(value, "direction"); break;
         case spheres:
             for (const json::element& element : array(value, "spheres")) query.spheres.push_back(sphere(element));
             break;

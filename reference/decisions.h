@@ -21,13 +21,10 @@ struct Decisions {
 template <class S>
 std::string_view sphere_decision(const SphereAnswers<S>& sphere) {
     switch (sphere.choice) {
-        case RootChoice::miss:
-            return "miss";
+        case RootChoice::miss: return "miss";
         case RootChoice::smaller:
-        case RootChoice::larger:
-            break;
-        case RootChoice::unsure:
-            return "unsure";
+        case RootChoice::larger: break;
+        case RootChoice::unsure: return "unsure";
     }
     if (sign_of(sphere.quadratic.d) == 0) return "tangent";
     return sign_of(sphere.quadratic.c) == 0 ? "boundary" : "hit";
@@ -35,18 +32,12 @@ std::string_view sphere_decision(const SphereAnswers<S>& sphere) {
 
 inline std::string_view triangle_decision(TriangleHit hit) {
     switch (hit) {
-        case TriangleHit::hit:
-            return "hit";
-        case TriangleHit::boundary:
-            return "boundary";
-        case TriangleHit::miss:
-            return "miss";
-        case TriangleHit::parallel:
-            return "miss";
-        case TriangleHit::coplanar:
-            return "coplanar";
-        case TriangleHit::unsure:
-            return "unsure";
+        case TriangleHit::hit: return "hit";
+        case TriangleHit::boundary: return "boundary";
+        case TriangleHit::miss: return "miss";
+        case TriangleHit::parallel: return "miss";
+        case TriangleHit::coplanar: return "coplanar";
+        case TriangleHit::unsure: return "unsure";
     }
     return "";
 }
@@ -54,14 +45,10 @@ inline std::string_view triangle_decision(TriangleHit hit) {
 inline std::string_view first_decision(std::optional<Verdict> verdict) {
     if (!verdict) return "unsure";
     switch (*verdict) {
-        case Verdict::sphere_first:
-            return "sphere";
-        case Verdict::triangle_first:
-            return "triangle";
-        case Verdict::tie:
-            return "tie";
-        case Verdict::no_hit:
-            return "none";
+        case Verdict::sphere_first: return "sphere";
+        case Verdict::triangle_first: return "triangle";
+        case Verdict::tie: return "tie";
+        case Verdict::no_hit: return "none";
     }
     return "";
 }

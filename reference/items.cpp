@@ -47,16 +47,11 @@ std::string_view question_title(int question) {
 
 int component_count(Shape shape) {
     switch (shape) {
-        case Shape::scalar:
-            return 1;
-        case Shape::vector:
-            return 3;
-        case Shape::matrix3:
-            return 9;
-        case Shape::matrix4:
-            return 16;
-        case Shape::verdict:
-            return 0;
+        case Shape::scalar: return 1;
+        case Shape::vector: return 3;
+        case Shape::matrix3: return 9;
+        case Shape::matrix4: return 16;
+        case Shape::verdict: return 0;
     }
     return 0;
 }

@@ -30,16 +30,11 @@ std::string value_text(const Value& value, Shape shape) {
     if (const Verdict* verdict = std::get_if<Verdict>(&value)) return std::string(sentence(*verdict));
     const Numbers& numbers = std::get<Numbers>(value);
     switch (shape) {
-        case Shape::scalar:
-            return fmt::format("{:.6g}", numbers.front());
-        case Shape::vector:
-            return "vec3" + group(numbers);
-        case Shape::matrix3:
-            return matrix_text(numbers, 3);
-        case Shape::matrix4:
-            return matrix_text(numbers, 4);
-        case Shape::verdict:
-            return "";
+        case Shape::scalar: return fmt::format("{:.6g}", numbers.front());
+        case Shape::vector: return "vec3" + group(numbers);
+        case Shape::matrix3: return matrix_text(numbers, 3);
+        case Shape::matrix4: return matrix_text(numbers, 4);
+        case Shape::verdict: return "";
     }
     return "";
 }

@@ -44,8 +44,8 @@ class LabelledClass : public testing::TestWithParam<std::string> {};
 
 TEST_P(LabelledClass, AgreesWithTheMarkerOnEveryItem) {
     const TemporaryFolder folder;
-    const Result result = raygrade(
-        {"grade", sample(GetParam()).string(), "--assignment", "a6-2021", "--out", (folder / "out").string()});
+    const Result result =
+        raygrade({"grade", sample(GetParam()).string(), "--assignment", "a6-2021", "--out", (folder / "out").string()});
     ASSERT_EQ(result.status, 0) << result.both();
     const json label = read_json(sample(GetParam()) / "label.json");
     const json submission = read_json(folder / "out/grades.json").at("submissions").at(0);

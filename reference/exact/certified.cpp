@@ -22,18 +22,12 @@ struct Certified::Node {
 
     Ball computed(Bits bits) const {
         switch (operation) {
-            case Operation::exact:
-                return exact.ball(bits);
-            case Operation::add:
-                return Ball::add(evaluate(*x, bits), evaluate(*y, bits), bits);
-            case Operation::subtract:
-                return Ball::subtract(evaluate(*x, bits), evaluate(*y, bits), bits);
-            case Operation::multiply:
-                return Ball::multiply(evaluate(*x, bits), evaluate(*y, bits), bits);
-            case Operation::divide:
-                return Ball::divide(evaluate(*x, bits), evaluate(*y, bits), bits);
-            case Operation::sqrt:
-                return evaluate(*x, bits).sqrt(bits);
+            case Operation::exact: return exact.ball(bits);
+            case Operation::add: return Ball::add(evaluate(*x, bits), evaluate(*y, bits), bits);
+            case Operation::subtract: return Ball::subtract(evaluate(*x, bits), evaluate(*y, bits), bits);
+            case Operation::multiply: return Ball::multiply(evaluate(*x, bits), evaluate(*y, bits), bits);
+            case Operation::divide: return Ball::divide(evaluate(*x, bits), evaluate(*y, bits), bits);
+            case Operation::sqrt: return evaluate(*x, bits).sqrt(bits);
         }
         throw std::logic_error("an operation without a rule");
     }

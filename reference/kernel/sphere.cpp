@@ -83,8 +83,8 @@ SphereResult decide_in_integers(const Ray<double>& ray, const Sphere<double>& sp
     });
 }
 
-/// c of the quadratic, from whole numbers: for a ray that starts so near the surface that nothing is left of it otherwise.
-/// Empty where it is not zero and far from the middle of the doubles' range.
+/// c of the quadratic, from whole numbers: for a ray that starts so near the surface that nothing is left of it
+/// otherwise. Empty where it is not zero and far from the middle of the doubles' range.
 std::optional<DoubleDouble> exact_c(const Ray<double>& ray, const Sphere<double>& sphere) {
     return in_integers(ray, {sphere}, {}, [&](const auto& scene) -> std::optional<DoubleDouble> {
         const auto c = quadratic_of(scene.ray, scene.spheres.front()).c;

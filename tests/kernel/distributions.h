@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <ostream>
 #include <string_view>
 #include <vector>
 
@@ -35,6 +36,8 @@ template <class Case>
 struct Distribution {
     std::string_view name;
     Case (*make)(std::uint64_t seed);
+
+    friend void PrintTo(const Distribution& distribution, std::ostream* out) { *out << distribution.name; }
 };
 
 std::vector<Distribution<SphereCase>> spheres();

@@ -1,6 +1,7 @@
 // Numbers, points and near misses from one seed.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -52,6 +53,12 @@ inline double as_float(double x) {
 }
 inline P as_float(const P& p) {
     return {as_float(p.x), as_float(p.y), as_float(p.z)};
+}
+
+/// Where squares, cubes or fourth powers of the lengths leave the range of doubles, wholly or in part.
+inline double to_the_ends(std::uint64_t seed) {
+    static constexpr std::array<int, 8> exponents{-1000, -537, -530, -360, -268, 255, 340, 500};
+    return std::exp2(exponents[static_cast<std::size_t>(Random(seed).whole(0, 7))]);
 }
 
 }  // namespace distributions

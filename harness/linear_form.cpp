@@ -1,0 +1,153 @@
+#include "harness/linear_form.h"
+
+#include <re2/re2.h>
+
+#include <algorithm>
+#include <string>
+
+namespace harness {
+namespace {
+
+constexpr std::size_t longest_line = 1000;
+constexpr std::size_t longest_printed = 200;
+constexpr char square = 'q';    // stands for t squared
+constexpr char constant = '1';  // a term without a variable
+
+struct Term {
+    char variable;
+    PrintedNumber coefficient;
+    bool is_explicit;  ///< the coefficient was printed
+};
+
+struct Form {
+    std::vector<Term> terms;
+    std::optional<PrintedNumber> right;
+};
+
+#define RAYGRADE_NUMBER R"((?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)"
+
+std::optional<PrintedNumber> number_of(const std::string& text) {
+    const std::vector<Token> tokens = tokenize(text);
+    if (tokens.size() != 1 || tokens[0].kind != Token::Kind::number) return std::nullopt;
+    return tokens[0].number;
+}
+
+bool is_word_char(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// Moves `rest` past one term. Any but the first has its sign.
+std::optional<Term> take_term(re2::StringPiece& rest, bool first) {
+    static const RE2 pattern(R"(\s*([-+]?)\s*(?:\(\s*([-+]?)" RAYGRADE_NUMBER R"()\s*\)|([-+]?)" RAYGRADE_NUMBER
+                             R"())?\s*\*?\s*(t\s*\^\s*2|t\s*\*\s*t|t2|tt|[tuvijk])?)");
+    std::string sign, bracketed, plain, variable;
+    if (!RE2::Consume(&rest, pattern, &sign, &bracketed, &plain, &variable)) return std::nullopt;
+    const std::string& number = bracketed.empty() ? plain : bracketed;
+    if ((number.empty() && variable.empty()) || (!first && sign.empty())) return std::nullopt;
+    if (!variable.empty() && !rest.empty() && is_word_char(rest[0])) return std::nullopt;  // "t" of "triangle"
+    Term term{variable.empty()      ? constant
+              : variable.size() > 1 ? square
+                                    : variable[0],
+              {1, 0, 1, true},
+              !number.empty()};
+    if (term.is_explicit) {
+        const auto coefficient = number_of(number);
+        if (!coefficient) return std::nullopt;
+        term.coefficient = *coefficient;
+    }
+    if (sign == "-") term.coefficient.value = -term.coefficient.value;
+    return term;
+}
+
+std::optional<Form> parse(std::string_view text) {
+    constexpr std::size_t most_terms = 8;
+    re2::StringPiece rest(text.data(), text.size());
+    Form form;
+    static const RE2 right_side(R"(\s*=\s*([-+]?\s?)" RAYGRADE_NUMBER R"()\s*[\])|,;.]*\s*$)");
+    static const RE2 end(R"([\s\])>|,;.]*$)");
+    static const RE2 start(R"([\s\[(<|]*)");
+    RE2::Consume(&rest, start);
+    while (form.terms.size() < most_terms) {
+        std::string right;
+        if (RE2::FullMatch(rest, right_side, &right)) {
+            right.erase(std::remove(right.begin(), right.end(), ' '), right.end());
+            form.right = number_of(right);
+            return form.right ? std::optional(form) : std::nullopt;
+        }
+        if (RE2::FullMatch(rest, end)) return form;
+        const auto term = take_term(rest, form.terms.empty());
+        if (!term) return std::nullopt;
+        form.terms.push_back(*term);
+    }
+    return std::nullopt;
+}
+
+/// The coefficients of `variables`, 0 for one left out; nothing when the form has others or one twice.
+std::optional<std::vector<PrintedNumber>> coefficients(const Form& form, std::string_view variables) {
+    std::vector<PrintedNumber> numbers(variables.size(), PrintedNumber{0, 0, 0, true});
+    std::vector<bool> seen(variables.size(), false);
+    for (const Term& term : form.terms) {
+        const std::size_t index = variables.find(term.variable);
+        if (index == std::string_view::npos || seen[index]) return std::nullopt;
+        seen[index] = true;
+        numbers[index] = term.coefficient;
+    }
+    return numbers;
+}
+
+bool has(const Form& form, char variable) {
+    return std::any_of(form.terms.begin(), form.terms.end(), [&](const Term& t) { return t.variable == variable; });
+}
+
+std::optional<std::vector<PrintedValue>> values_of(const Form& form, std::string_view line) {
+    PrintedValue value;
+    value.printed = std::string(line.substr(0, longest_printed));
+    if (form.right && has(form, square) && has(form, 't') && form.right->value == 0) {
+        const auto numbers = coefficients(form, "qt1");
+        if (!numbers) return std::nullopt;
+        std::vector<PrintedValue> values(3, value);
+        for (std::size_t i = 0; i < 3; ++i) {
+            values[i].numbers = {(*numbers)[i]};
+            values[i].label = std::string(1, "abc"[i]);
+        }
+        return values;
+    }
+    const bool any_explicit =
+        std::any_of(form.terms.begin(), form.terms.end(), [](const Term& t) { return t.is_explicit; });
+    if (form.terms.size() < 2 || !any_explicit) return std::nullopt;
+    const auto numbers = coefficients(form, form.right ? "tuv" : "ijk");
+    if (!numbers || (!form.right && form.terms.size() != 3)) return std::nullopt;
+    value.numbers = *numbers;
+    if (form.right) {
+        value.numbers.push_back(*form.right);
+        value.bar_after = 3;
+    }
+    return std::vector{value};
+}
+
+}  // namespace
+
+std::optional<std::vector<PrintedValue>> read_linear_form(std::string_view line) {
+    if (line.size() > longest_line || line.find_first_of("tuvk") == std::string_view::npos ||
+        line.find_first_of("+-") == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const std::size_t colon = line.find_last_of(':');
+    const std::size_t equals = line.find('=');
+    for (const std::size_t start : {colon == std::string_view::npos ? 0 : colon + 1,
+                                    equals == std::string_view::npos ? 0 : equals + 1, std::size_t{0}}) {
+        const auto form = parse(line.substr(start));
+        if (!form) continue;
+        auto values = values_of(*form, line.substr(start));
+        if (!values) continue;
+        if (values->size() == 1 && start > 0 && !form->right) {
+            const std::string_view label = line.substr(0, start - 1);
+            const std::size_t first = std::min(label.find_first_not_of(" \t"), label.size());
+            (*values)[0].label = std::string(label.substr(first, label.find_last_not_of(" \t:=") + 1 - first));
+        }
+        return values;
+    }
+    return std::nullopt;
+}
+
+}  // namespace harness

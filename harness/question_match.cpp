@@ -1,0 +1,285 @@
+#include "harness/question_match.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "harness/assignment_problem.h"
+
+namespace harness {
+namespace {
+
+using reference::ItemSpec;
+using reference::Shape;
+
+/// The gain of each fit. The steps between are wider than what the order of printing can add.
+std::int64_t gain_of(LabelFit fit) {
+    switch (fit) {
+        case LabelFit::exact: return 100'000;
+        case LabelFit::named: return 80'000;
+        case LabelFit::title: return 60'000;
+        case LabelFit::weak: return 50'000;
+        case LabelFit::none: return 40'000;
+        case LabelFit::foreign: return 15'000;
+        case LabelFit::forbidden: return 0;
+    }
+    return 0;
+}
+
+std::size_t index_of(const ItemSpec& item) {
+    const auto items = reference::all_items();
+    const auto same = [&](const ItemSpec& i) { return i.question == item.question && i.name == item.name; };
+    return static_cast<std::size_t>(std::find_if(items.begin(), items.end(), same) - items.begin());
+}
+
+/// A candidate, and where it stands in its part.
+struct Placed {
+    Candidate candidate;
+    std::size_t place;
+};
+
+class Matcher {
+  public:
+    Matcher(std::span<const ItemSpec> items, Need need, Fits& fits) : items_(items), need_(need), fits_(fits) {
+        for (const ItemSpec& item : items) index_.push_back(index_of(item));
+    }
+
+    struct Solution {
+        std::vector<std::optional<std::size_t>> candidate_of;
+        std::int64_t gain = 0;
+    };
+
+    Solution solve(const std::vector<Placed>& candidates) const {
+        std::vector<std::vector<std::optional<std::int64_t>>> gains(items_.size());
+        for (std::vector<std::optional<std::int64_t>>& row : gains) row.reserve(candidates.size());
+        std::vector<LabelFit> fit(items_.size());
+        for (const Placed& placed : candidates) {
+            const PrintedValue& value = placed.candidate.value;
+            const Fits::Row& row = fits_.of(value);
+            for (std::size_t i = 0; i < items_.size(); ++i) fit[i] = row[index_[i]];
+            for (std::size_t i = 0; i < items_.size(); ++i) gains[i].push_back(gain(i, placed, fit));
+        }
+        Solution solution{solve_assignment(gains), 0};
+        for (std::size_t i = 0; i < items_.size(); ++i) {
+            if (solution.candidate_of[i]) solution.gain += *gains[i][*solution.candidate_of[i]];
+        }
+        return solution;
+    }
+
+    /// Whether the words around a list name an item.
+    bool names_an_item(const PrintedValue& value) const {
+        const Fits::Row& row = fits_.of(value);
+        return std::any_of(index_.begin(), index_.end(), [&](std::size_t i) { return row[i] >= LabelFit::weak; });
+    }
+
+    bool forbids(const PrintedValue& value, const ItemSpec& item) const {
+        return fits_(value, item) == LabelFit::forbidden;
+    }
+
+  private:
+    std::optional<std::int64_t> gain(std::size_t i, const Placed& placed, const std::vector<LabelFit>& fit) const {
+        const Candidate& candidate = placed.candidate;
+        if (!has_shape(candidate.value, items_[i]) || fit[i] == LabelFit::forbidden) return std::nullopt;
+        if (need_ == Need::label && fit[i] < LabelFit::named) return std::nullopt;
+        if (names_another(i, fit) ||
+            (fit[i] == LabelFit::foreign && names_another_question(candidate.value, items_[i])))
+            return std::nullopt;
+        // A vec3 without a name that is read as three scalars is one value still: it gains no more than as a vector.
+        const std::int64_t share = candidate.value.typed && fit[i] == LabelFit::none ? candidate.parts : 1;
+        return gain_of(fit[i]) / share + order_gain(fit[i], i, placed);
+    }
+
+    /// Whether the label names an item of the question better than item i: a value labelled "b" is never c.
+    bool names_another(std::size_t i, const std::vector<LabelFit>& fit) const {
+        if (fit[i] >= LabelFit::named) return false;
+        for (std::size_t other = 0; other < items_.size(); ++other) {
+            const LabelFit least = fit[i] <= LabelFit::foreign ? LabelFit::weak : LabelFit::named;
+            if (other != i && items_[other].shape == items_[i].shape && fit[other] >= least) return true;
+        }
+        return false;
+    }
+
+    /// Whether the label is that of another question's item: "N" within question 6. In a question with one item the
+    /// label may have been copied by mistake.
+    bool names_another_question(const PrintedValue& value, const ItemSpec& item) const {
+        if (items_.size() == 1) return false;
+        const auto all = reference::all_items();
+        const Fits::Row& row = fits_.of(value);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (all[i].question != item.question && all[i].shape == item.shape && row[i] == LabelFit::exact)
+                return true;
+        }
+        return false;
+    }
+
+    /// Of values labelled alike the last counts. Values without a label come in the order of the items; of a question
+    /// with one item the last is the result of those before.
+    std::int64_t order_gain(LabelFit fit, std::size_t i, const Placed& placed) const {
+        constexpr std::int64_t most = 4'000;
+        constexpr std::int64_t later_part = 2'000;
+        const auto place = static_cast<std::int64_t>(placed.place);
+        const std::int64_t part =
+            std::min<std::int64_t>(static_cast<std::int64_t>(placed.candidate.part), 2) * later_part;
+        if (fit >= LabelFit::title || items_.size() == 1) return part + std::min(place, most);
+        // Squared, so that of two matchings the one without crossings gains more.
+        const std::int64_t apart = std::min<std::int64_t>(std::abs(static_cast<std::int64_t>(i) - place), 40);
+        return part - 2 * apart * apart;
+    }
+
+    std::span<const ItemSpec> items_;
+    std::vector<std::size_t> index_;  ///< of each item in all_items()
+    Need need_;
+    Fits& fits_;
+};
+
+/// candidates with number k read as scalars, named by items [first, …).
+std::vector<Placed> with_list_apart(const std::vector<Placed>& candidates, std::size_t k,
+                                    std::span<const ItemSpec> items, std::size_t first) {
+    std::vector<Placed> trial(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(k));
+    std::size_t place = candidates[k].place;
+    const PrintedValue& list = candidates[k].candidate.value;
+    for (Candidate& part : take_apart(candidates[k].candidate, items, first)) {
+        part.value.label = list.label;  // the order of printing names them, no more than that
+        part.value.above = list.above;
+        part.value.after = list.after;
+        trial.push_back({std::move(part), place++});
+    }
+    const std::size_t shift = place - candidates[k].place - 1;
+    for (std::size_t later = k + 1; later < candidates.size(); ++later) {
+        trial.push_back(candidates[later]);
+        if (trial.back().candidate.part == candidates[k].candidate.part) trial.back().place += shift;
+    }
+    return trial;
+}
+
+/// Whether items [first, first + count) may be candidate k where the others are matched as in `solution`: nothing
+/// before it answers a later item, nothing behind it an earlier one, and none of these items is answered by name.
+bool keeps_order(const std::vector<Placed>& candidates, const Matcher& matcher, const Matcher::Solution& solution,
+                 std::size_t k, std::size_t first, std::size_t count) {
+    for (std::size_t i = 0; i < solution.candidate_of.size(); ++i) {
+        const auto& candidate = solution.candidate_of[i];
+        if (!candidate || *candidate == k) continue;
+        if ((*candidate < k && i >= first + count) || (*candidate > k && i < first)) return false;
+        const bool within = i >= first && i < first + count;
+        if (within && matcher.names_an_item(candidates[*candidate].candidate.value)) return false;
+    }
+    return true;
+}
+
+/// The best that reading one list without a name as several scalars gives, if it gains more than `best_gain`.
+std::vector<Placed> take_best_list_apart(const std::vector<Placed>& candidates, std::span<const ItemSpec> items,
+                                         const Matcher& matcher, std::int64_t& best_gain) {
+    constexpr std::size_t most_lists = 8;
+    const Matcher::Solution whole = matcher.solve(candidates);
+    std::vector<Placed> best;
+    std::size_t lists = 0;
+    for (std::size_t k = 0; k < candidates.size() && lists < most_lists; ++k) {
+        const PrintedValue& value = candidates[k].candidate.value;
+        const std::size_t count = value.numbers.size();
+        if (value.groups != 1 || count < 2 || count > items.size() || matcher.names_an_item(value)) continue;
+        ++lists;
+        for (std::size_t first = 0; first + count <= items.size(); ++first) {
+            const auto named = items.subspan(first, count);
+            const bool fit = std::all_of(named.begin(), named.end(), [&](const ItemSpec& item) {
+                return item.shape == Shape::scalar && !matcher.forbids(value, item);
+            });
+            if (!fit || !keeps_order(candidates, matcher, whole, k, first, count)) continue;
+            std::vector<Placed> trial = with_list_apart(candidates, k, items, first);
+            const std::int64_t gain = matcher.solve(trial).gain;
+            if (gain <= best_gain) continue;
+            best_gain = gain;
+            best = std::move(trial);
+        }
+    }
+    return best;
+}
+
+/// Reads lists without a name as several scalars, "1 -4 2" as a, b, c, where that lets more items be answered.
+std::vector<Placed> take_lists_apart(std::vector<Placed> candidates, std::span<const ItemSpec> items,
+                                     const Matcher& matcher) {
+    constexpr std::size_t most_candidates = 48;
+    constexpr int most_apart = 3;
+    const bool scalars =
+        std::any_of(items.begin(), items.end(), [](const ItemSpec& i) { return i.shape == Shape::scalar; });
+    if (!scalars || candidates.size() > most_candidates) return candidates;
+    std::int64_t gain = matcher.solve(candidates).gain;
+    for (int apart = 0; apart < most_apart; ++apart) {
+        std::vector<Placed> better = take_best_list_apart(candidates, items, matcher, gain);
+        if (better.empty()) break;
+        candidates = std::move(better);
+    }
+    return candidates;
+}
+
+}  // namespace
+
+bool may_be_absent(const ItemSpec& item) {
+    return item.name == "t" || item.name == "hit" || item.name == "u" || item.name == "v" ||
+           (item.name == "normal" && item.question == 7);
+}
+
+bool has_shape(const PrintedValue& value, const ItemSpec& item) {
+    const std::size_t count = value.numbers.size();
+    if (count == 0) return may_be_absent(item);
+    switch (item.shape) {
+        case Shape::scalar: return count == 1;
+        case Shape::vector: return value.groups == 1 && (count == 3 || count == 4);
+        case Shape::matrix3: return count == 9;
+        case Shape::matrix4: return count == 16;
+        case Shape::verdict: return false;
+    }
+    return false;
+}
+
+const Fits::Row& Fits::of(const PrintedValue& value) {
+    std::string key;
+    key.reserve(value.label.size() + value.above.size() + value.after.size() + 2);
+    key.append(value.label).append(1, '\n').append(value.above).append(1, '\n').append(value.after);
+    const auto [row, is_new] = known_.try_emplace(std::move(key));
+    if (is_new) {
+        for (const ItemSpec& item : reference::all_items()) row->second.push_back(fit_value(value, item));
+    }
+    return row->second;
+}
+
+LabelFit Fits::operator()(const PrintedValue& value, const ItemSpec& item) {
+    return of(value)[index_of(item)];
+}
+
+Answers answer_question(std::span<const ItemSpec> items, std::span<const std::vector<PrintedValue>> parts, Need need,
+                        Fits& fits) {
+    std::vector<Placed> candidates;
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+        std::size_t place = 0;
+        for (Candidate& candidate : arrange(parts[part], items)) {
+            candidate.part = part;
+            candidates.push_back({std::move(candidate), place++});
+        }
+    }
+    const Matcher matcher(items, need, fits);
+    if (need == Need::order_or_label) candidates = take_lists_apart(std::move(candidates), items, matcher);
+    Matcher::Solution solution = matcher.solve(candidates);
+    Answers answers{{}, std::move(solution.candidate_of), solution.gain};
+    answers.candidates.reserve(candidates.size());
+    for (Placed& placed : candidates) answers.candidates.push_back(std::move(placed.candidate));
+    return answers;
+}
+
+std::vector<PrintedValue> unused_values(std::span<const std::vector<PrintedValue>> parts, const Answers& answers) {
+    std::vector<std::vector<bool>> used;
+    for (const std::vector<PrintedValue>& part : parts) used.emplace_back(part.size(), false);
+    for (const auto& index : answers.candidate_of) {
+        if (!index) continue;
+        const Candidate& candidate = answers.candidates[*index];
+        const auto begin = used[candidate.part].begin() + static_cast<std::ptrdiff_t>(candidate.first);
+        std::fill_n(begin, candidate.count, true);
+    }
+    std::vector<PrintedValue> unused;
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+        for (std::size_t i = 0; i < parts[part].size(); ++i) {
+            if (!used[part][i]) unused.push_back(parts[part][i]);
+        }
+    }
+    return unused;
+}
+
+}  // namespace harness

@@ -1,0 +1,77 @@
+#include "harness/arrange.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace harness {
+namespace {
+
+std::vector<reference::ItemSpec> items_of(int question) {
+    std::vector<reference::ItemSpec> items;
+    const auto all = reference::all_items();
+    std::copy_if(all.begin(), all.end(), std::back_inserter(items),
+                 [&](const auto& item) { return item.question == question; });
+    return items;
+}
+
+std::vector<Candidate> arranged(int question, std::string_view text) {
+    const Transcript transcript = read_transcript("Question " + std::to_string(question) + ":\n" + std::string(text));
+    return arrange(transcript.sections.back().values, items_of(question));
+}
+
+std::vector<double> values(const Candidate& candidate) {
+    std::vector<double> numbers;
+    for (const PrintedNumber& number : candidate.value.numbers) numbers.push_back(number.value);
+    return numbers;
+}
+
+TEST(Arrange, LeavesVectorsOfTheirOwnNameOutOfAMatrix) {
+    const auto candidates = arranged(8, "rhs = (1, 2, 3)\nhit = (4, 5, 6)\nP = (7, 8, 9)\n");
+    ASSERT_EQ(candidates.size(), 3U);
+    EXPECT_EQ(values(candidates[0]), (std::vector<double>{1, 2, 3}));
+}
+
+TEST(Arrange, GathersRowsAndDividesAnAugmentedMatrix) {
+    const auto candidates = arranged(8, "[A|b]\n1 2 3 | 4\n5 6 7 | 8\n9 10 11 | 12\n");
+    ASSERT_EQ(candidates.size(), 2U);
+    EXPECT_EQ(candidates[0].order, MatrixOrder::rows);
+    EXPECT_EQ(values(candidates[0]), (std::vector<double>{1, 2, 3, 5, 6, 7, 9, 10, 11}));
+    EXPECT_EQ(values(candidates[1]), (std::vector<double>{4, 8, 12}));
+    EXPECT_EQ(candidates[1].first, 0U);
+    EXPECT_EQ(candidates[1].count, 3U);
+}
+
+TEST(Arrange, TakesTypedRowsForColumns) {
+    const auto candidates = arranged(8, "A[0] = vec3(1, 2, 3)\nA[1] = vec3(4, 5, 6)\nA[2] = vec3(7, 8, 9)\n");
+    ASSERT_EQ(candidates.size(), 1U);
+    EXPECT_EQ(candidates[0].order, MatrixOrder::columns);
+}
+
+TEST(Arrange, LeavesTheOrderOfAFlatListOpen) {
+    const auto candidates = arranged(8, "A = 1 2 3 4 5 6 7 8 9\n");
+    ASSERT_EQ(candidates.size(), 1U);
+    EXPECT_EQ(candidates[0].order, MatrixOrder::unsaid);
+}
+
+TEST(Arrange, JoinsFramedNumbersBelowEachOther) {
+    const auto candidates = arranged(8, "      | 1 |\nP_t = | 2 |\n      | 3 |\n");
+    ASSERT_EQ(candidates.size(), 1U);
+    EXPECT_EQ(values(candidates[0]), (std::vector<double>{1, 2, 3}));
+    EXPECT_EQ(candidates[0].value.label, "P_t");
+}
+
+TEST(Arrange, KeepsScalarsBelowEachOtherApart) {
+    EXPECT_EQ(arranged(6, "1\n-4\n2\n").size(), 3U);
+    EXPECT_EQ(arranged(5, "1\n-4\n2\n").size(), 1U);  // no scalar is asked for
+}
+
+TEST(Arrange, TakesAListWithNamesApart) {
+    const auto candidates = arranged(8, "(u, v, t) = (1, 2, 3)\n");
+    ASSERT_EQ(candidates.size(), 3U);
+    EXPECT_EQ(candidates[2].value.label, "t");
+    EXPECT_EQ(values(candidates[2]), std::vector<double>{3});
+}
+
+}  // namespace
+}  // namespace harness

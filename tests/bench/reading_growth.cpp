@@ -1,0 +1,28 @@
+// How the time to read and match grows when an output doubles: about 2 where it is linear. Run it on a quiet machine;
+// on a loaded one single ratios of up to 3 are noise, a ratio of 4 that comes again is not.
+#include <chrono>
+#include <cstdio>
+
+#include "harness/match.h"
+#include "harness/transcript.h"
+#include "tests/nasty_outputs.h"
+
+namespace {
+
+double seconds_to_read(const std::string& output) {
+    const auto start = std::chrono::steady_clock::now();
+    harness::match(harness::read_transcript(output), reference::all_items());
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+int main() {
+    constexpr std::size_t size = std::size_t{1} << 20U;
+    std::printf("%-32s %10s %10s %6s\n", "pattern", "1 MiB", "2 MiB", "ratio");
+    for (const NastyPattern& pattern : nasty_patterns()) {
+        const double once = seconds_to_read(nasty_output(pattern, size));
+        const double twice = seconds_to_read(nasty_output(pattern, 2 * size));
+        std::printf("%-32s %8.3f s %8.3f s %6.2f\n", pattern.name.c_str(), once, twice, twice / once);
+    }
+}

@@ -1,0 +1,88 @@
+#include "harness/heading.h"
+
+#include <gtest/gtest.h>
+
+namespace harness {
+namespace {
+
+int question(std::string_view line) {
+    const auto heading = read_heading(line);
+    return heading ? heading->question : 0;
+}
+
+std::string_view rest(std::string_view line) {
+    return line.substr(read_heading(line).value().end);
+}
+
+std::vector<int> questions(const std::vector<std::string_view>& lines) {
+    std::vector<int> found;
+    for (const auto& heading : find_headings(lines)) found.push_back(heading ? heading->question : 0);
+    return found;
+}
+
+TEST(Heading, TakesNoNumberOfAnAnswerForItself) {
+    for (const std::string_view line : {"-4", "4", "0.585786", "1.41421", "1. 0. 0. 4.", "1.25", "2.5e3", "1 0 0 0",
+                                        "+3", "t: 1", "3x3", "2 positive roots"}) {
+        EXPECT_EQ(question(line), 0) << line;
+    }
+}
+
+TEST(Heading, IsKnownInEveryDress) {
+    for (const std::string_view line : {"Question 6:",
+                                        "Q6)",
+                                        "q6",
+                                        "QUESTION #6 - sphere",
+                                        "--- Question 6 ---",
+                                        "6.",
+                                        "Part 6:",
+                                        "Exercise 6",
+                                        "[Q6]",
+                                        "Question Six",
+                                        "Problem 6 -",
+                                        "## Question 6",
+                                        "*** Q.6 ***",
+                                        "Question_6",
+                                        "Question (6)",
+                                        "Question 6a:",
+                                        "6a)",
+
+                                        "Question 6.1:",
+                                        "=== 6 ===",
+                                        "| Question 6 |",
+                                        "§6",
+                                        "(6)",
+                                        "Answer 6:"}) {
+        EXPECT_EQ(question(line), 6) << line;
+    }
+}
+
+TEST(Heading, LeavesTheAnswerOnItsLine) {
+    EXPECT_EQ(rest("Question 6: t = 1"), " t = 1");
+    EXPECT_EQ(rest("Question 5:-0.5 0 1"), "-0.5 0 1");
+    EXPECT_EQ(rest("5. -0.5 0 1"), "-0.5 0 1");
+    EXPECT_EQ(rest("Question 10 ray hits"), "ray hits");
+}
+
+TEST(Heading, IsNoSentenceAboutAQuestion) {
+    EXPECT_EQ(question("Using the matrix of question 3: 1"), 0);
+    EXPECT_EQ(question("Question 6's t"), 0);
+    EXPECT_EQ(question("quotient 6"), 0);
+}
+
+TEST(Headings, KeepToOneStyleSoThatStepsAreNone) {
+    EXPECT_EQ(questions({"Question 6", "Step 1: a", "Step 2: b", "1. c", "2. d", "3. e", "Question 8"}),
+              (std::vector<int>{6, 0, 0, 0, 0, 0, 8}));
+    EXPECT_EQ(questions({"Part 1", "Part 2", "1. x", "2. y", "3. z"}), (std::vector<int>{1, 2, 0, 0, 0}));
+}
+
+TEST(Headings, MayBeBareIfTheyCount) {
+    EXPECT_EQ(questions({"1.", "x", "2.", "3."}), (std::vector<int>{1, 0, 2, 3}));
+    EXPECT_EQ(questions({"1.", "x", "2."}), (std::vector<int>{0, 0, 0}));
+}
+
+TEST(Headings, OfAnEmptyOutputAreNone) {
+    EXPECT_TRUE(find_headings({}).empty());
+}
+
+}  // namespace
+}  // namespace harness

@@ -1,0 +1,83 @@
+#include <array>
+
+#include "tests/kernel/distributions.h"
+#include "tests/kernel/random_numbers.h"
+
+namespace distributions {
+namespace {
+
+/// A whole-number triangle in a plane z = k, and a sphere that the ray meets at z = k from above: a tie.
+OrderCase tie(std::uint64_t seed) {
+    Random random(seed);
+    // (x, y, z) with length R lies on the sphere, and the ray comes down on it from above.
+    static constexpr std::array<std::array<int, 4>, 4> points{
+        {{3, 0, 4, 5}, {2, 3, 6, 7}, {1, 4, 8, 9}, {6, 2, 9, 11}}};
+    const auto& q = points[static_cast<std::size_t>(random.whole(0, 3))];
+    const int size = random.whole(1, 9);
+    const P center = random.whole_point(50);
+    const P hit = center + P(q[0] * size, q[1] * size, q[2] * size);
+    const double up = random.whole(1, 40);
+    const P d(0, 0, -random.whole(1, 7));
+    const double spread = 40;
+    return {{hit + P(0, 0, up), d},
+            {center, static_cast<double>(q[3] * size)},
+            {hit + P(-spread, -spread, 0), hit + P(spread, -spread, 0), hit + P(0, spread, 0)}};
+}
+OrderCase tie_or_one_ulp_off(std::uint64_t seed) {
+    OrderCase c = tie(seed);
+    const double z = Random(seed + 1).nudged(c.triangle.A.z, 1);
+    c.triangle.A.z = c.triangle.B.z = c.triangle.C.z = z;
+    return c;
+}
+/// The tie's triangle, tilted about the hit point: t stays the same fraction, which no double holds.
+OrderCase tilted_tie(std::uint64_t seed) {
+    OrderCase c = tie(seed);
+    Random random(seed + 1);
+    c.triangle.A.z += random.whole(-5, 5);
+    c.triangle.B.z = 2 * c.triangle.C.z - c.triangle.A.z;
+    c.triangle.A.x = c.triangle.B.x - 80;
+    if (random.whole(0, 2) == 0) c.sphere.radius = random.nudged(c.sphere.radius);
+    return c;
+}
+/// Two spheres that a ray down the z axis meets in the same point, from outside, from inside, or one from each.
+SpherePairCase sphere_tie(std::uint64_t seed) {
+    Random random(seed);
+    static constexpr std::array<std::array<int, 4>, 4> points{
+        {{3, 0, 4, 5}, {2, 3, 6, 7}, {1, 4, 8, 9}, {6, 2, 9, 11}}};
+    const P hit = random.whole_point(50);
+    const auto sphere_through_hit = [&] {
+        const auto& q = points[static_cast<std::size_t>(random.whole(0, 3))];
+        const int size = random.whole(1, 9);
+        const double side = random.whole(0, 3) == 0 ? 1 : -1;
+        return reference::Sphere<double>{hit + P(q[0] * size, q[1] * size, side * q[2] * size), 1.0 * q[3] * size};
+    };
+    // A step up of less than 2 * 4 stays inside a sphere whose lower half is met.
+    const double up = random.whole(1, 7);
+    return {{hit + P(0, 0, up), P(0, 0, -random.whole(1, 7))}, sphere_through_hit(), sphere_through_hit()};
+}
+SpherePairCase sphere_tie_or_one_ulp_off(std::uint64_t seed) {
+    SpherePairCase c = sphere_tie(seed);
+    Random random(seed + 1);
+    c.other.radius = random.nudged(c.other.radius, 1);
+    if (random.whole(0, 1) == 0) c.ray.direction.x = std::exp2(random.whole(-300, -20));
+    return c;
+}
+
+OrderCase benign_order(std::uint64_t seed) {
+    const SphereCase s = spheres().front().make(seed);
+    Random random(seed + 1);
+    const P target = s.sphere.center + random.point(2);
+    return {s.ray, s.sphere, {target + random.point(5), target + random.point(5), target + random.point(5)}};
+}
+
+}  // namespace
+
+std::vector<Distribution<OrderCase>> orders() {
+    return {{"benign", benign_order}, {"tie or one ulp off", tie_or_one_ulp_off}, {"tilted tie", tilted_tie}};
+}
+
+std::vector<Distribution<SpherePairCase>> sphere_pairs() {
+    return {{"two spheres tied", sphere_tie}, {"two spheres tied or one ulp off", sphere_tie_or_one_ulp_off}};
+}
+
+}  // namespace distributions

@@ -1,0 +1,76 @@
+#include "harness/label.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace harness {
+namespace {
+
+const reference::ItemSpec& item(int question, std::string_view name) {
+    const auto items = reference::all_items();
+    return *std::find_if(items.begin(), items.end(),
+                         [&](const auto& i) { return i.question == question && i.name == name; });
+}
+
+LabelFit fit(std::string_view label, int question, std::string_view name) {
+    return fit_label(label, "", item(question, name));
+}
+
+TEST(FitLabel, TakesNothingFromWordsThatDeny) {
+    EXPECT_EQ(fit("N before normalizing", 7, "normal"), LabelFit::forbidden);
+    EXPECT_EQ(fit("N (not normalized)", 7, "normal"), LabelFit::forbidden);
+    EXPECT_EQ(fit("DEBUG: t", 6, "t"), LabelFit::forbidden);
+}
+
+TEST(FitLabel, KnowsTheHandoutsNames) {
+    EXPECT_EQ(fit("Pixel in VCS", 1, "P_VCS"), LabelFit::exact);
+    EXPECT_EQ(fit("the discriminant d", 6, "d"), LabelFit::exact);
+    EXPECT_EQ(fit("right-hand side", 8, "rhs"), LabelFit::exact);
+    EXPECT_EQ(fit("The smaller positive root is t", 6, "t"), LabelFit::exact);
+    EXPECT_EQ(fit("N normalized", 9, "normal"), LabelFit::exact);
+}
+
+TEST(FitLabel, RanksAHintBelowAName) {
+    EXPECT_LT(fit("t1", 6, "t"), fit("t", 6, "t"));
+    EXPECT_LT(fit("root 2", 6, "t"), fit("t (chosen)", 6, "t"));
+    EXPECT_LT(fit("sqrt(d)", 6, "t"), LabelFit::none);
+}
+
+TEST(FitLabel, SeesOperandsInAFormula) {
+    EXPECT_EQ(fit("S + t*V", 6, "t"), LabelFit::foreign);
+}
+
+TEST(FitValue, TakesTheWordsBehindOnlyWhereNoneStandBefore) {
+    PrintedValue value;
+    value.after = "t";
+    EXPECT_EQ(fit_value(value, item(6, "t")), LabelFit::exact);
+    EXPECT_EQ(fit_value(value, item(6, "d")), LabelFit::foreign);
+    value.label = "d";
+    EXPECT_EQ(fit_value(value, item(6, "d")), LabelFit::exact);
+}
+
+TEST(ListedItems, AreThoseOfALabelThatOnlyListsThem) {
+    const std::vector<reference::ItemSpec> items = {item(8, "t"), item(8, "u"), item(8, "v")};
+    EXPECT_EQ(listed_items("(u, v, t)", items), (std::vector<std::size_t>{1, 2, 0}));
+    EXPECT_EQ(listed_items("the values of t, u and v", items), (std::vector<std::size_t>{0, 1, 2}));
+    EXPECT_TRUE(listed_items("t", items).empty());
+    EXPECT_TRUE(listed_items("t, t", items).empty());
+}
+
+TEST(MatrixOrder, IsSaidByRowsAndColumns) {
+    EXPECT_EQ(matrix_order("A (row by row)"), MatrixOrder::rows);
+    EXPECT_EQ(matrix_order("A, columns"), MatrixOrder::columns);
+    EXPECT_EQ(matrix_order("matrix, columns t u v"), MatrixOrder::unsaid);
+    EXPECT_EQ(matrix_order("A"), MatrixOrder::unsaid);
+}
+
+TEST(RowLabel, IsThatOfOneRowOrColumn) {
+    for (const std::string_view label : {"row 1", "col 0:", "M[3]", "first row", "column 2 (u)", "B - A"}) {
+        EXPECT_TRUE(is_row_label(label)) << label;
+    }
+    for (const std::string_view label : {"A", "rhs", "hit point", "t", ""}) EXPECT_FALSE(is_row_label(label)) << label;
+}
+
+}  // namespace
+}  // namespace harness

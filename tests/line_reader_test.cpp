@@ -1,0 +1,89 @@
+#include "harness/line_reader.h"
+
+#include <gtest/gtest.h>
+
+namespace harness {
+namespace {
+
+std::vector<double> read(std::string_view line) {
+    std::vector<double> numbers;
+    for (const PrintedValue& value : read_line(line).values) {
+        for (const PrintedNumber& number : value.numbers) numbers.push_back(number.value);
+    }
+    return numbers;
+}
+
+PrintedValue only(std::string_view line) {
+    const LineReading reading = read_line(line);
+    EXPECT_EQ(reading.values.size(), 1U) << line;
+    return reading.values.empty() ? PrintedValue{} : reading.values.front();
+}
+
+using Numbers = std::vector<double>;
+
+TEST(ReadLine, TakesNothingFromProse) {
+    for (const std::string_view line :
+         {"if there are 2 positive roots, pick the smaller one", "0 <= u <= 1", "a 3x3 linear system", "u + v <= 1",
+          "(P - C) . (P - C) = R^2", "-------- ****", ""}) {
+        EXPECT_EQ(read(line), Numbers{}) << line;
+    }
+}
+
+TEST(ReadLine, TakesTheResultOfAFormula) {
+    EXPECT_EQ(read("c = 5/3 = 1.66667"), Numbers{1.66667});
+    EXPECT_EQ(read("t = 3 - sqrt2 = 1.5858"), Numbers{1.5858});
+    EXPECT_EQ(read("t = 1/sqrt(2) = 0.707"), Numbers{0.707});
+    EXPECT_EQ(read("d = b*b - 4*a*c = 8"), Numbers{8});
+    EXPECT_EQ(read("d = 0.585786 = 2 - sqrt(2)"), Numbers{0.585786});
+}
+
+TEST(ReadLine, TakesAFractionAloneExactly) {
+    const PrintedValue value = only("u = 1/4");
+    EXPECT_EQ(value.numbers.at(0).value, 0.25);
+    EXPECT_TRUE(value.numbers.at(0).exact);
+}
+
+TEST(ReadLine, KeepsTheValueOfAComparison) {
+    EXPECT_EQ(read("t = 0.9 > 0 ok"), Numbers{0.9});
+    EXPECT_EQ(read("u = 0.2, 0 <= u <= 1"), Numbers{0.2});
+}
+
+TEST(ReadLine, LeavesRemarksOut) {
+    EXPECT_EQ(read("t = 0.333 (= 1/3)"), Numbers{0.333});
+    EXPECT_EQ(read("a = 1 (a unit vector, so 1)"), Numbers{1});
+    EXPECT_EQ(read("(0.667 (= 2/3), 0, 1)"), (Numbers{0.667, 0, 1}));
+}
+
+TEST(ReadLine, KnowsNestingTypesAndBars) {
+    const PrintedValue matrix = only("M = dmat3x3((1, 2, 3), (4, 5, 6), (7, 8, 9))");
+    EXPECT_EQ(matrix.groups, 3);
+    EXPECT_TRUE(matrix.typed);
+    EXPECT_EQ(matrix.label, "M");
+    EXPECT_EQ(only("[1 2 3; 4 5 6; 7 8 9]").groups, 3);
+    EXPECT_EQ(only("[1; 2; 3]").groups, 1);
+    EXPECT_EQ(only("[ 1 2 3 | 4 ]").bar_after, 3);
+}
+
+TEST(ReadLine, FindsLabelsBeforeAndBehind) {
+    EXPECT_EQ(only("P_s = S + t*V = (0, 0, 1)").label, "P_s");
+    EXPECT_EQ(only("0.585786 <- t").after, "t");
+    const LineReading reading = read_line("1 (a), -4 (b), 2 (c)");
+    ASSERT_EQ(reading.values.size(), 3U);
+    EXPECT_EQ(reading.values[2].after, "(c)");
+}
+
+TEST(ReadLine, ReadsALabelThatHasNoValue) {
+    const LineReading reading = read_line(R"("a": 1, "t": null)");
+    ASSERT_EQ(reading.values.size(), 2U);
+    EXPECT_TRUE(reading.values[1].numbers.empty());
+    EXPECT_EQ(reading.values[1].label, "t");
+}
+
+TEST(ReadLine, SurvivesBracketsThatDoNotMatch) {
+    EXPECT_EQ(read("((((((1, 2, 3"), (Numbers{1, 2, 3}));
+    EXPECT_EQ(read("1, 2, 3))))"), (Numbers{1, 2, 3}));
+    EXPECT_EQ(read("(1, 2, 3] }"), (Numbers{1, 2, 3}));
+}
+
+}  // namespace
+}  // namespace harness

@@ -1,0 +1,46 @@
+#include "harness/linear_form.h"
+
+#include <gtest/gtest.h>
+
+namespace harness {
+namespace {
+
+std::vector<double> read(std::string_view line) {
+    std::vector<double> numbers;
+    const auto values = read_linear_form(line);
+    if (!values) return numbers;
+    for (const PrintedValue& value : *values) {
+        for (const PrintedNumber& number : value.numbers) numbers.push_back(number.value);
+    }
+    return numbers;
+}
+
+using Numbers = std::vector<double>;
+
+TEST(LinearForm, IsNoFormulaWithoutNumbers) {
+    for (const std::string_view line : {"P = S + tV", "a t^2 + b t + c = 0", "u + v = 0.5", "t = 0.5", "t1 = 3.4",
+                                        "1 + 2 = 3", "A + u(B-A) + v(C-A) = S + tV", "2 + t"}) {
+        EXPECT_EQ(read(line), Numbers{}) << line;
+    }
+}
+
+TEST(LinearForm, ReadsAQuadratic) {
+    EXPECT_EQ(read("quadratic: 1 t^2 + (-4) t + (2) = 0"), (Numbers{1, -4, 2}));
+    EXPECT_EQ(read("t^2 - 4t + 2 = 0"), (Numbers{1, -4, 2}));
+    EXPECT_EQ(read("2 - 4.0*t + 1.5*t*t = 0.0"), (Numbers{1.5, -4, 2}));
+    EXPECT_EQ(read("t^2 - 4t + 2 = 1"), Numbers{});
+}
+
+TEST(LinearForm, ReadsAnEquationOfTheSystem) {
+    EXPECT_EQ(read("-0.5 t + 2 u - 2 v = 1.5"), (Numbers{-0.5, 2, -2, 1.5}));
+    EXPECT_EQ(read("eq 1: 2u - 2v = -1"), (Numbers{0, 2, -2, -1}));
+    EXPECT_EQ(read("2u + 2u = 1"), Numbers{});
+}
+
+TEST(LinearForm, ReadsAVectorInUnitVectors) {
+    EXPECT_EQ(read("N = 0.3i + 0.4j - 0.87k"), (Numbers{0.3, 0.4, -0.87}));
+    EXPECT_EQ(read("0.3i + 0.4j"), Numbers{});
+}
+
+}  // namespace
+}  // namespace harness

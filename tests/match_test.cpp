@@ -1,0 +1,94 @@
+#include "harness/match.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "tests/parsed.h"
+
+namespace harness {
+namespace {
+
+/// The lines of the reading that hold something.
+std::string found(std::string_view output) {
+    std::string lines;
+    std::string_view all;
+    const std::string text = parsed(output);
+    for (all = text; !all.empty();) {
+        const std::size_t end = all.find('\n');
+        const std::string_view line = all.substr(0, end);
+        if (!line.ends_with(" -")) lines += std::string(line) + "\n";
+        all.remove_prefix(end + 1);
+    }
+    return lines;
+}
+
+TEST(Match, ReadsTheSamePlacesWhateverTheNumbersAre) {
+    // No decision may depend on which value is right: other numbers in the same layout are read alike.
+    const std::string layout =
+        "Question 6:\na = 1A b = 1B c = 1C\n1D\nt1 = 1E t2 = 1F\nt = 1G\n(1H, 1I, 1J)\nQuestion 8:\n1K 1L 1M\n1N 1O "
+        "1P\n1Q 1R 1S\n(1T, 1U, 1V)\nu = 1W v = 1X t = 1Y\n";
+    std::mt19937_64 random(5);
+    std::string first;
+    for (int trial = 0; trial < 50; ++trial) {
+        std::string output;
+        for (std::size_t i = 0; i < layout.size(); ++i) {
+            const bool digit =
+                layout[i] == '1' && i + 1 < layout.size() && layout[i + 1] >= 'A' && layout[i + 1] <= 'Y';
+            output +=
+                digit ? std::to_string(random() % 9) + "." + std::to_string(random() % 9) : std::string(1, layout[i]);
+            if (digit) ++i;
+        }
+        std::string places;
+        for (const MatchedItem& item : match(read_transcript(output), reference::all_items())) {
+            places += std::to_string(item.spec.question) + std::string(item.spec.name) +
+                      (item.value ? " " + std::to_string(item.value->line) : "") + "\n";
+        }
+        if (first.empty()) first = places;
+        EXPECT_EQ(places, first) << output;
+    }
+}
+
+TEST(Match, TakesTheLastOfValuesLabelledAlike) {
+    EXPECT_EQ(found("Question 6:\nt = 3.4\nt = 0.6\n"), "6.t: 0.6 @3\n");
+    EXPECT_EQ(found("Question 6:\nt = 3.4\nQuestion 7:\nN = (0, 0, 1)\nQuestion 6:\nt = 0.6\n"),
+              "6.t: 0.6 @6\n7.normal: 0 0 1 @4\n");
+}
+
+TEST(Match, PrefersTheChosenRootToTheOthers) {
+    EXPECT_EQ(found("Question 6:\nt1 = 0.6\nt = 0.6\nt2 = 3.4\n"), "6.t: 0.6 @3\n");
+}
+
+TEST(Match, GivesNoValueOfOneQuestionToAnother) {
+    EXPECT_EQ(found("Question 6:\nt = 3.4\nt = 0.6\n(0, 0, 1)\n"), "6.t: 0.6 @3\n6.hit: 0 0 1 @4\n");
+}
+
+TEST(Match, FindsAQuestionWhoseHeadingWasForgotten) {
+    EXPECT_EQ(found("Question 6:\nt = 0.6\nsphere normal = (0, 0, 1)\n"), "6.t: 0.6 @2\n7.normal: 0 0 1 @3\n");
+}
+
+TEST(Match, DividesOutputWithoutHeadingsByOrder) {
+    EXPECT_EQ(found("t: 0.6\nP_s: (1, 2, 3)\nN: (0, 1, 0)\nt: 0.9\nu: 0.1\nv: 0.2\nP_t: (4, 5, 6)\nN: (0, 0, 1)\n"),
+              "6.t: 0.6 @1\n6.hit: 1 2 3 @2\n7.normal: 0 1 0 @3\n8.t: 0.9 @4\n8.u: 0.1 @5\n8.v: 0.2 @6\n8.hit: 4 5 6 "
+              "@7\n9.normal: 0 0 1 @8\n");
+}
+
+TEST(Match, SaysWhatCannotBeRead) {
+    EXPECT_EQ(found("Question 5:\nV = (1, 2)\n"), "5.V: ? 1 2 @2\n");
+}
+
+TEST(Match, LetsOneMissStandForAllThatNeedTheHit) {
+    EXPECT_EQ(found("Question 6:\nd = -1.0\nno real roots\nQuestion 7:\nno hit\n"),
+              "6.d: -1.0 @2\n6.t: none @3\n6.hit: none @3\n7.normal: none @5\n");
+}
+
+TEST(Match, HasEveryItemInOrderForNoOutputAtAll) {
+    const auto matched = match(read_transcript(""), reference::all_items());
+    ASSERT_EQ(matched.size(), reference::all_items().size());
+    EXPECT_EQ(matched.back().spec.question, 10);
+    EXPECT_EQ(match(Transcript{}, reference::all_items()).size(), reference::all_items().size());
+}
+
+}  // namespace
+}  // namespace harness

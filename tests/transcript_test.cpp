@@ -1,0 +1,69 @@
+#include "harness/transcript.h"
+
+#include <gtest/gtest.h>
+
+namespace harness {
+namespace {
+
+std::vector<PrintedValue> values(std::string_view output) {
+    std::vector<PrintedValue> all;
+    for (const Section& section : read_transcript(output).sections)
+        all.insert(all.end(), section.values.begin(), section.values.end());
+    return all;
+}
+
+TEST(ReadTranscript, CountsLinesAsTheProgramPrintedThem) {
+    const auto read = values("\r\n\nQuestion 1:\r\n\x1b[1m\rt = 1\n\n\nt = 2");
+    ASSERT_EQ(read.size(), 2U);
+    EXPECT_EQ(read[0].line, 5);
+    EXPECT_EQ(read[1].line, 8);
+}
+
+TEST(ReadTranscript, DividesALineWhereAHeadingFollowsAValue) {
+    const Transcript transcript = read_transcript("Question 6: t = 1Question 7: N = (0, 0, 1)  Question 8: t = 2");
+    ASSERT_EQ(transcript.sections.size(), 4U);
+    EXPECT_EQ(transcript.sections[2].question, 7);
+    EXPECT_EQ(transcript.sections[3].values.at(0).line, 1);
+}
+
+TEST(ReadTranscript, JoinsComponentsOnOneLineAndOnSeveral) {
+    EXPECT_EQ(values("x = 1, y = 2, z = 3").at(0).numbers.size(), 3U);
+    EXPECT_EQ(values("N.x = 1\nN.y = 2\nN.z = 3").at(0).label, "N");
+    EXPECT_EQ(values("Nx: 1\nNy: 2\nNz: 3\n").size(), 1U);
+    EXPECT_EQ(values("P[0] = 1\nP[1] = 2\nP[2] = 3\n").size(), 1U);
+    EXPECT_EQ(values("A.x = 1\nB.y = 2\nC.z = 3\n").size(), 3U);
+}
+
+TEST(ReadTranscript, ReadsWordsForNoValue) {
+    for (const std::string_view line :
+         {"t: none", "hit point = no hit", "N -> n/a", "The ray misses the sphere", "so there are no real roots"}) {
+        const auto read = values(line);
+        ASSERT_EQ(read.size(), 1U) << line;
+        EXPECT_TRUE(read[0].numbers.empty()) << line;
+    }
+    EXPECT_TRUE(values("if the discriminant is negative there is no hit").empty());
+}
+
+TEST(ReadTranscript, GivesAValueTheWordsAbove) {
+    const auto read = values("Hit point\n\n(1, 2, 3)\n(4, 5, 6)\n");
+    ASSERT_EQ(read.size(), 2U);
+    EXPECT_EQ(read[0].above, "Hit point");
+    EXPECT_EQ(read[1].above, "");
+}
+
+TEST(ReadTranscript, KeepsOnlyTheEndsOfALoopWithoutEnd) {
+    std::string output = "Question 6:\n";
+    for (int i = 0; i < 10000; ++i) output += "t = " + std::to_string(i) + "\n";
+    const auto read = values(output);
+    ASSERT_EQ(read.size(), most_values_in_section);
+    EXPECT_EQ(read.front().numbers[0].value, 0);
+    EXPECT_EQ(read.back().numbers[0].value, 9999);
+}
+
+TEST(ReadTranscript, OfNothingHasOneEmptySection) {
+    EXPECT_EQ(read_transcript("").sections.size(), 1U);
+    EXPECT_TRUE(values("").empty());
+}
+
+}  // namespace
+}  // namespace harness

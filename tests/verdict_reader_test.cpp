@@ -1,0 +1,57 @@
+#include "harness/verdict_reader.h"
+
+#include <gtest/gtest.h>
+
+namespace harness {
+namespace {
+
+using reference::Verdict;
+
+std::optional<Verdict> read(const std::vector<std::string>& texts, VerdictPlace place = VerdictPlace::own_section) {
+    std::vector<PrintedLine> lines;
+    for (const std::string& text : texts) lines.push_back({text, 40 + static_cast<int>(lines.size())});
+    const auto verdict = read_verdict(lines, place);
+    return verdict ? std::optional(verdict->verdict) : std::nullopt;
+}
+
+TEST(ReadVerdict, IsNotFooledByTheQuestion) {
+    EXPECT_EQ(read({"Print triangle first or sphere first"}), std::nullopt);
+    EXPECT_EQ(read({"Which is hit first, the sphere or the triangle?", "the sphere"}), Verdict::sphere_first);
+    EXPECT_EQ(read({"- ray hits triangle first", "- ray hits sphere first", "ray hits triangle first"}),
+              Verdict::triangle_first);
+}
+
+TEST(ReadVerdict, ReadsTheWordsStudentsUse) {
+    EXPECT_EQ(read({"ray hits sphere first"}), Verdict::sphere_first);
+    EXPECT_EQ(read({"RAY HITS TRIANGLE FIRST!!!"}), Verdict::triangle_first);
+    EXPECT_EQ(read({"The first object hit is the triangle"}), Verdict::triangle_first);
+    EXPECT_EQ(read({"sphere is closer than the triangle"}), Verdict::sphere_first);
+    EXPECT_EQ(read({"Closest: triangle"}), Verdict::triangle_first);
+    EXPECT_EQ(read({"sphere"}), Verdict::sphere_first);
+    EXPECT_EQ(read({"The ray hits neither"}), Verdict::no_hit);
+    EXPECT_EQ(read({"ray does not hit the sphere or the triangle"}), Verdict::no_hit);
+    EXPECT_EQ(read({"it's a tie"}), Verdict::tie);
+}
+
+TEST(ReadVerdict, PrefersTheSentenceToTheValues) {
+    EXPECT_EQ(read({"sphere hit at t = 0.58", "ray hits triangle first", "triangle: hit, t = 0"}),
+              Verdict::triangle_first);
+}
+
+TEST(ReadVerdict, TakesNothingFromDebugLines) {
+    EXPECT_EQ(read({"DEBUG: sphere first"}), std::nullopt);
+}
+
+TEST(ReadVerdict, ElsewhereNeedsTheWordFirst) {
+    EXPECT_EQ(read({"the ray hits the sphere"}, VerdictPlace::elsewhere), std::nullopt);
+    EXPECT_EQ(read({"ray hits sphere first"}, VerdictPlace::elsewhere), Verdict::sphere_first);
+}
+
+TEST(ReadVerdict, SaysOnWhichLineOfTheOutput) {
+    EXPECT_EQ(read_verdict({{"", 7}, {"  ray hits sphere first", 8}}, VerdictPlace::own_section).value().line, 8);
+    EXPECT_EQ(read_verdict({{"  * ray hits sphere first", 8}}, VerdictPlace::own_section).value().printed,
+              "ray hits sphere first");
+}
+
+}  // namespace
+}  // namespace harness
