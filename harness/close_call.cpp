@@ -36,7 +36,7 @@ Known with_own_values(const Evidence& evidence) {
 /// following through.
 bool has_right_inputs(const ItemId& id, const Evidence& evidence) {
     const auto is_right = [&](const ItemId& input) {
-        return !evidence.own_values(Digits::as_printed).contains(input) || evidence.right.contains(input);
+        return !evidence.deviating.contains(input);
     };
     const auto derivations = all_derivations();
     return std::all_of(derivations.begin(), derivations.end(), [&](const Derivation& derivation) {

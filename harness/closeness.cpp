@@ -52,11 +52,11 @@ bool is_within(const PrintedNumber& given, const Real& target, double allowance,
 bool is_multiple(const PrintedNumber& given, const Real& target, const Real& factor, double allowance,
                  int min_decimals) {
     if (!std::isfinite(given.value) || !factor.is_bounded() || factor.contains(0.0)) return false;
-    const double size = std::min(std::abs(factor.lo()), std::abs(factor.hi()));
-    const double forgiven = std::max(half_unit(given, min_decimals), 0.5 * std::pow(10.0, -min_decimals));
-    const double half = std::min(half_unit(given, min_decimals), forgiven * size);
-    const Real undone = Real(given.value - half, given.value + half) / factor;
-    return target.lo() - allowance <= undone.hi() && undone.lo() <= target.hi() + allowance;
+    const double half = half_unit(given, min_decimals);
+    const double forgiven = std::max(half, 0.5 * std::pow(10.0, -min_decimals));
+    const double slack = allowance + std::min(half / std::min(std::abs(factor.lo()), std::abs(factor.hi())), forgiven);
+    const Real undone = Real(given.value) / factor;
+    return target.lo() - slack <= undone.hi() && undone.lo() <= target.hi() + slack;
 }
 
 Real enclosure_of(const PrintedNumber& number, Digits digits) {

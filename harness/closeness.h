@@ -39,9 +39,8 @@ Closeness compare(const MatchedItem& printed, const Target& target, double allow
 /// The same for one number.
 bool is_within(const PrintedNumber& given, const Real& target, double allowance, int min_decimals);
 
-/// Whether the number is `target` times `factor`, which is known to some digits; half a unit of the number's last digit
-/// either way. A small factor gains nothing: divided by it, the number is never held to fewer decimals than
-/// `min_decimals`.
+/// Whether the number is `target` times `factor`, which is known to some digits, half a unit of its last digit either
+/// way. A small factor gains nothing: divided by it, the number is never held to fewer decimals than `min_decimals`.
 bool is_multiple(const PrintedNumber& given, const Real& target, const Real& factor, double allowance,
                  int min_decimals);
 

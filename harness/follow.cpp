@@ -39,7 +39,7 @@ std::optional<Known> choose(const Derivation& derivation, std::size_t choice, co
         const ItemId& input = derivation.inputs[i];
         const auto own = own_values.find(input);
         const bool chosen = (choice >> i & 1U) != 0;
-        const bool must_be_chosen = own != own_values.end() && !evidence.right.contains(input);
+        const bool must_be_chosen = own != own_values.end() && evidence.deviating.contains(input);
         if ((chosen && own == own_values.end()) || (!chosen && must_be_chosen)) return std::nullopt;
         if (!chosen) continue;
         known.set(input, own->second);

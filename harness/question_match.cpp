@@ -139,7 +139,6 @@ std::vector<Placed> with_list_apart(const std::vector<Placed>& candidates, std::
     const PrintedValue& list = candidates[k].candidate.value;
     for (Candidate& part : take_apart(candidates[k].candidate, items, first)) {
         part.value.label = list.label;  // the order of printing names them, no more than that
-        part.value.above = list.above;
         part.value.after = list.after;
         trial.push_back({std::move(part), place++});
     }

@@ -46,7 +46,7 @@ std::vector<Line> split_lines(std::string_view text) {
 std::optional<PrintedValue> read_no_value(std::string_view line) {
     constexpr std::size_t longest = 300;
     static const RE2 pattern(
-        R"((?i)^\s*(.{0,80}?)\s*(?:[:=]|->|\s-\s|\.{3,}|\s{3,}|\t|\|)\s*[(<"'\[]*\s*(?:the )?((?:none|no |not |non-?existent|n/?a\b|nil\b|null\b|undefined|does not|doesn't|miss|imaginary|complex|-+\s*$|invalid|there is no|ray (?:misses|does not|doesn't|never)).*)$)");
+        R"((?i)^\s*(.{0,80}?)\s*(?:[:=]|->|\s-\s|\.{3,}|\s{2,}|\t|\|)\s*[(<"'\[]*\s*(?:the )?((?:none|no |not |non-?existent|n/?a\b|nil\b|null\b|undefined|does not|doesn't|miss|imaginary|complex|-+\s*$|invalid|there is no|ray (?:misses|does not|doesn't|never)).*)$)");
     static const RE2 unlabelled(
         R"((?i)^\s*[(<"'\[*]*\s*((?:none|no (?:(?:real|positive|valid|such|true) )*(?:hit|intersection|solution|root|normal|t\b)|not? hit|n/a\b|(?:the )?ray (?:misses|does not hit|doesn't hit)|there is no (?:hit|intersection)|miss(?:es|ed)?\b).*)$)");
     re2::StringPiece label;
@@ -63,6 +63,13 @@ std::optional<PrintedValue> read_no_value(std::string_view line) {
     value.label = std::string(label);
     value.printed = std::string(words.substr(0, 200));
     return value;
+}
+
+/// "t = -1 (-1 means no hit)": the number stands for no value.
+bool says_what_its_number_means(std::string_view line) {
+    static const RE2 pattern(
+        R"((?i)\(\s*-?[\d.]+\s*(?:means|stands for|is|=|->|:|for)\s*(?:that )?(?:there (?:is|was) |the ray )?(?:no\b|none|miss|not? hit))");
+    return RE2::PartialMatch(re2::StringPiece(line.data(), line.size()), pattern);
 }
 
 /// The x, y, z or w that a label names, as 0 to 3, and the label without it: "hit point: x" is component 0 of "hit
@@ -190,6 +197,7 @@ class TranscriptReader {
         if (reading.values.empty()) {
             if (auto none = read_no_value(line)) reading.values.push_back(std::move(*none));
         }
+        if (reading.values.size() == 1 && says_what_its_number_means(line)) reading.values.front().numbers.clear();
         if (reading.values.empty()) {
             constexpr std::size_t longest_above = 200;
             if (reading.has_words) {

@@ -2,6 +2,7 @@
 // a marker gives, read off the source and its output:
 //   outcome  as in grades.json
 //   points   a number, or [least, most] where more than one verdict is fair
+//   diagnosis  the name of the mistake by "question.item", where there is one; see scenario_diagnosis_test.cpp
 //   items    the verdicts of those items that are not right, by "question.item"; an array where several are fair
 #include "tests/scenario.h"
 

@@ -33,6 +33,10 @@ std::string code_block(const std::string& text) {
     return fmt::format("{0}\n{1}{2}{0}\n", fence, safe, safe.ends_with('\n') ? "" : "\n");
 }
 
+std::string cap_sentence(double cap) {
+    return fmt::format("Answers that follow from an earlier mistake earn at most {} points in all.", points_text(cap));
+}
+
 std::string where(const ItemScore& item) {
     return item.line == 0 ? "" : fmt::format(" (line {})", item.line);
 }
@@ -79,6 +83,7 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     const Score& score = graded.score;
     text += fmt::format("**{} of {} points**\n\n", points_text(score.points), points_text(score.max_points));
     if (!graded.explanation.empty()) text += graded.explanation + "\n\n";
+    if (score.follow_cap) text += cap_sentence(*score.follow_cap) + "\n\n";
     text += "| Question | | Result | Points |\n|---:|---|---|---:|\n";
     for (const QuestionScore& question : score.questions) {
         text +=
@@ -121,6 +126,7 @@ std::string check_text(const Graded& graded) {
                                 item.diagnosis.empty() ? "" : fmt::format(" ({})", item.diagnosis));
         }
     }
+    if (graded.score.follow_cap) text += "\n" + cap_sentence(*graded.score.follow_cap) + "\n";
     return text +
            fmt::format("\n{} of {} points\n", points_text(graded.score.points), points_text(graded.score.max_points));
 }

@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/report/graded_samples.h"
+#include "tests/student/mistakes.h"
+#include "tests/student/printout.h"
+
+namespace harness::report {
+namespace {
+
+using namespace report_samples;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Every way a key's number of three digits or more may stand in a text, shortest first: its first three significant
+/// decimals do.
+std::vector<std::string> traces_of_key() {
+    std::vector<std::string> traces;
+    for (const reference::KeyQuestion& question : marking().key.questions) {
+        for (const reference::KeyItem& item : question.items) {
+            for (const reference::Answer& answer : item.answers) {
+                const auto* numbers = std::get_if<reference::Numbers>(&answer.value);
+                if (numbers == nullptr) continue;
+                for (const double x : *numbers) {
+                    const bool telling = std::abs(x * 100 - std::round(x * 100)) > 1e-6;
+                    if (telling) traces.push_back(fmt::format("{:.5f}", std::abs(x)).substr(0, 5));
+                }
+            }
+        }
+    }
+    return traces;
+}
+
+/// A program that answers nothing rightly, for whose output no number of the key is an excuse.
+std::string wrong_everywhere() {
+    std::string output;
+    int question = 0;
+    for (const reference::ItemSpec& spec : reference::all_items()) {
+        if (spec.question != question) output += fmt::format("Question {}:\n", question = spec.question);
+        if (spec.shape == reference::Shape::verdict) {
+            output += "ray hits nothing\n";
+            continue;
+        }
+        output += fmt::format("{}:", spec.label);
+        for (int i = 0; i < reference::component_count(spec.shape); ++i) output += fmt::format(" {}", 70.25 + 11 * i);
+        output += "\n";
+    }
+    return output;
+}
+
+TEST(Feedback, NeverHoldsAnExpectedValue) {
+    const Graded wrong = graded("s01", wrong_everywhere());
+    const std::vector<std::string> traces = traces_of_key();
+    ASSERT_GT(traces.size(), 30U);
+    for (const std::string& text :
+         {feedback_markdown(wrong, marking()), check_text(wrong), item_sentence(wrong.score.questions[5].items[4])}) {
+        for (const std::string& trace : traces) EXPECT_THAT(text, Not(HasSubstr(trace)));
+        EXPECT_THAT(text, Not(HasSubstr("sphere first")));
+    }
+}
+
+TEST(Feedback, OfNamedMistakesHoldsNoExpectedValueEither) {
+    const std::vector<std::string> traces = traces_of_key();
+    const student::Program right(marking().assignment, {});
+    for (const student::NamedMistake& mistake : student::named_mistakes()) {
+        const Score score =
+            harness::score(read_transcript(print(student::Program(marking().assignment, {}, mistake.mistake))),
+                           marking().key, marking().assignment);
+        for (const QuestionScore& question : score.questions) {
+            for (const ItemScore& item : question.items) {
+                for (const std::string& trace : traces)
+                    EXPECT_THAT(item_sentence(item), Not(HasSubstr(trace))) << mistake.name;
+            }
+        }
+    }
+}
+
+TEST(Feedback, SaysQuestionLineWhatWasPrintedAndWhatIsWrong) {
+    const std::string text = feedback_markdown(graded("s01", output_with_a_mistake()), marking());
+    EXPECT_THAT(text, HasSubstr("**98.33 of 100 points**"));
+    EXPECT_THAT(text, testing::ContainsRegex("- Question 6, t \\(line [0-9]+\\): you printed `t: [0-9.]+`|- Question "
+                                             "6, t \\(line [0-9]+\\): you printed `[0-9.]+`"));
+    EXPECT_THAT(text, HasSubstr("far root"));
+    EXPECT_THAT(text, HasSubstr("it follows correctly from an earlier mistake"));
+}
+
+TEST(Feedback, SaysNothingOfItemsThatArePlainlyRight) {
+    const std::string text =
+        feedback_markdown(graded("s01", print(student::Program(marking().assignment, {}))), marking());
+    EXPECT_THAT(text, HasSubstr("**100 of 100 points**"));
+    EXPECT_THAT(text, Not(HasSubstr("Answers to look at")));
+}
+
+TEST(Feedback, HoldsHostileTextInCodeThatItCannotEnd) {
+    const std::string text = feedback_markdown(hostile(), marking());
+    EXPECT_THAT(text, Not(HasSubstr("\x1b")));
+    EXPECT_THAT(text, Not(HasSubstr("\xff")));
+    EXPECT_THAT(text, HasSubstr("\\x1b[31m")) << "visible, not obeyed";
+    EXPECT_THAT(text, HasSubstr("\n`````\nray_cast.cpp:1: ````"))
+        << "the fence is longer than any run of backticks in it";
+}
+
+TEST(Feedback, SaysOfACapThatItCut) {
+    Graded capped = graded("s01", output_with_a_mistake());
+    EXPECT_THAT(feedback_markdown(capped, marking()), Not(HasSubstr("at most")));
+    capped.score.follow_cap = 2.5;
+    EXPECT_THAT(feedback_markdown(capped, marking()), HasSubstr("earn at most 2.5 points in all"));
+    EXPECT_THAT(check_text(capped), HasSubstr("earn at most 2.5 points in all"));
+}
+
+TEST(Feedback, SaysWhyASubmissionHasNoMarks) {
+    const std::string text = feedback_markdown(not_graded("bob"), marking());
+    EXPECT_THAT(text, HasSubstr("**Not graded.**"));
+    EXPECT_THAT(text, Not(HasSubstr("points**")));
+}
+
+TEST(CheckText, HasAVerdictForEveryItem) {
+    const std::string text = check_text(graded("s01", output_with_a_mistake()));
+    std::size_t rows = 0;
+    for (std::size_t at = 0; (at = text.find("\n  ", at)) != std::string::npos; ++at)
+        rows += text[at + 3] != ' ' ? 1 : 0;
+    EXPECT_EQ(rows, reference::all_items().size());
+    EXPECT_THAT(text, HasSubstr("98.33 of 100 points"));
+}
+
+TEST(CheckText, ShowsNoControlBytes) {
+    EXPECT_THAT(check_text(hostile()), Not(HasSubstr("\x1b")));
+}
+
+}  // namespace
+}  // namespace harness::report

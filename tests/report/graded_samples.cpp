@@ -1,0 +1,62 @@
+#include "tests/report/graded_samples.h"
+
+#include <cmath>
+#include <optional>
+
+#include "tests/student/printout.h"
+#include "tests/student/scenes.h"
+
+namespace report_samples {
+
+using namespace harness;
+
+const Marking& marking() {
+    static const Marking off_axis = [] {
+        student::Marking scene = student::off_axis_scene();
+        return Marking{std::move(scene.assignment), std::move(scene.key)};
+    }();
+    return off_axis;
+}
+
+std::string output_with_a_mistake() {
+    const student::Program program(
+        marking().assignment, {},
+        student::Program::Mistake{{6, "t"}, [](const student::Program& p, const auto&) {
+                                      const float root = std::sqrt(p.scalar({6, "d"}));
+                                      return std::optional(student::floats((-p.scalar({6, "b"}) + root) / 2));
+                                  }});
+    return print(program);
+}
+
+Graded graded(const std::string& id, const std::string& output) {
+    Graded result;
+    result.submission.id = id;
+    result.submission.file = id + "/ray_cast.cpp";
+    result.submission.source_sha256 = std::string(64, 'a');
+    result.outcome = output.empty() ? Outcome::no_output : Outcome::graded;
+    result.run.ended = Ended::exited;
+    result.score = score(read_transcript(output), marking().key, marking().assignment);
+    return result;
+}
+
+Graded hostile() {
+    const std::string evil = "`` ``` | <b>&\x1b[31m\xff\xfe\a =cmd()";
+    Graded result = graded("=HYPERLINK(\"x\"),|`id`", "Question 6:\nt: " + evil + "\nhit point: `" + evil + "` 1.25\n");
+    result.score.questions[5].items[4].printed = evil;
+    result.score.questions[5].items[4].verdict = ItemVerdict::wrong;
+    result.score.questions[5].items[4].line = 2;
+    result.explanation = "=1+1 \"quoted\",\nnext line";
+    result.build.diagnostics = "ray_cast.cpp:1: ```` " + evil;
+    result.run.errors = evil;
+    result.submission.notes = {evil};
+    return result;
+}
+
+Graded not_graded(const std::string& id) {
+    Graded result = graded(id, "");
+    result.outcome = Outcome::not_graded;
+    result.explanation = "The folder holds two sources; `keep` one.";
+    return result;
+}
+
+}  // namespace report_samples

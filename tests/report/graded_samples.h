@@ -1,0 +1,26 @@
+// Graded submissions for the tests of the reports, without running anything.
+#pragma once
+
+#include <string>
+
+#include "harness/report/report.h"
+
+namespace report_samples {
+
+/// The off-axis scene.
+const harness::Marking& marking();
+
+/// The output of a program with one mistake that others follow from.
+std::string output_with_a_mistake();
+
+/// What grading a program with this output gives.
+harness::Graded graded(const std::string& id, const std::string& output);
+
+/// Ids, outputs, explanations, messages and notes as hostile as they get: backticks, pipes, ESC, invalid UTF-8,
+/// formulas, HTML.
+harness::Graded hostile();
+
+/// A submission that could not be graded.
+harness::Graded not_graded(const std::string& id);
+
+}  // namespace report_samples

@@ -1,0 +1,77 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/report/graded_samples.h"
+
+namespace harness::report {
+namespace {
+
+using namespace report_samples;
+using testing::ElementsAre;
+using testing::StartsWith;
+
+/// RFC 4180, as a spreadsheet reads it.
+std::vector<std::vector<std::string>> read_csv(const std::string& text) {
+    std::vector<std::vector<std::string>> rows(1, {""});
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        std::string& cell = rows.back().back();
+        const char c = text[i];
+        if (quoted && c == '"' && i + 1 < text.size() && text[i + 1] == '"') {
+            cell += text[++i];
+        } else if (c == '"') {
+            quoted = !quoted;
+        } else if (quoted || (c != ',' && c != '\r' && c != '\n')) {
+            cell += c;
+        } else if (c == ',') {
+            rows.back().emplace_back();
+        } else if (c == '\n') {
+            rows.push_back({""});
+        }
+    }
+    EXPECT_FALSE(quoted);
+    rows.pop_back();
+    return rows;
+}
+
+TEST(GradesCsv, ReadsBackAsARowASubmission) {
+    const auto rows = read_csv(grades_csv({graded("zoe", output_with_a_mistake()), graded("ada", "")}));
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_THAT(rows[0], ElementsAre("id", "outcome", "points", "max_points", "Q1", "Q2", "Q3", "Q4", "Q5", "Q6", "Q7",
+                                     "Q8", "Q9", "Q10", "explanation"));
+    EXPECT_THAT(rows[1], ElementsAre("zoe", "graded", "98.33", "100", "10", "10", "10", "10", "10", "8.33", "10", "10",
+                                     "10", "10", ""));
+    EXPECT_EQ(rows[2][1], "no_output");
+    EXPECT_EQ(rows[2][2], "0");
+}
+
+TEST(GradesCsv, LeavesPointsEmptyForWhatCouldNotBeGraded) {
+    const auto rows = read_csv(grades_csv({not_graded("bob")}));
+    EXPECT_EQ(rows[1][2], "");
+    EXPECT_EQ(rows[1][3], "100");
+    EXPECT_EQ(rows[1].size(), rows[0].size());
+}
+
+TEST(GradesCsv, GivesASpreadsheetNothingToCompute) {
+    const auto rows = read_csv(grades_csv({hostile()}));
+    ASSERT_EQ(rows.size(), 2U) << "a line break within a cell";
+    EXPECT_EQ(rows[1].size(), rows[0].size());
+    EXPECT_THAT(rows[1].front(), StartsWith("'="));
+    EXPECT_THAT(rows[1].back(), StartsWith("'="));
+    for (const char* start : {"=1", "+1", "-1", "@x", "\tx"}) {
+        Graded one = graded("s", "");
+        one.submission.id = start;
+        EXPECT_THAT(read_csv(grades_csv({one}))[1].front(), StartsWith("'")) << start;
+    }
+}
+
+TEST(GradesCsv, HoldsNoControlBytes) {
+    EXPECT_EQ(grades_csv({hostile()}).find('\x1b'), std::string::npos);
+}
+
+TEST(GradesCsv, HasItsHeaderWithoutSubmissions) {
+    EXPECT_EQ(grades_csv({}), "id,outcome,points,max_points,explanation\r\n");
+}
+
+}  // namespace
+}  // namespace harness::report

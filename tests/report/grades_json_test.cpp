@@ -1,0 +1,96 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/report/graded_samples.h"
+
+namespace harness::report {
+namespace {
+
+using namespace report_samples;
+using nlohmann::json;
+using testing::IsSupersetOf;
+
+std::set<std::string> keys(const json& object) {
+    std::set<std::string> names;
+    for (const auto& [name, value] : object.items()) names.insert(name);
+    return names;
+}
+
+json grades(const std::vector<Graded>& all) {
+    return json::parse(grades_json(all, marking()));
+}
+
+TEST(GradesJson, HasEveryFieldOfTheFormat) {
+    const json root = grades({graded("zoe", output_with_a_mistake())});
+    EXPECT_THAT(keys(root), IsSupersetOf({"schema", "assignment", "sandbox", "submissions"}));
+    EXPECT_EQ(root.at("schema"), "raygrade/grades/1");
+    const json& submission = root.at("submissions").at(0);
+    EXPECT_THAT(keys(submission), IsSupersetOf({"id", "student", "file", "source_sha256", "outcome", "build", "run",
+                                                "points", "max_points", "questions", "flags"}));
+    EXPECT_THAT(keys(submission.at("student")), IsSupersetOf({"name", "lms_user_id", "late"}));
+    EXPECT_THAT(keys(submission.at("build")), IsSupersetOf({"seconds", "diagnostics"}));
+    EXPECT_THAT(keys(submission.at("run")),
+                IsSupersetOf({"exit_code", "signal", "cpu_seconds", "wall_seconds", "peak_memory_bytes"}));
+    const json& question = submission.at("questions").at(5);
+    EXPECT_THAT(keys(question), IsSupersetOf({"number", "verdict", "points", "max_points", "items"}));
+    for (const json& item : question.at("items")) {
+        EXPECT_THAT(keys(item), IsSupersetOf({"name", "verdict", "points", "max_points", "printed", "line", "expected",
+                                              "error", "allowance", "accepted_as", "diagnosis"}));
+    }
+}
+
+TEST(GradesJson, SaysWhatHappenedToEachItem) {
+    const json submission = grades({graded("zoe", output_with_a_mistake())}).at("submissions").at(0);
+    const json& t = submission.at("questions").at(5).at("items").at(4);
+    EXPECT_EQ(t.at("name"), "t");
+    EXPECT_EQ(t.at("verdict"), "wrong");
+    EXPECT_EQ(t.at("diagnosis"), "far root");
+    EXPECT_EQ(t.at("points"), 0.0);
+    EXPECT_GT(t.at("line").get<int>(), 1);
+    EXPECT_GT(t.at("error").get<double>(), 1.0);
+    EXPECT_TRUE(t.at("expected").is_number());
+    EXPECT_EQ(submission.at("questions").at(0).at("items").at(0).at("diagnosis"), nullptr);
+    EXPECT_EQ(submission.at("questions").at(0).at("items").at(0).at("expected").size(), 3U);
+    EXPECT_EQ(submission.at("questions").at(2).at("items").at(0).at("expected").size(), 4U);
+}
+
+TEST(GradesJson, AddsItsPointsUp) {
+    const json submission = grades({graded("zoe", output_with_a_mistake())}).at("submissions").at(0);
+    double points = 0;
+    for (const json& question : submission.at("questions")) {
+        double of_items = 0;
+        for (const json& item : question.at("items")) of_items += item.at("points").get<double>();
+        EXPECT_NEAR(question.at("points").get<double>(), of_items, 1e-5);
+        points += question.at("points").get<double>();
+    }
+    EXPECT_NEAR(submission.at("points").get<double>(), points, 1e-5);
+}
+
+TEST(GradesJson, GivesNoPointsToWhatCouldNotBeGraded) {
+    const json submission = grades({not_graded("bob")}).at("submissions").at(0);
+    EXPECT_EQ(submission.at("points"), nullptr);
+    EXPECT_EQ(submission.at("outcome"), "not_graded");
+    EXPECT_TRUE(submission.at("questions").empty());
+}
+
+TEST(GradesJson, IsValidWhateverASubmissionHolds) {
+    const std::string text = grades_json({hostile()}, marking());
+    EXPECT_EQ(text.find('\x1b'), std::string::npos);
+    EXPECT_EQ(text.find('\xff'), std::string::npos);
+    EXPECT_EQ(json::parse(text).at("submissions").at(0).at("id"), "=HYPERLINK(\"x\"),|`id`");
+}
+
+TEST(GradesJson, HasNullForMissingAndForNan) {
+    const json submission = grades({graded("zoe", "Question 6:\nt: nan\n")}).at("submissions").at(0);
+    const json& items = submission.at("questions").at(5).at("items");
+    EXPECT_EQ(items.at(0).at("printed"), nullptr);
+    EXPECT_EQ(items.at(0).at("line"), nullptr);
+    EXPECT_EQ(items.at(4).at("error"), nullptr);
+    EXPECT_EQ(items.at(4).at("verdict"), "wrong");
+}
+
+}  // namespace
+}  // namespace harness::report

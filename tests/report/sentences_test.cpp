@@ -1,0 +1,59 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/report/graded_samples.h"
+
+namespace harness::report {
+namespace {
+
+using testing::HasSubstr;
+
+ItemScore item(ItemVerdict verdict) {
+    ItemScore score;
+    score.spec = {6, "t", reference::Shape::scalar, reference::Subject::sphere, "t"};
+    score.verdict = verdict;
+    return score;
+}
+
+TEST(PointsText, HasAtMostTwoDecimalsAndNoZerosAtTheEnd) {
+    EXPECT_EQ(points_text(10), "10");
+    EXPECT_EQ(points_text(1.5), "1.5");
+    EXPECT_EQ(points_text(5.0 / 3), "1.67");
+    EXPECT_EQ(points_text(0), "0");
+    EXPECT_EQ(points_text(-0.0001), "0");
+    EXPECT_EQ(points_text(100), "100");
+}
+
+TEST(ItemSentence, IsEmptyForAPlainlyRightItem) {
+    EXPECT_EQ(item_sentence(item(ItemVerdict::right)), "");
+}
+
+TEST(ItemSentence, SaysWhyAnotherFormIsRight) {
+    ItemScore accepted = item(ItemVerdict::right);
+    accepted.accepted_as = "the form with b' = b/2";
+    EXPECT_EQ(item_sentence(accepted), "Accepted: the form with b' = b/2.");
+}
+
+TEST(ItemSentence, SaysWhatShapeIsMissing) {
+    EXPECT_THAT(item_sentence(item(ItemVerdict::missing)), HasSubstr("one number"));
+    EXPECT_THAT(item_sentence(item(ItemVerdict::unreadable)), HasSubstr("one number"));
+    ItemScore matrix = item(ItemVerdict::missing);
+    matrix.spec.shape = reference::Shape::matrix4;
+    EXPECT_THAT(item_sentence(matrix), HasSubstr("4 x 4 matrix"));
+}
+
+TEST(ItemSentence, SaysThatNanIsNoNumber) {
+    ItemScore nan = item(ItemVerdict::wrong);
+    nan.printed = "t: -nan";
+    EXPECT_THAT(item_sentence(nan), HasSubstr("not a number"));
+}
+
+TEST(ItemSentence, GivesTheAdviceOfANamedMistake) {
+    ItemScore far_root = item(ItemVerdict::wrong);
+    far_root.error = 2.0;
+    far_root.advice = "That is the far root.";
+    EXPECT_EQ(item_sentence(far_root), "That is the far root.");
+}
+
+}  // namespace
+}  // namespace harness::report

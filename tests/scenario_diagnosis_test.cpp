@@ -1,0 +1,94 @@
+// How many mistakes of the sample class get their name: those of expected.json's "diagnosis", and those of the labelled
+// class, whose marker wrote them down in words.
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/scenario.h"
+
+namespace scenario {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// The mistake's name by "question.item".
+using Diagnosis = std::map<std::string, std::string>;
+
+/// The marker's words in the labels, in the words of the harness. Verdicts, crashes and what does not compile have no
+/// name.
+const std::map<std::string, Diagnosis> labelled = {
+    {"s02", {{"6.t", "operator precedence"}}},                             // operator precedence in the root
+    {"s05", {{"5.V", "not normalised"}, {"9.normal", "not normalised"}}},  // forgot to normalise V and the normal
+    {"s07", {{"3.M_VCS_to_WCS", "translation missing"}}},                  // forgot translation
+    {"s09", {{"2.Z_vcs", "Z points at lookat"}, {"9.normal", "cross product order"}}},
+    {"s11", {{"1.P_VCS", "positive z"}}},  // positive z for clipNear
+    {"s14", {{"1.P_VCS", "integer division"}}},
+    {"s16", {{"6.c", "radius not squared"}, {"8.t", "wrong unknown"}}},  // wrong Cramer column for t
+    {"s18",
+     {{"6.b", "ray starts at the eye"},
+      {"6.c", "ray starts at the eye"},
+      {"10.verdict", "verdict against own values"}}},
+    {"s19", {{"6.t", "far root"}}},  // wrong root
+    {"s20", {{"3.M_VCS_to_WCS", "matrix transposed"}}},
+};
+
+std::map<std::string, Diagnosis> expected_diagnoses() {
+    std::map<std::string, Diagnosis> expected = labelled;
+    for (const auto& entry : fs::directory_iterator(project_folder() / "submissions")) {
+        if (!fs::exists(entry.path() / "expected.json")) continue;
+        const json file = read_json(entry.path() / "expected.json");
+        if (file.contains("diagnosis")) expected[entry.path().filename()] = file.at("diagnosis").get<Diagnosis>();
+    }
+    return expected;
+}
+
+TEST(Diagnosis, NamesFourOfFiveSingleMistakesAndNoRightAnswer) {
+    const std::map<std::string, Diagnosis> expected = expected_diagnoses();
+    const TemporaryFolder folder;
+    std::vector<std::string> arguments = {"grade"};
+    for (const auto& [who, diagnosis] : expected) arguments.push_back(sample(who).string());
+    for (const char* argument : {"--assignment", "a6-2021", "--out"}) arguments.emplace_back(argument);
+    arguments.push_back((folder / "out").string());
+    const Result result = raygrade(arguments);
+    ASSERT_EQ(result.status, 0) << result.both();
+
+    int single = 0, named = 0, all = 0, all_named = 0;
+    const json grades = read_json(folder / "out/grades.json");
+    for (const json& submission : grades.at("submissions")) {
+        const Diagnosis& diagnosis = expected.at(submission.at("id"));
+        bool right = true;
+        for (const json& question : submission.at("questions")) {
+            for (const json& item : question.at("items")) {
+                const std::string name =
+                    std::to_string(question.at("number").get<int>()) + "." + item.at("name").get<std::string>();
+                if (item.at("verdict") == "right" || item.at("verdict") == "follow") {
+                    EXPECT_TRUE(item.at("diagnosis").is_null()) << submission.at("id") << " " << name;
+                }
+                if (!diagnosis.contains(name)) continue;
+                const bool is_named = item.at("diagnosis") == diagnosis.at(name);
+                if (!is_named)
+                    std::cout << submission.at("id") << " " << name << " is not \"" << diagnosis.at(name) << "\" but "
+                              << item.at("diagnosis") << "\n";
+                ++all;
+                all_named += is_named ? 1 : 0;
+                right = right && is_named;
+            }
+        }
+        const bool is_single = diagnosis.size() == 1;
+        single += is_single ? 1 : 0;
+        named += is_single && right ? 1 : 0;
+    }
+    std::cout << "named: " << named << " of " << single << " submissions with one mistake, " << all_named << " of "
+              << all << " mistakes\n";
+    EXPECT_GE(single, 15);
+    EXPECT_GE(10 * named, 8 * single);
+    EXPECT_GE(10 * all_named, 8 * all);
+}
+
+}  // namespace
+}  // namespace scenario
