@@ -15,8 +15,8 @@ int check_command(const CheckOptions& options) {
                                      options.source.string(), submissions.size()));
     }
     const Graded graded = grade(submissions.front(), marking);
-    fmt::print("{}", report::check_text(graded));
-    if (graded.outcome == Outcome::not_graded) return some_not_graded;
+    fmt::print("{}\n\n{}", assignment.title, report::check_text(graded));
+    if (graded.outcome == Outcome::not_graded) return status_of({graded});
     const bool too_few =
         options.fail_under && graded.score.points < *options.fail_under / 100 * graded.score.max_points;
     return too_few ? some_not_graded : all_graded;

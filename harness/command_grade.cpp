@@ -71,13 +71,23 @@ void write_file(const fs::path& file, const std::string& text) {
     fs::rename(fresh, file);
 }
 
+/// Whether there is nothing at all, or no more than the folders that a run makes first.
+bool is_without_files(const fs::path& out) {
+    std::error_code error;
+    if (!fs::exists(out, error)) return true;
+    for (const auto& entry : fs::directory_iterator(out, error)) {
+        if (entry.path().filename() != "feedback" || !fs::is_empty(entry.path(), error)) return false;
+    }
+    return !error;
+}
+
 /// Makes the results' folder, empty or with an earlier run's results that may be replaced. Throws UsageError.
 void prepare_folder(const fs::path& out, bool force) {
     std::error_code error;
     if (fs::exists(out, error) && !fs::is_directory(out, error)) {
         throw UsageError(fmt::format("{}: is a file; name a folder for the results with --out", out.string()));
     }
-    const bool empty = !fs::exists(out, error) || fs::is_empty(out, error);
+    const bool empty = is_without_files(out);
     const bool earlier = fs::exists(out / "grades.json", error);
     if (!empty && earlier && !force) {
         throw UsageError(fmt::format(
@@ -129,6 +139,13 @@ std::vector<Graded> grade_with_progress(const std::vector<Submission>& submissio
 
 }  // namespace
 
+int status_of(const std::vector<Graded>& graded) {
+    const auto ours = [](const Graded& one) { return one.our_fault; };
+    const auto missed = [](const Graded& one) { return one.outcome == Outcome::not_graded; };
+    if (std::any_of(graded.begin(), graded.end(), ours)) return our_fault;
+    return std::any_of(graded.begin(), graded.end(), missed) ? some_not_graded : all_graded;
+}
+
 int grade_command(const GradeOptions& options) {
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
     const Marking marking{assignment, reference::make_key(assignment, reference::Precision::certified)};
@@ -149,9 +166,7 @@ int grade_command(const GradeOptions& options) {
     }
     fmt::print("\nresults: {}\nfeedback: {}\n", (options.out / "grades.json").string(),
                (options.out / "feedback").string());
-    const bool all = std::none_of(graded.begin(), graded.end(),
-                                  [](const Graded& one) { return one.outcome == Outcome::not_graded; });
-    return all ? all_graded : some_not_graded;
+    return status_of(graded);
 }
 
 }  // namespace harness

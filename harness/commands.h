@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/grade.h"
 #include "reference/answer_key.h"
 
 namespace harness {
@@ -45,6 +46,9 @@ int reference_command(const ReferenceOptions& options);
 int cast_command();
 
 int doctor_command();
+
+/// our_fault, some_not_graded or all_graded.
+int status_of(const std::vector<Graded>& graded);
 
 /// Where the assignments that come with raygrade are.
 std::filesystem::path assignments_folder();

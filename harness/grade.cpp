@@ -116,12 +116,18 @@ std::string_view to_string(Outcome outcome) {
 Graded grade(const Submission& submission, const Marking& marking) {
     Graded graded;
     graded.submission = submission;
+    const auto not_graded = [&](const std::string& why, bool our_fault) {
+        graded = Graded{};
+        graded.submission = submission;
+        graded.explanation = why;
+        graded.our_fault = our_fault;
+    };
     try {
         grade_into(graded, marking);
     } catch (const HarnessError& error) {
-        graded = Graded{};
-        graded.submission = submission;
-        graded.explanation = error.what();
+        not_graded(error.what(), false);
+    } catch (const std::exception& error) {
+        not_graded(fmt::format("A fault of raygrade: {}. Please report it with the submission.", error.what()), true);
     }
     if (graded.outcome == Outcome::not_graded) graded.score = score({}, marking.key, marking.assignment);
     graded.submission.source = {};

@@ -31,6 +31,7 @@ std::string_view to_string(Outcome outcome);
 struct Graded {
     Submission submission;
     Outcome outcome = Outcome::not_graded;
+    bool our_fault = false;   ///< not graded because raygrade failed, not the machine
     std::string explanation;  ///< a sentence: the first stage that went wrong; empty when none did
     Build build;
     ProcessResult run;  ///< without the output, which has been read
@@ -43,7 +44,8 @@ struct Marking {
     reference::AnswerKey key;  ///< the assignment's
 };
 
-/// Grades one submission. The machine's failures become Outcome::not_graded with the message.
+/// Grades one submission. The machine's failures and raygrade's own become Outcome::not_graded with the message, so that
+/// the others are graded.
 Graded grade(const Submission& submission, const Marking& marking);
 
 /// Grades a class with `jobs` (at least 1) submissions at a time, each on its own. Results in the order given, whatever

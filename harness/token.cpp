@@ -220,7 +220,7 @@ class Lexer {
     /// Whether the '<' here opens a list of numbers: only numbers, commas and blanks follow up to its '>'.
     bool opens_angle_list() const {
         constexpr std::size_t longest_list = 300;
-        constexpr std::string_view in_list = "0123456789.eE+-, \t;naifNAIF";
+        constexpr std::string_view in_list = "0123456789.eE+-, \t;|naifNAIF";
         const std::size_t close = line_.substr(at_, longest_list).find('>', 1);
         if (close == std::string_view::npos || close == 1) return false;
         const std::string_view inside = line_.substr(at_ + 1, close - 1);
