@@ -35,9 +35,7 @@ Known with_own_values(const Evidence& evidence) {
 /// Whether every value that was printed for an input of the item is right. What a wrong one decides is a matter of
 /// following through.
 bool has_right_inputs(const ItemId& id, const Evidence& evidence) {
-    const auto is_right = [&](const ItemId& input) {
-        return !evidence.deviating.contains(input);
-    };
+    const auto is_right = [&](const ItemId& input) { return !evidence.deviating.contains(input); };
     const auto derivations = all_derivations();
     return std::all_of(derivations.begin(), derivations.end(), [&](const Derivation& derivation) {
         return derivation.item != id || std::all_of(derivation.inputs.begin(), derivation.inputs.end(), is_right);

@@ -123,8 +123,10 @@ Finding examine_namespaces() {
                            read_setting("/proc/sys/user/max_user_namespaces") == "0" ||
                            read_setting("/proc/sys/kernel/apparmor_restrict_unprivileged_userns") == "1";
     const bool present = access("/usr/bin/bwrap", X_OK) == 0;
-    const std::string detail = fmt::format("bwrap is {}, user namespaces are {}", present ? "there" : "missing",
-                                           forbidden ? "restricted by the kernel's settings" : "allowed");
+    const std::string detail = fmt::format(
+        "programs run under the supervisor; for a namespace sandbox, which is not used yet, bwrap is {}, user "
+        "namespaces are {}",
+        present ? "there" : "missing", forbidden ? "restricted by the kernel's settings" : "allowed");
     if (present && !forbidden) return good(what, detail);
     return {what, Level::warning, detail,
             present ? "Allow user namespaces, see sysctl kernel.apparmor_restrict_unprivileged_userns and "

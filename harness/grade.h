@@ -44,8 +44,8 @@ struct Marking {
     reference::AnswerKey key;  ///< the assignment's
 };
 
-/// Grades one submission. The machine's failures and raygrade's own become Outcome::not_graded with the message, so that
-/// the others are graded.
+/// Grades one submission. The machine's failures and raygrade's own become Outcome::not_graded with the message, so
+/// that the others are graded.
 Graded grade(const Submission& submission, const Marking& marking);
 
 /// Grades a class with `jobs` (at least 1) submissions at a time, each on its own. Results in the order given, whatever

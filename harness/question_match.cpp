@@ -119,6 +119,8 @@ class Matcher {
         const auto place = static_cast<std::int64_t>(placed.place);
         const std::int64_t part =
             std::min<std::int64_t>(static_cast<std::int64_t>(placed.candidate.part), 2) * later_part;
+        // Of names that only often mean the item, "t1" and "t2" for t, the first: students write the near root first.
+        if (fit == LabelFit::weak && items_.size() > 1) return part - std::min(place, most);
         if (fit >= LabelFit::title || items_.size() == 1) return part + std::min(place, most);
         // Squared, so that of two matchings the one without crossings gains more.
         const std::int64_t apart = std::min<std::int64_t>(std::abs(static_cast<std::int64_t>(i) - place), 40);

@@ -44,14 +44,38 @@ std::optional<Verdict> object_of(const std::string& word) {
     return std::nullopt;
 }
 
-/// The object named nearest before the word "first", else the one nearest behind it.
+Verdict other_than(Verdict object) {
+    return object == Verdict::sphere_first ? Verdict::triangle_first : Verdict::sphere_first;
+}
+
+/// "does not hit triangle first": whether the words before the object deny it.
+bool is_denied(const std::vector<std::string>& words, std::size_t object) {
+    constexpr std::array<std::string_view, 4> denials = {"not", "doesn't", "isn't", "never"};
+    constexpr std::size_t reach = 4;
+    for (std::size_t k = 1; k <= reach && k <= object; ++k) {
+        if (is_one_of(words[object - k], denials)) return true;
+        if (words[object - k] == "first" || object_of(words[object - k])) return false;
+    }
+    return false;
+}
+
+/// The object named nearest before the word "first", else the one nearest behind it. One that is denied to be first
+/// means the other, where that is named too.
 std::optional<Verdict> object_at_first(const std::vector<std::string>& words) {
     constexpr std::size_t reach = 6;
     std::optional<Verdict> found;
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (words[i] != "first") continue;
         std::optional<Verdict> near;
-        for (std::size_t k = 1; k <= reach && k <= i && !near; ++k) near = object_of(words[i - k]);
+        for (std::size_t k = 1; k <= reach && k <= i && !near; ++k) {
+            near = object_of(words[i - k]);
+            if (!near || !is_denied(words, i - k)) continue;
+            const Verdict other = other_than(*near);
+            const bool named =
+                std::any_of(words.begin(), words.end(), [&](const std::string& w) { return object_of(w) == other; });
+            near = named ? std::optional(other) : std::nullopt;
+            if (!named) break;
+        }
         for (std::size_t k = 1; k <= reach && i + k < words.size() && !near; ++k) near = object_of(words[i + k]);
         if (near && found && *near != *found)
             return std::nullopt;  // the question's text: "triangle first / sphere first"
@@ -94,8 +118,10 @@ std::optional<Verdict> object_compared(const std::vector<std::string>& words) {
         if (any(words, negations)) return std::nullopt;
         return any(words, hit_words) || words.size() <= 2 ? std::optional(objects.front()) : std::nullopt;
     }
-    constexpr std::array<std::string_view, 9> compares = {"before", "closer",  "nearer", "smaller", "less",
-                                                          "front",  "earlier", "than",   "wins"};
+    constexpr std::array<std::string_view, 12> compares = {"before", "closer",  "nearer",  "smaller",
+                                                           "less",   "front",   "earlier", "than",
+                                                           "wins",   "closest", "nearest", "behind"};
+    if (std::find(words.begin(), words.end(), "after") != words.end()) return objects.back();
     return any(words, compares) ? std::optional(objects.front()) : std::nullopt;
 }
 

@@ -153,7 +153,7 @@ std::string reason(const Answer& answer, const AnswerKey& key) {
     }
     if (answer.reading.boundary != key.canonical.boundary) {
         phrase += phrase.empty() ? "" : ", and ";
-        phrase += "the rubric accepts that t = 0 is not positive and so no hit";
+        phrase += "the rubric accepts either reading of \"t is positive\" here";
     }
     return phrase;
 }

@@ -25,8 +25,8 @@ struct Rubric {
     BoundaryPolicy boundary = BoundaryPolicy::either;
     /// Credit for an answer that follows from an earlier mistake, as a share of its points, 0 to 1.
     double follow_through = 1.0;
-    /// The most that all such answers of a submission together may earn, as a share of its points, 0 to 1. Beyond it each of them
-    /// earns proportionally less.
+    /// The most that all such answers of a submission together may earn, as a share of its points, 0 to 1. Beyond it
+    /// each of them earns proportionally less.
     double follow_through_cap = 1.0;
     /// An answer is never held to fewer printed decimals than this: half a unit of its last decimal is forgiven,
     /// counted at min_decimals where fewer were printed. 0 to 9.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "reference/items.h"
+
 namespace reference {
 namespace {
 
@@ -26,6 +28,17 @@ double read_amount(const TomlTable& table, std::string_view key, double least, d
     return value;
 }
 
+/// Refuses what is not an item of the question, so that a misspelt one is not silently ignored.
+void check_item(const TomlTable& items, int question, const std::string& item) {
+    std::string names;
+    for (const ItemSpec& spec : all_items()) {
+        if (spec.question != question) continue;
+        if (spec.name == item) return;
+        names += (names.empty() ? "" : ", ") + std::string(spec.name);
+    }
+    items.fail(item, fmt::format("is not an item of question {}; there are {}", question, names));
+}
+
 void read_points(const TomlTable& table, Rubric& rubric) {
     constexpr double most_points = 1e6;
     for (const std::string& key : table.keys()) {
@@ -37,6 +50,7 @@ void read_points(const TomlTable& table, Rubric& rubric) {
         const TomlTable items = table.table(key);
         double sum = 0;
         for (const std::string& item : items.keys()) {
+            check_item(items, question, item);
             sum += rubric.item_points[question][item] = read_amount(items, item, 0, most_points);
         }
         rubric.points[question] = sum;
@@ -52,6 +66,7 @@ void read_tolerance(const TomlTable& table, Rubric& rubric) {
             const TomlTable items = table.table(key);
             const int question = read_question_number(table, key);
             for (const std::string& item : items.keys()) {
+                check_item(items, question, item);
                 rubric.item_tolerance[fmt::format("{}.{}", question, item)] = read_amount(items, item, 0, widest);
             }
         } else {
@@ -64,7 +79,8 @@ void read_tolerance(const TomlTable& table, Rubric& rubric) {
 }  // namespace
 
 Rubric read_rubric(const TomlTable& table) {
-    table.allow_only({"pixel_conventions", "boundary", "follow_through", "follow_through_cap", "min_decimals", "points", "tolerance"});
+    table.allow_only({"pixel_conventions", "boundary", "follow_through", "follow_through_cap", "min_decimals", "points",
+                      "tolerance"});
     Rubric rubric;
     if (table.has("pixel_conventions")) {
         rubric.pixel_conventions.clear();

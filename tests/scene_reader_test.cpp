@@ -97,6 +97,13 @@ TEST(SceneReader, WindowHasAnExtentOnBothAxesAndANearPlane) {
     EXPECT_THAT(complaint("clip_near = 2", "clip_near = -2"), says("10: window.clip_near", "must be above 0"));
 }
 
+TEST(SceneReader, AnItemThatIsNotAskedForIsAMistakeOfTheRubric) {
+    EXPECT_THAT(complaint("radius = 2", "radius = 2\n[rubric.points]\n6 = {z = 1}"),
+                testing::HasSubstr("z: is not an item of question 6; there are a, b, c, d, t, hit"));
+    EXPECT_THAT(complaint("radius = 2", "radius = 2\n[rubric.tolerance]\n8 = {zz = 1}"),
+                testing::HasSubstr("zz: is not an item of question 8"));
+}
+
 TEST(SceneReader, MirroredWindowIsAcceptedAndSaid) {
     const Assignment mirrored = read(with("clip_right = 2", "clip_right = -3"));
     EXPECT_THAT(mirrored.notes, ElementsAre(HasSubstr("mirrored left to right")));

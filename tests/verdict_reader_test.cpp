@@ -21,6 +21,14 @@ TEST(ReadVerdict, IsNotFooledByTheQuestion) {
               Verdict::triangle_first);
 }
 
+TEST(ReadVerdict, ADeniedFirstMeansTheOther) {
+    EXPECT_EQ(read({"ray does not hit triangle first, it hits sphere first"}), Verdict::sphere_first);
+    EXPECT_EQ(read({"ray does not hit the sphere first; it hits the triangle"}), Verdict::triangle_first);
+    EXPECT_EQ(read({"The triangle is no true hit, so ray hits sphere first"}), Verdict::sphere_first);
+    EXPECT_EQ(read({"The triangle is hit after the sphere"}), Verdict::sphere_first);
+    EXPECT_EQ(read({"Closest object: sphere (t = 2.1), triangle is behind it"}), Verdict::sphere_first);
+}
+
 TEST(ReadVerdict, ReadsTheWordsStudentsUse) {
     EXPECT_EQ(read({"ray hits sphere first"}), Verdict::sphere_first);
     EXPECT_EQ(read({"RAY HITS TRIANGLE FIRST!!!"}), Verdict::triangle_first);
