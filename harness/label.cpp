@@ -22,6 +22,15 @@ struct Names {
     std::vector<std::string_view> weak;
 };
 
+/// What either normal is called, and what this one is called besides.
+std::vector<std::string_view> names_of_normal(std::vector<std::string_view> names) {
+    for (const char* name :
+         {"n", "normal", "surfacenormal", "unitnormal", "nhat", "normaln", "normalvector", "normalized", "normalised",
+          "nnormalized", "nnormalised", "normalizedn", "normalisedn", "unitn", "nunit"})
+        names.emplace_back(name);
+    return names;
+}
+
 const std::vector<Names>& vocabulary() {
     static const std::vector<Names> table = {
         {1,
@@ -78,29 +87,7 @@ const std::vector<Names>& vocabulary() {
          {"hit", "hitpoint", "ps", "psphere", "intersection", "intersectionpoint", "pointofintersection", "hitpos",
           "hitposition", "spherehit", "spherehitpoint", "sphereintersection", "phit"},
          {"p", "point", "pos", "position", "location", "i"}},
-        {7,
-         "normal",
-         {"n",
-          "normal",
-          "ns",
-          "nsphere",
-          "spherenormal",
-          "normalofsphere",
-          "normalofthesphere",
-          "surfacenormal",
-          "unitnormal",
-          "nhat",
-          "normaln",
-          "normalvector",
-          "normalized",
-          "normalised",
-          "nnormalized",
-          "nnormalised",
-          "normalizedn",
-          "normalisedn",
-          "unitn",
-          "nunit"},
-         {"normalized", "normalised"}},
+        {7, "normal", names_of_normal({"ns", "nsphere", "spherenormal", "normalofsphere", "normalofthesphere"}), {}},
         {8,
          "matrix",
          {"a", "matrix", "matrixa", "amatrix", "m", "coefficientmatrix", "systemmatrix", "linearsystem", "system",
@@ -125,28 +112,8 @@ const std::vector<Names>& vocabulary() {
          {"p", "point", "pos", "position", "location", "i"}},
         {9,
          "normal",
-         {"n",
-          "normal",
-          "nt",
-          "ntri",
-          "ntriangle",
-          "trianglenormal",
-          "normaloftriangle",
-          "normalofthetriangle",
-          "surfacenormal",
-          "unitnormal",
-          "nhat",
-          "normaln",
-          "normalvector",
-          "normalized",
-          "normalised",
-          "nnormalized",
-          "nnormalised",
-          "normalizedn",
-          "normalisedn",
-          "unitn",
-          "nunit"},
-         {"normalized", "normalised"}},
+         names_of_normal({"nt", "ntri", "ntriangle", "trianglenormal", "normaloftriangle", "normalofthetriangle"}),
+         {}},
         {10, "verdict", {}, {}},
     };
     return table;
