@@ -1,0 +1,120 @@
+#include "harness/include_block.h"
+
+#include <gmock/gmock.h>
+
+namespace {
+
+using harness::include_block;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::vector<std::string> texts(std::string_view source) {
+    std::vector<std::string> texts;
+    for (const auto& directive : include_block(source)) texts.push_back(directive.text);
+    return texts;
+}
+
+/// What is left when the whole block is taken out.
+std::string rest(std::string_view source) {
+    const auto block = include_block(source);
+    return harness::without_directives(source, block, block.size());
+}
+
+TEST(IncludeBlock, TakesTheLeadingDirectivesInTheirOrder) {
+    EXPECT_THAT(texts("#define GLM_ENABLE_EXPERIMENTAL\n#include <iostream>\n\n#include <glm/glm.hpp>\nint a;\n"),
+                ElementsAre("#define GLM_ENABLE_EXPERIMENTAL", "#include <iostream>", "#include <glm/glm.hpp>"));
+    EXPECT_THAT(texts("#include <b>\n#include <a>\n"), ElementsAre("#include <b>", "#include <a>"));
+}
+
+TEST(IncludeBlock, SkipsCommentsAndEmptyLines) {
+    EXPECT_THAT(
+        texts("// me\n/* a\n b */\n\n  #include <iostream> // cout\n\t\n#define A 1 /* one */\n/**/#include <b>"),
+        ElementsAre("#include <iostream>", "#define A 1", "#include <b>"));
+}
+
+TEST(IncludeBlock, WritesBlanksInOneForm) {
+    EXPECT_THAT(texts("#include<a>\n #  include\t\"glm/glm.hpp\"  \r\n#\tdefine  A\r\n"),
+                ElementsAre("#include <a>", "#include \"glm/glm.hpp\"", "#define A"));
+    EXPECT_THAT(texts("\xef\xbb\xbf#include <a>\n"), ElementsAre("#include <a>"));
+}
+
+TEST(IncludeBlock, EndsAtTheFirstAnythingElse) {
+    for (const char* other : {"int a;", "using namespace std;", "#undef A", "#if 1", "#ifndef A", "#error x",
+                              "#include_next <b>", "#import <b>", "#", "#line 7", "# 7 \"x\"", "%:include <b>",
+                              "?\?=include <b>", ";", "\x01", "\f", "\\", "#includes <b>", "#defined A"}) {
+        EXPECT_THAT(texts(std::string("#include <a>\n") + other + "\n#include <c>\n"), ElementsAre("#include <a>"))
+            << other;
+    }
+}
+
+TEST(IncludeBlock, LeavesIncludesThatAreNotPlainlyTheSystems) {
+    for (const char* odd : {"#include MACRO",
+                            "#include \"local.h\"",
+                            "#include \"../glm/glm.hpp\"",
+                            "#include \"./glm/glm.hpp\"",
+                            "#include \"/etc/passwd\"",
+                            "#include <../a>",
+                            "#include </dev/stdin>",
+                            "#include <a/../b>",
+                            "#include <a//b>",
+                            "#include <a",
+                            "#include <>",
+                            "#include \"\"",
+                            "#include",
+                            "#include <a> <b>",
+                            "#include <a>;",
+                            "#include <a>x",
+                            "#include <a\"",
+                            "#include <a b>",
+                            "#include <a\\b>",
+                            "#include <\xc3\xa9>"}) {
+        EXPECT_THAT(texts(std::string(odd) + "\n#include <c>\n"), IsEmpty()) << odd;
+    }
+}
+
+TEST(IncludeBlock, LeavesDefinesInWhichACommentCouldHide) {
+    for (const char* odd : {"#define A \"//\"", "#define A '\"'", "#define A R\"(", "#define A \\", "#define A \\ \nB",
+                            "#define A 1 ?\?/", "#define A+1", "#define 1 2", "#define", "#defineA", "#define A \x80",
+                            "#define A /* 1 */ 2", "#define A /* 1\n */ 2", "#define A 1\f", "#define A 1\rB"}) {
+        EXPECT_THAT(texts(std::string(odd) + "\n#include <c>\n"), IsEmpty()) << odd;
+    }
+    EXPECT_THAT(texts("#define SQR(x) ((x)*(x)/2)\n#define cat(a, b) a##b\n"),
+                ElementsAre("#define SQR(x) ((x)*(x)/2)", "#define cat(a, b) a##b"));
+}
+
+TEST(IncludeBlock, EndsBeforeACommentThatGoesOnByABackslash) {
+    EXPECT_THAT(texts("#include <a>\n// more \\\n#include <b>\n#include <c>\n"), ElementsAre("#include <a>"));
+    EXPECT_THAT(texts("#include <a>\n// more \\ \t\r\n#include <b>\n"), ElementsAre("#include <a>"));
+    EXPECT_THAT(texts("#include <a>\n// more ?\?/\n#include <b>\n"), ElementsAre("#include <a>"));
+    EXPECT_THAT(texts("#include <a> // more \\\n#include <b>\n"), IsEmpty());
+    EXPECT_THAT(texts("#include <a>\n/* *\\\n/\n#include <b>\n/* */\n"), ElementsAre("#include <a>"));
+    EXPECT_THAT(texts("#include <a>\n/* open\n#include <b>\n"), ElementsAre("#include <a>"));
+    EXPECT_THAT(texts("#include <a> /* over\nlines */ int b;\n"), IsEmpty());
+    EXPECT_THAT(texts("// C:\\folder\n#include <a>\n"), ElementsAre("#include <a>"));
+}
+
+TEST(IncludeBlock, IsEmptyWhereTheSourceAsksWhereOrWhenItIs) {
+    for (const char* asks :
+         {"int n = __COUNTER__;", "__INCLUDE_LEVEL__", "__BASE_FILE__", "__DATE__", "__TIME__", "__TIMESTAMP__",
+          "__FILE__", "#pragma once", "_Pragma(\"pack(1)\")", "__COUN\\\nTER__", "__FI\\ \t\nLE__"}) {
+        EXPECT_THAT(texts(std::string("#include <a>\n") + asks + "\n"), IsEmpty()) << asks;
+    }
+}
+
+TEST(IncludeBlock, TakesEmptyAndCutOffSources) {
+    for (const char* source : {"", "\n", "#", "//", "/*", "/", "#include", "#include <", "#define ", "\xef\xbb\xbf"})
+        EXPECT_THAT(texts(source), IsEmpty()) << source;
+}
+
+TEST(WithoutDirectives, KeepsEveryLineColumnAndComment) {
+    EXPECT_EQ(rest("// a\n  #include <b> // c\r\n#define D 1\nint e;\n"),
+              "// a\n               // c\r\n           \nint e;\n");
+}
+
+TEST(WithoutDirectives, TakesAsManyAsItIsTold) {
+    const std::string source = "#include <a>\n#include <b>\nint c;\n";
+    EXPECT_EQ(harness::without_directives(source, include_block(source), 0), source);
+    EXPECT_EQ(harness::without_directives(source, include_block(source), 1), "            \n#include <b>\nint c;\n");
+}
+
+}  // namespace
