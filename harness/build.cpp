@@ -121,11 +121,14 @@ Build build(const Submission& submission, const BuildSettings& settings, const s
     const ProcessResult result = run_process(command);
     build.tried = true;
     build.reached_limit = is_limit(result.ended) || (result.ended == Ended::exited && result.exit_code == broken_down);
+    build.depends_on_load = result.ended == Ended::wall_limit || result.ended == Ended::signalled ||
+                            (result.ended == Ended::exited && result.exit_code == broken_down);
     build.diagnostics = result.errors;
     build.wall = result.wall;
     const auto program = scratch / program_name;
     if (result.ended == Ended::exited && result.exit_code == 0 && std::filesystem::is_regular_file(program)) {
         build.program = program;
+        build.compiled = true;
     } else {
         refuse_a_full_disk(scratch);
     }

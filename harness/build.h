@@ -25,6 +25,8 @@ BuildSettings default_build_settings();
 struct Build {
     std::optional<std::filesystem::path> program;  ///< absolute; empty when it did not compile or was not tried
     bool tried = false;                            ///< false when the submission had nothing to compile
+    bool compiled = false;                         ///< there was a program, though it may be gone since
+    bool depends_on_load = false;                  ///< another time on this machine it could come to another end
     bool reached_limit = false;  ///< the compiler ran out of time, memory or file size, or broke down over the source
     std::string diagnostics;     ///< the compiler's messages as it wrote them (hostile bytes), bounded
     std::chrono::milliseconds wall{0};

@@ -1,0 +1,329 @@
+#include "harness/store.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sqlite3.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <system_error>
+
+#include "harness/failure.h"
+#include "harness/fingerprint.h"
+#include "harness/names.h"
+#include "harness/sandbox/file_descriptor.h"
+
+namespace harness {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Raised whenever the table or the meaning of a column changes.
+constexpr int version = 1;
+constexpr int patience_ms = 10000;
+
+constexpr const char* table = R"(
+    CREATE TABLE IF NOT EXISTS results (
+        key TEXT PRIMARY KEY,
+        used INTEGER NOT NULL,     -- seconds since 1970
+        bytes INTEGER NOT NULL,
+        seal TEXT NOT NULL,        -- fingerprint of the rest: what the disk garbled is not believed
+        reached_limit INTEGER NOT NULL,
+        compiled INTEGER NOT NULL,
+        build_ms INTEGER NOT NULL,
+        ended TEXT NOT NULL,
+        exit_code INTEGER NOT NULL,
+        signal INTEGER NOT NULL,
+        cpu_ms INTEGER NOT NULL,
+        wall_ms INTEGER NOT NULL,
+        peak_memory_bytes INTEGER NOT NULL,
+        errors_truncated INTEGER NOT NULL,
+        diagnostics BLOB NOT NULL,
+        output BLOB NOT NULL,
+        errors BLOB NOT NULL);
+    CREATE INDEX IF NOT EXISTS by_use ON results (used, bytes);
+)";
+
+/// The words in the database; their order is that of Ended.
+constexpr std::array<std::string_view, 8> endings{"not_started", "exited",       "signalled",     "cpu_limit",
+                                                  "wall_limit",  "memory_limit", "process_limit", "output_limit"};
+
+std::optional<Ended> ended_from(std::string_view word) {
+    for (std::size_t i = 0; i < endings.size(); ++i) {
+        if (endings[i] == word) return static_cast<Ended>(i);
+    }
+    return {};
+}
+
+std::string_view word_for(Ended ended) {
+    return endings.at(static_cast<std::size_t>(ended));
+}
+
+std::string seal(const std::string& key, const Execution& execution) {
+    const Build& build = execution.build;
+    const ProcessResult& run = execution.run;
+    Fingerprint seal("raygrade/result/1");
+    seal.add(key).add(build.reached_limit).add(build.compiled).add(build.wall.count()).add(build.diagnostics);
+    seal.add(word_for(run.ended)).add(run.exit_code).add(run.signal).add(run.cpu.count()).add(run.wall.count());
+    seal.add(static_cast<std::int64_t>(run.peak_memory_bytes)).add(run.output).add(run.errors);
+    return seal.add(run.errors_truncated).hex();
+}
+
+std::string bytes(const SQLite::Column& column) {
+    return {static_cast<const char*>(column.getBlob()), static_cast<std::size_t>(column.getBytes())};
+}
+
+std::int64_t now() {
+    using namespace std::chrono;
+    return duration_cast<seconds>(system_clock::now().time_since_epoch()).count();
+}
+
+bool is_corrupt(const SQLite::Exception& error) {
+    return error.getErrorCode() == SQLITE_CORRUPT || error.getErrorCode() == SQLITE_NOTADB;
+}
+
+/// Held while a database is opened or set aside, so that two runs don't set aside each other's new one.
+class FolderLock {
+  public:
+    explicit FolderLock(const fs::path& folder)
+        : lock_(::open((folder / "results.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
+        if (!lock_) throw std::system_error(errno, std::generic_category());
+        while (flock(lock_.get(), LOCK_EX) != 0 && errno == EINTR) {
+        }
+    }
+
+  private:
+    FileDescriptor lock_;
+};
+
+/// For a database of another kind than ours, which SQLite itself has nothing against.
+class OfAnotherVersion : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+std::unique_ptr<SQLite::Database> opened(const fs::path& file) {
+    auto database = std::make_unique<SQLite::Database>(
+        file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_FULLMUTEX, patience_ms);
+    const bool is_new = !database->tableExists("results");
+    const int found = database->execAndGet("PRAGMA user_version").getInt();
+    if (found != (is_new ? 0 : version)) throw OfAnotherVersion(fmt::format("is of version {}", found));
+    database->exec("PRAGMA journal_mode = WAL");
+    database->exec("PRAGMA synchronous = NORMAL");
+    database->exec("PRAGMA trusted_schema = OFF");
+    if (is_new) {
+        database->exec(table);
+        database->exec(fmt::format("PRAGMA user_version = {}", version));
+    }
+    // Also finds out whether the table has the columns it should.
+    SQLite::Statement(*database, "SELECT seal, used, bytes, output, errors_truncated FROM results LIMIT 1")
+        .executeStep();
+    return database;
+}
+
+}  // namespace
+
+std::optional<fs::path> cache_folder() {
+    for (const auto& [variable, below] : {std::pair("XDG_CACHE_HOME", "raygrade"), {"HOME", ".cache/raygrade"}}) {
+        const char* const value = std::getenv(variable);
+        if (value != nullptr && *value == '/') return fs::path(value) / below;
+    }
+    return {};
+}
+
+bool is_worth_keeping(const Execution& execution) {
+    const Build& build = execution.build;
+    const ProcessResult& run = execution.run;
+    const bool killed_from_outside =
+        run.ended == Ended::signalled && (run.signal == SIGKILL || run.signal == SIGTERM || run.signal == SIGHUP);
+    return build.tried && !build.depends_on_load && run.ended != Ended::wall_limit && !killed_from_outside;
+}
+
+Store::Store(fs::path folder, const StoreBounds& bounds)
+    : folder_(std::move(folder)), file_(folder_ / "results.sqlite"), bounds_(bounds) {
+    try {
+        fs::create_directories(folder_);
+        ::chmod(folder_.c_str(), S_IRWXU);
+        open();
+    } catch (const std::exception& error) {
+        give_up(error.what());
+    }
+}
+
+Store::~Store() {
+    attempt<bool>([&] {
+        evict();
+        return true;
+    });
+}
+
+void Store::open() {
+    const FolderLock lock(folder_);
+    try {
+        database_ = opened(file_);
+    } catch (const OfAnotherVersion& error) {
+        rebuild(error.what());
+    } catch (const SQLite::Exception& error) {
+        if (!is_corrupt(error) && error.getErrorCode() != SQLITE_ERROR) throw;
+        rebuild(fmt::format("can't be read ({})", error.what()));
+    }
+}
+
+/// With the folder's lock held.
+void Store::rebuild(const std::string& why) {
+    database_.reset();
+    const fs::path aside = file_.string() + ".set-aside";
+    fs::rename(file_, aside);
+    // A log left behind would be applied to the new database.
+    for (const char* part : {"-wal", "-shm"}) {
+        std::error_code ignored;
+        fs::remove(file_.string() + part, ignored);
+    }
+    problems_.push_back(
+        fmt::format("The kept results in {} are not used: the file {}. It is now {}, and a new one is begun.",
+                    in_quotes(file_), why, in_quotes(aside.filename())));
+    database_ = opened(file_);
+}
+
+void Store::give_up(const std::string& why) {
+    database_.reset();
+    problems_.push_back(
+        fmt::format("Results can't be kept in {}: {}. Everything is compiled and run anew; to change "
+                    "that, set XDG_CACHE_HOME to a folder that can be written to.",
+                    in_quotes(folder_), why));
+}
+
+/// What `work` gives; nothing when the database fails, which is then told, rebuilt or done without.
+template <class Result, class Work>
+Result Store::attempt(Work work) {
+    const std::lock_guard guard(mutex_);
+    if (!database_) return Result();
+    try {
+        return work();
+    } catch (const SQLite::Exception& error) {
+        if (error.getErrorCode() == SQLITE_BUSY) return Result();  // another run is slow; this one result is not kept
+        try {
+            if (!is_corrupt(error)) throw;
+            const FolderLock lock(folder_);
+            rebuild(fmt::format("is damaged ({})", error.what()));
+        } catch (const std::exception& failure) {
+            give_up(failure.what());
+        }
+    } catch (const std::exception& error) {
+        give_up(error.what());
+    }
+    return Result();
+}
+
+bool Store::contains(const std::string& key) {
+    return attempt<bool>([&] {
+        SQLite::Statement query(*database_, "SELECT 1 FROM results WHERE key = ?");
+        query.bind(1, key);
+        return query.executeStep();
+    });
+}
+
+std::optional<Execution> Store::find(const std::string& key) {
+    return attempt<std::optional<Execution>>([&]() -> std::optional<Execution> {
+        SQLite::Statement query(*database_,
+                                "SELECT seal, reached_limit, compiled, build_ms, ended, exit_code, signal, cpu_ms, "
+                                "wall_ms, peak_memory_bytes, errors_truncated, diagnostics, output, errors "
+                                "FROM results WHERE key = ?");
+        query.bind(1, key);
+        if (!query.executeStep()) return {};
+        const auto ended = ended_from(query.getColumn(4).getString());
+        if (!ended) return {};
+        Execution execution;
+        Build& build = execution.build;
+        build.tried = true;
+        build.reached_limit = query.getColumn(1).getInt() != 0;
+        build.compiled = query.getColumn(2).getInt() != 0;
+        build.wall = std::chrono::milliseconds(query.getColumn(3).getInt64());
+        build.diagnostics = bytes(query.getColumn(11));
+        ProcessResult& run = execution.run;
+        run.ended = *ended;
+        run.exit_code = query.getColumn(5).getInt();
+        run.signal = query.getColumn(6).getInt();
+        run.cpu = std::chrono::milliseconds(query.getColumn(7).getInt64());
+        run.wall = std::chrono::milliseconds(query.getColumn(8).getInt64());
+        run.peak_memory_bytes = static_cast<std::uint64_t>(query.getColumn(9).getInt64());
+        run.errors_truncated = query.getColumn(10).getInt() != 0;
+        run.output = bytes(query.getColumn(12));
+        run.errors = bytes(query.getColumn(13));
+        if (query.getColumn(0).getString() != seal(key, execution)) return {};
+        used_.push_back(key);
+        return execution;
+    });
+}
+
+void Store::keep(const std::string& key, const Execution& execution) {
+    if (!is_worth_keeping(execution)) return;
+    attempt<bool>([&] {
+        const Build& build = execution.build;
+        const ProcessResult& run = execution.run;
+        SQLite::Statement insert(*database_,
+                                 "INSERT OR REPLACE INTO results VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+        int place = 0;
+        const auto blob = [&](const std::string& text) {
+            insert.bind(++place, text.data(), static_cast<int>(text.size()));
+        };
+        insert.bind(++place, key);
+        insert.bind(++place, now());
+        insert.bind(++place,
+                    static_cast<std::int64_t>(build.diagnostics.size() + run.output.size() + run.errors.size()));
+        insert.bind(++place, seal(key, execution));
+        insert.bind(++place, static_cast<int>(build.reached_limit));
+        insert.bind(++place, static_cast<int>(build.compiled));
+        insert.bind(++place, static_cast<std::int64_t>(build.wall.count()));
+        insert.bind(++place, std::string(word_for(run.ended)));
+        insert.bind(++place, run.exit_code);
+        insert.bind(++place, run.signal);
+        insert.bind(++place, static_cast<std::int64_t>(run.cpu.count()));
+        insert.bind(++place, static_cast<std::int64_t>(run.wall.count()));
+        insert.bind(++place, static_cast<std::int64_t>(run.peak_memory_bytes));
+        insert.bind(++place, static_cast<int>(run.errors_truncated));
+        blob(build.diagnostics);
+        blob(run.output);
+        blob(run.errors);
+        insert.exec();
+        return true;
+    });
+}
+
+void Store::evict() {
+    constexpr std::int64_t overhead = 512;  // of a row, about
+    constexpr std::int64_t day = 24 * 60 * 60;
+    const auto age = std::chrono::duration_cast<std::chrono::seconds>(bounds_.age).count();
+    SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+    // By the day is near enough, and spares most regrades the writing.
+    SQLite::Statement touch(*database_, "UPDATE results SET used = ?1 WHERE key = ?2 AND used < ?1 - ?3");
+    for (const std::string& key : used_) {
+        touch.bind(1, now());
+        touch.bind(2, key);
+        touch.bind(3, day);
+        touch.exec();
+        touch.reset();
+    }
+    SQLite::Statement old(*database_, "DELETE FROM results WHERE used < ?");
+    old.bind(1, now() - age);
+    old.exec();
+    SQLite::Statement surplus(*database_,
+                              "DELETE FROM results WHERE rowid IN (SELECT rowid FROM (SELECT rowid, SUM(bytes + ?1) "
+                              "OVER (ORDER BY used DESC, rowid DESC) AS total FROM results) WHERE total > ?2)");
+    surplus.bind(1, overhead);
+    surplus.bind(2, static_cast<std::int64_t>(bounds_.bytes));
+    surplus.exec();
+    transaction.commit();
+}
+
+std::vector<std::string> Store::problems() const {
+    const std::lock_guard guard(mutex_);
+    return problems_;
+}
+
+}  // namespace harness

@@ -1,0 +1,300 @@
+#include "harness/store.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <thread>
+
+#include "temporary_folder.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+using harness::Ended;
+using harness::Execution;
+using harness::is_worth_keeping;
+using harness::Store;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Execution printed(const std::string& output) {
+    Execution execution;
+    execution.build.tried = true;
+    execution.build.compiled = true;
+    execution.run.ended = Ended::exited;
+    execution.run.output = output;
+    return execution;
+}
+
+std::string output_of(Store& store, const std::string& key) {
+    const auto found = store.find(key);
+    return found ? found->run.output : "(nothing)";
+}
+
+void alter(const std::filesystem::path& folder, const std::string& sql) {
+    SQLite::Database((folder / "results.sqlite").string(), SQLite::OPEN_READWRITE).exec(sql);
+}
+
+TEST(Store, GivesBackEveryFieldForTheNextRun) {
+    const TemporaryFolder folder;
+    Execution kept = printed(std::string("a\0\xff\n", 4));
+    kept.build.program = "/gone";
+    kept.build.diagnostics = "warning \x80";
+    kept.build.reached_limit = true;
+    kept.build.wall = 1234ms;
+    kept.run.ended = Ended::signalled;
+    kept.run.exit_code = 7;
+    kept.run.signal = 11;
+    kept.run.cpu = 12ms;
+    kept.run.wall = 34ms;
+    kept.run.peak_memory_bytes = std::uint64_t{5} << 40;
+    kept.run.errors = "e";
+    kept.run.errors_truncated = true;
+    Store(folder.path()).keep("k", kept);
+    Store store(folder.path());
+    const auto found = store.find("k");
+    ASSERT_TRUE(found);
+    EXPECT_FALSE(found->build.program) << "the program is gone";
+    EXPECT_TRUE(found->build.tried);
+    EXPECT_TRUE(found->build.compiled);
+    EXPECT_TRUE(found->build.reached_limit);
+    EXPECT_EQ(found->build.diagnostics, "warning \x80");
+    EXPECT_EQ(found->build.wall, 1234ms);
+    EXPECT_EQ(found->run.ended, Ended::signalled);
+    EXPECT_EQ(found->run.exit_code, 7);
+    EXPECT_EQ(found->run.signal, 11);
+    EXPECT_EQ(found->run.cpu, 12ms);
+    EXPECT_EQ(found->run.wall, 34ms);
+    EXPECT_EQ(found->run.peak_memory_bytes, std::uint64_t{5} << 40);
+    EXPECT_EQ(found->run.output, std::string("a\0\xff\n", 4));
+    EXPECT_EQ(found->run.errors, "e");
+    EXPECT_TRUE(found->run.errors_truncated);
+    EXPECT_THAT(store.problems(), IsEmpty());
+}
+
+TEST(Store, FindsNothingUnderAnotherKey) {
+    const TemporaryFolder folder;
+    Store store(folder.path());
+    store.keep("k", printed("a"));
+    EXPECT_TRUE(store.contains("k"));
+    EXPECT_FALSE(store.contains("l"));
+    EXPECT_FALSE(store.find("l"));
+    EXPECT_EQ(output_of(store, "k"), "a");
+}
+
+TEST(Store, KeepsTheLastOfTwoUnderOneKey) {
+    const TemporaryFolder folder;
+    Store store(folder.path());
+    store.keep("k", printed("a"));
+    store.keep("k", printed("b"));
+    EXPECT_EQ(output_of(store, "k"), "b");
+}
+
+TEST(Store, GivesBackEveryWayToEnd) {
+    const TemporaryFolder folder;
+    Store store(folder.path());
+    for (const Ended ended : {Ended::not_started, Ended::exited, Ended::signalled, Ended::cpu_limit,
+                              Ended::memory_limit, Ended::process_limit, Ended::output_limit}) {
+        Execution execution = printed("");
+        execution.run.ended = ended;
+        store.keep("k", execution);
+        ASSERT_TRUE(store.find("k"));
+        EXPECT_EQ(store.find("k")->run.ended, ended);
+    }
+}
+
+TEST(IsWorthKeeping, LeavesWhatDependsOnTheLoadOfTheMachine) {
+    EXPECT_TRUE(is_worth_keeping(printed("a")));
+    Execution by_the_clock = printed("a");
+    by_the_clock.run.ended = Ended::wall_limit;
+    EXPECT_FALSE(is_worth_keeping(by_the_clock));
+    Execution killed = printed("a");
+    killed.run.ended = Ended::signalled;
+    killed.run.signal = SIGKILL;
+    EXPECT_FALSE(is_worth_keeping(killed));
+    killed.run.signal = SIGSEGV;
+    EXPECT_TRUE(is_worth_keeping(killed));
+    Execution compiler_broke_down = printed("");
+    compiler_broke_down.build.depends_on_load = true;
+    EXPECT_FALSE(is_worth_keeping(compiler_broke_down));
+    EXPECT_FALSE(is_worth_keeping(Execution{})) << "nothing was tried";
+    const TemporaryFolder folder;
+    Store store(folder.path());
+    store.keep("k", by_the_clock);
+    EXPECT_FALSE(store.contains("k"));
+}
+
+TEST(Store, RemovesWhatWasNotUsedForTheLongestTime) {
+    const TemporaryFolder folder;
+    const std::string large(10000, 'x');
+    {
+        Store store(folder.path());
+        for (const char* key : {"a", "b", "c"}) store.keep(key, printed(large));
+    }
+    alter(folder.path(), "UPDATE results SET used = used - 900000 WHERE key IN ('a', 'b')");
+    {
+        Store store(folder.path(), {.bytes = 25000, .age = 24h * 180});
+        EXPECT_EQ(output_of(store, "a"), large);
+    }
+    Store store(folder.path());
+    EXPECT_TRUE(store.contains("a")) << "was used just now";
+    EXPECT_FALSE(store.contains("b"));
+    EXPECT_TRUE(store.contains("c"));
+}
+
+TEST(Store, RemovesWhatIsTooOld) {
+    const TemporaryFolder folder;
+    Store(folder.path()).keep("old", printed("a"));
+    alter(folder.path(), "UPDATE results SET used = used - 7201");
+    { Store(folder.path(), {.bytes = 1 << 20, .age = 2h}).keep("new", printed("b")); }
+    Store store(folder.path());
+    EXPECT_FALSE(store.contains("old"));
+    EXPECT_TRUE(store.contains("new"));
+}
+
+TEST(Store, DoesNotBelieveWhatTheDiskGarbled) {
+    const TemporaryFolder folder;
+    Store(folder.path()).keep("k", printed("right"));
+    alter(folder.path(), "UPDATE results SET output = CAST('wrong' AS BLOB)");
+    Store store(folder.path());
+    EXPECT_FALSE(store.find("k"));
+    store.keep("k", printed("right"));
+    EXPECT_EQ(output_of(store, "k"), "right");
+}
+
+TEST(Store, SetsADatabaseAsideThatIsNone) {
+    for (const std::string& rubbish : {std::string("not a database, but longer than its header of 100 bytes would "
+                                                   "be, so that it is looked at in earnest: xxxxxxxxxxxxxxxxxxxxx"),
+                                       "SQLite format 3" + std::string(5000, '\0')}) {
+        const TemporaryFolder folder;
+        folder.write("results.sqlite", rubbish);
+        folder.write("results.sqlite-wal", "rubbish");
+        Store store(folder.path());
+        ASSERT_THAT(store.problems(), ElementsAre(HasSubstr("results.sqlite.set-aside")));
+        store.keep("k", printed("a"));
+        EXPECT_EQ(output_of(store, "k"), "a");
+        std::ostringstream aside;
+        aside << std::ifstream(folder.path() / "results.sqlite.set-aside", std::ios::binary).rdbuf();
+        EXPECT_EQ(aside.str(), rubbish);
+    }
+}
+
+TEST(Store, SetsADatabaseOfAnotherVersionAside) {
+    for (const char* change :
+         {"PRAGMA user_version = 0", "PRAGMA user_version = 99", "ALTER TABLE results RENAME COLUMN seal TO sealed"}) {
+        const TemporaryFolder folder;
+        Store(folder.path()).keep("k", printed("a"));
+        alter(folder.path(), change);
+        Store store(folder.path());
+        EXPECT_THAT(store.problems(), ElementsAre(HasSubstr("set-aside"))) << change;
+        EXPECT_FALSE(store.contains("k")) << change;
+        store.keep("k", printed("b"));
+        EXPECT_EQ(output_of(store, "k"), "b") << change;
+        EXPECT_THAT(Store(folder.path()).problems(), IsEmpty()) << change;
+    }
+}
+
+TEST(Store, GoesOnWhenTheDatabaseIsDamagedMeanwhile) {
+    const TemporaryFolder folder;
+    {
+        Store store(folder.path());
+        for (int i = 0; i < 200; ++i) store.keep(std::to_string(i), printed(std::string(3000, 'x')));
+    }
+    {  // every page but the first few, which are read on opening
+        std::fstream file(folder.path() / "results.sqlite", std::ios::in | std::ios::out | std::ios::binary);
+        file.seekp(5 * 4096);
+        for (int i = 0; i < 100 * 4096; ++i) file.put('\x5a');
+    }
+    Store store(folder.path());
+    for (int i = 0; i < 200; ++i) store.find(std::to_string(i));
+    EXPECT_THAT(store.problems(), ElementsAre(HasSubstr("set-aside")));
+    store.keep("k", printed("a"));
+    EXPECT_EQ(output_of(store, "k"), "a");
+}
+
+TEST(Store, DoesWithoutAFolderItCanNotWrite) {
+    const TemporaryFolder folder;
+    folder.write("file", "");
+    Store store(folder.path() / "file" / "below");
+    store.keep("k", printed("a"));
+    EXPECT_FALSE(store.contains("k"));
+    EXPECT_FALSE(store.find("k"));
+    EXPECT_THAT(store.problems(), ElementsAre(HasSubstr("set XDG_CACHE_HOME")));
+    Store in_proc("/proc/raygrade");
+    EXPECT_THAT(in_proc.problems(), ElementsAre(HasSubstr("/proc/raygrade")));
+}
+
+TEST(Store, ServesTwoRunsAtATime) {
+    const TemporaryFolder folder;
+    constexpr int each = 100;
+    const auto fill = [&](const std::string& who) {
+        Store store(folder.path());
+        for (int i = 0; i < each; ++i) {
+            store.keep(who + std::to_string(i), printed(who));
+            store.find("a" + std::to_string(i));
+        }
+        return store.problems().empty();
+    };
+    const pid_t child = fork();
+    if (child == 0) _exit(fill("a") ? 0 : 1);
+    bool good = false;
+    std::thread second([&] { good = fill("b"); });
+    EXPECT_TRUE(fill("c"));
+    second.join();
+    EXPECT_TRUE(good);
+    int status = -1;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
+    Store store(folder.path());
+    for (const std::string who : {"a", "b", "c"}) {
+        for (int i = 0; i < each; ++i) EXPECT_EQ(output_of(store, who + std::to_string(i)), who);
+    }
+}
+
+TEST(Store, HasEveryResultThatWasKeptBeforeARunWasKilled) {
+    const TemporaryFolder folder;
+    int said[2];
+    ASSERT_EQ(pipe(said), 0);
+    const pid_t child = fork();
+    if (child == 0) {
+        Store store(folder.path());
+        for (int i = 0;; ++i) {
+            store.keep(std::to_string(i), printed(std::to_string(i)));
+            if (write(said[1], "x", 1) != 1) _exit(1);
+        }
+    }
+    close(said[1]);
+    int kept = 0;
+    for (char byte = 0; kept < 50 && read(said[0], &byte, 1) == 1;) ++kept;
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    for (char byte = 0; read(said[0], &byte, 1) == 1;) ++kept;
+    close(said[0]);
+    ASSERT_GE(kept, 50);
+    Store store(folder.path());
+    for (int i = 0; i < kept; ++i) EXPECT_EQ(output_of(store, std::to_string(i)), std::to_string(i));
+    EXPECT_THAT(store.problems(), IsEmpty());
+}
+
+TEST(CacheFolder, FollowsTheStandardForCaches) {
+    const std::string home = getenv("HOME") == nullptr ? "" : getenv("HOME");
+    setenv("HOME", "/home/x", 1);
+    unsetenv("XDG_CACHE_HOME");
+    EXPECT_EQ(harness::cache_folder(), "/home/x/.cache/raygrade");
+    setenv("XDG_CACHE_HOME", "/var/cache/x", 1);
+    EXPECT_EQ(harness::cache_folder(), "/var/cache/x/raygrade");
+    setenv("XDG_CACHE_HOME", "relative", 1);
+    EXPECT_EQ(harness::cache_folder(), "/home/x/.cache/raygrade") << "the standard: relative ones are ignored";
+    unsetenv("XDG_CACHE_HOME");
+    unsetenv("HOME");
+    EXPECT_EQ(harness::cache_folder(), std::nullopt);
+    setenv("HOME", home.c_str(), 1);
+}
+
+}  // namespace
