@@ -1,0 +1,15 @@
+// What, beside the source and the flags, decides what a source compiles to and what its program prints here.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace harness {
+
+/// A fingerprint of the compiler (its path, its own account of itself, its parts, assembler and linkers), of all
+/// headers in its search path and of the libraries programs run with: each file's name, size and time of change. Also
+/// of what those libraries choose their arithmetic by, as the folder it is kept in may be shared by machines. Takes
+/// some 50 ms. Throws HarnessError when the compiler can't be run.
+std::string toolchain_fingerprint(const std::filesystem::path& compiler);
+
+}  // namespace harness
