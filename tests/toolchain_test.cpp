@@ -36,7 +36,7 @@ struct Machine {
 TEST(ToolchainFingerprint, IsTheSameWhileNothingChanges) {
     const Machine machine;
     EXPECT_EQ(machine.fingerprint(), machine.fingerprint());
-    const auto real = harness::default_build_settings().compiler;
+    const auto real = harness::default_build_settings({}).compiler;
     EXPECT_EQ(toolchain_fingerprint(real), toolchain_fingerprint(real));
     EXPECT_NE(toolchain_fingerprint(real), machine.fingerprint());
 }
