@@ -400,7 +400,7 @@ TEST_P(RunProcess, RunsInEightThreadsAtOnceAndLeaksNoDescriptor) {
                 const auto result = stranger({"exit", std::to_string(code)})();
                 if (result.ended == Ended::exited && result.exit_code == code) ++right;
                 const auto output = stranger({"write-bytes", std::to_string(1000 + code)})();
-                if (output.output.size() == _cast<std::size_t>(1000 + code)) ++right;
+                if (output.output.size() == static_cast<std::size_t>(1000 + code)) ++right;
             }
         });
     }
