@@ -1,0 +1,184 @@
+#include "harness/header_shelf.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <vector>
+
+#include "harness/failure.h"
+#include "harness/fingerprint.h"
+#include "harness/names.h"
+#include "harness/sandbox/file_descriptor.h"
+
+namespace harness {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* text_ending = ".h";
+constexpr const char* header_ending = ".h.gch";
+constexpr const char* refused_ending = ".refused";  ///< an empty file: the compiler does not take this one
+constexpr auto everyone_reads = static_cast<fs::perms>(0444);
+
+std::string text_of(const HeaderLines& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += line + '\n';
+    return text;
+}
+
+/// Gives the file a second name, or a copy where that can't be.
+bool link_or_copy(const fs::path& from, const fs::path& to) {
+    std::error_code error;
+    fs::create_hard_link(from, to, error);
+    if (error) fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
+    return !error;
+}
+
+bool synchronise(const fs::path& file) {
+    const FileDescriptor opened(open(file.c_str(), O_RDONLY | O_CLOEXEC));
+    return opened && fdatasync(opened.get()) == 0;
+}
+
+struct Kept {
+    fs::path text;
+    fs::file_time_type used;
+    std::uint64_t bytes;
+};
+
+void remove_kept(const fs::path& text) {
+    std::error_code ignored;
+    for (const char* ending : {text_ending, header_ending, refused_ending})
+        fs::remove(fs::path(text).replace_extension("").string() + ending, ignored);
+}
+
+/// Removes what is beyond the bounds, and what a run that was killed left half-written.
+void evict(const fs::path& folder, const ShelfBounds& bounds) {
+    std::error_code ignored;
+    std::vector<Kept> all;
+    const auto oldest = fs::file_time_type::clock::now() - bounds.age;
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+        const fs::path& file = entry.path();
+        const auto used = entry.last_write_time(ignored);
+        if (file.extension() == ".new" || file.extension() == refused_ending) {
+            const auto soon = fs::file_time_type::clock::now() - std::chrono::hours(1);
+            if (used < (file.extension() == ".new" ? soon : oldest)) fs::remove(file, ignored);
+        } else if (file.extension() == text_ending) {
+            const std::uintmax_t bytes = fs::file_size(fs::path(file.string() + ".gch"), ignored);
+            all.push_back({file, used, ignored ? 0 : bytes});
+        }
+    }
+    std::sort(all.begin(), all.end(), [](const Kept& a, const Kept& b) { return a.used > b.used; });
+    std::uint64_t total = 0;
+    for (const Kept& one : all) {
+        total += one.bytes;
+        if (total > bounds.bytes || one.used < oldest) remove_kept(one.text);
+    }
+}
+
+}  // namespace
+
+HeaderShelf::HeaderShelf(const std::optional<fs::path>& cache, const BuildSettings& settings,
+                         const std::string& toolchain, const Sandbox& sandbox, const ShelfBounds& bounds)
+    : settings_(settings), toolchain_(toolchain), sandbox_(sandbox) {
+    if (!cache) return;
+    std::error_code error;
+    fs::create_directories(*cache / "headers", error);
+    if (error || access((*cache / "headers").c_str(), W_OK) != 0) return;
+    chmod(cache->c_str(), S_IRWXU);
+    kept_ = *cache / "headers";
+    evict(kept_, bounds);
+}
+
+std::string HeaderShelf::name_of(const HeaderLines& lines) const {
+    Fingerprint fingerprint("raygrade/header/1");
+    fingerprint.add(toolchain_).add(settings_.compiler.string());
+    fingerprint.add(static_cast<std::int64_t>(settings_.flags.size()));
+    for (const std::string& flag : settings_.flags) fingerprint.add(flag);
+    for (const std::string& line : lines) fingerprint.add(line);
+    return fingerprint.hex();
+}
+
+std::set<HeaderLines> HeaderShelf::made() const {
+    std::set<HeaderLines> made;
+    if (kept_.empty()) return made;
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(kept_, ignored)) {
+        if (entry.path().extension() != text_ending) continue;
+        std::ifstream text(entry.path(), std::ios::binary);
+        HeaderLines lines;
+        for (std::string line; std::getline(text, line);) lines.push_back(line);
+        if (name_of(lines) == entry.path().stem() && fs::exists(entry.path().string() + ".gch", ignored))
+            made.insert(lines);
+    }
+    return made;
+}
+
+std::optional<PrecompiledHeader> HeaderShelf::get(const HeaderLines& lines) const {
+    const std::string name = name_of(lines);
+    const fs::path folder = sandbox_.workspace().path() / ("header-" + name);
+    const fs::path target = folder / (name + header_ending);
+    const PrecompiledHeader header{folder / (name + text_ending), lines.size()};
+    std::error_code error;
+    if (fs::exists(target, error)) return header;
+    if (!kept_.empty() && fs::exists(kept_ / (name + refused_ending), error)) return {};
+    fs::create_directory(folder, error);
+    fs::permissions(folder, static_cast<fs::perms>(0755), error);
+    // The compiler looks for it, though it reads the other.
+    std::ofstream(header.file, std::ios::binary) << text_of(lines);
+    fs::permissions(header.file, everyone_reads, error);
+    if (fetch(name, target) || make(lines, name, target)) return header;
+    return {};
+}
+
+/// Whether an earlier run has kept it.
+bool HeaderShelf::fetch(const std::string& name, const fs::path& target) const {
+    std::error_code error;
+    if (kept_.empty() || !fs::exists(kept_ / (name + text_ending), error)) return false;
+    if (!link_or_copy(kept_ / (name + header_ending), target)) return false;
+    fs::permissions(target, everyone_reads, error);
+    fs::last_write_time(kept_ / (name + text_ending), fs::file_time_type::clock::now(), error);
+    return true;
+}
+
+bool HeaderShelf::make(const HeaderLines& lines, const std::string& name, const fs::path& target) const {
+    const Scratch scratch(sandbox_.workspace());
+    const std::string text = text_of(lines);
+    std::error_code error;
+    if (!precompile(text, name + text_ending, settings_, sandbox_, scratch)) {
+        if (!kept_.empty()) std::ofstream(kept_ / (name + refused_ending)).flush();
+        return false;
+    }
+    const fs::path made = scratch.path() / (name + header_ending);
+    // Made by the programs' account, where that is another, which then could write it.
+    if (chown(made.c_str(), geteuid(), getegid()) != 0) return false;
+    fs::permissions(made, everyone_reads, error);
+    if (!error) fs::rename(made, target, error);
+    if (error) return false;
+    keep(name, text, target);
+    return true;
+}
+
+/// The text comes last: where it is, the header is whole.
+void HeaderShelf::keep(const std::string& name, const std::string& text, const fs::path& made) const {
+    if (kept_.empty()) return;
+    std::error_code error;
+    const std::string mine = "." + std::to_string(getpid()) + ".new";
+    const fs::path header = kept_ / (name + header_ending);
+    const fs::path fresh = header.string() + mine;
+    fs::remove(fresh, error);
+    if (!link_or_copy(made, fresh) || !synchronise(fresh)) {
+        fs::remove(fresh, error);
+        return;
+    }
+    fs::rename(fresh, header, error);
+    const fs::path fresh_text = kept_ / (name + text_ending + mine);
+    std::ofstream(fresh_text, std::ios::binary) << text;
+    if (!error && synchronise(fresh_text)) fs::rename(fresh_text, kept_ / (name + text_ending), error);
+}
+
+}  // namespace harness
