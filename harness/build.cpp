@@ -181,6 +181,7 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
         build.wall = result.wall;
         if (has_nothing_to_say(result) && std::filesystem::is_regular_file(program)) {
             succeed();
+            build.by_header = true;
             return build;
         }
         empty_folder(scratch.path());
@@ -208,8 +209,11 @@ bool precompile(const std::string& text, const std::string& file, const BuildSet
     // <bits/stdc++.h> takes 100 MB; a program's limit is lower.
     constexpr std::uint64_t largest = 256 * mebibyte;
     command.limits.file_bytes = std::max(command.limits.file_bytes, largest);
-    return has_nothing_to_say(run_process(command, sandbox)) &&
-           std::filesystem::is_regular_file(std::filesystem::symlink_status(scratch.path() / (file + ".gch")));
+    const bool passed =
+        has_nothing_to_say(run_process(command, sandbox)) &&
+        std::filesystem::is_regular_file(std::filesystem::symlink_status(scratch.path() / (file + ".gch")));
+    if (!passed) refuse_a_full_disk(scratch.path(), settings.limits);
+    return passed;
 }
 
 }  // namespace harness

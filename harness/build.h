@@ -35,6 +35,7 @@ struct Build {
     std::optional<std::filesystem::path> program;
     bool tried = false;            ///< false when the submission had nothing to compile
     bool compiled = false;         ///< there was a program, though it may be gone since
+    bool by_header = false;        ///< it passed with a precompiled header
     bool depends_on_load = false;  ///< another time on this machine it could come to another end
     bool reached_limit = false;    ///< the compiler ran out of time, memory or file size, or broke down over the source
     std::string diagnostics;       ///< the compiler's messages as it wrote them (hostile bytes), bounded

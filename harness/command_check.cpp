@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "harness/batch.h"
 #include "harness/commands.h"
 #include "harness/find_submissions.h"
 #include "harness/report/report.h"
@@ -16,6 +17,7 @@ int check_command(const CheckOptions& options) {
     }
     const Workshop workshop = open_workshop(options.workshop, assignment.limits);
     const Graded graded = grade(submissions.front(), marking, workshop);
+    tell_problems(workshop);
     fmt::print("{}\n\n{}", assignment.title, report::check_text(graded));
     if (graded.outcome == Outcome::not_graded) return status_of({graded});
     const bool too_few =

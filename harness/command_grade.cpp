@@ -2,57 +2,21 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
-#include <condition_variable>
 #include <cstring>
 #include <fstream>
-#include <mutex>
-#include <thread>
 
+#include "harness/batch.h"
 #include "harness/commands.h"
 #include "harness/failure.h"
 #include "harness/find_submissions.h"
+#include "harness/progress.h"
 #include "harness/report/report.h"
 
 namespace harness {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Shows on stderr how many submissions are done, while it lives: a bar where stderr is a terminal, else nothing.
-class ProgressBar {
-  public:
-    ProgressBar(const std::atomic<std::size_t>& done, std::size_t total) : done_(done), total_(total) {
-        if (isatty(STDERR_FILENO) == 1) painter_ = std::jthread([this](const std::stop_token& stop) { paint(stop); });
-    }
-    ~ProgressBar() {
-        if (!painter_.joinable()) return;
-        painter_.request_stop();
-        painter_.join();
-        fmt::print(stderr, "\r\x1b[K");
-    }
-    ProgressBar(const ProgressBar&) = delete;
-    ProgressBar& operator=(const ProgressBar&) = delete;
-
-  private:
-    void paint(const std::stop_token& stop) const {
-        constexpr std::size_t width = 40;
-        std::mutex mutex;
-        std::unique_lock lock(mutex);
-        std::condition_variable_any wake;
-        while (!stop.stop_requested()) {
-            const std::size_t filled = total_ == 0 ? width : width * done_ / total_;
-            fmt::print(stderr, "\r[{}{}] {} of {}", std::string(filled, '#'), std::string(width - filled, '.'),
-                       done_.load(), total_);
-            wake.wait_for(lock, stop, std::chrono::milliseconds(100), [] { return false; });
-        }
-    }
-
-    const std::atomic<std::size_t>& done_;
-    std::size_t total_;
-    std::jthread painter_;
-};
 
 /// Writes a whole file or throws HarnessError; what was there before stays until the new one is complete.
 void write_file(const fs::path& file, const std::string& text) {
@@ -132,13 +96,26 @@ void write_results(const std::vector<Graded>& graded, const Marking& marking, Ti
 }
 
 std::vector<Graded> grade_with_progress(const std::vector<Submission>& submissions, const Marking& marking,
-                                        const Workshop& workshop, int jobs) {
-    std::atomic<std::size_t> done = 0;
-    const ProgressBar bar(done, submissions.size());
-    return grade_all(submissions, marking, workshop, jobs, done);
+                                        const Workshop& workshop, int jobs, const fs::path& trace) {
+    Timeline timeline;
+    std::vector<Graded> graded;
+    {
+        const Progress progress(timeline, submissions.size());
+        graded = grade_all(submissions, marking, workshop, jobs, timeline);
+    }
+    fmt::print(stderr, "{}\n", closing_line(timeline));
+    tell_problems(workshop);
+    if (trace.empty()) return graded;
+    write_file(trace, timeline.chrome_trace());
+    return graded;
 }
 
 }  // namespace
+
+void tell_problems(const Workshop& workshop) {
+    if (!workshop.store) return;
+    for (const std::string& problem : workshop.store->problems()) fmt::print(stderr, "note: {}\n", problem);
+}
 
 int status_of(const std::vector<Graded>& graded) {
     const auto ours = [](const Graded& one) { return one.our_fault; };
@@ -154,7 +131,7 @@ int grade_command(const GradeOptions& options) {
     const std::vector<Submission> submissions = find_submissions(options.paths);
     prepare_folder(options.out, options.force);
     const Workshop workshop = open_workshop(options.workshop, assignment.limits);
-    const std::vector<Graded> graded = grade_with_progress(submissions, marking, workshop, options.jobs);
+    const std::vector<Graded> graded = grade_with_progress(submissions, marking, workshop, options.jobs, options.trace);
     fmt::print("{}", report::class_table(graded));
     std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
     for (const Graded& one : graded) {

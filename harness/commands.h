@@ -24,7 +24,8 @@ struct GradeOptions {
     std::string assignment;
     std::filesystem::path out;
     int jobs = 1;
-    bool force = false;  ///< replace the results of an earlier run
+    bool force = false;           ///< replace the results of an earlier run
+    std::filesystem::path trace;  ///< where to write a trace of the run; empty for none
     WorkshopOptions workshop;
 };
 int grade_command(const GradeOptions& options);
@@ -51,6 +52,9 @@ int doctor_command();
 
 /// our_fault, some_not_graded or all_graded.
 int status_of(const std::vector<Graded>& graded);
+
+/// Says on stderr what is amiss with what earlier runs kept.
+void tell_problems(const Workshop& workshop);
 
 /// Where the assignments that come with raygrade are.
 std::filesystem::path assignments_folder();

@@ -4,11 +4,7 @@
 
 #include <csignal>
 #include <cstring>
-#include <thread>
 
-#include "harness/failure.h"
-#include "harness/run.h"
-#include "harness/sandbox/scratch.h"
 #include "harness/transcript.h"
 
 namespace harness {
@@ -78,18 +74,13 @@ std::string explain(const Build& build, const ProcessResult& run, const Limits& 
     return "";
 }
 
-void grade_into(Graded& graded, const Marking& marking, const Workshop& workshop) {
-    if (graded.submission.problem) {
-        graded.explanation = *graded.submission.problem;
-        return;
-    }
-    const Scratch scratch(workshop.sandbox->workspace());
-    graded.build = build(graded.submission, workshop.build, *workshop.sandbox, scratch);
-    graded.run = run(graded.build, workshop.run, *workshop.sandbox, scratch);
-    graded.score = score(read_transcript(graded.run.output), marking.key, marking.assignment);
-    graded.outcome = outcome_of(graded.run);
-    graded.explanation = explain(graded.build, graded.run, workshop.run);
-    graded.run.output = {};  // up to a mebibyte; the score holds what counts
+/// Without the source, which nobody needs any more.
+Graded begun(const Submission& submission, const Workshop& workshop) {
+    Graded graded;
+    graded.submission = submission;
+    graded.submission.source = {};
+    graded.tier = workshop.sandbox->tier();
+    return graded;
 }
 
 }  // namespace
@@ -127,43 +118,32 @@ std::string_view limit_name(Ended ended) {
     return "";
 }
 
-Graded grade(const Submission& submission, const Marking& marking, const Workshop& workshop) {
-    Graded graded;
-    graded.submission = submission;
-    graded.tier = workshop.sandbox->tier();
-    const auto not_graded = [&](const std::string& why, bool our_fault) {
-        graded = Graded{};
-        graded.submission = submission;
-        graded.tier = workshop.sandbox->tier();
-        graded.explanation = why;
-        graded.our_fault = our_fault;
-    };
-    try {
-        grade_into(graded, marking, workshop);
-    } catch (const HarnessError& error) {
-        not_graded(error.what(), false);
-    } catch (const std::exception& error) {
-        not_graded(fmt::format("A fault of raygrade: {}. Please report it with the submission.", error.what()), true);
+Graded mark(const Submission& submission, Execution execution, const Marking& marking, const Workshop& workshop,
+            Timeline& timeline) {
+    Graded graded = begun(submission, workshop);
+    graded.outcome = outcome_of(execution.run);
+    graded.explanation = explain(execution.build, execution.run, workshop.run);
+    Transcript transcript;
+    {
+        const Timeline::Span span(timeline, Stage::read, submission.id);
+        transcript = read_transcript(execution.run.output);
     }
-    if (graded.outcome == Outcome::not_graded) graded.score = score({}, marking.key, marking.assignment);
-    graded.submission.source = {};
+    {
+        const Timeline::Span span(timeline, Stage::score, submission.id);
+        graded.score = score(transcript, marking.key, marking.assignment);
+    }
+    execution.run.output = {};  // up to a mebibyte; the score holds what counts
+    graded.build = std::move(execution.build);
+    graded.run = std::move(execution.run);
     return graded;
 }
 
-std::vector<Graded> grade_all(const std::vector<Submission>& submissions, const Marking& marking,
-                              const Workshop& workshop, int jobs, std::atomic<std::size_t>& done) {
-    std::vector<Graded> results(submissions.size());
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < submissions.size(); i = next++) {
-            results[i] = grade(submissions[i], marking, workshop);
-            ++done;
-        }
-    };
-    std::vector<std::jthread> workers;
-    for (int job = 0; job < jobs; ++job) workers.emplace_back(work);
-    workers.clear();  // joins
-    return results;
+Graded not_graded(const Submission& submission, const std::string& why, const Marking& marking,
+                  const Workshop& workshop) {
+    Graded graded = begun(submission, workshop);
+    graded.explanation = why;
+    graded.score = score({}, marking.key, marking.assignment);
+    return graded;
 }
 
 }  // namespace harness

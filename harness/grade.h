@@ -1,12 +1,13 @@
-// The main path: submission → build → run → transcript → score, for one submission and for a class.
+// The end of the main path, submission → build → run → transcript → score: from what was printed to marks.
 #pragma once
 
-#include <atomic>
 #include <string>
 #include <vector>
 
+#include "harness/execution.h"
 #include "harness/score.h"
 #include "harness/submission.h"
+#include "harness/timeline.h"
 #include "harness/workshop.h"
 #include "reference/answer_key.h"
 
@@ -50,13 +51,12 @@ struct Marking {
     reference::AnswerKey key;  ///< the assignment's
 };
 
-/// Grades one submission. The machine's failures and raygrade's own become Outcome::not_graded with the message, so
-/// that the others are graded.
-Graded grade(const Submission& submission, const Marking& marking, const Workshop& workshop);
+/// Marks what a submission printed.
+Graded mark(const Submission& submission, Execution execution, const Marking& marking, const Workshop& workshop,
+            Timeline& timeline);
 
-/// Grades a class with `jobs` (at least 1) submissions at a time, each on its own. Results in the order given, whatever
-/// the order of finishing. `done` counts the finished ones while it works.
-std::vector<Graded> grade_all(const std::vector<Submission>& submissions, const Marking& marking,
-                              const Workshop& workshop, int jobs, std::atomic<std::size_t>& done);
+/// A submission without marks, because of a problem of its own, the machine or raygrade.
+Graded not_graded(const Submission& submission, const std::string& why, const Marking& marking,
+                  const Workshop& workshop);
 
 }  // namespace harness

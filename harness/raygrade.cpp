@@ -46,6 +46,9 @@ void add_workshop(CLI::App& command, WorkshopOptions& workshop) {
                     "Which sandbox programs run in; auto takes the strongest that holds on this machine")
         ->check(CLI::IsMember({"auto", "bwrap", "landlock"}))
         ->capture_default_str();
+    workshop.cache = cache_folder();
+    command.add_flag("--fresh", workshop.fresh,
+                     "Compile and run everything anew, also what was before; see README, What is kept");
     command.add_flag("--unsafe", workshop.unsafe,
                      "Where no sandbox holds, run strangers' programs with limits alone: they can read and change "
                      "what you can");
@@ -67,7 +70,7 @@ int run(int argc, char** argv) {
     app.get_formatter()->column_width(36);
 
     GradeOptions grade{{},    "default", "results", static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
-                       false, {}};
+                       false, {},        {}};
     CLI::App& grade_app =
         *app.add_subcommand("grade", "Grade a class: a source, a folder of student folders, or a folder of sources");
     grade_app.add_option("paths", grade.paths, "What to grade: files and folders, in the order of the report")
@@ -83,6 +86,10 @@ int run(int argc, char** argv) {
         ->type_name("N")
         ->capture_default_str();
     grade_app.add_flag("--force", grade.force, "Replace the results of an earlier run in the output folder");
+    grade_app
+        .add_option("--trace", grade.trace,
+                    "Write a trace of build, run, read and score of each submission here, for ui.perfetto.dev")
+        ->type_name("FILE");
     add_workshop(grade_app, grade.workshop);
     grade_app.footer(limits_footer() +
                      "\nExample: raygrade grade submissions/ --assignment a6-2021 --out results -j 4");

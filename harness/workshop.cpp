@@ -1,6 +1,9 @@
 #include "harness/workshop.h"
 
+#include "harness/failure.h"
+#include "harness/fingerprint.h"
 #include "harness/sandbox/canary.h"
+#include "harness/toolchain.h"
 
 namespace harness {
 namespace {
@@ -11,13 +14,54 @@ std::optional<Tier> wanted_tier(const std::string& name) {
     return std::nullopt;
 }
 
+void add_words(Fingerprint& fingerprint, const std::vector<std::string>& words) {
+    fingerprint.add(static_cast<std::int64_t>(words.size()));
+    for (const std::string& word : words) fingerprint.add(word);
+}
+
+void add_limits(Fingerprint& fingerprint, const Limits& limits) {
+    fingerprint.add(limits.cpu.count()).add(limits.wall.count());
+    for (const std::uint64_t bytes :
+         {limits.memory_bytes, limits.file_bytes, limits.stack_bytes, limits.output_bytes, limits.error_bytes}) {
+        fingerprint.add(static_cast<std::int64_t>(bytes));
+    }
+    fingerprint.add(limits.processes).add(limits.open_files);
+}
+
+/// Without a compiler, or one that can't say what it is, nothing is kept; building says why.
+void open_cache(Workshop& workshop, const std::filesystem::path& folder) {
+    if (workshop.build.compiler.empty()) return;
+    try {
+        workshop.toolchain = toolchain_fingerprint(workshop.build.compiler);
+    } catch (const HarnessError&) {
+        return;
+    }
+    workshop.store = std::make_unique<Store>(folder);
+    workshop.headers =
+        std::make_unique<const HeaderShelf>(folder, workshop.build, workshop.toolchain, *workshop.sandbox);
+}
+
 }  // namespace
 
 Workshop open_workshop(const WorkshopOptions& options, const std::vector<reference::LimitEntry>& limits) {
     const StageLimits stages = read_limits(limits, options.limits);
     const auto without = options.unsafe ? WithoutSandbox::run_unsafe : WithoutSandbox::refuse;
     Choice choice = choose_sandbox(wanted_tier(options.sandbox), without);
-    return {std::move(choice.sandbox), default_build_settings(stages.compile), stages.run};
+    Workshop workshop{std::move(choice.sandbox), default_build_settings(stages.compile), stages.run};
+    workshop.fresh = options.fresh;
+    if (options.cache) open_cache(workshop, *options.cache);
+    return workshop;
+}
+
+std::string execution_key(const std::string& source, const Workshop& workshop, int repetition) {
+    // The purpose's number counts the versions of how we compile and run, as of the environment a program finds.
+    Fingerprint fingerprint("raygrade/execution/1");
+    fingerprint.add(workshop.toolchain).add(to_string(workshop.sandbox->tier()));
+    add_words(fingerprint, workshop.build.flags);
+    add_words(fingerprint, workshop.build.linker);
+    add_limits(fingerprint, workshop.build.limits);
+    add_limits(fingerprint, workshop.run);
+    return fingerprint.add(repetition).add(source).hex();
 }
 
 std::string sandbox_warning(Tier tier) {

@@ -1,13 +1,17 @@
 // What turns a source into output: one for a run of raygrade.
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "harness/build.h"
+#include "harness/header_shelf.h"
 #include "harness/limit_settings.h"
 #include "harness/sandbox/sandbox.h"
+#include "harness/store.h"
 
 namespace harness {
 
@@ -15,16 +19,26 @@ struct Workshop {
     std::unique_ptr<const Sandbox> sandbox;
     BuildSettings build;
     Limits run;
+    std::string toolchain{};                       ///< see toolchain_fingerprint; empty when nothing is kept
+    std::unique_ptr<Store> store{};                ///< null when nothing is kept
+    std::unique_ptr<const HeaderShelf> headers{};  ///< null when everything is compiled plainly
+    bool fresh = false;                            ///< what is kept is not looked at, only kept anew
 };
 
 struct WorkshopOptions {
-    std::string sandbox = "auto";     ///< auto, bwrap or landlock
-    bool unsafe = false;              ///< go on with limits alone where no sandbox holds
-    std::vector<std::string> limits;  ///< "run.cpu_seconds=4"
+    std::string sandbox = "auto";                  ///< auto, bwrap or landlock
+    bool unsafe = false;                           ///< go on with limits alone where no sandbox holds
+    std::vector<std::string> limits;               ///< "run.cpu_seconds=4"
+    std::optional<std::filesystem::path> cache{};  ///< where results and precompiled headers are kept; empty: nowhere
+    bool fresh = false;                            ///< run everything anew
 };
 
 /// Tries which sandbox this machine holds and reads the limits. Throws HarnessError, AssignmentError and LimitError.
 Workshop open_workshop(const WorkshopOptions& options, const std::vector<reference::LimitEntry>& limits);
+
+/// Under what the store keeps the `repetition`th run, from 0, of this source: a fingerprint of everything that decides
+/// what is printed.
+std::string execution_key(const std::string& source, const Workshop& workshop, int repetition);
 
 /// For every report of marks that were made without a sandbox; empty when there was one.
 std::string sandbox_warning(Tier tier);

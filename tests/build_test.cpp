@@ -171,6 +171,80 @@ TEST(Build, FindsACompilerOutsideTheSystemsFolders) {
     EXPECT_EQ(other.build(with_source(""), settings).diagnostics, "bin\nlib\n");
 }
 
+/// A header of these lines in a folder that every account may read.
+class Header {
+  public:
+    Header(const std::string& text, const std::string& flags) {
+        const std::string file = folder_.write("made/block.h", text).string();
+        for (const auto& path : {folder_.path(), folder_.path() / "made"})
+            std::filesystem::permissions(path, static_cast<std::filesystem::perms>(0755));
+        const std::string command = "g++ " + flags + " -x c++-header " + file + " -o " + file + ".gch";
+        if (system(command.c_str()) != 0) throw std::runtime_error(command);
+    }
+    harness::PrecompiledHeader of(std::size_t directives) const {
+        return {folder_.path() / "made/block.h", directives};
+    }
+
+  private:
+    TemporaryFolder folder_;
+};
+
+std::string default_flags() {
+    std::string text;
+    for (const auto& flag : default_settings().flags) text += flag + ' ';
+    return text;
+}
+
+Build compile_with(const std::string& source, const harness::PrecompiledHeader& header) {
+    const Folder folder;
+    return folder.build(with_source(source), default_settings(), header);
+}
+
+TEST(BuildWithAHeader, GivesTheSameProgramAndKeepsEveryLineInItsPlace) {
+    const Header header("#include <cassert>\n#include <cstdio>\n", default_flags());
+    const std::string source = "// mine\n#include <cassert>\n#include <cstdio>\nint main() { return __LINE__; }\n";
+    const Build built = compile_with(source, header.of(2));
+    EXPECT_TRUE(built.by_header) << built.diagnostics;
+    const Folder plain_folder, folder;
+    const Build plain = compile(source, plain_folder);
+    EXPECT_FALSE(plain.by_header);
+    const Build fast = folder.build(with_source(source), default_settings(), header.of(2));
+    const auto bytes = [](const std::filesystem::path& file) {
+        std::ostringstream text;
+        text << std::ifstream(file, std::ios::binary).rdbuf();
+        return text.str();
+    };
+    EXPECT_EQ(bytes(*fast.program), bytes(*plain.program));
+}
+
+TEST(BuildWithAHeader, GivesThePlainWaysMessages) {
+    const Header header("#include <cstdio>\n", default_flags());
+    for (const std::string rest : {"int main() { int unused; }\n", "int main() { return undeclared; }\n", "int f();\n",
+                                   "int main() { printf(\"%d\", 1.5); }\n"}) {
+        const std::string source = "#include <cstdio>\n" + rest;
+        const Folder folder;
+        const Build plain = compile(source, folder);
+        const Build built = compile_with(source, header.of(1));
+        EXPECT_FALSE(built.by_header) << rest;
+        EXPECT_NE(built.diagnostics, "") << rest;
+        EXPECT_EQ(built.diagnostics, plain.diagnostics);
+        EXPECT_EQ(built.compiled, plain.compiled);
+    }
+}
+
+TEST(BuildWithAHeader, IsPlainWhereTheHeaderDoesNotFit) {
+    const std::string source = "#include <cstdio>\nint main() {}\n";
+    const Header other_flags("#include <cstdio>\n", "-std=c++20 -O3");
+    const Header cut_off("#include <cstdio>\n", default_flags());
+    std::filesystem::resize_file(cut_off.of(1).file.string() + ".gch", 100000);
+    for (const Header* header : {&other_flags, &cut_off}) {
+        const Build built = compile_with(source, header->of(1));
+        EXPECT_TRUE(built.compiled);
+        EXPECT_FALSE(built.by_header);
+        EXPECT_EQ(built.diagnostics, "");
+    }
+}
+
 TEST(Build, SaysHowToGetACompiler) {
     const std::string path = getenv("PATH");
     setenv("PATH", "/nonexistent", 1);

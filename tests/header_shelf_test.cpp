@@ -43,9 +43,11 @@ TEST(HeaderShelf, MakesAHeaderTheCompilerTakes) {
     ASSERT_EQ(stat((header->file.string() + ".gch").c_str(), &info), 0);
     EXPECT_EQ(info.st_mode & 0777, 0444U) << "read by everyone, written by nobody";
     EXPECT_EQ(info.st_uid, geteuid());
-    // With nothing but the header, and no source of it, the program compiles: so it was read.
+    // Were its text read and not the header, it would not compile.
+    std::filesystem::remove(header->file);
+    std::ofstream(header->file) << "#error read as text\n";
     const harness::Build built = here.build(use_of_vectors, header);
-    EXPECT_TRUE(built.compiled) << built.diagnostics;
+    EXPECT_TRUE(built.by_header) << built.diagnostics;
     EXPECT_EQ(built.diagnostics, "");
 }
 

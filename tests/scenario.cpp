@@ -99,6 +99,8 @@ fs::path sample(std::string_view who) {
     const int out = open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const int err = open(voice.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     if (dup2(in, 0) < 0 || dup2(out, 1) < 0 || dup2(err, 2) < 0) _exit(could_not_start);
+    // Of its own, so that no test sees what another, or the person who tests, has graded.
+    setenv("XDG_CACHE_HOME", (voice.parent_path() / "cache").c_str(), 1);
     if (prepare && !prepare()) _exit(could_not_prepare);
     std::string name = RAYGRADE_BINARY;
     std::vector<std::string> words = arguments;

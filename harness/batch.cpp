@@ -1,0 +1,267 @@
+// Theory of operation. Before the first compilation the whole class is looked at: which sources were compiled and run
+// before, under what is in the store, and which precompiled headers the others are worth. Then two teams of threads
+// work side by side. Builders first make the planned headers, then compile, each source as soon as its header is there;
+// who finds all that is left waiting for headers that others are making compiles a source plainly rather than wait.
+// Runners take what is compiled, run, keep and mark it. So a program that sleeps until its time limit keeps no core
+// from compiling. Between the teams is a short queue: a builder waits when runners fall behind, or the disk would fill
+// with programs.
+#include "harness/batch.h"
+
+#include <fmt/format.h>
+
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "harness/failure.h"
+#include "harness/header_plan.h"
+#include "harness/include_block.h"
+#include "harness/run.h"
+
+namespace harness {
+namespace {
+
+/// What a builder hands to a runner.
+struct Built {
+    std::size_t index = 0;             ///< of the submission
+    std::unique_ptr<Scratch> scratch;  ///< null when there is nothing to run
+    Execution execution;
+    bool from_store = false;  ///< the execution is complete
+};
+
+class Batch {
+  public:
+    Batch(const std::vector<Submission>& submissions, const Marking& marking, const Workshop& workshop, int jobs,
+          Timeline& timeline)
+        : submissions_(submissions),
+          marking_(marking),
+          workshop_(workshop),
+          jobs_(static_cast<std::size_t>(jobs)),
+          timeline_(timeline),
+          results_(submissions.size()),
+          keys_(submissions.size()),
+          is_kept_(submissions.size(), false),
+          builders_(jobs_) {}
+
+    std::vector<Graded> grade() {
+        plan();
+        {
+            std::vector<std::jthread> teams;
+            for (std::size_t i = 0; i < jobs_; ++i) {
+                teams.emplace_back([this] { build_all(); });
+                teams.emplace_back([this] { run_all(); });
+            }
+        }
+        return std::move(results_);
+    }
+
+  private:
+    struct Task {
+        enum class Kind { make_header, build } kind;
+        std::size_t index;  ///< of the header in the plan, or of the submission
+    };
+
+    void plan();
+    std::optional<Task> next_task();
+    void build_all();
+    void make_header(std::size_t header);
+    Built build_one(std::size_t index);
+    void hand_over(Built built);
+    std::optional<Built> next_built();
+    void run_all();
+    Graded finish(Built built);
+    /// Calls `work`, and makes the submission not graded when it fails. False then.
+    template <class Work>
+    bool or_not_graded(std::size_t index, Work work);
+
+    const std::vector<Submission>& submissions_;
+    const Marking& marking_;
+    const Workshop& workshop_;
+    const std::size_t jobs_;
+    Timeline& timeline_;
+    std::vector<Graded> results_;
+    std::vector<std::string> keys_;  ///< in the store; empty when nothing is kept
+    std::vector<bool> is_kept_;
+
+    std::mutex mutex_;  ///< over all that follows
+    std::vector<HeaderLines> headers_;
+    std::size_t next_header_ = 0;
+    std::vector<std::vector<std::size_t>> waiting_;  ///< for each header, the submissions to be compiled with it
+    std::deque<std::size_t> ready_;
+    std::vector<std::optional<PrecompiledHeader>> made_;  ///< for each submission, its header
+    std::deque<Built> queue_;
+    std::size_t builders_;  ///< still at work
+    std::condition_variable queue_grew_, queue_shrank_;
+};
+
+void Batch::plan() {
+    made_.resize(submissions_.size());
+    std::vector<std::size_t> to_compile;
+    std::vector<HeaderLines> blocks;
+    for (std::size_t i = 0; i < submissions_.size(); ++i) {
+        const Submission& submission = submissions_[i];
+        if (workshop_.store && !submission.problem) {
+            keys_[i] = execution_key(submission.source, workshop_, 0);
+            is_kept_[i] = !workshop_.fresh && workshop_.store->contains(keys_[i]);
+        }
+        if (is_kept_[i] || submission.problem || !workshop_.headers) {
+            ready_.push_back(i);
+            continue;
+        }
+        to_compile.push_back(i);
+        blocks.emplace_back();
+        for (const Directive& directive : include_block(submission.source)) blocks.back().push_back(directive.text);
+    }
+    if (to_compile.empty()) return;
+    HeaderPlan plan = plan_headers(blocks, workshop_.headers->made());
+    headers_ = std::move(plan.headers);
+    waiting_.resize(headers_.size());
+    for (std::size_t i = 0; i < to_compile.size(); ++i) {
+        if (plan.header_of[i]) {
+            waiting_[*plan.header_of[i]].push_back(to_compile[i]);
+        } else {
+            ready_.push_back(to_compile[i]);
+        }
+    }
+}
+
+std::optional<Batch::Task> Batch::next_task() {
+    const std::lock_guard guard(mutex_);
+    if (next_header_ < headers_.size()) return Task{Task::Kind::make_header, next_header_++};
+    if (!ready_.empty()) {
+        const std::size_t index = ready_.front();
+        ready_.pop_front();
+        return Task{Task::Kind::build, index};
+    }
+    for (auto& waiting : waiting_) {
+        if (waiting.empty()) continue;
+        const std::size_t index = waiting.back();
+        waiting.pop_back();
+        return Task{Task::Kind::build, index};
+    }
+    return {};
+}
+
+void Batch::build_all() {
+    while (const auto task = next_task()) {
+        const std::size_t index = task->index;
+        switch (task->kind) {
+            case Task::Kind::make_header: make_header(index); break;
+            case Task::Kind::build: or_not_graded(index, [&] { hand_over(build_one(index)); }); break;
+        }
+    }
+    const std::lock_guard guard(mutex_);
+    --builders_;
+    queue_grew_.notify_all();
+}
+
+/// Without the header its sources are compiled plainly, which says what is wrong with the machine if that is so.
+void Batch::make_header(std::size_t header) {
+    std::optional<PrecompiledHeader> made;
+    try {
+        const Timeline::Span span(timeline_, Stage::header, headers_[header].back());
+        made = workshop_.headers->get(headers_[header]);
+    } catch (const HarnessError&) {
+        made.reset();
+    }
+    const std::lock_guard guard(mutex_);
+    for (const std::size_t index : waiting_[header]) {
+        made_[index] = made;
+        ready_.push_back(index);
+    }
+    waiting_[header].clear();
+}
+
+Built Batch::build_one(std::size_t index) {
+    Built built;
+    built.index = index;
+    const Submission& submission = submissions_[index];
+    if (submission.problem) return built;
+    if (is_kept_[index]) {
+        if (auto kept = workshop_.store->find(keys_[index])) {
+            built.execution = std::move(*kept);
+            built.from_store = true;
+            return built;
+        }
+    }
+    built.scratch = std::make_unique<Scratch>(workshop_.sandbox->workspace());
+    const Timeline::Span span(timeline_, Stage::build, submission.id);
+    built.execution.build = build(submission, workshop_.build, *workshop_.sandbox, *built.scratch, made_[index]);
+    return built;
+}
+
+void Batch::hand_over(Built built) {
+    std::unique_lock lock(mutex_);
+    queue_shrank_.wait(lock, [&] { return queue_.size() < 4 * jobs_; });
+    queue_.push_back(std::move(built));
+    queue_grew_.notify_one();
+}
+
+std::optional<Built> Batch::next_built() {
+    std::unique_lock lock(mutex_);
+    queue_grew_.wait(lock, [&] { return !queue_.empty() || builders_ == 0; });
+    if (queue_.empty()) return {};
+    std::optional<Built> built = std::move(queue_.front());
+    queue_.pop_front();
+    queue_shrank_.notify_one();
+    return built;
+}
+
+void Batch::run_all() {
+    while (auto built = next_built()) {
+        const std::size_t index = built->index;
+        if (or_not_graded(index, [&] { results_[index] = finish(std::move(*built)); })) ++timeline_.finished;
+    }
+}
+
+Graded Batch::finish(Built built) {
+    const Submission& submission = submissions_[built.index];
+    if (submission.problem) return not_graded(submission, *submission.problem, marking_, workshop_);
+    if (built.from_store) {
+        ++timeline_.from_store;
+    } else {
+        if (built.execution.build.by_header) ++timeline_.by_header;
+        const Timeline::Span span(timeline_, Stage::run, submission.id);
+        built.execution.run = run(built.execution.build, workshop_.run, *workshop_.sandbox, *built.scratch);
+        if (workshop_.store) workshop_.store->keep(keys_[built.index], built.execution);
+    }
+    built.scratch.reset();
+    return mark(submission, std::move(built.execution), marking_, workshop_, timeline_);
+}
+
+template <class Work>
+bool Batch::or_not_graded(std::size_t index, Work work) {
+    const Submission& submission = submissions_[index];
+    const auto fail = [&](const std::string& why) {
+        results_[index] = not_graded(submission, why, marking_, workshop_);
+        ++timeline_.finished;
+        return false;
+    };
+    try {
+        work();
+        return true;
+    } catch (const HarnessError& error) {
+        return fail(error.what());
+    } catch (const std::exception& error) {
+        fail(fmt::format("A fault of raygrade: {}. Please report it with the submission.", error.what()));
+        results_[index].our_fault = true;
+        return false;
+    }
+}
+
+}  // namespace
+
+std::vector<Graded> grade_all(const std::vector<Submission>& submissions, const Marking& marking,
+                              const Workshop& workshop, int jobs, Timeline& timeline) {
+    return Batch(submissions, marking, workshop, jobs, timeline).grade();
+}
+
+Graded grade(const Submission& submission, const Marking& marking, const Workshop& workshop) {
+    Timeline timeline;
+    return std::move(grade_all({submission}, marking, workshop, 1, timeline).front());
+}
+
+}  // namespace harness

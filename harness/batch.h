@@ -1,0 +1,20 @@
+// The main path for a class: what is to be compiled when, so that no core waits.
+#pragma once
+
+#include <vector>
+
+#include "harness/grade.h"
+
+namespace harness {
+
+/// Grades a class: at most `jobs` (at least 1) submissions compiled and as many run at a time. Results in the order
+/// given and the same whatever the number of jobs, the order of finishing, and what was kept by earlier runs. The
+/// machine's failures and raygrade's own become Outcome::not_graded with the message, so that the others are graded.
+/// `timeline` counts and measures while it works.
+std::vector<Graded> grade_all(const std::vector<Submission>& submissions, const Marking& marking,
+                              const Workshop& workshop, int jobs, Timeline& timeline);
+
+/// Grades one submission.
+Graded grade(const Submission& submission, const Marking& marking, const Workshop& workshop);
+
+}  // namespace harness

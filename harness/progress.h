@@ -1,0 +1,34 @@
+// How far a class is, for the person who waits.
+#pragma once
+
+#include <string>
+#include <thread>
+
+#include "harness/timeline.h"
+
+namespace harness {
+
+/// Tells on stderr while it lives: a bar where stderr is a terminal, else a line every ten seconds.
+class Progress {
+  public:
+    Progress(const Timeline& timeline, std::size_t total);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+  private:
+    void tell(const std::stop_token& stop) const;
+
+    const Timeline& timeline_;
+    std::size_t total_;
+    bool is_terminal_;
+    std::jthread teller_;
+};
+
+/// "40 of 100, 3.1 a second, 19 s left"; without a rate before the first is finished.
+std::string progress_text(std::size_t finished, std::size_t total, std::chrono::duration<double> elapsed);
+
+/// A sentence on where the time went and what came from earlier runs.
+std::string closing_line(const Timeline& timeline);
+
+}  // namespace harness

@@ -1,0 +1,42 @@
+#include "harness/progress.h"
+
+#include <gmock/gmock.h>
+
+namespace {
+
+using namespace std::chrono_literals;
+using harness::progress_text;
+using harness::Stage;
+using harness::Timeline;
+using testing::HasSubstr;
+
+TEST(ProgressText, TellsRateAndTimeLeft) {
+    EXPECT_EQ(progress_text(40, 100, 20s), "40 of 100, 2.0 a second, 30 s left");
+    EXPECT_EQ(progress_text(100, 10000, 1s), "100 of 10000, 100 a second, 99 s left");
+    EXPECT_EQ(progress_text(10, 10000, 10s), "10 of 10000, 1.0 a second, 166 min left");
+}
+
+TEST(ProgressText, HasNoRateBeforeTheFirstAndNoTimeLeftAfterTheLast) {
+    EXPECT_EQ(progress_text(0, 100, 5s), "0 of 100");
+    EXPECT_EQ(progress_text(100, 100, 50s), "100 of 100, 2.0 a second");
+    EXPECT_EQ(progress_text(0, 0, 0s), "0 of 0");
+    EXPECT_EQ(progress_text(3, 5, 0s), "3 of 5");
+}
+
+TEST(ClosingLine, TellsWhereTheTimeWent) {
+    Timeline timeline;
+    const auto begin = Timeline::Clock::now();
+    timeline.add(Stage::header, "h", begin, begin + 1500ms);
+    timeline.add(Stage::build, "a", begin, begin + 700ms);
+    timeline.add(Stage::run, "a", begin, begin + 300ms);
+    timeline.add(Stage::read, "a", begin, begin + 100ms);
+    timeline.add(Stage::score, "a", begin, begin + 200ms);
+    timeline.finished = 9;
+    timeline.from_store = 5;
+    timeline.by_header = 3;
+    EXPECT_EQ(harness::closing_line(timeline),
+              "time, added up over all at work: compiling 2.2 s (1.5 s of it precompiled headers), running 0.3 s, "
+              "marking 0.3 s; 5 of 9 from earlier runs, 3 with a precompiled header");
+}
+
+}  // namespace

@@ -1,0 +1,214 @@
+// Nothing is compiled twice: what earlier runs keep, and what becomes of it.
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <thread>
+
+#include "tests/scenario.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using scenario::raygrade;
+using scenario::read;
+using scenario::Result;
+using scenario::TemporaryFolder;
+using scenario::write;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string program = "#include <cstdio>\nint main() { std::puts(\"Question 1:\\nP_VCS = (0, 0, -2)\"); }\n// ";
+
+/// A class of distinct programs and a cache.
+struct Class {
+    TemporaryFolder folder;
+    fs::path cache = folder / "cache";
+
+    explicit Class(int size) {
+        for (int i = 0; i < size; ++i)
+            write(folder / "class" / ("s" + std::to_string(100 + i)) / "ray_cast.cpp", program + std::to_string(i));
+    }
+    Result grade(const std::string& out, std::vector<std::string> more = {}) const {
+        std::vector<std::string> arguments{"grade", (folder / "class").string(), "--out", (folder / out).string()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const std::string place = cache.string();
+        return raygrade(arguments, [place] { return setenv("XDG_CACHE_HOME", place.c_str(), 1) == 0; });
+    }
+    std::string report(const std::string& out, const std::string& name) const { return read(folder / out / name); }
+    fs::path database() const { return cache / "raygrade" / "results.sqlite"; }
+};
+
+TEST(Cache, SparesARegradeEveryCompilationAndChangesNoByte) {
+    const Class some(3);
+    ASSERT_EQ(some.grade("one").status, 0);
+    const Result again = some.grade("two");
+    EXPECT_EQ(again.status, 0);
+    EXPECT_THAT(again.voice, HasSubstr("compiling 0.0 s, running 0.0 s"));
+    EXPECT_THAT(again.voice, HasSubstr("3 of 3 from earlier runs"));
+    for (const char* name : {"grades.json", "grades.csv", "feedback/s101.md"})
+        EXPECT_EQ(some.report("one", name), some.report("two", name)) << name;
+}
+
+TEST(Cache, IsNotLookedAtUnderFresh) {
+    const Class some(2);
+    ASSERT_EQ(some.grade("one").status, 0);
+    EXPECT_THAT(some.grade("two", {"--fresh"}).voice, HasSubstr("0 of 2 from earlier runs"));
+    EXPECT_EQ(some.report("one", "grades.csv"), some.report("two", "grades.csv"));
+}
+
+TEST(Cache, CompilesOnlyWhatHasChanged) {
+    const Class some(3);
+    ASSERT_EQ(some.grade("one").status, 0);
+    write(some.folder / "class/s101/ray_cast.cpp", program + "late");
+    EXPECT_THAT(some.grade("two").voice, HasSubstr("2 of 3 from earlier runs"));
+}
+
+TEST(Cache, IsOfNoUseToOtherLimits) {
+    const Class some(1);
+    ASSERT_EQ(some.grade("one").status, 0);
+    EXPECT_THAT(some.grade("two", {"--limit", "run.cpu_seconds=1"}).voice, HasSubstr("0 of 1 from earlier runs"));
+    EXPECT_THAT(some.grade("three", {"--limit", "run.cpu_seconds=1"}).voice, HasSubstr("1 of 1 from earlier runs"));
+}
+
+TEST(Cache, ServesAChangedRubric) {
+    const Class some(2);
+    ASSERT_EQ(some.grade("one").status, 0);
+    const std::string assignment = read(scenario::project_folder() / "reference/assignments/a6-2021.toml");
+    write(some.folder / "mine.toml", assignment + "\n[rubric.points]\n1 = 77\n");
+    const Result changed = some.grade("two", {"--assignment", (some.folder / "mine.toml").string()});
+    EXPECT_EQ(changed.status, 0) << changed.voice;
+    EXPECT_THAT(changed.voice, HasSubstr("2 of 2 from earlier runs"));
+    const auto grades = nlohmann::json::parse(some.report("two", "grades.json"));
+    EXPECT_EQ(grades["submissions"][0]["questions"][0]["points"], 77);
+}
+
+TEST(Cache, DoesNotKeepWhatTheClockDecided) {
+    const Class some(1);
+    write(some.folder / "class/s100/ray_cast.cpp", "#include <unistd.h>\nint main() { sleep(60); }\n");
+    for (const char* out : {"one", "two"}) {
+        const Result result = some.grade(out, {"--limit", "run.wall_seconds=0.3"});
+        EXPECT_THAT(result.voice, HasSubstr("0 of 1 from earlier runs"));
+        EXPECT_THAT(some.report(out, "grades.csv"), HasSubstr("timed_out"));
+    }
+}
+
+TEST(Cache, ThatIsDamagedIsToldOfSetAsideAndBegunAnew) {
+    const Class some(2);
+    ASSERT_EQ(some.grade("one").status, 0);
+    for (const char* part : {"-wal", "-shm"}) fs::remove(some.database().string() + part);
+    write(some.database(), std::string(8192, 'x'));
+    const Result result = some.grade("two");
+    EXPECT_EQ(result.status, 0);
+    EXPECT_THAT(result.voice, HasSubstr("results.sqlite.set-aside"));
+    EXPECT_EQ(some.report("one", "grades.csv"), some.report("two", "grades.csv"));
+    EXPECT_THAT(some.grade("three").voice, HasSubstr("2 of 2 from earlier runs"));
+}
+
+TEST(Cache, ThatCanNotBeWrittenIsToldOfOnceAndDoneWithout) {
+    Class some(3);
+    some.cache = "/proc";
+    const Result result = some.grade("one");
+    EXPECT_EQ(result.status, 0);
+    const std::string note = "Results can't be kept";
+    const std::size_t first = result.voice.find(note);
+    ASSERT_NE(first, std::string::npos) << result.voice;
+    EXPECT_EQ(result.voice.find(note, first + 1), std::string::npos) << "once";
+    EXPECT_THAT(some.report("one", "grades.csv"), HasSubstr("\"s102\",graded"));
+}
+
+TEST(Cache, IsUsedByCheckToo) {
+    const Class some(1);
+    const std::string place = some.cache.string();
+    const auto check = [&] {
+        return raygrade({"check", (some.folder / "class/s100/ray_cast.cpp").string()},
+                        [place] { return setenv("XDG_CACHE_HOME", place.c_str(), 1) == 0; });
+    };
+    const Result first = check();
+    ASSERT_TRUE(fs::exists(some.database()));
+    EXPECT_EQ(check().output, first.output);
+    EXPECT_THAT(some.grade("one").voice, HasSubstr("1 of 1 from earlier runs"));
+}
+
+std::size_t kept_in(const fs::path& database) {
+    try {
+        SQLite::Database opened(database.string(), SQLite::OPEN_READONLY, 1000);
+        return static_cast<std::size_t>(opened.execAndGet("SELECT COUNT(*) FROM results").getInt());
+    } catch (const SQLite::Exception&) {
+        return 0;  // not there yet
+    }
+}
+
+/// Starts raygrade and kills it, not to be caught, when it has kept `enough` results.
+void grade_and_kill(const Class& some, std::size_t enough) {
+    const std::string folder = (some.folder / "class").string();
+    const std::string out = (some.folder / "killed").string();
+    const std::string cache = some.cache.string();
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        setenv("XDG_CACHE_HOME", cache.c_str(), 1);
+        if (freopen("/dev/null", "w", stdout) == nullptr || freopen("/dev/null", "w", stderr) == nullptr) _exit(1);
+        execl(RAYGRADE_BINARY, RAYGRADE_BINARY, "grade", folder.c_str(), "--out", out.c_str(), "--force", nullptr);
+        _exit(1);
+    }
+    const auto deadline = std::chrono::steady_clock::now() + 100s;
+    while (kept_in(some.database()) < enough && std::chrono::steady_clock::now() < deadline)
+        std::this_thread::sleep_for(5ms);
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+}
+
+TEST(Resume, GradesEachSubmissionOnceHoweverOftenTheRunIsKilled) {
+    constexpr std::size_t size = 30;
+    const Class some(size);
+    std::size_t kept = 0;
+    for (const std::size_t enough : {std::size_t{1}, std::size_t{5}, std::size_t{12}, std::size_t{20}}) {
+        grade_and_kill(some, enough);
+        const std::size_t now = kept_in(some.database());
+        EXPECT_GE(now, enough) << "what one run has kept, the next one has";
+        kept = now;
+    }
+    ASSERT_LT(kept, size) << "killed before the end";
+    const Result last = some.grade("resumed");
+    EXPECT_EQ(last.status, 0);
+    EXPECT_THAT(last.voice, HasSubstr(std::to_string(kept) + " of " + std::to_string(size) + " from earlier runs"));
+    EXPECT_THAT(last.voice, Not(HasSubstr("set-aside")));
+    EXPECT_EQ(kept_in(some.database()), size);
+    ASSERT_EQ(some.grade("anew", {"--fresh"}).status, 0);
+    EXPECT_EQ(some.report("resumed", "grades.csv"), some.report("anew", "grades.csv"));
+}
+
+TEST(Jobs, ChangeNoByteOfTheReports) {
+    const Class some(7);
+    write(some.folder / "class/s103/ray_cast.cpp", "int main() { return undeclared; }\n");
+    write(some.folder / "class/s104/ray_cast.cpp", "int main() { for (;;) {} }\n");
+    ASSERT_EQ(some.grade("one", {"--jobs", "1", "--limit", "run.cpu_seconds=0.2"}).status, 0);
+    for (const char* jobs : {"2", "16"}) {
+        ASSERT_EQ(some.grade(jobs, {"--jobs", jobs, "--fresh", "--limit", "run.cpu_seconds=0.2"}).status, 0);
+        for (const char* name : {"grades.csv", "feedback/s100.md", "feedback/s103.md", "feedback/s104.md"})
+            EXPECT_EQ(some.report("one", name), some.report(jobs, name)) << name << " with --jobs " << jobs;
+    }
+}
+
+TEST(Trace, HasEveryStageOfEverySubmission) {
+    const Class some(2);
+    ASSERT_EQ(some.grade("one", {"--trace", (some.folder / "trace.json").string()}).status, 0);
+    const auto trace = scenario::read_json(some.folder / "trace.json");
+    std::multiset<std::string> found;
+    for (const auto& event : trace["traceEvents"])
+        found.insert(event["args"]["of"].get<std::string>() + " " + event["name"].get<std::string>());
+    for (const char* id : {"s100", "s101"}) {
+        for (const char* stage : {"build", "run", "read", "score"})
+            EXPECT_EQ(found.count(std::string(id) + " " + stage), 1U) << id << " " << stage;
+    }
+}
+
+}  // namespace
