@@ -43,4 +43,7 @@ std::string execution_key(const std::string& source, const Workshop& workshop, i
 /// For every report of marks that were made without a sandbox; empty when there was one.
 std::string sandbox_warning(Tier tier);
 
+/// The same on stderr, before the first submission.
+void warn_of_no_sandbox(const Workshop& workshop);
+
 }  // namespace harness
