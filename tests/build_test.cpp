@@ -4,6 +4,8 @@
 #include <stdlib.h>
 
 #include <fstream>
+#include <sstream>
+#include <stdexcept>
 
 #include "harness/failure.h"
 #include "harness/limit_settings.h"
@@ -32,8 +34,9 @@ harness::BuildSettings default_settings() {
 class Folder {
   public:
     const std::filesystem::path& path() const { return scratch_.path(); }
-    Build build(const Submission& submission, const harness::BuildSettings& settings = default_settings()) const {
-        return harness::build(submission, settings, sandbox_, scratch_);
+    Build build(const Submission& submission, const harness::BuildSettings& settings = default_settings(),
+                const std::optional<harness::PrecompiledHeader>& header = {}) const {
+        return harness::build(submission, settings, sandbox_, scratch_, header);
     }
 
   private:
@@ -247,11 +250,11 @@ TEST(BuildWithAHeader, IsPlainWhereTheHeaderDoesNotFit) {
 
 TEST(Build, SaysHowToGetACompiler) {
     const std::string path = getenv("PATH");
+    const Folder folder;
     setenv("PATH", "/nonexistent", 1);
     const auto settings = default_settings();
     std::string message;
     try {
-        const Folder folder;
         folder.build(with_source("int main() {}"), settings);
     } catch (const harness::HarnessError& error) {
         message = error.what();

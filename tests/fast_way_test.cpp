@@ -1,0 +1,147 @@
+// The gate: a precompiled header changes nothing but the time. Every sample submission and every probe is compiled both
+// ways and run; assembly, program, messages and output must be the same, byte for byte. That the probes would notice is
+// shown with a bundle of headers forced into them, the way not to do it.
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "harness/header_shelf.h"
+#include "harness/include_block.h"
+#include "harness/limit_settings.h"
+#include "harness/run.h"
+#include "temporary_folder.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using harness::Build;
+using harness::BuildSettings;
+using harness::HeaderLines;
+using harness::PrecompiledHeader;
+
+std::string bytes_of(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+std::vector<fs::path> samples() {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(fs::path(RAYGRADE_PROJECT) / "submissions")) {
+        if (fs::exists(entry.path() / "ray_cast.cpp")) files.push_back(entry.path() / "ray_cast.cpp");
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::vector<fs::path> probes() {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(fs::path(RAYGRADE_PROJECT) / "tests/probes"))
+        files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// All that a source comes to.
+struct Result {
+    bool by_header = false;
+    bool compiled = false;
+    std::string diagnostics, program, output;
+};
+
+class FastWay : public testing::TestWithParam<fs::path> {
+  protected:
+    /// With what every test shares, so that a header is made once.
+    struct Machine {
+        BuildSettings settings = harness::default_build_settings(harness::read_limits({}, {}).compile);
+        harness::Limits limits = harness::read_limits({}, {}).run;
+        harness::Sandbox sandbox{harness::Tier::bwrap};
+        harness::HeaderShelf shelf{{}, settings, "", sandbox};
+    };
+    static Machine& machine() {
+        static Machine machine;
+        return machine;
+    }
+
+    static Result compile(const std::string& source, const std::optional<PrecompiledHeader>& header,
+                          const std::vector<std::string>& more_flags = {}) {
+        harness::Submission submission;
+        submission.source = source;
+        BuildSettings settings = machine().settings;
+        settings.flags.insert(settings.flags.end(), more_flags.begin(), more_flags.end());
+        const harness::Scratch scratch(machine().sandbox.workspace());
+        const Build build = harness::build(submission, settings, machine().sandbox, scratch, header);
+        Result result{build.by_header, build.compiled, build.diagnostics, "", ""};
+        if (!build.program) return result;
+        result.program = bytes_of(*build.program);
+        if (more_flags.empty())
+            result.output = harness::run(build, machine().limits, machine().sandbox, scratch).output;
+        return result;
+    }
+
+    static std::optional<PrecompiledHeader> own_header(const std::string& source) {
+        HeaderLines lines;
+        for (const auto& directive : harness::include_block(source)) lines.push_back(directive.text);
+        return lines.empty() ? std::nullopt : machine().shelf.get(lines);
+    }
+};
+
+TEST_P(FastWay, GivesTheSameAssemblyProgramMessagesAndOutput) {
+    const std::string source = bytes_of(GetParam());
+    const auto header = own_header(source);
+    if (!header) return;  // compiled plainly in any case
+    const Result plain = compile(source, {});
+    const Result fast = compile(source, header);
+    EXPECT_EQ(plain.compiled, fast.compiled);
+    EXPECT_EQ(plain.diagnostics, fast.diagnostics);
+    EXPECT_TRUE(plain.program == fast.program) << "program differs";
+    EXPECT_EQ(plain.output, fast.output);
+    const bool without_a_word = plain.compiled && plain.diagnostics.empty();
+    EXPECT_EQ(fast.by_header, without_a_word);
+    if (!fast.by_header) return;
+    const Result plain_assembly = compile(source, {}, {"-S"});
+    const Result fast_assembly = compile(source, header, {"-S"});
+    EXPECT_TRUE(plain_assembly.program == fast_assembly.program) << "assembly differs";
+    EXPECT_EQ(plain_assembly.diagnostics, fast_assembly.diagnostics);
+}
+
+std::string name_of(const testing::TestParamInfo<fs::path>& info) {
+    const fs::path& file = info.param;
+    std::string name = file.filename() == "ray_cast.cpp" ? file.parent_path().filename() : file.stem();
+    for (char& c : name) {
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+    }
+    return name + "_" + std::to_string(info.index);
+}
+
+INSTANTIATE_TEST_SUITE_P(Submissions, FastWay, testing::ValuesIn(samples()), name_of);
+INSTANTIATE_TEST_SUITE_P(Probes, FastWay, testing::ValuesIn(probes()), name_of);
+
+class ForcedBundle : public FastWay {};
+
+TEST_F(ForcedBundle, WouldChangeMostProbes) {
+    const auto bundle = machine().shelf.get(
+        {"#include <algorithm>", "#include <cmath>", "#include <complex>", "#include <cstdio>", "#include <iomanip>",
+         "#include <iostream>", "#include <sstream>", "#include <string>", "#include <vector>",
+         "#include <glm/glm.hpp>", "#include <glm/gtc/matrix_transform.hpp>", "#include <glm/gtx/string_cast.hpp>"});
+    ASSERT_TRUE(bundle);
+    const PrecompiledHeader forced{bundle->file, 0};
+    std::string changed;
+    int count = 0;
+    for (const fs::path& probe : probes()) {
+        const std::string source = bytes_of(probe);
+        const Result plain = compile(source, {});
+        const Result fast = compile(source, forced);
+        const bool accepted = fast.by_header && (!plain.compiled || !plain.diagnostics.empty());
+        const bool refused = !fast.by_header && plain.compiled && plain.diagnostics.empty();
+        if (!accepted && !refused && fast.output == plain.output) continue;
+        changed += probe.stem().string() + ' ';
+        ++count;
+    }
+    std::cout << count << " probes are changed by a bundle: " << changed << '\n';
+    EXPECT_GE(count, 16);
+}
+
+}  // namespace
