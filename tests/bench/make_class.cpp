@@ -1,0 +1,97 @@
+// make_class starter|wild COUNT SEED SUBMISSIONS OUT: a class of distinct right programs for timing, made from the
+// sample submissions. In a *starter* class all begin with one of four include blocks, as where the course ships a
+// starter file; in a *wild* one each has its own: the headers in another order, further ones, and a #define. The
+// programs differ in helper functions with numbers of their own.
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+struct Program {
+    std::vector<std::string> defines, includes;
+    std::string body;
+};
+
+Program read(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    if (!in) throw std::runtime_error("can't read " + file.string());
+    Program program;
+    for (std::string line; std::getline(in, line);) {
+        if (line.rfind("#define", 0) == 0) {
+            program.defines.push_back(line);
+        } else if (line.rfind("#include", 0) == 0) {
+            program.includes.push_back(line);
+        } else {
+            program.body += line + '\n';
+        }
+    }
+    return program;
+}
+
+std::string block_of(const Program& program) {
+    std::string text;
+    for (const std::string& line : program.defines) text += line + '\n';
+    for (const std::string& line : program.includes) text += line + '\n';
+    return text;
+}
+
+/// Some twenty lines that no other student has.
+std::string own_helpers(std::size_t student, std::mt19937& random) {
+    const auto number = [&] { return std::to_string(random() % 1000) + "." + std::to_string(random() % 1000) + "f"; };
+    std::ostringstream text;
+    for (int i = 0; i < 3; ++i) {
+        text << "float helper_" << student << '_' << i
+             << "(const glm::vec3& p, float x)\n{\n    float sum = " << number() << ";\n    for (int k = 0; k < "
+             << 2 + random() % 9 << "; ++k)\n        sum += x * " << number() << " + glm::dot(p, glm::vec3(" << number()
+             << ", " << number() << ", " << number() << "));\n    return sum;\n}\n\n";
+    }
+    return text.str();
+}
+
+std::string own_block(Program program, std::size_t student, std::mt19937& random) {
+    std::array<const char*, 9> further{"algorithm", "array",  "cassert", "cstdlib", "iomanip",
+                                       "limits",    "string", "utility", "vector"};
+    std::shuffle(further.begin(), further.end(), random);
+    for (std::size_t i = 0; i < random() % 3; ++i)
+        program.includes.push_back("#include <" + std::string(further.at(i)) + ">");
+    std::shuffle(program.includes.begin(), program.includes.end(), random);
+    // Somewhere among the headers, so that how much two blocks share differs.
+    const auto place = program.includes.begin() + static_cast<std::ptrdiff_t>(random() % (program.includes.size() + 1));
+    program.includes.insert(place, "#define STUDENT " + std::to_string(student));
+    return block_of(program);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::vector<std::string> words(argv, argv + argc);
+    if (words.size() != 6 || (words[1] != "starter" && words[1] != "wild")) {
+        std::cerr << "make_class starter|wild COUNT SEED SUBMISSIONS OUT\n";
+        return 2;
+    }
+    // Each with the one whose block it fits; none gives the compiler anything to say.
+    const std::vector<std::pair<std::string, std::string>> bases{
+        {"ada", "ada"}, {"farid", "farid"}, {"grace", "grace"}, {"hana", "hana"},
+        {"jin", "ada"}, {"farid", "farid"}, {"ivan", "grace"},  {"wei", "hana"}};
+    std::mt19937 random(static_cast<std::mt19937::result_type>(std::stoul(words[3])));
+    const std::filesystem::path submissions = words[4], out = words[5];
+    for (std::size_t student = 0; student < std::stoul(words[2]); ++student) {
+        const auto& [base, starter] = bases[student % bases.size()];
+        const Program program = read(submissions / base / "ray_cast.cpp");
+        const std::string block = words[1] == "starter" ? block_of(read(submissions / starter / "ray_cast.cpp"))
+                                                        : own_block(program, student, random);
+        const std::filesystem::path folder = out / ("student" + std::to_string(100000 + student).substr(1));
+        std::filesystem::create_directories(folder);
+        std::ofstream file(folder / "ray_cast.cpp");
+        file << block << '\n' << own_helpers(student, random) << program.body;
+        if (!file.flush()) throw std::runtime_error("can't write " + folder.string());
+    }
+}
