@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <condition_variable>
 #include <deque>
 #include <memory>
@@ -20,17 +21,28 @@
 #include "harness/header_plan.h"
 #include "harness/include_block.h"
 #include "harness/run.h"
+#include "harness/sanitizer.h"
 
 namespace harness {
 namespace {
 
 /// What a builder hands to a runner.
 struct Built {
-    std::size_t index = 0;             ///< of the submission
-    std::unique_ptr<Scratch> scratch;  ///< null when there is nothing to run
-    Execution execution;
-    bool from_store = false;  ///< the execution is complete
+    std::size_t index = 0;               ///< of the submission
+    std::unique_ptr<Scratch> scratch;    ///< null when there is nothing to run
+    std::vector<Execution> executions;   ///< in the order of its keys; before running, only what was built
+    bool from_store = false;             ///< the executions are complete
+    std::unique_ptr<Scratch> sanitized;  ///< for the build under the sanitizers; null without
 };
+
+/// The sanitizers' bookkeeping takes time and memory that are not the student's.
+Limits sanitizer_limits(Limits limits) {
+    constexpr int slower = 5;
+    limits.cpu *= slower;
+    limits.wall *= slower;
+    limits.memory_bytes += std::uint64_t{1} << 30;
+    return limits;
+}
 
 class Batch {
   public:
@@ -64,6 +76,8 @@ class Batch {
         std::size_t index;  ///< of the header in the plan, or of the submission
     };
 
+    /// The runs of each submission.
+    std::vector<std::string> variants() const;
     void plan();
     std::optional<Task> next_task();
     void build_all();
@@ -73,6 +87,7 @@ class Batch {
     std::optional<Built> next_built();
     void run_all();
     Graded finish(Built built);
+    void run_each(Built& built);
     /// Calls `work`, and makes the submission not graded when it fails. False then.
     template <class Work>
     bool or_not_graded(std::size_t index, Work work);
@@ -83,7 +98,8 @@ class Batch {
     const std::size_t jobs_;
     Timeline& timeline_;
     std::vector<Graded> results_;
-    std::vector<std::string> keys_;  ///< in the store; empty when nothing is kept
+    /// In the store, for each submission: of its first run, its repetitions, and the one under the sanitizers.
+    std::vector<std::vector<std::string>> keys_;
     std::vector<bool> is_kept_;
 
     std::mutex mutex_;  ///< over all that follows
@@ -97,6 +113,13 @@ class Batch {
     std::condition_variable queue_grew_, queue_shrank_;
 };
 
+std::vector<std::string> Batch::variants() const {
+    std::vector<std::string> variants{"first"};
+    for (int i = 2; i <= workshop_.repetitions; ++i) variants.push_back("repetition " + std::to_string(i));
+    if (workshop_.sanitize) variants.emplace_back("sanitized");
+    return variants;
+}
+
 void Batch::plan() {
     made_.resize(submissions_.size());
     std::vector<std::size_t> to_compile;
@@ -104,8 +127,11 @@ void Batch::plan() {
     for (std::size_t i = 0; i < submissions_.size(); ++i) {
         const Submission& submission = submissions_[i];
         if (workshop_.store && !submission.problem) {
-            keys_[i] = execution_key(submission.source, workshop_, 0);
-            is_kept_[i] = !workshop_.fresh && workshop_.store->contains(keys_[i]);
+            for (const std::string& variant : variants())
+                keys_[i].push_back(execution_key(submission.source, workshop_, variant));
+            is_kept_[i] =
+                !workshop_.fresh && std::all_of(keys_[i].begin(), keys_[i].end(),
+                                                [&](const std::string& key) { return workshop_.store->contains(key); });
         }
         if (is_kept_[i] || submission.problem || !workshop_.headers) {
             ready_.push_back(i);
@@ -181,15 +207,24 @@ Built Batch::build_one(std::size_t index) {
     const Submission& submission = submissions_[index];
     if (submission.problem) return built;
     if (is_kept_[index]) {
-        if (auto kept = workshop_.store->find(keys_[index])) {
-            built.execution = std::move(*kept);
-            built.from_store = true;
-            return built;
+        for (const std::string& key : keys_[index]) {
+            if (auto kept = workshop_.store->find(key)) built.executions.push_back(std::move(*kept));
         }
+        built.from_store = built.executions.size() == keys_[index].size();
+        if (built.from_store) return built;
+        built.executions.clear();
     }
     built.scratch = std::make_unique<Scratch>(workshop_.sandbox->workspace());
     const Timeline::Span span(timeline_, Stage::build, submission.id);
-    built.execution.build = build(submission, workshop_.build, *workshop_.sandbox, *built.scratch, made_[index]);
+    Execution execution;
+    execution.build = build(submission, workshop_.build, *workshop_.sandbox, *built.scratch, made_[index]);
+    built.executions.assign(static_cast<std::size_t>(workshop_.repetitions), execution);
+    if (!workshop_.sanitize) return built;
+    BuildSettings settings = workshop_.build;
+    for (const std::string& flag : sanitizer_flags()) settings.flags.push_back(flag);
+    built.sanitized = std::make_unique<Scratch>(workshop_.sandbox->workspace());
+    execution.build = build(submission, settings, *workshop_.sandbox, *built.sanitized);
+    built.executions.push_back(execution);
     return built;
 }
 
@@ -223,13 +258,32 @@ Graded Batch::finish(Built built) {
     if (built.from_store) {
         ++timeline_.from_store;
     } else {
-        if (built.execution.build.by_header) ++timeline_.by_header;
-        const Timeline::Span span(timeline_, Stage::run, submission.id);
-        built.execution.run = run(built.execution.build, workshop_.run, *workshop_.sandbox, *built.scratch);
-        if (workshop_.store) workshop_.store->keep(keys_[built.index], built.execution);
+        if (built.executions.front().build.by_header) ++timeline_.by_header;
+        run_each(built);
     }
     built.scratch.reset();
-    return mark(submission, std::move(built.execution), marking_, workshop_, timeline_);
+    std::vector<std::string> findings;
+    if (workshop_.sanitize) {
+        findings = sanitizer_findings(built.executions.back().run.errors);
+        built.executions.pop_back();
+    }
+    Graded graded = mark(submission, std::move(built.executions), marking_, workshop_, timeline_);
+    graded.sanitizer = std::move(findings);
+    return graded;
+}
+
+void Batch::run_each(Built& built) {
+    const Timeline::Span span(timeline_, Stage::run, submissions_[built.index].id);
+    for (std::size_t i = 0; i < built.executions.size(); ++i) {
+        Execution& execution = built.executions[i];
+        const bool sanitized = workshop_.sanitize && i + 1 == built.executions.size();
+        execution.run = sanitized ? run(execution.build, sanitizer_limits(workshop_.run), *workshop_.sandbox,
+                                        *built.sanitized, sanitizer_environment())
+                                  : run(execution.build, workshop_.run, *workshop_.sandbox, *built.scratch);
+    }
+    if (!workshop_.store) return;
+    for (std::size_t i = 0; i < built.executions.size(); ++i)
+        workshop_.store->keep(keys_[built.index].at(i), built.executions[i]);
 }
 
 template <class Work>

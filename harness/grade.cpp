@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstring>
 
+#include "harness/repetition.h"
 #include "harness/transcript.h"
 
 namespace harness {
@@ -118,21 +119,25 @@ std::string_view limit_name(Ended ended) {
     return "";
 }
 
-Graded mark(const Submission& submission, Execution execution, const Marking& marking, const Workshop& workshop,
-            Timeline& timeline) {
+Graded mark(const Submission& submission, std::vector<Execution> executions, const Marking& marking,
+            const Workshop& workshop, Timeline& timeline) {
     Graded graded = begun(submission, workshop);
+    Execution& execution = executions.front();
     graded.outcome = outcome_of(execution.run);
     graded.explanation = explain(execution.build, execution.run, workshop.run);
-    Transcript transcript;
-    {
-        const Timeline::Span span(timeline, Stage::read, submission.id);
-        transcript = read_transcript(execution.run.output);
-    }
-    {
+    std::vector<Repetition> runs;
+    for (Execution& each : executions) {
+        Transcript transcript;
+        {
+            const Timeline::Span span(timeline, Stage::read, submission.id);
+            transcript = read_transcript(each.run.output);
+        }
         const Timeline::Span span(timeline, Stage::score, submission.id);
-        graded.score = score(transcript, marking.key, marking.assignment);
+        runs.push_back({each.run.ended, score(transcript, marking.key, marking.assignment)});
+        each.run.output = {};  // up to a mebibyte; the score holds what counts
     }
-    execution.run.output = {};  // up to a mebibyte; the score holds what counts
+    if (const auto evidence = difference(runs)) graded.flags.push_back({"nondeterministic", *evidence});
+    graded.score = std::move(runs.front().score);
     graded.build = std::move(execution.build);
     graded.run = std::move(execution.run);
     return graded;

@@ -34,6 +34,12 @@ std::string signal_name(int signal);
 /// The limit of the program, by the name it is set by, beyond which it was stopped; empty when it was not.
 std::string_view limit_name(Ended ended);
 
+/// Something a person should look at; it decides nothing.
+struct Flag {
+    std::string kind;      ///< "nondeterministic"
+    std::string evidence;  ///< a sentence
+};
+
 struct Graded {
     Submission submission;
     Outcome outcome = Outcome::not_graded;
@@ -42,7 +48,9 @@ struct Graded {
     Tier tier = Tier::bwrap;  ///< what its programs ran under
     Build build;
     ProcessResult run;  ///< without the output, which has been read
-    Score score;        ///< all missing when nothing was printed
+    std::vector<Flag> flags;
+    std::vector<std::string> sanitizer;  ///< what a build under the sanitizers found; costs nothing
+    Score score;                         ///< all missing when nothing was printed
 };
 
 /// What every submission is held to.
@@ -51,9 +59,9 @@ struct Marking {
     reference::AnswerKey key;  ///< the assignment's
 };
 
-/// Marks what a submission printed.
-Graded mark(const Submission& submission, Execution execution, const Marking& marking, const Workshop& workshop,
-            Timeline& timeline);
+/// Marks what a submission printed, the first time of `executions`, at least one. Those after it are its repetitions.
+Graded mark(const Submission& submission, std::vector<Execution> executions, const Marking& marking,
+            const Workshop& workshop, Timeline& timeline);
 
 /// A submission without marks, because of a problem of its own, the machine or raygrade.
 Graded not_graded(const Submission& submission, const std::string& why, const Marking& marking,

@@ -2,7 +2,8 @@
 
 namespace harness {
 
-ProcessResult run(const Build& build, const Limits& limits, const Sandbox& sandbox, const Scratch& scratch) {
+ProcessResult run(const Build& build, const Limits& limits, const Sandbox& sandbox, const Scratch& scratch,
+                  const std::vector<std::string>& more_environment) {
     if (!build.program) return {};
     Command command;
     // From the working directory, as the program finds that elsewhere than the harness does.
@@ -11,6 +12,7 @@ ProcessResult run(const Build& build, const Limits& limits, const Sandbox& sandb
     command.purpose = Purpose::run;
     command.account = scratch.account();
     command.environment = {"PATH=/usr/local/bin:/usr/bin:/bin", "LANG=C.UTF-8"};
+    command.environment.insert(command.environment.end(), more_environment.begin(), more_environment.end());
     command.limits = limits;
     return run_process(command, sandbox);
 }

@@ -9,6 +9,7 @@ namespace harness {
 
 /// Runs the program, which lies in `scratch`, with an empty stdin. A build without a program gives Ended::not_started.
 /// Throws HarnessError.
-ProcessResult run(const Build& build, const Limits& limits, const Sandbox& sandbox, const Scratch& scratch);
+ProcessResult run(const Build& build, const Limits& limits, const Sandbox& sandbox, const Scratch& scratch,
+                  const std::vector<std::string>& more_environment = {});
 
 }  // namespace harness

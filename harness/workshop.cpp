@@ -50,12 +50,14 @@ Workshop open_workshop(const WorkshopOptions& options, const std::vector<referen
     const auto without = options.unsafe ? WithoutSandbox::run_unsafe : WithoutSandbox::refuse;
     Choice choice = choose_sandbox(wanted_tier(options.sandbox), without);
     Workshop workshop{std::move(choice.sandbox), default_build_settings(stages.compile), stages.run};
+    workshop.repetitions = options.repetitions;
+    workshop.sanitize = options.sanitize;
     workshop.fresh = options.fresh;
     if (options.cache) open_cache(workshop, *options.cache);
     return workshop;
 }
 
-std::string execution_key(const std::string& source, const Workshop& workshop, int repetition) {
+std::string execution_key(const std::string& source, const Workshop& workshop, const std::string& variant) {
     // The purpose's number counts the versions of how we compile and run, as of the environment a program finds.
     Fingerprint fingerprint("raygrade/execution/1");
     fingerprint.add(workshop.toolchain).add(to_string(workshop.sandbox->tier()));
@@ -63,7 +65,7 @@ std::string execution_key(const std::string& source, const Workshop& workshop, i
     add_words(fingerprint, workshop.build.linker);
     add_limits(fingerprint, workshop.build.limits);
     add_limits(fingerprint, workshop.run);
-    return fingerprint.add(repetition).add(source).hex();
+    return fingerprint.add(variant).add(source).hex();
 }
 
 std::string sandbox_warning(Tier tier) {

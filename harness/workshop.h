@@ -22,6 +22,8 @@ struct Workshop {
     std::string toolchain{};                       ///< see toolchain_fingerprint; empty when nothing is kept
     std::unique_ptr<Store> store{};                ///< null when nothing is kept
     std::unique_ptr<const HeaderShelf> headers{};  ///< null when everything is compiled plainly
+    int repetitions = 1;                           ///< how often each program is run, to see if it answers the same
+    bool sanitize = false;                         ///< with a second build of each under the sanitizers
     bool fresh = false;                            ///< what is kept is not looked at, only kept anew
 };
 
@@ -30,15 +32,17 @@ struct WorkshopOptions {
     bool unsafe = false;                           ///< go on with limits alone where no sandbox holds
     std::vector<std::string> limits;               ///< "run.cpu_seconds=4"
     std::optional<std::filesystem::path> cache{};  ///< where results and precompiled headers are kept; empty: nowhere
-    bool fresh = false;                            ///< run everything anew
+    int repetitions = 1;
+    bool sanitize = false;
+    bool fresh = false;  ///< run everything anew
 };
 
 /// Tries which sandbox this machine holds and reads the limits. Throws HarnessError, AssignmentError and LimitError.
 Workshop open_workshop(const WorkshopOptions& options, const std::vector<reference::LimitEntry>& limits);
 
-/// Under what the store keeps the `repetition`th run, from 0, of this source: a fingerprint of everything that decides
-/// what is printed.
-std::string execution_key(const std::string& source, const Workshop& workshop, int repetition);
+/// Under what the store keeps a run of this source: a fingerprint of everything that decides what is printed, and of
+/// `variant`, which of several runs it is.
+std::string execution_key(const std::string& source, const Workshop& workshop, const std::string& variant);
 
 /// For every report of marks that were made without a sandbox; empty when there was one.
 std::string sandbox_warning(Tier tier);

@@ -73,6 +73,11 @@ std::string items_worth_saying(const Score& score) {
     return text;
 }
 
+/// What a flag says, for a person.
+std::string flag_title(const Flag& flag) {
+    return flag.kind == "nondeterministic" ? "The program does not answer the same each time" : flag.kind;
+}
+
 }  // namespace
 
 std::string feedback_markdown(const Graded& graded, const Marking& marking) {
@@ -95,6 +100,14 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     }
     const std::string items = graded.outcome == Outcome::compile_error ? "" : items_worth_saying(score);
     if (!items.empty()) text += "\n## Answers to look at\n\n" + items;
+    if (!graded.flags.empty()) {
+        text += "\n## For a person to look at\n\n";
+        for (const Flag& flag : graded.flags) text += fmt::format("- {}: {}\n", flag_title(flag), code(flag.evidence));
+    }
+    if (!graded.sanitizer.empty()) {
+        text += "\n## What the sanitizers found\n\nThis costs no points, but the program may do anything there.\n\n";
+        for (const std::string& finding : graded.sanitizer) text += "- " + code(finding) + "\n";
+    }
     if (!graded.submission.notes.empty()) {
         text += "\n## Notes\n\n";
         for (const std::string& note : graded.submission.notes) text += "- " + code(note) + "\n";
@@ -117,6 +130,9 @@ std::string check_text(const Graded& graded) {
     for (const std::string& note : graded.submission.notes) text += escape_control(note) + "\n";
     if (!graded.build.diagnostics.empty())
         text += "\nThe compiler's messages:\n" + escape_control(graded.build.diagnostics) + "\n";
+    for (const Flag& flag : graded.flags) text += flag_title(flag) + ": " + escape_control(flag.evidence) + "\n";
+    for (const std::string& finding : graded.sanitizer)
+        text += "Found by the sanitizers: " + escape_control(finding) + "\n";
     if (graded.outcome == Outcome::compile_error || graded.outcome == Outcome::not_graded) return text;
     for (const QuestionScore& question : graded.score.questions) {
         text += fmt::format("Question {}, {}: {} of {} points\n", question.number,

@@ -64,6 +64,11 @@ ordered_json submission_json(const Graded& graded) {
     const bool marked = graded.outcome != Outcome::not_graded;
     ordered_json notes = ordered_json::array();
     for (const std::string& note : graded.submission.notes) notes.push_back(escape_control(note));
+    ordered_json flags = ordered_json::array();
+    for (const Flag& flag : graded.flags)
+        flags.push_back({{"kind", flag.kind}, {"evidence", escape_control(flag.evidence)}});
+    ordered_json sanitizer = ordered_json::array();
+    for (const std::string& finding : graded.sanitizer) sanitizer.push_back(escape_control(finding));
     ordered_json questions = ordered_json::array();
     if (marked) {
         for (const QuestionScore& question : graded.score.questions) questions.push_back(question_json(question));
@@ -81,7 +86,8 @@ ordered_json submission_json(const Graded& graded) {
         {"points", marked ? ordered_json(tidy(graded.score.points)) : ordered_json(nullptr)},
         {"max_points", tidy(graded.score.max_points)},
         {"questions", questions},
-        {"flags", ordered_json::array()}};
+        {"sanitizer", sanitizer},
+        {"flags", flags}};
 }
 
 }  // namespace

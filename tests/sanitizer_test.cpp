@@ -1,0 +1,62 @@
+#include "harness/sanitizer.h"
+
+#include <gmock/gmock.h>
+
+namespace {
+
+using harness::sanitizer_findings;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+TEST(SanitizerFindings, AreThoseOfUndefinedBehaviour) {
+    EXPECT_THAT(sanitizer_findings("ray_cast.cpp:12:9: runtime error: division by zero\n"
+                                   "my own words\n"
+                                   "ray_cast.cpp:20:3: runtime error: load of null pointer of type 'int'\n"),
+                ElementsAre("ray_cast.cpp:12:9: runtime error: division by zero",
+                            "ray_cast.cpp:20:3: runtime error: load of null pointer of type 'int'"));
+}
+
+TEST(SanitizerFindings, NameTheStudentsLineOfABadAddress) {
+    EXPECT_THAT(
+        sanitizer_findings(
+            "=================================================================\n"
+            "==2==ERROR: AddressSanitizer: stack-buffer-overflow on address 0x7ffd4 at pc 0x55 bp 0x7f sp 0x7f\n"
+            "WRITE of size 4 at 0x7ffd4 thread T0\n"
+            "    #0 0x5589 in std::vector<int>::at(unsigned long) /usr/include/c++/12/bits/stl_vector.h:1123\n"
+            "    #1 0x5589 in main /submission/ray_cast.cpp:30\n"
+            "    #2 0x7f8c in main /submission/ray_cast.cpp:99\n"
+            "SUMMARY: AddressSanitizer: stack-buffer-overflow ray_cast.cpp:30 in main\n"),
+        ElementsAre("line 30: stack-buffer-overflow"));
+}
+
+TEST(SanitizerFindings, DoWithoutALine) {
+    EXPECT_THAT(sanitizer_findings("==2==ERROR: AddressSanitizer: SEGV on unknown address 0x0\n"), ElementsAre("SEGV"));
+    EXPECT_THAT(sanitizer_findings("==2==ERROR: AddressSanitizer: SEGV on unknown address 0x0\n"
+                                   "SUMMARY: AddressSanitizer: SEGV (/lib/libc.so.6+0x1)\n"),
+                ElementsAre("SEGV"));
+}
+
+TEST(SanitizerFindings, AreTheSameEachTime) {
+    EXPECT_EQ(sanitizer_findings("a.cpp:1:1: runtime error: member call on address 0x7ffd12ab which is bad\n"),
+              sanitizer_findings("a.cpp:1:1: runtime error: member call on address 0x55ee which is bad\n"));
+}
+
+TEST(SanitizerFindings, AreEachToldOnceAndNeverMoreThanTwenty) {
+    std::string errors;
+    for (int i = 0; i < 100; ++i) errors += "ray_cast.cpp:1:1: runtime error: again\n";
+    EXPECT_THAT(sanitizer_findings(errors), SizeIs(1));
+    for (int i = 0; i < 100; ++i) errors += "ray_cast.cpp:" + std::to_string(i) + ":1: runtime error: again\n";
+    EXPECT_THAT(sanitizer_findings(errors), SizeIs(20));
+}
+
+TEST(SanitizerFindings, TakeHostileText) {
+    EXPECT_THAT(sanitizer_findings(""), IsEmpty());
+    EXPECT_THAT(sanitizer_findings("runtime error: \n\n\n"), IsEmpty());
+    EXPECT_THAT(sanitizer_findings("ERROR: AddressSanitizer: "), IsEmpty());
+    EXPECT_THAT(sanitizer_findings("ERROR: AddressSanitizer: x\nray_cast.cpp:"), SizeIs(1));
+    const std::string long_line(100000, 'x');
+    EXPECT_LT(sanitizer_findings("a: runtime error: " + long_line).at(0).size(), 1000U);
+}
+
+}  // namespace
