@@ -10,8 +10,8 @@
 #include <system_error>
 
 #include "harness/failure.h"
-#include "harness/file_descriptor.h"
 #include "harness/names.h"
+#include "harness/sandbox/file_descriptor.h"
 
 namespace harness {
 namespace {

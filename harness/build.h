@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/process.h"
+#include "harness/sandbox/process.h"
 #include "harness/submission.h"
 
 namespace harness {

@@ -15,9 +15,9 @@
 #include "harness/build.h"
 #include "harness/failure.h"
 #include "harness/names.h"
-#include "harness/process.h"
 #include "harness/run.h"
-#include "harness/scratch.h"
+#include "harness/sandbox/process.h"
+#include "harness/sandbox/scratch.h"
 
 namespace harness {
 namespace {

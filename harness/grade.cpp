@@ -8,7 +8,7 @@
 
 #include "harness/failure.h"
 #include "harness/run.h"
-#include "harness/scratch.h"
+#include "harness/sandbox/scratch.h"
 #include "harness/transcript.h"
 
 namespace harness {

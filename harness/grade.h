@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "harness/build.h"
-#include "harness/process.h"
+#include "harness/sandbox/process.h"
 #include "harness/score.h"
 #include "harness/submission.h"
 #include "reference/answer_key.h"

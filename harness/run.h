@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "harness/build.h"
-#include "harness/process.h"
+#include "harness/sandbox/process.h"
 
 namespace harness {
 

@@ -12,9 +12,9 @@
 #include <system_error>
 
 #include "harness/failure.h"
-#include "harness/file_descriptor.h"
 #include "harness/intake.h"
 #include "harness/names.h"
+#include "harness/sandbox/file_descriptor.h"
 
 namespace harness {
 namespace {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "harness/scratch.h"
+#include "harness/sandbox/scratch.h"
 
 /// Makes files and folders below itself for a test.
 class TemporaryFolder {

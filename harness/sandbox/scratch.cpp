@@ -1,4 +1,4 @@
-#include "harness/scratch.h"
+#include "harness/sandbox/scratch.h"
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "harness/failure.h"
-#include "harness/file_descriptor.h"
 #include "harness/names.h"
+#include "harness/sandbox/file_descriptor.h"
 
 namespace harness {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/shim_program.h"
+#include "harness/sandbox/shim_program.h"
 
 #include <fcntl.h>
 #include <linux/close_range.h>
@@ -15,7 +15,7 @@
 #include <fstream>
 #include <vector>
 
-#include "harness/file_descriptor.h"
+#include "harness/sandbox/file_descriptor.h"
 
 namespace harness {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/process.h"
+#include "harness/sandbox/process.h"
 
 namespace harness {
 

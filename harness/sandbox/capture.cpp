@@ -1,4 +1,4 @@
-#include "harness/capture.h"
+#include "harness/sandbox/capture.h"
 
 #include <algorithm>
 #include <boost/asio/buffer.hpp>

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "harness/shim_protocol.h"
+#include "harness/sandbox/shim_protocol.h"
 
 namespace harness {
 

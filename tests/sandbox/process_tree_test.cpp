@@ -1,4 +1,4 @@
-#include "harness/process_tree.h"
+#include "harness/sandbox/process_tree.h"
 
 #include <gmock/gmock.h>
 #include <sys/prctl.h>

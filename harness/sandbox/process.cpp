@@ -6,7 +6,7 @@
 // shim through a pidfd, and keeps one timer: while the shim lives, its last-resort deadline; once it is gone, the 250
 // ms a pipe may still take to run dry. The shim decides how the program ended; only the output limit is noticed here.
 //
-#include "harness/process.h"
+#include "harness/sandbox/process.h"
 
 #include <signal.h>
 
@@ -17,12 +17,12 @@
 #include <optional>
 #include <system_error>
 
-#include "harness/capture.h"
 #include "harness/failure.h"
-#include "harness/launch.h"
 #include "harness/names.h"
-#include "harness/process_tree.h"
-#include "harness/shim_protocol.h"
+#include "harness/sandbox/capture.h"
+#include "harness/sandbox/launch.h"
+#include "harness/sandbox/process_tree.h"
+#include "harness/sandbox/shim_protocol.h"
 
 namespace harness {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/process.h"
+#include "harness/sandbox/process.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "harness/failure.h"
-#include "temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace {
 

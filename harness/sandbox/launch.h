@@ -3,8 +3,8 @@
 
 #include <sys/types.h>
 
-#include "harness/file_descriptor.h"
-#include "harness/process.h"
+#include "harness/sandbox/file_descriptor.h"
+#include "harness/sandbox/process.h"
 
 namespace harness {
 

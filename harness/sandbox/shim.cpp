@@ -35,10 +35,10 @@
 #include <string>
 #include <vector>
 
-#include "harness/file_descriptor.h"
-#include "harness/process_tree.h"
-#include "harness/shim_program.h"
-#include "harness/shim_protocol.h"
+#include "harness/sandbox/file_descriptor.h"
+#include "harness/sandbox/process_tree.h"
+#include "harness/sandbox/shim_program.h"
+#include "harness/sandbox/shim_protocol.h"
 
 namespace harness {
 namespace {

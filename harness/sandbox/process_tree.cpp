@@ -1,4 +1,4 @@
-#include "harness/process_tree.h"
+#include "harness/sandbox/process_tree.h"
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -15,7 +15,7 @@
 #include <string>
 #include <string_view>
 
-#include "harness/file_descriptor.h"
+#include "harness/sandbox/file_descriptor.h"
 
 namespace harness {
 namespace {

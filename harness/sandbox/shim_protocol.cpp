@@ -1,4 +1,4 @@
-#include "harness/shim_protocol.h"
+#include "harness/sandbox/shim_protocol.h"
 
 #include <algorithm>
 #include <array>

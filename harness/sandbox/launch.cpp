@@ -4,7 +4,7 @@
 // EOF with a named process_stdio (so: own pipes), and its async_wait can hang (so: an own pidfd, then detach).
 // Header-only mode leaves parts undefined, hence the separate compilation in this one file.
 
-#include "harness/launch.h"
+#include "harness/sandbox/launch.h"
 
 #include <fcntl.h>
 #include <linux/close_range.h>
@@ -29,7 +29,7 @@
 
 #include "harness/failure.h"
 #include "harness/names.h"
-#include "harness/shim_protocol.h"
+#include "harness/sandbox/shim_protocol.h"
 
 namespace harness {
 namespace {

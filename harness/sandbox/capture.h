@@ -8,7 +8,7 @@
 #include <functional>
 #include <string>
 
-#include "harness/file_descriptor.h"
+#include "harness/sandbox/file_descriptor.h"
 
 namespace harness {
 

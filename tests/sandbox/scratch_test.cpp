@@ -1,4 +1,4 @@
-#include "harness/scratch.h"
+#include "harness/sandbox/scratch.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -8,9 +8,9 @@
 #include <fstream>
 #include <optional>
 
-#include "as_nobody.h"
 #include "harness/failure.h"
-#include "harness/file_descriptor.h"
+#include "harness/sandbox/file_descriptor.h"
+#include "tests/as_nobody.h"
 
 namespace {
 
