@@ -1,5 +1,4 @@
-// Tries: to reach the machine's files through /proc/1/root and the supervisor's root and working folder. Outcome:
-// graded.
+// Tries: to reach the machine's files through the root folders of other processes in /proc. Outcome: graded.
 #include <unistd.h>
 
 #include <cstdio>

@@ -7,20 +7,19 @@
 #include <string>
 
 int main() {
-    struct stat own {};
-    stat(".", &own);
+    struct stat own {
+    }, info{};
+    stat("ray_cast.cpp", &own);
     const char* temporary = std::getenv("TMPDIR");
-    for (const char* folder : {"/tmp", "/var/tmp", "..", temporary}) {
+    for (const char* folder : {"/tmp", "/var/tmp", "..", "../..", temporary}) {
         if (folder == nullptr) continue;
-        glob_t found{};
-        glob((std::string(folder) + "/raygrade-??????").c_str(), 0, nullptr, &found);
-        for (std::size_t i = 0; i < found.gl_pathc; ++i) {
-            const std::string other = found.gl_pathv[i];
-            struct stat info {};
-            if (stat(other.c_str(), &info) != 0 || info.st_ino == own.st_ino) continue;
-            if (std::FILE* file = std::fopen((other + "/ray_cast.cpp").c_str(), "r")) {
-                std::printf("ESCAPED: read %s/ray_cast.cpp\n", other.c_str());
-                std::fclose(file);
+        for (const char* below : {"/*/ray_cast.cpp", "/raygrade-*/*/ray_cast.cpp"}) {
+            glob_t found{};
+            glob((std::string(folder) + below).c_str(), 0, nullptr, &found);
+            for (std::size_t i = 0; i < found.gl_pathc; ++i) {
+                const char* other = found.gl_pathv[i];
+                if (stat(other, &info) != 0 || info.st_ino == own.st_ino) continue;
+                if (std::fopen(other, "r") != nullptr) std::printf("ESCAPED: can read %s\n", other);
             }
         }
     }

@@ -5,26 +5,20 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
-/// Everything of a grading under way, other than this program's own folder.
+/// Everything of a grading under way, other than this program's own.
 std::vector<std::string> targets() {
-    std::vector<std::string> paths = {"/tmp/raygrade-decoy/answer_key.json", "/tmp/raygrade-decoy/gradebook.csv",
-                                      "/tmp/raygrade-decoy/other/ray_cast.cpp"};
-    struct stat own {};
-    stat(".", &own);
-    const char* temporary = std::getenv("TMPDIR");
-    for (const char* folder : {"/tmp", "..", temporary}) {
-        if (folder == nullptr) continue;
+    std::vector<std::string> paths = {"/tmp/raygrade-decoy/answer_key.json", "/tmp/raygrade-decoy/gradebook.csv"};
+    struct stat own {
+    }, info{};
+    stat("ray_cast.cpp", &own);
+    for (const char* pattern : {"/tmp/raygrade-*/*/ray_cast*", "../*/ray_cast*", "../shim", "../../raygrade-*/*/*"}) {
         glob_t found{};
-        glob((std::string(folder) + "/raygrade-??????").c_str(), 0, nullptr, &found);
+        glob(pattern, 0, nullptr, &found);
         for (std::size_t i = 0; i < found.gl_pathc; ++i) {
-            struct stat info {};
-            if (stat(found.gl_pathv[i], &info) != 0 || info.st_ino == own.st_ino) continue;
-            paths.push_back(std::string(found.gl_pathv[i]) + "/ray_cast.cpp");
-            paths.push_back(std::string(found.gl_pathv[i]) + "/ray_cast");
+            if (stat(found.gl_pathv[i], &info) == 0 && info.st_ino != own.st_ino) paths.push_back(found.gl_pathv[i]);
         }
     }
     return paths;
@@ -37,6 +31,7 @@ int main() {
         std::printf("ESCAPED: opened %s for writing\n", path.c_str());
         close(file);
     }
+    if (open("ray_cast.cpp", O_WRONLY | O_APPEND) >= 0) std::puts("ESCAPED: can write what is being graded");
     const int added = open("/tmp/raygrade-decoy/other/added.cpp", O_WRONLY | O_CREAT, 0644);
     if (added >= 0) std::puts("ESCAPED: put a file into another submission");
     unlink("/tmp/raygrade-decoy/other/added.cpp");
