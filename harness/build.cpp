@@ -4,6 +4,7 @@
 #include <sys/statvfs.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <sstream>
@@ -16,8 +17,6 @@
 namespace harness {
 namespace {
 
-using namespace std::chrono_literals;
-
 constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
 constexpr const char* source_name = "ray_cast.cpp";
 constexpr const char* program_name = "ray_cast";
@@ -26,6 +25,7 @@ constexpr const char* program_name = "ray_cast";
 /// file that grew too large, or gave up with an internal error.
 constexpr int broken_down = 4;
 
+/// Empty when it is in no folder of PATH.
 std::filesystem::path find_on_path(const std::string& name) {
     const char* const path = std::getenv("PATH");
     std::istringstream folders(path != nullptr ? path : "");
@@ -37,12 +37,17 @@ std::filesystem::path find_on_path(const std::string& name) {
             return candidate;
         }
     }
-    throw HarnessError("There is no C++ compiler: " + name + " is in no folder of PATH (" +
-                       printable(path ? path : "") + "). Install it with: apt install g++");
+    return {};
+}
+
+[[noreturn]] void throw_no_compiler() {
+    const char* const path = std::getenv("PATH");
+    throw HarnessError("There is no C++ compiler: g++ is in no folder of PATH (" + printable(path ? path : "") +
+                       "). Install it with: apt install g++");
 }
 
 void write_source(const std::string& source, const std::filesystem::path& file) {
-    const FileDescriptor out(open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
+    const FileDescriptor out(open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
     bool good = static_cast<bool>(out);
     for (std::size_t at = 0; good && at < source.size();) {
         const ssize_t written = write(out.get(), source.data() + at, source.size() - at);
@@ -66,9 +71,28 @@ void refuse_a_full_disk(const std::filesystem::path& scratch) {
 
 /// Nothing of the harness's own environment: it could change the messages (LANG), add headers (CPATH) or tell secrets.
 /// The compiler finds its assembler and linker beside itself or in the system's folders.
-std::vector<std::string> compiler_environment(const BuildSettings& settings, const std::filesystem::path& scratch) {
+std::vector<std::string> compiler_environment(const BuildSettings& settings) {
     return {"PATH=" + settings.compiler.parent_path().string() + ":/usr/local/bin:/usr/bin:/bin", "LANG=C.UTF-8",
-            "LC_ALL=C", "HOME=" + scratch.string(), "TMPDIR=" + scratch.string()};
+            "LC_ALL=C"};
+}
+
+/// What a compiler outside the system's folders, such as /opt/gcc-13/bin/g++, needs to be found beside itself: its
+/// installation's folders, and no others of where it is installed, which may be a home.
+std::vector<std::filesystem::path> compiler_folders(const std::filesystem::path& compiler) {
+    std::error_code error;
+    const auto real = std::filesystem::canonical(compiler, error);
+    const auto system = system_folders(Purpose::compile);
+    const auto lies_below = [&](const std::filesystem::path& folder) {
+        return real.native().starts_with(folder.native() + '/') && compiler.native().starts_with(folder.native() + '/');
+    };
+    if (error || std::any_of(system.begin(), system.end(), lies_below)) return {};
+    std::vector<std::filesystem::path> folders = {compiler};
+    const auto prefix = real.parent_path().parent_path();
+    if (real.parent_path().filename() != "bin" || prefix == "/usr") return folders;
+    for (const char* name : {"bin", "include", "lib", "lib32", "lib64", "libexec"}) {
+        if (std::filesystem::is_directory(prefix / name, error)) folders.push_back(prefix / name);
+    }
+    return folders;
 }
 
 bool is_limit(Ended ended) {
@@ -87,47 +111,44 @@ bool is_limit(Ended ended) {
 
 }  // namespace
 
-BuildSettings default_build_settings() {
+BuildSettings default_build_settings(const Limits& limits) {
     BuildSettings settings;
     settings.compiler = find_on_path("g++");
     // -O1: as quick to compile as -O0 with GLM (0.7 s each), and the least at which g++ follows values far enough to
     // warn of a vector that was never set.
     settings.flags = {"-std=c++17", "-DGLM_ENABLE_EXPERIMENTAL=", "-Wall", "-Wextra",
                       "-O1",        "-fdiagnostics-color=never"};
-    settings.limits = {.cpu = 20s,
-                       .wall = 100s,
-                       .memory_bytes = 1024 * mebibyte,
-                       .file_bytes = 64 * mebibyte,
-                       .stack_bytes = 64 * mebibyte,
-                       .output_bytes = 64 * 1024,
-                       .error_bytes = 64 * 1024,
-                       .processes = 32,
-                       .open_files = 256};
+    settings.limits = limits;
     return settings;
 }
 
-Build build(const Submission& submission, const BuildSettings& settings, const std::filesystem::path& scratch) {
+Build build(const Submission& submission, const BuildSettings& settings, const Sandbox& sandbox,
+            const Scratch& scratch) {
     Build build;
     if (submission.problem) return build;
-    write_source(submission.source, scratch / source_name);
+    if (settings.compiler.empty()) throw_no_compiler();
+    write_source(submission.source, scratch.path() / source_name);
     Command command;
     command.argv = {settings.compiler.string()};
     command.argv.insert(command.argv.end(), settings.flags.begin(), settings.flags.end());
     // Relative names, so that the messages are the same wherever the scratch folder lies.
     command.argv.insert(command.argv.end(), {"-o", program_name, source_name});
-    command.working_directory = scratch;
-    command.environment = compiler_environment(settings, scratch);
+    command.working_directory = scratch.path();
+    command.purpose = Purpose::compile;
+    command.account = scratch.account();
+    command.readable = compiler_folders(settings.compiler);
+    command.environment = compiler_environment(settings);
     command.limits = settings.limits;
-    const ProcessResult result = run_process(command);
+    const ProcessResult result = run_process(command, sandbox);
     build.tried = true;
     build.reached_limit = is_limit(result.ended) || (result.ended == Ended::exited && result.exit_code == broken_down);
     build.diagnostics = result.errors;
     build.wall = result.wall;
-    const auto program = scratch / program_name;
+    const auto program = scratch.path() / program_name;
     if (result.ended == Ended::exited && result.exit_code == 0 && std::filesystem::is_regular_file(program)) {
         build.program = program;
     } else {
-        refuse_a_full_disk(scratch);
+        refuse_a_full_disk(scratch.path());
     }
     return build;
 }

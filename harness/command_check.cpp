@@ -14,7 +14,8 @@ int check_command(const CheckOptions& options) {
         throw UsageError(fmt::format("{}: holds {} submissions; `raygrade check` takes one, `raygrade grade` a class",
                                      options.source.string(), submissions.size()));
     }
-    const Graded graded = grade(submissions.front(), marking);
+    const Workshop workshop = open_workshop(options.workshop, assignment.limits);
+    const Graded graded = grade(submissions.front(), marking, workshop);
     fmt::print("{}\n\n{}", assignment.title, report::check_text(graded));
     if (graded.outcome == Outcome::not_graded) return status_of({graded});
     const bool too_few =

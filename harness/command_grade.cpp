@@ -119,7 +119,7 @@ std::string feedback_name(const std::string& id, std::size_t index) {
     return name + ".md";
 }
 
-void write_results(const std::vector<Graded>& graded, const Marking& marking, const fs::path& out) {
+void write_results(const std::vector<Graded>& graded, const Marking& marking, Tier tier, const fs::path& out) {
     const fs::path feedback = out / "feedback";
     for (const auto& entry : fs::directory_iterator(feedback)) {
         if (entry.path().extension() == ".md") fs::remove(entry.path());  // of an earlier run, under --force
@@ -128,13 +128,14 @@ void write_results(const std::vector<Graded>& graded, const Marking& marking, co
         write_file(feedback / feedback_name(graded[i].submission.id, i), report::feedback_markdown(graded[i], marking));
     }
     write_file(out / "grades.csv", report::grades_csv(graded));
-    write_file(out / "grades.json", report::grades_json(graded, marking));
+    write_file(out / "grades.json", report::grades_json(graded, marking, tier));
 }
 
-std::vector<Graded> grade_with_progress(const std::vector<Submission>& submissions, const Marking& marking, int jobs) {
+std::vector<Graded> grade_with_progress(const std::vector<Submission>& submissions, const Marking& marking,
+                                        const Workshop& workshop, int jobs) {
     std::atomic<std::size_t> done = 0;
     const ProgressBar bar(done, submissions.size());
-    return grade_all(submissions, marking, jobs, done);
+    return grade_all(submissions, marking, workshop, jobs, done);
 }
 
 }  // namespace
@@ -152,7 +153,8 @@ int grade_command(const GradeOptions& options) {
     for (const std::string& note : marking.key.notes) fmt::print(stderr, "note: {}\n", note);
     const std::vector<Submission> submissions = find_submissions(options.paths);
     prepare_folder(options.out, options.force);
-    const std::vector<Graded> graded = grade_with_progress(submissions, marking, options.jobs);
+    const Workshop workshop = open_workshop(options.workshop, assignment.limits);
+    const std::vector<Graded> graded = grade_with_progress(submissions, marking, workshop, options.jobs);
     fmt::print("{}", report::class_table(graded));
     std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
     for (const Graded& one : graded) {
@@ -160,7 +162,7 @@ int grade_command(const GradeOptions& options) {
             fmt::print(stderr, "note: {}: {}\n", one.submission.id, note);
     }
     try {
-        write_results(graded, marking, options.out);
+        write_results(graded, marking, workshop.sandbox->tier(), options.out);
     } catch (const fs::filesystem_error& error) {
         throw HarnessError(fmt::format("{}: can't be written: {}", error.path1().string(), error.code().message()));
     }

@@ -25,6 +25,7 @@ struct GradeOptions {
     std::filesystem::path out;
     int jobs = 1;
     bool force = false;  ///< replace the results of an earlier run
+    WorkshopOptions workshop;
 };
 int grade_command(const GradeOptions& options);
 
@@ -32,6 +33,7 @@ struct CheckOptions {
     std::filesystem::path source;
     std::string assignment;
     std::optional<double> fail_under;  ///< percent of the points
+    WorkshopOptions workshop;
 };
 int check_command(const CheckOptions& options);
 

@@ -1,23 +1,22 @@
 #include "harness/doctor.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/statvfs.h>
 #include <sys/utsname.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <thread>
 
-#include "harness/build.h"
 #include "harness/failure.h"
 #include "harness/names.h"
 #include "harness/run.h"
-#include "harness/sandbox/process.h"
+#include "harness/sandbox/canary.h"
 #include "harness/sandbox/scratch.h"
+#include "harness/workshop.h"
 
 namespace harness {
 namespace {
@@ -33,14 +32,93 @@ std::string first_line(const std::string& text) {
     return text.substr(0, text.find('\n'));
 }
 
-Finding examine_shim() {
-    return good("supervisor", printable(shim_program().native()));
+std::string attempts_of(const CanaryReport& report) {
+    if (!report.failure.empty()) return printable(report.failure);
+    std::string text = report.summary();
+    for (const Attempt& attempt : report.attempts) {
+        text += fmt::format("{}{} ({})", &attempt == report.attempts.data() ? ": " : ", ", attempt.what,
+                            printable(attempt.detail));
+    }
+    return text;
+}
+
+/// One line of a file of /proc; empty when there is none.
+std::string read_setting(const char* path) {
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);
+    return line;
+}
+
+/// What would make the tier hold, as far as that can be told from here.
+std::string way_to(Tier tier) {
+    if (tier == Tier::landlock) {
+        return "The kernel needs Landlock (5.13 or newer, \"landlock\" among the lsm= of its command line).";
+    }
+    if (access("/usr/bin/bwrap", X_OK) != 0) return "apt install bubblewrap";
+    if (read_setting("/proc/sys/kernel/apparmor_restrict_unprivileged_userns") == "1") {
+        return "AppArmor refuses user namespaces: give /usr/bin/bwrap a profile that allows userns, or sysctl -w "
+               "kernel.apparmor_restrict_unprivileged_userns=0";
+    }
+    if (read_setting("/proc/sys/kernel/unprivileged_userns_clone") == "0") {
+        return "sysctl -w kernel.unprivileged_userns_clone=1";
+    }
+    if (read_setting("/proc/sys/user/max_user_namespaces") == "0") return "sysctl -w user.max_user_namespaces=10000";
+    return "In a container, allow user namespaces and a fresh /proc (docker: --security-opt seccomp=unconfined "
+           "--security-opt systempaths=unconfined); not in a chroot, which forbids them.";
+}
+
+/// A tier that does not hold is a warning while another one does.
+Finding finding_of(const CanaryReport& report, Level when_not) {
+    const std::string what = "sandbox " + std::string(to_string(report.tier));
+    if (report.held()) return good(what, attempts_of(report));
+    return {what, when_not, attempts_of(report), way_to(report.tier)};
+}
+
+CanaryReport examine_tier(Tier tier) {
+    try {
+        return try_canary(Sandbox(tier));
+    } catch (const HarnessError& error) {
+        return {tier, error.what(), {}};
+    }
+}
+
+/// Each tier, and which of them grades.
+std::vector<Finding> examine_sandboxes() {
+    std::vector<CanaryReport> reports = {examine_tier(Tier::bwrap), examine_tier(Tier::landlock)};
+    const auto best =
+        std::find_if(reports.begin(), reports.end(), [](const CanaryReport& report) { return report.held(); });
+    std::vector<Finding> findings;
+    for (const CanaryReport& report : reports) {
+        findings.push_back(finding_of(report, best == reports.end() ? Level::bad : Level::warning));
+    }
+    if (best != reports.end()) {
+        findings.push_back(good("programs run in", std::string(to_string(best->tier))));
+    } else {
+        findings.push_back({"programs run in", Level::bad, "no sandbox holds here, so nothing is graded",
+                            "See above; --unsafe grades with limits alone."});
+    }
+    return findings;
+}
+
+/// In the best sandbox there is, so that what else is amiss is found too.
+Workshop any_workshop() {
+    return open_workshop({.sandbox = "auto", .unsafe = true, .limits = {}}, {});
 }
 
 Finding examine_compiler() {
-    const BuildSettings settings = default_build_settings();
-    const Command command = {{settings.compiler.string(), "--version"}, "/", {"LC_ALL=C"}, settings.limits};
-    const ProcessResult result = run_process(command);
+    const Workshop workshop = any_workshop();
+    const BuildSettings& settings = workshop.build;
+    if (settings.compiler.empty()) return {"compiler", Level::bad, "no g++ in a folder of PATH", "apt install g++"};
+    const Scratch scratch(workshop.sandbox->workspace());
+    Command command;
+    command.argv = {settings.compiler.string(), "--version"};
+    command.working_directory = scratch.path();
+    command.purpose = Purpose::compile;
+    command.account = scratch.account();
+    command.environment = {"LC_ALL=C"};
+    command.limits = settings.limits;
+    const ProcessResult result = run_process(command, *workshop.sandbox);
     const std::string name = printable(settings.compiler.native());
     if (result.ended == Ended::exited && result.exit_code == 0) {
         return good("compiler", name + ": " + printable(first_line(result.output)));
@@ -55,14 +133,15 @@ Finding examine_chain() {
     submission.source =
         "#include <iostream>\n#include <glm/glm.hpp>\n#include <glm/gtx/string_cast.hpp>\n"
         "int main() { std::cout << glm::to_string(glm::cross(glm::vec3(1, 0, 0), glm::vec3(0, 1, 0))); }\n";
-    const Scratch scratch;
-    const Build built = build(submission, default_build_settings(), scratch.path());
+    const Workshop workshop = any_workshop();
+    const Scratch scratch(workshop.sandbox->workspace());
+    const Build built = build(submission, workshop.build, *workshop.sandbox, scratch);
     const std::string what = "compiling and running with GLM";
     if (!built.program) {
         return {what, Level::bad, "does not compile: " + printable(first_line(built.diagnostics)),
                 "Install the headers: apt install libglm-dev g++"};
     }
-    const ProcessResult result = run(built, default_run_limits(), scratch.path());
+    const ProcessResult result = run(built, workshop.run, *workshop.sandbox, scratch);
     if (result.ended != Ended::exited || result.output != "vec3(0.000000, 0.000000, 1.000000)") {
         return {what, Level::bad, "the program printed " + in_quotes(result.output),
                 "Try it by hand: compile a small program with glm::to_string."};
@@ -73,11 +152,11 @@ Finding examine_chain() {
 }
 
 Finding examine_scratch() {
-    const Scratch scratch;
+    const Workspace workspace;
     struct statvfs disk {};
-    if (statvfs(scratch.path().c_str(), &disk) != 0) throw HarnessError("Could not ask for the space on the disk.");
+    if (statvfs(workspace.path().c_str(), &disk) != 0) throw HarnessError("Could not ask for the space on the disk.");
     const double free_mib = static_cast<double>(disk.f_bavail) * static_cast<double>(disk.f_frsize) / mebibyte;
-    const std::string detail = fmt::format("{}, {:.0f} MiB free", in_quotes(scratch_root()), free_mib);
+    const std::string detail = fmt::format("{}, {:.0f} MiB free", in_quotes(workspace_root()), free_mib);
     constexpr double enough_mib = 256;
     if (free_mib >= enough_mib) return good("scratch folder", detail);
     return {"scratch folder", Level::warning, detail, "Make room there, or set TMPDIR to another folder."};
@@ -109,31 +188,6 @@ Finding examine_kernel() {
     return good("kernel", fmt::format("{} {}", name.sysname, name.release));
 }
 
-/// One line of a file of /proc; empty when there is none.
-std::string read_setting(const char* path) {
-    std::ifstream file(path);
-    std::string line;
-    std::getline(file, line);
-    return line;
-}
-
-Finding examine_namespaces() {
-    const std::string what = "sandbox";
-    const bool forbidden = read_setting("/proc/sys/kernel/unprivileged_userns_clone") == "0" ||
-                           read_setting("/proc/sys/user/max_user_namespaces") == "0" ||
-                           read_setting("/proc/sys/kernel/apparmor_restrict_unprivileged_userns") == "1";
-    const bool present = access("/usr/bin/bwrap", X_OK) == 0;
-    const std::string detail = fmt::format(
-        "programs run under the supervisor; for a namespace sandbox, which is not used yet, bwrap is {}, user "
-        "namespaces are {}",
-        present ? "there" : "missing", forbidden ? "restricted by the kernel's settings" : "allowed");
-    if (present && !forbidden) return good(what, detail);
-    return {what, Level::warning, detail,
-            present ? "Allow user namespaces, see sysctl kernel.apparmor_restrict_unprivileged_userns and "
-                      "user.max_user_namespaces."
-                    : "apt install bubblewrap"};
-}
-
 struct Examination {
     const char* what;
     Finding (*examine)();
@@ -143,14 +197,9 @@ struct Examination {
 
 std::vector<Finding> examine_machine() {
     const Examination examinations[] = {
-        {"supervisor", examine_shim},
-        {"compiler", examine_compiler},
-        {"compiling and running with GLM", examine_chain},
-        {"scratch folder", examine_scratch},
-        {"cores", examine_cores},
-        {"memory", examine_memory},
-        {"kernel", examine_kernel},
-        {"sandbox", examine_namespaces},
+        {"compiler", examine_compiler},      {"compiling and running with GLM", examine_chain},
+        {"scratch folder", examine_scratch}, {"cores", examine_cores},
+        {"memory", examine_memory},          {"kernel", examine_kernel},
     };
     std::vector<Finding> findings;
     for (const auto& examination : examinations) {
@@ -160,6 +209,8 @@ std::vector<Finding> examine_machine() {
             findings.push_back({examination.what, Level::bad, failure.what(), "See the message."});
         }
     }
+    const std::vector<Finding> sandboxes = examine_sandboxes();
+    findings.insert(findings.end(), sandboxes.begin(), sandboxes.end());
     return findings;
 }
 

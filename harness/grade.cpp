@@ -18,11 +18,6 @@ double seconds(std::chrono::milliseconds time) {
     return static_cast<double>(time.count()) / 1000.0;
 }
 
-std::string signal_name(int signal) {
-    const char* name = sigabbrev_np(signal);
-    return name == nullptr ? fmt::format("signal {}", signal) : fmt::format("SIG{}", name);
-}
-
 /// What a signal usually means, for a student.
 std::string_view signal_meaning(int signal) {
     switch (signal) {
@@ -70,8 +65,9 @@ std::string explain(const Build& build, const ProcessResult& run, const Limits& 
                 "Time limit: the program was stopped after {:g} s of computing; is there an endless loop?{}",
                 seconds(limits.cpu), still_marked);
         case Ended::wall_limit:
-            return fmt::format("Time limit: the program was stopped after {:g} s; does it wait for something?{}",
-                               seconds(limits.wall), still_marked);
+            return fmt::format(
+                "Time limit: the program was stopped after {:g} s by the clock; does it wait for something?{}",
+                seconds(limits.wall), still_marked);
         case Ended::memory_limit:
             return fmt::format("The program used more than {} MiB of memory and was stopped.{}",
                                limits.memory_bytes >> 20U, still_marked);
@@ -82,18 +78,17 @@ std::string explain(const Build& build, const ProcessResult& run, const Limits& 
     return "";
 }
 
-void grade_into(Graded& graded, const Marking& marking) {
+void grade_into(Graded& graded, const Marking& marking, const Workshop& workshop) {
     if (graded.submission.problem) {
         graded.explanation = *graded.submission.problem;
         return;
     }
-    const Scratch scratch;
-    const Limits limits = default_run_limits();
-    graded.build = build(graded.submission, default_build_settings(), scratch.path());
-    graded.run = run(graded.build, limits, scratch.path());
+    const Scratch scratch(workshop.sandbox->workspace());
+    graded.build = build(graded.submission, workshop.build, *workshop.sandbox, scratch);
+    graded.run = run(graded.build, workshop.run, *workshop.sandbox, scratch);
     graded.score = score(read_transcript(graded.run.output), marking.key, marking.assignment);
     graded.outcome = outcome_of(graded.run);
-    graded.explanation = explain(graded.build, graded.run, limits);
+    graded.explanation = explain(graded.build, graded.run, workshop.run);
     graded.run.output = {};  // up to a mebibyte; the score holds what counts
 }
 
@@ -113,17 +108,38 @@ std::string_view to_string(Outcome outcome) {
     return "";
 }
 
-Graded grade(const Submission& submission, const Marking& marking) {
+std::string signal_name(int signal) {
+    const char* name = sigabbrev_np(signal);
+    return name == nullptr ? fmt::format("signal {}", signal) : fmt::format("SIG{}", name);
+}
+
+std::string_view limit_name(Ended ended) {
+    switch (ended) {
+        case Ended::not_started:
+        case Ended::exited:
+        case Ended::signalled: return "";
+        case Ended::cpu_limit: return "run.cpu_seconds";
+        case Ended::wall_limit: return "run.wall_seconds";
+        case Ended::memory_limit: return "run.memory_mib";
+        case Ended::process_limit: return "run.processes";
+        case Ended::output_limit: return "run.output_kib";
+    }
+    return "";
+}
+
+Graded grade(const Submission& submission, const Marking& marking, const Workshop& workshop) {
     Graded graded;
     graded.submission = submission;
+    graded.tier = workshop.sandbox->tier();
     const auto not_graded = [&](const std::string& why, bool our_fault) {
         graded = Graded{};
         graded.submission = submission;
+        graded.tier = workshop.sandbox->tier();
         graded.explanation = why;
         graded.our_fault = our_fault;
     };
     try {
-        grade_into(graded, marking);
+        grade_into(graded, marking, workshop);
     } catch (const HarnessError& error) {
         not_graded(error.what(), false);
     } catch (const std::exception& error) {
@@ -134,13 +150,13 @@ Graded grade(const Submission& submission, const Marking& marking) {
     return graded;
 }
 
-std::vector<Graded> grade_all(const std::vector<Submission>& submissions, const Marking& marking, int jobs,
-                              std::atomic<std::size_t>& done) {
+std::vector<Graded> grade_all(const std::vector<Submission>& submissions, const Marking& marking,
+                              const Workshop& workshop, int jobs, std::atomic<std::size_t>& done) {
     std::vector<Graded> results(submissions.size());
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {
         for (std::size_t i = next++; i < submissions.size(); i = next++) {
-            results[i] = grade(submissions[i], marking);
+            results[i] = grade(submissions[i], marking, workshop);
             ++done;
         }
     };

@@ -35,14 +35,39 @@ void add_assignment(CLI::App& command, std::string& assignment) {
         ->capture_default_str();
 }
 
+void add_workshop(CLI::App& command, WorkshopOptions& workshop) {
+    command
+        .add_option("--limit", workshop.limits,
+                    "What a program or the compiler may use, instead of the default or the assignment's: "
+                    "--limit run.cpu_seconds=4, see below")
+        ->type_name("NAME=VALUE");
+    command
+        .add_option("--sandbox", workshop.sandbox,
+                    "Which sandbox programs run in; auto takes the strongest that holds on this machine")
+        ->check(CLI::IsMember({"auto", "bwrap", "landlock"}))
+        ->capture_default_str();
+    command.add_flag("--unsafe", workshop.unsafe,
+                     "Where no sandbox holds, run strangers' programs with limits alone: they can read and change "
+                     "what you can");
+}
+
+/// The table of limits below the help of a command.
+std::string limits_footer() {
+    std::string text = "Limits, with their defaults:\n";
+    for (const LimitDescription& limit : describe_limits()) {
+        text += fmt::format("  {:<21} {:>5}  {}\n", limit.name, limit.value, limit.consequence);
+    }
+    return text;
+}
+
 int run(int argc, char** argv) {
     CLI::App app(about, "raygrade");
     app.footer(footer);
     app.require_subcommand(1);
     app.get_formatter()->column_width(36);
 
-    GradeOptions grade{
-        {}, "default", "results", static_cast<int>(std::max(1U, std::thread::hardware_concurrency())), false};
+    GradeOptions grade{{},    "default", "results", static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
+                       false, {}};
     CLI::App& grade_app =
         *app.add_subcommand("grade", "Grade a class: a source, a folder of student folders, or a folder of sources");
     grade_app.add_option("paths", grade.paths, "What to grade: files and folders, in the order of the report")
@@ -58,9 +83,11 @@ int run(int argc, char** argv) {
         ->type_name("N")
         ->capture_default_str();
     grade_app.add_flag("--force", grade.force, "Replace the results of an earlier run in the output folder");
-    grade_app.footer("Example: raygrade grade submissions/ --assignment a6-2021 --out results -j 4");
+    add_workshop(grade_app, grade.workshop);
+    grade_app.footer(limits_footer() +
+                     "\nExample: raygrade grade submissions/ --assignment a6-2021 --out results -j 4");
 
-    CheckOptions check{{}, "default", {}};
+    CheckOptions check{{}, "default", {}, {}};
     CLI::App& check_app = *app.add_subcommand(
         "check", "Check one ray_cast.cpp before handing it in: a verdict for each answer, never the answer");
     check_app.add_option("source", check.source, "The source, e.g. ray_cast.cpp")->required()->type_name("FILE");
@@ -68,7 +95,8 @@ int run(int argc, char** argv) {
     check_app.add_option("--fail-under", check.fail_under, "Exit with status 1 below this share of the points")
         ->check(CLI::Range(0.0, 100.0))
         ->type_name("PERCENT");
-    check_app.footer("Example: raygrade check ray_cast.cpp");
+    add_workshop(check_app, check.workshop);
+    check_app.footer(limits_footer() + "\nExample: raygrade check ray_cast.cpp");
 
     ReferenceOptions reference_options{"default"};
     CLI::App& reference_app =
@@ -115,6 +143,9 @@ int main(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const UsageError& error) {
+        fmt::print(stderr, "raygrade: {}\n", error.what());
+        return usage;
+    } catch (const LimitError& error) {
         fmt::print(stderr, "raygrade: {}\n", error.what());
         return usage;
     } catch (const reference::AssignmentError& error) {

@@ -25,6 +25,17 @@ std::string names_in(const std::filesystem::path& directory) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
+std::vector<LimitEntry> read_limits(const TomlTable& stages) {
+    std::vector<LimitEntry> limits;
+    for (const std::string& stage : stages.keys()) {
+        const TomlTable table = stages.table(stage);
+        for (const std::string& name : table.keys()) {
+            limits.push_back({fmt::format("{}.{}", stage, name), table.decimal(name).to_double(), table.place(name)});
+        }
+    }
+    return limits;
+}
+
 }  // namespace
 
 double Rubric::points_of(int question) const {
@@ -49,12 +60,13 @@ std::optional<double> Rubric::tolerance_of(int question, const std::string& item
 Assignment parse_assignment(std::string_view toml, const std::filesystem::path& path) {
     const TomlDocument document(toml, path);
     const TomlTable root = document.root();
-    root.allow_only({"title", "camera", "window", "sphere", "triangle", "rubric"});
+    root.allow_only({"title", "camera", "window", "sphere", "triangle", "rubric", "limits"});
     Assignment assignment;
     assignment.name = path.stem().string();
     assignment.title = root.has("title") ? root.string("title") : assignment.name;
     assignment.scene = read_scene(root, assignment.notes);
     if (root.has("rubric")) assignment.rubric = read_rubric(root.table("rubric"));
+    if (root.has("limits")) assignment.limits = read_limits(root.table("limits"));
     return assignment;
 }
 

@@ -49,11 +49,19 @@ struct Rubric {
     std::optional<double> tolerance_of(int question, const std::string& item) const;
 };
 
+/// A limit of [limits] as it was read. Which limits there are is for those to say who enforce them.
+struct LimitEntry {
+    std::string name;   ///< "run.cpu_seconds"
+    double value;       ///< finite
+    std::string place;  ///< for messages: file, line and key
+};
+
 struct Assignment {
     std::string name;   ///< the file's name without ".toml"
     std::string title;  ///< for people
     Scene<Decimal> scene;
     Rubric rubric;
+    std::vector<LimitEntry> limits;  ///< in the file's order
     /// What is allowed in the scene and worth saying: a mirrored window. Whole sentences.
     std::vector<std::string> notes;
 };

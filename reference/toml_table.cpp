@@ -44,8 +44,17 @@ struct TomlTable::Impl {
     std::string way;  ///< "camera." or "sphere[1]."; empty for the root
 
     [[noreturn]] void fail_at(std::size_t line, std::string_view key, const std::string& what) const {
-        throw AssignmentError(
-            fmt::format("{}:{}: {}{}: {}", document->path, std::max<std::size_t>(line, 1), way, key, what));
+        throw AssignmentError(fmt::format("{}: {}", place_at(line, key), what));
+    }
+
+    std::string place_at(std::size_t line, std::string_view key) const {
+        return fmt::format("{}:{}: {}{}", document->path, std::max<std::size_t>(line, 1), way, key);
+    }
+
+    /// That of the key, or of its table when it is absent.
+    std::size_t line_of(std::string_view key) const {
+        const toml::node* node = table->get(key);
+        return node == nullptr ? table->source().begin.line : node->source().begin.line;
     }
 
     const toml::node& required(std::string_view key) const {
@@ -175,9 +184,12 @@ int TomlTable::integer(std::string_view key, int least, int most) const {
     return static_cast<int>(whole->get());
 }
 
+std::string TomlTable::place(std::string_view key) const {
+    return impl_->place_at(impl_->line_of(key), key);
+}
+
 void TomlTable::fail(std::string_view key, const std::string& what) const {
-    const toml::node* node = impl_->table->get(key);
-    impl_->fail_at(node == nullptr ? impl_->table->source().begin.line : node->source().begin.line, key, what);
+    impl_->fail_at(impl_->line_of(key), key, what);
 }
 
 TomlDocument::TomlDocument(std::string_view text, const std::filesystem::path& path) {

@@ -48,6 +48,8 @@ class TomlTable {
         fail(key, "\"" + given + "\" is not one of " + names);
     }
 
+    /// Where this key is, for messages: "file:line: way.key".
+    std::string place(std::string_view key) const;
     /// Throws an AssignmentError about this key, at its line when the key is there.
     [[noreturn]] void fail(std::string_view key, const std::string& what) const;
 

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "harness/failure.h"
+#include "harness/limit_settings.h"
 #include "temporary_folder.h"
 
 namespace {
@@ -23,12 +24,29 @@ Submission with_source(std::string source) {
     return submission;
 }
 
-Build compile(const std::string& source, const TemporaryFolder& folder) {
-    return harness::build(with_source(source), harness::default_build_settings(), folder.path());
+harness::BuildSettings default_settings() {
+    return harness::default_build_settings(harness::read_limits({}, {}).compile);
+}
+
+/// The strongest sandbox and a scratch folder in it.
+class Folder {
+  public:
+    const std::filesystem::path& path() const { return scratch_.path(); }
+    Build build(const Submission& submission, const harness::BuildSettings& settings = default_settings()) const {
+        return harness::build(submission, settings, sandbox_, scratch_);
+    }
+
+  private:
+    harness::Sandbox sandbox_{harness::Tier::bwrap};
+    harness::Scratch scratch_{sandbox_.workspace()};
+};
+
+Build compile(const std::string& source, const Folder& folder) {
+    return folder.build(with_source(source));
 }
 
 TEST(Build, MakesAProgram) {
-    const TemporaryFolder folder;
+    const Folder folder;
     const Build built = compile("int main() {}\n", folder);
     EXPECT_TRUE(built.tried);
     ASSERT_TRUE(built.program) << built.diagnostics;
@@ -41,7 +59,7 @@ TEST(Build, TakesGlmInEverySpelling) {
     const std::string use = "int main() { return glm::to_string(glm::vec3(1)).empty(); }\n";
     const std::string headers = "#include \"glm/glm.hpp\"\n#include <glm/gtx/string_cast.hpp>\n";
     for (const char* first : {"", "#define GLM_ENABLE_EXPERIMENTAL\n"}) {
-        const TemporaryFolder folder;
+        const Folder folder;
         const Build built = compile(first + headers + use, folder);
         EXPECT_TRUE(built.program) << first << built.diagnostics;
         EXPECT_EQ(built.diagnostics, "") << first;
@@ -49,7 +67,7 @@ TEST(Build, TakesGlmInEverySpelling) {
 }
 
 TEST(Build, KeepsWarningsAndTheProgram) {
-    const TemporaryFolder folder;
+    const Folder folder;
     const Build built =
         compile("#include <bits/stdc++.h>\n#define GLM_ENABLE_EXPERIMENTAL 1\nint main() { int unused; }\n", folder);
     EXPECT_TRUE(built.program);
@@ -58,7 +76,7 @@ TEST(Build, KeepsWarningsAndTheProgram) {
 }
 
 TEST(Build, WarnsOfAVectorThatWasNeverSet) {
-    const TemporaryFolder folder;
+    const Folder folder;
     const Build built =
         compile("#include <glm/glm.hpp>\n#include <iostream>\nint main() { glm::vec3 n; std::cout << n.x; }\n", folder);
     EXPECT_TRUE(built.program);
@@ -66,7 +84,7 @@ TEST(Build, WarnsOfAVectorThatWasNeverSet) {
 }
 
 TEST(Build, GivesTheErrorsWithoutColoursAndWithoutTheScratchFolder) {
-    const TemporaryFolder folder;
+    const Folder folder;
     const Build built = compile("int main() { return undeclared; }\n", folder);
     EXPECT_TRUE(built.tried);
     EXPECT_FALSE(built.program);
@@ -77,7 +95,7 @@ TEST(Build, GivesTheErrorsWithoutColoursAndWithoutTheScratchFolder) {
 }
 
 TEST(Build, FailsWithoutAMain) {
-    const TemporaryFolder folder;
+    const Folder folder;
     const Build built = compile("", folder);
     EXPECT_TRUE(built.tried);
     EXPECT_FALSE(built.program);
@@ -85,34 +103,33 @@ TEST(Build, FailsWithoutAMain) {
 }
 
 TEST(Build, DoesNotTryASubmissionWithAProblem) {
-    const TemporaryFolder folder;
+    const Folder folder;
     Submission submission = with_source("int main() {}");
     submission.problem = "unreadable";
-    const Build built = harness::build(submission, harness::default_build_settings(), folder.path());
+    const Build built = folder.build(submission);
     EXPECT_FALSE(built.tried);
     EXPECT_FALSE(built.program);
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(Build, TellsThatTheCompilerRanOutOfTime) {
-    const TemporaryFolder folder;
-    auto settings = harness::default_build_settings();
+    const Folder folder;
+    auto settings = default_settings();
     settings.limits.cpu = 100ms;
-    const Build built =
-        harness::build(with_source("#include <bits/stdc++.h>\nint main() {}\n"), settings, folder.path());
+    const Build built = folder.build(with_source("#include <bits/stdc++.h>\nint main() {}\n"), settings);
     EXPECT_TRUE(built.reached_limit);
     EXPECT_FALSE(built.program);
 }
 
 TEST(Build, TellsThatTheCompilersFileBecameTooLarge) {
-    const TemporaryFolder folder;
+    const Folder folder;
     const Build built = compile("char big[200000000] = {1};\nint main() { return big[1]; }\n", folder);
     EXPECT_TRUE(built.reached_limit) << built.diagnostics;
     EXPECT_FALSE(built.program);
 }
 
 TEST(Build, BoundsTheMessages) {
-    const TemporaryFolder folder;
+    const Folder folder;
     std::string source = "int main() {\n";
     for (int i = 0; i < 3000; ++i) source += "undeclared" + std::to_string(i) + ";\n";
     const Build built = compile(source + "}\n", folder);
@@ -122,28 +139,46 @@ TEST(Build, BoundsTheMessages) {
 }
 
 TEST(Build, DoesNotHandTheHarnessesEnvironmentOn) {
-    const TemporaryFolder folder;
-    folder.write("hidden/trap.h", "#error trapped\n");
-    setenv("CPLUS_INCLUDE_PATH", (folder.path() / "hidden").c_str(), 1);
-    const TemporaryFolder scratch;
+    const TemporaryFolder hidden;
+    hidden.write("hidden/trap.h", "#error trapped\n");
+    setenv("CPLUS_INCLUDE_PATH", (hidden.path() / "hidden").c_str(), 1);
+    const Folder scratch;
     const Build built = compile("#if __has_include(<trap.h>)\n#error found\n#endif\nint main() {}\n", scratch);
     unsetenv("CPLUS_INCLUDE_PATH");
     EXPECT_TRUE(built.program) << built.diagnostics;
 }
 
 TEST(Build, SaysThatTheMachineFailedWhenTheScratchFolderIsGone) {
-    const TemporaryFolder folder;
-    EXPECT_THROW(
-        harness::build(with_source("int main() {}"), harness::default_build_settings(), folder.path() / "missing"),
-        harness::HarnessError);
+    const Folder folder;
+    std::filesystem::remove(folder.path());
+    EXPECT_THROW(compile("int main() {}", folder), harness::HarnessError);
 }
 
-TEST(DefaultBuildSettings, SayHowToGetACompiler) {
+TEST(Build, FindsACompilerOutsideTheSystemsFolders) {
+    const TemporaryFolder installation;
+    auto settings = default_settings();
+    settings.compiler = installation.write("opt/bin/g++", "#!/bin/sh\ncat \"${0%/bin/*}/lib/words\" >&2; exit 1\n");
+    installation.write("opt/lib/words", "from beside it");
+    installation.write("opt/secret", "not for compilers");
+    for (const char* name : {"", "opt", "opt/bin", "opt/lib"}) {
+        std::filesystem::permissions(installation.path() / name, static_cast<std::filesystem::perms>(0755));
+    }
+    std::filesystem::permissions(settings.compiler, static_cast<std::filesystem::perms>(0755));
+    const Folder folder;
+    EXPECT_EQ(folder.build(with_source(""), settings).diagnostics, "from beside it");
+    installation.write("opt/bin/g++", "#!/bin/sh\nls -A \"${0%/bin/*}\" >&2; exit 1\n");
+    const Folder other;
+    EXPECT_EQ(other.build(with_source(""), settings).diagnostics, "bin\nlib\n");
+}
+
+TEST(Build, SaysHowToGetACompiler) {
     const std::string path = getenv("PATH");
     setenv("PATH", "/nonexistent", 1);
+    const auto settings = default_settings();
     std::string message;
     try {
-        harness::default_build_settings();
+        const Folder folder;
+        folder.build(with_source("int main() {}"), settings);
     } catch (const harness::HarnessError& error) {
         message = error.what();
     }

@@ -2,30 +2,43 @@
 
 #include <gtest/gtest.h>
 
-#include "temporary_folder.h"
+#include "harness/limit_settings.h"
 
 namespace {
 
 using harness::Build;
 using harness::Ended;
+using harness::ProcessResult;
 
-TEST(Run, DoesNotStartABuildWithoutAProgram) {
-    const TemporaryFolder folder;
-    EXPECT_EQ(harness::run(Build{}, harness::default_run_limits(), folder.path()).ended, Ended::not_started);
+class Run : public testing::Test {
+  protected:
+    ProcessResult run(const Build& build) const {
+        return harness::run(build, harness::read_limits({}, {}).run, sandbox_, scratch_);
+    }
+    /// As if it had been compiled there.
+    Build copy_of(const std::filesystem::path& program) const {
+        Build build;
+        build.program = scratch_.path() / "ray_cast";
+        std::filesystem::copy_file(program, *build.program, std::filesystem::copy_options::overwrite_existing);
+        return build;
+    }
+
+  private:
+    harness::Sandbox sandbox_{harness::Tier::bwrap};
+    harness::Scratch scratch_{sandbox_.workspace()};
+};
+
+TEST_F(Run, DoesNotStartABuildWithoutAProgram) {
+    EXPECT_EQ(run(Build{}).ended, Ended::not_started);
 }
 
-TEST(Run, RunsTheProgramInItsScratchFolderWithAFreshEnvironment) {
-    const TemporaryFolder folder;
-    Build build;
-    build.program = MISBEHAVE;
+TEST_F(Run, RunsTheProgramInItsScratchFolderWithAFreshEnvironment) {
     // The helper without a mode it knows exits with 93.
-    EXPECT_EQ(harness::run(build, harness::default_run_limits(), folder.path()).exit_code, 93);
-    build.program = "/usr/bin/env";
-    const std::string home = folder.path().string();
-    EXPECT_EQ(harness::run(build, harness::default_run_limits(), folder.path()).output,
-              "PATH=/usr/local/bin:/usr/bin:/bin\nLANG=C.UTF-8\nHOME=" + home + "\nTMPDIR=" + home + "\n");
-    build.program = "/usr/bin/pwd";
-    EXPECT_EQ(harness::run(build, harness::default_run_limits(), folder.path()).output, home + "\n");
+    EXPECT_EQ(run(copy_of(MISBEHAVE)).exit_code, 93);
+    EXPECT_EQ(run(copy_of("/usr/bin/env")).output,
+              "PATH=/usr/local/bin:/usr/bin:/bin\nLANG=C.UTF-8\nHOME=/submission\nTMPDIR=/submission\n"
+              "PWD=/submission\n");
+    EXPECT_EQ(run(copy_of("/usr/bin/pwd")).output, "/submission\n");
 }
 
 }  // namespace

@@ -5,12 +5,12 @@
 #include <fstream>
 #include <string>
 
-#include "harness/sandbox/scratch.h"
+#include "harness/sandbox/workspace.h"
 
 /// Makes files and folders below itself for a test.
 class TemporaryFolder {
   public:
-    const std::filesystem::path& path() const { return scratch_.path(); }
+    const std::filesystem::path& path() const { return workspace_.path(); }
 
     /// Writes a file, with the folders it lies in.
     std::filesystem::path write(const std::filesystem::path& name, const std::string& text) const {
@@ -25,5 +25,5 @@ class TemporaryFolder {
     }
 
   private:
-    harness::Scratch scratch_;
+    harness::Workspace workspace_;
 };

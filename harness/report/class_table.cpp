@@ -105,6 +105,9 @@ std::string class_table(const std::vector<Graded>& graded) {
             fmt::format("\n{} of {} graded, average {} of {} points\n", marked, graded.size(),
                         points_text(sum / static_cast<double>(marked)), points_text(graded.front().score.max_points));
     }
+    if (const std::string warning = sandbox_warning(graded.front().tier); !warning.empty()) {
+        text += fmt::format("\nWarning: {}\n", warning);
+    }
     for (const Graded& one : graded) {
         if (one.outcome == Outcome::not_graded)
             text += fmt::format("not graded: {}: {}\n", one_line(one.submission.id), one_line(one.explanation));

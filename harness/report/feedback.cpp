@@ -77,6 +77,9 @@ std::string items_worth_saying(const Score& score) {
 
 std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     std::string text = fmt::format("# {}\n\nSubmission {}\n\n", marking.assignment.title, code(graded.submission.id));
+    if (const std::string warning = sandbox_warning(graded.tier); !warning.empty()) {
+        text += fmt::format("> **Warning.** {}\n\n", warning);
+    }
     if (graded.outcome == Outcome::not_graded) {
         return text + fmt::format("**Not graded.** {}\n", code(graded.explanation));
     }
@@ -108,6 +111,8 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
 
 std::string check_text(const Graded& graded) {
     std::string text;
+    if (const std::string warning = sandbox_warning(graded.tier); !warning.empty())
+        text += "Warning: " + warning + "\n";
     if (!graded.explanation.empty()) text += escape_control(graded.explanation) + "\n";
     for (const std::string& note : graded.submission.notes) text += escape_control(note) + "\n";
     if (!graded.build.diagnostics.empty())

@@ -25,14 +25,14 @@ std::string grades_csv(const std::vector<Graded>& graded) {
         for (const QuestionScore& question : graded.front().score.questions)
             text += fmt::format(",Q{}", question.number);
     }
-    text += ",explanation\r\n";
+    text += ",explanation,sandbox\r\n";
     for (const Graded& one : graded) {
         const bool marked = one.outcome != Outcome::not_graded;
         text += fmt::format("{},{},{},{}", cell(one.submission.id), to_string(one.outcome),
                             marked ? points_text(one.score.points) : "", points_text(one.score.max_points));
         for (const QuestionScore& question : one.score.questions)
             text += "," + (marked ? points_text(question.points) : "");
-        text += "," + cell(one.explanation) + "\r\n";
+        text += "," + cell(one.explanation) + "," + std::string(to_string(one.tier)) + "\r\n";
     }
     return text;
 }

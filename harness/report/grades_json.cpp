@@ -53,6 +53,8 @@ ordered_json run_json(const ProcessResult& run) {
     const bool signalled = run.ended == Ended::signalled;
     return {{"exit_code", exited ? ordered_json(run.exit_code) : ordered_json(nullptr)},
             {"signal", signalled ? ordered_json(run.signal) : ordered_json(nullptr)},
+            {"signal_name", signalled ? ordered_json(signal_name(run.signal)) : ordered_json(nullptr)},
+            {"limit", or_null(std::string(limit_name(run.ended)))},
             {"cpu_seconds", seconds(run.cpu)},
             {"wall_seconds", seconds(run.wall)},
             {"peak_memory_bytes", run.peak_memory_bytes}};
@@ -84,12 +86,13 @@ ordered_json submission_json(const Graded& graded) {
 
 }  // namespace
 
-std::string grades_json(const std::vector<Graded>& graded, const Marking& marking) {
+std::string grades_json(const std::vector<Graded>& graded, const Marking& marking, Tier tier) {
     ordered_json submissions = ordered_json::array();
     for (const Graded& one : graded) submissions.push_back(submission_json(one));
     const ordered_json json{{"schema", "raygrade/grades/1"},
                             {"assignment", marking.assignment.name},
-                            {"sandbox", "shim"},
+                            {"sandbox", to_string(tier)},
+                            {"warning", or_null(sandbox_warning(tier))},
                             {"submissions", submissions}};
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

@@ -9,14 +9,16 @@
 
 namespace harness::report {
 
+// Marks that were made without a sandbox say so in every one of them.
+
 /// The class table and the summary by question, for a terminal. Ends in a newline.
 std::string class_table(const std::vector<Graded>& graded);
 
-/// The format raygrade/grades/1, indented, with a final newline.
-std::string grades_json(const std::vector<Graded>& graded, const Marking& marking);
+/// The format raygrade/grades/1, indented, with a final newline. `tier` is what the programs ran under.
+std::string grades_json(const std::vector<Graded>& graded, const Marking& marking, Tier tier);
 
-/// One row a submission, RFC 4180 with a header: id, outcome, points, max_points and the points by question. A cell
-/// that a spreadsheet would take for a formula begins with an apostrophe.
+/// One row a submission, RFC 4180 with a header: id, outcome, points, max_points, the points by question,
+/// the explanation and the sandbox. A cell that a spreadsheet would take for a formula begins with an apostrophe.
 std::string grades_csv(const std::vector<Graded>& graded);
 
 /// A student's feedback as Markdown: points and, for each lost mark, question, line, what was printed and what is wrong

@@ -29,6 +29,7 @@
 
 #include "harness/failure.h"
 #include "harness/names.h"
+#include "harness/sandbox/bwrap.h"
 #include "harness/sandbox/shim_protocol.h"
 
 namespace harness {
@@ -64,6 +65,7 @@ void keep_standard_descriptors_taken() {
 struct ShimSetup {
     int output_fd, error_fd, status_fd, lifeline_fd;
     const char* const* environment;
+    const Account* account;  ///< whom to become before anything else is started; null for nobody
 
     template <class Launcher>
     error_code on_setup(Launcher& launcher, const std::filesystem::path&, const char* const*&) const {
@@ -76,7 +78,8 @@ struct ShimSetup {
     template <class Launcher>
     error_code on_exec_setup(Launcher&, const std::filesystem::path&, const char* const*&) const {
         errno = 0;
-        const bool ready = setsid() >= 0 && dup2(output_fd, STDOUT_FILENO) >= 0 && dup2(error_fd, STDERR_FILENO) >= 0 &&
+        const bool ready = setsid() >= 0 && (account == nullptr || become(*account)) &&
+                           dup2(output_fd, STDOUT_FILENO) >= 0 && dup2(error_fd, STDERR_FILENO) >= 0 &&
                            close_range(3, ~0U, CLOSE_RANGE_CLOEXEC) == 0 && fcntl(status_fd, F_SETFD, 0) == 0 &&
                            fcntl(lifeline_fd, F_SETFD, 0) == 0;
         return ready ? error_code() : error_code(errno, boost::system::system_category());
@@ -89,40 +92,80 @@ struct ShimSetup {
     }
 };
 
-}  // namespace
-
-std::filesystem::path shim_program() {
-    std::error_code error;
-    const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
-    const auto beside = self.parent_path() / "raygrade-shim";
-    for (const auto& candidate : {beside, std::filesystem::path(RAYGRADE_SHIM)}) {
-        if (access(candidate.c_str(), X_OK) == 0) return candidate;
-    }
-    throw HarnessError("The supervisor is missing: there is no " + in_quotes(beside) +
-                       ". Build all of raygrade, and keep raygrade-shim beside raygrade.");
+std::vector<std::string> environment_of(const Command& command, const Sandbox& sandbox) {
+    const std::string inside = sandbox.inside(command.working_directory).string();
+    std::vector<std::string> variables = command.environment;
+    variables.push_back("HOME=" + inside);
+    variables.push_back("TMPDIR=" + inside);
+    return variables;
 }
+
+std::vector<const char*> pointers_to(const std::vector<std::string>& texts) {
+    std::vector<const char*> pointers;
+    for (const auto& text : texts) pointers.push_back(text.c_str());
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
+/// In namespaces everything inside has the program's account, the shim too, which is out of reach as their first
+/// process. Without them the shim keeps its own, and the program alone becomes another.
+const Account* account_before_exec(const Command& command, const Sandbox& sandbox) {
+    return command.account && sandbox.tier() == Tier::bwrap ? &*command.account : nullptr;
+}
+
+std::vector<std::string> readable_by(const Command& command) {
+    std::vector<std::string> paths = {"/dev/zero", "/dev/full", "/dev/random", "/dev/urandom"};
+    for (const auto& path : system_folders(command.purpose)) paths.push_back(path.string());
+    for (const auto& path : command.readable) paths.push_back(path.string());
+    return paths;
+}
+
+std::vector<std::string> command_line(const Command& command, const Sandbox& sandbox, int status_fd, int lifeline_fd) {
+    ShimOrders orders;
+    orders.status_fd = status_fd;
+    orders.lifeline_fd = lifeline_fd;
+    orders.tier = sandbox.tier();
+    orders.purpose = command.purpose;
+    // The kernel counts an account's processes for each user namespace on its own.
+    orders.counted_alone = sandbox.tier() == Tier::bwrap || command.account;
+    orders.limits = command.limits;
+    orders.working_directory = sandbox.inside(command.working_directory).string();
+    orders.argv = command.argv;
+    if (sandbox.tier() != Tier::bwrap) orders.account = command.account;
+    if (sandbox.tier() == Tier::landlock) orders.readable = readable_by(command);
+    std::vector<std::string> words;
+    if (sandbox.tier() == Tier::bwrap) {
+        words = bwrap_arguments(command, sandbox);
+    } else {
+        words = {sandbox.shim().string()};
+    }
+    const auto more = to_arguments(orders);
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+}  // namespace
 
 void Shim::end() {
     lifeline.close();
     if (pid > 0) waitpid(std::exchange(pid, -1), nullptr, 0);
 }
 
-void launch(Shim& shim, const Command& command) {
+void launch(Shim& shim, const Command& command, const Sandbox& sandbox) {
     keep_standard_descriptors_taken();
     Pipe output = make_pipe(), errors = make_pipe(), status = make_pipe(), lifeline = make_pipe();
-    std::vector<const char*> environment;
-    for (const auto& variable : command.environment) environment.push_back(variable.c_str());
-    environment.push_back(nullptr);
-    const ShimOrders orders = {status.write_end.get(), lifeline.read_end.get(), command.limits,
-                               command.working_directory.string(), command.argv};
-    const ShimSetup setup = {output.write_end.get(), errors.write_end.get(), status.write_end.get(),
-                             lifeline.read_end.get(), environment.data()};
-    const auto program = shim_program();
+    const auto variables = environment_of(command, sandbox);
+    const auto environment = pointers_to(variables);
+    const auto words = command_line(command, sandbox, status.write_end.get(), lifeline.read_end.get());
+    const ShimSetup setup = {output.write_end.get(),  errors.write_end.get(), status.write_end.get(),
+                             lifeline.read_end.get(), environment.data(),     account_before_exec(command, sandbox)};
+    const std::filesystem::path program = words.front();
+    const std::vector<std::string> arguments(words.begin() + 1, words.end());
     boost::process::v2::posix::default_launcher launcher;
     error_code error;
     try {
         boost::asio::io_context io;
-        auto process = launcher(io.get_executor(), error, program, to_arguments(orders), setup);
+        auto process = launcher(io.get_executor(), error, program, arguments, setup);
         if (!error) process.detach();
     } catch (const boost::system::system_error& failure) {
         error = failure.code();  // too many open files, perhaps after the shim had started

@@ -4,15 +4,15 @@
 #include <sys/types.h>
 
 #include "harness/sandbox/file_descriptor.h"
-#include "harness/sandbox/process.h"
+#include "harness/sandbox/sandbox.h"
 
 namespace harness {
 
-/// A shim that runs, with this process's ends of what joins them. At the end of its owner's life it is ended and
-/// reaped.
+/// A shim that runs, perhaps inside bwrap, with this process's ends of what joins them. At the end of its owner's life
+/// it is ended and reaped.
 struct Shim {
-    pid_t pid = -1;           ///< a child of this process; negative once reaped
-    FileDescriptor gone;      ///< a pidfd: readable once the shim has ended
+    pid_t pid = -1;           ///< of the shim or of bwrap, a child of this process; negative once reaped
+    FileDescriptor gone;      ///< a pidfd: readable once it has ended
     FileDescriptor output;    ///< the program's stdout
     FileDescriptor errors;    ///< the program's stderr
     FileDescriptor status;    ///< one line of shim_protocol.h
@@ -27,7 +27,7 @@ struct Shim {
     void end();
 };
 
-/// Starts the shim with its orders for `command` and fills in `shim`, a fresh one. Throws HarnessError.
-void launch(Shim& shim, const Command& command);
+/// Starts the shim with its orders for `command` in the sandbox and fills in `shim`, a fresh one. Throws HarnessError.
+void launch(Shim& shim, const Command& command, const Sandbox& sandbox);
 
 }  // namespace harness

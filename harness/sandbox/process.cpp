@@ -6,10 +6,9 @@
 // shim through a pidfd, and keeps one timer: while the shim lives, its last-resort deadline; once it is gone, the 250
 // ms a pipe may still take to run dry. The shim decides how the program ended; only the output limit is noticed here.
 //
-#include "harness/sandbox/process.h"
-
 #include <signal.h>
 
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -22,6 +21,7 @@
 #include "harness/sandbox/capture.h"
 #include "harness/sandbox/launch.h"
 #include "harness/sandbox/process_tree.h"
+#include "harness/sandbox/sandbox.h"
 #include "harness/sandbox/shim_protocol.h"
 
 namespace harness {
@@ -38,7 +38,7 @@ constexpr std::uint64_t longest_status = 1024;
 /// One shim from start to end.
 class Supervision {
   public:
-    explicit Supervision(const Command& command);
+    Supervision(const Command& command, const Sandbox& sandbox);
     Supervision(const Supervision&) = delete;
     Supervision& operator=(const Supervision&) = delete;
 
@@ -61,8 +61,8 @@ class Supervision {
     int open_pipes_ = 3;
 };
 
-Supervision::Supervision(const Command& command) : command_(command) {
-    launch(shim_, command);
+Supervision::Supervision(const Command& command, const Sandbox& sandbox) : command_(command) {
+    launch(shim_, command, sandbox);
     output_.emplace(io_, std::move(shim_.output), command.limits.output_bytes);
     errors_.emplace(io_, std::move(shim_.errors), command.limits.error_bytes);
     status_.emplace(io_, std::move(shim_.status), longest_status);
@@ -119,12 +119,16 @@ void Supervision::output_limit_reached() {
                        " (" + status.step + "). Check that it is there and that you may use it.");
 }
 
-[[noreturn]] void throw_cut_short(const Command& command) {
+/// `errors` is what bwrap said, if it is that which failed, or else the program.
+[[noreturn]] void throw_cut_short(const Command& command, const std::string& errors) {
+    constexpr std::size_t enough = 200;
+    const std::string said = printable(errors.substr(0, std::min(errors.find('\n'), enough)));
     throw HarnessError("No word from the supervisor (raygrade-shim) about " + in_quotes(command.argv[0]) +
-                       ": it was killed, perhaps by the program itself. Try again, with more free memory.");
+                       ": it could not start, or was killed" + (said.empty() ? "" : "; the last words: " + said) +
+                       ". Try again with more free memory, and see `raygrade doctor`.");
 }
 
-Ended ended(const Command& command, const ShimStatus& status) {
+Ended ended(const Command& command, const ShimStatus& status, const std::string& errors) {
     switch (status.how) {
         case ShimStatus::How::exited: return Ended::exited;
         case ShimStatus::How::signalled: return Ended::signalled;
@@ -135,31 +139,31 @@ Ended ended(const Command& command, const ShimStatus& status) {
         case ShimStatus::How::not_executed: throw_not_executed(command, status);
         case ShimStatus::How::lifeline_cut: break;
     }
-    throw_cut_short(command);
+    throw_cut_short(command, errors);
 }
 
 ProcessResult Supervision::result() {
     const auto status = from_line(status_->take());
-    if (!status) throw_cut_short(command_);
     ProcessResult result;
+    result.errors = errors_->take();
+    if (!status) throw_cut_short(command_, result.errors);
     // Whatever ended first, the reader sees an output that is cut off.
-    result.ended = output_->truncated() ? Ended::output_limit : ended(command_, *status);
+    result.ended = output_->truncated() ? Ended::output_limit : ended(command_, *status, result.errors);
     if (result.ended == Ended::exited) result.exit_code = status->number;
     if (result.ended == Ended::signalled) result.signal = status->number;
     result.cpu = std::chrono::ceil<std::chrono::milliseconds>(status->cpu);
     result.wall = std::chrono::ceil<std::chrono::milliseconds>(status->wall);
     result.peak_memory_bytes = status->peak_memory_bytes;
     result.output = output_->take();
-    result.errors = errors_->take();
     result.errors_truncated = errors_->truncated();
     return result;
 }
 
 }  // namespace
 
-ProcessResult run_process(const Command& command) {
+ProcessResult run_process(const Command& command, const Sandbox& sandbox) {
     try {
-        Supervision supervision(command);
+        Supervision supervision(command, sandbox);
         supervision.wait();
         return supervision.result();
     } catch (const boost::system::system_error& failure) {

@@ -1,11 +1,14 @@
-// Runs one program with limits, and tells how it ended. The only file that knows Boost.Process is launch.cpp.
+// A program to be run with limits, and how it ended. run_process of sandbox.h turns the one into the other.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "harness/sandbox/account.h"
 
 namespace harness {
 
@@ -22,10 +25,19 @@ struct Limits {
     int open_files;
 };
 
+/// What a program is for decides what it finds of the machine.
+enum class Purpose {
+    compile,  ///< may write its working directory; finds compiler, tools and headers
+    run,      ///< may write nothing; finds libraries
+};
+
 struct Command {
-    std::vector<std::string> argv;            ///< argv[0] is an absolute path
-    std::filesystem::path working_directory;  ///< absolute
-    std::vector<std::string> environment;     ///< "NAME=value"; the whole of it
+    std::vector<std::string> argv;            ///< argv[0] is an absolute path, or one from the working directory: "./x"
+    std::filesystem::path working_directory;  ///< absolute; of the machine's files it is the one the program has
+    Purpose purpose = Purpose::run;
+    std::optional<Account> account;               ///< whom to become, see spare_account
+    std::vector<std::filesystem::path> readable;  ///< what else it may read, at its own place: absolute, existing
+    std::vector<std::string> environment;  ///< "NAME=value"; beside HOME and TMPDIR, which are the working directory
     Limits limits;
 };
 
@@ -51,15 +63,5 @@ struct ProcessResult {
     std::string errors;             ///< stderr, at most limits.error_bytes of it
     bool errors_truncated = false;  ///< there was more on stderr
 };
-
-/// The supervisor every command runs under: `raygrade-shim` beside this executable, or where the build put it. Throws
-/// HarnessError when there is none.
-std::filesystem::path shim_program();
-
-/// Runs the command to its end or to a limit, with stdin from /dev/null, and leaves no process of it behind. Safe to
-/// call from several threads. A limit decides even over a program that went beyond it and ended by itself before it was
-/// noticed. Throws HarnessError when the machine could not run it (no such program or folder, no more processes) or
-/// could not tell how it ended.
-ProcessResult run_process(const Command& command);
 
 }  // namespace harness

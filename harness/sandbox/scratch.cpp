@@ -1,100 +1,31 @@
 #include "harness/sandbox/scratch.h"
 
-#include <dirent.h>
-#include <fcntl.h>
-#include <sys/stat.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
-#include <memory>
 #include <string>
 #include <system_error>
-#include <vector>
 
 #include "harness/failure.h"
 #include "harness/names.h"
-#include "harness/sandbox/file_descriptor.h"
+#include "harness/sandbox/removal.h"
 
 namespace harness {
-namespace {
 
-std::vector<std::string> names_in(int folder) {
-    std::vector<std::string> names;
-    // fdopendir takes its descriptor over, and a duplicate shares the reading position, hence a new opening.
-    const int own = openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (own < 0) return names;
-    const std::unique_ptr<DIR, int (*)(DIR*)> listing(fdopendir(own), closedir);
-    if (!listing) return names;
-    while (const dirent* entry = readdir(listing.get())) {
-        const std::string name = entry->d_name;
-        if (name != "." && name != "..") names.push_back(name);
-    }
-    return names;
-}
-
-/// Removes what is not a folder; gives a folder all of its owner's permissions and says true.
-bool is_folder_after_removal(int parent, const std::string& name) {
-    struct stat info {};
-    if (fstatat(parent, name.c_str(), &info, AT_SYMLINK_NOFOLLOW) != 0) return false;
-    if (!S_ISDIR(info.st_mode)) {
-        unlinkat(parent, name.c_str(), 0);
-        return false;
-    }
-    fchmodat(parent, name.c_str(), 0700, 0);
-    return true;
-}
-
-/// Empties the folder without recursion and with two descriptors: each folder's folders move up to `top` under a new
-/// name first. A student's loop of mkdir and chdir makes paths longer than any path may be, which a recursive removal
-/// can't open.
-void empty(int top) {
-    std::size_t moved = 0;
-    bool progress = true;
-    while (progress) {
-        progress = false;
-        for (const auto& name : names_in(top)) {
-            if (!is_folder_after_removal(top, name)) continue;
-            const FileDescriptor folder(openat(top, name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-            if (!folder) continue;
-            for (const auto& inner : names_in(folder.get())) {
-                if (!is_folder_after_removal(folder.get(), inner)) continue;
-                // rename would replace an empty folder, but fails on anything else the program gave that name.
-                std::string target;
-                do target = "moved-" + std::to_string(moved++);
-                while (faccessat(top, target.c_str(), F_OK, AT_SYMLINK_NOFOLLOW) == 0);
-                renameat(folder.get(), inner.c_str(), top, target.c_str());
-            }
-            if (unlinkat(top, name.c_str(), AT_REMOVEDIR) == 0) progress = true;
-        }
-    }
-}
-
-}  // namespace
-
-std::filesystem::path scratch_root() {
-    const char* chosen = std::getenv("TMPDIR");
-    return std::filesystem::absolute(chosen != nullptr && *chosen != '\0' ? chosen : "/tmp");
-}
-
-Scratch::Scratch() {
-    std::string name = (scratch_root() / "raygrade-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) {
-        throw HarnessError("Could not make a scratch folder below " + in_quotes(scratch_root()) + ": " +
-                           std::generic_category().message(errno) +
-                           ". Make room there, or set TMPDIR to a folder that can be written to.");
-    }
+Scratch::Scratch(const Workspace& workspace) : account_(spare_account()) {
+    std::string name = (workspace.path() / "XXXXXX").string();
+    const bool made = mkdtemp(name.data()) != nullptr;
     path_ = name;
+    if (made && (!account_ || chown(path_.c_str(), account_->uid, account_->gid) == 0)) return;
+    const std::string why = std::generic_category().message(errno);
+    if (made) remove_folder(path_);
+    throw HarnessError("Could not make a scratch folder below " + in_quotes(workspace.path()) + ": " + why +
+                       ". Make room there, or set TMPDIR to a folder that can be written to.");
 }
 
 Scratch::~Scratch() {
-    {
-        const FileDescriptor folder(open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-        if (!folder) chmod(path_.c_str(), 0700);
-    }
-    const FileDescriptor folder(open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-    if (folder) empty(folder.get());
-    rmdir(path_.c_str());
+    remove_folder(path_);
 }
 
 }  // namespace harness

@@ -2,28 +2,30 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+
+#include "harness/sandbox/account.h"
+#include "harness/sandbox/workspace.h"
 
 namespace harness {
 
 class Scratch {
   public:
-    /// A new empty folder below $TMPDIR, else /tmp, that only this user may enter. Throws HarnessError with the path
-    /// and the way out when the disk is full or read-only.
-    Scratch();
-    /// Removes the folder with all that is in it: folders without permissions, any depth, links without following them.
-    /// What can't be removed (an immutable file, a mount) stays; a destructor has nobody to tell.
+    /// A new empty folder of `workspace` that only its account may enter. Throws HarnessError with the path and the way
+    /// out when the disk is full.
+    explicit Scratch(const Workspace& workspace);
     ~Scratch();
     Scratch(const Scratch&) = delete;
     Scratch& operator=(const Scratch&) = delete;
 
     /// Absolute.
     const std::filesystem::path& path() const { return path_; }
+    /// Whom the programs of this submission run as, and whose folder this is; empty for the harness's own account.
+    const std::optional<Account>& account() const { return account_; }
 
   private:
     std::filesystem::path path_;
+    std::optional<Account> account_;
 };
-
-/// Where Scratch makes its folders. Absolute.
-std::filesystem::path scratch_root();
 
 }  // namespace harness

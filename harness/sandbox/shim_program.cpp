@@ -16,6 +16,8 @@
 #include <vector>
 
 #include "harness/sandbox/file_descriptor.h"
+#include "harness/sandbox/landlock.h"
+#include "harness/sandbox/system_calls.h"
 
 namespace harness {
 namespace {
@@ -53,11 +55,19 @@ std::uint64_t tasks_on_this_machine() {
     return slash == std::string::npos ? 0 : std::strtoull(word.c_str() + slash + 1, nullptr, 10);
 }
 
-/// A net below the shim's own checks, for what can happen between two of them. RLIMIT_CPU is therefore above the shim's
-/// limit. RLIMIT_NPROC counts all the user's tasks, also those that have nothing to do with us, so it can only stop a
-/// bomb and not count this tree; for uid 0 the kernel ignores it.
-void set_limits(const Limits& limits, int report_fd) {
+/// How many tasks the program's account may have. Where it has no others the kernel counts this tree, with room for the
+/// shim and for the shim to see that a bomb is one; else a bomb can only be kept from filling the machine.
+std::uint64_t task_limit(const ShimOrders& orders) {
+    constexpr std::uint64_t room = 16;
     constexpr std::uint64_t tasks_for_parallel_runs = 512;
+    if (orders.counted_alone) return static_cast<std::uint64_t>(orders.limits.processes) + room;
+    return tasks_on_this_machine() + tasks_for_parallel_runs;
+}
+
+/// A net below the shim's own checks, for what can happen between two of them. RLIMIT_CPU is therefore above the shim's
+/// limit.
+void set_limits(const ShimOrders& orders, int report_fd) {
+    const Limits& limits = orders.limits;
     const auto cpu_seconds = static_cast<std::uint64_t>(limits.cpu.count()) / 1000 + 3;
     if (!limit(RLIMIT_CPU, cpu_seconds)) give_up(report_fd, "setrlimit-cpu");
     if (!limit(RLIMIT_FSIZE, limits.file_bytes)) give_up(report_fd, "setrlimit-file-size");
@@ -65,8 +75,27 @@ void set_limits(const Limits& limits, int report_fd) {
     if (!limit(RLIMIT_CORE, 0)) give_up(report_fd, "setrlimit-core");
     if (!limit(RLIMIT_NOFILE, static_cast<std::uint64_t>(limits.open_files)))
         give_up(report_fd, "setrlimit-open-files");
-    if (!limit(RLIMIT_NPROC, tasks_on_this_machine() + tasks_for_parallel_runs))
-        give_up(report_fd, "setrlimit-processes");
+    if (!limit(RLIMIT_NPROC, task_limit(orders))) give_up(report_fd, "setrlimit-processes");
+}
+
+/// Takes from this process what the tier takes. The kernel's own means, so that nothing of it depends on the program.
+void confine(const ShimOrders& orders, int report_fd) {
+    if (orders.account && !become(*orders.account)) give_up(report_fd, "account");
+    if (orders.tier == Tier::unsafe) return;
+    ForbiddenCalls more;
+    if (orders.tier == Tier::landlock) {
+        constexpr int since_signals = 6;
+        const bool compiles = orders.purpose == Purpose::compile;
+        std::vector<std::string> readable = orders.readable;
+        std::vector<std::string> writable = {"/dev/null"};
+        (compiles ? writable : readable).push_back(orders.working_directory);
+        if (!restrict_files(readable, writable)) give_up(report_fd, "landlock");
+        // An account of its own has nobody else to signal.
+        more.signals = landlock_version() < since_signals && !orders.account;
+        // The linker makes its output executable, and nothing it reads can make a compiler change other files.
+        more.file_attributes = !compiles;
+    }
+    if (!forbid_system_calls(more)) give_up(report_fd, "seccomp");
 }
 
 /// The program is to find signals as a shell would leave them, whatever the harness and the shim did to theirs.
@@ -78,14 +107,15 @@ void restore_signals() {
 }
 
 [[noreturn]] void become_program(const ShimOrders& orders, pid_t shim, int report_fd) {
-    // A shim that is killed takes at least the first process with it; asked for before the look at the parent, which
-    // may be gone already.
-    if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) give_up(report_fd, "pdeathsig");
-    if (getppid() != shim) _exit(127);
     if (setsid() < 0) give_up(report_fd, "setsid");
     restore_signals();
-    set_limits(orders.limits, report_fd);
+    set_limits(orders, report_fd);
     if (chdir(orders.working_directory.c_str()) != 0) give_up(report_fd, "chdir");
+    confine(orders, report_fd);
+    // A shim that is killed takes at least the first process with it. The kernel forgets this when the account changes;
+    // asked for before the look at the parent, which may be gone already.
+    if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) give_up(report_fd, "pdeathsig");
+    if (getppid() != shim) _exit(127);
     if (close_range(3, ~0U, CLOSE_RANGE_CLOEXEC) != 0) give_up(report_fd, "close_range");
     std::vector<char*> argv;
     for (const auto& argument : orders.argv) argv.push_back(const_cast<char*>(argument.c_str()));

@@ -11,7 +11,7 @@ namespace {
 constexpr std::array<std::string_view, 8> how_names = {"exited",       "signalled",     "cpu_limit",    "wall_limit",
                                                        "memory_limit", "process_limit", "lifeline_cut", "not_executed"};
 
-using Words = std::map<std::string, std::string, std::less<>>;
+using Words = std::multimap<std::string, std::string, std::less<>>;
 
 /// Splits "name=value"; false when there is no '='.
 bool add_word(Words& words, std::string_view text) {
@@ -39,6 +39,16 @@ bool take_duration(const Words& words, std::string_view name, Duration& value) {
     return ok;
 }
 
+bool take_tier(const Words& words, Tier& tier) {
+    const auto word = words.find("tier");
+    for (const Tier known : {Tier::bwrap, Tier::landlock, Tier::unsafe}) {
+        if (word == words.end() || word->second != to_string(known)) continue;
+        tier = known;
+        return true;
+    }
+    return false;
+}
+
 template <class Number>
 std::string word(std::string_view name, Number value) {
     return std::string(name) + '=' + std::to_string(value);
@@ -51,6 +61,9 @@ std::vector<std::string> to_arguments(const ShimOrders& orders) {
     std::vector<std::string> arguments = {
         word("status-fd", orders.status_fd),
         word("lifeline-fd", orders.lifeline_fd),
+        "tier=" + std::string(to_string(orders.tier)),
+        word("compiling", orders.purpose == Purpose::compile ? 1 : 0),
+        word("counted-alone", orders.counted_alone ? 1 : 0),
         word("cpu-ms", limits.cpu.count()),
         word("wall-ms", limits.wall.count()),
         word("memory-bytes", limits.memory_bytes),
@@ -59,8 +72,13 @@ std::vector<std::string> to_arguments(const ShimOrders& orders) {
         word("processes", limits.processes),
         word("open-files", limits.open_files),
         "directory=" + orders.working_directory,
-        "--",
     };
+    if (orders.account) {
+        arguments.push_back(word("uid", orders.account->uid));
+        arguments.push_back(word("gid", orders.account->gid));
+    }
+    for (const auto& path : orders.readable) arguments.push_back("readable=" + path);
+    arguments.emplace_back("--");
     arguments.insert(arguments.end(), orders.argv.begin(), orders.argv.end());
     return arguments;
 }
@@ -71,18 +89,30 @@ std::optional<ShimOrders> from_arguments(const std::vector<std::string>& argumen
     for (; i < arguments.size() && arguments[i] != "--"; ++i) {
         if (!add_word(words, arguments[i])) return std::nullopt;
     }
-    if (i + 1 >= arguments.size() || !words.contains("directory")) return std::nullopt;
+    const auto directory = words.find("directory");
+    if (i + 1 >= arguments.size() || directory == words.end()) return std::nullopt;
     ShimOrders orders;
     Limits& limits = orders.limits;
-    orders.working_directory = words["directory"];
+    orders.working_directory = directory->second;
     orders.argv.assign(arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1, arguments.end());
+    const auto [first, last] = words.equal_range("readable");
+    for (auto word = first; word != last; ++word) orders.readable.push_back(word->second);
+    int compiling = 0;
+    int counted_alone = 0;
+    Account account;
     const bool complete =
         take(words, "status-fd", orders.status_fd) && take(words, "lifeline-fd", orders.lifeline_fd) &&
-        take_duration(words, "cpu-ms", limits.cpu) && take_duration(words, "wall-ms", limits.wall) &&
-        take(words, "memory-bytes", limits.memory_bytes) && take(words, "file-bytes", limits.file_bytes) &&
-        take(words, "stack-bytes", limits.stack_bytes) && take(words, "processes", limits.processes) &&
-        take(words, "open-files", limits.open_files);
-    return complete ? std::optional(orders) : std::nullopt;
+        take_tier(words, orders.tier) && take(words, "compiling", compiling) &&
+        take(words, "counted-alone", counted_alone) && take_duration(words, "cpu-ms", limits.cpu) &&
+        take_duration(words, "wall-ms", limits.wall) && take(words, "memory-bytes", limits.memory_bytes) &&
+        take(words, "file-bytes", limits.file_bytes) && take(words, "stack-bytes", limits.stack_bytes) &&
+        take(words, "processes", limits.processes) && take(words, "open-files", limits.open_files) &&
+        (!words.contains("uid") || (take(words, "uid", account.uid) && take(words, "gid", account.gid)));
+    if (!complete) return std::nullopt;
+    orders.purpose = compiling != 0 ? Purpose::compile : Purpose::run;
+    orders.counted_alone = counted_alone != 0;
+    if (words.contains("uid")) orders.account = account;
+    return orders;
 }
 
 std::string to_line(const ShimStatus& status) {
@@ -104,11 +134,12 @@ std::optional<ShimStatus> from_line(std::string_view line) {
     ShimStatus status;
     const bool complete = take(words, "number", status.number) && take_duration(words, "cpu-us", status.cpu) &&
                           take_duration(words, "wall-us", status.wall) &&
-                          take(words, "peak-bytes", status.peak_memory_bytes) && words.contains("step");
+                          take(words, "peak-bytes", status.peak_memory_bytes) && words.contains("step") &&
+                          words.contains("how");
     if (!complete) return std::nullopt;
-    status.step = words["step"];
+    status.step = words.find("step")->second;
     for (std::size_t i = 0; i < how_names.size(); ++i) {
-        if (how_names[i] != words["how"]) continue;
+        if (how_names[i] != words.find("how")->second) continue;
         status.how = static_cast<ShimStatus::How>(i);
         return status;
     }

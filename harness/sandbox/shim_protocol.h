@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "harness/sandbox/process.h"
+#include "harness/sandbox/tier.h"
 
 namespace harness {
 
@@ -16,9 +17,15 @@ namespace harness {
 struct ShimOrders {
     int status_fd = -1;    ///< the shim writes its status here, once
     int lifeline_fd = -1;  ///< read end of a pipe; when its other end closes, everything is killed
+    Tier tier = Tier::unsafe;
+    Purpose purpose = Purpose::run;
+    std::optional<Account> account;  ///< whom the program becomes; where there are namespaces the shim is that already
+    /// Whether the program's account has no other processes, so that the kernel can count its processes exactly.
+    bool counted_alone = false;
+    std::vector<std::string> readable;  ///< absolute; for Landlock, as where there are namespaces nothing else is there
     Limits limits{};
     std::string working_directory;
-    std::vector<std::string> argv;  ///< of the program; argv[0] is its absolute path
+    std::vector<std::string> argv;  ///< of the program
 };
 
 /// The shim's command line, without its own name.

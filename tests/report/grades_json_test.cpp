@@ -20,7 +20,7 @@ std::set<std::string> keys(const json& object) {
 }
 
 json grades(const std::vector<Graded>& all) {
-    return json::parse(grades_json(all, marking()));
+    return json::parse(grades_json(all, marking(), harness::Tier::bwrap));
 }
 
 TEST(GradesJson, HasEveryFieldOfTheFormat) {
@@ -77,7 +77,7 @@ TEST(GradesJson, GivesNoPointsToWhatCouldNotBeGraded) {
 }
 
 TEST(GradesJson, IsValidWhateverASubmissionHolds) {
-    const std::string text = grades_json({hostile()}, marking());
+    const std::string text = grades_json({hostile()}, marking(), harness::Tier::bwrap);
     EXPECT_EQ(text.find('\x1b'), std::string::npos);
     EXPECT_EQ(text.find('\xff'), std::string::npos);
     EXPECT_EQ(json::parse(text).at("submissions").at(0).at("id"), "=HYPERLINK(\"x\"),|`id`");

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace {
 
 using namespace std::chrono_literals;
@@ -13,6 +15,11 @@ using harness::ShimStatus;
 ShimOrders some_orders() {
     return {.status_fd = 7,
             .lifeline_fd = 9,
+            .tier = harness::Tier::landlock,
+            .purpose = harness::Purpose::compile,
+            .account = harness::Account{70000, 80000},
+            .counted_alone = true,
+            .readable = {"/usr/lib", "/a=b c"},
             .limits = {2s, 10s, 1ULL << 40, 3, 4, 0, 0, 16, 64},
             .working_directory = "/a folder=odd",
             .argv = {"/bin/program", "--", "x=y", ""}};
@@ -24,18 +31,27 @@ TEST(ShimProtocol, GivesOrdersBackAsTheyWere) {
     EXPECT_EQ(to_arguments(*orders), to_arguments(some_orders()));
     EXPECT_EQ(orders->working_directory, "/a folder=odd");
     EXPECT_EQ(orders->argv, some_orders().argv);
+    EXPECT_EQ(orders->tier, harness::Tier::landlock);
+    EXPECT_EQ(orders->purpose, harness::Purpose::compile);
+    ASSERT_TRUE(orders->account);
+    EXPECT_EQ(orders->account->uid, 70000U);
+    EXPECT_EQ(orders->account->gid, 80000U);
+    EXPECT_TRUE(orders->counted_alone);
+    EXPECT_EQ(orders->readable, some_orders().readable);
     EXPECT_EQ(orders->limits.memory_bytes, 1ULL << 40);
     EXPECT_EQ(orders->limits.wall, 10s);
 }
 
 TEST(ShimProtocol, RefusesIncompleteOrders) {
     const auto complete = to_arguments(some_orders());
-    for (std::size_t left_out = 0; left_out <= 10; ++left_out) {
+    const auto end_of_words = std::find(complete.begin(), complete.end(), "--");
+    for (auto left_out = complete.begin(); left_out != end_of_words; ++left_out) {
+        if (left_out->starts_with("readable=") || left_out->starts_with("uid=")) continue;
         auto arguments = complete;
-        arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(left_out));
-        if (left_out == 10) arguments = {complete.begin(), complete.begin() + 11};
-        EXPECT_FALSE(from_arguments(arguments)) << complete[left_out];
+        arguments.erase(arguments.begin() + (left_out - complete.begin()));
+        EXPECT_FALSE(from_arguments(arguments)) << *left_out;
     }
+    EXPECT_FALSE(from_arguments({complete.begin(), end_of_words + 1})) << "no program";
     EXPECT_FALSE(from_arguments({}));
 }
 

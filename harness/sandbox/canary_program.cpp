@@ -1,0 +1,88 @@
+// raygrade-canary DECOY PORT PID: does what no program in a sandbox may do, and tells how it fared: a line for each
+// attempt with its name and errno, 0 for one that succeeded. Nothing it does harms a machine without a sandbox.
+#include <arpa/inet.h>
+#include <fcntl.h>
+#include <netinet/in.h>
+#include <sched.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <initializer_list>
+
+namespace {
+
+void tell(const char* attempt, bool succeeded) {
+    std::printf("%s %d\n", attempt, succeeded ? 0 : errno);
+}
+
+/// Prints what it read, for the harness to find.
+bool read_file(const char* path) {
+    const int file = open(path, O_RDONLY);
+    char text[256];
+    const ssize_t size = file < 0 ? -1 : read(file, text, sizeof text);
+    if (size > 0) std::printf("contents %.*s\n", static_cast<int>(size), text);
+    return size >= 0;
+}
+
+bool overwrite(const char* path) {
+    const int file = open(path, O_WRONLY | O_TRUNC);
+    return file >= 0 || truncate(path, 0) == 0;
+}
+
+bool leave_a_file() {
+    for (const char* path :
+         {"./left-behind", "/tmp/raygrade-canary-left-behind", "/dev/shm/raygrade-canary-left-behind"}) {
+        const int file = open(path, O_WRONLY | O_CREAT, 0600);
+        if (file < 0) continue;
+        unlink(path);
+        return true;
+    }
+    return false;
+}
+
+bool connect_to(const char* port) {
+    const int connection = socket(AF_INET, SOCK_STREAM, 0);
+    if (connection < 0) return false;
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(std::atoi(port)));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    return connect(connection, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0;
+}
+
+/// More than any limit lets live, and each for a second at most.
+int start_processes() {
+    constexpr int many = 64;
+    int started = 0;
+    for (; started < many; ++started) {
+        const pid_t child = fork();
+        if (child < 0) break;
+        if (child == 0) {
+            sleep(1);
+            _exit(0);
+        }
+    }
+    return started;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 4) return 2;
+    tell("read", read_file(argv[1]));
+    tell("overwrite", overwrite(argv[1]));
+    tell("leave", leave_a_file());
+    tell("connect", connect_to(argv[2]));
+    tell("signal", kill(std::atoi(argv[3]), 0) == 0);
+    tell("namespace", unshare(CLONE_NEWUSER) == 0);
+    std::fflush(stdout);
+    std::printf("processes %d\n", start_processes());
+    std::fflush(stdout);
+    sleep(1);
+    return 0;
+}

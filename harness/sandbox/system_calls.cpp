@@ -1,0 +1,144 @@
+#include "harness/sandbox/system_calls.h"
+
+#include <asm/sockios.h>
+#include <fcntl.h>
+#include <sched.h>
+#include <seccomp.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <initializer_list>
+
+namespace harness {
+namespace {
+
+/// A filter under construction. Each step returns 0 or a negative errno, as libseccomp does, and the first that failed
+/// stays.
+class Filter {
+  public:
+    Filter() : context_(seccomp_init(SCMP_ACT_ALLOW)) {
+        if (context_ == nullptr) failed_ = -ENOMEM;
+    }
+    ~Filter() {
+        if (context_ != nullptr) seccomp_release(context_);
+    }
+    Filter(const Filter&) = delete;
+    Filter& operator=(const Filter&) = delete;
+
+    void forbid(std::initializer_list<int> calls) {
+        for (const int call : calls) add(SCMP_ACT_ERRNO(EPERM), call, {});
+    }
+    /// Those calls alone whose arguments compare so.
+    void forbid_if(int call, std::initializer_list<scmp_arg_cmp> arguments) {
+        add(SCMP_ACT_ERRNO(EPERM), call, arguments);
+    }
+    void pretend_missing(int call) { add(SCMP_ACT_ERRNO(ENOSYS), call, {}); }
+
+    /// Puts the filter in force; 0 or a negative errno.
+    int load() {
+        if (failed_ == 0) failed_ = seccomp_load(context_);
+        return failed_;
+    }
+
+  private:
+    void add(std::uint32_t action, int call, std::initializer_list<scmp_arg_cmp> arguments) {
+        if (failed_ != 0) return;
+        failed_ = seccomp_rule_add_array(context_, action, call, static_cast<unsigned>(arguments.size()),
+                                         arguments.size() == 0 ? nullptr : arguments.begin());
+        // Not a call of this machine's architecture, so nobody can make it.
+        if (failed_ == -EDOM) failed_ = 0;
+    }
+
+    scmp_filter_ctx context_;
+    int failed_ = 0;
+};
+
+/// The kernel looks at the lower half of such an argument alone, so the upper one must not hide it from the filter.
+scmp_arg_cmp second_is(std::uint64_t value) {
+    constexpr std::uint64_t lower_half = 0xffffffff;
+    return SCMP_A1_64(SCMP_CMP_MASKED_EQ, lower_half, value);
+}
+
+void forbid_what_reaches_out(Filter& filter) {
+    filter.forbid({SCMP_SYS(socket), SCMP_SYS(socketpair), SCMP_SYS(socketcall)});
+    filter.forbid({SCMP_SYS(shmget), SCMP_SYS(msgget), SCMP_SYS(semget), SCMP_SYS(mq_open), SCMP_SYS(memfd_create),
+                   SCMP_SYS(memfd_secret)});
+    filter.forbid({SCMP_SYS(keyctl), SCMP_SYS(add_key), SCMP_SYS(request_key)});
+    filter.forbid({SCMP_SYS(io_uring_setup), SCMP_SYS(io_uring_enter), SCMP_SYS(io_uring_register), SCMP_SYS(bpf),
+                   SCMP_SYS(perf_event_open), SCMP_SYS(userfaultfd), SCMP_SYS(inotify_init), SCMP_SYS(inotify_init1),
+                   SCMP_SYS(fanotify_init), SCMP_SYS(syslog)});
+    filter.forbid({SCMP_SYS(mount), SCMP_SYS(umount), SCMP_SYS(umount2), SCMP_SYS(pivot_root), SCMP_SYS(chroot),
+                   SCMP_SYS(fsopen), SCMP_SYS(fsconfig), SCMP_SYS(fsmount), SCMP_SYS(fspick), SCMP_SYS(open_tree),
+                   SCMP_SYS(move_mount), SCMP_SYS(mount_setattr), SCMP_SYS(open_by_handle_at)});
+    filter.forbid({SCMP_SYS(unshare), SCMP_SYS(setns), SCMP_SYS(personality)});
+    // Terminal input typed for somebody else.
+    filter.forbid_if(SCMP_SYS(ioctl), {second_is(TIOCSTI)});
+    filter.forbid_if(SCMP_SYS(ioctl), {second_is(TIOCLINUX)});
+}
+
+/// clone's flags are its first argument, its second on s390.
+void forbid_new_namespaces(Filter& filter) {
+#if defined(__s390__)
+    constexpr unsigned flags = 1;
+#else
+    constexpr unsigned flags = 0;
+#endif
+    filter.forbid_if(SCMP_SYS(clone), {SCMP_CMP64(flags, SCMP_CMP_MASKED_EQ, CLONE_NEWUSER, CLONE_NEWUSER)});
+    // Its flags lie in memory, where a filter can't look.
+    filter.pretend_missing(SCMP_SYS(clone3));
+}
+
+/// The supervisor has the same user as the program, in namespaces as well. A program that takes its processor time or
+/// its descriptors away would run without a supervisor.
+void forbid_meddling_with_processes(Filter& filter) {
+    filter.forbid({SCMP_SYS(ptrace), SCMP_SYS(process_vm_readv), SCMP_SYS(process_vm_writev), SCMP_SYS(process_madvise),
+                   SCMP_SYS(process_mrelease), SCMP_SYS(kcmp), SCMP_SYS(pidfd_getfd), SCMP_SYS(move_pages),
+                   SCMP_SYS(migrate_pages)});
+    filter.forbid_if(SCMP_SYS(prlimit64), {SCMP_A0_32(SCMP_CMP_NE, 0)});
+    filter.forbid_if(SCMP_SYS(sched_setscheduler), {SCMP_A0_32(SCMP_CMP_NE, 0)});
+    filter.forbid_if(SCMP_SYS(sched_setparam), {SCMP_A0_32(SCMP_CMP_NE, 0)});
+    filter.forbid_if(SCMP_SYS(sched_setattr), {SCMP_A0_32(SCMP_CMP_NE, 0)});
+    filter.forbid_if(SCMP_SYS(sched_setaffinity), {SCMP_A0_32(SCMP_CMP_NE, 0)});
+    filter.forbid_if(SCMP_SYS(setpriority), {SCMP_A1_32(SCMP_CMP_NE, 0)});
+    filter.forbid_if(SCMP_SYS(ioprio_set), {SCMP_A1_32(SCMP_CMP_NE, 0)});
+}
+
+void forbid_signals_to_others(Filter& filter) {
+    const auto own = static_cast<std::uint32_t>(getpid());
+    filter.forbid_if(SCMP_SYS(kill), {SCMP_A0_32(SCMP_CMP_NE, own)});
+    filter.forbid_if(SCMP_SYS(tgkill), {SCMP_A0_32(SCMP_CMP_NE, own)});
+    filter.forbid({SCMP_SYS(tkill), SCMP_SYS(rt_sigqueueinfo), SCMP_SYS(pidfd_send_signal)});
+    filter.forbid_if(SCMP_SYS(rt_tgsigqueueinfo), {SCMP_A0_32(SCMP_CMP_NE, own)});
+    // A descriptor whose owner is another process sends it a signal of the program's choice.
+    for (const std::uint64_t command : {F_SETOWN, F_SETOWN_EX}) filter.forbid_if(SCMP_SYS(fcntl), {second_is(command)});
+    for (const std::uint64_t request : {FIOSETOWN, SIOCSPGRP}) filter.forbid_if(SCMP_SYS(ioctl), {second_is(request)});
+}
+
+void forbid_file_attributes(Filter& filter) {
+    filter.forbid({SCMP_SYS(chmod), SCMP_SYS(fchmod), SCMP_SYS(fchmodat), SCMP_SYS(chown), SCMP_SYS(fchown),
+                   SCMP_SYS(lchown), SCMP_SYS(fchownat), SCMP_SYS(utime), SCMP_SYS(utimes), SCMP_SYS(utimensat),
+                   SCMP_SYS(futimesat), SCMP_SYS(setxattr), SCMP_SYS(lsetxattr), SCMP_SYS(fsetxattr),
+                   SCMP_SYS(removexattr), SCMP_SYS(lremovexattr), SCMP_SYS(fremovexattr), SCMP_SYS(truncate),
+                   SCMP_SYS(truncate64)});
+    // Younger than Debian 12's headers; new calls have one number everywhere.
+    constexpr int fchmodat2 = 452, setxattrat = 463, removexattrat = 466, file_setattr = 469;
+    filter.forbid({fchmodat2, setxattrat, removexattrat, file_setattr});
+}
+
+}  // namespace
+
+bool forbid_system_calls(const ForbiddenCalls& more) {
+    Filter filter;
+    forbid_what_reaches_out(filter);
+    forbid_new_namespaces(filter);
+    forbid_meddling_with_processes(filter);
+    if (more.signals) forbid_signals_to_others(filter);
+    if (more.file_attributes) forbid_file_attributes(filter);
+    const int failed = filter.load();
+    if (failed != 0) errno = -failed;
+    return failed == 0;
+}
+
+}  // namespace harness

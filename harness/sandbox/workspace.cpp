@@ -1,0 +1,81 @@
+#include "harness/sandbox/workspace.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <string>
+#include <system_error>
+
+#include "harness/failure.h"
+#include "harness/names.h"
+#include "harness/sandbox/removal.h"
+
+namespace harness {
+namespace {
+
+constexpr std::string_view prefix = "raygrade-run-";
+
+FileDescriptor open_folder(const std::filesystem::path& folder) {
+    return FileDescriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+}
+
+bool lock(const FileDescriptor& folder) {
+    return folder && flock(folder.get(), LOCK_EX | LOCK_NB) == 0;
+}
+
+/// Whether `folder` is what lies at `path`, and ours: anybody may make folders of any name in /tmp.
+bool is_ours_at(const FileDescriptor& folder, const std::filesystem::path& path) {
+    struct stat opened {
+    }, there{};
+    return fstat(folder.get(), &opened) == 0 && lstat(path.c_str(), &there) == 0 && opened.st_ino == there.st_ino &&
+           opened.st_dev == there.st_dev && opened.st_uid == geteuid();
+}
+
+/// A lock ends with its process, however that ends. So a folder that can be locked is one nobody uses.
+void reclaim(const std::filesystem::path& root) {
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(root, ignored)) {
+        if (!entry.path().filename().native().starts_with(prefix)) continue;
+        const FileDescriptor folder = open_folder(entry.path());
+        if (folder && is_ours_at(folder, entry.path()) && lock(folder)) remove_folder(entry.path());
+    }
+}
+
+[[noreturn]] void throw_not_made(int error) {
+    throw HarnessError("Could not make a scratch folder below " + in_quotes(workspace_root()) + ": " +
+                       std::generic_category().message(error) +
+                       ". Make room there, or set TMPDIR to a folder that can be written to.");
+}
+
+}  // namespace
+
+std::filesystem::path workspace_root() {
+    const char* chosen = std::getenv("TMPDIR");
+    return std::filesystem::absolute(chosen != nullptr && *chosen != '\0' ? chosen : "/tmp");
+}
+
+Workspace::Workspace() {
+    reclaim(workspace_root());
+    // Between being made and being locked a folder may be taken for one that was left behind; then there is another.
+    constexpr int tries = 100;
+    for (int i = 0; i < tries && !lock_; ++i) {
+        std::string name = (workspace_root() / (std::string(prefix) + "XXXXXX")).string();
+        if (mkdtemp(name.data()) == nullptr) throw_not_made(errno);
+        path_ = name;
+        FileDescriptor folder = open_folder(path_);
+        if (lock(folder) && is_ours_at(folder, path_)) lock_ = std::move(folder);
+    }
+    if (!lock_) throw_not_made(EBUSY);
+    constexpr mode_t others_pass_through = 0711;
+    if (geteuid() == 0 && chmod(path_.c_str(), others_pass_through) != 0) throw_not_made(errno);
+}
+
+Workspace::~Workspace() {
+    remove_folder(path_);
+}
+
+}  // namespace harness
