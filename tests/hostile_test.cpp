@@ -97,6 +97,12 @@ std::optional<std::string> unprintable(std::string_view text) {
     return std::nullopt;
 }
 
+/// RFC 4180 ends lines with CR LF.
+std::string with_plain_line_ends(std::string text) {
+    for (std::size_t at = 0; (at = text.find("\r\n", at)) != std::string::npos;) text.erase(at, 1);
+    return text;
+}
+
 /// Lets what is ending end, as the first process of a namespace does whose outer half is gone.
 void expect_no_process_left() {
     const auto end = std::chrono::steady_clock::now() + 2s;
@@ -126,7 +132,7 @@ void expect_fair_outcome(const Graded& graded, const Attack& attack) {
 void expect_clean_reports(const std::vector<Graded>& graded, const harness::Marking& marking, Tier tier) {
     const std::map<std::string, std::string> reports = {
         {"grades.json", harness::report::grades_json(graded, marking, tier)},
-        {"grades.csv", harness::report::grades_csv(graded)},
+        {"grades.csv", with_plain_line_ends(harness::report::grades_csv(graded))},
         {"the class table", harness::report::class_table(graded)},
         {"the feedback", harness::report::feedback_markdown(graded[0], marking)},
         {"the check", harness::report::check_text(graded[0])}};
