@@ -4,6 +4,6 @@
 int main() {
     std::puts("Question 1\nP_VCS = (0.00, 0.00, -2.00)");
     std::fflush(stdout);
-    int* volatile nowhere = nullptr;
+    volatile int* volatile nowhere = nullptr;
     *nowhere = 1;
 }
