@@ -6,13 +6,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
-#include <sstream>
 #include <system_error>
 
 #include "harness/failure.h"
 #include "harness/names.h"
 #include "harness/sandbox/file_descriptor.h"
+#include "harness/sandbox/find_on_path.h"
 
 namespace harness {
 namespace {
@@ -25,24 +24,8 @@ constexpr const char* program_name = "ray_cast";
 /// file that grew too large, or gave up with an internal error.
 constexpr int broken_down = 4;
 
-/// Empty when it is in no folder of PATH.
-std::filesystem::path find_on_path(const std::string& name) {
-    const char* const path = std::getenv("PATH");
-    std::istringstream folders(path != nullptr ? path : "");
-    for (std::string folder; std::getline(folders, folder, ':');) {
-        const auto candidate = std::filesystem::path(folder) / name;
-        std::error_code ignored;
-        if (candidate.is_absolute() && std::filesystem::is_regular_file(candidate, ignored) &&
-            access(candidate.c_str(), X_OK) == 0) {
-            return candidate;
-        }
-    }
-    return {};
-}
-
 [[noreturn]] void throw_no_compiler() {
-    const char* const path = std::getenv("PATH");
-    throw HarnessError("There is no C++ compiler: g++ is in no folder of PATH (" + printable(path ? path : "") +
+    throw HarnessError("There is no C++ compiler: g++ is in no folder of PATH (" + shown_path() +
                        "). Install it with: apt install g++");
 }
 
@@ -59,14 +42,17 @@ void write_source(const std::string& source, const std::filesystem::path& file) 
                        ". Make room there, or set TMPDIR to another folder.");
 }
 
-/// A full disk makes the compiler fail with an ordinary error, which must not be read as the student's.
-void refuse_a_full_disk(const std::filesystem::path& scratch) {
-    constexpr std::uint64_t needed = 4 * mebibyte;
+/// A full disk makes the compiler fail with an ordinary error, which must not be read as the student's. By now its
+/// temporary files are gone, and the room is there again; so where there is less than compilers may use, no failure is
+/// believed.
+void refuse_a_full_disk(const std::filesystem::path& scratch, const Limits& limits) {
+    constexpr std::uint64_t files_at_a_time = 4;  // assembly, object and program, and those of another submission
+    const std::uint64_t needed = files_at_a_time * limits.file_bytes;
     struct statvfs disk {};
     if (statvfs(scratch.c_str(), &disk) != 0 || disk.f_bavail * disk.f_frsize >= needed) return;
-    throw HarnessError("The disk of " + in_quotes(scratch) +
-                       " is full, so the compiler could not write the program. Make room, "
-                       "or set TMPDIR to another folder.");
+    throw HarnessError("The disk of " + in_quotes(scratch) + " has less than " + std::to_string(needed / mebibyte) +
+                       " MiB left, so the compiler's failure may be due to that and is not marked. Make room, or set "
+                       "TMPDIR to another folder.");
 }
 
 /// Nothing of the harness's own environment: it could change the messages (LANG), add headers (CPATH) or tell secrets.
@@ -148,7 +134,7 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
     if (result.ended == Ended::exited && result.exit_code == 0 && std::filesystem::is_regular_file(program)) {
         build.program = program;
     } else {
-        refuse_a_full_disk(scratch.path());
+        refuse_a_full_disk(scratch.path(), settings.limits);
     }
     return build;
 }

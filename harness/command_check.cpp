@@ -15,6 +15,7 @@ int check_command(const CheckOptions& options) {
                                      options.source.string(), submissions.size()));
     }
     const Workshop workshop = open_workshop(options.workshop, assignment.limits);
+    warn_of_no_sandbox(workshop);
     const Graded graded = grade(submissions.front(), marking, workshop);
     fmt::print("{}\n\n{}", assignment.title, report::check_text(graded));
     if (graded.outcome == Outcome::not_graded) return status_of({graded});

@@ -154,6 +154,7 @@ int grade_command(const GradeOptions& options) {
     const std::vector<Submission> submissions = find_submissions(options.paths);
     prepare_folder(options.out, options.force);
     const Workshop workshop = open_workshop(options.workshop, assignment.limits);
+    warn_of_no_sandbox(workshop);
     const std::vector<Graded> graded = grade_with_progress(submissions, marking, workshop, options.jobs);
     fmt::print("{}", report::class_table(graded));
     std::fflush(stdout);  // the marks are shown before anything can go wrong with the files

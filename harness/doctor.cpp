@@ -15,6 +15,7 @@
 #include "harness/names.h"
 #include "harness/run.h"
 #include "harness/sandbox/canary.h"
+#include "harness/sandbox/find_on_path.h"
 #include "harness/sandbox/scratch.h"
 #include "harness/workshop.h"
 
@@ -55,9 +56,9 @@ std::string way_to(Tier tier) {
     if (tier == Tier::landlock) {
         return "The kernel needs Landlock (5.13 or newer, \"landlock\" among the lsm= of its command line).";
     }
-    if (access("/usr/bin/bwrap", X_OK) != 0) return "apt install bubblewrap";
+    if (find_on_path("bwrap").empty()) return "apt install bubblewrap";
     if (read_setting("/proc/sys/kernel/apparmor_restrict_unprivileged_userns") == "1") {
-        return "AppArmor refuses user namespaces: give /usr/bin/bwrap a profile that allows userns, or sysctl -w "
+        return "AppArmor refuses user namespaces: give bwrap a profile that allows userns, or sysctl -w "
                "kernel.apparmor_restrict_unprivileged_userns=0";
     }
     if (read_setting("/proc/sys/kernel/unprivileged_userns_clone") == "0") {

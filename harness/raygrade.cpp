@@ -40,6 +40,7 @@ void add_workshop(CLI::App& command, WorkshopOptions& workshop) {
         .add_option("--limit", workshop.limits,
                     "What a program or the compiler may use, instead of the default or the assignment's: "
                     "--limit run.cpu_seconds=4, see below")
+        ->allow_extra_args(false)
         ->type_name("NAME=VALUE");
     command
         .add_option("--sandbox", workshop.sandbox,

@@ -1,5 +1,7 @@
 #include "harness/workshop.h"
 
+#include <fmt/format.h>
+
 #include "harness/sandbox/canary.h"
 
 namespace harness {
@@ -24,6 +26,11 @@ std::string sandbox_warning(Tier tier) {
     if (tier != Tier::unsafe) return {};
     return "Graded without a sandbox (--unsafe): a submission could have read and changed whatever the account that "
            "graded may, these reports and the answer key among it.";
+}
+
+void warn_of_no_sandbox(const Workshop& workshop) {
+    const std::string warning = sandbox_warning(workshop.sandbox->tier());
+    if (!warning.empty()) fmt::print(stderr, "raygrade: warning: {}\n", warning);
 }
 
 }  // namespace harness

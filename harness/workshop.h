@@ -29,4 +29,7 @@ Workshop open_workshop(const WorkshopOptions& options, const std::vector<referen
 /// For every report of marks that were made without a sandbox; empty when there was one.
 std::string sandbox_warning(Tier tier);
 
+/// The same on stderr, before the first submission.
+void warn_of_no_sandbox(const Workshop& workshop);
+
 }  // namespace harness

@@ -26,22 +26,6 @@ namespace fs = std::filesystem;
 constexpr int could_not_prepare = 99;
 constexpr int could_not_start = 98;
 
-[[noreturn]] void become_raygrade(const std::vector<std::string>& arguments, const Preparation& prepare,
-                                  const fs::path& output, const fs::path& voice) {
-    const int in = open("/dev/null", O_RDONLY);
-    const int out = open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    const int err = open(voice.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    if (dup2(in, 0) < 0 || dup2(out, 1) < 0 || dup2(err, 2) < 0) _exit(could_not_start);
-    if (prepare && !prepare()) _exit(could_not_prepare);
-    std::string name = RAYGRADE_BINARY;
-    std::vector<std::string> words = arguments;
-    std::vector<char*> argv{name.data()};
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    execv(RAYGRADE_BINARY, argv.data());
-    _exit(could_not_start);
-}
-
 /// So that someone who is not root may mount, where nobody else sees it.
 bool become_root_of_a_namespace() {
     const std::string user = std::to_string(geteuid());
@@ -109,6 +93,22 @@ fs::path sample(std::string_view who) {
     return project_folder() / "submissions" / who;
 }
 
+[[noreturn]] void become_raygrade(const std::vector<std::string>& arguments, const Preparation& prepare,
+                                  const fs::path& output, const fs::path& voice) {
+    const int in = open("/dev/null", O_RDONLY);
+    const int out = open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    const int err = open(voice.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    if (dup2(in, 0) < 0 || dup2(out, 1) < 0 || dup2(err, 2) < 0) _exit(could_not_start);
+    if (prepare && !prepare()) _exit(could_not_prepare);
+    std::string name = RAYGRADE_BINARY;
+    std::vector<std::string> words = arguments;
+    std::vector<char*> argv{name.data()};
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    execv(RAYGRADE_BINARY, argv.data());
+    _exit(could_not_start);
+}
+
 Result raygrade(const std::vector<std::string>& arguments, const Preparation& prepare) {
     const TemporaryFolder folder;
     const fs::path output = folder / "stdout";
@@ -127,11 +127,15 @@ bool obey_permissions() {
     return prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE) == 0 && prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH) == 0;
 }
 
-bool mount_tiny_disk(const fs::path& folder) {
+bool mount_disk(const fs::path& folder, const std::string& size) {
     if (unshare(CLONE_NEWNS) != 0 && !become_root_of_a_namespace()) return false;
     // Private first, or the mount would be seen by, and stay with, the whole machine.
     return mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
-           mount("tiny", folder.c_str(), "tmpfs", 0, "size=4096") == 0;
+           mount("disk", folder.c_str(), "tmpfs", 0, ("size=" + size).c_str()) == 0;
+}
+
+bool mount_tiny_disk(const fs::path& folder) {
+    return mount_disk(folder, "4096");
 }
 
 bool forget_path() {

@@ -49,7 +49,13 @@ Result raygrade(const std::vector<std::string>& arguments, const Preparation& pr
 
 /// File permissions count, also for root: without CAP_DAC_OVERRIDE root is held to them like everyone.
 bool obey_permissions();
-/// Mounts a file system of one page on `folder`, seen by this process alone.
+/// Takes raygrade's place in this process; the two files, which may be /dev/null, get stdout and stderr.
+[[noreturn]] void become_raygrade(const std::vector<std::string>& arguments, const Preparation& prepare,
+                                  const std::filesystem::path& output, const std::filesystem::path& voice);
+
+/// Mounts a file system of `size` ("16m") on `folder`, seen by this process alone.
+bool mount_disk(const std::filesystem::path& folder, const std::string& size);
+/// One of a single page.
 bool mount_tiny_disk(const std::filesystem::path& folder);
 /// A PATH on which there is nothing.
 bool forget_path();

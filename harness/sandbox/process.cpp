@@ -116,7 +116,8 @@ void Supervision::output_limit_reached() {
 [[noreturn]] void throw_not_executed(const Command& command, const ShimStatus& status) {
     const auto what = status.step == "chdir" ? command.working_directory : std::filesystem::path(command.argv[0]);
     throw HarnessError("Could not run " + in_quotes(what) + ": " + std::generic_category().message(status.number) +
-                       " (" + status.step + "). Check that it is there and that you may use it.");
+                       " (" + status.step + "). Check that it is there and that " +
+                       (command.account ? "other accounts than root" : "you") + " may use it.");
 }
 
 /// `errors` is what bwrap said, if it is that which failed, or else the program.

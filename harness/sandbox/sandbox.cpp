@@ -6,6 +6,7 @@
 
 #include "harness/failure.h"
 #include "harness/names.h"
+#include "harness/sandbox/find_on_path.h"
 
 namespace harness {
 namespace {
@@ -37,10 +38,10 @@ fs::path copy_shim(const Workspace& workspace) {
 }
 
 fs::path find_bwrap() {
-    for (const char* candidate : {"/usr/bin/bwrap", "/usr/local/bin/bwrap", "/bin/bwrap"}) {
-        if (access(candidate, X_OK) == 0) return candidate;
-    }
-    throw HarnessError("There is no /usr/bin/bwrap. Install it with: apt install bubblewrap");
+    const fs::path bwrap = find_on_path("bwrap");
+    if (!bwrap.empty()) return bwrap;
+    throw HarnessError("There is no bwrap in a folder of PATH (" + shown_path() +
+                       "). Install it with: apt install bubblewrap");
 }
 
 bool is_there_itself(const fs::path& path) {

@@ -41,8 +41,8 @@ harness::Limits wide_limits() {
             .open_files = 64};
 }
 
-/// Made once for each tier, as raygrade does before it starts threads: a fork of another thread meanwhile would keep the
-/// supervisor's copy open for writing, and the kernel starts no such program.
+/// Made once for each tier, as raygrade does before it starts threads: a fork of another thread meanwhile would keep
+/// the supervisor's copy open for writing, and the kernel starts no such program.
 std::shared_ptr<harness::Sandbox> sandbox_of(Tier tier) {
     static std::map<Tier, std::shared_ptr<harness::Sandbox>> made;
     auto& sandbox = made[tier];
@@ -114,7 +114,9 @@ std::ptrdiff_t open_descriptors() {
 /// What has to hold in every tier.
 class RunProcess : public testing::TestWithParam<Tier> {
   protected:
-    static Stranger stranger(std::vector<std::string> arguments) { return {sandbox_of(GetParam()), std::move(arguments)}; }
+    static Stranger stranger(std::vector<std::string> arguments) {
+        return {sandbox_of(GetParam()), std::move(arguments)};
+    }
 };
 
 TEST_P(RunProcess, TellsEveryExitCodeAsItIs) {

@@ -1,0 +1,103 @@
+#include "harness/limit_settings.h"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace {
+
+using namespace std::chrono_literals;
+using harness::describe_limits;
+using harness::LimitDescription;
+using harness::LimitError;
+using harness::read_limits;
+using testing::AllOf;
+using testing::HasSubstr;
+
+reference::LimitEntry entry(const std::string& name, double value) {
+    return {name, value, "a.toml:7: limits." + name};
+}
+
+std::string why_not(const std::vector<reference::LimitEntry>& from_assignment,
+                    const std::vector<std::string>& from_command_line) {
+    try {
+        read_limits(from_assignment, from_command_line);
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(ReadLimits, HasTheHandbooksDefaults) {
+    const auto limits = read_limits({}, {});
+    EXPECT_EQ(limits.run.cpu, 2s);
+    EXPECT_EQ(limits.run.wall, 10s);
+    EXPECT_EQ(limits.run.memory_bytes, 256ULL << 20);
+    EXPECT_EQ(limits.run.processes, 16);
+    EXPECT_EQ(limits.run.file_bytes, 16ULL << 20);
+    EXPECT_EQ(limits.run.open_files, 64);
+    EXPECT_EQ(limits.run.stack_bytes, 64ULL << 20);
+    EXPECT_EQ(limits.run.output_bytes, 1ULL << 20);
+    EXPECT_EQ(limits.run.error_bytes, 64ULL << 10);
+    EXPECT_EQ(limits.compile.cpu, 20s);
+    EXPECT_EQ(limits.compile.memory_bytes, 1ULL << 30);
+    EXPECT_EQ(limits.compile.file_bytes, 64ULL << 20);
+    EXPECT_EQ(limits.compile.error_bytes, 64ULL << 10);
+}
+
+TEST(ReadLimits, TakesTheAssignmentsAndOverThemTheCommandLines) {
+    const auto limits = read_limits({entry("run.cpu_seconds", 1.5), entry("run.memory_mib", 64)},
+                                    {"run.memory_mib=128", "compile.processes=48"});
+    EXPECT_EQ(limits.run.cpu, 1500ms);
+    EXPECT_EQ(limits.run.memory_bytes, 128ULL << 20);
+    EXPECT_EQ(limits.compile.processes, 48);
+}
+
+TEST(ReadLimits, SetsEveryLimitItNames) {
+    const auto defaults = read_limits({}, {});
+    for (const LimitDescription& limit : describe_limits()) {
+        const auto changed = read_limits({}, {limit.name + "=9"});
+        const auto bytes = [](const harness::StageLimits& all) {
+            std::ostringstream text;
+            for (const auto& one : {all.compile, all.run}) {
+                text << one.cpu.count() << ' ' << one.wall.count() << ' ' << one.memory_bytes << ' ' << one.file_bytes
+                     << ' ' << one.stack_bytes << ' ' << one.output_bytes << ' ' << one.error_bytes << ' '
+                     << one.processes << ' ' << one.open_files << ' ';
+            }
+            return text.str();
+        };
+        EXPECT_NE(bytes(changed), bytes(defaults)) << limit.name;
+    }
+    EXPECT_EQ(describe_limits().size(), 18U);
+}
+
+TEST(ReadLimits, GivesFiveTimesTheProcessorTimeByTheClockUnlessToldOtherwise) {
+    EXPECT_EQ(read_limits({}, {"run.cpu_seconds=10"}).run.wall, 50s);
+    EXPECT_EQ(read_limits({}, {"run.cpu_seconds=1"}).run.wall, 10s);
+    EXPECT_EQ(read_limits({}, {"run.cpu_seconds=10", "run.wall_seconds=12"}).run.wall, 12s);
+    EXPECT_EQ(read_limits({entry("run.wall_seconds", 12)}, {"run.cpu_seconds=10"}).run.wall, 12s);
+}
+
+TEST(ReadLimits, SaysWhatIsWrongAndWhere) {
+    EXPECT_THAT(why_not({entry("run.cpu", 1)}, {}),
+                AllOf(HasSubstr("a.toml:7: limits.run.cpu: is not a limit"), HasSubstr("run.cpu_seconds")));
+    EXPECT_EQ(why_not({entry("run.cpu_seconds", 0)}, {}),
+              "a.toml:7: limits.run.cpu_seconds: must be a number from 0.01 to 86400");
+    EXPECT_EQ(why_not({entry("run.processes", 1.5)}, {}),
+              "a.toml:7: limits.run.processes: must be a whole number from 1 to 4096");
+    EXPECT_THAT(why_not({}, {"run.cpu_seconds"}), HasSubstr("has no value"));
+    EXPECT_EQ(why_not({}, {"run.cpu_seconds=fast"}), "--limit run.cpu_seconds: \"fast\" is not a number");
+    EXPECT_EQ(why_not({}, {"run.cpu_seconds=nan"}), "--limit run.cpu_seconds: must be a number from 0.01 to 86400");
+    EXPECT_THAT(why_not({}, {"=3"}), HasSubstr("is not a limit"));
+}
+
+TEST(DescribeLimits, IsWhatTheReadmeSays) {
+    std::ifstream file(RAYGRADE_PROJECT "/README.md");
+    const std::string readme{std::istreambuf_iterator<char>(file), {}};
+    for (const LimitDescription& limit : describe_limits()) {
+        EXPECT_THAT(readme, HasSubstr("| `" + limit.name + "` | " + limit.value + " | " + limit.consequence + " |"));
+    }
+}
+
+}  // namespace

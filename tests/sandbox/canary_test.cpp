@@ -1,0 +1,82 @@
+#include "harness/sandbox/canary.h"
+
+#include <gmock/gmock.h>
+#include <stdlib.h>
+
+#include "harness/failure.h"
+
+namespace {
+
+using harness::CanaryReport;
+using harness::choose_sandbox;
+using harness::HarnessError;
+using harness::Sandbox;
+using harness::Tier;
+using harness::try_canary;
+using harness::WithoutSandbox;
+using testing::HasSubstr;
+
+const harness::Attempt& attempt(const CanaryReport& report, const std::string& what) {
+    for (const auto& one : report.attempts) {
+        if (one.what == what) return one;
+    }
+    throw std::runtime_error("no attempt to " + what);
+}
+
+TEST(Canary, IsHeldByBothSandboxes) {
+    for (const Tier tier : {Tier::bwrap, Tier::landlock}) {
+        const CanaryReport report = try_canary(Sandbox(tier));
+        EXPECT_TRUE(report.held()) << to_string(tier) << ": " << report.summary();
+        EXPECT_EQ(report.attempts.size(), 7U);
+        EXPECT_EQ(report.summary(), "held all 7 attempts");
+    }
+}
+
+/// What it finds where nothing is held back shows that it would notice.
+TEST(Canary, GetsOutOfNoSandbox) {
+    const CanaryReport report = try_canary(Sandbox(Tier::unsafe));
+    EXPECT_FALSE(report.held());
+    for (const char* what : {"read a file of raygrade's", "overwrite it", "leave a file behind",
+                             "connect to a port of this machine", "make a user namespace"}) {
+        EXPECT_FALSE(attempt(report, what).held) << what << ": " << attempt(report, what).detail;
+    }
+    EXPECT_TRUE(attempt(report, "start processes without end").held) << "limits hold also without a sandbox";
+    EXPECT_THAT(report.summary(), HasSubstr("a program in it could read a file of raygrade's (seen to succeed)"));
+}
+
+TEST(ChooseSandbox, TakesTheStrongestThatHolds) {
+    const auto choice = choose_sandbox(std::nullopt, WithoutSandbox::refuse);
+    EXPECT_EQ(choice.sandbox->tier(), Tier::bwrap);
+    ASSERT_EQ(choice.reports.size(), 1U);
+    EXPECT_TRUE(choice.reports[0].held());
+    EXPECT_EQ(choose_sandbox(Tier::landlock, WithoutSandbox::refuse).sandbox->tier(), Tier::landlock);
+}
+
+class WithoutBwrap : public testing::Test {
+  protected:
+    WithoutBwrap() { setenv("PATH", "/nonexistent", 1); }
+    ~WithoutBwrap() override { setenv("PATH", path_.c_str(), 1); }
+
+  private:
+    std::string path_ = getenv("PATH");
+};
+
+TEST_F(WithoutBwrap, TakesTheNextThatHolds) {
+    const auto choice = choose_sandbox(std::nullopt, WithoutSandbox::refuse);
+    EXPECT_EQ(choice.sandbox->tier(), Tier::landlock);
+    ASSERT_EQ(choice.reports.size(), 2U);
+    EXPECT_THAT(choice.reports[0].failure, HasSubstr("apt install bubblewrap"));
+}
+
+TEST_F(WithoutBwrap, RunsNothingUnsafeUnlessTold) {
+    try {
+        choose_sandbox(Tier::bwrap, WithoutSandbox::refuse);
+        FAIL() << "chose a sandbox";
+    } catch (const HarnessError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("bwrap+shim: There is no bwrap"));
+        EXPECT_THAT(error.what(), HasSubstr("--unsafe"));
+    }
+    EXPECT_EQ(choose_sandbox(Tier::bwrap, WithoutSandbox::run_unsafe).sandbox->tier(), Tier::unsafe);
+}
+
+}  // namespace

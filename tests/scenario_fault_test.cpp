@@ -1,0 +1,244 @@
+// What goes wrong around a submission: raygrade killed, the disk full, the sandbox gone, the machine busy. Nothing may
+// be left behind, nobody may get marks for it, and the others are graded all the same.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string>
+#include <thread>
+
+#include "tests/scenario.h"
+
+namespace scenario {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using nlohmann::json;
+using testing::HasSubstr;
+
+constexpr int some_not_graded = 1;
+
+constexpr std::string_view honest =
+    "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n";
+/// Does all it can not to be ended, for some seconds.
+constexpr std::string_view clinging =
+    "#include <signal.h>\n#include <unistd.h>\n"
+    "int main() {\n"
+    "    for (int s = 1; s < 32; ++s) signal(s, SIG_IGN);\n"
+    "    for (int i = 0; i < 3; ++i) if (fork() == 0) setsid();\n"
+    "    for (int i = 0; i < 20; ++i) usleep(500000);\n"
+    "}\n";
+constexpr std::string_view spinning =
+    "#include <ctime>\nint main() { const auto end = time(nullptr) + 10; while (time(nullptr) < end) {} }\n";
+
+/// Makes this process inherit whatever its descendants leave behind, so that nothing can hide from it.
+void adopt_orphans() {
+    ASSERT_EQ(prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0), 0);
+}
+
+/// Reaps until there is no descendant any more; false when some are left after `time`.
+bool all_gone_within(std::chrono::milliseconds time) {
+    const auto end = std::chrono::steady_clock::now() + time;
+    for (;;) {
+        const pid_t pid = waitpid(-1, nullptr, WNOHANG);
+        if (pid < 0) return true;
+        if (pid > 0) continue;
+        if (std::chrono::steady_clock::now() > end) return false;
+        std::this_thread::sleep_for(2ms);
+    }
+}
+
+std::ptrdiff_t entries(const fs::path& folder) {
+    const fs::directory_iterator all(folder);
+    return std::distance(begin(all), end(all));
+}
+
+class Fault : public testing::Test {
+  protected:
+    Fault() {
+        fs::create_directory(temporary());
+        // Run by root, the programs' accounts pass through here.
+        fs::permissions(folder.path(), static_cast<fs::perms>(0755));
+    }
+
+    fs::path students() const { return folder / "class"; }
+    fs::path out() const { return folder / "out"; }
+    /// $TMPDIR of raygrade.
+    fs::path temporary() const { return folder / "tmp"; }
+    void add(const std::string& id, std::string_view source) const { write(students() / id / "ray_cast.cpp", source); }
+    std::vector<std::string> command(std::vector<std::string> more = {}) const {
+        std::vector<std::string> words = {"grade", students().string(), "--out", out().string(), "--force"};
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    }
+    Preparation in_temporary(Preparation more = {}) const {
+        return [this, more] { return setenv("TMPDIR", temporary().c_str(), 1) == 0 && (!more || more()); };
+    }
+    /// Starts raygrade and does not wait for it.
+    pid_t start(const std::vector<std::string>& arguments) const {
+        const pid_t child = fork();
+        if (child == 0) {
+            if (!in_temporary()()) _exit(99);
+            become_raygrade(arguments, {}, "/dev/null", "/dev/null");
+        }
+        return child;
+    }
+    json graded(const std::string& id) const { return submission_in(read_json(out() / "grades.json"), id); }
+
+    TemporaryFolder folder;
+};
+
+class Killed : public Fault, public testing::WithParamInterface<unsigned> {};
+
+/// 50 random moments of a second and a half: starting, trying the sandbox, compiling, running, cleaning up. The seed is
+/// the parameter.
+TEST_P(Killed, LeavesNoProcessAndTheNextRunRemovesItsFolder) {
+    adopt_orphans();
+    add("clinging", clinging);
+    add("honest", honest);
+    add("spinning", spinning);
+    const std::vector<std::string> words = command({"-j", "2", "--limit", "run.cpu_seconds=0.3"});
+    std::mt19937 random(GetParam());
+    std::uniform_int_distribution<int> moments(0, 1500);
+    for (int i = 0; i < 50; ++i) {
+        const auto moment = std::chrono::milliseconds(moments(random));
+        const pid_t raygrade = start(words);
+        ASSERT_GT(raygrade, 0);
+        std::this_thread::sleep_for(moment);
+        kill(raygrade, SIGKILL);
+        ASSERT_TRUE(all_gone_within(5s)) << "killed after " << moment.count() << " ms, seed " << GetParam();
+        ASSERT_LE(entries(temporary()), 1) << "what an earlier run left is still there";
+    }
+    EXPECT_EQ(raygrade({"check", (students() / "honest/ray_cast.cpp").string()}, in_temporary()).status, 0);
+    EXPECT_EQ(entries(temporary()), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Killed, testing::Values(1, 2, 3, 4));
+
+/// Does something to a process of a run under way: the first one that is called `name`, whose parent's number it is
+/// given too. False when there is none in time.
+bool find_running(const std::string& name, pid_t& parent) {
+    const auto end = std::chrono::steady_clock::now() + 20s;
+    while (std::chrono::steady_clock::now() < end) {
+        for (const auto& entry : fs::directory_iterator("/proc")) {
+            std::ifstream file(entry.path() / "stat");
+            std::string pid, comm, state;
+            if (file >> pid >> comm >> state >> parent && comm == "(" + name + ")") return true;
+        }
+        std::this_thread::sleep_for(5ms);
+    }
+    return false;
+}
+
+TEST_F(Fault, ASupervisorThatDiesLeavesItsSubmissionNotGraded) {
+    adopt_orphans();
+    add("honest", honest);
+    // A name of its own, by which the test finds it.
+    add("waits",
+        "#include <sys/prctl.h>\n#include <unistd.h>\nint main() { prctl(PR_SET_NAME, \"waits-for-test\"); "
+        "sleep(8); }\n");
+    const pid_t raygrade = start(command({"-j", "1"}));
+    pid_t supervisor = 0;
+    ASSERT_TRUE(find_running("waits-for-test", supervisor));
+    kill(supervisor, SIGKILL);
+    int status = 0;
+    ASSERT_EQ(waitpid(raygrade, &status, 0), raygrade);
+    EXPECT_EQ(WEXITSTATUS(status), some_not_graded);
+    EXPECT_TRUE(all_gone_within(5s));
+    EXPECT_EQ(graded("waits").at("outcome"), "not_graded");
+    EXPECT_TRUE(graded("waits").at("points").is_null());
+    EXPECT_THAT(graded("waits").at("explanation").get<std::string>(), HasSubstr("supervisor"));
+    EXPECT_EQ(graded("honest").at("points").get<double>(), 10);
+}
+
+TEST_F(Fault, ADiskThatFillsUpLeavesItsSubmissionNotGraded) {
+    add("fills", "char big[30000000] = {1};\nint main() { return big[1]; }\n");
+    add("honest", honest);
+    const Result result =
+        raygrade(command({"-j", "1"}), in_temporary([this] { return mount_disk(temporary(), "16m"); }));
+    EXPECT_EQ(result.status, some_not_graded) << result.both();
+    EXPECT_THAT(result.both(), HasSubstr("TMPDIR"));
+    EXPECT_EQ(graded("fills").at("outcome"), "not_graded");
+    EXPECT_EQ(graded("honest").at("points").get<double>(), 10) << result.both();
+}
+
+TEST_F(Fault, ADiskWithoutRoomForAnythingIsToldBeforeTheFirstSubmission) {
+    add("honest", honest);
+    const Result result = raygrade(command(), in_temporary([this] { return mount_tiny_disk(temporary()); }));
+    EXPECT_EQ(result.status, some_not_graded) << result.both();
+    EXPECT_THAT(result.voice, HasSubstr("TMPDIR"));
+    EXPECT_FALSE(fs::exists(out() / "grades.json"));
+}
+
+/// A PATH whose bwrap, or g++, takes itself away once it has been used `uses` times.
+fs::path path_with_vanishing(const fs::path& folder, const std::string& name, int uses) {
+    const fs::path bin = folder / "bin";
+    write(bin / "uses", std::to_string(uses));
+    write(bin / name, "#!/bin/bash\nleft=$(<" + (bin / "uses").string() + "); echo $((left - 1)) >" +
+                          (bin / "uses").string() + "\n((left > 1)) || rm -f \"$0\"\nexec /usr/bin/" + name +
+                          " \"$@\"\n");
+    for (const auto& path : {folder, bin, bin / name, bin / "uses"})
+        fs::permissions(path, static_cast<fs::perms>(0777));
+    return bin;
+}
+
+TEST_F(Fault, ABwrapThatIsRemovedMeanwhileLeavesTheRestNotGraded) {
+    add("honest", honest);
+    add("later", honest);
+    // Once for the canary, twice for the first submission.
+    const fs::path bin = path_with_vanishing(folder / "vanishing", "bwrap", 3);
+    const Result result =
+        raygrade(command({"-j", "1"}),
+                 in_temporary([&] { return setenv("PATH", (bin.string() + ":/usr/bin:/bin").c_str(), 1) == 0; }));
+    EXPECT_EQ(result.status, some_not_graded) << result.both();
+    EXPECT_EQ(graded("honest").at("points").get<double>(), 10) << result.both();
+    EXPECT_EQ(graded("later").at("outcome"), "not_graded");
+    EXPECT_THAT(graded("later").at("explanation").get<std::string>(), HasSubstr("bwrap"));
+}
+
+/// grades.json without what differs from run to run.
+json marks(const fs::path& grades) {
+    json all = json::array();
+    for (const json& submission : read_json(grades).at("submissions")) {
+        all.push_back({submission.at("id"), submission.at("outcome"), submission.at("points"),
+                       submission.at("questions"), submission.at("run").at("limit"),
+                       submission.at("run").at("signal")});
+    }
+    return all;
+}
+
+TEST_F(Fault, FourBusyLoopsDoNotChangeAMark) {
+    std::vector<std::string> words = {"grade", "--out", out().string(), "--force", "-j", "2"};
+    for (const char* who : {"ada", "ben", "mateo", "nadia", "oskar", "priya", "quentin", "rosa"}) {
+        words.push_back(sample(who).string());
+    }
+    ASSERT_EQ(raygrade(words).status, 0);
+    const json quiet = marks(out() / "grades.json");
+    std::vector<pid_t> loops;
+    for (int i = 0; i < 4; ++i) {
+        loops.push_back(fork());
+        if (loops.back() == 0) {
+            prctl(PR_SET_PDEATHSIG, SIGKILL);
+            for (;;) getppid();
+        }
+    }
+    const int status = raygrade(words).status;
+    for (const pid_t loop : loops) {
+        kill(loop, SIGKILL);
+        waitpid(loop, nullptr, 0);
+    }
+    EXPECT_EQ(status, 0);
+    EXPECT_EQ(marks(out() / "grades.json"), quiet);
+}
+
+}  // namespace
+}  // namespace scenario

@@ -1,0 +1,133 @@
+// Sandboxes and limits as an instructor meets them: on the command line, in an assignment and in the reports.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/scenario.h"
+
+namespace scenario {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr int some_not_graded = 1;
+constexpr int usage = 2;
+
+class Sandboxed : public testing::Test {
+  protected:
+    Sandboxed() {
+        // Run by root, the programs' accounts pass through here to the compiler of without_bwrap.
+        fs::permissions(folder.path(), static_cast<fs::perms>(0755));
+        write(students() / "prints/ray_cast.cpp",
+              "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n");
+    }
+    void add_spinning() const {
+        write(students() / "spins/ray_cast.cpp",
+              "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); "
+              "fflush(stdout); for (volatile int i = 0;; i = i + 1) {} }\n");
+    }
+    fs::path students() const { return folder / "class"; }
+    fs::path out() const { return folder / "out"; }
+    Result grade(std::vector<std::string> more, const Preparation& prepare = {}) const {
+        more.insert(more.begin(), {"grade", "--out", out().string(), "--force"});
+        more.push_back(students().string());
+        return raygrade(more, prepare);
+    }
+    json grades() const { return read_json(out() / "grades.json"); }
+    /// A PATH with a compiler and without bwrap.
+    Preparation without_bwrap() const {
+        return [this] {
+            const fs::path bin = folder / "bin";
+            fs::create_directories(bin);
+            if (!fs::exists(bin / "g++")) fs::create_symlink("/usr/bin/g++", bin / "g++");
+            return setenv("PATH", bin.c_str(), 1) == 0;
+        };
+    }
+    /// The assignment of 2021 with more lines.
+    std::string assignment_with(const std::string& lines) const {
+        const fs::path file = folder / "limited.toml";
+        write(file, read(project_folder() / "reference/assignments/a6-2021.toml") + "\n" + lines);
+        return file.string();
+    }
+
+    TemporaryFolder folder;
+};
+
+TEST_F(Sandboxed, EachTierGradesAndIsNamed) {
+    for (const auto& [option, name] :
+         {std::pair{"auto", "bwrap+shim"}, {"bwrap", "bwrap+shim"}, {"landlock", "landlock+shim"}}) {
+        const Result result = grade({"--sandbox", option});
+        EXPECT_EQ(result.status, 0) << result.both();
+        EXPECT_EQ(grades().at("sandbox"), name);
+        EXPECT_TRUE(grades().at("warning").is_null());
+        EXPECT_EQ(grades().at("submissions").at(0).at("points").get<double>(), 10);
+        EXPECT_THAT(result.both(), Not(HasSubstr("unsafe")));
+    }
+}
+
+TEST_F(Sandboxed, WithoutASandboxNothingIsRunUnlessTold) {
+    const Result refused = grade({"--sandbox", "bwrap"}, without_bwrap());
+    EXPECT_EQ(refused.status, some_not_graded);
+    EXPECT_THAT(refused.voice,
+                AllOf(HasSubstr("apt install bubblewrap"), HasSubstr("--unsafe"), HasSubstr("raygrade doctor")));
+    EXPECT_FALSE(fs::exists(out() / "grades.json"));
+}
+
+TEST_F(Sandboxed, EveryReportOfMarksMadeWithoutASandboxSaysSo) {
+    const Result result = grade({"--sandbox", "bwrap", "--unsafe"}, without_bwrap());
+    EXPECT_EQ(result.status, 0) << result.both();
+    const std::string warning = "Graded without a sandbox (--unsafe)";
+    EXPECT_THAT(result.output, HasSubstr(warning));
+    EXPECT_THAT(result.voice, HasSubstr(warning));
+    EXPECT_EQ(grades().at("sandbox"), "unsafe");
+    EXPECT_THAT(grades().at("warning").get<std::string>(), HasSubstr(warning));
+    EXPECT_THAT(read(out() / "feedback/prints.md"), HasSubstr(warning));
+    EXPECT_THAT(read(out() / "grades.csv"), HasSubstr(",unsafe\r\n"));
+    const Result check = raygrade(
+        {"check", (students() / "prints/ray_cast.cpp").string(), "--sandbox", "bwrap", "--unsafe"}, without_bwrap());
+    EXPECT_THAT(check.output, HasSubstr(warning));
+}
+
+TEST_F(Sandboxed, AnAssignmentsLimitCountsAndTheCommandLinesMore) {
+    add_spinning();
+    const std::string assignment = assignment_with("[limits.run]\ncpu_seconds = 0.2\n");
+    ASSERT_EQ(grade({"--assignment", assignment}).status, 0);
+    const json spins = submission_in(grades(), "spins");
+    EXPECT_EQ(spins.at("outcome"), "timed_out");
+    EXPECT_EQ(spins.at("run").at("limit"), "run.cpu_seconds");
+    EXPECT_THAT(spins.at("explanation").get<std::string>(),
+                AllOf(HasSubstr("Time limit"), HasSubstr("0.2 s of computing")));
+    EXPECT_EQ(spins.at("points").get<double>(), 10) << "what it printed before counts";
+    EXPECT_GE(spins.at("run").at("cpu_seconds").get<double>(), 0.2);
+    ASSERT_EQ(grade({"--assignment", assignment, "--limit", "run.cpu_seconds=0.5"}).status, 0);
+    EXPECT_GE(submission_in(grades(), "spins").at("run").at("cpu_seconds").get<double>(), 0.5);
+}
+
+TEST_F(Sandboxed, AMistakeInALimitIsOneOfUsage) {
+    const Result of_assignment = grade({"--assignment", assignment_with("[limits.run]\ncpu = 2\n")});
+    EXPECT_EQ(of_assignment.status, usage);
+    EXPECT_THAT(of_assignment.voice, AllOf(HasSubstr("limited.toml:"), HasSubstr("limits.run.cpu: is not a limit"),
+                                           HasSubstr("run.cpu_seconds")));
+    const Result of_command_line = grade({"--limit", "run.processes=many"});
+    EXPECT_EQ(of_command_line.status, usage);
+    EXPECT_THAT(of_command_line.voice, HasSubstr("--limit run.processes: \"many\" is not a number"));
+    EXPECT_FALSE(fs::exists(out() / "grades.json"));
+}
+
+TEST_F(Sandboxed, ASignalIsNamed) {
+    write(students() / "aborts/ray_cast.cpp", "#include <cstdlib>\nint main() { std::abort(); }\n");
+    ASSERT_EQ(grade({}).status, 0);
+    const json run = submission_in(grades(), "aborts").at("run");
+    EXPECT_EQ(run.at("signal"), 6);
+    EXPECT_EQ(run.at("signal_name"), "SIGABRT");
+    EXPECT_TRUE(run.at("limit").is_null());
+}
+
+}  // namespace
+}  // namespace scenario
