@@ -17,12 +17,19 @@ std::string_view mark(Finding::Level level) {
     return "";
 }
 
+/// Lines after the first stand below it.
+std::string indented(const std::string& text) {
+    std::string result;
+    for (const char c : text) result += c == '\n' ? "\n           " : std::string(1, c);
+    return result;
+}
+
 }  // namespace
 
 int doctor_command() {
     const std::vector<Finding> findings = examine_machine();
     for (const Finding& finding : findings) {
-        fmt::print("{:<8} {}: {}\n", mark(finding.level), finding.what, finding.detail);
+        fmt::print("{:<8} {}: {}\n", mark(finding.level), finding.what, indented(finding.detail));
         if (!finding.way_out.empty()) fmt::print("{:<8} -> {}\n", "", finding.way_out);
     }
     const bool bad =

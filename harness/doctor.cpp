@@ -33,12 +33,11 @@ std::string first_line(const std::string& text) {
     return text.substr(0, text.find('\n'));
 }
 
+/// The summary, then a line for each attempt.
 std::string attempts_of(const CanaryReport& report) {
-    if (!report.failure.empty()) return printable(report.failure);
-    std::string text = report.summary();
+    std::string text = printable(report.summary());
     for (const Attempt& attempt : report.attempts) {
-        text += fmt::format("{}{} ({})", &attempt == report.attempts.data() ? ": " : ", ", attempt.what,
-                            printable(attempt.detail));
+        text += fmt::format("\n{}: {}", attempt.what, printable(attempt.detail));
     }
     return text;
 }

@@ -35,8 +35,8 @@ bool overwrite(const char* path) {
 }
 
 bool leave_a_file() {
-    for (const char* path :
-         {"./left-behind", "/tmp/raygrade-canary-left-behind", "/dev/shm/raygrade-canary-left-behind"}) {
+    for (const char* path : {"./left-behind", "/left-behind", "/tmp/raygrade-canary-left-behind",
+                             "/dev/shm/raygrade-canary-left-behind"}) {
         const int file = open(path, O_WRONLY | O_CREAT, 0600);
         if (file < 0) continue;
         unlink(path);
