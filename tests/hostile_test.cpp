@@ -178,7 +178,10 @@ class Hostile : public testing::Test {
         expect_clean_reports(graded, held_to, tier_);
         if (ended_by_itself(graded[0])) {
             const auto again = run_again(hostile, workshop);
-            EXPECT_EQ(again.ended, graded[0].run.ended);
+            // A limit would have taken what it had not flushed. A bomb may be refused now and be stopped then.
+            if (graded[0].run.ended == harness::Ended::exited) {
+                EXPECT_EQ(again.ended, harness::Ended::exited);
+            }
             expect_nothing_learnt(again, {});
         }
         expect_nothing_learnt(graded[0].run, graded[0].build.diagnostics);
