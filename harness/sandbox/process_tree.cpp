@@ -24,7 +24,7 @@ namespace {
 std::string read_small_file(int folder, const char* name) {
     const FileDescriptor file(openat(folder, name, O_RDONLY | O_CLOEXEC));
     if (!file) return {};
-    char text[1024];
+    char text[4096];
     const ssize_t size = read(file.get(), text, sizeof text);
     return size > 0 ? std::string(text, static_cast<std::size_t>(size)) : std::string();
 }
@@ -49,22 +49,48 @@ std::int64_t number(std::string_view text) {
     return value;
 }
 
-/// Empty when there is no such process, or no longer.
-std::optional<ProcessRecord> read_record(int proc, pid_t pid) {
-    const std::string line = read_small_file(proc, (std::to_string(pid) + "/stat").c_str());
-    const auto fields = stat_fields(line);
-    if (fields.size() < 22) return std::nullopt;
+ProcessRecord to_record(const std::vector<std::string_view>& fields, pid_t pid) {
     static const std::int64_t ticks_per_second = sysconf(_SC_CLK_TCK);
     static const std::int64_t page_bytes = sysconf(_SC_PAGESIZE);
     const auto field = [&](std::size_t as_in_the_manual) { return number(fields[as_in_the_manual - 3]); };
     ProcessRecord record;
     record.pid = pid;
+    record.living_thread = pid;
     record.parent = static_cast<pid_t>(field(4));
     record.group = static_cast<pid_t>(field(5));
     record.zombie = fields[0] == "Z" || fields[0] == "X";
     record.cpu = std::chrono::milliseconds((field(14) + field(15) + field(16) + field(17)) * 1000 / ticks_per_second);
     record.threads = static_cast<int>(field(20));
     record.memory_bytes = static_cast<std::uint64_t>(field(24) * page_bytes);
+    return record;
+}
+
+/// Of a process, or of a thread with the memory of its process. Empty when there is none, or no longer.
+std::optional<ProcessRecord> read_entry(int proc, pid_t pid) {
+    const std::string line = read_small_file(proc, (std::to_string(pid) + "/stat").c_str());
+    const auto fields = stat_fields(line);
+    if (fields.size() < 22) return std::nullopt;
+    return to_record(fields, pid);
+}
+
+/// A process whose first thread has ended looks like a zombie without memory. Its other threads tell.
+void look_at_other_threads(int proc, ProcessRecord& record) {
+    const std::string tasks = std::to_string(record.pid) + "/task";
+    const int descriptor = openat(proc, tasks.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const std::unique_ptr<DIR, int (*)(DIR*)> folder(descriptor < 0 ? nullptr : fdopendir(descriptor), closedir);
+    while (const dirent* entry = folder ? readdir(folder.get()) : nullptr) {
+        const auto thread = read_entry(proc, static_cast<pid_t>(std::atoi(entry->d_name)));
+        if (!thread || thread->zombie) continue;
+        record.zombie = false;
+        record.living_thread = thread->pid;
+        record.memory_bytes = thread->memory_bytes;
+        return;
+    }
+}
+
+std::optional<ProcessRecord> read_record(int proc, pid_t pid) {
+    auto record = read_entry(proc, pid);
+    if (record && record->zombie && record->threads > 1) look_at_other_threads(proc, *record);
     return record;
 }
 
@@ -120,6 +146,17 @@ std::vector<ProcessRecord> below(pid_t root, std::vector<ProcessRecord> processe
     // The list is no snapshot: a number used twice within one walk could close a circle, hence the bound.
     for (std::size_t i = 0; i < found.size() && found.size() <= processes.size(); ++i) add_children_of(found[i].pid);
     return found;
+}
+
+std::uint64_t page_table_bytes(const ProcessRecord& process) {
+    const std::string status =
+        read_small_file(open_proc().get(), (std::to_string(process.living_thread) + "/status").c_str());
+    constexpr std::string_view name = "\nVmPTE:";
+    const std::size_t at = status.find(name);
+    if (at == std::string::npos) return 0;
+    const std::size_t digits = status.find_first_not_of(" \t", at + name.size());
+    if (digits == std::string::npos) return 0;
+    return static_cast<std::uint64_t>(number(std::string_view(status).substr(digits))) * 1024;
 }
 
 void kill_below(pid_t root) {

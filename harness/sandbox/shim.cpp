@@ -55,6 +55,20 @@ microseconds total(const rusage& usage) {
            microseconds(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
 
+/// The time of children that ended and that their parent, ignoring SIGCHLD, never waited for: the kernel adds it to
+/// nobody's, so the tree's sum falls. It falls for a moment too when a child ends between the looks at its parent and
+/// at itself; hence the larger one of two sums counts.
+struct UncountedTime {
+    microseconds lost{0}, highest{0}, previous{0};
+
+    void add(microseconds sum) {
+        const microseconds settled = std::max(previous, sum);
+        lost += std::max(highest - settled, microseconds{0});
+        highest = settled;
+        previous = sum;
+    }
+};
+
 /// Everything known about the program's tree while it runs.
 struct Watch {
     const Limits& limits;
@@ -63,6 +77,7 @@ struct Watch {
     Clock::time_point start = Clock::now();
     std::optional<int> wait_status{};  ///< of the program, once it has ended
     std::uint64_t peak_memory_bytes = 0;
+    UncountedTime uncounted{};
 };
 
 /// Reaps every child that has ended. False when there is no child at all any more.
@@ -93,11 +108,12 @@ std::optional<How> check_tree(Watch& watch) {
     int tasks = 0;
     for (const auto& process : below(getpid(), list_processes(watch.strangers))) {
         cpu += process.cpu;
-        memory_bytes += process.memory_bytes;
+        memory_bytes += process.memory_bytes + page_table_bytes(process);
         if (!process.zombie) tasks += process.threads;
     }
     watch.peak_memory_bytes = std::max(watch.peak_memory_bytes, memory_bytes);
-    if (cpu > watch.limits.cpu) return How::cpu_limit;
+    watch.uncounted.add(cpu);
+    if (cpu + watch.uncounted.lost > watch.limits.cpu) return How::cpu_limit;
     if (memory_bytes > watch.limits.memory_bytes) return How::memory_limit;
     if (tasks > watch.limits.processes) return How::process_limit;
     return std::nullopt;
@@ -144,7 +160,7 @@ void end_tree(Watch& watch, int child_fd, int lifeline_fd) {
 /// to get the same verdict every time.
 ShimStatus conclude(const Watch& watch, std::optional<How> cause, microseconds wall) {
     ShimStatus status;
-    status.cpu = reaped_cpu();
+    status.cpu = reaped_cpu() + watch.uncounted.lost;
     status.wall = wall;
     status.peak_memory_bytes = watch.peak_memory_bytes;
     const int wait_status = watch.wait_status.value_or(0);

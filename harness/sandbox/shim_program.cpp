@@ -83,9 +83,10 @@ void confine(const ShimOrders& orders, int report_fd) {
     if (orders.account && !become(*orders.account)) give_up(report_fd, "account");
     if (orders.tier == Tier::unsafe) return;
     ForbiddenCalls more;
+    const bool compiles = orders.purpose == Purpose::compile;
+    more.shared_memory = !compiles;
     if (orders.tier == Tier::landlock) {
         constexpr int since_signals = 6;
-        const bool compiles = orders.purpose == Purpose::compile;
         std::vector<std::string> readable = orders.readable;
         std::vector<std::string> writable = {"/dev/null"};
         (compiles ? writable : readable).push_back(orders.working_directory);

@@ -5,6 +5,8 @@
 #include <sched.h>
 #include <seccomp.h>
 #include <sys/ioctl.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -102,6 +104,10 @@ void forbid_meddling_with_processes(Filter& filter) {
     filter.forbid_if(SCMP_SYS(sched_setattr), {SCMP_A0_32(SCMP_CMP_NE, 0)});
     filter.forbid_if(SCMP_SYS(sched_setaffinity), {SCMP_A0_32(SCMP_CMP_NE, 0)});
     filter.forbid_if(SCMP_SYS(setpriority), {SCMP_A1_32(SCMP_CMP_NE, 0)});
+    // 0 is this process, or all of this account.
+    constexpr std::uint32_t io_of_an_account = 3;  // IOPRIO_WHO_USER
+    filter.forbid_if(SCMP_SYS(setpriority), {SCMP_A0_32(SCMP_CMP_EQ, PRIO_USER)});
+    filter.forbid_if(SCMP_SYS(ioprio_set), {SCMP_A0_32(SCMP_CMP_EQ, io_of_an_account)});
     filter.forbid_if(SCMP_SYS(ioprio_set), {SCMP_A1_32(SCMP_CMP_NE, 0)});
 }
 
@@ -114,6 +120,14 @@ void forbid_signals_to_others(Filter& filter) {
     // A descriptor whose owner is another process sends it a signal of the program's choice.
     for (const std::uint64_t command : {F_SETOWN, F_SETOWN_EX}) filter.forbid_if(SCMP_SYS(fcntl), {second_is(command)});
     for (const std::uint64_t request : {FIOSETOWN, SIOCSPGRP}) filter.forbid_if(SCMP_SYS(ioctl), {second_is(request)});
+}
+
+/// Also that of /dev/zero. MAP_SHARED_VALIDATE has this bit as well.
+void forbid_shared_memory(Filter& filter) {
+    constexpr unsigned flags = 3;
+    for (const int call : {SCMP_SYS(mmap), SCMP_SYS(mmap2)}) {
+        filter.forbid_if(call, {SCMP_CMP64(flags, SCMP_CMP_MASKED_EQ, MAP_SHARED, MAP_SHARED)});
+    }
 }
 
 void forbid_file_attributes(Filter& filter) {
@@ -136,6 +150,7 @@ bool forbid_system_calls(const ForbiddenCalls& more) {
     forbid_meddling_with_processes(filter);
     if (more.signals) forbid_signals_to_others(filter);
     if (more.file_attributes) forbid_file_attributes(filter);
+    if (more.shared_memory) forbid_shared_memory(filter);
     const int failed = filter.load();
     if (failed != 0) errno = -failed;
     return failed == 0;

@@ -9,6 +9,8 @@ struct ForbiddenCalls {
     bool signals = false;
     /// Changing mode, owner, times or attributes of a file, or its length by path, which Landlock lets pass.
     bool file_attributes = false;
+    /// Memory to be shared, which stays in use when no process has it mapped, so that nobody could count it.
+    bool shared_memory = false;
 };
 
 /// From here on these calls fail with EPERM in this process and its children: sockets, other processes' memory, limits

@@ -1,0 +1,244 @@
+// Every program of submissions/hostile in every tier of the sandbox: what it comes to, and that nothing else comes of
+// it: not for its neighbour, not for the machine, not in the reports.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <thread>
+
+#include "harness/failure.h"
+#include "harness/grade.h"
+#include "harness/intake.h"
+#include "harness/report/report.h"
+#include "harness/run.h"
+#include "harness/sandbox/canary.h"
+#include "harness/sandbox/scratch.h"
+#include "tests/hostile/corpus.h"
+#include "tests/hostile/decoys.h"
+
+namespace hostile {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using harness::Graded;
+using harness::Submission;
+using harness::Tier;
+using harness::Workshop;
+
+const fs::path project = RAYGRADE_PROJECT;
+
+struct TestedTier {
+    Tier tier;
+    const char* name;
+};
+constexpr std::array<TestedTier, 2> tiers = {{{Tier::bwrap, "bwrap"}, {Tier::landlock, "landlock"}}};
+
+/// Why the tier can start nothing at all on this machine; empty when it can. One that starts and does not hold is
+/// tested.
+std::string why_not(Tier tier) {
+    try {
+        return harness::try_canary(harness::Sandbox(tier)).failure;
+    } catch (const harness::HarnessError& error) {
+        return error.what();
+    }
+}
+
+/// Less time than by default, for the sake of whoever waits for the tests; as much as a busy machine needs.
+Workshop quick_workshop(Tier tier) {
+    auto [compile, run] = harness::read_limits({}, {});
+    compile.cpu = 2s;
+    compile.wall = 12s;
+    run.cpu = 1s;
+    run.wall = 4s;
+    run.memory_bytes = std::uint64_t{128} << 20U;
+    return {std::make_unique<harness::Sandbox>(tier), harness::default_build_settings(compile), run};
+}
+
+harness::Marking marking() {
+    const auto assignment = reference::load_assignment("a6-2021", project / "reference/assignments");
+    return {assignment, reference::make_key(assignment, reference::Precision::certified)};
+}
+
+Submission take_in_one(const fs::path& path) {
+    const auto taken = harness::take_in(path);
+    if (taken.size() != 1 || taken[0].problem) throw std::runtime_error(path.string() + " is no submission");
+    return taken[0];
+}
+
+/// Of a program that was stopped at a limit, the limit is all there is to see.
+bool ended_by_itself(const Graded& graded) {
+    return graded.run.ended == harness::Ended::exited || graded.run.ended == harness::Ended::signalled;
+}
+
+/// What the program prints, which the grades no longer hold.
+harness::ProcessResult run_again(const Submission& submission, const Workshop& workshop) {
+    const harness::Scratch scratch(workshop.sandbox->workspace());
+    const harness::Build build = harness::build(submission, workshop.build, *workshop.sandbox, scratch);
+    return harness::run(build, workshop.run, *workshop.sandbox, scratch);
+}
+
+/// What a report must not hold beside line ends and tabs: bytes that a terminal obeys, and what is no UTF-8.
+std::optional<std::string> unprintable(std::string_view text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : ' ');
+        const bool control = (byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7f;
+        const bool control_of_8_bits = byte == 0xc2 && next >= 0x80 && next < 0xa0;
+        if (control || control_of_8_bits) return "control character at byte " + std::to_string(i);
+    }
+    try {
+        nlohmann::json(text).dump();
+    } catch (const nlohmann::json::type_error& error) {
+        return error.what();
+    }
+    return std::nullopt;
+}
+
+/// RFC 4180 ends lines with CR LF.
+std::string with_plain_line_ends(std::string text) {
+    for (std::size_t at = 0; (at = text.find("\r\n", at)) != std::string::npos;) text.erase(at, 1);
+    return text;
+}
+
+/// Lets what is ending end, as the first process of a namespace does whose outer half is gone.
+void expect_no_process_left() {
+    const auto end = std::chrono::steady_clock::now() + 2s;
+    pid_t pid = 0;
+    while ((pid = waitpid(-1, nullptr, WNOHANG)) >= 0 && std::chrono::steady_clock::now() < end) {
+        std::this_thread::sleep_for(10ms);
+    }
+    EXPECT_LT(pid, 0) << "a process is left over";
+}
+
+void expect_only_the_shim_in(const fs::path& workspace) {
+    for (const auto& entry : fs::directory_iterator(workspace)) EXPECT_EQ(entry.path().filename(), "shim");
+}
+
+void expect_fair_outcome(const Graded& graded, const Attack& attack) {
+    EXPECT_THAT(attack.outcomes, testing::Contains(harness::to_string(graded.outcome)))
+        << "It tries " << attack.tries << ".\n"
+        << graded.explanation << '\n'
+        << graded.build.diagnostics.substr(0, 2000) << graded.run.errors.substr(0, 2000);
+    // What they print is right for the first question and for an item or two beyond.
+    EXPECT_LE(graded.score.points, 15);
+    if (graded.outcome != harness::Outcome::graded) {
+        EXPECT_NE(graded.explanation, "");
+    }
+}
+
+void expect_clean_reports(const std::vector<Graded>& graded, const harness::Marking& marking, Tier tier) {
+    const std::map<std::string, std::string> reports = {
+        {"grades.json", harness::report::grades_json(graded, marking, tier)},
+        {"grades.csv", with_plain_line_ends(harness::report::grades_csv(graded))},
+        {"the class table", harness::report::class_table(graded)},
+        {"the feedback", harness::report::feedback_markdown(graded[0], marking)},
+        {"the check", harness::report::check_text(graded[0])}};
+    for (const auto& [name, text] : reports) {
+        EXPECT_EQ(unprintable(text), std::nullopt) << name;
+        EXPECT_EQ(stolen_word(text), "") << name;
+        EXPECT_THAT(text, testing::Not(testing::HasSubstr("ESCAPED"))) << name;
+    }
+}
+
+void expect_nothing_learnt(const harness::ProcessResult& result, const std::string& diagnostics) {
+    for (const auto& [name, text] : std::map<std::string, std::string>{
+             {"stdout", result.output}, {"stderr", result.errors}, {"the compiler's messages", diagnostics}}) {
+        EXPECT_EQ(stolen_word(text), "") << name;
+        const std::size_t at = text.find("ESCAPED");
+        EXPECT_EQ(at, std::string::npos) << name << ": " << text.substr(at, 1000);
+    }
+}
+
+class Hostile : public testing::Test {
+  public:
+    Hostile(Tier tier, Attack attack) : tier_(tier), attack_(std::move(attack)) {}
+
+    void TestBody() override {
+        if (const std::string reason = why_not(tier_); !reason.empty()) GTEST_SKIP() << reason;
+        place_decoy_files();
+        const DecoyListener listener;
+        const Submission hostile = take_in_one(attack_.folder);
+        const Submission neighbour = take_in_one(project / "tests/hostile/neighbour.cpp");
+        const harness::Marking held_to = marking();
+        const Workshop workshop = quick_workshop(tier_);
+        std::atomic<std::size_t> done{0};
+        const auto graded = harness::grade_all({hostile, neighbour}, held_to, workshop, 2, done);
+
+        expect_fair_outcome(graded[0], attack_);
+        EXPECT_EQ(graded[1].outcome, harness::Outcome::graded) << "the neighbour: " << graded[1].explanation;
+        EXPECT_EQ(graded[1].score.points, 100) << "the neighbour";
+        expect_clean_reports(graded, held_to, tier_);
+        if (ended_by_itself(graded[0])) {
+            const auto again = run_again(hostile, workshop);
+            // A limit would have taken what it had not flushed. A bomb may be refused now and be stopped then.
+            if (graded[0].run.ended == harness::Ended::exited) {
+                EXPECT_EQ(again.ended, harness::Ended::exited);
+            }
+            expect_nothing_learnt(again, {});
+        }
+        expect_nothing_learnt(graded[0].run, graded[0].build.diagnostics);
+        EXPECT_FALSE(listener.was_called());
+        EXPECT_THAT(changes_to_decoy_files(), testing::IsEmpty());
+        expect_only_the_shim_in(workshop.sandbox->workspace().path());
+        expect_no_process_left();
+    }
+
+  private:
+    Tier tier_;
+    Attack attack_;
+};
+
+TEST(HostileCorpus, SaysOfEveryProgramWhatItTriesAndWhatItMustComeTo) {
+    const std::vector<Attack> corpus = read_corpus(project / "submissions/hostile");
+    EXPECT_GE(corpus.size(), 100U);
+    for (const Attack& attack : corpus) {
+        EXPECT_THAT(attack.outcomes, testing::Not(testing::IsEmpty())) << attack.name;
+        for (const std::string& outcome : attack.outcomes) {
+            EXPECT_THAT((std::vector<std::string>{"graded", "compile_error", "crashed", "timed_out", "output_limit",
+                                                  "memory_limit", "no_output"}),
+                        testing::Contains(outcome))
+                << attack.name;
+        }
+    }
+}
+
+TEST(HostileCorpus, IsTriedInOneTierAtLeast) {
+    std::vector<std::string> reasons;
+    for (const TestedTier& tested : tiers) reasons.push_back(why_not(tested.tier));
+    EXPECT_THAT(reasons, testing::Contains(""));
+}
+
+void register_attacks() {
+    for (const Attack& attack : read_corpus(project / "submissions/hostile")) {
+        for (const TestedTier& tested : tiers) {
+            testing::RegisterTest((std::string("Hostile/") + tested.name).c_str(), attack.name.c_str(), nullptr,
+                                  nullptr, __FILE__, __LINE__,
+                                  [tier = tested.tier, attack]() -> Hostile* { return new Hostile(tier, attack); });
+        }
+    }
+}
+
+}  // namespace
+}  // namespace hostile
+
+int main(int argc, char** argv) {
+    // What a process shows in /proc is the environment it was started with.
+    if (std::getenv(hostile::decoy_variable) == nullptr) {
+        setenv(hostile::decoy_variable, hostile::decoy_value, 1);
+        execv("/proc/self/exe", argv);
+        return 1;
+    }
+    // Whatever outlives its supervisor becomes a child of this process, where it is noticed.
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
+    testing::InitGoogleMock(&argc, argv);
+    hostile::register_attacks();
+    return RUN_ALL_TESTS();
+}
