@@ -11,8 +11,8 @@ namespace harness {
 /// given and the same whatever the number of jobs, the order of finishing, and what was kept by earlier runs. The
 /// machine's failures and raygrade's own become Outcome::not_graded with the message, so that the others are graded.
 /// `timeline` counts and measures while it works.
-std::vector<Graded> grade_all(const std::vector<Submission>& submissions, const Marking& marking,
-                              const Workshop& workshop, int jobs, Timeline& timeline);
+std::vector<Graded> grade_all(std::vector<Submission> submissions, const Marking& marking, const Workshop& workshop,
+                              int jobs, Timeline& timeline);
 
 /// Grades one submission.
 Graded grade(const Submission& submission, const Marking& marking, const Workshop& workshop);

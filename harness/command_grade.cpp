@@ -5,6 +5,8 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <functional>
+#include <future>
 
 #include "harness/batch.h"
 #include "harness/commands.h"
@@ -19,11 +21,11 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Writes a whole file or throws HarnessError; what was there before stays until the new one is complete.
-void write_file(const fs::path& file, const std::string& text) {
+void write_file(const fs::path& file, const std::function<void(std::ostream&)>& write) {
     const fs::path fresh = file.string() + ".new";
     errno = 0;
     std::ofstream stream(fresh, std::ios::binary);
-    stream << text;
+    write(stream);
     stream.close();
     if (!stream) {
         const std::string why = errno == 0 ? "writing failed" : std::strerror(errno);
@@ -33,6 +35,10 @@ void write_file(const fs::path& file, const std::string& text) {
                                        file.string(), why));
     }
     fs::rename(fresh, file);
+}
+
+void write_file(const fs::path& file, const std::string& text) {
+    write_file(file, [&](std::ostream& stream) { stream << text; });
 }
 
 /// Whether there is nothing at all, or no more than the folders that a run makes first.
@@ -88,20 +94,25 @@ void write_results(const std::vector<Graded>& graded, const Marking& marking, Ti
     for (const auto& entry : fs::directory_iterator(feedback)) {
         if (entry.path().extension() == ".md") fs::remove(entry.path());  // of an earlier run, under --force
     }
-    for (std::size_t i = 0; i < graded.size(); ++i) {
-        write_file(feedback / feedback_name(graded[i].submission.id, i), report::feedback_markdown(graded[i], marking));
-    }
+    std::future<void> written = std::async(std::launch::async, [&] {
+        for (std::size_t i = 0; i < graded.size(); ++i) {
+            write_file(feedback / feedback_name(graded[i].submission.id, i),
+                       report::feedback_markdown(graded[i], marking));
+        }
+    });
     write_file(out / "grades.csv", report::grades_csv(graded));
-    write_file(out / "grades.json", report::grades_json(graded, marking, tier));
+    write_file(out / "grades.json",
+               [&](std::ostream& stream) { report::write_grades_json(stream, graded, marking, tier); });
+    written.get();
 }
 
-std::vector<Graded> grade_with_progress(const std::vector<Submission>& submissions, const Marking& marking,
+std::vector<Graded> grade_with_progress(std::vector<Submission> submissions, const Marking& marking,
                                         const Workshop& workshop, int jobs, const fs::path& trace) {
     Timeline timeline;
     std::vector<Graded> graded;
     {
         const Progress progress(timeline, submissions.size());
-        graded = grade_all(submissions, marking, workshop, jobs, timeline);
+        graded = grade_all(std::move(submissions), marking, workshop, jobs, timeline);
     }
     fmt::print(stderr, "{}\n", closing_line(timeline));
     tell_problems(workshop);
@@ -128,11 +139,12 @@ int grade_command(const GradeOptions& options) {
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
     const Marking marking{assignment, reference::make_key(assignment, reference::Precision::certified)};
     for (const std::string& note : marking.key.notes) fmt::print(stderr, "note: {}\n", note);
-    const std::vector<Submission> submissions = find_submissions(options.paths);
+    std::vector<Submission> submissions = find_submissions(options.paths);
     prepare_folder(options.out, options.force);
     const Workshop workshop = open_workshop(options.workshop, assignment.limits);
     warn_of_no_sandbox(workshop);
-    const std::vector<Graded> graded = grade_with_progress(submissions, marking, workshop, options.jobs, options.trace);
+    const std::vector<Graded> graded =
+        grade_with_progress(std::move(submissions), marking, workshop, options.jobs, options.trace);
     fmt::print("{}", report::class_table(graded));
     std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
     for (const Graded& one : graded) {

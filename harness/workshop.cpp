@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <future>
+
 #include "harness/failure.h"
 #include "harness/fingerprint.h"
 #include "harness/sandbox/canary.h"
@@ -31,10 +33,9 @@ void add_limits(Fingerprint& fingerprint, const Limits& limits) {
 }
 
 /// Without a compiler, or one that can't say what it is, nothing is kept; building says why.
-void open_cache(Workshop& workshop, const std::filesystem::path& folder) {
-    if (workshop.build.compiler.empty()) return;
+void open_cache(Workshop& workshop, const std::filesystem::path& folder, std::future<std::string> toolchain) {
     try {
-        workshop.toolchain = toolchain_fingerprint(workshop.build.compiler);
+        workshop.toolchain = toolchain.get();
     } catch (const HarnessError&) {
         return;
     }
@@ -48,12 +49,16 @@ void open_cache(Workshop& workshop, const std::filesystem::path& folder) {
 Workshop open_workshop(const WorkshopOptions& options, const std::vector<reference::LimitEntry>& limits) {
     const StageLimits stages = read_limits(limits, options.limits);
     const auto without = options.unsafe ? WithoutSandbox::run_unsafe : WithoutSandbox::refuse;
+    BuildSettings build = default_build_settings(stages.compile);
+    std::future<std::string> toolchain;  // looks at some ten thousand headers while the sandbox is tried
+    if (options.cache && !build.compiler.empty())
+        toolchain = std::async(std::launch::async, toolchain_fingerprint, build.compiler);
     Choice choice = choose_sandbox(wanted_tier(options.sandbox), without);
-    Workshop workshop{std::move(choice.sandbox), default_build_settings(stages.compile), stages.run};
+    Workshop workshop{std::move(choice.sandbox), std::move(build), stages.run};
     workshop.repetitions = options.repetitions;
     workshop.sanitize = options.sanitize;
     workshop.fresh = options.fresh;
-    if (options.cache) open_cache(workshop, *options.cache);
+    if (toolchain.valid()) open_cache(workshop, *options.cache, std::move(toolchain));
     return workshop;
 }
 

@@ -1,5 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <ostream>
+#include <sstream>
 
 #include "harness/clean_text.h"
 #include "harness/report/report.h"
@@ -92,15 +94,35 @@ ordered_json submission_json(const Graded& graded) {
 
 }  // namespace
 
-std::string grades_json(const std::vector<Graded>& graded, const Marking& marking, Tier tier) {
-    ordered_json submissions = ordered_json::array();
-    for (const Graded& one : graded) submissions.push_back(submission_json(one));
-    const ordered_json json{{"schema", "raygrade/grades/1"},
+void write_grades_json(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking, Tier tier) {
+    // By the submission: ten thousand of them as one JSON value take gigabytes.
+    const auto text = [](const ordered_json& json, std::string_view indentation) {
+        std::string indented;
+        for (const char c : json.dump(2, ' ', false, ordered_json::error_handler_t::replace)) {
+            indented += c;
+            if (c == '\n') indented += indentation;  // within a JSON string there is none
+        }
+        return indented;
+    };
+    const ordered_json head{{"schema", "raygrade/grades/1"},
                             {"assignment", marking.assignment.name},
                             {"sandbox", to_string(tier)},
-                            {"warning", or_null(sandbox_warning(tier))},
-                            {"submissions", submissions}};
-    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+                            {"warning", or_null(sandbox_warning(tier))}};
+    std::string opening = text(head, "");
+    opening.resize(opening.size() - 2);  // "\n}"
+    out << opening << ",\n  \"submissions\": [";
+    std::string_view before = "\n    ";
+    for (const Graded& one : graded) {
+        out << before << text(submission_json(one), "    ");
+        before = ",\n    ";
+    }
+    out << (graded.empty() ? "" : "\n  ") << "]\n}\n";
+}
+
+std::string grades_json(const std::vector<Graded>& graded, const Marking& marking, Tier tier) {
+    std::ostringstream text;
+    write_grades_json(text, graded, marking, tier);
+    return text.str();
 }
 
 }  // namespace harness::report

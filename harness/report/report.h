@@ -2,6 +2,7 @@
 // Markdown.
 #pragma once
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace harness::report {
 std::string class_table(const std::vector<Graded>& graded);
 
 /// The format raygrade/grades/1, indented, with a final newline. `tier` is what the programs ran under.
+void write_grades_json(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking, Tier tier);
 std::string grades_json(const std::vector<Graded>& graded, const Marking& marking, Tier tier);
 
 /// One row a submission, RFC 4180 with a header: id, outcome, points, max_points, the points by question,
