@@ -255,7 +255,7 @@ void Batch::run_all() {
 
 Graded Batch::finish(Built built) {
     const Submission& submission = submissions_[built.index];
-    if (submission.problem) return not_graded(submission, *submission.problem, marking_, workshop_);
+    if (submission.problem) return ungraded(submission, *submission.problem, marking_, workshop_);
     if (built.from_store) {
         ++timeline_.from_store;
     } else {
@@ -291,7 +291,7 @@ template <class Work>
 bool Batch::or_not_graded(std::size_t index, Work work) {
     const Submission& submission = submissions_[index];
     const auto fail = [&](const std::string& why) {
-        results_[index] = not_graded(submission, why, marking_, workshop_);
+        results_[index] = ungraded(submission, why, marking_, workshop_);
         ++timeline_.finished;
         return false;
     };

@@ -143,8 +143,8 @@ Graded mark(const Submission& submission, std::vector<Execution> executions, con
     return graded;
 }
 
-Graded not_graded(const Submission& submission, const std::string& why, const Marking& marking,
-                  const Workshop& workshop) {
+Graded ungraded(const Submission& submission, const std::string& why, const Marking& marking,
+                const Workshop& workshop) {
     Graded graded = begun(submission, workshop);
     graded.explanation = why;
     graded.score = score({}, marking.key, marking.assignment);

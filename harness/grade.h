@@ -64,7 +64,6 @@ Graded mark(const Submission& submission, std::vector<Execution> executions, con
             const Workshop& workshop, Timeline& timeline);
 
 /// A submission without marks, because of a problem of its own, the machine or raygrade.
-Graded not_graded(const Submission& submission, const std::string& why, const Marking& marking,
-                  const Workshop& workshop);
+Graded ungraded(const Submission& submission, const std::string& why, const Marking& marking, const Workshop& workshop);
 
 }  // namespace harness

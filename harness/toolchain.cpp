@@ -156,10 +156,7 @@ void add_processor(Fingerprint& fingerprint) {
 #endif
 }
 
-}  // namespace
-
-std::string toolchain_fingerprint(const fs::path& compiler) {
-    const std::string description = self_description(compiler);
+std::string fingerprint_of(const fs::path& compiler, const std::string& description) {
     const SearchPaths paths = search_paths(description);
     Fingerprint fingerprint("raygrade/toolchain/1");
     fingerprint.add(compiler.string()).add(description);
@@ -175,6 +172,17 @@ std::string toolchain_fingerprint(const fs::path& compiler) {
     for (const std::string& library : runtime_libraries()) add_file(fingerprint, library);
     add_processor(fingerprint);
     return fingerprint.hex();
+}
+
+}  // namespace
+
+std::string toolchain_fingerprint(const fs::path& compiler) {
+    return fingerprint_of(compiler, self_description(compiler));
+}
+
+std::future<std::string> begin_toolchain_fingerprint(const fs::path& compiler) {
+    // A program started while another thread writes one that is to be executed would hold it open: "Text file busy".
+    return std::async(std::launch::async, fingerprint_of, compiler, self_description(compiler));
 }
 
 }  // namespace harness

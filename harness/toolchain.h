@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <future>
 #include <string>
 
 namespace harness {
@@ -11,5 +12,8 @@ namespace harness {
 /// of what those libraries choose their arithmetic by, as the folder it is kept in may be shared by machines. Takes
 /// some 50 ms. Throws HarnessError when the compiler can't be run.
 std::string toolchain_fingerprint(const std::filesystem::path& compiler);
+
+/// The same, with the headers looked at by another thread, that starts no program. Throws HarnessError at once.
+std::future<std::string> begin_toolchain_fingerprint(const std::filesystem::path& compiler);
 
 }  // namespace harness

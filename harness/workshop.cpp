@@ -32,13 +32,18 @@ void add_limits(Fingerprint& fingerprint, const Limits& limits) {
     fingerprint.add(limits.processes).add(limits.open_files);
 }
 
-/// Without a compiler, or one that can't say what it is, nothing is kept; building says why.
-void open_cache(Workshop& workshop, const std::filesystem::path& folder, std::future<std::string> toolchain) {
+/// None without a compiler, or with one that can't say what it is; then nothing is kept, and building says why.
+std::future<std::string> begin_fingerprint(const std::filesystem::path& compiler) {
+    if (compiler.empty()) return {};
     try {
-        workshop.toolchain = toolchain.get();
+        return begin_toolchain_fingerprint(compiler);
     } catch (const HarnessError&) {
-        return;
+        return {};
     }
+}
+
+void open_cache(Workshop& workshop, const std::filesystem::path& folder, std::future<std::string> toolchain) {
+    workshop.toolchain = toolchain.get();
     workshop.store = std::make_unique<Store>(folder);
     workshop.headers =
         std::make_unique<const HeaderShelf>(folder, workshop.build, workshop.toolchain, *workshop.sandbox);
@@ -51,8 +56,7 @@ Workshop open_workshop(const WorkshopOptions& options, const std::vector<referen
     const auto without = options.unsafe ? WithoutSandbox::run_unsafe : WithoutSandbox::refuse;
     BuildSettings build = default_build_settings(stages.compile);
     std::future<std::string> toolchain;  // looks at some ten thousand headers while the sandbox is tried
-    if (options.cache && !build.compiler.empty())
-        toolchain = std::async(std::launch::async, toolchain_fingerprint, build.compiler);
+    if (options.cache) toolchain = begin_fingerprint(build.compiler);
     Choice choice = choose_sandbox(wanted_tier(options.sandbox), without);
     Workshop workshop{std::move(choice.sandbox), std::move(build), stages.run};
     workshop.repetitions = options.repetitions;

@@ -13,8 +13,8 @@
 #include <optional>
 #include <thread>
 
+#include "harness/batch.h"
 #include "harness/failure.h"
-#include "harness/grade.h"
 #include "harness/intake.h"
 #include "harness/report/report.h"
 #include "harness/run.h"
@@ -169,8 +169,8 @@ class Hostile : public testing::Test {
         const Submission neighbour = take_in_one(project / "tests/hostile/neighbour.cpp");
         const harness::Marking held_to = marking();
         const Workshop workshop = quick_workshop(tier_);
-        std::atomic<std::size_t> done{0};
-        const auto graded = harness::grade_all({hostile, neighbour}, held_to, workshop, 2, done);
+        harness::Timeline timeline;
+        const auto graded = harness::grade_all({hostile, neighbour}, held_to, workshop, 2, timeline);
 
         expect_fair_outcome(graded[0], attack_);
         EXPECT_EQ(graded[1].outcome, harness::Outcome::graded) << "the neighbour: " << graded[1].explanation;

@@ -211,4 +211,70 @@ TEST(Trace, HasEveryStageOfEverySubmission) {
     }
 }
 
+nlohmann::json graded(const Class& some, const std::string& out, const std::string& id) {
+    return scenario::submission_in(nlohmann::json::parse(some.report(out, "grades.json")), id);
+}
+
+TEST(Repeat, FlagsAnswersThatDifferAndTakesNoMarks) {
+    const Class some(2);
+    write(some.folder / "class/s101/ray_cast.cpp",
+          "#include <cstdio>\n#include <ctime>\nint main() {\n    timespec now;\n    clock_gettime(CLOCK_REALTIME, "
+          "&now);\n"
+          "    std::printf(\"Question 1:\\nP_VCS = (0, 0, -2)\\nQuestion 5:\\nV = (0, 0, -%ld.5)\\n\", "
+          "now.tv_nsec);\n}\n");
+    ASSERT_EQ(some.grade("once").status, 0);
+    EXPECT_EQ(graded(some, "once", "s101")["flags"].size(), 0U);
+    ASSERT_EQ(some.grade("often", {"--repeat", "3"}).status, 0);
+    EXPECT_EQ(graded(some, "often", "s100")["flags"].size(), 0U);
+    const auto flagged = graded(some, "often", "s101");
+    ASSERT_EQ(flagged["flags"].size(), 1U);
+    EXPECT_EQ(flagged["flags"][0]["kind"], "nondeterministic");
+    EXPECT_THAT(flagged["flags"][0]["evidence"].get<std::string>(), HasSubstr("Question 5, V: run 1 printed"));
+    EXPECT_EQ(flagged["points"], graded(some, "once", "s101")["points"]);
+    EXPECT_THAT(some.report("often", "feedback/s101.md"), HasSubstr("does not answer the same each time"));
+    const Result again = some.grade("again", {"--repeat", "3"});
+    EXPECT_THAT(again.voice, HasSubstr("2 of 2 from earlier runs"));
+    EXPECT_EQ(some.report("again", "grades.json"), some.report("often", "grades.json"));
+}
+
+TEST(Sanitize, SaysWhatIsFoundAndTakesNoMarks) {
+    const Class some(2);
+    write(
+        some.folder / "class/s101/ray_cast.cpp",
+        "#include <cstdio>\nint main(int argc, char**) {\n    std::puts(\"Question 1:\\nP_VCS = (0, 0, -2)\");\n"
+        "    std::fflush(stdout);\n    int* numbers = new int[2]{1, 2};\n    int sum = 2147483647;\n    sum += argc;\n"
+        "    std::printf(\"%d %d\\n\", sum, numbers[argc + 1]);\n}\n");
+    ASSERT_EQ(some.grade("plain").status, 0);
+    ASSERT_EQ(some.grade("sanitized", {"--sanitize"}).status, 0);
+    EXPECT_EQ(graded(some, "sanitized", "s100")["sanitizer"].size(), 0U);
+    const auto found = graded(some, "sanitized", "s101");
+    const std::string all = found["sanitizer"].dump();
+    EXPECT_THAT(all, HasSubstr("ray_cast.cpp:7:9: runtime error: signed integer overflow"));
+    EXPECT_THAT(all, HasSubstr("line 8: heap-buffer-overflow"));
+    EXPECT_EQ(found["points"], graded(some, "plain", "s101")["points"]);
+    EXPECT_EQ(found["outcome"], "graded");
+    EXPECT_THAT(some.report("sanitized", "feedback/s101.md"), HasSubstr("What the sanitizers found"));
+    EXPECT_EQ(graded(some, "plain", "s101")["sanitizer"].size(), 0U);
+}
+
+/// The same include block often enough that it is precompiled.
+TEST(PrecompiledHeaders, ChangeNothingButTheTime) {
+    const Class some(0);
+    for (int i = 0; i < 6; ++i) {
+        write(some.folder / "class" / ("s" + std::to_string(i)) / "ray_cast.cpp",
+              "#include <cmath>\n#include <cstdio>\nint main() { std::printf(\"Question 1:\\nP_VCS = (0, 0, %g)\\n\", "
+              "-std::sqrt(4.0)); }\n// " +
+                  std::to_string(i));
+    }
+    const Result first = some.grade("first", {"--jobs", "1"});
+    EXPECT_THAT(first.voice, HasSubstr("6 with a precompiled header"));
+    fs::remove(some.database());
+    EXPECT_THAT(some.grade("second", {"--fresh", "--jobs", "1"}).voice, HasSubstr("6 with a precompiled header"));
+    EXPECT_EQ(some.report("first", "grades.csv"), some.report("second", "grades.csv"));
+    const Class alone(0);
+    write(alone.folder / "class/s0/ray_cast.cpp", read(some.folder / "class/s0/ray_cast.cpp"));
+    EXPECT_THAT(alone.grade("plain").voice, HasSubstr("0 with a precompiled header"));
+    EXPECT_EQ(alone.report("plain", "feedback/s0.md"), some.report("first", "feedback/s0.md"));
+}
+
 }  // namespace

@@ -39,6 +39,7 @@ TEST(ToolchainFingerprint, IsTheSameWhileNothingChanges) {
     const auto real = harness::default_build_settings({}).compiler;
     EXPECT_EQ(toolchain_fingerprint(real), toolchain_fingerprint(real));
     EXPECT_NE(toolchain_fingerprint(real), machine.fingerprint());
+    EXPECT_EQ(harness::begin_toolchain_fingerprint(real).get(), toolchain_fingerprint(real));
 }
 
 TEST(ToolchainFingerprint, ChangesWithWhatTheCompilerSaysOfItself) {
@@ -95,6 +96,7 @@ TEST(ToolchainFingerprint, LooksBehindALinkToAFolder) {
 
 TEST(ToolchainFingerprint, SaysThatThereIsNoCompiler) {
     EXPECT_THROW(toolchain_fingerprint("/nonexistent/g++"), harness::HarnessError);
+    EXPECT_THROW(harness::begin_toolchain_fingerprint("/nonexistent/g++"), harness::HarnessError);
 }
 
 }  // namespace
