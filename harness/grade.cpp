@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <cstring>
+#include <system_error>
 #include <thread>
 
 #include "harness/failure.h"
@@ -35,6 +36,7 @@ Outcome outcome_of(const ProcessResult& run) {
         case Ended::not_started: return Outcome::compile_error;
         case Ended::exited: return run.output.empty() ? Outcome::no_output : Outcome::graded;
         case Ended::signalled:
+        case Ended::refused:
         case Ended::process_limit: return Outcome::crashed;
         case Ended::cpu_limit:
         case Ended::wall_limit: return Outcome::timed_out;
@@ -57,6 +59,9 @@ std::string explain(const Build& build, const ProcessResult& run, const Limits& 
         case Ended::signalled:
             return fmt::format("The program crashed ({}){}.{}", signal_name(run.signal), signal_meaning(run.signal),
                                still_marked);
+        case Ended::refused:
+            return fmt::format("The program was built, but it can't be started: {}.",
+                               std::generic_category().message(run.error));
         case Ended::process_limit:
             return fmt::format("The program started more than {} processes and threads at one time and was stopped.{}",
                                limits.processes, still_marked);
@@ -117,7 +122,8 @@ std::string_view limit_name(Ended ended) {
     switch (ended) {
         case Ended::not_started:
         case Ended::exited:
-        case Ended::signalled: return "";
+        case Ended::signalled:
+        case Ended::refused: return "";
         case Ended::cpu_limit: return "run.cpu_seconds";
         case Ended::wall_limit: return "run.wall_seconds";
         case Ended::memory_limit: return "run.memory_mib";

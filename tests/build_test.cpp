@@ -172,12 +172,12 @@ TEST(Build, FindsACompilerOutsideTheSystemsFolders) {
 }
 
 TEST(Build, SaysHowToGetACompiler) {
+    const Folder folder;
     const std::string path = getenv("PATH");
     setenv("PATH", "/nonexistent", 1);
     const auto settings = default_settings();
     std::string message;
     try {
-        const Folder folder;
         folder.build(with_source("int main() {}"), settings);
     } catch (const harness::HarnessError& error) {
         message = error.what();

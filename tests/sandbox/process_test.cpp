@@ -334,6 +334,18 @@ TEST_P(RunProcess, SaysThatTheMachineFailedWhenThereIsNoProgram) {
     EXPECT_EQ(run.alive(), 0);
 }
 
+TEST_P(RunProcess, BlamesAProgramThatTheKernelDoesNotStart) {
+    Stranger run = stranger({});
+    std::ofstream(run.folder() / "script") << "#!/no/such/interpreter\n";
+    std::filesystem::permissions(run.folder() / "script", static_cast<std::filesystem::perms>(0755));
+    run.command.argv = {"./script"};
+    const auto result = run();
+    EXPECT_EQ(result.ended, Ended::refused);
+    EXPECT_EQ(result.error, ENOENT);
+    run.command.purpose = harness::Purpose::compile;
+    EXPECT_THAT(why_not(run), HasSubstr("\"./script\": No such file or directory")) << "a compiler is the machine's";
+}
+
 TEST_P(RunProcess, SaysThatTheMachineFailedWhenTheFolderIsMissing) {
     Stranger run = stranger({"exit"});
     run.command.working_directory = "/no/such/folder";
