@@ -101,7 +101,8 @@ bool is_limit(Ended ended) {
     switch (ended) {
         case Ended::not_started:
         case Ended::exited:
-        case Ended::signalled: return false;
+        case Ended::signalled:
+        case Ended::refused: return false;
         case Ended::cpu_limit:
         case Ended::wall_limit:
         case Ended::memory_limit:

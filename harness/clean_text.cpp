@@ -107,6 +107,13 @@ bool is_control(char32_t code) {
     return code < 0x20 || (code >= 0x7F && code < 0xA0);
 }
 
+/// Turns the order of what follows on the screen, or ends a line where no newline is: with these a text shows as
+/// another one (Unicode Technical Report 36).
+bool deceives(char32_t code) {
+    return code == 0x061C || code == 0x200E || code == 0x200F || (code >= 0x2028 && code <= 0x202E) ||
+           (code >= 0x2066 && code <= 0x2069);
+}
+
 }  // namespace
 
 std::string clean_text(std::string_view bytes) {
@@ -152,6 +159,8 @@ std::string escape_control(std::string_view bytes) {
             out += bytes[i];
         } else if (is_control(decoded.code)) {
             out += fmt::format("\\x{:02x}", static_cast<std::uint32_t>(decoded.code));
+        } else if (deceives(decoded.code)) {
+            out += fmt::format("\\u{:04x}", static_cast<std::uint32_t>(decoded.code));
         } else if (decoded.code == replacement && decoded.bytes == 1) {
             out += fmt::format("\\x{:02x}", static_cast<unsigned char>(bytes[i]));
         } else {

@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <cstring>
+#include <system_error>
 
 #include "harness/repetition.h"
 #include "harness/transcript.h"
@@ -32,6 +33,7 @@ Outcome outcome_of(const ProcessResult& run) {
         case Ended::not_started: return Outcome::compile_error;
         case Ended::exited: return run.output.empty() ? Outcome::no_output : Outcome::graded;
         case Ended::signalled:
+        case Ended::refused:
         case Ended::process_limit: return Outcome::crashed;
         case Ended::cpu_limit:
         case Ended::wall_limit: return Outcome::timed_out;
@@ -54,6 +56,9 @@ std::string explain(const Build& build, const ProcessResult& run, const Limits& 
         case Ended::signalled:
             return fmt::format("The program crashed ({}){}.{}", signal_name(run.signal), signal_meaning(run.signal),
                                still_marked);
+        case Ended::refused:
+            return fmt::format("The program was built, but it can't be started: {}.",
+                               std::generic_category().message(run.error));
         case Ended::process_limit:
             return fmt::format("The program started more than {} processes and threads at one time and was stopped.{}",
                                limits.processes, still_marked);
@@ -109,7 +114,8 @@ std::string_view limit_name(Ended ended) {
     switch (ended) {
         case Ended::not_started:
         case Ended::exited:
-        case Ended::signalled: return "";
+        case Ended::signalled:
+        case Ended::refused: return "";
         case Ended::cpu_limit: return "run.cpu_seconds";
         case Ended::wall_limit: return "run.wall_seconds";
         case Ended::memory_limit: return "run.memory_mib";

@@ -1,6 +1,8 @@
 #include "harness/names.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 namespace harness {
 namespace {
@@ -26,10 +28,13 @@ std::size_t character_length(std::string_view text, std::size_t at) {
     return length;
 }
 
-/// C0, DEL and C1 (U+0080 to U+009F), which terminals obey as well.
+/// C0, DEL and C1 (U+0080 to U+009F), which terminals obey as well, and what turns the order of text around.
 bool is_control(std::string_view character) {
+    constexpr std::string_view turning[] = {"\u061C", "\u200E", "\u200F", "\u2028", "\u2029", "\u202A", "\u202B",
+                                            "\u202C", "\u202D", "\u202E", "\u2066", "\u2067", "\u2068", "\u2069"};
     const std::uint8_t first = byte_at(character, 0);
-    return first < 0x20 || first == 0x7F || (first == 0xC2 && byte_at(character, 1) < 0xA0);
+    return first < 0x20 || first == 0x7F || (first == 0xC2 && byte_at(character, 1) < 0xA0) ||
+           std::find(std::begin(turning), std::end(turning), character) != std::end(turning);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -40,6 +39,7 @@ constexpr const char* table = R"(
         ended TEXT NOT NULL,
         exit_code INTEGER NOT NULL,
         signal INTEGER NOT NULL,
+        error INTEGER NOT NULL,
         cpu_ms INTEGER NOT NULL,
         wall_ms INTEGER NOT NULL,
         peak_memory_bytes INTEGER NOT NULL,
@@ -50,19 +50,28 @@ constexpr const char* table = R"(
     CREATE INDEX IF NOT EXISTS by_use ON results (used, bytes);
 )";
 
-/// The words in the database; their order is that of Ended.
-constexpr std::array<std::string_view, 8> endings{"not_started", "exited",       "signalled",     "cpu_limit",
-                                                  "wall_limit",  "memory_limit", "process_limit", "output_limit"};
-
-std::optional<Ended> ended_from(std::string_view word) {
-    for (std::size_t i = 0; i < endings.size(); ++i) {
-        if (endings[i] == word) return static_cast<Ended>(i);
+/// The words in the database, which stay as they are.
+std::string_view word_for(Ended ended) {
+    switch (ended) {
+        case Ended::not_started: return "not_started";
+        case Ended::exited: return "exited";
+        case Ended::signalled: return "signalled";
+        case Ended::refused: return "refused";
+        case Ended::cpu_limit: return "cpu_limit";
+        case Ended::wall_limit: return "wall_limit";
+        case Ended::memory_limit: return "memory_limit";
+        case Ended::process_limit: return "process_limit";
+        case Ended::output_limit: return "output_limit";
     }
-    return {};
+    return "";
 }
 
-std::string_view word_for(Ended ended) {
-    return endings.at(static_cast<std::size_t>(ended));
+std::optional<Ended> ended_from(std::string_view word) {
+    for (const Ended ended : {Ended::not_started, Ended::exited, Ended::signalled, Ended::refused, Ended::cpu_limit,
+                              Ended::wall_limit, Ended::memory_limit, Ended::process_limit, Ended::output_limit}) {
+        if (word_for(ended) == word) return ended;
+    }
+    return {};
 }
 
 std::string seal(const std::string& key, const Execution& execution) {
@@ -70,7 +79,12 @@ std::string seal(const std::string& key, const Execution& execution) {
     const ProcessResult& run = execution.run;
     Fingerprint seal("raygrade/result/1");
     seal.add(key).add(build.reached_limit).add(build.compiled).add(build.wall.count()).add(build.diagnostics);
-    seal.add(word_for(run.ended)).add(run.exit_code).add(run.signal).add(run.cpu.count()).add(run.wall.count());
+    seal.add(word_for(run.ended))
+        .add(run.exit_code)
+        .add(run.signal)
+        .add(run.error)
+        .add(run.cpu.count())
+        .add(run.wall.count());
     seal.add(static_cast<std::int64_t>(run.peak_memory_bytes)).add(run.output).add(run.errors);
     return seal.add(run.errors_truncated).hex();
 }
@@ -232,7 +246,7 @@ std::optional<Execution> Store::find(const std::string& key) {
     return attempt<std::optional<Execution>>([&]() -> std::optional<Execution> {
         SQLite::Statement query(*database_,
                                 "SELECT seal, reached_limit, compiled, build_ms, ended, exit_code, signal, cpu_ms, "
-                                "wall_ms, peak_memory_bytes, errors_truncated, diagnostics, output, errors "
+                                "wall_ms, peak_memory_bytes, errors_truncated, diagnostics, output, errors, error "
                                 "FROM results WHERE key = ?");
         query.bind(1, key);
         if (!query.executeStep()) return {};
@@ -249,6 +263,7 @@ std::optional<Execution> Store::find(const std::string& key) {
         run.ended = *ended;
         run.exit_code = query.getColumn(5).getInt();
         run.signal = query.getColumn(6).getInt();
+        run.error = query.getColumn(14).getInt();
         run.cpu = std::chrono::milliseconds(query.getColumn(7).getInt64());
         run.wall = std::chrono::milliseconds(query.getColumn(8).getInt64());
         run.peak_memory_bytes = static_cast<std::uint64_t>(query.getColumn(9).getInt64());
@@ -267,7 +282,7 @@ void Store::keep(const std::string& key, const Execution& execution) {
         const Build& build = execution.build;
         const ProcessResult& run = execution.run;
         SQLite::Statement insert(*database_,
-                                 "INSERT OR REPLACE INTO results VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+                                 "INSERT OR REPLACE INTO results VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
         int place = 0;
         const auto blob = [&](const std::string& text) {
             insert.bind(++place, text.data(), static_cast<int>(text.size()));
@@ -283,6 +298,7 @@ void Store::keep(const std::string& key, const Execution& execution) {
         insert.bind(++place, std::string(word_for(run.ended)));
         insert.bind(++place, run.exit_code);
         insert.bind(++place, run.signal);
+        insert.bind(++place, run.error);
         insert.bind(++place, static_cast<std::int64_t>(run.cpu.count()));
         insert.bind(++place, static_cast<std::int64_t>(run.wall.count()));
         insert.bind(++place, static_cast<std::int64_t>(run.peak_memory_bytes));

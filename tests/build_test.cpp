@@ -249,6 +249,7 @@ TEST(BuildWithAHeader, IsPlainWhereTheHeaderDoesNotFit) {
 }
 
 TEST(Build, SaysHowToGetACompiler) {
+    const Folder folder;
     const std::string path = getenv("PATH");
     const Folder folder;
     setenv("PATH", "/nonexistent", 1);

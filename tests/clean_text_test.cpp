@@ -71,5 +71,10 @@ TEST(EscapeControl, ShowsWhatCleanTextRemoves) {
     EXPECT_EQ(escape_control("\x1b[1mΔ\xff\r\n"), "\\x1b[1mΔ\\xff\\x0d\n");
 }
 
+TEST(EscapeControl, ShowsWhatTurnsTheOrderOfTextAround) {
+    EXPECT_EQ(escape_control("a\u202Eb\u2066c\u200F\u061C\u2028"), "a\\u202eb\\u2066c\\u200f\\u061c\\u2028");
+    EXPECT_EQ(escape_control("שלום – “x”"), "שלום – “x”");
+}
+
 }  // namespace
 }  // namespace harness

@@ -165,6 +165,7 @@ class Hostile : public testing::Test {
         if (const std::string reason = why_not(tier_); !reason.empty()) GTEST_SKIP() << reason;
         place_decoy_files();
         const DecoyListener listener;
+        const DecoySegment segment;
         const Submission hostile = take_in_one(attack_.folder);
         const Submission neighbour = take_in_one(project / "tests/hostile/neighbour.cpp");
         const harness::Marking held_to = marking();

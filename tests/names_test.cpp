@@ -16,6 +16,7 @@ TEST(Printable, WritesControlCharactersAsPercent) {
     EXPECT_EQ(printable("\xC2\x9B"), "%C2%9B");
     EXPECT_EQ(printable("\xC2\xA0"), "\xC2\xA0");
     EXPECT_EQ(printable(std::string_view("\0", 1)), "%00");
+    EXPECT_EQ(printable("a\u202Eb"), "a%E2%80%AEb") << "turns the order of what follows around";
 }
 
 TEST(Printable, WritesWhatIsNotUtf8AsPercent) {

@@ -51,6 +51,7 @@ TEST(Store, GivesBackEveryFieldForTheNextRun) {
     kept.run.ended = Ended::signalled;
     kept.run.exit_code = 7;
     kept.run.signal = 11;
+    kept.run.error = 8;
     kept.run.cpu = 12ms;
     kept.run.wall = 34ms;
     kept.run.peak_memory_bytes = std::uint64_t{5} << 40;
@@ -69,6 +70,7 @@ TEST(Store, GivesBackEveryFieldForTheNextRun) {
     EXPECT_EQ(found->run.ended, Ended::signalled);
     EXPECT_EQ(found->run.exit_code, 7);
     EXPECT_EQ(found->run.signal, 11);
+    EXPECT_EQ(found->run.error, 8);
     EXPECT_EQ(found->run.cpu, 12ms);
     EXPECT_EQ(found->run.wall, 34ms);
     EXPECT_EQ(found->run.peak_memory_bytes, std::uint64_t{5} << 40);
@@ -99,7 +101,7 @@ TEST(Store, KeepsTheLastOfTwoUnderOneKey) {
 TEST(Store, GivesBackEveryWayToEnd) {
     const TemporaryFolder folder;
     Store store(folder.path());
-    for (const Ended ended : {Ended::not_started, Ended::exited, Ended::signalled, Ended::cpu_limit,
+    for (const Ended ended : {Ended::not_started, Ended::exited, Ended::signalled, Ended::refused, Ended::cpu_limit,
                               Ended::memory_limit, Ended::process_limit, Ended::output_limit}) {
         Execution execution = printed("");
         execution.run.ended = ended;

@@ -44,7 +44,9 @@ std::vector<std::string> bwrap_arguments(const Command& command, const Sandbox& 
     arguments.add({command.purpose == Purpose::compile ? "--bind" : "--ro-bind", command.working_directory.string(),
                    inside, "--chdir", inside});
     // What bwrap mounts itself has no limit of its size.
-    arguments.add({"--remount-ro", "/dev", "--remount-ro", "/", "--", "/shim"});
+    // And what can be written in /proc has consequences outside, such as which process the kernel ends when memory runs
+    // out.
+    arguments.add({"--remount-ro", "/dev", "--remount-ro", "/proc", "--remount-ro", "/", "--", "/shim"});
     return arguments.take();
 }
 

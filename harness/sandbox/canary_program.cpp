@@ -10,14 +10,16 @@
 
 #include <cerrno>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <initializer_list>
+#include <iostream>
+#include <string_view>
 
 namespace {
 
 void tell(const char* attempt, bool succeeded) {
-    std::printf("%s %d\n", attempt, succeeded ? 0 : errno);
+    const int error = succeeded ? 0 : errno;
+    std::cout << attempt << ' ' << error << std::endl;
 }
 
 /// Prints what it read, for the harness to find.
@@ -25,7 +27,7 @@ bool read_file(const char* path) {
     const int file = open(path, O_RDONLY);
     char text[256];
     const ssize_t size = file < 0 ? -1 : read(file, text, sizeof text);
-    if (size > 0) std::printf("contents %.*s\n", static_cast<int>(size), text);
+    if (size > 0) std::cout << "contents " << std::string_view(text, static_cast<std::size_t>(size)) << std::endl;
     return size >= 0;
 }
 
@@ -80,9 +82,7 @@ int main(int argc, char** argv) {
     tell("connect", connect_to(argv[2]));
     tell("signal", kill(std::atoi(argv[3]), 0) == 0);
     tell("namespace", unshare(CLONE_NEWUSER) == 0);
-    std::fflush(stdout);
-    std::printf("processes %d\n", start_processes());
-    std::fflush(stdout);
+    std::cout << "processes " << start_processes() << std::endl;
     sleep(1);
     return 0;
 }

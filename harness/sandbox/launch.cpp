@@ -65,6 +65,7 @@ void keep_standard_descriptors_taken() {
 struct ShimSetup {
     int output_fd, error_fd, status_fd, lifeline_fd;
     const char* const* environment;
+    int lock_fd;             ///< of the workspace, which has to stay until the last process in it is gone
     const Account* account;  ///< whom to become before anything else is started; null for nobody
 
     template <class Launcher>
@@ -72,16 +73,26 @@ struct ShimSetup {
         launcher.env = environment;
         launcher.fd_whitelist.push_back(status_fd);
         launcher.fd_whitelist.push_back(lifeline_fd);
+        launcher.fd_whitelist.push_back(lock_fd);
         return {};
+    }
+
+    /// When memory runs out, the kernel is to end something of this tree and not the harness. Written by root it can't
+    /// be lowered again. Where it can't be written, the machine's own choice has to do.
+    static void be_the_first_to_go() {
+        const int file = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
+        [[maybe_unused]] const ssize_t size = write(file, "1000", 4);
+        close(file);
     }
 
     template <class Launcher>
     error_code on_exec_setup(Launcher&, const std::filesystem::path&, const char* const*&) const {
         errno = 0;
+        be_the_first_to_go();
         const bool ready = setsid() >= 0 && (account == nullptr || become(*account)) &&
                            dup2(output_fd, STDOUT_FILENO) >= 0 && dup2(error_fd, STDERR_FILENO) >= 0 &&
                            close_range(3, ~0U, CLOSE_RANGE_CLOEXEC) == 0 && fcntl(status_fd, F_SETFD, 0) == 0 &&
-                           fcntl(lifeline_fd, F_SETFD, 0) == 0;
+                           fcntl(lifeline_fd, F_SETFD, 0) == 0 && fcntl(lock_fd, F_SETFD, 0) == 0;
         return ready ? error_code() : error_code(errno, boost::system::system_category());
     }
 
@@ -157,8 +168,13 @@ void launch(Shim& shim, const Command& command, const Sandbox& sandbox) {
     const auto variables = environment_of(command, sandbox);
     const auto environment = pointers_to(variables);
     const auto words = command_line(command, sandbox, status.write_end.get(), lifeline.read_end.get());
-    const ShimSetup setup = {output.write_end.get(),  errors.write_end.get(), status.write_end.get(),
-                             lifeline.read_end.get(), environment.data(),     account_before_exec(command, sandbox)};
+    const ShimSetup setup = {output.write_end.get(),
+                             errors.write_end.get(),
+                             status.write_end.get(),
+                             lifeline.read_end.get(),
+                             environment.data(),
+                             sandbox.workspace().lock().get(),
+                             account_before_exec(command, sandbox)};
     const std::filesystem::path program = words.front();
     const std::vector<std::string> arguments(words.begin() + 1, words.end());
     boost::process::v2::posix::default_launcher launcher;

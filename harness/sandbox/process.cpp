@@ -7,12 +7,15 @@
 // ms a pipe may still take to run dry. The shim decides how the program ended; only the output limit is noticed here.
 //
 #include <signal.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/system/system_error.hpp>
+#include <cerrno>
 #include <optional>
 #include <system_error>
 
@@ -129,7 +132,26 @@ void Supervision::output_limit_reached() {
                        ". Try again with more free memory, and see `raygrade doctor`.");
 }
 
+/// A program can be made so that the kernel does not start it, with an interpreter that does not exist for one. That is
+/// its own affair, as long as the file is there and may be executed.
+bool is_the_programs_own_fault(const Command& command, const ShimStatus& status) {
+    constexpr std::array about_the_file = {ENOEXEC, ENOENT, EACCES, EINVAL, ELIBBAD};
+    const bool of_the_file =
+        std::find(about_the_file.begin(), about_the_file.end(), status.number) != about_the_file.end();
+    return command.purpose == Purpose::run && status.step == "exec" && of_the_file &&
+           access((command.working_directory / command.argv[0]).c_str(), X_OK) == 0;
+}
+
+/// The kernel ends what it likes when there is no memory left; neither a program nor a compiler is to blame then.
+void refuse_a_machine_without_memory(const Command& command, const ShimStatus& status) {
+    const bool ended_well = status.how == ShimStatus::How::exited && status.number == 0;
+    if (!status.machine_ran_out_of_memory || ended_well) return;
+    throw HarnessError("The machine ran out of memory while " + in_quotes(command.argv[0]) +
+                       " ran, so its end is not to be believed. Grade fewer submissions at a time (-j).");
+}
+
 Ended ended(const Command& command, const ShimStatus& status, const std::string& errors) {
+    refuse_a_machine_without_memory(command, status);
     switch (status.how) {
         case ShimStatus::How::exited: return Ended::exited;
         case ShimStatus::How::signalled: return Ended::signalled;
@@ -137,7 +159,9 @@ Ended ended(const Command& command, const ShimStatus& status, const std::string&
         case ShimStatus::How::wall_limit: return Ended::wall_limit;
         case ShimStatus::How::memory_limit: return Ended::memory_limit;
         case ShimStatus::How::process_limit: return Ended::process_limit;
-        case ShimStatus::How::not_executed: throw_not_executed(command, status);
+        case ShimStatus::How::not_executed:
+            if (is_the_programs_own_fault(command, status)) return Ended::refused;
+            throw_not_executed(command, status);
         case ShimStatus::How::lifeline_cut: break;
     }
     throw_cut_short(command, errors);
@@ -152,6 +176,7 @@ ProcessResult Supervision::result() {
     result.ended = output_->truncated() ? Ended::output_limit : ended(command_, *status, result.errors);
     if (result.ended == Ended::exited) result.exit_code = status->number;
     if (result.ended == Ended::signalled) result.signal = status->number;
+    if (result.ended == Ended::refused) result.error = status->number;
     result.cpu = std::chrono::ceil<std::chrono::milliseconds>(status->cpu);
     result.wall = std::chrono::ceil<std::chrono::milliseconds>(status->wall);
     result.peak_memory_bytes = status->peak_memory_bytes;

@@ -45,6 +45,7 @@ enum class Ended {
     not_started,  ///< nothing was run, because an earlier stage gave nothing to run
     exited,       ///< by itself; exit_code tells
     signalled,    ///< killed by a signal it or the kernel raised; signal tells
+    refused,      ///< the kernel does not start such a program; error tells
     cpu_limit,    ///< from here on: killed as a whole by us
     wall_limit,
     memory_limit,
@@ -56,6 +57,7 @@ struct ProcessResult {
     Ended ended = Ended::not_started;
     int exit_code = 0;  ///< when it exited
     int signal = 0;     ///< when it was signalled
+    int error = 0;      ///< errno, when it was refused
     std::chrono::milliseconds cpu{0};
     std::chrono::milliseconds wall{0};
     std::uint64_t peak_memory_bytes = 0;

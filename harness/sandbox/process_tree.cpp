@@ -121,15 +121,26 @@ void kill_newest_children(int proc, pid_t root) {
 
 }  // namespace
 
-std::vector<ProcessRecord> list_processes(const std::vector<pid_t>& skip) {
+std::vector<ProcessRecord> list_processes() {
+    std::vector<pid_t> none;
+    return list_processes_except(none);
+}
+
+std::vector<ProcessRecord> list_processes_except(std::vector<pid_t>& strangers) {
     std::vector<ProcessRecord> processes;
+    std::vector<pid_t> seen;
     const std::unique_ptr<DIR, int (*)(DIR*)> folder(opendir("/proc"), closedir);
-    if (!folder) return processes;
-    while (const dirent* entry = readdir(folder.get())) {
+    while (const dirent* entry = folder ? readdir(folder.get()) : nullptr) {
         const auto pid = static_cast<pid_t>(std::atoi(entry->d_name));
-        if (pid <= 0 || std::binary_search(skip.begin(), skip.end(), pid)) continue;
-        if (const auto record = read_record(dirfd(folder.get()), pid)) processes.push_back(*record);
+        if (pid <= 0) continue;
+        if (std::binary_search(strangers.begin(), strangers.end(), pid)) {
+            seen.push_back(pid);
+        } else if (const auto record = read_record(dirfd(folder.get()), pid)) {
+            processes.push_back(*record);
+        }
     }
+    std::sort(seen.begin(), seen.end());
+    strangers = std::move(seen);
     return processes;
 }
 
@@ -148,15 +159,17 @@ std::vector<ProcessRecord> below(pid_t root, std::vector<ProcessRecord> processe
     return found;
 }
 
-std::uint64_t page_table_bytes(const ProcessRecord& process) {
+std::uint64_t hidden_memory_bytes(const ProcessRecord& process) {
     const std::string status =
         read_small_file(open_proc().get(), (std::to_string(process.living_thread) + "/status").c_str());
-    constexpr std::string_view name = "\nVmPTE:";
-    const std::size_t at = status.find(name);
-    if (at == std::string::npos) return 0;
-    const std::size_t digits = status.find_first_not_of(" \t", at + name.size());
-    if (digits == std::string::npos) return 0;
-    return static_cast<std::uint64_t>(number(std::string_view(status).substr(digits))) * 1024;
+    std::uint64_t kib = 0;
+    for (const std::string_view name : {"\nVmPTE:", "\nVmSwap:"}) {
+        const std::size_t at = status.find(name);
+        if (at == std::string::npos) continue;
+        const std::size_t digits = std::min(status.find_first_not_of(" \t", at + name.size()), status.size());
+        kib += static_cast<std::uint64_t>(number(std::string_view(status).substr(digits)));
+    }
+    return kib * 1024;
 }
 
 void kill_below(pid_t root) {

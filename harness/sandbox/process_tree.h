@@ -20,15 +20,19 @@ struct ProcessRecord {
     int threads = 0;
 };
 
-/// All processes of the machine this process can see, but not those in `skip`, a sorted list.
-std::vector<ProcessRecord> list_processes(const std::vector<pid_t>& skip = {});
+/// All processes of the machine this process can see.
+std::vector<ProcessRecord> list_processes();
+
+/// Those that are not among `strangers`, a sorted list of processes that are of no concern. The ones that are gone
+/// leave it: their numbers may be given to others.
+std::vector<ProcessRecord> list_processes_except(std::vector<pid_t>& strangers);
 
 /// Those of `processes` whose chain of parents leads to `root`; without `root` itself.
 std::vector<ProcessRecord> below(pid_t root, std::vector<ProcessRecord> processes);
 
-/// What the kernel itself uses to tell the process's pages apart: 4 KiB for every 2 MiB it has ever looked into. 0 when
-/// there is no such process.
-std::uint64_t page_table_bytes(const ProcessRecord& process);
+/// What the process uses beside its resident memory: its pages that were moved to the disk, and what the kernel itself
+/// needs to tell its pages apart, 4 KiB for every 2 MiB it has ever looked into. 0 when there is no such process.
+std::uint64_t hidden_memory_bytes(const ProcessRecord& process);
 
 /// Sends SIGKILL to every process below `root` once. A process started meanwhile may escape: call it until none is
 /// left.

@@ -11,8 +11,8 @@ namespace harness {
 
 class Scratch {
   public:
-    /// A new empty folder of `workspace` that only its account may enter. Throws HarnessError with the path and the way
-    /// out when the disk is full.
+    /// A new empty folder of `workspace` that only its account and the harness's group may enter. Throws HarnessError
+    /// with the path and the way out when the disk is full.
     explicit Scratch(const Workspace& workspace);
     ~Scratch();
     Scratch(const Scratch&) = delete;

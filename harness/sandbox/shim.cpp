@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -55,29 +56,24 @@ microseconds total(const rusage& usage) {
            microseconds(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
 
-/// The time of children that ended and that their parent, ignoring SIGCHLD, never waited for: the kernel adds it to
-/// nobody's, so the tree's sum falls. It falls for a moment too when a child ends between the looks at its parent and
-/// at itself; hence the larger one of two sums counts.
-struct UncountedTime {
-    microseconds lost{0}, highest{0}, previous{0};
-
-    void add(microseconds sum) {
-        const microseconds settled = std::max(previous, sum);
-        lost += std::max(highest - settled, microseconds{0});
-        highest = settled;
-        previous = sum;
+/// How many processes the kernel has ended for want of memory since it was started.
+std::uint64_t out_of_memory_kills() {
+    std::ifstream file("/proc/vmstat");
+    for (std::string name, value; file >> name >> value;) {
+        if (name == "oom_kill") return std::strtoull(value.c_str(), nullptr, 10);
     }
-};
+    return 0;
+}
 
 /// Everything known about the program's tree while it runs.
 struct Watch {
     const Limits& limits;
     pid_t program;
-    std::vector<pid_t> strangers;  ///< sorted; older than the program, so never below it
+    std::vector<pid_t> strangers;  ///< sorted; older than the program, so never below it as long as they live
     Clock::time_point start = Clock::now();
     std::optional<int> wait_status{};  ///< of the program, once it has ended
     std::uint64_t peak_memory_bytes = 0;
-    UncountedTime uncounted{};
+    std::uint64_t kills_before = 0;  ///< out_of_memory_kills
 };
 
 /// Reaps every child that has ended. False when there is no child at all any more.
@@ -106,14 +102,13 @@ std::optional<How> check_tree(Watch& watch) {
     microseconds cpu = reaped_cpu();
     std::uint64_t memory_bytes = 0;
     int tasks = 0;
-    for (const auto& process : below(getpid(), list_processes(watch.strangers))) {
+    for (const auto& process : below(getpid(), list_processes_except(watch.strangers))) {
         cpu += process.cpu;
-        memory_bytes += process.memory_bytes + page_table_bytes(process);
+        memory_bytes += process.memory_bytes + hidden_memory_bytes(process);
         if (!process.zombie) tasks += process.threads;
     }
     watch.peak_memory_bytes = std::max(watch.peak_memory_bytes, memory_bytes);
-    watch.uncounted.add(cpu);
-    if (cpu + watch.uncounted.lost > watch.limits.cpu) return How::cpu_limit;
+    if (cpu > watch.limits.cpu) return How::cpu_limit;
     if (memory_bytes > watch.limits.memory_bytes) return How::memory_limit;
     if (tasks > watch.limits.processes) return How::process_limit;
     return std::nullopt;
@@ -123,9 +118,9 @@ std::optional<How> check_tree(Watch& watch) {
 bool sleep_until_news(int child_fd, int lifeline_fd, milliseconds longest) {
     pollfd waiting[2] = {{child_fd, POLLIN, 0}, {lifeline_fd, 0, 0}};
     poll(waiting, 2, static_cast<int>(std::max(longest.count(), milliseconds::rep{0})));
+    // Once: a storm of ending children could keep a loop busy.
     signalfd_siginfo ignored;
-    while (read(child_fd, &ignored, sizeof ignored) > 0) {
-    }
+    [[maybe_unused]] const ssize_t size = read(child_fd, &ignored, sizeof ignored);
     return (waiting[1].revents & (POLLHUP | POLLERR | POLLNVAL)) != 0;
 }
 
@@ -160,9 +155,10 @@ void end_tree(Watch& watch, int child_fd, int lifeline_fd) {
 /// to get the same verdict every time.
 ShimStatus conclude(const Watch& watch, std::optional<How> cause, microseconds wall) {
     ShimStatus status;
-    status.cpu = reaped_cpu() + watch.uncounted.lost;
+    status.cpu = reaped_cpu();
     status.wall = wall;
     status.peak_memory_bytes = watch.peak_memory_bytes;
+    status.machine_ran_out_of_memory = out_of_memory_kills() != watch.kills_before;
     const int wait_status = watch.wait_status.value_or(0);
     const bool exited = WIFEXITED(wait_status);
     status.number = exited ? WEXITSTATUS(wait_status) : cause ? 0 : WTERMSIG(wait_status);
@@ -176,9 +172,6 @@ ShimStatus conclude(const Watch& watch, std::optional<How> cause, microseconds w
 const char* harden() {
     if (prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0) != 0) return "subreaper";
     if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return "no_new_privs";
-    // When memory runs out, the kernel is to choose something of this tree and not the harness. It has to be written
-    // before the shim's /proc entries become root's.
-    std::ofstream("/proc/self/oom_score_adj") << 1000;
     if (prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) != 0) return "dumpable";
     // A fork bomb of a thousand processes would leave the shim a thousandth of the processor to end it with. Only root
     // is allowed this, but only root needs it: for others the kernel keeps RLIMIT_NPROC. The program does not inherit
@@ -227,6 +220,7 @@ ShimStatus supervise(const ShimOrders& orders) {
     if (!child_fd) return not_executed(errno, "signalfd");
     if (!silence(STDIN_FILENO)) return not_executed(errno, "open-dev-null");
     const auto strangers = running_now();
+    const auto kills_before = out_of_memory_kills();
     const auto start = Clock::now();
     const StartedProgram program = start_program(orders);
     if (program.pid < 0) return not_executed(program.failed_errno, program.failed_step);
@@ -234,6 +228,7 @@ ShimStatus supervise(const ShimOrders& orders) {
     silence(STDOUT_FILENO);
     silence(STDERR_FILENO);
     Watch watch{orders.limits, program.pid, strangers, start};
+    watch.kills_before = kills_before;
     const auto cause = watch_tree(watch, child_fd.get(), orders.lifeline_fd);
     const auto wall = std::chrono::duration_cast<microseconds>(Clock::now() - start);
     end_tree(watch, child_fd.get(), orders.lifeline_fd);

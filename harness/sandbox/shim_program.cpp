@@ -68,11 +68,14 @@ std::uint64_t task_limit(const ShimOrders& orders) {
 /// limit.
 void set_limits(const ShimOrders& orders, int report_fd) {
     const Limits& limits = orders.limits;
+    constexpr std::uint64_t signals_waiting = 256;
     const auto cpu_seconds = static_cast<std::uint64_t>(limits.cpu.count()) / 1000 + 3;
     if (!limit(RLIMIT_CPU, cpu_seconds)) give_up(report_fd, "setrlimit-cpu");
     if (!limit(RLIMIT_FSIZE, limits.file_bytes)) give_up(report_fd, "setrlimit-file-size");
     if (!limit(RLIMIT_STACK, limits.stack_bytes)) give_up(report_fd, "setrlimit-stack");
-    if (!limit(RLIMIT_CORE, 0)) give_up(report_fd, "setrlimit-core");
+    // Not 0: a program that takes the core through a pipe, as core(5) allows, would be started for that.
+    if (!limit(RLIMIT_CORE, 1)) give_up(report_fd, "setrlimit-core");
+    if (!limit(RLIMIT_SIGPENDING, signals_waiting)) give_up(report_fd, "setrlimit-signals");
     if (!limit(RLIMIT_NOFILE, static_cast<std::uint64_t>(limits.open_files)))
         give_up(report_fd, "setrlimit-open-files");
     if (!limit(RLIMIT_NPROC, task_limit(orders))) give_up(report_fd, "setrlimit-processes");
@@ -84,7 +87,7 @@ void confine(const ShimOrders& orders, int report_fd) {
     if (orders.tier == Tier::unsafe) return;
     ForbiddenCalls more;
     const bool compiles = orders.purpose == Purpose::compile;
-    more.shared_memory = !compiles;
+    more.uncounted_use = !compiles;
     if (orders.tier == Tier::landlock) {
         constexpr int since_signals = 6;
         std::vector<std::string> readable = orders.readable;

@@ -118,7 +118,8 @@ std::optional<ShimOrders> from_arguments(const std::vector<std::string>& argumen
 std::string to_line(const ShimStatus& status) {
     return "how=" + std::string(how_names[static_cast<std::size_t>(status.how)]) + ' ' + word("number", status.number) +
            ' ' + word("cpu-us", status.cpu.count()) + ' ' + word("wall-us", status.wall.count()) + ' ' +
-           word("peak-bytes", status.peak_memory_bytes) + " step=" + status.step + '\n';
+           word("peak-bytes", status.peak_memory_bytes) + ' ' +
+           word("out-of-memory", status.machine_ran_out_of_memory ? 1 : 0) + " step=" + status.step + '\n';
 }
 
 std::optional<ShimStatus> from_line(std::string_view line) {
@@ -132,11 +133,13 @@ std::optional<ShimStatus> from_line(std::string_view line) {
         line.remove_prefix(std::min(end + 1, line.size()));
     }
     ShimStatus status;
-    const bool complete = take(words, "number", status.number) && take_duration(words, "cpu-us", status.cpu) &&
-                          take_duration(words, "wall-us", status.wall) &&
-                          take(words, "peak-bytes", status.peak_memory_bytes) && words.contains("step") &&
-                          words.contains("how");
+    int out_of_memory = 0;
+    const bool complete =
+        take(words, "number", status.number) && take_duration(words, "cpu-us", status.cpu) &&
+        take_duration(words, "wall-us", status.wall) && take(words, "peak-bytes", status.peak_memory_bytes) &&
+        take(words, "out-of-memory", out_of_memory) && words.contains("step") && words.contains("how");
     if (!complete) return std::nullopt;
+    status.machine_ran_out_of_memory = out_of_memory != 0;
     status.step = words.find("step")->second;
     for (std::size_t i = 0; i < how_names.size(); ++i) {
         if (how_names[i] != words.find("how")->second) continue;

@@ -51,6 +51,7 @@ struct ShimStatus {
     std::chrono::microseconds cpu{0};
     std::chrono::microseconds wall{0};
     std::uint64_t peak_memory_bytes = 0;
+    bool machine_ran_out_of_memory = false;  ///< the kernel ended some process meanwhile, of this tree or another
 };
 
 /// One line with its newline: a line without it was cut off, and is not a status.

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <sched.h>
 #include <seccomp.h>
+#include <signal.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -15,6 +16,10 @@
 
 namespace harness {
 namespace {
+
+// Younger than Debian 12's headers; new calls have one number everywhere.
+constexpr int fchmodat2 = 452, statmount = 457, listmount = 458, setxattrat = 463, getxattrat = 464, listxattrat = 465,
+              removexattrat = 466, file_setattr = 469;
 
 /// A filter under construction. Each step returns 0 or a negative errno, as libseccomp does, and the first that failed
 /// stays.
@@ -58,26 +63,29 @@ class Filter {
 };
 
 /// The kernel looks at the lower half of such an argument alone, so the upper one must not hide it from the filter.
-scmp_arg_cmp second_is(std::uint64_t value) {
+scmp_arg_cmp argument_is(unsigned number, std::uint64_t value) {
     constexpr std::uint64_t lower_half = 0xffffffff;
-    return SCMP_A1_64(SCMP_CMP_MASKED_EQ, lower_half, value);
+    return SCMP_CMP64(number, SCMP_CMP_MASKED_EQ, lower_half, value);
 }
 
 void forbid_what_reaches_out(Filter& filter) {
     filter.forbid({SCMP_SYS(socket), SCMP_SYS(socketpair), SCMP_SYS(socketcall)});
-    filter.forbid({SCMP_SYS(shmget), SCMP_SYS(msgget), SCMP_SYS(semget), SCMP_SYS(mq_open), SCMP_SYS(memfd_create),
-                   SCMP_SYS(memfd_secret)});
+    // To make them and to use those of others.
+    filter.forbid({SCMP_SYS(ipc), SCMP_SYS(shmget), SCMP_SYS(shmat), SCMP_SYS(shmctl), SCMP_SYS(msgget),
+                   SCMP_SYS(msgsnd), SCMP_SYS(msgrcv), SCMP_SYS(msgctl), SCMP_SYS(semget), SCMP_SYS(semop),
+                   SCMP_SYS(semtimedop), SCMP_SYS(semctl), SCMP_SYS(mq_open), SCMP_SYS(mq_unlink),
+                   SCMP_SYS(memfd_create), SCMP_SYS(memfd_secret)});
     filter.forbid({SCMP_SYS(keyctl), SCMP_SYS(add_key), SCMP_SYS(request_key)});
-    filter.forbid({SCMP_SYS(io_uring_setup), SCMP_SYS(io_uring_enter), SCMP_SYS(io_uring_register), SCMP_SYS(bpf),
-                   SCMP_SYS(perf_event_open), SCMP_SYS(userfaultfd), SCMP_SYS(inotify_init), SCMP_SYS(inotify_init1),
-                   SCMP_SYS(fanotify_init), SCMP_SYS(syslog)});
+    filter.forbid({SCMP_SYS(io_uring_setup), SCMP_SYS(io_uring_enter), SCMP_SYS(io_uring_register), SCMP_SYS(io_setup),
+                   SCMP_SYS(bpf), SCMP_SYS(perf_event_open), SCMP_SYS(userfaultfd), SCMP_SYS(inotify_init),
+                   SCMP_SYS(inotify_init1), SCMP_SYS(fanotify_init), SCMP_SYS(syslog)});
     filter.forbid({SCMP_SYS(mount), SCMP_SYS(umount), SCMP_SYS(umount2), SCMP_SYS(pivot_root), SCMP_SYS(chroot),
                    SCMP_SYS(fsopen), SCMP_SYS(fsconfig), SCMP_SYS(fsmount), SCMP_SYS(fspick), SCMP_SYS(open_tree),
-                   SCMP_SYS(move_mount), SCMP_SYS(mount_setattr), SCMP_SYS(open_by_handle_at)});
+                   SCMP_SYS(move_mount), SCMP_SYS(mount_setattr), SCMP_SYS(open_by_handle_at), statmount, listmount});
     filter.forbid({SCMP_SYS(unshare), SCMP_SYS(setns), SCMP_SYS(personality)});
     // Terminal input typed for somebody else.
-    filter.forbid_if(SCMP_SYS(ioctl), {second_is(TIOCSTI)});
-    filter.forbid_if(SCMP_SYS(ioctl), {second_is(TIOCLINUX)});
+    filter.forbid_if(SCMP_SYS(ioctl), {argument_is(1, TIOCSTI)});
+    filter.forbid_if(SCMP_SYS(ioctl), {argument_is(1, TIOCLINUX)});
 }
 
 /// clone's flags are its first argument, its second on s390.
@@ -103,11 +111,11 @@ void forbid_meddling_with_processes(Filter& filter) {
     filter.forbid_if(SCMP_SYS(sched_setparam), {SCMP_A0_32(SCMP_CMP_NE, 0)});
     filter.forbid_if(SCMP_SYS(sched_setattr), {SCMP_A0_32(SCMP_CMP_NE, 0)});
     filter.forbid_if(SCMP_SYS(sched_setaffinity), {SCMP_A0_32(SCMP_CMP_NE, 0)});
+    // Of a process, and that is 0, itself: not of a group, and not of all that an account runs.
+    constexpr std::uint32_t io_of_a_process = 1;  // IOPRIO_WHO_PROCESS
+    filter.forbid_if(SCMP_SYS(setpriority), {SCMP_A0_32(SCMP_CMP_NE, PRIO_PROCESS)});
     filter.forbid_if(SCMP_SYS(setpriority), {SCMP_A1_32(SCMP_CMP_NE, 0)});
-    // 0 is this process, or all of this account.
-    constexpr std::uint32_t io_of_an_account = 3;  // IOPRIO_WHO_USER
-    filter.forbid_if(SCMP_SYS(setpriority), {SCMP_A0_32(SCMP_CMP_EQ, PRIO_USER)});
-    filter.forbid_if(SCMP_SYS(ioprio_set), {SCMP_A0_32(SCMP_CMP_EQ, io_of_an_account)});
+    filter.forbid_if(SCMP_SYS(ioprio_set), {SCMP_A0_32(SCMP_CMP_NE, io_of_a_process)});
     filter.forbid_if(SCMP_SYS(ioprio_set), {SCMP_A1_32(SCMP_CMP_NE, 0)});
 }
 
@@ -118,27 +126,32 @@ void forbid_signals_to_others(Filter& filter) {
     filter.forbid({SCMP_SYS(tkill), SCMP_SYS(rt_sigqueueinfo), SCMP_SYS(pidfd_send_signal)});
     filter.forbid_if(SCMP_SYS(rt_tgsigqueueinfo), {SCMP_A0_32(SCMP_CMP_NE, own)});
     // A descriptor whose owner is another process sends it a signal of the program's choice.
-    for (const std::uint64_t command : {F_SETOWN, F_SETOWN_EX}) filter.forbid_if(SCMP_SYS(fcntl), {second_is(command)});
-    for (const std::uint64_t request : {FIOSETOWN, SIOCSPGRP}) filter.forbid_if(SCMP_SYS(ioctl), {second_is(request)});
+    for (const std::uint64_t command : {F_SETOWN, F_SETOWN_EX})
+        filter.forbid_if(SCMP_SYS(fcntl), {argument_is(1, command)});
+    for (const std::uint64_t request : {FIOSETOWN, SIOCSPGRP})
+        filter.forbid_if(SCMP_SYS(ioctl), {argument_is(1, request)});
 }
 
-/// Also that of /dev/zero. MAP_SHARED_VALIDATE has this bit as well.
-void forbid_shared_memory(Filter& filter) {
+void forbid_uncounted_use(Filter& filter) {
+    // Also that of /dev/zero. MAP_SHARED_VALIDATE has this bit as well.
     constexpr unsigned flags = 3;
     for (const int call : {SCMP_SYS(mmap), SCMP_SYS(mmap2)}) {
         filter.forbid_if(call, {SCMP_CMP64(flags, SCMP_CMP_MASKED_EQ, MAP_SHARED, MAP_SHARED)});
     }
+    // Pages that only a pipe holds.
+    filter.forbid({SCMP_SYS(vmsplice)});
+    filter.forbid_if(SCMP_SYS(rt_sigaction), {argument_is(0, SIGCHLD), SCMP_A1_64(SCMP_CMP_NE, 0)});
 }
 
 void forbid_file_attributes(Filter& filter) {
-    filter.forbid({SCMP_SYS(chmod), SCMP_SYS(fchmod), SCMP_SYS(fchmodat), SCMP_SYS(chown), SCMP_SYS(fchown),
-                   SCMP_SYS(lchown), SCMP_SYS(fchownat), SCMP_SYS(utime), SCMP_SYS(utimes), SCMP_SYS(utimensat),
-                   SCMP_SYS(futimesat), SCMP_SYS(setxattr), SCMP_SYS(lsetxattr), SCMP_SYS(fsetxattr),
-                   SCMP_SYS(removexattr), SCMP_SYS(lremovexattr), SCMP_SYS(fremovexattr), SCMP_SYS(truncate),
+    filter.forbid({SCMP_SYS(chmod),        SCMP_SYS(fchmod),     SCMP_SYS(fchmodat),    SCMP_SYS(chown),
+                   SCMP_SYS(fchown),       SCMP_SYS(lchown),     SCMP_SYS(fchownat),    SCMP_SYS(utime),
+                   SCMP_SYS(utimes),       SCMP_SYS(utimensat),  SCMP_SYS(futimesat),   SCMP_SYS(setxattr),
+                   SCMP_SYS(lsetxattr),    SCMP_SYS(fsetxattr),  SCMP_SYS(removexattr), SCMP_SYS(lremovexattr),
+                   SCMP_SYS(fremovexattr), SCMP_SYS(getxattr),   SCMP_SYS(lgetxattr),   SCMP_SYS(fgetxattr),
+                   SCMP_SYS(listxattr),    SCMP_SYS(llistxattr), SCMP_SYS(flistxattr),  SCMP_SYS(truncate),
                    SCMP_SYS(truncate64)});
-    // Younger than Debian 12's headers; new calls have one number everywhere.
-    constexpr int fchmodat2 = 452, setxattrat = 463, removexattrat = 466, file_setattr = 469;
-    filter.forbid({fchmodat2, setxattrat, removexattrat, file_setattr});
+    filter.forbid({fchmodat2, setxattrat, getxattrat, listxattrat, removexattrat, file_setattr});
 }
 
 }  // namespace
@@ -150,7 +163,7 @@ bool forbid_system_calls(const ForbiddenCalls& more) {
     forbid_meddling_with_processes(filter);
     if (more.signals) forbid_signals_to_others(filter);
     if (more.file_attributes) forbid_file_attributes(filter);
-    if (more.shared_memory) forbid_shared_memory(filter);
+    if (more.uncounted_use) forbid_uncounted_use(filter);
     const int failed = filter.load();
     if (failed != 0) errno = -failed;
     return failed == 0;

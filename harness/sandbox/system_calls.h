@@ -7,10 +7,13 @@ struct ForbiddenCalls {
     /// Signals to any process but the program's first. Where there is no process namespace and Landlock has
     /// no say, the supervisor and everything else of this user would be within reach.
     bool signals = false;
-    /// Changing mode, owner, times or attributes of a file, or its length by path, which Landlock lets pass.
+    /// Changing mode, owner, times or attributes of a file, or its length by path, which Landlock lets pass, and
+    /// reading its attributes.
     bool file_attributes = false;
-    /// Memory to be shared, which stays in use when no process has it mapped, so that nobody could count it.
-    bool shared_memory = false;
+    /// What would take memory or time that nobody could count: shared memory, which stays in use when no process has it
+    /// mapped, and another way to deal with SIGCHLD than the default, as ignoring it makes the kernel forget what ended
+    /// children used.
+    bool uncounted_use = false;
 };
 
 /// From here on these calls fail with EPERM in this process and its children: sockets, other processes' memory, limits

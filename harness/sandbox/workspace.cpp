@@ -23,7 +23,7 @@ FileDescriptor open_folder(const std::filesystem::path& folder) {
     return FileDescriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
 }
 
-bool lock(const FileDescriptor& folder) {
+bool take_lock(const FileDescriptor& folder) {
     return folder && flock(folder.get(), LOCK_EX | LOCK_NB) == 0;
 }
 
@@ -41,7 +41,7 @@ void reclaim(const std::filesystem::path& root) {
     for (const auto& entry : std::filesystem::directory_iterator(root, ignored)) {
         if (!entry.path().filename().native().starts_with(prefix)) continue;
         const FileDescriptor folder = open_folder(entry.path());
-        if (folder && is_ours_at(folder, entry.path()) && lock(folder)) remove_folder(entry.path());
+        if (folder && is_ours_at(folder, entry.path()) && take_lock(folder)) remove_folder(entry.path());
     }
 }
 
@@ -67,7 +67,7 @@ Workspace::Workspace() {
         if (mkdtemp(name.data()) == nullptr) throw_not_made(errno);
         path_ = name;
         FileDescriptor folder = open_folder(path_);
-        if (lock(folder) && is_ours_at(folder, path_)) lock_ = std::move(folder);
+        if (take_lock(folder) && is_ours_at(folder, path_)) lock_ = std::move(folder);
     }
     if (!lock_) throw_not_made(EBUSY);
     constexpr mode_t others_pass_through = 0711;

@@ -20,6 +20,8 @@ class Workspace {
 
     /// Absolute. Only this user may list it; run by root, others may pass through, as the programs' accounts do.
     const std::filesystem::path& path() const { return path_; }
+    /// The lock. A process that inherits it keeps the folder from being taken for one that was left behind.
+    const FileDescriptor& lock() const { return lock_; }
 
   private:
     std::filesystem::path path_;

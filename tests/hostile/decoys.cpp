@@ -2,6 +2,7 @@
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
+#include <sys/shm.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -115,9 +116,23 @@ bool DecoyListener::was_called() const {
     return called(tcp_) || called(local_);
 }
 
+DecoySegment::DecoySegment() : id_(shmget(IPC_PRIVATE, 4096, 0666)) {
+    void* const memory = id_ < 0 ? nullptr : shmat(id_, nullptr, 0);
+    if (memory == nullptr || memory == reinterpret_cast<void*>(-1)) {
+        throw std::runtime_error("no shared memory can be made");
+    }
+    constexpr std::string_view text = "DECOYSHM-20c7";
+    std::memcpy(memory, text.data(), text.size());
+    shmdt(memory);
+}
+
+DecoySegment::~DecoySegment() {
+    shmctl(id_, IPC_RMID, nullptr);
+}
+
 std::string stolen_word(std::string_view text) {
     // The last two are in the /etc/passwd of every Debian.
-    constexpr std::string_view words[] = {"decoykey-7f3a91", "decoybook-5c20", "decoyother-e881",
+    constexpr std::string_view words[] = {"decoykey-7f3a91", "decoybook-5c20", "decoyother-e881",  "decoyshm-20c7",
                                           "decoyenv-91bb",   "root:x:0:0",     "/usr/sbin/nologin"};
     const std::string lower = lower_case(text);
     for (const std::string_view word : words) {

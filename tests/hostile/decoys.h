@@ -30,6 +30,18 @@ class DecoyListener {
     harness::FileDescriptor tcp_, local_;
 };
 
+/// Shared memory of System V that everyone may read, as long as this lives.
+class DecoySegment {
+  public:
+    DecoySegment();
+    ~DecoySegment();
+    DecoySegment(const DecoySegment&) = delete;
+    DecoySegment& operator=(const DecoySegment&) = delete;
+
+  private:
+    int id_;
+};
+
 /// The first word of `text` that a sandboxed program can't know: of the decoys, or of the machine's /etc/passwd. Empty
 /// when there is none. Upper and lower case are the same, as they are to the assembler, which quotes what it reads.
 std::string stolen_word(std::string_view text);

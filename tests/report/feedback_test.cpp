@@ -111,6 +111,17 @@ TEST(Feedback, SaysOfACapThatItCut) {
     EXPECT_THAT(check_text(capped), HasSubstr("earn at most 2.5 points in all"));
 }
 
+TEST(Feedback, TellsOfFlagsAndSanitizersAndTakesNoMarksForThem) {
+    Graded one = graded("zoe", output_with_a_mistake());
+    const std::string before = feedback_markdown(one, marking());
+    one.flags = {{"nondeterministic", "Question 1, P_VCS: run 1 printed `1`, run 2 printed 2."}};
+    one.sanitizer = {"ray_cast.cpp:7:9: runtime error: division by zero"};
+    const std::string text = feedback_markdown(one, marking());
+    EXPECT_THAT(text, testing::HasSubstr("does not answer the same each time: "));
+    EXPECT_THAT(text, testing::HasSubstr("- `ray_cast.cpp:7:9: runtime error: division by zero`"));
+    EXPECT_EQ(text.substr(0, text.find("## ")), before.substr(0, before.find("## ")));
+}
+
 TEST(Feedback, SaysWhyASubmissionHasNoMarks) {
     const std::string text = feedback_markdown(not_graded("bob"), marking());
     EXPECT_THAT(text, HasSubstr("**Not graded.**"));

@@ -38,9 +38,9 @@ TEST(GradesCsv, ReadsBackAsARowASubmission) {
     const auto rows = read_csv(grades_csv({graded("zoe", output_with_a_mistake()), graded("ada", "")}));
     ASSERT_EQ(rows.size(), 3U);
     EXPECT_THAT(rows[0], ElementsAre("id", "outcome", "points", "max_points", "Q1", "Q2", "Q3", "Q4", "Q5", "Q6", "Q7",
-                                     "Q8", "Q9", "Q10", "explanation"));
+                                     "Q8", "Q9", "Q10", "explanation", "sandbox"));
     EXPECT_THAT(rows[1], ElementsAre("zoe", "graded", "98.33", "100", "10", "10", "10", "10", "10", "8.33", "10", "10",
-                                     "10", "10", ""));
+                                     "10", "10", "", "bwrap+shim"));
     EXPECT_EQ(rows[2][1], "no_output");
     EXPECT_EQ(rows[2][2], "0");
 }
@@ -57,8 +57,8 @@ TEST(GradesCsv, GivesASpreadsheetNothingToCompute) {
     ASSERT_EQ(rows.size(), 2U) << "a line break within a cell";
     EXPECT_EQ(rows[1].size(), rows[0].size());
     EXPECT_THAT(rows[1].front(), StartsWith("'="));
-    EXPECT_THAT(rows[1].back(), StartsWith("'="));
-    for (const char* start : {"=1", "+1", "-1", "@x", "\tx"}) {
+    EXPECT_THAT(rows[1].at(rows[1].size() - 2), StartsWith("'=")) << "the explanation";
+    for (const char* start : {"=1", "+1", "-1", "@x", "\tx", "  =1"}) {
         Graded one = graded("s", "");
         one.submission.id = start;
         EXPECT_THAT(read_csv(grades_csv({one}))[1].front(), StartsWith("'")) << start;
@@ -69,8 +69,14 @@ TEST(GradesCsv, HoldsNoControlBytes) {
     EXPECT_EQ(grades_csv({hostile()}).find('\x1b'), std::string::npos);
 }
 
+TEST(GradesCsv, NamesTheSandbox) {
+    Graded one = graded("s", "");
+    one.tier = Tier::unsafe;
+    EXPECT_EQ(read_csv(grades_csv({one}))[1].back(), "unsafe");
+}
+
 TEST(GradesCsv, HasItsHeaderWithoutSubmissions) {
-    EXPECT_EQ(grades_csv({}), "id,outcome,points,max_points,explanation\r\n");
+    EXPECT_EQ(grades_csv({}), "id,outcome,points,max_points,explanation,sandbox\r\n");
 }
 
 }  // namespace

@@ -57,6 +57,24 @@ TEST(GradesJson, SaysWhatHappenedToEachItem) {
     EXPECT_EQ(submission.at("questions").at(2).at("items").at(0).at("expected").size(), 4U);
 }
 
+TEST(GradesJson, HasFlagsAndWhatTheSanitizersFound) {
+    Graded one = graded("zoe", output_with_a_mistake());
+    one.flags = {{"nondeterministic", "run 1 printed \x1b"}};
+    one.sanitizer = {"line 8: heap-buffer-overflow"};
+    const json submission = grades({one}).at("submissions").at(0);
+    EXPECT_EQ(submission.at("flags").at(0).at("kind"), "nondeterministic");
+    EXPECT_EQ(submission.at("flags").at(0).at("evidence").get<std::string>().find('\x1b'), std::string::npos);
+    EXPECT_EQ(submission.at("sanitizer"), json({"line 8: heap-buffer-overflow"}));
+}
+
+TEST(GradesJson, IsIndentedAsOneValueHoweverManySubmissions) {
+    for (const std::size_t count : {0U, 1U, 3U}) {
+        const std::vector<Graded> all(count, graded("zoe", output_with_a_mistake()));
+        const std::string text = grades_json(all, marking(), harness::Tier::bwrap);
+        EXPECT_EQ(text, nlohmann::ordered_json::parse(text).dump(2) + "\n") << count;
+    }
+}
+
 TEST(GradesJson, AddsItsPointsUp) {
     const json submission = grades({graded("zoe", output_with_a_mistake())}).at("submissions").at(0);
     double points = 0;

@@ -6,11 +6,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace {
 
 using harness::below;
 using harness::list_processes;
+using harness::list_processes_except;
 using harness::ProcessRecord;
 
 ProcessRecord record(pid_t pid, pid_t parent) {
@@ -50,7 +52,9 @@ TEST(ListProcesses, ReadsANameWithBlanksAndParentheses) {
 }
 
 TEST(ListProcesses, LeavesOutWhatItIsToSkip) {
-    EXPECT_THAT(pids(list_processes({getpid()})), testing::Not(testing::Contains(getpid())));
+    std::vector<pid_t> strangers = {getpid(), std::numeric_limits<pid_t>::max()};
+    EXPECT_THAT(pids(list_processes_except(strangers)), testing::Not(testing::Contains(getpid())));
+    EXPECT_THAT(strangers, testing::ElementsAre(getpid())) << "the number of one that is gone may be given to another";
 }
 
 TEST(KillBelow, KillsChildrenButNeverTheCallersOwnGroup) {

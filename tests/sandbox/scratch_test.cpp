@@ -18,7 +18,9 @@ TEST(Scratch, IsAnEmptyFolderOfItsOwnThatIsGoneAtTheEnd) {
     EXPECT_NE(one->path(), two.path());
     EXPECT_EQ(one->path().parent_path(), workspace.path());
     EXPECT_TRUE(std::filesystem::is_empty(one->path()));
-    EXPECT_EQ(std::filesystem::status(one->path()).permissions(), std::filesystem::perms::owner_all);
+    struct stat info {};
+    ASSERT_EQ(stat(one->path().c_str(), &info), 0);
+    EXPECT_EQ(info.st_mode & 0777U, one->account() ? 0770U : 0700U);
     const auto path = one->path();
     one.reset();
     EXPECT_FALSE(std::filesystem::exists(path));
@@ -36,7 +38,7 @@ TEST(Scratch, BelongsToAnAccountOfItsOwnWhenRootGrades) {
     }
     ASSERT_TRUE(one.account());
     EXPECT_EQ(info.st_uid, one.account()->uid);
-    EXPECT_EQ(info.st_gid, one.account()->gid);
+    EXPECT_EQ(info.st_gid, getegid()) << "the harness keeps its way in";
     EXPECT_NE(one.account()->uid, 0U);
     EXPECT_NE(one.account()->uid, two.account()->uid);
 }

@@ -64,9 +64,11 @@ TEST(ShimProtocol, GivesEveryStatusBackAsItWas) {
         status.cpu = 1234us;
         status.wall = 5678us;
         status.peak_memory_bytes = 1ULL << 40;
+        status.machine_ran_out_of_memory = how % 2 == 1;
         const auto read = from_line(to_line(status));
         ASSERT_TRUE(read);
         EXPECT_EQ(read->how, status.how);
+        EXPECT_EQ(read->machine_ran_out_of_memory, status.machine_ran_out_of_memory);
         EXPECT_EQ(to_line(*read), to_line(status));
     }
 }
@@ -75,8 +77,8 @@ TEST(ShimProtocol, RefusesALineThatIsNotAStatus) {
     const std::string line = to_line(ShimStatus{});
     for (std::size_t size = 0; size < line.size(); ++size) EXPECT_FALSE(from_line(line.substr(0, size))) << size;
     EXPECT_FALSE(from_line(line + line));
-    EXPECT_FALSE(from_line("how=rebooted number=0 cpu-us=1 wall-us=1 peak-bytes=1 step=\n"));
-    EXPECT_FALSE(from_line("how=exited number=0x cpu-us=1 wall-us=1 peak-bytes=1 step=\n"));
+    EXPECT_FALSE(from_line("how=rebooted number=0 cpu-us=1 wall-us=1 peak-bytes=1 out-of-memory=0 step=\n"));
+    EXPECT_FALSE(from_line("how=exited number=0x cpu-us=1 wall-us=1 peak-bytes=1 out-of-memory=0 step=\n"));
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 #include <linux/sched.h>
 #include <signal.h>
 #include <sys/ioctl.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/shm.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -43,6 +45,12 @@ TEST(ForbidSystemCalls, ForbidsWhatReachesOutOfASandbox) {
     EXPECT_EQ(outcome({}, SYS_socket, AF_UNIX, SOCK_STREAM, 0), EPERM);
     EXPECT_EQ(outcome({}, SYS_memfd_create, "x", 0), EPERM);
     EXPECT_EQ(outcome({}, SYS_shmget, 0, 4096, 01600), EPERM);
+    EXPECT_EQ(outcome({}, SYS_shmat, 0, nullptr, 0), EPERM) << "what others made";
+    EXPECT_EQ(outcome({}, SYS_shmctl, 0, SHM_INFO, nullptr), EPERM);
+    EXPECT_EQ(outcome({}, SYS_msgrcv, 0, nullptr, 0L, 0L, 0), EPERM);
+    EXPECT_EQ(outcome({}, SYS_semctl, 0, 0, IPC_RMID, 0), EPERM);
+    EXPECT_EQ(outcome({}, SYS_mq_unlink, "x"), EPERM);
+    EXPECT_EQ(outcome({}, SYS_io_setup, 1, nullptr), EPERM);
     EXPECT_EQ(outcome({}, SYS_keyctl, 0, -4, 0), EPERM);
     EXPECT_EQ(outcome({}, SYS_add_key, "user", "x", "y", 1, -4), EPERM);
     EXPECT_EQ(outcome({}, SYS_io_uring_setup, 1, nullptr), EPERM);
@@ -69,11 +77,14 @@ TEST(ForbidSystemCalls, ForbidsTakingFromTheParentWhatItNeeds) {
     EXPECT_EQ(outcome({}, SYS_prlimit64, getpid(), RLIMIT_NOFILE, nullptr, nullptr), EPERM);
     EXPECT_EQ(outcome({}, SYS_prlimit64, 0, RLIMIT_CORE, &none, nullptr), 0) << "its own are its own";
     EXPECT_EQ(outcome({}, SYS_setpriority, PRIO_PROCESS, getpid(), 19), EPERM);
+    EXPECT_EQ(outcome({}, SYS_setpriority, PRIO_USER, 0, 19), EPERM) << "all that this account runs";
+    EXPECT_EQ(outcome({}, SYS_setpriority, PRIO_PGRP, 0, 19), EPERM);
+    EXPECT_EQ(outcome({}, SYS_setpriority, PRIO_PROCESS, 0, 19), 0);
     EXPECT_EQ(outcome({}, SYS_sched_setaffinity, getpid(), 0, nullptr), EPERM);
 }
 
 TEST(ForbidSystemCalls, ForbidsSignalsToOthersWhereTold) {
-    const ForbiddenCalls signals{.signals = true, .file_attributes = false};
+    const ForbiddenCalls signals{.signals = true, .file_attributes = false, .uncounted_use = false};
     EXPECT_EQ(outcome({}, SYS_kill, getpid(), 0), 0);
     EXPECT_EQ(outcome(signals, SYS_kill, getpid(), 0), EPERM);
     EXPECT_EQ(outcome(signals, SYS_kill, -1, 0), EPERM);
@@ -84,9 +95,35 @@ TEST(ForbidSystemCalls, ForbidsSignalsToOthersWhereTold) {
     EXPECT_EQ(outcome(signals, SYS_ioctl, 0L, with_an_upper_half(SIOCSPGRP), nullptr), EPERM);
 }
 
+TEST(ForbidSystemCalls, ForbidsWhatNobodyCouldCountWhereTold) {
+    const ForbiddenCalls uncounted{.signals = false, .file_attributes = false, .uncounted_use = true};
+    const auto map = [](const ForbiddenCalls& more, int flags) {
+        return outcome(more, SYS_mmap, nullptr, 4096L, PROT_READ, flags | MAP_ANONYMOUS, -1, 0L);
+    };
+    EXPECT_EQ(map({}, MAP_SHARED), 0);
+    EXPECT_EQ(map(uncounted, MAP_SHARED), EPERM);
+    EXPECT_EQ(map(uncounted, MAP_SHARED_VALIDATE), EPERM);
+    EXPECT_EQ(map(uncounted, MAP_PRIVATE), 0);
+    EXPECT_EQ(outcome(uncounted, SYS_vmsplice, 1, nullptr, 0L, 0), EPERM);
+    const auto ignore = [](int number) {
+        return in_a_child([=] {
+            if (!forbid_system_calls({.signals = false, .file_attributes = false, .uncounted_use = true}))
+                return could_not_forbid;
+            struct sigaction action {};
+            action.sa_handler = SIG_IGN;
+            if (sigaction(number, nullptr, &action) != 0) return 1;
+            action.sa_handler = SIG_IGN;
+            return sigaction(number, &action, nullptr) == 0 ? 0 : errno;
+        });
+    };
+    EXPECT_EQ(ignore(SIGCHLD), EPERM);
+    EXPECT_EQ(ignore(SIGUSR1), 0);
+}
+
 TEST(ForbidSystemCalls, LeavesAProgramItsOwnSignals) {
     const auto aborts = in_a_child([] {
-        if (!forbid_system_calls({.signals = true, .file_attributes = true})) return could_not_forbid;
+        if (!forbid_system_calls({.signals = true, .file_attributes = true, .uncounted_use = true}))
+            return could_not_forbid;
         signal(SIGUSR1, SIG_IGN);
         if (kill(getpid(), SIGUSR1) != 0 || raise(SIGUSR1) != 0) return 1;
         abort();
@@ -97,19 +134,21 @@ TEST(ForbidSystemCalls, LeavesAProgramItsOwnSignals) {
 TEST(ForbidSystemCalls, ForbidsTheAttributesOfFilesWhereTold) {
     const TemporaryFolder folder;
     const std::string file = folder.write("file", "text").string();
-    const ForbiddenCalls attributes{.signals = false, .file_attributes = true};
+    const ForbiddenCalls attributes{.signals = false, .file_attributes = true, .uncounted_use = false};
     EXPECT_EQ(outcome({}, SYS_fchmodat, AT_FDCWD, file.c_str(), 0600), 0);
     EXPECT_EQ(outcome(attributes, SYS_fchmodat, AT_FDCWD, file.c_str(), 0600), EPERM);
     constexpr long fchmodat2 = 452;
     EXPECT_EQ(outcome(attributes, fchmodat2, AT_FDCWD, file.c_str(), 0600, 0), EPERM);
     EXPECT_EQ(outcome(attributes, SYS_utimensat, AT_FDCWD, file.c_str(), nullptr, 0), EPERM);
     EXPECT_EQ(outcome(attributes, SYS_truncate, file.c_str(), 0L), EPERM);
+    EXPECT_EQ(outcome(attributes, SYS_getxattr, file.c_str(), "user.x", nullptr, 0L), EPERM);
     EXPECT_EQ(outcome(attributes, SYS_setxattr, file.c_str(), "user.x", "y", 1L, 0), EPERM);
 }
 
 TEST(ForbidSystemCalls, LeavesThreadsAndChildren) {
     const auto works = in_a_child([] {
-        if (!forbid_system_calls({.signals = true, .file_attributes = true})) return could_not_forbid;
+        if (!forbid_system_calls({.signals = true, .file_attributes = true, .uncounted_use = true}))
+            return could_not_forbid;
         int value = 0;
         std::thread([&] { value = 1; }).join();
         return value == 1 && in_a_child([] { return 7; }) == 7 ? 0 : 1;

@@ -7,7 +7,7 @@
 
 int main() {
     signal(SIGPIPE, SIG_IGN);
-    const char* forms[] = {"how=exited number=0 cpu-us=1 wall-us=1 peak-bytes=1 step=\n",
+    const char* forms[] = {"how=exited number=0 cpu-us=1 wall-us=1 peak-bytes=1 out-of-memory=0 step=\n",
                            "{\"how\":\"exited\",\"number\":0,\"cpu_us\":1,\"wall_us\":1,\"peak_bytes\":1}\n",
                            "{ \"exit-code\": 0 }\n"};
     for (const char* form : forms) {

@@ -1,4 +1,4 @@
-// Tries: to ask by __has_include whether the answer key and other files are there. Outcome: graded.
+// Tries: to ask by __has_include whether the answer key and other files are there. Outcome: graded or compile_error.
 #include <cstdio>
 
 int main() {

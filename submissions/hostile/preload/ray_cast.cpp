@@ -13,7 +13,7 @@ void look_around() {
     const rlimit more = {files.rlim_max + 1, files.rlim_max + 1};
     if (files.rlim_max > 4096) std::puts("ESCAPED: as many files as it likes");
     if (setrlimit(RLIMIT_NOFILE, &more) == 0) std::puts("ESCAPED: a hard limit could be raised");
-    if (core.rlim_max != 0) std::puts("ESCAPED: it may leave a core");
+    if (core.rlim_max > 1) std::puts("ESCAPED: it may leave a core");
     if (std::fopen("/tmp/raygrade-decoy/answer_key.json", "r") != nullptr) std::puts("ESCAPED: the key can be opened");
 }
 
