@@ -251,7 +251,6 @@ TEST(BuildWithAHeader, IsPlainWhereTheHeaderDoesNotFit) {
 TEST(Build, SaysHowToGetACompiler) {
     const Folder folder;
     const std::string path = getenv("PATH");
-    const Folder folder;
     setenv("PATH", "/nonexistent", 1);
     const auto settings = default_settings();
     std::string message;
