@@ -139,11 +139,8 @@ class Reader {
         at_ = begin + written.size();
         const std::size_t end = at_;
         first_on_its_line_ = false;
-        lines_in_comment_ = false;
         while (at_ < source_.size() && !first_on_its_line_) {
             if (!skip_blank_or_comment() && !skip_line_end()) return {};
-            // What stands behind a comment over several lines belongs to the directive still.
-            if (lines_in_comment_) return {};
         }
         return Directive{*text, begin, end};
     }
@@ -153,7 +150,6 @@ class Reader {
         if (length == 1 && source_[at_] != '\n') return false;
         at_ += length;
         first_on_its_line_ = true;
-        lines_in_comment_ = false;
         return true;
     }
 
@@ -184,7 +180,6 @@ class Reader {
         const std::string_view comment = source_.substr(at_, end - at_);
         // "*\<newline>/" ends a comment too, and would do so earlier.
         if (is_odd(comment) || joined(comment).size() != comment.size()) return false;
-        if (comment.find('\n') != std::string_view::npos) lines_in_comment_ = true;
         at_ = end + 2;
         return true;
     }
@@ -197,7 +192,6 @@ class Reader {
     std::string_view source_;
     std::size_t at_ = 0;
     bool first_on_its_line_ = true;  ///< nothing but white space and comments since the line's beginning
-    bool lines_in_comment_ = false;  ///< since the line's beginning there was a comment over several lines
 };
 
 }  // namespace

@@ -87,9 +87,13 @@ TEST(IncludeBlock, EndsBeforeACommentThatGoesOnByABackslash) {
     EXPECT_THAT(texts("#include <a>\n// more \\ \t\r\n#include <b>\n"), ElementsAre("#include <a>"));
     EXPECT_THAT(texts("#include <a>\n// more ?\?/\n#include <b>\n"), ElementsAre("#include <a>"));
     EXPECT_THAT(texts("#include <a> // more \\\n#include <b>\n"), IsEmpty());
-    EXPECT_THAT(texts("#include <a>\n/* *\\\n/\n#include <b>\n/* */\n"), ElementsAre("#include <a>"));
+    EXPECT_THAT(texts("#include <a>\n/* *\\\n/\n#include <b>\n/* */\n#include <c>\n"), ElementsAre("#include <a>"));
+    EXPECT_THAT(texts("#include <a>\n/* *?\?/\n/\n#include <b>\n/* */\n#include <c>\n"), ElementsAre("#include <a>"));
+    EXPECT_THAT(texts(std::string("#include <a>\n/* \0 */\n#include <b>\n", 32)), ElementsAre("#include <a>"));
     EXPECT_THAT(texts("#include <a>\n/* open\n#include <b>\n"), ElementsAre("#include <a>"));
     EXPECT_THAT(texts("#include <a> /* over\nlines */ int b;\n"), IsEmpty());
+    EXPECT_THAT(texts("#define A /* over\nlines */ 2\n"), IsEmpty()) << "the 2 belongs to it";
+    EXPECT_THAT(texts("#include <a> /* over\nlines */\n#include <b>\n"), ElementsAre("#include <a>", "#include <b>"));
     EXPECT_THAT(texts("// C:\\folder\n#include <a>\n"), ElementsAre("#include <a>"));
 }
 
