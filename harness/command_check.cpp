@@ -9,14 +9,15 @@ namespace harness {
 
 int check_command(const CheckOptions& options) {
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
-    const Marking marking{assignment, reference::make_key(assignment, reference::Precision::certified)};
+    auto key = begin_key(assignment);
     const std::vector<Submission> submissions = find_submissions({options.source});
     if (submissions.size() != 1) {
         throw UsageError(fmt::format("{}: holds {} submissions; `raygrade check` takes one, `raygrade grade` a class",
                                      options.source.string(), submissions.size()));
     }
     const Workshop workshop = open_workshop(options.workshop, assignment.limits);
-    warn_of_no_sandbox(workshop);
+    tell_of_the_sandbox(workshop);
+    const Marking marking{assignment, key.get()};
     const Graded graded = grade(submissions.front(), marking, workshop);
     tell_problems(workshop);
     fmt::print("{}\n\n{}", assignment.title, report::check_text(graded));

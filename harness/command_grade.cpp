@@ -137,12 +137,13 @@ int status_of(const std::vector<Graded>& graded) {
 
 int grade_command(const GradeOptions& options) {
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
-    const Marking marking{assignment, reference::make_key(assignment, reference::Precision::certified)};
-    for (const std::string& note : marking.key.notes) fmt::print(stderr, "note: {}\n", note);
+    auto key = begin_key(assignment);
     std::vector<Submission> submissions = find_submissions(options.paths);
     prepare_folder(options.out, options.force);
     const Workshop workshop = open_workshop(options.workshop, assignment.limits);
-    warn_of_no_sandbox(workshop);
+    tell_of_the_sandbox(workshop);
+    const Marking marking{assignment, key.get()};
+    for (const std::string& note : marking.key.notes) fmt::print(stderr, "note: {}\n", note);
     const std::vector<Graded> graded =
         grade_with_progress(std::move(submissions), marking, workshop, options.jobs, options.trace);
     fmt::print("{}", report::class_table(graded));

@@ -80,16 +80,27 @@ std::string explain(const Build& build, const ProcessResult& run, const Limits& 
     return "";
 }
 
+/// Empties it and gives its memory back, which neither clear() nor an assignment does: of ten thousand submissions
+/// that would be what counts.
+void release(std::string& text) {
+    std::string().swap(text);
+}
+
 /// Without the source, which nobody needs any more.
 Graded begun(const Submission& submission, const Workshop& workshop) {
     Graded graded;
     graded.submission = submission;
-    graded.submission.source = {};
+    release(graded.submission.source);
     graded.tier = workshop.sandbox->tier();
     return graded;
 }
 
 }  // namespace
+
+std::future<reference::AnswerKey> begin_key(const reference::Assignment& assignment) {
+    return std::async(std::launch::async,
+                      [&assignment] { return reference::make_key(assignment, reference::Precision::certified); });
+}
 
 std::string_view to_string(Outcome outcome) {
     switch (outcome) {
@@ -140,7 +151,7 @@ Graded mark(const Submission& submission, std::vector<Execution> executions, con
         }
         const Timeline::Span span(timeline, Stage::score, submission.id);
         runs.push_back({each.run.ended, score(transcript, marking.key, marking.assignment)});
-        each.run.output = {};  // up to a mebibyte; the score holds what counts
+        release(each.run.output);  // up to a mebibyte; the score holds what counts
     }
     if (const auto evidence = difference(runs)) graded.flags.push_back({"nondeterministic", *evidence});
     graded.score = std::move(runs.front().score);

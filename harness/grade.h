@@ -1,6 +1,7 @@
 // The end of the main path, submission → build → run → transcript → score: from what was printed to marks.
 #pragma once
 
+#include <future>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,10 @@ struct Marking {
     reference::Assignment assignment;
     reference::AnswerKey key;  ///< the assignment's
 };
+
+/// Makes the certified key of `assignment`, which must live until then, while the caller does something else. get()
+/// throws what make_key throws.
+std::future<reference::AnswerKey> begin_key(const reference::Assignment& assignment);
 
 /// Marks what a submission printed, the first time of `executions`, at least one. Those after it are its repetitions.
 Graded mark(const Submission& submission, std::vector<Execution> executions, const Marking& marking,

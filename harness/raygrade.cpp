@@ -50,14 +50,14 @@ void add_workshop(CLI::App& command, WorkshopOptions& workshop) {
     command
         .add_option(
             "--repeat", workshop.repetitions,
-            "Run each program so often and flag one whose answers differ, as of memory never set; costs nothing")
+            "Run each program so often and flag one whose answers differ, as of memory never set; costs no points")
         ->check(CLI::Range(1, 100))
         ->type_name("N")
         ->capture_default_str();
     command.add_flag(
         "--sanitize", workshop.sanitize,
         "Also build and run under AddressSanitizer and UndefinedBehaviorSanitizer, and say what they find; "
-        "costs nothing");
+        "costs no points");
     workshop.cache = cache_folder();
     command.add_flag("--fresh", workshop.fresh,
                      "Compile and run everything anew, also what was before; see README, What is kept");

@@ -46,6 +46,7 @@ QuestionScore judge_question(const reference::KeyQuestion& question, Judge& judg
     QuestionScore score;
     score.number = question.number;
     score.max_points = rubric.points_of(question.number);
+    score.items.reserve(question.items.size());
     for (const reference::KeyItem& item : question.items) {
         ItemScore judged = judge.judge(item);
         judged.max_points = item_points(rubric, question, item.spec);
@@ -111,6 +112,7 @@ Score score(const Transcript& transcript, const reference::AnswerKey& key, const
     const std::vector<MatchedItem> matched = match(transcript, items);
     Judge judge(matched, key, assignment);
     Score score;
+    score.questions.reserve(key.questions.size());
     for (const reference::KeyQuestion& question : key.questions) {
         score.questions.push_back(judge_question(question, judge, assignment.rubric));
         score.max_points += score.questions.back().max_points;

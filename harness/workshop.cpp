@@ -6,6 +6,7 @@
 
 #include "harness/failure.h"
 #include "harness/fingerprint.h"
+#include "harness/names.h"
 #include "harness/sandbox/canary.h"
 #include "harness/toolchain.h"
 
@@ -42,6 +43,16 @@ std::future<std::string> begin_fingerprint(const std::filesystem::path& compiler
     }
 }
 
+std::string failures(const std::vector<CanaryReport>& reports) {
+    std::string text;
+    for (const CanaryReport& report : reports) {
+        if (report.held()) continue;
+        text += fmt::format("{}{} does not hold ({})", text.empty() ? "" : ", ", to_string(report.tier),
+                            printable(report.summary()));
+    }
+    return text;
+}
+
 void open_cache(Workshop& workshop, const std::filesystem::path& folder, std::future<std::string> toolchain) {
     workshop.toolchain = toolchain.get();
     workshop.store = std::make_unique<Store>(folder);
@@ -58,7 +69,7 @@ Workshop open_workshop(const WorkshopOptions& options, const std::vector<referen
     std::future<std::string> toolchain;  // looks at some ten thousand headers while the sandbox is tried
     if (options.cache) toolchain = begin_fingerprint(build.compiler);
     Choice choice = choose_sandbox(wanted_tier(options.sandbox), without);
-    Workshop workshop{std::move(choice.sandbox), std::move(build), stages.run};
+    Workshop workshop{std::move(choice.sandbox), failures(choice.reports), std::move(build), stages.run};
     workshop.repetitions = options.repetitions;
     workshop.sanitize = options.sanitize;
     workshop.fresh = options.fresh;
@@ -83,7 +94,11 @@ std::string sandbox_warning(Tier tier) {
            "graded may, these reports and the answer key among it.";
 }
 
-void warn_of_no_sandbox(const Workshop& workshop) {
+void tell_of_the_sandbox(const Workshop& workshop) {
+    if (!workshop.why_no_stronger.empty()) {
+        fmt::print(stderr, "note: programs run in {}, as {}; see `raygrade doctor`\n",
+                   to_string(workshop.sandbox->tier()), workshop.why_no_stronger);
+    }
     const std::string warning = sandbox_warning(workshop.sandbox->tier());
     if (!warning.empty()) fmt::print(stderr, "raygrade: warning: {}\n", warning);
 }

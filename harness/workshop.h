@@ -17,6 +17,7 @@ namespace harness {
 
 struct Workshop {
     std::unique_ptr<const Sandbox> sandbox;
+    std::string why_no_stronger;  ///< what failed in the stronger tiers that were tried; empty when none did
     BuildSettings build;
     Limits run;
     std::string toolchain{};                       ///< see toolchain_fingerprint; empty when nothing is kept
@@ -47,7 +48,7 @@ std::string execution_key(const std::string& source, const Workshop& workshop, c
 /// For every report of marks that were made without a sandbox; empty when there was one.
 std::string sandbox_warning(Tier tier);
 
-/// The same on stderr, before the first submission.
-void warn_of_no_sandbox(const Workshop& workshop);
+/// The same on stderr, before the first submission, and why a stronger sandbox than the one in use does not hold.
+void tell_of_the_sandbox(const Workshop& workshop);
 
 }  // namespace harness

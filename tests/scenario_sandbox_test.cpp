@@ -71,6 +71,15 @@ TEST_F(Sandboxed, EachTierGradesAndIsNamed) {
     }
 }
 
+TEST_F(Sandboxed, ThatAStrongerOneDoesNotHoldIsTold) {
+    const Result result = grade({}, without_bwrap());
+    EXPECT_EQ(result.status, 0) << result.both();
+    EXPECT_EQ(grades().at("sandbox"), "landlock+shim");
+    EXPECT_THAT(result.voice,
+                HasSubstr("note: programs run in landlock+shim, as bwrap+shim does not hold (There is no bwrap"));
+    EXPECT_THAT(grade({}).voice, Not(HasSubstr("does not hold")));
+}
+
 TEST_F(Sandboxed, WithoutASandboxNothingIsRunUnlessTold) {
     const Result refused = grade({"--sandbox", "bwrap"}, without_bwrap());
     EXPECT_EQ(refused.status, some_not_graded);
