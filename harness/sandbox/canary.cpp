@@ -17,6 +17,7 @@
 #include "harness/failure.h"
 #include "harness/names.h"
 #include "harness/sandbox/file_descriptor.h"
+#include "harness/sandbox/find_on_path.h"
 #include "harness/sandbox/scratch.h"
 
 namespace harness {
@@ -50,16 +51,6 @@ class Listener {
     int port_ = 0;
 };
 
-fs::path find_canary() {
-    std::error_code error;
-    const auto beside = fs::read_symlink("/proc/self/exe", error).parent_path() / "raygrade-canary";
-    for (const auto& candidate : {beside, fs::path(RAYGRADE_CANARY)}) {
-        if (access(candidate.c_str(), X_OK) == 0) return candidate;
-    }
-    throw HarnessError("The sandbox can't be tried: there is no " + in_quotes(beside) +
-                       ". Build all of raygrade, and keep raygrade-canary beside raygrade.");
-}
-
 fs::path make_decoy(const Workspace& workspace) {
     const fs::path decoy = workspace.path() / "decoy";
     // Readable for everyone: what keeps the canary out is to be the sandbox, not the file's mode.
@@ -74,7 +65,7 @@ std::string contents(const fs::path& file) {
 }
 
 ProcessResult run_canary(const Sandbox& sandbox, const Scratch& scratch, const fs::path& decoy, int port) {
-    fs::copy_file(find_canary(), scratch.path() / "canary");
+    fs::copy_file(find_companion("raygrade-canary", RAYGRADE_CANARY), scratch.path() / "canary");
     fs::permissions(scratch.path() / "canary", static_cast<fs::perms>(0555));
     Command command;
     command.argv = {"./canary", decoy.string(), std::to_string(port), std::to_string(getpid())};

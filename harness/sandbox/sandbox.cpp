@@ -13,20 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The supervisor beside this executable, or where the build put it.
-fs::path find_shim() {
-    std::error_code error;
-    const auto beside = fs::read_symlink("/proc/self/exe", error).parent_path() / "raygrade-shim";
-    for (const auto& candidate : {beside, fs::path(RAYGRADE_SHIM)}) {
-        if (access(candidate.c_str(), X_OK) == 0) return candidate;
-    }
-    throw HarnessError("The supervisor is missing: there is no " + in_quotes(beside) +
-                       ". Build all of raygrade, and keep raygrade-shim beside raygrade.");
-}
-
 /// Where every account can reach it, wherever raygrade itself lies.
 fs::path copy_shim(const Workspace& workspace) {
-    const fs::path from = find_shim();
+    const fs::path from = find_companion("raygrade-shim", RAYGRADE_SHIM);
     const fs::path copy = workspace.path() / "shim";
     std::error_code error;
     fs::copy_file(from, copy, error);
