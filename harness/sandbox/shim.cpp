@@ -14,8 +14,10 @@
 // linked, it starts in a millisecond and needs nothing inside a sandbox. It trusts its command line, which only the
 // harness writes.
 //
-// What it can't do without a sandbox: a program of the same user can kill or stop it. Then there is no status line, or
-// none in time, which is the harness's matter.
+// It is out of the program's reach: in namespaces as their first process, which the kernel lets nobody inside end;
+// below Landlock by the filter of system calls, or as root's while the program has another account. Without a sandbox a
+// program of the same user can kill or stop it. Then there is no status line, or none in time, which is the harness's
+// matter.
 
 #include <fcntl.h>
 #include <poll.h>
