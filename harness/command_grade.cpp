@@ -20,6 +20,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Before a class is graded, not after. Throws UsageError.
+void check_trace(const fs::path& trace) {
+    const fs::path folder = fs::absolute(trace).parent_path();
+    std::error_code error;
+    if (fs::is_directory(trace, error) || access(folder.c_str(), W_OK | X_OK) != 0) {
+        throw UsageError(fmt::format("{}: can't be written; name another file with --trace", trace.string()));
+    }
+}
+
 /// Writes a whole file or throws HarnessError; what was there before stays until the new one is complete.
 void write_file(const fs::path& file, const std::function<void(std::ostream&)>& write) {
     const fs::path fresh = file.string() + ".new";
@@ -140,6 +149,7 @@ int grade_command(const GradeOptions& options) {
     auto key = begin_key(assignment);
     std::vector<Submission> submissions = find_submissions(options.paths);
     prepare_folder(options.out, options.force);
+    if (!options.trace.empty()) check_trace(options.trace);
     const Workshop workshop = open_workshop(options.workshop, assignment.limits);
     tell_of_the_sandbox(workshop);
     const Marking marking{assignment, key.get()};

@@ -23,6 +23,13 @@ struct Contents {
     std::error_code error;  ///< why it could not be listed
 };
 
+/// Results of raygrade's own, which lie in the class's folder when it was graded from there.
+bool holds_results(const path& folder) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(folder / "grades.json", ignored) &&
+           std::filesystem::is_directory(folder / "feedback", ignored);
+}
+
 Contents list(const path& folder) {
     Contents contents;
     std::filesystem::directory_iterator entry(folder, contents.error);
@@ -33,7 +40,7 @@ Contents list(const path& folder) {
         const auto type = entry->symlink_status(ignored).type();
         const bool is_header = name.extension() == ".h" || name.extension() == ".hpp";
         if (type == std::filesystem::file_type::directory) {
-            contents.folders.push_back(entry->path());
+            if (!holds_results(entry->path())) contents.folders.push_back(entry->path());
         } else if (is_source_name(name)) {
             contents.sources.push_back(entry->path());
         } else if (type == std::filesystem::file_type::symlink) {

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <clocale>
+#include <cstdio>
 #include <thread>
 
 #include "harness/commands.h"
@@ -57,7 +58,7 @@ void add_workshop(CLI::App& command, WorkshopOptions& workshop) {
     command.add_flag(
         "--sanitize", workshop.sanitize,
         "Also build and run under AddressSanitizer and UndefinedBehaviorSanitizer, and say what they find; "
-        "costs no points");
+        "costs no points, and ten times as long");
     workshop.cache = cache_folder();
     command.add_flag("--fresh", workshop.fresh,
                      "Compile and run everything anew, also what was before; see README, What is kept");
@@ -160,7 +161,12 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     std::setlocale(LC_CTYPE, "C.UTF-8");
     try {
-        return run(argc, argv);
+        const int status = run(argc, argv);
+        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+            throw HarnessError(
+                "stdout can't be written to, so something of what it should show is missing; is the disk full?");
+        }
+        return status;
     } catch (const UsageError& error) {
         fmt::print(stderr, "raygrade: {}\n", error.what());
         return usage;

@@ -155,7 +155,9 @@ bool is_worth_keeping(const Execution& execution) {
     const ProcessResult& run = execution.run;
     const bool killed_from_outside =
         run.ended == Ended::signalled && (run.signal == SIGKILL || run.signal == SIGTERM || run.signal == SIGHUP);
-    return build.tried && !build.depends_on_load && run.ended != Ended::wall_limit && !killed_from_outside;
+    // Of a bomb that is stopped it depends on the moment what it has printed by then.
+    return build.tried && !build.depends_on_load && run.ended != Ended::wall_limit &&
+           run.ended != Ended::process_limit && !killed_from_outside;
 }
 
 Store::Store(fs::path folder, const StoreBounds& bounds)

@@ -33,7 +33,7 @@ struct StoreBounds {
 std::optional<std::filesystem::path> cache_folder();
 
 /// Whether the same source would come to the same end on this machine whatever else it does: not when a program was
-/// stopped by the clock, and not when it was killed from outside, as for want of memory.
+/// stopped by the clock or for its processes, and not when it was killed from outside, as for want of memory.
 bool is_worth_keeping(const Execution& execution);
 
 /// Safe to use from several threads.

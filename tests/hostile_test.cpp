@@ -59,7 +59,7 @@ Workshop quick_workshop(Tier tier) {
     run.cpu = 1s;
     run.wall = 4s;
     run.memory_bytes = std::uint64_t{128} << 20U;
-    return {std::make_unique<harness::Sandbox>(tier), harness::default_build_settings(compile), run};
+    return {std::make_unique<harness::Sandbox>(tier), {}, harness::default_build_settings(compile), run};
 }
 
 harness::Marking marking() {

@@ -1,8 +1,10 @@
 // Bad input: what each kind gets is a message with the path and the way out, the exit status of the design, and the
 // other submissions graded all the same.
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -210,6 +212,32 @@ TEST_F(BadInput, EarlierResultsAreKeptUnlessForced) {
     const Result forced = raygrade({"grade", students().string(), "--out", out().string(), "--force"});
     EXPECT_EQ(forced.status, 0) << forced.both();
     EXPECT_FALSE(graded("late").is_null());
+}
+
+TEST_F(BadInput, EarlierResultsInTheClassAreNoStudent) {
+    const std::vector<std::string> words = {"grade", students().string(), "--out", (students() / "results").string(),
+                                            "--force"};
+    ASSERT_EQ(raygrade(words).status, 0);
+    const Result again = raygrade(words);
+    EXPECT_EQ(again.status, 0) << again.both();
+    EXPECT_EQ(read_json(students() / "results/grades.json").at("submissions").size(), 1U);
+}
+
+TEST_F(BadInput, ATraceThatCannotBeWrittenIsToldBeforeGrading) {
+    const Result result = raygrade(
+        {"grade", students().string(), "--out", out().string(), "--trace", (folder / "nowhere/trace.json").string()});
+    EXPECT_EQ(result.status, usage);
+    EXPECT_THAT(result.voice, HasSubstr("--trace"));
+    EXPECT_FALSE(fs::exists(out() / "grades.json"));
+}
+
+TEST_F(BadInput, AFullDiskBehindStdoutIsNoticed) {
+    const Result result = raygrade({"reference"}, [] {
+        const int full = open("/dev/full", O_WRONLY);
+        return full >= 0 && dup2(full, 1) == 1;
+    });
+    EXPECT_EQ(result.status, some_not_graded);
+    EXPECT_THAT(result.voice, HasSubstr("stdout can't be written to"));
 }
 
 TEST_F(BadInput, AnAssignmentFileWithAMistake) {

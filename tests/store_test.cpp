@@ -116,6 +116,8 @@ TEST(IsWorthKeeping, LeavesWhatDependsOnTheLoadOfTheMachine) {
     Execution by_the_clock = printed("a");
     by_the_clock.run.ended = Ended::wall_limit;
     EXPECT_FALSE(is_worth_keeping(by_the_clock));
+    by_the_clock.run.ended = harness::Ended::process_limit;
+    EXPECT_FALSE(is_worth_keeping(by_the_clock)) << "a bomb prints more or less before it is stopped";
     Execution killed = printed("a");
     killed.run.ended = Ended::signalled;
     killed.run.signal = SIGKILL;

@@ -161,6 +161,7 @@ CanaryReport try_canary(const Sandbox& sandbox) {
 Choice choose_sandbox(std::optional<Tier> only, WithoutSandbox without) {
     Choice choice;
     std::string reasons;
+    const Workspace probe;  // without room for one, nothing can be said of sandboxes
     for (const Tier tier : {Tier::bwrap, Tier::landlock}) {
         if (only && *only != tier) continue;
         CanaryReport report{tier, {}, {}};

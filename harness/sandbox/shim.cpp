@@ -233,7 +233,9 @@ ShimStatus supervise(const ShimOrders& orders) {
     silence(STDERR_FILENO);
     Watch watch{orders.limits, program.pid, strangers, start};
     watch.kills_before = kills_before;
-    const auto cause = watch_tree(watch, child_fd.get(), orders.lifeline_fd);
+    auto cause = watch_tree(watch, child_fd.get(), orders.lifeline_fd);
+    // A program that ended before the next check must not leave more behind than it may have.
+    if (!cause && reap(watch)) cause = check_tree(watch);
     const auto wall = std::chrono::duration_cast<microseconds>(Clock::now() - start);
     end_tree(watch, child_fd.get(), orders.lifeline_fd);
     return conclude(watch, cause, wall);

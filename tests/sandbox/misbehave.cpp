@@ -170,6 +170,16 @@ int show_surroundings() {
     return 0;
 }
 
+int leave_children(int count) {
+    for (int i = 0; i < count; ++i) {
+        if (fork() == 0) {
+            sleep_long();
+            _exit(0);
+        }
+    }
+    _exit(0);
+}
+
 /// 0 when no signal is blocked or ignored.
 int check_signals() {
     sigset_t blocked;
@@ -226,6 +236,7 @@ int main(int argc, char** argv) {
         {"fork-bomb", fork_bomb},
         {"fork-bomb-in-sessions", fork_bomb_in_sessions},
         {"daemonise", daemonise},
+        {"leave-children", [&] { return leave_children(std::atoi(value)); }},
         {"replace-itself", replace_itself},
         {"grow-memory", grow_memory},
         {"touch-memory", [&] { return touch_memory(static_cast<std::size_t>(std::atoi(value))), 0; }},

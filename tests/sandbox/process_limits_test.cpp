@@ -128,6 +128,12 @@ TEST_P(ProcessLimits, EndsACompilerWhoseFileGrowsTooLarge) {
     EXPECT_EQ(std::filesystem::file_size(run.folder() / "big"), 16 * mebibyte);
 }
 
+TEST_P(ProcessLimits, CountsWhatAProgramLeavesBehind) {
+    const auto result = stranger({"leave-children", "40"})();
+    EXPECT_EQ(result.ended, Ended::process_limit);
+    EXPECT_EQ(stranger({"leave-children", "3"})().ended, Ended::exited);
+}
+
 INSTANTIATE_TEST_SUITE_P(Tiers, ProcessLimits, every_tier(), name_of_tier);
 
 }  // namespace
