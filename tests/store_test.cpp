@@ -98,11 +98,11 @@ TEST(Store, KeepsTheLastOfTwoUnderOneKey) {
     EXPECT_EQ(output_of(store, "k"), "b");
 }
 
-TEST(Store, GivesBackEveryWayToEnd) {
+TEST(Store, GivesBackEveryWayToEndThatItKeeps) {
     const TemporaryFolder folder;
     Store store(folder.path());
     for (const Ended ended : {Ended::not_started, Ended::exited, Ended::signalled, Ended::refused, Ended::cpu_limit,
-                              Ended::memory_limit, Ended::process_limit, Ended::output_limit}) {
+                              Ended::memory_limit, Ended::output_limit}) {
         Execution execution = printed("");
         execution.run.ended = ended;
         store.keep("k", execution);
