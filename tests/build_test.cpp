@@ -10,6 +10,7 @@
 #include "harness/failure.h"
 #include "harness/limit_settings.h"
 #include "temporary_folder.h"
+#include "tests/strongest_tier.h"
 
 namespace {
 
@@ -40,7 +41,7 @@ class Folder {
     }
 
   private:
-    harness::Sandbox sandbox_{harness::Tier::bwrap};
+    harness::Sandbox sandbox_{strongest_tier()};
     harness::Scratch scratch_{sandbox_.workspace()};
 };
 

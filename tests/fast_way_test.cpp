@@ -12,6 +12,7 @@
 #include "harness/limit_settings.h"
 #include "harness/run.h"
 #include "temporary_folder.h"
+#include "tests/strongest_tier.h"
 
 namespace {
 
@@ -57,7 +58,7 @@ class FastWay : public testing::TestWithParam<fs::path> {
     struct Machine {
         BuildSettings settings = harness::default_build_settings(harness::read_limits({}, {}).compile);
         harness::Limits limits = harness::read_limits({}, {}).run;
-        harness::Sandbox sandbox{harness::Tier::bwrap};
+        harness::Sandbox sandbox{strongest_tier()};
         harness::HeaderShelf shelf{{}, settings, "", sandbox};
     };
     static Machine& machine() {

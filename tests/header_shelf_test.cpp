@@ -6,6 +6,7 @@
 #include "harness/include_block.h"
 #include "harness/limit_settings.h"
 #include "temporary_folder.h"
+#include "tests/strongest_tier.h"
 
 namespace {
 
@@ -20,7 +21,7 @@ const std::string use_of_vectors = "#include <vector>\nint main() { std::vector<
 
 struct Shelf {
     harness::BuildSettings settings = harness::default_build_settings(harness::read_limits({}, {}).compile);
-    harness::Sandbox sandbox{harness::Tier::bwrap};
+    harness::Sandbox sandbox{strongest_tier()};
     TemporaryFolder cache;
 
     HeaderShelf shelf(const std::string& toolchain = "g++ 12", const harness::ShelfBounds& bounds = {}) const {
@@ -56,7 +57,7 @@ TEST(HeaderShelf, KeepsItForTheNextRun) {
     EXPECT_THAT(here.shelf().made(), IsEmpty());
     ASSERT_TRUE(here.shelf().get(vectors));
     EXPECT_THAT(here.shelf().made(), ElementsAre(vectors));
-    const harness::Sandbox next{harness::Tier::bwrap};
+    const harness::Sandbox next{strongest_tier()};
     auto settings = here.settings;
     settings.limits.cpu = 1ms;  // too little to make another
     const HeaderShelf shelf(here.cache.path(), settings, "g++ 12", next);

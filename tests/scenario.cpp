@@ -144,6 +144,10 @@ bool forget_path() {
     return setenv("PATH", "/nothing-is-here", 1) == 0;
 }
 
+bool holds_bwrap() {
+    return raygrade({"doctor"}).output.find("programs run in: bwrap+shim") != std::string::npos;
+}
+
 nlohmann::json submission_in(const nlohmann::json& grades, std::string_view id) {
     for (const auto& submission : grades.at("submissions")) {
         if (submission.at("id") == id) return submission;

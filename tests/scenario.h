@@ -60,6 +60,9 @@ bool mount_tiny_disk(const std::filesystem::path& folder);
 /// A PATH on which there is nothing.
 bool forget_path();
 
+/// Whether this machine holds the strongest sandbox; a container may not.
+bool holds_bwrap();
+
 /// What grades.json says of the submission called `id`; null when it says nothing.
 nlohmann::json submission_in(const nlohmann::json& grades, std::string_view id);
 

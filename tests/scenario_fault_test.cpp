@@ -192,17 +192,27 @@ fs::path path_with_vanishing(const fs::path& folder, const std::string& name, in
 }
 
 TEST_F(Fault, ABwrapThatIsRemovedMeanwhileLeavesTheRestNotGraded) {
-    add("honest", honest);
-    add("later", honest);
-    // Once for the canary, twice for the first submission.
-    const fs::path bin = path_with_vanishing(folder / "vanishing", "bwrap", 3);
+    if (!holds_bwrap()) GTEST_SKIP() << "bwrap does not hold on this machine";
+    for (const char* id : {"a", "b", "c"}) add(id, honest);
+    // Once for the canary, then for some of the six compilations and runs.
+    const fs::path bin = path_with_vanishing(folder / "vanishing", "bwrap", 4);
     const Result result =
         raygrade(command({"-j", "1"}),
                  in_temporary([&] { return setenv("PATH", (bin.string() + ":/usr/bin:/bin").c_str(), 1) == 0; }));
     EXPECT_EQ(result.status, some_not_graded) << result.both();
-    EXPECT_EQ(graded("honest").at("points").get<double>(), 10) << result.both();
-    EXPECT_EQ(graded("later").at("outcome"), "not_graded");
-    EXPECT_THAT(graded("later").at("explanation").get<std::string>(), HasSubstr("bwrap"));
+    int not_graded = 0;
+    for (const char* id : {"a", "b", "c"}) {
+        const json one = graded(id);
+        if (one.at("outcome") == "graded") {
+            EXPECT_EQ(one.at("points").get<double>(), 10) << id;
+            continue;
+        }
+        ++not_graded;
+        EXPECT_EQ(one.at("outcome"), "not_graded") << id;
+        EXPECT_TRUE(one.at("points").is_null()) << id;
+        EXPECT_THAT(one.at("explanation").get<std::string>(), HasSubstr("bwrap")) << id;
+    }
+    EXPECT_GE(not_graded, 1);
 }
 
 /// grades.json without what differs from run to run.

@@ -60,14 +60,17 @@ class Sandboxed : public testing::Test {
 };
 
 TEST_F(Sandboxed, EachTierGradesAndIsNamed) {
-    for (const auto& [option, name] :
-         {std::pair{"auto", "bwrap+shim"}, {"bwrap", "bwrap+shim"}, {"landlock", "landlock+shim"}}) {
+    const bool bwrap = holds_bwrap();
+    for (const auto& [option, name] : {std::pair{"auto", bwrap ? "bwrap+shim" : "landlock+shim"},
+                                       {"bwrap", "bwrap+shim"},
+                                       {"landlock", "landlock+shim"}}) {
+        if (!bwrap && option == std::string("bwrap")) continue;
         const Result result = grade({"--sandbox", option});
         EXPECT_EQ(result.status, 0) << result.both();
         EXPECT_EQ(grades().at("sandbox"), name);
         EXPECT_TRUE(grades().at("warning").is_null());
         EXPECT_EQ(grades().at("submissions").at(0).at("points").get<double>(), 10);
-        EXPECT_THAT(result.both(), Not(HasSubstr("unsafe")));
+        EXPECT_THAT(result.output, Not(HasSubstr("unsafe")));
     }
 }
 
@@ -77,7 +80,9 @@ TEST_F(Sandboxed, ThatAStrongerOneDoesNotHoldIsTold) {
     EXPECT_EQ(grades().at("sandbox"), "landlock+shim");
     EXPECT_THAT(result.voice,
                 HasSubstr("note: programs run in landlock+shim, as bwrap+shim does not hold (There is no bwrap"));
-    EXPECT_THAT(grade({}).voice, Not(HasSubstr("does not hold")));
+    if (holds_bwrap()) {
+        EXPECT_THAT(grade({}).voice, Not(HasSubstr("does not hold")));
+    }
 }
 
 TEST_F(Sandboxed, WithoutASandboxNothingIsRunUnlessTold) {

@@ -161,10 +161,11 @@ CanaryReport try_canary(const Sandbox& sandbox) {
 Choice choose_sandbox(std::optional<Tier> only, WithoutSandbox without) {
     Choice choice;
     std::string reasons;
-    const Workspace probe;  // without room for one, nothing can be said of sandboxes
+    { const Workspace probe; }  // without room for one, nothing can be said of sandboxes
     for (const Tier tier : {Tier::bwrap, Tier::landlock}) {
         if (only && *only != tier) continue;
         CanaryReport report{tier, {}, {}};
+        choice.sandbox.reset();
         try {
             choice.sandbox = std::make_unique<Sandbox>(tier);
             report = try_canary(*choice.sandbox);

@@ -8,6 +8,8 @@
 #include <map>
 #include <thread>
 
+#include "harness/sandbox/canary.h"
+
 using namespace std::chrono_literals;
 
 namespace {
@@ -31,6 +33,11 @@ std::shared_ptr<harness::Sandbox> sandbox_of(harness::Tier tier) {
     auto& sandbox = made[tier];
     if (!sandbox) sandbox = std::make_shared<harness::Sandbox>(tier);
     return sandbox;
+}
+
+std::string why_not_here(harness::Tier tier) {
+    if (tier == harness::Tier::unsafe) return "";
+    return harness::try_canary(*sandbox_of(tier)).failure;
 }
 
 Stranger::Stranger(std::shared_ptr<harness::Sandbox> sandbox, std::vector<std::string> arguments)

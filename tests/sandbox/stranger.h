@@ -18,6 +18,9 @@ constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
 /// keep the supervisor's copy open for writing, and the kernel starts no such program.
 std::shared_ptr<harness::Sandbox> sandbox_of(harness::Tier tier);
 
+/// Why nothing can be started in the tier on this machine; empty when something can.
+std::string why_not_here(harness::Tier tier);
+
 /// Recognisable in /proc by an environment variable of its own. Its limits are such that no well-behaved helper comes
 /// near them, even on a busy machine.
 class Stranger {
@@ -45,6 +48,10 @@ class Stranger {
 /// A test for every tier, by INSTANTIATE_TEST_SUITE_P(Tiers, Its, every_tier(), name_of_tier).
 class InEveryTier : public testing::TestWithParam<harness::Tier> {
   protected:
+    /// A tier this machine can't start anything in can't be tested on it.
+    void SetUp() override {
+        if (const std::string why = why_not_here(GetParam()); !why.empty()) GTEST_SKIP() << why;
+    }
     static Stranger stranger(std::vector<std::string> arguments) {
         return {sandbox_of(GetParam()), std::move(arguments)};
     }
