@@ -1,7 +1,8 @@
 // Boost.Process v2 as of 1.81 has defects this file works around: it leaks descriptors into the child (so: an own
-// initialiser with close_range), drops an initialiser's error when errno is 0, flushes the parent's stdio in a child
-// that failed to exec and leaves it a zombie (so: _exit and waitpid here), crashes in bind_fd (so: dup2), never gives
-// EOF with a named process_stdio (so: own pipes), and its async_wait can hang (so: an own pidfd, then detach).
+// initialiser with close_range), allocates in the child, where another thread's lock may be held for ever (so: vfork,
+// during which the other threads go on), drops an initialiser's error when errno is 0, flushes the parent's stdio in a
+// child that failed to exec and leaves it a zombie (so: _exit and waitpid here), crashes in bind_fd (so: dup2), never
+// gives EOF with a named process_stdio (so: own pipes), and its async_wait can hang (so: an own pidfd, then detach).
 // Header-only mode leaves parts undefined, hence the separate compilation in this one file.
 
 #include "harness/sandbox/launch.h"
@@ -23,7 +24,7 @@
 #define BOOST_PROCESS_USE_STD_FS
 #define BOOST_PROCESS_V2_SEPARATE_COMPILATION
 #include <boost/asio/io_context.hpp>
-#include <boost/process/v2/posix/default_launcher.hpp>
+#include <boost/process/v2/posix/vfork_launcher.hpp>
 #include <boost/process/v2/process.hpp>
 #include <boost/process/v2/src.hpp>
 
@@ -61,7 +62,7 @@ void keep_standard_descriptors_taken() {
     if (!done) throw HarnessError("Could not open /dev/null. Run with stdin, stdout and stderr open.");
 }
 
-/// Prepares the child between fork and exec: async-signal-safe calls only, as other threads may hold any lock.
+/// Prepares the child between vfork and exec. It has its own descriptors and credentials but this process's memory.
 struct ShimSetup {
     int output_fd, error_fd, status_fd, lifeline_fd;
     const char* const* environment;
@@ -177,9 +178,10 @@ void launch(Shim& shim, const Command& command, const Sandbox& sandbox) {
                              account_before_exec(command, sandbox)};
     const std::filesystem::path program = words.front();
     const std::vector<std::string> arguments(words.begin() + 1, words.end());
-    boost::process::v2::posix::default_launcher launcher;
+    boost::process::v2::posix::vfork_launcher launcher;
     error_code error;
     try {
+        // One of its own: a context that has waited for something would be changed by the child for both.
         boost::asio::io_context io;
         auto process = launcher(io.get_executor(), error, program, arguments, setup);
         if (!error) process.detach();
