@@ -1,0 +1,71 @@
+// What accuracy costs in time: every method of the ladder on the same rays, timed in one run and judged by the truth.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace reference::accuracy {
+
+enum class Primitive { sphere, triangle, cast };
+
+/// How far the t of right hits is from the truth, in units in the last place of float at the true t.
+struct TError {
+    double max_ulp = 0;
+    double p99_ulp = 0;
+    double mean_ulp = 0;
+};
+
+/// One method on one distribution of rays.
+struct Row {
+    Primitive primitive;
+    std::string kernel;        ///< "half-b", unique together with `scalar` within a primitive
+    std::string scalar;        ///< "float", "double", "double-double", "float interval", "quad", "100 digits"
+    std::string source;        ///< where the method is from: a paper, a book, a library
+    std::string distribution;  ///< "grazing"
+    bool hard = false;         ///< the distribution aims at what rounding gets wrong
+    std::uint64_t rays = 0;    ///< how many were judged
+    double ns_per_ray = 0;     ///< median of the repetitions
+    double ns_low = 0;         ///< lower quartile
+    double ns_high = 0;        ///< upper quartile
+    std::uint64_t wrong = 0;   ///< hit for miss, miss for hit, or a wrong order
+    double wrong_per_million = 0;
+    double wrong_low = 0;  ///< 95 % Wilson interval of wrong_per_million
+    double wrong_high = 0;
+    std::optional<TError> t_error{};  ///< none for a method that decides only
+    bool pareto_wrong = false;        ///< no method here is at once faster and less often wrong
+    bool pareto_error = false;        ///< no method here is at once faster and nearer on average
+};
+
+struct Measurement {
+    std::uint64_t seed = 0;
+    std::uint64_t rays = 0;  ///< of each distribution
+    int repetitions = 0;
+    std::string compiler;   ///< with its version
+    std::string flags;      ///< those that arithmetic depends on
+    std::string processor;  ///< as the kernel of the machine names it; empty when it does not
+    std::vector<Row> rows;  ///< by primitive, distribution and the ladder's order of methods
+};
+
+struct MeasureOptions {
+    std::uint64_t seed = 1;
+    std::uint64_t rays = 0;            ///< of each distribution; 0 for what fits the time of `quick` or not
+    bool quick = false;                ///< below ten seconds in all, rather than below a minute
+    std::vector<std::string> kernels;  ///< parts of the names of the methods to measure; all when empty
+    /// Called now and then with how much is done, in [0, 1].
+    std::function<void(double done)> progress;
+};
+
+/// Every method on every distribution in one run, repetitions interleaved. Throws std::invalid_argument for a name in
+/// `kernels` that no method has.
+Measurement measure(const MeasureOptions& options);
+
+/// The names of all methods, "half-b double", by primitive.
+std::vector<std::string> method_names(Primitive primitive);
+
+/// "sphere", "triangle", "cast".
+std::string name_of(Primitive primitive);
+
+}  // namespace reference::accuracy
