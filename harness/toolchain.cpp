@@ -11,11 +11,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <memory>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -34,13 +37,19 @@ namespace fs = std::filesystem;
                        std::generic_category().message(error) + ". Check that it is there and that you may use it.");
 }
 
-/// What the compiler says of itself on stderr: version, configuration, where it looks for headers and programs. It is
-/// given nothing of a student's and needs no sandbox.
-std::string self_description(const fs::path& compiler) {
+/// The compiler, saying what it is.
+struct Description {
+    pid_t compiler;
+    FileDescriptor text;  ///< what it writes to stderr
+};
+
+/// Asks for version, configuration, and where it looks for headers and programs. It is given nothing of a student's and
+/// needs no sandbox.
+Description begin_self_description(const fs::path& compiler) {
     std::array<int, 2> pipe_ends{};
     if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) fail(compiler, errno);
-    const FileDescriptor in(pipe_ends[0]);
-    FileDescriptor out(pipe_ends[1]);
+    FileDescriptor in(pipe_ends[0]);
+    const FileDescriptor out(pipe_ends[1]);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -57,15 +66,18 @@ std::string self_description(const fs::path& compiler) {
     pid_t child = -1;
     const int error = posix_spawn(&child, compiler.c_str(), &actions, nullptr, argv.data(), environment.data());
     posix_spawn_file_actions_destroy(&actions);
-    out.close();
     if (error != 0) fail(compiler, error);
+    return {child, std::move(in)};
+}
+
+std::string end(Description description) {
     std::string text;
     std::array<char, 4096> buffer{};
     for (ssize_t got = 1; got > 0 || (got < 0 && errno == EINTR);) {
-        got = read(in.get(), buffer.data(), buffer.size());
+        got = read(description.text.get(), buffer.data(), buffer.size());
         if (got > 0) text.append(buffer.data(), static_cast<std::size_t>(got));
     }
-    while (waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
+    while (waitpid(description.compiler, nullptr, 0) < 0 && errno == EINTR) {
     }
     return text;
 }
@@ -105,26 +117,64 @@ void add_file(Fingerprint& fingerprint, const std::string& file) {
     if (stat(file.c_str(), &info) == 0 && S_ISREG(info.st_mode)) add_stat(fingerprint, file, info);
 }
 
-using Visited = std::set<std::pair<dev_t, ino_t>>;
+/// One folder of headers.
+struct Listing {
+    std::optional<std::pair<dev_t, ino_t>> self;  ///< none where there is no such folder
+    std::string fingerprint;                      ///< of its entries
+    std::vector<std::string> folders;             ///< in it, by name
+};
 
-/// Everything below `folder`, by name, through links too; each folder once, so that it ends.
-void add_folder(Fingerprint& fingerprint, Visited& visited, int parent, const std::string& folder) {
-    const int opened = openat(parent, folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (opened < 0) return;
-    const std::unique_ptr<DIR, int (*)(DIR*)> listing(fdopendir(opened), closedir);
+Listing list(const std::string& folder) {
+    Listing listing;
+    const int opened = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (opened < 0) return listing;
+    const std::unique_ptr<DIR, int (*)(DIR*)> entries(fdopendir(opened), closedir);
     struct stat self {};
-    if (!listing || fstat(opened, &self) != 0 || !visited.emplace(self.st_dev, self.st_ino).second) return;
+    if (!entries || fstat(opened, &self) != 0) return listing;
+    listing.self.emplace(self.st_dev, self.st_ino);
     std::vector<std::string> names;
-    while (const dirent* entry = readdir(listing.get())) {
+    while (const dirent* entry = readdir(entries.get())) {
         if (entry->d_name[0] != '.') names.emplace_back(entry->d_name);
     }
     std::sort(names.begin(), names.end());
-    fingerprint.add(folder).add(static_cast<std::int64_t>(names.size()));
+    Fingerprint fingerprint("raygrade/headers/1");
     for (const std::string& name : names) {
         struct stat info {};
         if (fstatat(opened, name.c_str(), &info, 0) != 0) continue;
         add_stat(fingerprint, name, info);
-        if (S_ISDIR(info.st_mode)) add_folder(fingerprint, visited, opened, name);
+        if (S_ISDIR(info.st_mode)) listing.folders.push_back(folder + '/' + name);
+    }
+    listing.fingerprint = fingerprint.hex();
+    return listing;
+}
+
+/// In as many threads as help: a look at 25,000 headers is 40 ms of the kernel's.
+std::vector<Listing> list_all(const std::vector<std::string>& folders) {
+    std::vector<Listing> listings(folders.size());
+    std::atomic<std::size_t> next{0};
+    const auto work = [&] {
+        for (std::size_t i = next++; i < folders.size(); i = next++) listings[i] = list(folders[i]);
+    };
+    const std::size_t most = std::clamp(std::thread::hardware_concurrency(), 1U, 4U);
+    std::vector<std::jthread> helpers;
+    while (helpers.size() + 1 < std::min(most, folders.size())) helpers.emplace_back(work);
+    work();
+    helpers.clear();
+    return listings;
+}
+
+/// Everything below `folders`, by name, through links too; each folder once, so that it ends.
+void add_folders(Fingerprint& fingerprint, std::vector<std::string> folders) {
+    std::set<std::pair<dev_t, ino_t>> visited;
+    while (!folders.empty()) {
+        const std::vector<Listing> listings = list_all(folders);
+        std::vector<std::string> below;
+        for (std::size_t i = 0; i < folders.size(); ++i) {
+            if (!listings[i].self || !visited.insert(*listings[i].self).second) continue;
+            fingerprint.add(folders[i]).add(listings[i].fingerprint);
+            below.insert(below.end(), listings[i].folders.begin(), listings[i].folders.end());
+        }
+        folders = std::move(below);
     }
 }
 
@@ -158,7 +208,7 @@ void add_processor(Fingerprint& fingerprint) {
 
 std::string fingerprint_of(const fs::path& compiler, const std::string& description) {
     const SearchPaths paths = search_paths(description);
-    Fingerprint fingerprint("raygrade/toolchain/1");
+    Fingerprint fingerprint("raygrade/toolchain/2");
     fingerprint.add(compiler.string()).add(description);
     std::vector<std::string> programs = paths.programs;
     for (const char* folder : {"/usr/local/bin/", "/usr/bin/", "/bin/"}) programs.emplace_back(folder);
@@ -167,8 +217,7 @@ std::string fingerprint_of(const fs::path& compiler, const std::string& descript
         for (const char* part : {"cc1plus", "collect2", "as", "ld", "ld.bfd", "ld.gold", "ld.mold", "ld.lld"})
             add_file(fingerprint, folder + "/" + part);
     }
-    Visited visited;
-    for (const std::string& folder : paths.headers) add_folder(fingerprint, visited, AT_FDCWD, folder);
+    add_folders(fingerprint, paths.headers);
     for (const std::string& library : runtime_libraries()) add_file(fingerprint, library);
     add_processor(fingerprint);
     return fingerprint.hex();
@@ -177,12 +226,15 @@ std::string fingerprint_of(const fs::path& compiler, const std::string& descript
 }  // namespace
 
 std::string toolchain_fingerprint(const fs::path& compiler) {
-    return fingerprint_of(compiler, self_description(compiler));
+    return fingerprint_of(compiler, end(begin_self_description(compiler)));
 }
 
 std::future<std::string> begin_toolchain_fingerprint(const fs::path& compiler) {
-    // A program started while another thread writes one that is to be executed would hold it open: "Text file busy".
-    return std::async(std::launch::async, fingerprint_of, compiler, self_description(compiler));
+    // Started here: a program started while another thread writes one that is to be executed would hold it open: "Text
+    // file busy".
+    return std::async(std::launch::async, [compiler, description = begin_self_description(compiler)]() mutable {
+        return fingerprint_of(compiler, end(std::move(description)));
+    });
 }
 
 }  // namespace harness

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace reference {
 namespace {
@@ -83,6 +84,8 @@ Affine<T> Affine<T>::combination(double p, const Affine& x, double q, const Affi
     const std::vector<double>& longer = x.deviations_.size() < y.deviations_.size() ? y.deviations_ : x.deviations_;
     const std::size_t common = std::min(x.deviations_.size(), y.deviations_.size());
     const double factor = &longer == &x.deviations_ ? p : q;
+    // With room for the rounding that follows.
+    if (result.roundings_ != nullptr) result.deviations_.reserve(result.roundings_->count() + 1);
     result.deviations_.resize(longer.size());
     Sum sizes;
     Sum operands;
@@ -105,21 +108,19 @@ Affine<T> Affine<T>::combination(double p, const Affine& x, double q, const Affi
 }
 
 template <std::floating_point T>
-Affine<T> Affine<T>::with_own_errors() const {
-    Affine result = *this;
-    result.slack_ += own_error * radius() + std::numeric_limits<double>::denorm_min();
-    return result;
+void Affine<T>::add_own_errors() {
+    slack_ += own_error * radius() + std::numeric_limits<double>::denorm_min();
 }
 
 template <std::floating_point T>
-Affine<T> Affine<T>::rounded() const {
+Affine<T> Affine<T>::rounded() && {
     constexpr double half_unit = static_cast<double>(std::numeric_limits<T>::epsilon()) / 2;
-    Affine result = with_own_errors();
-    const double most = std::abs(result.center_) + result.radius();
+    add_own_errors();
+    const double most = std::abs(center_) + radius();
     if (!(most < static_cast<double>(std::numeric_limits<T>::max()))) return unbounded();
     const double size = half_unit * (1 + own_error) * most + static_cast<double>(std::numeric_limits<T>::denorm_min());
-    result.deviate(size);
-    return result;
+    deviate(size);
+    return std::move(*this);
 }
 
 template <std::floating_point T>
@@ -130,12 +131,20 @@ Affine<T> Affine<T>::plus(const Affine& y) const {
 }
 
 template <std::floating_point T>
+Affine<T> Affine<T>::minus(const Affine& y) const {
+    if (is_exactly(0)) return -y;
+    if (y.is_exactly(0)) return *this;
+    return combination(1, *this, -1, y).rounded();
+}
+
+template <std::floating_point T>
 Affine<T> Affine<T>::exact_product(const Affine& y) const {
     Affine result = combination(y.center_, *this, center_, y);
     // combination has the product of the centers twice.
     result.center_ = center_ * y.center_;
     result.slack_ += radius() * y.radius();
-    return result.with_own_errors();
+    result.add_own_errors();
+    return result;
 }
 
 template <std::floating_point T>
@@ -173,14 +182,14 @@ Affine<T> Affine<T>::root() const {
         Affine result = combination(1 / (2 * root), *this, 0, Affine());
         result.center_ = root;
         result.slack_ += r * r / (2 * center_ * root) * (1 + own_error) + 0x1p-50 * (root + r / root);
-        return result.rounded();
+        return std::move(result).rounded();
     }
     const double half = std::sqrt(center_ + r) / 2 * (1 + own_error);
     Affine result;
     result.roundings_ = roundings_;
     result.center_ = half;
     result.slack_ = half;
-    return result.rounded();
+    return std::move(result).rounded();
 }
 
 template class Affine<float>;

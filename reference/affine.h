@@ -46,7 +46,7 @@ class Affine {
 
     // Each is rounded to T once, but a sum with zero and a product with zero or one, which are exact.
     friend Affine operator+(const Affine& x, const Affine& y) { return x.plus(y); }
-    friend Affine operator-(const Affine& x, const Affine& y) { return x.plus(-y); }
+    friend Affine operator-(const Affine& x, const Affine& y) { return x.minus(y); }
     friend Affine operator*(const Affine& x, const Affine& y) { return x.times(y); }
     /// Unbounded where y may be zero.
     friend Affine operator/(const Affine& x, const Affine& y) { return x.over(y); }
@@ -58,6 +58,7 @@ class Affine {
 
   private:
     Affine plus(const Affine& y) const;
+    Affine minus(const Affine& y) const;
     Affine times(const Affine& y) const;
     Affine over(const Affine& y) const;
     Affine root() const;
@@ -71,8 +72,8 @@ class Affine {
     static Affine combination(double p, const Affine& x, double q, const Affine& y);
     Affine exact_product(const Affine& y) const;
     /// Adds the rounding of the result to T, and what computing it here in double may be off by.
-    Affine rounded() const;
-    Affine with_own_errors() const;
+    Affine rounded() &&;
+    void add_own_errors();
 
     Roundings* roundings_ = nullptr;
     double center_ = 0;
