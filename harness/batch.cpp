@@ -46,8 +46,8 @@ Limits sanitizer_limits(Limits limits) {
 
 class Batch {
   public:
-    Batch(std::vector<Submission> submissions, const Marking& marking, const Workshop& workshop, int jobs,
-          Timeline& timeline)
+    Batch(std::vector<Submission> submissions, const std::shared_future<Marking>& marking, const Workshop& workshop,
+          int jobs, Timeline& timeline)
         : submissions_(std::move(submissions)),
           marking_(marking),
           workshop_(workshop),
@@ -67,6 +67,7 @@ class Batch {
                 teams.emplace_back([this] { run_all(); });
             }
         }
+        marking_.get();
         return std::move(results_);
     }
 
@@ -88,12 +89,13 @@ class Batch {
     void run_all();
     Graded finish(Built built);
     void run_each(Built& built);
+    bool marking_is_made() const;
     /// Calls `work`, and makes the submission not graded when it fails. False then.
     template <class Work>
     bool or_not_graded(std::size_t index, Work work);
 
     std::vector<Submission> submissions_;  ///< the source of each until it is graded
-    const Marking& marking_;
+    const std::shared_future<Marking>& marking_;
     const Workshop& workshop_;
     const std::size_t jobs_;
     Timeline& timeline_;
@@ -255,7 +257,7 @@ void Batch::run_all() {
 
 Graded Batch::finish(Built built) {
     const Submission& submission = submissions_[built.index];
-    if (submission.problem) return ungraded(submission, *submission.problem, marking_, workshop_);
+    if (submission.problem) return ungraded(submission, *submission.problem, marking_.get(), workshop_);
     if (built.from_store) {
         ++timeline_.from_store;
     } else {
@@ -268,7 +270,7 @@ Graded Batch::finish(Built built) {
         findings = sanitizer_findings(built.executions.back().run.errors);
         built.executions.pop_back();
     }
-    Graded graded = mark(submission, std::move(built.executions), marking_, workshop_, timeline_);
+    Graded graded = mark(submission, std::move(built.executions), marking_.get(), workshop_, timeline_);
     graded.sanitizer = std::move(findings);
     return graded;
 }
@@ -287,11 +289,20 @@ void Batch::run_each(Built& built) {
         workshop_.store->keep(keys_[built.index].at(i), built.executions[i]);
 }
 
+bool Batch::marking_is_made() const {
+    try {
+        marking_.get();
+        return true;
+    } catch (const std::exception&) {
+        return false;  // whose cause grade() tells
+    }
+}
+
 template <class Work>
 bool Batch::or_not_graded(std::size_t index, Work work) {
     const Submission& submission = submissions_[index];
     const auto fail = [&](const std::string& why) {
-        results_[index] = ungraded(submission, why, marking_, workshop_);
+        if (marking_is_made()) results_[index] = ungraded(submission, why, marking_.get(), workshop_);
         ++timeline_.finished;
         return false;
     };
@@ -309,12 +320,12 @@ bool Batch::or_not_graded(std::size_t index, Work work) {
 
 }  // namespace
 
-std::vector<Graded> grade_all(std::vector<Submission> submissions, const Marking& marking, const Workshop& workshop,
-                              int jobs, Timeline& timeline) {
+std::vector<Graded> grade_all(std::vector<Submission> submissions, const std::shared_future<Marking>& marking,
+                              const Workshop& workshop, int jobs, Timeline& timeline) {
     return Batch(std::move(submissions), marking, workshop, jobs, timeline).grade();
 }
 
-Graded grade(const Submission& submission, const Marking& marking, const Workshop& workshop) {
+Graded grade(const Submission& submission, const std::shared_future<Marking>& marking, const Workshop& workshop) {
     Timeline timeline;
     return std::move(grade_all({submission}, marking, workshop, 1, timeline).front());
 }

@@ -10,11 +10,12 @@ namespace harness {
 /// Grades a class: at most `jobs` (at least 1) submissions compiled and as many run at a time. Results in the order
 /// given and the same whatever the number of jobs, the order of finishing, and what was kept by earlier runs. The
 /// machine's failures and raygrade's own become Outcome::not_graded with the message, so that the others are graded.
-/// `timeline` counts and measures while it works.
-std::vector<Graded> grade_all(std::vector<Submission> submissions, const Marking& marking, const Workshop& workshop,
-                              int jobs, Timeline& timeline);
+/// `timeline` counts and measures while it works. The marking is waited for when the first program has run; without one
+/// nothing is graded, and this throws what it throws.
+std::vector<Graded> grade_all(std::vector<Submission> submissions, const std::shared_future<Marking>& marking,
+                              const Workshop& workshop, int jobs, Timeline& timeline);
 
 /// Grades one submission.
-Graded grade(const Submission& submission, const Marking& marking, const Workshop& workshop);
+Graded grade(const Submission& submission, const std::shared_future<Marking>& marking, const Workshop& workshop);
 
 }  // namespace harness

@@ -9,7 +9,6 @@ namespace harness {
 
 int check_command(const CheckOptions& options) {
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
-    auto key = begin_key(assignment);
     const std::vector<Submission> submissions = find_submissions({options.source});
     if (submissions.size() != 1) {
         throw UsageError(fmt::format("{}: holds {} submissions; `raygrade check` takes one, `raygrade grade` a class",
@@ -17,7 +16,8 @@ int check_command(const CheckOptions& options) {
     }
     const Workshop workshop = open_workshop(options.workshop, assignment.limits);
     tell_of_the_sandbox(workshop);
-    const Marking marking{assignment, key.get()};
+    // Now that the looks at the machine are over: the key is needed only when the program has run.
+    const auto marking = begin_marking(assignment);
     const Graded graded = grade(submissions.front(), marking, workshop);
     tell_problems(workshop);
     fmt::print("{}\n\n{}", assignment.title, report::check_text(graded));

@@ -115,7 +115,7 @@ void write_results(const std::vector<Graded>& graded, const Marking& marking, Ti
     written.get();
 }
 
-std::vector<Graded> grade_with_progress(std::vector<Submission> submissions, const Marking& marking,
+std::vector<Graded> grade_with_progress(std::vector<Submission> submissions, const std::shared_future<Marking>& marking,
                                         const Workshop& workshop, int jobs, const fs::path& trace) {
     Timeline timeline;
     std::vector<Graded> graded;
@@ -146,14 +146,14 @@ int status_of(const std::vector<Graded>& graded) {
 
 int grade_command(const GradeOptions& options) {
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
-    auto key = begin_key(assignment);
+    const auto marking = begin_marking(assignment);
     std::vector<Submission> submissions = find_submissions(options.paths);
     prepare_folder(options.out, options.force);
     if (!options.trace.empty()) check_trace(options.trace);
     const Workshop workshop = open_workshop(options.workshop, assignment.limits);
     tell_of_the_sandbox(workshop);
-    const Marking marking{assignment, key.get()};
-    for (const std::string& note : marking.key.notes) fmt::print(stderr, "note: {}\n", note);
+    // A mistake of the assignment is to be told before a class is compiled.
+    for (const std::string& note : marking.get().key.notes) fmt::print(stderr, "note: {}\n", note);
     const std::vector<Graded> graded =
         grade_with_progress(std::move(submissions), marking, workshop, options.jobs, options.trace);
     fmt::print("{}", report::class_table(graded));
@@ -163,7 +163,7 @@ int grade_command(const GradeOptions& options) {
             fmt::print(stderr, "note: {}: {}\n", one.submission.id, note);
     }
     try {
-        write_results(graded, marking, workshop.sandbox->tier(), options.out);
+        write_results(graded, marking.get(), workshop.sandbox->tier(), options.out);
     } catch (const fs::filesystem_error& error) {
         throw HarnessError(fmt::format("{}: can't be written: {}", error.path1().string(), error.code().message()));
     }

@@ -97,9 +97,11 @@ Graded begun(const Submission& submission, const Workshop& workshop) {
 
 }  // namespace
 
-std::future<reference::AnswerKey> begin_key(const reference::Assignment& assignment) {
-    return std::async(std::launch::async,
-                      [&assignment] { return reference::make_key(assignment, reference::Precision::certified); });
+std::shared_future<Marking> begin_marking(reference::Assignment assignment) {
+    return std::async(std::launch::async, [assignment = std::move(assignment)]() mutable {
+        reference::AnswerKey key = reference::make_key(assignment, reference::Precision::certified);
+        return Marking{std::move(assignment), std::move(key)};
+    });
 }
 
 std::string_view to_string(Outcome outcome) {

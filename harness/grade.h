@@ -60,9 +60,8 @@ struct Marking {
     reference::AnswerKey key;  ///< the assignment's
 };
 
-/// Makes the certified key of `assignment`, which must live until then, while the caller does something else. get()
-/// throws what make_key throws.
-std::future<reference::AnswerKey> begin_key(const reference::Assignment& assignment);
+/// Makes the certified key of `assignment` while the caller does something else. get() throws what make_key throws.
+std::shared_future<Marking> begin_marking(reference::Assignment assignment);
 
 /// Marks what a submission printed, the first time of `executions`, at least one. Those after it are its repetitions.
 Graded mark(const Submission& submission, std::vector<Execution> executions, const Marking& marking,

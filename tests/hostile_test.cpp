@@ -62,11 +62,6 @@ Workshop quick_workshop(Tier tier) {
     return {std::make_unique<harness::Sandbox>(tier), {}, harness::default_build_settings(compile), run};
 }
 
-harness::Marking marking() {
-    const auto assignment = reference::load_assignment("a6-2021", project / "reference/assignments");
-    return {assignment, reference::make_key(assignment, reference::Precision::certified)};
-}
-
 Submission take_in_one(const fs::path& path) {
     const auto taken = harness::take_in(path);
     if (taken.size() != 1 || taken[0].problem) throw std::runtime_error(path.string() + " is no submission");
@@ -168,7 +163,8 @@ class Hostile : public testing::Test {
         const DecoySegment segment;
         const Submission hostile = take_in_one(attack_.folder);
         const Submission neighbour = take_in_one(project / "tests/hostile/neighbour.cpp");
-        const harness::Marking held_to = marking();
+        const auto held_to =
+            harness::begin_marking(reference::load_assignment("a6-2021", project / "reference/assignments"));
         const Workshop workshop = quick_workshop(tier_);
         harness::Timeline timeline;
         const auto graded = harness::grade_all({hostile, neighbour}, held_to, workshop, 2, timeline);
@@ -176,7 +172,7 @@ class Hostile : public testing::Test {
         expect_fair_outcome(graded[0], attack_);
         EXPECT_EQ(graded[1].outcome, harness::Outcome::graded) << "the neighbour: " << graded[1].explanation;
         EXPECT_EQ(graded[1].score.points, 100) << "the neighbour";
-        expect_clean_reports(graded, held_to, tier_);
+        expect_clean_reports(graded, held_to.get(), tier_);
         if (ended_by_itself(graded[0])) {
             const auto again = run_again(hostile, workshop);
             // A limit would have taken what it had not flushed. A bomb may be refused now and be stopped then.

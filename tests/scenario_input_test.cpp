@@ -255,6 +255,24 @@ TEST_F(BadInput, AnAssignmentFileWithAMistake) {
     EXPECT_FALSE(fs::exists(out())) << "nothing is graded by a bad assignment";
 }
 
+/// Found only while the key is made, which goes on beside the compiler.
+TEST_F(BadInput, AToleranceBelowWhatACorrectProgramNeeds) {
+    const fs::path file = folder / "mine.toml";
+    write(file,
+          read(project_folder() / "reference/assignments/a6-2021.toml") + "\n[rubric.tolerance]\ndefault = 1e-12\n");
+    const std::vector<std::vector<std::string>> commands = {
+        {"grade", students().string(), "--out", out().string()},
+        {"check", (project_folder() / "submissions/ada/ray_cast.cpp").string()}};
+    for (std::vector<std::string> words : commands) {
+        words.insert(words.end(), {"--assignment", file.string()});
+        const Result result = raygrade(words);
+        EXPECT_EQ(result.status, usage) << result.both();
+        EXPECT_THAT(result.voice, HasSubstr("rubric.tolerance"));
+        EXPECT_THAT(result.voice, HasSubstr("write at least")) << "the way out";
+        EXPECT_THAT(result.output, Not(HasSubstr("Question"))) << "nothing is marked";
+    }
+}
+
 TEST_F(BadInput, AnAssignmentThatIsNotThere) {
     const Result result = raygrade({"grade", students().string(), "--assignment", "a6-1066", "--out", out().string()});
     EXPECT_EQ(result.status, usage) << result.both();
