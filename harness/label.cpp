@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 namespace harness {
@@ -14,24 +15,26 @@ namespace {
 
 using reference::ItemSpec;
 
+using Vocabulary = std::unordered_set<std::string_view>;
+
 /// The names an item goes by, in lower case without anything but letters and digits. `weak` names often mean it.
 struct Names {
     int question;
     std::string_view item;
-    std::vector<std::string_view> names;
-    std::vector<std::string_view> weak;
+    Vocabulary names;
+    Vocabulary weak;
 };
 
 /// What either normal is called, and what this one is called besides.
-std::vector<std::string_view> names_of_normal(std::vector<std::string_view> names) {
+Vocabulary names_of_normal(Vocabulary names) {
     for (const char* name :
          {"n", "normal", "surfacenormal", "unitnormal", "nhat", "normaln", "normalvector", "normalized", "normalised",
           "nnormalized", "nnormalised", "normalizedn", "normalisedn", "unitn", "nunit"})
-        names.emplace_back(name);
+        names.emplace(name);
     return names;
 }
 
-const std::vector<Names>& vocabulary() {
+const std::vector<Names>& names_of_items() {
     static const std::vector<Names> table = {
         {1,
          "P_VCS",
@@ -120,28 +123,52 @@ const std::vector<Names>& vocabulary() {
 }
 
 const Names& names_of(const ItemSpec& item) {
-    const auto& table = vocabulary();
+    const auto& table = names_of_items();
     return *std::find_if(table.begin(), table.end(),
                          [&](const Names& n) { return n.question == item.question && n.item == item.name; });
 }
 
 /// Words that say nothing about which item a value is.
-constexpr std::array fillers = {"the",    "is",     "of",         "value",      "values",      "are",      "for",
-                                "answer", "result", "my",         "final",      "so",          "then",     "get",
-                                "we",     "and",    "in",         "at",         "its",         "computed", "equals",
-                                "with",   "also",   "normalized", "normalised", "unit-length", "vec3",     "vec4",
-                                "vector", "point",  "unit",       "length",     "xyz"};
+const Vocabulary& fillers() {
+    static const Vocabulary words = {
+        "the",  "is",       "of",     "value", "values", "are",        "for",        "answer",      "result",
+        "my",   "final",    "so",     "then",  "get",    "we",         "and",        "in",          "at",
+        "its",  "computed", "equals", "with",  "also",   "normalized", "normalised", "unit-length", "vec3",
+        "vec4", "vector",   "point",  "unit",  "length", "xyz"};
+    return words;
+}
 
 /// Words that say the value is on the way to an answer, or about one. "length of N" is not N.
-constexpr std::array not_an_answer = {
-    "debug",   "dbg",          "before",      "unnormalized", "unnormalised", "nonnormalized", "raw",
-    "temp",    "tmp",          "check",       "checking",     "verify",       "verification",  "test",
-    "reduced", "reduction",    "elimination", "echelon",      "expected",     "wrong",         "trace",
-    "log",     "intermediate", "sanity",      "old",          "undivided"};
+const Vocabulary& not_an_answer() {
+    static const Vocabulary words = {
+        "debug",   "dbg",          "before",      "unnormalized", "unnormalised", "nonnormalized", "raw",
+        "temp",    "tmp",          "check",       "checking",     "verify",       "verification",  "test",
+        "reduced", "reduction",    "elimination", "echelon",      "expected",     "wrong",         "trace",
+        "log",     "intermediate", "sanity",      "old",          "undivided"};
+    return words;
+}
 
-struct Words {
-    std::vector<std::string> tokens;  ///< lower case, split at everything but letters, digits and "'"
-    bool formula = false;             ///< holds an operator: names in it are operands
+/// A label's words in lower case, split at everything but letters, digits and "'".
+class Words {
+  public:
+    void begin_word() { starts_.push_back(letters_.size()); }
+    void add(char c) { letters_ += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+    std::size_t size() const { return starts_.size(); }
+    bool empty() const { return starts_.empty(); }
+    std::string_view operator[](std::size_t i) const { return joined(i, i + 1); }
+    /// The letters of the words [first, last) in a row.
+    std::string_view joined(std::size_t first, std::size_t last) const {
+        const std::size_t end = last < starts_.size() ? starts_[last] : letters_.size();
+        return std::string_view(letters_).substr(starts_[first], end - starts_[first]);
+    }
+    std::string_view joined() const { return letters_; }
+
+    bool formula = false;  ///< holds an operator: names in it are operands
+
+  private:
+    std::string letters_;
+    std::vector<std::size_t> starts_;  ///< of each word in letters_
 };
 
 bool is_word_char(char c) {
@@ -155,8 +182,8 @@ Words split_words(std::string_view label) {
     for (std::size_t i = 0; i < label.size(); ++i) {
         const char c = label[i];
         if (is_word_char(c)) {
-            if (!in_word) words.tokens.emplace_back();
-            words.tokens.back() += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+            if (!in_word) words.begin_word();
+            words.add(c);
             in_word = true;
             continue;
         }
@@ -173,19 +200,13 @@ bool contains(const auto& list, const auto& element) {
     return std::find(list.begin(), list.end(), element) != list.end();
 }
 
-std::string join(const std::vector<std::string>& tokens, std::size_t first, std::size_t last) {
-    std::string joined;
-    for (std::size_t i = first; i < last; ++i) joined += tokens[i];
-    return joined;
-}
-
-/// Which tokens belong to a run whose letters, joined, are one of `names`.
-std::vector<bool> covered_by(const std::vector<std::string>& tokens, const std::vector<std::string_view>& names) {
+/// Which words belong to a run whose letters, joined, are one of `names`.
+std::vector<bool> covered_by(const Words& words, const Vocabulary& names) {
     constexpr std::size_t longest_run = 5;
-    std::vector<bool> covered(tokens.size(), false);
-    for (std::size_t first = 0; first < tokens.size(); ++first) {
-        for (std::size_t last = first + 1; last <= tokens.size() && last - first <= longest_run; ++last) {
-            if (!contains(names, join(tokens, first, last))) continue;
+    std::vector<bool> covered(words.size(), false);
+    for (std::size_t first = 0; first < words.size(); ++first) {
+        for (std::size_t last = first + 1; last <= words.size() && last - first <= longest_run; ++last) {
+            if (!names.contains(words.joined(first, last))) continue;
             std::fill(covered.begin() + static_cast<std::ptrdiff_t>(first),
                       covered.begin() + static_cast<std::ptrdiff_t>(last), true);
         }
@@ -194,33 +215,32 @@ std::vector<bool> covered_by(const std::vector<std::string>& tokens, const std::
 }
 
 bool says_no_answer(const Words& words) {
-    for (std::size_t i = 0; i < words.tokens.size(); ++i) {
-        if (contains(not_an_answer, words.tokens[i])) return true;
-        const bool negated = words.tokens[i] == "not" || words.tokens[i] == "un" || words.tokens[i] == "non";
-        if (negated && i + 1 < words.tokens.size() && words.tokens[i + 1].starts_with("normali")) return true;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (not_an_answer().contains(words[i])) return true;
+        const bool negated = words[i] == "not" || words[i] == "un" || words[i] == "non";
+        if (negated && i + 1 < words.size() && words[i + 1].starts_with("normali")) return true;
     }
     return false;
 }
 
 /// What the scene gives is no answer: "R = 2".
 bool is_of_the_scene(const Words& words) {
-    constexpr std::array given = {"r",      "radius",       "r2",           "center",         "centre",  "eye",
-                                  "lookat", "vup",          "width",        "height",         "dx",      "dy",
-                                  "pdcs",   "spherecenter", "sphereradius", "cameraposition", "epsilon", "eps",
-                                  "time"};
-    return contains(given, join(words.tokens, 0, words.tokens.size()));
+    static const Vocabulary given = {"r",      "radius",       "r2",           "center",         "centre",  "eye",
+                                     "lookat", "vup",          "width",        "height",         "dx",      "dy",
+                                     "pdcs",   "spherecenter", "sphereradius", "cameraposition", "epsilon", "eps",
+                                     "time"};
+    return given.contains(words.joined());
 }
 
 LabelFit fit_words(const Words& words, const Names& names) {
-    if (words.tokens.empty()) return LabelFit::none;
-    const std::string whole = join(words.tokens, 0, words.tokens.size());
-    if (contains(names.names, whole)) return LabelFit::exact;
-    if (words.formula) return contains(names.weak, whole) ? LabelFit::weak : LabelFit::foreign;
-    std::vector<bool> covered = covered_by(words.tokens, names.names);
+    if (words.empty()) return LabelFit::none;
+    if (names.names.contains(words.joined())) return LabelFit::exact;
+    if (words.formula) return names.weak.contains(words.joined()) ? LabelFit::weak : LabelFit::foreign;
+    std::vector<bool> covered = covered_by(words, names.names);
     if (!contains(covered, true)) {
-        return contains(covered_by(words.tokens, names.weak), true) ? LabelFit::weak : LabelFit::foreign;
+        return contains(covered_by(words, names.weak), true) ? LabelFit::weak : LabelFit::foreign;
     }
-    for (std::size_t i = 0; i < covered.size(); ++i) covered[i] = covered[i] || contains(fillers, words.tokens[i]);
+    for (std::size_t i = 0; i < covered.size(); ++i) covered[i] = covered[i] || fillers().contains(words[i]);
     return contains(covered, false) ? LabelFit::named : LabelFit::exact;
 }
 
@@ -229,9 +249,9 @@ LabelFit fit_words(const Words& words, const Names& names) {
 LabelFit fit_label(std::string_view label, std::string_view above, const ItemSpec& item) {
     const Words words = split_words(label);
     if (says_no_answer(words) || is_of_the_scene(words)) return LabelFit::forbidden;
-    if (!words.tokens.empty()) return fit_words(words, names_of(item));
+    if (!words.empty()) return fit_words(words, names_of(item));
     const Words title = split_words(above);
-    if (title.tokens.empty()) return LabelFit::none;
+    if (title.empty()) return LabelFit::none;
     if (says_no_answer(title)) return LabelFit::forbidden;
     const LabelFit fit = fit_words(title, names_of(item));
     if (fit == LabelFit::exact) return LabelFit::exact;
@@ -255,11 +275,11 @@ std::vector<std::size_t> listed_items(std::string_view label, std::span<const It
     std::vector<std::size_t> listed;
     const Words words = split_words(label);
     if (says_no_answer(words)) return {};
-    for (const std::string& token : words.tokens) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
         const auto item = std::find_if(items.begin(), items.end(),
-                                       [&](const ItemSpec& i) { return contains(names_of(i).names, token); });
+                                       [&](const ItemSpec& spec) { return names_of(spec).names.contains(words[i]); });
         if (item == items.end()) {
-            if (listed.empty() || contains(fillers, token)) continue;  // "coefficients a, b and c"
+            if (listed.empty() || fillers().contains(words[i])) continue;  // "coefficients a, b and c"
             return {};
         }
         const auto index = static_cast<std::size_t>(item - items.begin());
@@ -273,7 +293,8 @@ MatrixOrder matrix_order(std::string_view label) {
     const Words words = split_words(label);
     bool rows = false;
     bool columns = false;
-    for (const std::string& token : words.tokens) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string_view token = words[i];
         rows = rows || token == "row" || token == "rows" || token == "rowwise" || token == "transpose" ||
                token == "transposed";
         columns = columns || token == "column" || token == "columns" || token == "col" || token == "cols" ||

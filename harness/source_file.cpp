@@ -68,9 +68,11 @@ void read_source(Submission& submission, Links links) {
         submission.problem = too_large(path);
         return;
     }
-    std::string bytes(largest_source_bytes + 1, '\0');
+    // One more than there should be, to see the end; a file that grows meanwhile is read on.
+    std::string bytes(static_cast<std::size_t>(info.st_size) + 1, '\0');
     std::size_t size = 0;
-    while (size < bytes.size()) {
+    while (size <= largest_source_bytes) {
+        if (size == bytes.size()) bytes.resize(std::min(2 * size, largest_source_bytes + 1));
         const ssize_t got = read(file.get(), bytes.data() + size, bytes.size() - size);
         if (got == 0) break;
         if (got < 0 && errno == EINTR) continue;
