@@ -128,9 +128,16 @@ void set(StageLimits& limits, std::string_view name, double value) {
             return;
         }
     }
-    std::string names;
-    for (const LimitDescription& limit : describe_limits()) names += (names.empty() ? "" : ", ") + limit.name;
-    throw LimitError(fmt::format("is not a limit; there are {}", names));
+    // A name without its stage, or of the other one, is the likeliest slip.
+    const std::string_view without_stage = name.substr(name.find('.') + 1);
+    std::string meant, names;
+    for (const LimitDescription& limit : describe_limits()) {
+        names += (names.empty() ? "" : ", ") + limit.name;
+        if (limit.name.ends_with(fmt::format(".{}", without_stage)))
+            meant += (meant.empty() ? "" : " or ") + limit.name;
+    }
+    throw LimitError(meant.empty() ? fmt::format("is not a limit; there are {}", names)
+                                   : fmt::format("is not a limit; did you mean {}?", meant));
 }
 
 double read_value(std::string_view text) {

@@ -80,6 +80,7 @@ int run(int argc, char** argv) {
     CLI::App app(about, "raygrade");
     app.footer(footer);
     app.require_subcommand(1);
+    app.set_version_flag("--version", "raygrade " RAYGRADE_VERSION);
     app.get_formatter()->column_width(36);
 
     GradeOptions grade{{},    "default", "results", static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),

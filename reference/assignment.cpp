@@ -28,6 +28,10 @@ std::string names_in(const std::filesystem::path& directory) {
 std::vector<LimitEntry> read_limits(const TomlTable& stages) {
     std::vector<LimitEntry> limits;
     for (const std::string& stage : stages.keys()) {
+        if (!stages.is_table(stage)) {  // a limit without its stage, which is told to whoever wrote it
+            limits.push_back({stage, stages.decimal(stage).to_double(), stages.place(stage)});
+            continue;
+        }
         const TomlTable table = stages.table(stage);
         for (const std::string& name : table.keys()) {
             limits.push_back({fmt::format("{}.{}", stage, name), table.decimal(name).to_double(), table.place(name)});

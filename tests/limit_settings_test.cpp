@@ -92,6 +92,12 @@ TEST(ReadLimits, SaysWhatIsWrongAndWhere) {
     EXPECT_THAT(why_not({}, {"=3"}), HasSubstr("is not a limit"));
 }
 
+TEST(ReadLimits, KnowsALimitWithoutItsStageOrOfTheWrongOne) {
+    const std::string meant = "is not a limit; did you mean run.cpu_seconds or compile.cpu_seconds?";
+    EXPECT_EQ(why_not({entry("cpu_seconds", 3)}, {}), "a.toml:7: limits.cpu_seconds: " + meant);
+    EXPECT_EQ(why_not({}, {"build.cpu_seconds=3"}), "--limit build.cpu_seconds: " + meant);
+}
+
 TEST(DescribeLimits, IsWhatTheReadmeSays) {
     std::ifstream file(RAYGRADE_PROJECT "/README.md");
     const std::string readme{std::istreambuf_iterator<char>(file), {}};

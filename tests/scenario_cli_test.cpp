@@ -29,6 +29,12 @@ TEST(CommandLine, HelpNamesEverySubcommand) {
     }
 }
 
+TEST(CommandLine, SaysItsVersion) {
+    const Result result = raygrade({"--version"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_THAT(result.output, testing::ContainsRegex("^raygrade [0-9]+\\.[0-9]+\\.[0-9]+"));
+}
+
 TEST(CommandLine, AnUnknownOptionIsAMistakeOfUsage) {
     const Result result = raygrade({"grade", "--colour", "."});
     EXPECT_EQ(result.status, usage);

@@ -38,14 +38,14 @@ std::string cap_sentence(double cap) {
 }
 
 std::string where(const ItemScore& item) {
-    return item.line == 0 ? "" : fmt::format(" (line {})", item.line);
+    return item.line == 0 ? "" : fmt::format(" (line {} of your output)", item.line);
 }
 
-std::string item_line(int question, const ItemScore& item) {
+std::string item_line(int question, const ItemScore& item, Outcome outcome) {
     const std::string name = item.spec.shape == reference::Shape::verdict ? "the verdict" : std::string(item.spec.name);
     std::string text = fmt::format("- Question {}, {}{}: ", question, name, where(item));
     if (!item.printed.empty()) text += fmt::format("you printed {}. ", code(item.printed));
-    text += item_sentence(item);
+    text += item_sentence(item, outcome);
     if (!item.diagnosis.empty()) text += fmt::format(" ({})", item.diagnosis);
     return text + fmt::format(" {} of {} points.\n", points_text(item.points), points_text(item.max_points));
 }
@@ -56,9 +56,9 @@ std::string verdict_of(const QuestionScore& question) {
     return all_unreadable ? "unreadable" : std::string(to_string(question.verdict));
 }
 
-std::string items_worth_saying(const Score& score) {
+std::string items_worth_saying(const Graded& graded) {
     std::string text;
-    for (const QuestionScore& question : score.questions) {
+    for (const QuestionScore& question : graded.score.questions) {
         const bool all_missing = std::all_of(question.items.begin(), question.items.end(),
                                              [](const ItemScore& i) { return i.verdict == ItemVerdict::missing; });
         if (all_missing && question.items.size() > 1) {
@@ -67,10 +67,21 @@ std::string items_worth_saying(const Score& score) {
             continue;
         }
         for (const ItemScore& item : question.items) {
-            if (!item_sentence(item).empty()) text += item_line(question.number, item);
+            if (!item_sentence(item, graded.outcome).empty()) text += item_line(question.number, item, graded.outcome);
         }
     }
     return text;
+}
+
+/// For the student, whom neither the machine's troubles nor its folders concern; the instructor has both in the table.
+std::string why_not_graded(const Submission& submission) {
+    if (!submission.problem) return "That is not the program's fault: something went wrong here. Ask your instructor.";
+    std::string problem = *submission.problem;
+    const std::string folder = submission.file.parent_path().string() + "/";
+    for (std::size_t at = problem.find(folder); folder != "/" && at != std::string::npos; at = problem.find(folder)) {
+        problem.erase(at, folder.size());
+    }
+    return code(problem);
 }
 
 /// What a flag says, for a person.
@@ -86,7 +97,7 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
         text += fmt::format("> **Warning.** {}\n\n", warning);
     }
     if (graded.outcome == Outcome::not_graded) {
-        return text + fmt::format("**Not graded.** {}\n", code(graded.explanation));
+        return text + fmt::format("**Not graded.** {}\n", why_not_graded(graded.submission));
     }
     const Score& score = graded.score;
     text += fmt::format("**{} of {} points**\n\n", points_text(score.points), points_text(score.max_points));
@@ -98,7 +109,7 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
             fmt::format("| {} | {} | {} | {} of {} |\n", question.number, reference::question_title(question.number),
                         verdict_of(question), points_text(question.points), points_text(question.max_points));
     }
-    const std::string items = graded.outcome == Outcome::compile_error ? "" : items_worth_saying(score);
+    const std::string items = graded.outcome == Outcome::compile_error ? "" : items_worth_saying(graded);
     if (!items.empty()) text += "\n## Answers to look at\n\n" + items;
     if (!graded.flags.empty()) {
         text += "\n## For a person to look at\n\n";
@@ -140,7 +151,7 @@ std::string check_text(const Graded& graded) {
                             points_text(question.max_points));
         for (const ItemScore& item : question.items) {
             text += fmt::format("  {:<13} {:<10}{}\n", item.spec.name, to_string(item.verdict), where(item));
-            const std::string sentence = item_sentence(item);
+            const std::string sentence = item_sentence(item, graded.outcome);
             if (sentence.empty()) continue;
             if (!item.printed.empty()) text += fmt::format("      you printed {}\n", escape_control(item.printed));
             text += fmt::format("      {}{}\n", sentence,

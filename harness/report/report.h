@@ -35,6 +35,6 @@ std::string check_text(const Graded& graded);
 std::string points_text(double points);
 
 /// Why an item lost its mark or was accepted in another form, as sentences; empty for a plainly right one.
-std::string item_sentence(const ItemScore& item);
+std::string item_sentence(const ItemScore& item, Outcome outcome);
 
 }  // namespace harness::report

@@ -23,6 +23,21 @@ bool holds_no_number(const ItemScore& item) {
            (item.printed.find("nan") != std::string::npos || item.printed.find("inf") != std::string::npos);
 }
 
+/// The program did not come to its own end, so that what is missing may have been still to come.
+bool was_cut_short(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::crashed:
+        case Outcome::timed_out:
+        case Outcome::output_limit:
+        case Outcome::memory_limit: return true;
+        case Outcome::graded:
+        case Outcome::compile_error:
+        case Outcome::no_output:
+        case Outcome::not_graded: return false;
+    }
+    return false;
+}
+
 }  // namespace
 
 std::string points_text(double points) {
@@ -32,12 +47,13 @@ std::string points_text(double points) {
     return text == "-0" ? "0" : text;
 }
 
-std::string item_sentence(const ItemScore& item) {
+std::string item_sentence(const ItemScore& item, Outcome outcome) {
     switch (item.verdict) {
         case ItemVerdict::right: return item.accepted_as.empty() ? "" : fmt::format("Accepted: {}.", item.accepted_as);
         case ItemVerdict::follow:
             return "Not the right value, but it follows correctly from an earlier mistake of yours.";
         case ItemVerdict::missing:
+            if (was_cut_short(outcome)) return "Not found in what the program printed before it ended.";
             return fmt::format("Not found in the output. Print {} with a label under this question's heading.",
                                expected_shape(item.spec.shape));
         case ItemVerdict::unreadable:

@@ -55,8 +55,8 @@ TEST(Feedback, NeverHoldsAnExpectedValue) {
     const Graded wrong = graded("s01", wrong_everywhere());
     const std::vector<std::string> traces = traces_of_key();
     ASSERT_GT(traces.size(), 30U);
-    for (const std::string& text :
-         {feedback_markdown(wrong, marking()), check_text(wrong), item_sentence(wrong.score.questions[5].items[4])}) {
+    for (const std::string& text : {feedback_markdown(wrong, marking()), check_text(wrong),
+                                    item_sentence(wrong.score.questions[5].items[4], Outcome::graded)}) {
         for (const std::string& trace : traces) EXPECT_THAT(text, Not(HasSubstr(trace)));
         EXPECT_THAT(text, Not(HasSubstr("sphere first")));
     }
@@ -72,7 +72,7 @@ TEST(Feedback, OfNamedMistakesHoldsNoExpectedValueEither) {
         for (const QuestionScore& question : score.questions) {
             for (const ItemScore& item : question.items) {
                 for (const std::string& trace : traces)
-                    EXPECT_THAT(item_sentence(item), Not(HasSubstr(trace))) << mistake.name;
+                    EXPECT_THAT(item_sentence(item, Outcome::graded), Not(HasSubstr(trace))) << mistake.name;
             }
         }
     }
@@ -81,8 +81,9 @@ TEST(Feedback, OfNamedMistakesHoldsNoExpectedValueEither) {
 TEST(Feedback, SaysQuestionLineWhatWasPrintedAndWhatIsWrong) {
     const std::string text = feedback_markdown(graded("s01", output_with_a_mistake()), marking());
     EXPECT_THAT(text, HasSubstr("**98.33 of 100 points**"));
-    EXPECT_THAT(text, testing::ContainsRegex("- Question 6, t \\(line [0-9]+\\): you printed `t: [0-9.]+`|- Question "
-                                             "6, t \\(line [0-9]+\\): you printed `[0-9.]+`"));
+    EXPECT_THAT(text, testing::ContainsRegex(
+                          "- Question 6, t \\(line [0-9]+ of your output\\): you printed `t: [0-9.]+`|- Question "
+                          "6, t \\(line [0-9]+ of your output\\): you printed `[0-9.]+`"));
     EXPECT_THAT(text, HasSubstr("far root"));
     EXPECT_THAT(text, HasSubstr("it follows correctly from an earlier mistake"));
 }
@@ -122,10 +123,22 @@ TEST(Feedback, TellsOfFlagsAndSanitizersAndTakesNoMarksForThem) {
     EXPECT_EQ(text.substr(0, text.find("## ")), before.substr(0, before.find("## ")));
 }
 
-TEST(Feedback, SaysWhyASubmissionHasNoMarks) {
-    const std::string text = feedback_markdown(not_graded("bob"), marking());
-    EXPECT_THAT(text, HasSubstr("**Not graded.**"));
+TEST(Feedback, SaysWhyASubmissionHasNoMarksAndNotWhereTheInstructorKeepsIt) {
+    Graded bob = not_graded("bob");
+    bob.submission.file = "/home/prof/class/bob/ray_cast.cpp";
+    bob.submission.problem = "\"/home/prof/class/bob/ray_cast.cpp\" is a symbolic link. Put the file itself there.";
+    const std::string text = feedback_markdown(bob, marking());
+    EXPECT_THAT(text, HasSubstr("**Not graded.** `\"ray_cast.cpp\" is a symbolic link."));
+    EXPECT_THAT(text, Not(HasSubstr("prof")));
     EXPECT_THAT(text, Not(HasSubstr("points**")));
+}
+
+TEST(Feedback, DoesNotTroubleAStudentWithTheMachinesTroubles) {
+    Graded bob = not_graded("bob");
+    bob.explanation = "The disk of \"/srv/grading\" has less than 256 MiB left.";
+    const std::string text = feedback_markdown(bob, marking());
+    EXPECT_THAT(text, HasSubstr("not the program's fault"));
+    EXPECT_THAT(text, Not(HasSubstr("/srv")));
 }
 
 TEST(CheckText, HasAVerdictForEveryItem) {

@@ -25,34 +25,41 @@ TEST(PointsText, HasAtMostTwoDecimalsAndNoZerosAtTheEnd) {
 }
 
 TEST(ItemSentence, IsEmptyForAPlainlyRightItem) {
-    EXPECT_EQ(item_sentence(item(ItemVerdict::right)), "");
+    EXPECT_EQ(item_sentence(item(ItemVerdict::right), Outcome::graded), "");
 }
 
 TEST(ItemSentence, SaysWhyAnotherFormIsRight) {
     ItemScore accepted = item(ItemVerdict::right);
     accepted.accepted_as = "the form with b' = b/2";
-    EXPECT_EQ(item_sentence(accepted), "Accepted: the form with b' = b/2.");
+    EXPECT_EQ(item_sentence(accepted, Outcome::graded), "Accepted: the form with b' = b/2.");
 }
 
 TEST(ItemSentence, SaysWhatShapeIsMissing) {
-    EXPECT_THAT(item_sentence(item(ItemVerdict::missing)), HasSubstr("one number"));
-    EXPECT_THAT(item_sentence(item(ItemVerdict::unreadable)), HasSubstr("one number"));
+    EXPECT_THAT(item_sentence(item(ItemVerdict::missing), Outcome::graded), HasSubstr("one number"));
+    EXPECT_THAT(item_sentence(item(ItemVerdict::unreadable), Outcome::graded), HasSubstr("one number"));
     ItemScore matrix = item(ItemVerdict::missing);
     matrix.spec.shape = reference::Shape::matrix4;
-    EXPECT_THAT(item_sentence(matrix), HasSubstr("4 x 4 matrix"));
+    EXPECT_THAT(item_sentence(matrix, Outcome::graded), HasSubstr("4 x 4 matrix"));
+}
+
+TEST(ItemSentence, DoesNotBlameTheLabelsOfAProgramThatWasCutShort) {
+    for (const Outcome outcome : {Outcome::crashed, Outcome::timed_out, Outcome::output_limit, Outcome::memory_limit}) {
+        EXPECT_EQ(item_sentence(item(ItemVerdict::missing), outcome),
+                  "Not found in what the program printed before it ended.");
+    }
 }
 
 TEST(ItemSentence, SaysThatNanIsNoNumber) {
     ItemScore nan = item(ItemVerdict::wrong);
     nan.printed = "t: -nan";
-    EXPECT_THAT(item_sentence(nan), HasSubstr("not a number"));
+    EXPECT_THAT(item_sentence(nan, Outcome::graded), HasSubstr("not a number"));
 }
 
 TEST(ItemSentence, GivesTheAdviceOfANamedMistake) {
     ItemScore far_root = item(ItemVerdict::wrong);
     far_root.error = 2.0;
     far_root.advice = "That is the far root.";
-    EXPECT_EQ(item_sentence(far_root), "That is the far root.");
+    EXPECT_EQ(item_sentence(far_root, Outcome::graded), "That is the far root.");
 }
 
 }  // namespace
