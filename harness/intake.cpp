@@ -5,65 +5,16 @@
 #include <set>
 #include <system_error>
 
+#include "harness/archive.h"
 #include "harness/failure.h"
+#include "harness/file_tree.h"
+#include "harness/hand_in.h"
 #include "harness/names.h"
-#include "harness/source_file.h"
 
 namespace harness {
 namespace {
 
 using std::filesystem::path;
-
-/// What a folder holds, by what intake does with it. Links are never followed.
-struct Contents {
-    std::vector<path> sources;  ///< by name alone: files, but also links, pipes and folders called so
-    std::vector<path> folders;
-    std::vector<path> linked;  ///< symbolic links that are not called like a source
-    std::vector<path> headers;
-    std::error_code error;  ///< why it could not be listed
-};
-
-/// Results of raygrade's own, which lie in the class's folder when it was graded from there.
-bool holds_results(const path& folder) {
-    std::error_code ignored;
-    return std::filesystem::is_regular_file(folder / "grades.json", ignored) &&
-           std::filesystem::is_directory(folder / "feedback", ignored);
-}
-
-Contents list(const path& folder) {
-    Contents contents;
-    std::filesystem::directory_iterator entry(folder, contents.error);
-    for (; !contents.error && entry != std::filesystem::directory_iterator(); entry.increment(contents.error)) {
-        const path name = entry->path().filename();
-        if (name.native().starts_with('.')) continue;
-        std::error_code ignored;
-        const auto type = entry->symlink_status(ignored).type();
-        const bool is_header = name.extension() == ".h" || name.extension() == ".hpp";
-        if (type == std::filesystem::file_type::directory) {
-            if (!holds_results(entry->path())) contents.folders.push_back(entry->path());
-        } else if (is_source_name(name)) {
-            contents.sources.push_back(entry->path());
-        } else if (type == std::filesystem::file_type::symlink) {
-            contents.linked.push_back(entry->path());
-        } else if (is_header) {
-            contents.headers.push_back(entry->path());
-        }
-    }
-    for (auto* paths : {&contents.sources, &contents.folders, &contents.linked, &contents.headers}) {
-        std::sort(paths->begin(), paths->end());
-    }
-    return contents;
-}
-
-bool is_called_ray_cast(const path& file) {
-    return file.stem() == "ray_cast";
-}
-
-std::string names_of(const std::vector<path>& files) {
-    std::string text;
-    for (const auto& file : files) text += (text.empty() ? "" : ", ") + in_quotes(file.filename());
-    return text;
-}
 
 /// The folder's own name, also for "." and for a path that ends in '/'.
 std::string folder_id(const path& folder) {
@@ -79,22 +30,22 @@ Submission with_problem(std::string id, std::string problem) {
     return submission;
 }
 
-Submission from_file(const path& file, std::string id, Links links) {
+Submission from_file(const FileTree& tree, const path& file, std::string id, Links links) {
     Submission submission;
     submission.id = std::move(id);
     submission.file = file;
-    read_source(submission, links);
+    tree.read(submission, links);
     return submission;
 }
 
-std::string why_no_source(const path& folder, const Contents& contents) {
+std::string why_no_source(const FileTree& tree, const path& folder, const Contents& contents) {
     const std::string where = in_quotes(folder);
     if (contents.error == std::errc::permission_denied) {
         return "Could not open the folder " + where + ". Make it readable: chmod u+rx.";
     }
     if (contents.error) return "Could not list the folder " + where + ": " + contents.error.message() + '.';
     for (const auto& inner : contents.folders) {
-        const auto deeper = list(inner);
+        const auto deeper = tree.list(inner);
         if (deeper.sources.empty()) continue;
         return where + " holds no C++ source itself; there is one in " + in_quotes(inner) + ". Move it up one folder.";
     }
@@ -102,28 +53,12 @@ std::string why_no_source(const path& folder, const Contents& contents) {
 }
 
 /// One student's folder.
-Submission from_folder(const path& folder, const Contents& contents) {
+Submission from_folder(const FileTree& tree, const path& folder, const Contents& contents) {
+    HandIn hand_in;
+    hand_in.add(contents);
     std::string id = folder_id(folder);
-    if (contents.sources.empty()) return with_problem(std::move(id), why_no_source(folder, contents));
-    auto chosen = contents.sources.begin();
-    std::vector<path> others;
-    if (contents.sources.size() > 1) {
-        chosen = std::find_if(contents.sources.begin(), contents.sources.end(), is_called_ray_cast);
-        if (chosen == contents.sources.end()) {
-            return with_problem(std::move(id), in_quotes(folder) +
-                                                   " holds several sources: " + names_of(contents.sources) +
-                                                   ". Keep the one to be graded, or call it ray_cast.cpp.");
-        }
-        std::copy_if(contents.sources.begin(), contents.sources.end(), std::back_inserter(others),
-                     [&](const path& source) { return source != *chosen; });
-    }
-    Submission submission = from_file(*chosen, std::move(id), Links::refuse);
-    const std::string name = in_quotes(chosen->filename());
-    if (!others.empty()) submission.notes.push_back("Only " + name + " is graded; not " + names_of(others) + '.');
-    if (!contents.headers.empty()) {
-        submission.notes.push_back("Only " + name + " is compiled, without " + names_of(contents.headers) + '.');
-    }
-    return submission;
+    if (hand_in.is_without_source()) return with_problem(std::move(id), why_no_source(tree, folder, contents));
+    return take(tree, hand_in, std::move(id), in_quotes(folder));
 }
 
 Submission from_link(const path& link) {
@@ -131,31 +66,59 @@ Submission from_link(const path& link) {
                         in_quotes(link) + " is a symbolic link. Put the folder itself there: links are not followed.");
 }
 
-bool holds_sources(const path& folder) {
-    return !list(folder).sources.empty();
-}
-
-std::vector<Submission> from_class(const Contents& contents, bool also_folders) {
+std::vector<Submission> from_class(const FileTree& tree, const Contents& contents, bool also_folders) {
     std::vector<Submission> submissions;
     for (const auto& source : contents.sources) {
-        submissions.push_back(from_file(source, printable(source.stem().native()), Links::refuse));
+        submissions.push_back(from_file(tree, source, printable(source.stem().native()), Links::refuse));
     }
     if (!also_folders) return submissions;
-    for (const auto& folder : contents.folders) submissions.push_back(from_folder(folder, list(folder)));
+    for (const auto& folder : contents.folders) submissions.push_back(from_folder(tree, folder, tree.list(folder)));
     for (const auto& link : contents.linked) submissions.push_back(from_link(link));
     return submissions;
 }
 
-std::vector<Submission> from_given_folder(const path& folder) {
-    const Contents contents = list(folder);
+bool holds_a_class(const FileTree& tree, const Contents& contents) {
+    return std::any_of(contents.folders.begin(), contents.folders.end(), [&](const path& folder) {
+        const Contents inner = tree.list(folder);
+        return !inner.sources.empty() || !inner.archives.empty();
+    });
+}
+
+std::vector<Submission> from_given_folder(const FileTree& tree, const path& folder) {
+    const Contents contents = tree.list(folder);
+    if (auto of_lms = from_lms_download(tree, contents)) return std::move(*of_lms);
     const bool has_sources = !contents.sources.empty();
-    if (contents.error || (!has_sources && contents.folders.empty())) {
-        throw HarnessError(why_no_source(folder, contents));
+    const bool is_class = holds_a_class(tree, contents) || (!has_sources && contents.archives.empty());
+    if (contents.error || (is_class && !has_sources && contents.folders.empty())) {
+        throw HarnessError(why_no_source(tree, folder, contents));
     }
-    const bool is_class = !has_sources || std::any_of(contents.folders.begin(), contents.folders.end(), holds_sources);
     const bool has_ray_cast = std::any_of(contents.sources.begin(), contents.sources.end(), is_called_ray_cast);
-    if (!is_class && has_ray_cast) return {from_folder(folder, contents)};
-    return from_class(contents, is_class);
+    if (!is_class && (has_ray_cast || !has_sources)) return {from_folder(tree, folder, contents)};
+    return from_class(tree, contents, is_class);
+}
+
+/// Packers often put everything below one folder of the archive's name.
+path without_wrapping(const FileTree& tree, path folder) {
+    constexpr int deepest = 8;
+    for (int i = 0; i < deepest; ++i) {
+        const Contents contents = tree.list(folder);
+        const bool alone = contents.folders.size() == 1 && contents.sources.empty() && contents.archives.empty();
+        if (!alone || is_of_lms(contents)) break;
+        if (!holds_a_class(tree, tree.list(contents.folders.front())) &&
+            tree.list(contents.folders.front()).sources.empty() && !is_of_lms(tree.list(contents.folders.front())))
+            break;
+        folder = contents.folders.front();
+    }
+    return folder;
+}
+
+std::vector<Submission> from_given_archive(const path& archive) {
+    try {
+        const auto tree = DiskTree().open(archive);
+        return from_given_folder(*tree, without_wrapping(*tree, archive));
+    } catch (const ArchiveError& error) {
+        throw HarnessError(error.what());
+    }
 }
 
 struct Taken {
@@ -217,15 +180,20 @@ std::vector<Submission> take_in(const path& given) {
                            ". Check the path; a name with blanks needs quotes.");
     }
     std::vector<Submission> submissions;
+    const DiskTree disk;
     if (std::filesystem::is_directory(status)) {
-        submissions = from_given_folder(given);
+        submissions = from_given_folder(disk, given);
+    } else if (is_archive_name(given.native())) {
+        submissions = from_given_archive(given);
     } else if (!is_source_name(given)) {
-        throw HarnessError(in_quotes(given) + " is neither a folder nor a C++ source (.cpp, .cc or .cxx).");
+        throw HarnessError(in_quotes(given) +
+                           " is neither a folder nor a C++ source (.cpp, .cc or .cxx) nor an archive (.zip, .tar, "
+                           ".tar.gz or .tgz).");
     } else {
         const bool named_by_folder = is_called_ray_cast(given);
         const path folder = std::filesystem::absolute(given).parent_path();
         const std::string id = named_by_folder ? folder_id(folder) : printable(given.stem().native());
-        submissions.push_back(from_file(given, id, Links::follow));
+        submissions.push_back(from_file(disk, given, id, Links::follow));
     }
     std::stable_sort(submissions.begin(), submissions.end(),
                      [](const Submission& a, const Submission& b) { return a.id < b.id; });

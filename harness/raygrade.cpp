@@ -85,9 +85,11 @@ int run(int argc, char** argv) {
 
     GradeOptions grade{{},    "default", "results", static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
                        false, {},        {}};
-    CLI::App& grade_app =
-        *app.add_subcommand("grade", "Grade a class: a source, a folder of student folders, or a folder of sources");
-    grade_app.add_option("paths", grade.paths, "What to grade: files and folders, in the order of the report")
+    CLI::App& grade_app = *app.add_subcommand("grade",
+                                              "Grade a class: a source, a folder of student folders or of sources, or "
+                                              "the zip of Canvas, Moodle or Gradescope");
+    grade_app
+        .add_option("paths", grade.paths, "What to grade: files, folders and archives, in the order of the report")
         ->required()
         ->type_name("PATH...");
     add_assignment(grade_app, grade.assignment);

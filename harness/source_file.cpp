@@ -49,6 +49,15 @@ bool is_source_name(const std::filesystem::path& file) {
     return ending == ".cpp" || ending == ".cc" || ending == ".cxx";
 }
 
+void set_source(Submission& submission, std::string bytes, bool is_too_large) {
+    if (is_too_large) {
+        submission.problem = too_large(submission.file);
+        return;
+    }
+    submission.source_sha256 = sha256(bytes);
+    submission.source = std::move(bytes);
+}
+
 void read_source(Submission& submission, Links links) {
     const auto& path = submission.file;
     // Without O_NONBLOCK, opening a FIFO waits for its writer.
@@ -82,14 +91,9 @@ void read_source(Submission& submission, Links links) {
         }
         size += static_cast<std::size_t>(got);
     }
-    if (size > largest_source_bytes) {
-        submission.problem = too_large(path);
-        return;
-    }
     bytes.resize(size);
     bytes.shrink_to_fit();
-    submission.source_sha256 = sha256(bytes);
-    submission.source = std::move(bytes);
+    set_source(submission, std::move(bytes), size > largest_source_bytes);
 }
 
 }  // namespace harness

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "harness/lms_name.h"
+
 namespace harness {
 
 struct Submission {
@@ -15,6 +17,7 @@ struct Submission {
     std::filesystem::path file;          ///< the source on this machine; empty when there is none
     std::string source;                  ///< its bytes, at most intake's limit
     std::string source_sha256;           ///< lower-case hexadecimal; empty when there is no source
+    std::optional<LmsName> lms;          ///< what its name in a learning management system's download says
     std::vector<std::string> notes;      ///< what the instructor should know, e.g. other files in the folder
     std::optional<std::string> problem;  ///< why it can't be graded, with the way out; empty when it can
 };

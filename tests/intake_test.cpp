@@ -118,6 +118,17 @@ TEST(TakeIn, NamesBothSourcesWhenItCantChoose) {
     EXPECT_THAT(problem_of_only(take_in(folder.path())), HasSubstr("\"a.cpp\", \"b.cpp\""));
 }
 
+TEST(TakeIn, CountsTheLastOfSeveralDownloads) {
+    const TemporaryFolder folder;
+    folder.write("bob/ray_cast.cpp", "first");
+    folder.write("bob/ray_cast (1).cpp", "second");
+    folder.write("bob/ray_cast (10).cpp", "last");
+    const auto submissions = take_in(folder.path());
+    ASSERT_THAT(ids(submissions), ElementsAre("bob"));
+    EXPECT_EQ(submissions[0].source, "last");
+    EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("not \"ray_cast.cpp\", \"ray_cast (1).cpp\"")));
+}
+
 TEST(TakeIn, SaysWhereTheSourceIsWhenItLiesTooDeep) {
     const TemporaryFolder folder;
     folder.write("s01/assignment 6/ray_cast.cpp", "");

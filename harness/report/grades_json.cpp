@@ -62,6 +62,12 @@ ordered_json run_json(const ProcessResult& run) {
             {"peak_memory_bytes", run.peak_memory_bytes}};
 }
 
+/// Null is what nothing is known of.
+ordered_json student_json(const std::optional<LmsName>& name) {
+    if (!name) return {{"name", nullptr}, {"lms_user_id", nullptr}, {"late", nullptr}};
+    return {{"name", or_null(name->student)}, {"lms_user_id", or_null(name->id)}, {"late", name->late}};
+}
+
 ordered_json submission_json(const Graded& graded) {
     const bool marked = graded.outcome != Outcome::not_graded;
     ordered_json notes = ordered_json::array();
@@ -77,7 +83,7 @@ ordered_json submission_json(const Graded& graded) {
     }
     return {
         {"id", escape_control(graded.submission.id)},
-        {"student", {{"name", nullptr}, {"lms_user_id", nullptr}, {"late", nullptr}}},
+        {"student", student_json(graded.submission.lms)},
         {"file", escape_control(graded.submission.file.string())},
         {"source_sha256", or_null(graded.submission.source_sha256)},
         {"outcome", to_string(graded.outcome)},

@@ -57,6 +57,15 @@ TEST(GradesJson, SaysWhatHappenedToEachItem) {
     EXPECT_EQ(submission.at("questions").at(2).at("items").at(0).at("expected").size(), 4U);
 }
 
+TEST(GradesJson, SaysWhoHandedInAsFarAsTheNameOfTheFileTells) {
+    Graded zoe = graded("zoe", output_with_a_mistake());
+    const json unknown = grades({zoe}).at("submissions").at(0).at("student");
+    EXPECT_EQ(unknown, json::parse(R"({"name": null, "lms_user_id": null, "late": null})"));
+    zoe.submission.lms = read_canvas_name("łzoe_LATE_17_4_ray_cast.cpp");
+    const json known = grades({zoe}).at("submissions").at(0).at("student");
+    EXPECT_EQ(known, json::parse(R"({"name": "łzoe", "lms_user_id": "17", "late": true})"));
+}
+
 TEST(GradesJson, HasFlagsAndWhatTheSanitizersFound) {
     Graded one = graded("zoe", output_with_a_mistake());
     one.flags = {{"nondeterministic", "run 1 printed \x1b"}};

@@ -1,0 +1,134 @@
+#include "harness/file_tree.h"
+
+#include <fcntl.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "harness/archive.h"
+#include "harness/intake.h"
+#include "harness/names.h"
+
+namespace harness {
+namespace {
+
+using std::filesystem::path;
+
+/// A student's archive within a class's: 16 MiB hold a thousand sources.
+constexpr std::uint64_t largest_inner_archive = std::uint64_t{16} << 20U;
+
+std::uint64_t wanted_of_a_class(std::string_view file) {
+    if (is_source_name(file)) return largest_source_bytes;
+    return is_archive_name(file) ? largest_inner_archive : 0;
+}
+
+/// An archive in an archive in an archive is not looked into.
+std::uint64_t wanted_of_a_student(std::string_view file) {
+    return is_source_name(file) ? largest_source_bytes : 0;
+}
+
+/// By its name, as what lies on disk may be anything.
+std::vector<path>& kind_of(const path& file, Contents& contents) {
+    if (is_source_name(file)) return contents.sources;
+    if (file.extension() == ".h" || file.extension() == ".hpp") return contents.headers;
+    return is_archive_name(file.native()) ? contents.archives : contents.others;
+}
+
+void sort(Contents& contents) {
+    for (auto* paths : {&contents.sources, &contents.folders, &contents.linked, &contents.headers, &contents.archives,
+                        &contents.others}) {
+        std::sort(paths->begin(), paths->end());
+    }
+}
+
+/// Results of raygrade's own, which lie in the class's folder when it was graded from there.
+bool holds_results(const path& folder) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(folder / "grades.json", ignored) &&
+           std::filesystem::is_directory(folder / "feedback", ignored);
+}
+
+class ArchiveTree final : public FileTree {
+  public:
+    ArchiveTree(path archive, std::vector<ArchiveFile> files) : archive_(std::move(archive)) {
+        for (ArchiveFile& file : files) {
+            path place = archive_ / file.path;
+            // Two entries of one name: neither is to be lost.
+            for (int i = 2; !files_.emplace(place, std::move(file)).second; ++i) {
+                place = archive_ / (file.path + " (entry " + std::to_string(i) + ")" + place.extension().string());
+            }
+            for (path inner = place; inner != archive_; inner = inner.parent_path()) {
+                children_[inner.parent_path()].insert(inner);
+            }
+        }
+    }
+
+    Contents list(const path& folder) const override {
+        Contents contents;
+        const auto found = children_.find(folder);
+        if (found == children_.end()) return contents;
+        for (const path& child : found->second) {
+            if (children_.contains(child)) {
+                contents.folders.push_back(child);
+            } else {
+                kind_of(child, contents).push_back(child);
+            }
+        }
+        sort(contents);
+        return contents;
+    }
+
+    void read(Submission& submission, Links /*links*/) const override {
+        const ArchiveFile& file = files_.at(submission.file);
+        set_source(submission, file.bytes, file.too_large);
+    }
+
+    std::unique_ptr<FileTree> open(const path& archive) const override {
+        const ArchiveFile& file = files_.at(archive);
+        if (file.too_large) {
+            throw ArchiveError(in_quotes(archive.filename()) + " is larger than " +
+                               std::to_string(largest_inner_archive >> 20U) +
+                               " MiB and was not read. Ask for the source alone.");
+        }
+        return std::make_unique<ArchiveTree>(
+            archive, read_archive(file.bytes, archive.filename().native(), wanted_of_a_student));
+    }
+
+  private:
+    path archive_;
+    std::map<path, ArchiveFile> files_;
+    std::map<path, std::set<path>> children_;  ///< of each folder
+};
+
+}  // namespace
+
+Contents DiskTree::list(const path& folder) const {
+    Contents contents;
+    std::filesystem::directory_iterator entry(folder, contents.error);
+    for (; !contents.error && entry != std::filesystem::directory_iterator(); entry.increment(contents.error)) {
+        const path name = entry->path().filename();
+        if (name.native().starts_with('.')) continue;
+        std::error_code ignored;
+        const auto type = entry->symlink_status(ignored).type();
+        if (type == std::filesystem::file_type::directory) {
+            if (!holds_results(entry->path())) contents.folders.push_back(entry->path());
+        } else if (type == std::filesystem::file_type::symlink && !is_source_name(name)) {
+            contents.linked.push_back(entry->path());
+        } else {
+            kind_of(entry->path(), contents).push_back(entry->path());
+        }
+    }
+    sort(contents);
+    return contents;
+}
+
+void DiskTree::read(Submission& submission, Links links) const {
+    read_source(submission, links);
+}
+
+std::unique_ptr<FileTree> DiskTree::open(const path& archive) const {
+    return std::make_unique<ArchiveTree>(archive, read_archive(archive, wanted_of_a_class));
+}
+
+}  // namespace harness

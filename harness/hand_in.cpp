@@ -1,0 +1,256 @@
+#include "harness/hand_in.h"
+
+#include <algorithm>
+#include <map>
+
+#include "harness/archive.h"
+#include "harness/names.h"
+
+namespace harness {
+namespace {
+
+using std::filesystem::path;
+using Source = HandIn::Source;
+
+std::string list_of(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + in_quotes(name);
+    return text;
+}
+
+std::string list_of(const std::vector<path>& files) {
+    std::vector<std::string> names;
+    for (const path& file : files) names.push_back(file.filename());
+    return list_of(names);
+}
+
+/// Numbers of Canvas's, of any length.
+bool is_smaller(const std::string& a, const std::string& b) {
+    return a.size() != b.size() ? a.size() < b.size() : a < b;
+}
+
+bool is_older(const Source& a, const Source& b) {
+    const long of_a = read_base_name(a.name).turn;
+    const long of_b = read_base_name(b.name).turn;
+    return of_a != of_b ? of_a < of_b : is_smaller(a.attachment, b.attachment);
+}
+
+/// The newest of each name; the older ones are noted.
+std::vector<Source> newest(const std::vector<Source>& sources, std::vector<std::string>& notes) {
+    std::map<std::string, std::vector<Source>> by_name;
+    for (const Source& source : sources) by_name[read_base_name(source.name).name].push_back(source);
+    std::vector<Source> result;
+    for (auto& [name, turns] : by_name) {
+        std::stable_sort(turns.begin(), turns.end(), is_older);
+        result.push_back(turns.back());
+        turns.pop_back();
+        if (turns.empty()) continue;
+        std::vector<std::string> older;
+        for (const Source& turn : turns) older.push_back(turn.name);
+        notes.push_back("Handed in again: " + in_quotes(result.back().name) + " counts, not " + list_of(older) + '.');
+    }
+    return result;
+}
+
+Submission with_problem(std::string id, std::string problem) {
+    Submission submission;
+    submission.id = std::move(id);
+    submission.problem = std::move(problem);
+    return submission;
+}
+
+void add_all_below(const FileTree& tree, const path& folder, HandIn& hand_in, int depth) {
+    const Contents contents = tree.list(folder);
+    hand_in.add(contents);
+    if (depth == 0) return;
+    for (const path& inner : contents.folders) add_all_below(tree, inner, hand_in, depth - 1);
+}
+
+/// The sources in an archive that a student packed, wherever in it they are.
+Submission take_packed(const FileTree& tree, const HandIn& hand_in, std::string id, const std::string& where) {
+    if (hand_in.archives.size() > 1) {
+        return with_problem(std::move(id), where + " holds several archives and no C++ source: " +
+                                               list_of(hand_in.archives) + ". Keep the one to be graded.");
+    }
+    const path& archive = hand_in.archives.front();
+    try {
+        const auto inside = tree.open(archive);
+        HandIn packed;
+        constexpr int deepest = 8;
+        add_all_below(*inside, archive, packed, deepest);
+        packed.archives.clear();
+        if (packed.sources.empty()) {
+            return with_problem(std::move(id), in_quotes(archive) + " holds no C++ source (.cpp, .cc or .cxx).");
+        }
+        return take(*inside, packed, std::move(id), in_quotes(archive));
+    } catch (const ArchiveError& error) {
+        return with_problem(std::move(id), error.what());
+    }
+}
+
+enum class Lms { canvas, moodle, gradescope };
+
+std::optional<LmsName> read_name(Lms lms, const path& file, bool is_folder) {
+    const std::string name = file.filename();
+    switch (lms) {
+        case Lms::canvas: return is_folder ? std::nullopt : read_canvas_name(name);
+        case Lms::moodle: {
+            auto read = read_moodle_name(name);
+            // Older versions end a folder's name with '_', the flat form puts the file behind it.
+            if (read && is_folder != read->file.empty()) return std::nullopt;
+            return read;
+        }
+        case Lms::gradescope: return is_folder ? read_gradescope_name(name) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
+std::vector<path> files_of(const Contents& contents) {
+    std::vector<path> files;
+    for (const auto* some : {&contents.sources, &contents.headers, &contents.archives, &contents.others}) {
+        files.insert(files.end(), some->begin(), some->end());
+    }
+    return files;
+}
+
+bool is_of(Lms lms, const Contents& contents) {
+    std::vector<path> files = files_of(contents);
+    // What a system's export says about itself is no student's.
+    std::erase_if(files, [](const path& file) { return file.filename() == "submission_metadata.yml"; });
+    if (!contents.linked.empty() || (files.empty() && contents.folders.empty())) return false;
+    return std::all_of(files.begin(), files.end(), [&](const path& file) { return read_name(lms, file, false); }) &&
+           std::all_of(contents.folders.begin(), contents.folders.end(),
+                       [&](const path& folder) { return read_name(lms, folder, true); });
+}
+
+std::optional<Lms> lms_of(const Contents& contents) {
+    for (const Lms lms : {Lms::canvas, Lms::moodle, Lms::gradescope}) {
+        if (is_of(lms, contents)) return lms;
+    }
+    return std::nullopt;
+}
+
+/// One student of a download.
+struct Student {
+    LmsName name;  ///< of the first file or folder, late if any is
+    HandIn hand_in;
+    std::vector<std::string> no_files;  ///< text entries and links
+};
+
+void add_file(Student& student, const LmsName& name, const path& file) {
+    if (is_source_name(name.file)) {
+        student.hand_in.sources.push_back({file, name.file, name.attachment});
+    } else if (!name.is_file) {
+        student.no_files.push_back(name.file);
+    } else if (is_archive_name(name.file)) {
+        student.hand_in.archives.push_back(file);
+    } else {
+        student.hand_in.others.push_back(file);
+    }
+}
+
+/// By the system's number.
+std::map<std::string, Student> students_of(Lms lms, const FileTree& tree, const Contents& contents) {
+    std::map<std::string, Student> students;
+    const auto student_of = [&](const LmsName& name) -> Student& {
+        Student& student = students.try_emplace(name.id, Student{name, {}, {}}).first->second;
+        student.name.late = student.name.late || name.late;
+        return student;
+    };
+    for (const path& file : files_of(contents)) {
+        const auto name = read_name(lms, file, false);
+        if (name) add_file(student_of(*name), *name, file);
+    }
+    for (const path& folder : contents.folders) {
+        const auto name = read_name(lms, folder, true);
+        Student& student = student_of(*name);
+        if (name->is_file) {
+            student.hand_in.add(tree.list(folder));
+        } else {
+            student.no_files.push_back(folder.filename());
+        }
+    }
+    return students;
+}
+
+Submission from_student(const FileTree& tree, const Student& student, const std::string& id) {
+    std::vector<std::string> others = student.no_files;
+    for (const path& file : student.hand_in.others) others.push_back(file.filename());
+    Submission submission;
+    if (student.hand_in.is_without_source()) {
+        submission = with_problem(
+            id, (others.empty() ? std::string("Nothing was handed in") : "Handed in was " + list_of(others)) +
+                    ", and no C++ source (.cpp, .cc or .cxx). Ask for ray_cast.cpp.");
+    } else {
+        submission = take(tree, student.hand_in, id, "The hand-in");
+    }
+    if (student.name.late) submission.notes.insert(submission.notes.begin(), "Handed in late.");
+    submission.lms = student.name;
+    return submission;
+}
+
+}  // namespace
+
+void HandIn::add(const Contents& contents) {
+    for (const path& file : contents.sources) sources.push_back({file, file.filename(), {}});
+    archives.insert(archives.end(), contents.archives.begin(), contents.archives.end());
+    headers.insert(headers.end(), contents.headers.begin(), contents.headers.end());
+    others.insert(others.end(), contents.others.begin(), contents.others.end());
+}
+
+bool is_called_ray_cast(const path& file) {
+    return path(read_base_name(file.filename().native()).name).stem() == "ray_cast";
+}
+
+Submission take(const FileTree& tree, const HandIn& hand_in, std::string id, const std::string& where) {
+    if (hand_in.sources.empty()) return take_packed(tree, hand_in, std::move(id), where);
+    std::vector<std::string> notes;
+    const std::vector<Source> sources = newest(hand_in.sources, notes);
+    auto chosen = sources.begin();
+    std::vector<std::string> others;
+    if (sources.size() > 1) {
+        chosen =
+            std::find_if(sources.begin(), sources.end(), [](const Source& s) { return is_called_ray_cast(s.name); });
+        for (auto source = sources.begin(); source != sources.end(); ++source) {
+            if (source != chosen) others.push_back(source->name);
+        }
+        if (chosen == sources.end()) {
+            return with_problem(std::move(id), where + " holds several sources: " + list_of(others) +
+                                                   ". Keep the one to be graded, or call it ray_cast.cpp.");
+        }
+    }
+    Submission submission;
+    submission.id = std::move(id);
+    submission.file = chosen->file;
+    tree.read(submission, Links::refuse);
+    const std::string name = in_quotes(chosen->name);
+    if (!others.empty()) notes.push_back("Only " + name + " is graded; not " + list_of(others) + '.');
+    if (!hand_in.headers.empty()) {
+        notes.push_back("Only " + name + " is compiled, without " + list_of(hand_in.headers) + '.');
+    }
+    submission.notes = std::move(notes);
+    return submission;
+}
+
+bool is_of_lms(const Contents& contents) {
+    return lms_of(contents).has_value();
+}
+
+std::optional<std::vector<Submission>> from_lms_download(const FileTree& tree, const Contents& contents) {
+    const auto lms = lms_of(contents);
+    if (!lms) return std::nullopt;
+    const auto students = students_of(*lms, tree, contents);
+    std::map<std::string, int> named;
+    for (const auto& [id, student] : students) ++named[student.name.student];
+    std::vector<Submission> submissions;
+    for (const auto& [number, student] : students) {
+        const std::string& name = student.name.student;
+        std::string id = name.empty() ? number : name;
+        if (!name.empty() && named[name] > 1) id += '_' + number;
+        if (*lms == Lms::gradescope) id = "submission_" + number;
+        submissions.push_back(from_student(tree, student, printable(id)));
+    }
+    return submissions;
+}
+
+}  // namespace harness

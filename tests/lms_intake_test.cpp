@@ -1,0 +1,221 @@
+// Downloads of learning management systems, as zips and unpacked, in the shapes that their documentation and code give.
+#include <gmock/gmock.h>
+
+#include <map>
+
+#include "harness/failure.h"
+#include "harness/intake.h"
+#include "harness/lms_name.h"
+#include "tests/packed.h"
+#include "tests/temporary_folder.h"
+
+namespace {
+
+using harness::Submission;
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// By id.
+std::map<std::string, Submission> take(const std::filesystem::path& path) {
+    std::map<std::string, Submission> taken;
+    for (const Submission& submission : harness::take_in(path)) taken[submission.id] = submission;
+    return taken;
+}
+
+std::vector<std::string> ids(const std::map<std::string, Submission>& submissions) {
+    std::vector<std::string> all;
+    for (const auto& [id, submission] : submissions) all.push_back(id);
+    return all;
+}
+
+/// Of a zip with these entries, and of a folder with the same: they are to be alike.
+class LmsDownload : public testing::TestWithParam<bool> {
+  protected:
+    std::map<std::string, Submission> take_in(const std::vector<PackedEntry>& entries) const {
+        if (GetParam()) return take(pack(folder_.path() / "submissions.zip", entries));
+        for (const PackedEntry& entry : entries) folder_.write("unpacked/" + entry.path, entry.bytes);
+        return take(folder_.path() / "unpacked");
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_P(LmsDownload, OfCanvasHasAStudentForEachNumber) {
+    const auto taken = take_in({{"doejane_1001_5001_ray_cast.cpp", "jane"},
+                                {"doejohn_LATE_1002_5002_main.cpp", "john"},
+                                {"łukaszewiczján_1003_5003_my ray (final) – ü.cpp", "jan"},
+                                {"doejane_1004_5004_ray_cast.cpp", "another jane"},
+                                {"anon_77_5005_ray_cast.cpp", "nobody"},
+                                {"LATE_anon_78_5006_ray_cast.cpp", "nobody late"}});
+    EXPECT_THAT(ids(taken),
+                ElementsAre("anon_77", "anon_78", "doejane_1001", "doejane_1004", "doejohn", "łukaszewiczján"));
+    EXPECT_EQ(taken.at("doejohn").source, "john");
+    EXPECT_THAT(taken.at("doejohn").notes, ElementsAre("Handed in late."));
+    EXPECT_THAT(taken.at("anon_78").notes, ElementsAre("Handed in late."));
+    EXPECT_THAT(taken.at("doejane_1004").notes, IsEmpty());
+    EXPECT_EQ(taken.at("łukaszewiczján").source, "jan");
+    EXPECT_EQ(taken.at("doejane_1004").lms->id, "1004");
+    EXPECT_EQ(taken.at("doejane_1004").lms->attachment, "5004");
+}
+
+TEST_P(LmsDownload, CountsTheNewestOfWhatWasHandedInAgainAndListsTheOthers) {
+    const auto taken = take_in({{"doejane_1_30_ray_cast-2.cpp", "third"},
+                                {"doejane_1_10_ray_cast.cpp", "first"},
+                                {"doejane_1_20_ray_cast-1.cpp", "second"},
+                                {"roe_2_99_ray_cast.cpp", "old"},
+                                {"roe_2_100_ray_cast.cpp", "new"},
+                                {"poe_3_7_ray_cast (1).cpp", "the only one"}});
+    EXPECT_EQ(taken.at("doejane").source, "third");
+    EXPECT_THAT(taken.at("doejane").notes, ElementsAre("Handed in again: \"ray_cast-2.cpp\" counts, not "
+                                                       "\"ray_cast.cpp\", \"ray_cast-1.cpp\"."));
+    EXPECT_EQ(taken.at("roe").source, "new") << "the number of the file tells";
+    EXPECT_EQ(taken.at("poe").source, "the only one");
+    EXPECT_THAT(taken.at("poe").notes, IsEmpty());
+}
+
+TEST_P(LmsDownload, TakesTheRayCastOfSeveralFiles) {
+    const auto taken = take_in({{"doejane_1_10_scratch.cpp", "s"},
+                                {"doejane_1_11_ray_cast (2).cpp", "r"},
+                                {"doejane_1_12_notes.pdf", "n"},
+                                {"roe_2_20_a.cpp", "a"},
+                                {"roe_2_21_b.cpp", "b"}});
+    EXPECT_EQ(taken.at("doejane").source, "r");
+    EXPECT_THAT(taken.at("doejane").notes, ElementsAre("Only \"ray_cast (2).cpp\" is graded; not \"scratch.cpp\"."));
+    EXPECT_THAT(*taken.at("roe").problem, AllOf(HasSubstr("\"a.cpp\", \"b.cpp\""), HasSubstr("Keep the one")));
+}
+
+TEST_P(LmsDownload, LosesNobodyWhoHandedInNoSource) {
+    const auto taken = take_in({{"doejane_1_10_ray_cast.cpp", "j"},
+                                {"roe_LATE_2_20_report.pdf", "%PDF"},
+                                {"poe_3_text.html", "<p>here</p>"},
+                                {"moe_4_40_a.pdf", "on time"},
+                                {"moe_LATE_4_link.html", "<a>"},
+                                {"anon_5_text.html", "t"}});
+    EXPECT_THAT(ids(taken), ElementsAre("anon_5", "doejane", "moe", "poe", "roe"));
+    EXPECT_THAT(*taken.at("roe").problem, AllOf(HasSubstr("report.pdf"), HasSubstr("no C++ source")));
+    EXPECT_THAT(taken.at("roe").notes, ElementsAre("Handed in late."));
+    EXPECT_THAT(*taken.at("poe").problem, HasSubstr("text.html"));
+    EXPECT_THAT(*taken.at("moe").problem, AllOf(HasSubstr("a.pdf"), HasSubstr("link.html")));
+    EXPECT_THAT(taken.at("moe").notes, ElementsAre("Handed in late.")) << "as soon as a part of it is";
+}
+
+TEST_P(LmsDownload, LooksIntoTheArchiveOfAStudent) {
+    const auto taken = take_in({{"doejane_1_10_hw6.zip", packed({{"hw6/src/ray_cast.cpp", "deep"}, {"hw6/a.txt", ""}})},
+                                {"roe_2_20_hw6.zip", packed({{"../../evil.cpp", "e"}})},
+                                {"poe_3_30_hw6.zip", "no zip"},
+                                {"moe_4_40_hw6.zip", packed({{"a.txt", "a"}})},
+                                {"zoe_5_50_ray_cast.cpp", "z"}});
+    EXPECT_EQ(taken.at("doejane").source, "deep");
+    EXPECT_THAT(*taken.at("roe").problem, HasSubstr("../../evil.cpp"));
+    EXPECT_THAT(*taken.at("poe").problem, HasSubstr("can't be opened"));
+    EXPECT_THAT(*taken.at("moe").problem, HasSubstr("no C++ source"));
+    EXPECT_EQ(taken.at("zoe").source, "z") << "one bad archive is one student's";
+}
+
+TEST_P(LmsDownload, OfMoodleHasAFolderForEachParticipant) {
+    const auto taken = take_in({{"Jane Doe_2001_assignsubmission_file/ray_cast.cpp", "jane"},
+                                {"Jean_Luc Picard_2002_assignsubmission_file_/ray_cast.cpp", "old form"},
+                                {"Participant_2003_assignsubmission_file/ray_cast.cpp", "blind"},
+                                {"Ann Lee_2004_assignsubmission_onlinetext/onlinetext.html", "text"},
+                                {"Jane Doe_2001_assignsubmission_onlinetext/onlinetext.html", "text besides"}});
+    EXPECT_THAT(ids(taken), ElementsAre("Ann Lee", "Jane Doe", "Jean_Luc Picard", "Participant"));
+    EXPECT_EQ(taken.at("Jane Doe").source, "jane");
+    EXPECT_EQ(taken.at("Jean_Luc Picard").source, "old form");
+    EXPECT_EQ(taken.at("Jean_Luc Picard").lms->id, "2002");
+    EXPECT_THAT(*taken.at("Ann Lee").problem, HasSubstr("onlinetext"));
+}
+
+TEST_P(LmsDownload, OfMoodleMayBeFlat) {
+    const auto taken = take_in({{"Jane Doe_2001_assignsubmission_file_ray_cast.cpp", "jane"},
+                                {"Participant_7_assignsubmission_file_main.cpp", "a"},
+                                {"Participant_8_assignsubmission_file_main.cpp", "b"}});
+    EXPECT_THAT(ids(taken), ElementsAre("Jane Doe", "Participant_7", "Participant_8"));
+    EXPECT_EQ(taken.at("Participant_8").source, "b");
+}
+
+TEST_P(LmsDownload, OfGradescopeHasAFolderForEachSubmission) {
+    const auto taken = take_in(
+        {{"submission_901/ray_cast.cpp", "a"}, {"submission_902/main.cpp", "b"}, {"submission_metadata.yml", "---\n"}});
+    EXPECT_THAT(ids(taken), ElementsAre("submission_901", "submission_902"));
+    EXPECT_EQ(taken.at("submission_902").source, "b");
+    EXPECT_EQ(taken.at("submission_902").lms->id, "902");
+}
+INSTANTIATE_TEST_SUITE_P(, LmsDownload, testing::Bool(),
+                         [](const auto& tested) { return tested.param ? "packed" : "unpacked"; });
+
+TEST(PackedClass, IsTakenLikeAFolder) {
+    const TemporaryFolder folder;
+    const auto wrapped =
+        take(pack(folder.path() / "wrapped.tgz", {{"class/zoe/ray_cast.cpp", "z"}, {"class/adam/a.cc", "a"}}));
+    EXPECT_THAT(ids(wrapped), ElementsAre("adam", "zoe"));
+    EXPECT_EQ(wrapped.at("zoe").file, folder.path() / "wrapped.tgz/class/zoe/ray_cast.cpp");
+    const auto exported = take(pack(folder.path() / "export.zip", {{"assignment_5_export/submission_7/a.cpp", "a"}}));
+    EXPECT_THAT(ids(exported), ElementsAre("submission_7"));
+    EXPECT_THAT(ids(take(pack(folder.path() / "flat.zip", {{"bob.cpp", "b"}, {"alice.cpp", "a"}}))),
+                ElementsAre("alice", "bob"));
+    EXPECT_THAT(ids(take(pack(folder.path() / "one.zip", {{"ray_cast.cpp", "r"}, {"ray.h", "h"}}))),
+                ElementsAre("one.zip"));
+}
+
+TEST(PackedClass, OfAHostilePackerIsRefusedWithTheEntryNamed) {
+    const TemporaryFolder folder;
+    try {
+        harness::take_in(pack(folder.path() / "class.zip", {{"a.cpp", "a"}, {"../../../etc/cron.d/evil.cpp", "e"}}));
+        FAIL();
+    } catch (const harness::HarnessError& error) {
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("class.zip"), HasSubstr("../../../etc/cron.d/evil.cpp")));
+    }
+}
+
+TEST(PackedClass, WithTwoEntriesOfOneNameLosesNeither) {
+    const TemporaryFolder folder;
+    const auto taken =
+        take(pack(folder.path() / "class.zip", {{"bob.cpp", "first"}, {"bob.cpp", "second"}, {"eve.cpp", "e"}}));
+    EXPECT_EQ(taken.size(), 3U);
+    EXPECT_EQ(taken.at("bob").source, "first");
+    EXPECT_EQ(taken.at("bob.cpp (entry 2)").source, "second");
+}
+
+TEST(PackedClass, WithASourceThatIsTooLargeSaysSo) {
+    const TemporaryFolder folder;
+    const auto taken = take(pack(folder.path() / "class.zip",
+                                 {{"bob.cpp", std::string(harness::largest_source_bytes + 1, ' ')}, {"eve.cpp", "e"}}));
+    EXPECT_THAT(*taken.at("bob").problem, HasSubstr("larger than 1 MiB"));
+    EXPECT_EQ(taken.at("eve").source, "e");
+}
+
+TEST(CanvasName, IsReadInEightShapes) {
+    using harness::read_canvas_name;
+    const auto plain = read_canvas_name("doejane_123_456_ray_cast.cpp");
+    ASSERT_TRUE(plain);
+    EXPECT_EQ(plain->student, "doejane");
+    EXPECT_EQ(plain->id, "123");
+    EXPECT_EQ(plain->attachment, "456");
+    EXPECT_EQ(plain->file, "ray_cast.cpp");
+    EXPECT_FALSE(plain->late);
+    EXPECT_TRUE(read_canvas_name("doejane_LATE_123_456_ray_cast.cpp")->late);
+    EXPECT_EQ(read_canvas_name("doejane_123_456_1_2_3.cpp")->file, "1_2_3.cpp") << "digits in the file's name";
+    EXPECT_EQ(read_canvas_name("anon_9_456_ray_cast.cpp")->id, "anon_9");
+    EXPECT_TRUE(read_canvas_name("LATE_anon_9_456_ray_cast.cpp")->late);
+    EXPECT_FALSE(read_canvas_name("doejane_123_text.html")->is_file);
+    EXPECT_FALSE(read_canvas_name("anon_9_link.html")->is_file);
+    EXPECT_EQ(read_canvas_name("группа_LATE_7_8_a b.cpp")->student, "группа");
+    for (const char* other : {"ray_cast.cpp", "doejane_ray_cast.cpp", "doejane_123_ray_cast.cpp", "s01.cpp"})
+        EXPECT_FALSE(read_canvas_name(other)) << other;
+}
+
+TEST(BaseName, IsWithoutWhatAnotherTurnAdds) {
+    using harness::read_base_name;
+    EXPECT_EQ(read_base_name("ray_cast-12.cpp").name, "ray_cast.cpp");
+    EXPECT_EQ(read_base_name("ray_cast-12.cpp").turn, 12);
+    EXPECT_EQ(read_base_name("ray_cast (3).cpp").name, "ray_cast.cpp");
+    EXPECT_EQ(read_base_name("ray_cast(3).cpp").turn, 3);
+    EXPECT_EQ(read_base_name("ray_cast.cpp").turn, 0);
+    EXPECT_EQ(read_base_name("-1.cpp").name, "-1.cpp");
+    EXPECT_EQ(read_base_name("ray-99999999999999999999.cpp").turn, 0) << "no number of turns";
+}
+
+}  // namespace
