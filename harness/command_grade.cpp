@@ -7,12 +7,16 @@
 #include <fstream>
 #include <functional>
 #include <future>
+#include <iterator>
+#include <optional>
 
 #include "harness/batch.h"
+#include "harness/clean_text.h"
 #include "harness/commands.h"
 #include "harness/failure.h"
 #include "harness/find_submissions.h"
 #include "harness/progress.h"
+#include "harness/report/canvas.h"
 #include "harness/report/report.h"
 
 namespace harness {
@@ -144,7 +148,33 @@ int status_of(const std::vector<Graded>& graded) {
     return std::any_of(graded.begin(), graded.end(), missed) ? some_not_graded : all_graded;
 }
 
+std::optional<report::CanvasRoster> read_roster(const GradeOptions& options) {
+    if (options.canvas_roster.empty()) return std::nullopt;
+    std::ifstream file(options.canvas_roster, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    if (!file) {
+        throw UsageError(fmt::format("{}: can't be read: {}", options.canvas_roster.string(), std::strerror(errno)));
+    }
+    try {
+        return report::read_canvas_roster(text, options.canvas_column);
+    } catch (const report::RosterError& error) {
+        throw UsageError(fmt::format("{} {}", options.canvas_roster.string(), error.what()));
+    }
+}
+
+void tell_canvas(const report::CanvasImport& import, const fs::path& file) {
+    const auto list = [](const char* what, const std::vector<std::string>& names) {
+        for (const std::string& name : names) fmt::print("  {}: {}\n", what, escape_control(name));
+    };
+    fmt::print("for Canvas: {}, {} matched\n", file.string(), import.matched);
+    list("ambiguous, left out", import.ambiguous);
+    list("not in the gradebook, left out", import.unmatched);
+    list("not graded, left out", import.not_graded);
+    list("nothing handed in, left as it is", import.without);
+}
+
 int grade_command(const GradeOptions& options) {
+    const auto roster = read_roster(options);
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
     const auto marking = begin_marking(assignment);
     std::vector<Submission> submissions = find_submissions(options.paths);
@@ -163,6 +193,11 @@ int grade_command(const GradeOptions& options) {
             fmt::print(stderr, "note: {}: {}\n", one.submission.id, note);
     }
     try {
+        if (roster) {
+            const report::CanvasImport import = report::canvas_import(*roster, graded);
+            write_file(options.out / "grades-canvas.csv", import.csv);
+            tell_canvas(import, options.out / "grades-canvas.csv");
+        }
         write_results(graded, marking.get(), workshop.sandbox->tier(), options.out);
     } catch (const fs::filesystem_error& error) {
         throw HarnessError(fmt::format("{}: can't be written: {}", error.path1().string(), error.code().message()));

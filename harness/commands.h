@@ -24,8 +24,10 @@ struct GradeOptions {
     std::string assignment;
     std::filesystem::path out;
     int jobs = 1;
-    bool force = false;           ///< replace the results of an earlier run
-    std::filesystem::path trace;  ///< where to write a trace of the run; empty for none
+    bool force = false;                   ///< replace the results of an earlier run
+    std::filesystem::path canvas_roster;  ///< a gradebook exported from Canvas; empty for none
+    std::string canvas_column;            ///< the assignment's in it; empty for the only one
+    std::filesystem::path trace;          ///< where to write a trace of the run; empty for none
     WorkshopOptions workshop;
 };
 int grade_command(const GradeOptions& options);

@@ -84,7 +84,8 @@ int run(int argc, char** argv) {
     app.get_formatter()->column_width(36);
 
     GradeOptions grade{{},    "default", "results", static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
-                       false, {},        {}};
+                       false, {},        {},        {},
+                       {}};
     CLI::App& grade_app = *app.add_subcommand("grade",
                                               "Grade a class: a source, a folder of student folders or of sources, or "
                                               "the zip of Canvas, Moodle or Gradescope");
@@ -102,6 +103,15 @@ int run(int argc, char** argv) {
         ->type_name("N")
         ->capture_default_str();
     grade_app.add_flag("--force", grade.force, "Replace the results of an earlier run in the output folder");
+    grade_app
+        .add_option("--canvas-roster", grade.canvas_roster,
+                    "A gradebook exported from Canvas: also write grades-canvas.csv, which Canvas imports, and say who "
+                    "could not be matched")
+        ->type_name("FILE");
+    grade_app
+        .add_option("--canvas-column", grade.canvas_column,
+                    "The assignment's column in it, with its number or without; needed where there are several")
+        ->type_name("TITLE");
     grade_app
         .add_option("--trace", grade.trace,
                     "Write a trace of build, run, read and score of each submission here, for ui.perfetto.dev")

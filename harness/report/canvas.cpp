@@ -1,0 +1,211 @@
+#include "harness/report/canvas.h"
+
+#include <csv.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <climits>
+#include <cwchar>
+#include <cwctype>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "harness/report/csv_cell.h"
+
+namespace harness::report {
+namespace {
+
+using Row = std::vector<std::string>;
+
+struct Rows {
+    std::vector<Row> rows;
+    Row row;
+};
+
+/// RFC 4180 with the byte order mark that spreadsheets put before it.
+std::vector<Row> parse_csv(std::string_view text) {
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    csv_parser parser;
+    if (csv_init(&parser, CSV_APPEND_NULL) != 0) throw std::bad_alloc();
+    const std::unique_ptr<csv_parser, void (*)(csv_parser*)> end(&parser, csv_free);
+    Rows rows;
+    const auto on_cell = [](void* cell, std::size_t size, void* data) {
+        static_cast<Rows*>(data)->row.emplace_back(static_cast<const char*>(cell), size);
+    };
+    const auto on_row = [](int, void* data) {
+        auto* all = static_cast<Rows*>(data);
+        all->rows.push_back(std::exchange(all->row, {}));
+    };
+    csv_parse(&parser, text.data(), text.size(), on_cell, on_row, &rows);
+    csv_fini(&parser, on_cell, on_row, &rows);
+    return std::move(rows.rows);
+}
+
+std::optional<std::size_t> column_of(const Row& header, std::string_view name) {
+    const auto found = std::find(header.begin(), header.end(), name);
+    if (found == header.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - header.begin());
+}
+
+std::string cell_of(const Row& row, std::optional<std::size_t> column) {
+    return column && *column < row.size() ? row[*column] : "";
+}
+
+/// "Title (number)": the title; empty for another header.
+std::string title_of(const std::string& header) {
+    const std::size_t open = header.rfind(" (");
+    const bool numbered = open != std::string::npos && header.ends_with(')') && open + 3 < header.size() &&
+                          std::all_of(header.begin() + static_cast<std::ptrdiff_t>(open) + 2, header.end() - 1,
+                                      [](char c) { return c >= '0' && c <= '9'; });
+    return numbered ? header.substr(0, open) : "";
+}
+
+std::string choose_column(const Row& header, const std::string& wanted) {
+    std::vector<std::string> assignments;
+    for (const std::string& name : header) {
+        if (!wanted.empty() && name == wanted) return name;
+        const std::string title = title_of(name);
+        if (!title.empty() && (wanted.empty() || title == wanted)) assignments.push_back(name);
+    }
+    if (assignments.size() == 1) return assignments.front();
+    std::string there;
+    for (const std::string& name : header) {
+        if (!title_of(name).empty()) there += fmt::format("{}\"{}\"", there.empty() ? "" : ", ", name);
+    }
+    if (there.empty()) throw RosterError("has no column of an assignment, such as \"Assignment 6 (12345)\"");
+    const std::string way_out = "; name one with --canvas-column: " + there;
+    if (wanted.empty()) throw RosterError("has several columns of assignments" + way_out);
+    throw RosterError(fmt::format("has {} column \"{}\"", assignments.empty() ? "no" : "more than one", wanted) +
+                      way_out);
+}
+
+/// A name as Canvas writes it in the download: lower case without anything but letters, digits and '_'.
+std::string name_in_a_download(const std::string& name) {
+    std::string result;
+    std::mbstate_t in{}, out{};
+    for (std::size_t at = 0; at < name.size();) {
+        wchar_t c = 0;
+        const std::size_t size = std::mbrtowc(&c, name.data() + at, name.size() - at, &in);
+        if (size == 0 || size > name.size() - at) break;  // no UTF-8
+        at += size;
+        if (std::iswalnum(static_cast<std::wint_t>(c)) == 0 && c != L'_') continue;
+        char bytes[MB_LEN_MAX];
+        const std::size_t written =
+            std::wcrtomb(bytes, static_cast<wchar_t>(std::towlower(static_cast<std::wint_t>(c))), &out);
+        if (written <= MB_LEN_MAX) result.append(bytes, written);
+    }
+    return result;
+}
+
+/// The rows of the students by what they may be found by, the surest key first.
+class Index {
+  public:
+    explicit Index(const CanvasRoster& roster) {
+        const auto add = [&](std::size_t key, const std::string& value, std::size_t row) {
+            if (!value.empty()) keys_[key][value].insert(row);
+        };
+        for (std::size_t row = 0; row < roster.students.size(); ++row) {
+            const Row& cells = roster.students[row];
+            add(0, cell_of(cells, column_of(roster.header, "ID")), row);
+            add(1, cell_of(cells, column_of(roster.header, "SIS User ID")), row);
+            add(2, cell_of(cells, column_of(roster.header, "SIS Login ID")), row);
+            add(3, name_in_a_download(cell_of(cells, column_of(roster.header, "Student"))), row);
+        }
+    }
+
+    std::set<std::size_t> find(const Submission& submission) const {
+        const std::string number = submission.lms ? submission.lms->id : submission.id;
+        const std::string name = submission.lms ? submission.lms->student : submission.id;
+        const std::string values[] = {number, submission.id, submission.id, name_in_a_download(name)};
+        for (std::size_t key = 0; key < std::size(keys_); ++key) {
+            const auto found = keys_[key].find(values[key]);
+            if (found != keys_[key].end()) return found->second;
+        }
+        return {};
+    }
+
+  private:
+    std::map<std::string, std::set<std::size_t>> keys_[4];
+};
+
+std::string line_of(const Row& cells) {
+    std::string line;
+    for (const std::string& text : cells) line += (line.empty() ? "" : ",") + csv_cell(text);
+    return line + "\r\n";
+}
+
+}  // namespace
+
+CanvasRoster read_canvas_roster(std::string_view csv, const std::string& column) {
+    std::vector<Row> rows = parse_csv(csv);
+    if (rows.empty() || !column_of(rows.front(), "Student") || !column_of(rows.front(), "ID")) {
+        throw RosterError(
+            "is no gradebook of Canvas: its first row has no columns \"Student\" and \"ID\"; export one "
+            "under Grades");
+    }
+    CanvasRoster roster;
+    roster.header = rows.front();
+    roster.column = choose_column(roster.header, column);
+    const auto number = column_of(roster.header, "ID");
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const bool of_a_student = !cell_of(rows[i], number).empty();
+        if (of_a_student) {
+            roster.students.push_back(std::move(rows[i]));
+        } else if (roster.students.empty()) {
+            roster.before.push_back(std::move(rows[i]));
+        }
+    }
+    return roster;
+}
+
+CanvasImport canvas_import(const CanvasRoster& roster, const std::vector<Graded>& graded) {
+    CanvasImport import;
+    std::vector<std::size_t> columns;
+    for (const char* name : {"Student", "ID", "SIS User ID", "SIS Login ID", "Section"}) {
+        if (const auto column = column_of(roster.header, name)) columns.push_back(*column);
+    }
+    const auto with_score = [&](const Row& cells, const std::string& score) {
+        Row row;
+        for (const std::size_t column : columns) row.push_back(cell_of(cells, column));
+        row.push_back(score);
+        return line_of(row);
+    };
+    import.csv = with_score(roster.header, roster.column);
+    for (const Row& row : roster.before)
+        import.csv += with_score(row, cell_of(row, column_of(roster.header, roster.column)));
+
+    const Index index(roster);
+    std::map<std::size_t, std::vector<const Graded*>> of_row;
+    const auto name_of = [&](std::size_t row) {
+        return cell_of(roster.students[row], column_of(roster.header, "Student"));
+    };
+    for (const Graded& one : graded) {
+        const std::set<std::size_t> rows = index.find(one.submission);
+        if (rows.empty()) import.unmatched.push_back(one.submission.id);
+        if (rows.size() == 1) of_row[*rows.begin()].push_back(&one);
+        if (rows.size() < 2) continue;
+        std::string names;
+        for (const std::size_t row : rows) names += (names.empty() ? "" : "; ") + name_of(row);
+        import.ambiguous.push_back(one.submission.id + ": " + names);
+    }
+    for (std::size_t row = 0; row < roster.students.size(); ++row) {
+        const auto found = of_row.find(row);
+        if (found == of_row.end()) {
+            import.without.push_back(name_of(row));
+        } else if (found->second.size() > 1) {
+            for (const Graded* one : found->second)
+                import.ambiguous.push_back(one->submission.id + ": " + name_of(row));
+        } else if (found->second.front()->outcome == Outcome::not_graded) {
+            import.not_graded.push_back(found->second.front()->submission.id);
+        } else {
+            ++import.matched;
+            import.csv += with_score(roster.students[row], fmt::format("{:.2f}", found->second.front()->score.points));
+        }
+    }
+    return import;
+}
+
+}  // namespace harness::report

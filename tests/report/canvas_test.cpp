@@ -1,0 +1,122 @@
+// Read back by python3's csv, which knows nothing of ours.
+#include "harness/report/canvas.h"
+
+#include <gmock/gmock.h>
+
+#include <array>
+#include <clocale>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/report/graded_samples.h"
+#include "tests/temporary_folder.h"
+
+namespace harness::report {
+namespace {
+
+using namespace report_samples;
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+constexpr const char* exported =
+    "\xef\xbb\xbfStudent,ID,SIS User ID,SIS Login ID,Section,Assignment 5 (70),Assignment 6 (71),Current Score\r\n"
+    "    Points Possible,,,,,100,100,(read only)\r\n"
+    "\"Doe, Jane\",11,s11,jdoe,01,90,,90\r\n"
+    "\"Doe, Jane\",12,s12,jdoe2,01,80,,80\r\n"
+    "\"Łukasz, Żan\",13,s13,zan,02,70,,70\r\n"
+    "\"Roe, \"\"Rick\"\"\",14,s14,rroe,02,60,55,60\r\n"
+    "\"Poe, Pat\",15,s15,ppoe,02,50,,50\r\n";
+
+std::vector<std::vector<std::string>> rows_of(const std::string& csv) {
+    const TemporaryFolder folder;
+    const auto file = folder.write("import.csv", csv);
+    const std::string command =
+        "python3 -c 'import csv,json,sys; print(json.dumps(list(csv.reader(open(sys.argv[1], newline=\"\", "
+        "encoding=\"utf-8\"), strict=True))))' " +
+        file.string();
+    FILE* pipe = popen(command.c_str(), "r");
+    std::string text;
+    std::array<char, 4096> buffer{};
+    while (const std::size_t got = fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), got);
+    EXPECT_EQ(pclose(pipe), 0) << "python3 can't read it";
+    return json::parse(text).get<std::vector<std::vector<std::string>>>();
+}
+
+Graded handed_in(const std::string& id, const char* canvas_name = nullptr) {
+    Graded one = graded(id, output_with_a_mistake());
+    if (canvas_name != nullptr) one.submission.lms = read_canvas_name(canvas_name);
+    return one;
+}
+
+CanvasImport import_of(const std::vector<Graded>& graded) {
+    std::setlocale(LC_CTYPE, "C.UTF-8");  // as raygrade does
+    return canvas_import(read_canvas_roster(exported, "Assignment 6"), graded);
+}
+
+std::string why_not(std::string_view csv, const std::string& column) {
+    try {
+        read_canvas_roster(csv, column);
+    } catch (const RosterError& error) {
+        return error.what();
+    }
+    return "no RosterError";
+}
+
+TEST(CanvasImport, HoldsTheColumnAndThoseMatchedAlone) {
+    const CanvasImport import = import_of(
+        {handed_in("doejane_12", "doejane_12_1_ray_cast.cpp"), handed_in("łukaszżan", "łukaszżan_13_2_ray_cast.cpp")});
+    const auto rows = rows_of(import.csv);
+    ASSERT_EQ(rows.size(), 4U);
+    EXPECT_THAT(rows[0], ElementsAre("Student", "ID", "SIS User ID", "SIS Login ID", "Section", "Assignment 6 (71)"));
+    EXPECT_THAT(rows[1], ElementsAre("Points Possible", "", "", "", "", "100"));
+    EXPECT_THAT(rows[2], ElementsAre("Doe, Jane", "12", "s12", "jdoe2", "01", "98.33"));
+    EXPECT_THAT(rows[3], ElementsAre("Łukasz, Żan", "13", "s13", "zan", "02", "98.33"));
+    EXPECT_EQ(import.matched, 2U);
+    EXPECT_THAT(import.without, ElementsAre("Doe, Jane", "Roe, \"Rick\"", "Poe, Pat"));
+}
+
+TEST(CanvasImport, MatchesByNumberThenBySisThenByName) {
+    const CanvasImport import =
+        import_of({handed_in("s14"), handed_in("ppoe"), handed_in("x", "łukaszżan_999_2_a.cpp")});
+    EXPECT_EQ(import.matched, 3U);
+    EXPECT_THAT(import.unmatched, IsEmpty());
+    EXPECT_EQ(rows_of(import.csv).size(), 2U + 3U);
+}
+
+TEST(CanvasImport, NeverGuesses) {
+    const CanvasImport import =
+        import_of({handed_in("doejane"), handed_in("nobody"), handed_in("14"), handed_in("rroe")});
+    EXPECT_THAT(import.ambiguous,
+                ElementsAre("doejane: Doe, Jane; Doe, Jane", "14: Roe, \"Rick\"", "rroe: Roe, \"Rick\""));
+    EXPECT_THAT(import.unmatched, ElementsAre("nobody"));
+    EXPECT_EQ(import.matched, 0U);
+    EXPECT_EQ(rows_of(import.csv).size(), 2U) << "nobody's score is changed";
+}
+
+TEST(CanvasImport, LeavesAloneWhatHasNoMarks) {
+    const CanvasImport import = import_of({not_graded("14")});
+    EXPECT_THAT(import.not_graded, ElementsAre("14"));
+    EXPECT_THAT(import.csv, Not(HasSubstr("Roe")));
+}
+
+TEST(CanvasRoster, SaysWhyAColumnCannotBeChosen) {
+    EXPECT_THAT(why_not(exported, ""), HasSubstr("\"Assignment 5 (70)\", \"Assignment 6 (71)\""));
+    EXPECT_THAT(why_not(exported, "Assignment 7"), HasSubstr("no column \"Assignment 7\""));
+    EXPECT_THAT(why_not("Student,ID\r\nA,1\r\n", ""), HasSubstr("no column of an assignment"));
+    EXPECT_THAT(why_not("a,b\r\n1,2\r\n", ""), HasSubstr("no gradebook of Canvas"));
+    EXPECT_THAT(why_not("", ""), HasSubstr("no gradebook of Canvas"));
+    EXPECT_EQ(read_canvas_roster(exported, "Assignment 6 (71)").column, "Assignment 6 (71)");
+    EXPECT_EQ(read_canvas_roster("Student,ID,Section,Six (6)\r\nA,1,01,\r\n", "").column, "Six (6)");
+}
+
+TEST(CanvasImport, GivesASpreadsheetNothingToCompute) {
+    const CanvasRoster roster = read_canvas_roster("Student,ID,Section,Six (6)\r\n\"=cmd|'/c calc'!A1\",1,01,\r\n", "");
+    EXPECT_THAT(canvas_import(roster, {handed_in("1")}).csv, HasSubstr("\"'=cmd"));
+}
+
+}  // namespace
+}  // namespace harness::report
