@@ -14,23 +14,29 @@ namespace reference::accuracy {
 
 using reference::kernel::Ray;
 
-struct SphereCase {
-    Ray<double> ray;
-    Sphere<double> sphere;
+template <class T>
+struct SphereProblem {
+    Ray<T> ray;
+    Sphere<T> sphere;
 };
-struct TriangleCase {
-    Ray<double> ray;
-    Triangle<double> triangle;
+template <class T>
+struct TriangleProblem {
+    Ray<T> ray;
+    Triangle<T> triangle;
 };
+template <class T>
+struct OrderProblem {
+    Ray<T> ray;
+    Sphere<T> sphere;
+    Triangle<T> triangle;
+};
+using SphereCase = SphereProblem<double>;
+using TriangleCase = TriangleProblem<double>;
+using OrderCase = OrderProblem<double>;
 struct SpherePairCase {
     Ray<double> ray;
     Sphere<double> one;
     Sphere<double> other;
-};
-struct OrderCase {
-    Ray<double> ray;
-    Sphere<double> sphere;
-    Triangle<double> triangle;
 };
 
 /// Whether the cases exist in floats as well; those about the steps or the range of doubles don't.

@@ -72,12 +72,14 @@ TriangleCase far_and_small(std::uint64_t seed, Inputs inputs) {
     const double u = random.between(-0.2, 1.2);
     const double v = random.between(-0.2, 1.2);
     if (inputs == Inputs::mixed) return at_inside(random, t, u, v, 1e6);
-    // The floats out there lie farther apart than the triangle's corners: the ray meets the middle of the coordinates,
-    // where they are dense, and the triangle is moved to where it goes through.
-    const P origin = as_float(scaled(random.direction(), 1e6));
-    const P target = mix(t, u, v);
-    return {{origin, scaled(origin, -std::exp2(random.whole(-20, 0)))},
-            {as_float(t.A - target), as_float(t.B - target), as_float(t.C - target)}};
+    // The floats out there lie farther apart than the triangle's corners: the ray is made of few bits, so that it goes
+    // through a target near the middle exactly, and the triangle is moved there.
+    const P target = scaled(random.whole_point(16), 0x1p-4);
+    const P d = scaled(random.whole_point(256), 0x1p-8);
+    const double steps = 16 * random.whole(30'000, 62'500);
+    const P move = target - mix(t, u, v);
+    return {{target - scaled(d, steps), d == P(0, 0, 0) ? P(0, 0, 1) : d},
+            {as_float(t.A + move), as_float(t.B + move), as_float(t.C + move)}};
 }
 TriangleCase offset_1e6(std::uint64_t seed, Inputs inputs) {
     Random random(seed, inputs);
