@@ -21,7 +21,7 @@ struct Extent {
 };
 
 Extent extent_of(const MeasureOptions& options) {
-    Extent extent = options.quick ? Extent{4'096, 7} : Extent{32'768, 15};
+    Extent extent = options.quick ? Extent{8'192, 7} : Extent{32'768, 15};
     if (options.rays != 0) extent.rays = options.rays;
     return extent;
 }
