@@ -1,12 +1,10 @@
-#include "reference/accuracy/measurement.h"
-
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <numeric>
 #include <stdexcept>
 
 #include "reference/accuracy/ladder.h"
+#include "reference/accuracy/machine.h"
 #include "reference/accuracy/statistics.h"
 
 namespace reference::accuracy {
@@ -24,25 +22,6 @@ Extent extent_of(const MeasureOptions& options) {
     Extent extent = options.quick ? Extent{8'192, 7} : Extent{32'768, 15};
     if (options.rays != 0) extent.rays = options.rays;
     return extent;
-}
-
-std::string compiler() {
-#if defined(__clang__)
-    return "clang++ " __clang_version__;
-#else
-    return "g++ " __VERSION__;
-#endif
-}
-
-/// Empty where the kernel of the machine gives no name.
-std::string processor() {
-    std::ifstream in("/proc/cpuinfo");
-    for (std::string line; std::getline(in, line);) {
-        if (!line.starts_with("model name")) continue;
-        const std::size_t name = line.find_first_not_of(" :", line.find(':'));
-        return name == std::string::npos ? "" : line.substr(name);
-    }
-    return "";
 }
 
 SphereProblem<float> as_floats(const SphereCase& c) {
@@ -70,13 +49,6 @@ Methods chosen(const Methods& methods, const std::vector<std::string>& parts) {
     for (const auto& method : methods) {
         if (is_asked_for(method.name(), parts)) result.push_back(method);
     }
-    return result;
-}
-
-template <class Methods>
-std::vector<std::string> names(const Methods& methods) {
-    std::vector<std::string> result;
-    for (const auto& method : methods) result.push_back(method.name());
     return result;
 }
 
@@ -226,14 +198,11 @@ std::size_t count_measured(const Methods& methods, const Distributions& distribu
 
 }  // namespace
 
-Ladder ladder() {
-    return {sphere_methods(), triangle_methods(), cast_methods()};
-}
-
 Measurement measure(const MeasureOptions& options, const Ladder& ladder) {
     refuse_unknown(options.kernels, ladder);
     const Extent extent = extent_of(options);
-    Measurement measurement{options.seed, extent.rays, extent.repetitions, compiler(), RAYGRADE_FLAGS, processor(), {}};
+    Measurement measurement{options.seed, extent.rays, extent.repetitions, compiler(), arithmetic_flags(),
+                            processor(),  {}};
     const auto spheres = chosen(ladder.spheres, options.kernels);
     const auto triangles = chosen(ladder.triangles, options.kernels);
     const auto casts = chosen(ladder.casts, options.kernels);
@@ -246,28 +215,6 @@ Measurement measure(const MeasureOptions& options, const Ladder& ladder) {
     add_rows(measurement, Primitive::triangle, triangles, triangle_rays, progress);
     add_rows(measurement, Primitive::cast, casts, cast_rays, progress);
     return measurement;
-}
-
-Measurement measure(const MeasureOptions& options) {
-    return measure(options, ladder());
-}
-
-std::vector<std::string> method_names(Primitive primitive) {
-    switch (primitive) {
-        case Primitive::sphere: return names(sphere_methods());
-        case Primitive::triangle: return names(triangle_methods());
-        case Primitive::cast: return names(cast_methods());
-    }
-    return {};
-}
-
-std::string name_of(Primitive primitive) {
-    switch (primitive) {
-        case Primitive::sphere: return "sphere";
-        case Primitive::triangle: return "triangle";
-        case Primitive::cast: return "cast";
-    }
-    return "";
 }
 
 }  // namespace reference::accuracy
