@@ -82,7 +82,7 @@ class Progress {
     double finished_ = 0;
 };
 
-constexpr double share_of_truth = 0.5;  ///< roughly, of a distribution's time
+constexpr double share_of_truth = 0.3;  ///< roughly, of a distribution's time
 constexpr std::uint64_t rays_between_progress = 2'048;
 
 /// Rays of one distribution, and the truth about them.
