@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "reference/pipeline.h"
 
 namespace {
@@ -33,6 +35,32 @@ TEST(Interval, OneThirdIsHeldByTwoNeighboursOfTheNearestFloat) {
     EXPECT_LT(static_cast<double>(third.lo()) * 3, 1.0);
     EXPECT_GT(static_cast<double>(third.hi()) * 3, 1.0);
     EXPECT_EQ(std::nextafter(std::nextafter(third.lo(), 1.0F), 1.0F), third.hi());
+}
+
+template <class T>
+void expect_one_step(T x) {
+    constexpr T infinity = std::numeric_limits<T>::infinity();
+    const auto bits_equal = [](T p, T q) { return p == q && std::signbit(p) == std::signbit(q); };
+    const Interval<T> widened = Interval<T>::widened(x, x);
+    EXPECT_TRUE(bits_equal(widened.lo(), std::nextafter(x, -infinity))) << x;
+    EXPECT_TRUE(bits_equal(widened.hi(), std::nextafter(x, infinity))) << x;
+}
+
+template <class T>
+void expect_one_step_everywhere() {
+    using Limits = std::numeric_limits<T>;
+    const T all[] = {0,  Limits::denorm_min(), Limits::min(),     std::nextafter(Limits::min(), T{0}), T{0.1F}, 1, 2,
+                     17, Limits::max(),        Limits::infinity()};
+    for (const T x : all) {
+        expect_one_step(x);
+        expect_one_step(-x);
+    }
+    EXPECT_FALSE(Interval<T>::widened(Limits::quiet_NaN(), 1).is_bounded());
+}
+
+TEST(Interval, IsWidenedByOneStepAtEitherEnd) {
+    expect_one_step_everywhere<float>();
+    expect_one_step_everywhere<double>();
 }
 
 TEST(Interval, AWholeNumberThatAFloatCannotHoldIsWidened) {

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "tests/kernel/random_numbers.h"
+#include "reference/accuracy/random_numbers.h"
 
 namespace {
 
 using namespace reference;
-using distributions::Random;
+using reference::accuracy::Random;
 
 Decimal decimal(Random& random, double size) {
     return *Decimal::parse(fmt::format("{:.{}f}", size * random.number(), random.whole(0, 3)));

@@ -27,16 +27,17 @@ struct Row {
     std::string distribution;  ///< "grazing"
     bool hard = false;         ///< the distribution aims at what rounding gets wrong
     std::uint64_t rays = 0;    ///< how many were judged
-    double ns_per_ray = 0;     ///< median of the repetitions
-    double ns_low = 0;         ///< lower quartile
-    double ns_high = 0;        ///< upper quartile
-    std::uint64_t wrong = 0;   ///< hit for miss, miss for hit, or a wrong order
+    double ns_per_ray = 0;  ///< median of the repetitions, in time of the thread: what other programs took is left out
+    double ns_low = 0;      ///< lower quartile
+    double ns_high = 0;     ///< upper quartile
+    std::uint64_t wrong = 0;  ///< hit for miss, miss for hit, or a wrong order
     double wrong_per_million = 0;
     double wrong_low = 0;  ///< 95 % Wilson interval of wrong_per_million
     double wrong_high = 0;
-    std::optional<TError> t_error{};  ///< none for a method that decides only
-    bool pareto_wrong = false;        ///< no method here is at once faster and less often wrong
-    bool pareto_error = false;        ///< no method here is at once faster and nearer on average
+    std::optional<TError> t_error{};  ///< none for a method that decides only, or without a hit in common
+    /// No method here is at once faster and less often wrong, nor better in one of them and equal in the other.
+    bool pareto_wrong = false;
+    bool pareto_error = false;  ///< the same of time and mean_ulp; false without t_error
 };
 
 struct Measurement {

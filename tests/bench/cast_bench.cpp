@@ -6,10 +6,12 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "reference/accuracy/distributions.h"
 #include "reference/cast.h"
-#include "tests/kernel/distributions.h"
 
 namespace {
+
+namespace accuracy = reference::accuracy;
 
 std::string text_of(const reference::Vec3<double>& p) {
     return fmt::format("[{},{},{}]", p.x, p.y, p.z);
@@ -23,25 +25,25 @@ std::string text_of(const reference::Triangle<double>& triangle) {
     return fmt::format("[{},{},{}]", text_of(triangle.A), text_of(triangle.B), text_of(triangle.C));
 }
 
-std::string query(const distributions::Ray<double>& ray, const std::string& spheres, const std::string& triangles) {
+std::string query(const accuracy::Ray<double>& ray, const std::string& spheres, const std::string& triangles) {
     return fmt::format(R"({{"origin":{},"direction":{},"spheres":[{}],"triangles":[{}]}})", text_of(ray.origin),
                        text_of(ray.direction), spheres, triangles) +
            "\n";
 }
 
-std::string query(const distributions::SphereCase& c) {
+std::string query(const accuracy::SphereCase& c) {
     return query(c.ray, text_of(c.sphere), "");
 }
-std::string query(const distributions::TriangleCase& c) {
+std::string query(const accuracy::TriangleCase& c) {
     return query(c.ray, "", text_of(c.triangle));
 }
-std::string query(const distributions::OrderCase& c) {
+std::string query(const accuracy::OrderCase& c) {
     return query(c.ray, text_of(c.sphere), text_of(c.triangle));
 }
 
 /// Numbers with all their 17 digits, as the distributions draw them.
 template <class Case>
-void measure(std::string_view kind, const std::vector<distributions::Distribution<Case>>& all, long count) {
+void measure(std::string_view kind, const std::vector<accuracy::Distribution<Case>>& all, long count) {
     for (const auto& distribution : all) {
         std::string text;
         for (long i = 0; i < count; ++i) text += query(distribution.make(static_cast<std::uint64_t>(i)));
@@ -59,8 +61,8 @@ void measure(std::string_view kind, const std::vector<distributions::Distributio
 
 int main(int argc, char** argv) {
     const long count = argc > 1 ? std::atol(argv[1]) : 200'000;
-    measure("sphere and triangle", distributions::orders(), count);
-    measure("sphere", distributions::spheres(), count);
-    measure("triangle", distributions::triangles(), count);
+    measure("sphere and triangle", accuracy::order_distributions(), count);
+    measure("sphere", accuracy::sphere_distributions(), count);
+    measure("triangle", accuracy::triangle_distributions(), count);
     return 0;
 }

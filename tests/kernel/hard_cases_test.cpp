@@ -5,12 +5,14 @@
 #include <charconv>
 #include <cmath>
 
+#include "reference/accuracy/truth.h"
 #include "reference/kernel/sphere.h"
 #include "reference/kernel/triangle.h"
 #include "reference/stages/first_hit.h"
-#include "tests/kernel/oracle.h"
 
 namespace {
+
+namespace truth = reference::accuracy::truth;
 
 using namespace reference::kernel;
 using reference::Sphere;
@@ -45,7 +47,7 @@ TEST(HardCases, SpheresAreDecidedAndMeasured) {
         EXPECT_EQ(decide(as_double(c.ray), as_double(c.sphere)), c.result);
         if (c.result == SphereResult::miss || c.result == SphereResult::invalid) continue;
         expect_quoted(given.t, c.t);
-        EXPECT_TRUE(oracle::is_within_one_ulp(given.t, oracle::sphere(as_double(c.ray), as_double(c.sphere)).t()));
+        EXPECT_TRUE(truth::is_within_one_ulp(given.t, truth::sphere(as_double(c.ray), as_double(c.sphere)).t()));
     }
 }
 
@@ -59,10 +61,10 @@ TEST(HardCases, TrianglesAreDecidedAndMeasured) {
         expect_quoted(given.t, c.t);
         expect_quoted(given.u, c.u);
         expect_quoted(given.v, c.v);
-        const oracle::TriangleTruth truth = oracle::triangle(as_double(c.ray), as_double(c.triangle));
-        EXPECT_TRUE(oracle::is_within_one_ulp(given.t, oracle::real(truth.t)));
-        EXPECT_TRUE(oracle::is_within_one_ulp(given.u, oracle::real(truth.u)));
-        EXPECT_TRUE(oracle::is_within_one_ulp(given.v, oracle::real(truth.v)));
+        const truth::TriangleTruth truth = truth::triangle(as_double(c.ray), as_double(c.triangle));
+        EXPECT_TRUE(truth::is_within_one_ulp(given.t, truth::real(truth.t)));
+        EXPECT_TRUE(truth::is_within_one_ulp(given.u, truth::real(truth.u)));
+        EXPECT_TRUE(truth::is_within_one_ulp(given.v, truth::real(truth.v)));
     }
 }
 
@@ -70,7 +72,7 @@ TEST(HardCases, H36_TheEdgeIsMetExactly) {
     // u + v = 1 in fractions: P = (0.3f, 2) lies on B-C, so w = 0, and the oracle's own u and v must say so.
     for (const auto& c : hard_cases::triangle_cases()) {
         if (c.id != "H36") continue;
-        const oracle::TriangleTruth truth = oracle::triangle(as_double(c.ray), as_double(c.triangle));
+        const truth::TriangleTruth truth = truth::triangle(as_double(c.ray), as_double(c.triangle));
         EXPECT_EQ(truth.u + truth.v, 1);
         EXPECT_EQ(decide(c.ray, c.triangle), TriangleResult::hit);
     }

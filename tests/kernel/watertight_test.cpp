@@ -4,14 +4,14 @@
 #include <array>
 #include <map>
 
+#include "reference/accuracy/random_numbers.h"
 #include "reference/kernel/triangle.h"
-#include "tests/kernel/random_numbers.h"
 
 namespace {
 
-using distributions::P;
-using distributions::Random;
 using reference::Triangle;
+using reference::accuracy::P;
+using reference::accuracy::Random;
 using namespace reference::kernel;
 
 /// Vertices and faces by their numbers; every edge belongs to two faces.

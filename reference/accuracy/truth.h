@@ -8,7 +8,7 @@
 
 #include "reference/kernel/first.h"
 
-namespace oracle {
+namespace reference::accuracy::truth {
 
 using Rational = boost::multiprecision::mpq_rational;
 /// 1,000 digits: enough for doubles whose sizes differ by all of their range.
@@ -50,4 +50,4 @@ int order(const SphereTruth& sphere, const Rational& t);
 bool is_within_one_ulp(double given, const Real& truth);
 Real real(const Rational& x);
 
-}  // namespace oracle
+}  // namespace reference::accuracy::truth

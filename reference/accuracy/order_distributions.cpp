@@ -1,14 +1,13 @@
 #include <array>
 
-#include "tests/kernel/distributions.h"
-#include "tests/kernel/random_numbers.h"
+#include "reference/accuracy/distributions.h"
 
-namespace distributions {
+namespace reference::accuracy {
 namespace {
 
 /// A whole-number triangle in a plane z = k, and a sphere that the ray meets at z = k from above: a tie.
-OrderCase tie(std::uint64_t seed) {
-    Random random(seed);
+OrderCase tie(std::uint64_t seed, Inputs inputs) {
+    Random random(seed, inputs);
     // (x, y, z) with length R lies on the sphere, and the ray comes down on it from above.
     static constexpr std::array<std::array<int, 4>, 4> points{
         {{3, 0, 4, 5}, {2, 3, 6, 7}, {1, 4, 8, 9}, {6, 2, 9, 11}}};
@@ -23,16 +22,16 @@ OrderCase tie(std::uint64_t seed) {
             {center, static_cast<double>(q[3] * size)},
             {hit + P(-spread, -spread, 0), hit + P(spread, -spread, 0), hit + P(0, spread, 0)}};
 }
-OrderCase tie_or_one_ulp_off(std::uint64_t seed) {
-    OrderCase c = tie(seed);
-    const double z = Random(seed + 1).nudged(c.triangle.A.z, 1);
+OrderCase tie_or_one_ulp_off(std::uint64_t seed, Inputs inputs) {
+    OrderCase c = tie(seed, inputs);
+    const double z = Random(seed + 1, inputs).nudged(c.triangle.A.z, 1);
     c.triangle.A.z = c.triangle.B.z = c.triangle.C.z = z;
     return c;
 }
 /// The tie's triangle, tilted about the hit point: t stays the same fraction, which no double holds.
-OrderCase tilted_tie(std::uint64_t seed) {
-    OrderCase c = tie(seed);
-    Random random(seed + 1);
+OrderCase tilted_tie(std::uint64_t seed, Inputs inputs) {
+    OrderCase c = tie(seed, inputs);
+    Random random(seed + 1, inputs);
     c.triangle.A.z += random.whole(-5, 5);
     c.triangle.B.z = 2 * c.triangle.C.z - c.triangle.A.z;
     c.triangle.A.x = c.triangle.B.x - 80;
@@ -40,8 +39,8 @@ OrderCase tilted_tie(std::uint64_t seed) {
     return c;
 }
 /// Two spheres that a ray down the z axis meets in the same point, from outside, from inside, or one from each.
-SpherePairCase sphere_tie(std::uint64_t seed) {
-    Random random(seed);
+SpherePairCase sphere_tie(std::uint64_t seed, Inputs inputs) {
+    Random random(seed, inputs);
     static constexpr std::array<std::array<int, 4>, 4> points{
         {{3, 0, 4, 5}, {2, 3, 6, 7}, {1, 4, 8, 9}, {6, 2, 9, 11}}};
     const P hit = random.whole_point(50);
@@ -49,35 +48,42 @@ SpherePairCase sphere_tie(std::uint64_t seed) {
         const auto& q = points[static_cast<std::size_t>(random.whole(0, 3))];
         const int size = random.whole(1, 9);
         const double side = random.whole(0, 3) == 0 ? 1 : -1;
-        return reference::Sphere<double>{hit + P(q[0] * size, q[1] * size, side * q[2] * size), 1.0 * q[3] * size};
+        return Sphere<double>{hit + P(q[0] * size, q[1] * size, side * q[2] * size), 1.0 * q[3] * size};
     };
     // A step up of less than 2 * 4 stays inside a sphere whose lower half is met.
     const double up = random.whole(1, 7);
     return {{hit + P(0, 0, up), P(0, 0, -random.whole(1, 7))}, sphere_through_hit(), sphere_through_hit()};
 }
-SpherePairCase sphere_tie_or_one_ulp_off(std::uint64_t seed) {
-    SpherePairCase c = sphere_tie(seed);
-    Random random(seed + 1);
+SpherePairCase sphere_tie_or_one_ulp_off(std::uint64_t seed, Inputs inputs) {
+    SpherePairCase c = sphere_tie(seed, inputs);
+    Random random(seed + 1, inputs);
     c.other.radius = random.nudged(c.other.radius, 1);
     if (random.whole(0, 1) == 0) c.ray.direction.x = std::exp2(random.whole(-300, -20));
     return c;
 }
 
-OrderCase benign_order(std::uint64_t seed) {
-    const SphereCase s = spheres().front().make(seed);
-    Random random(seed + 1);
+OrderCase benign_order(std::uint64_t seed, Inputs inputs) {
+    const SphereCase s = sphere_distributions().front().draw(seed, inputs);
+    Random random(seed + 1, inputs);
     const P target = s.sphere.center + random.point(2);
-    return {s.ray, s.sphere, {target + random.point(5), target + random.point(5), target + random.point(5)}};
+    const auto corner = [&] {
+        const P p = target + random.point(5);
+        return inputs == Inputs::floats ? as_float(p) : p;
+    };
+    return {s.ray, s.sphere, {corner(), corner(), corner()}};
 }
 
 }  // namespace
 
-std::vector<Distribution<OrderCase>> orders() {
-    return {{"benign", benign_order}, {"tie or one ulp off", tie_or_one_ulp_off}, {"tilted tie", tilted_tie}};
+std::vector<Distribution<OrderCase>> order_distributions() {
+    return {{"benign", benign_order, Exists::in_floats, false},
+            {"tie or one ulp off", tie_or_one_ulp_off},
+            {"tilted tie", tilted_tie}};
 }
 
-std::vector<Distribution<SpherePairCase>> sphere_pairs() {
-    return {{"two spheres tied", sphere_tie}, {"two spheres tied or one ulp off", sphere_tie_or_one_ulp_off}};
+std::vector<Distribution<SpherePairCase>> sphere_pair_distributions() {
+    return {{"two spheres tied", sphere_tie, Exists::in_doubles_only},
+            {"two spheres tied or one ulp off", sphere_tie_or_one_ulp_off, Exists::in_doubles_only}};
 }
 
-}  // namespace distributions
+}  // namespace reference::accuracy

@@ -4,17 +4,27 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <limits>
 
 #include "reference/vector.h"
 
-namespace distributions {
+namespace reference::accuracy {
 
 using P = reference::Vec3<double>;
+
+/// Which numbers a case is written in.
+enum class Inputs {
+    mixed,   ///< floats or all of a double's bits, as drawn
+    floats,  ///< floats only, so that methods in float and in double are given the very same problem
+};
 
 /// splitmix64 (Steele, Lea and Flood, 2014): any seed is a good one.
 class Random {
   public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
+    explicit Random(std::uint64_t seed, Inputs inputs = Inputs::mixed) : state_(seed), inputs_(inputs) {}
+
+    Inputs inputs() const { return inputs_; }
 
     std::uint64_t bits() {
         std::uint64_t z = (state_ += 0x9e3779b97f4a7c15U);
@@ -36,16 +46,25 @@ class Random {
             if (square > 0.01 && square <= 1) return reference::scaled(p, 1 / std::sqrt(square));
         }
     }
-    /// x, or a double a few steps away from it.
+    /// Half of all mixed cases have float inputs, the others use all of a double's bits.
+    bool draws_floats() { return inputs_ == Inputs::floats || whole(0, 1) != 0; }
+    /// x, or a number of the inputs' precision a few steps away from it.
     double nudged(double x, int steps = 2) {
         const int n = whole(-steps, steps);
-        for (int i = 0; i < std::abs(n); ++i) x = std::nextafter(x, n < 0 ? -HUGE_VAL : HUGE_VAL);
-        return x;
+        return inputs_ == Inputs::mixed ? moved(x, n) : static_cast<double>(moved(static_cast<float>(x), n));
     }
     P nudged(const P& p) { return {nudged(p.x), nudged(p.y), nudged(p.z)}; }
 
   private:
+    template <class T>
+    static T moved(T x, int steps) {
+        const T end = std::copysign(std::numeric_limits<T>::infinity(), static_cast<T>(steps));
+        for (int i = 0; i < std::abs(steps); ++i) x = std::nextafter(x, end);
+        return x;
+    }
+
     std::uint64_t state_;
+    Inputs inputs_;
 };
 
 inline double as_float(double x) {
@@ -61,4 +80,4 @@ inline double to_the_ends(std::uint64_t seed) {
     return std::exp2(exponents[static_cast<std::size_t>(Random(seed).whole(0, 7))]);
 }
 
-}  // namespace distributions
+}  // namespace reference::accuracy

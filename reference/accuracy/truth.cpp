@@ -1,8 +1,8 @@
-#include "tests/kernel/oracle.h"
+#include "reference/accuracy/truth.h"
 
 #include <cmath>
 
-namespace oracle {
+namespace reference::accuracy::truth {
 namespace {
 
 Point minus(const Point& p, const Point& q) {
@@ -87,4 +87,4 @@ bool is_within_one_ulp(double given, const Real& truth) {
     return above_below && (std::isinf(above) || truth <= Real(above));
 }
 
-}  // namespace oracle
+}  // namespace reference::accuracy::truth

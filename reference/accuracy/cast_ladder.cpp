@@ -1,0 +1,24 @@
+#include "reference/accuracy/cast_methods.h"
+#include "reference/accuracy/method.h"
+
+namespace reference::accuracy {
+
+std::vector<Method<OrderProblem>> cast_methods() {
+    const std::string naive = "the handout's questions 6, 8 and 10, by the textbook's quadratic and Cramer's rule";
+    const auto in_own_scalar = [](const auto& c) { return naive_cast(c.ray, c.sphere, c.triangle); };
+    return {method<float, OrderProblem>({"naive", "float", naive}, in_own_scalar),
+            method<double, OrderProblem>({"naive", "double", naive}, in_own_scalar),
+            method<double, OrderProblem>({"naive", "long double", naive},
+                                         [](const OrderCase& c) {
+                                             using kernel::over;
+                                             using S = long double;
+                                             return naive_cast(Ray<S>{over<S>(c.ray.origin), over<S>(c.ray.direction)},
+                                                               Sphere<S>{over<S>(c.sphere.center), S{c.sphere.radius}},
+                                                               Triangle<S>{over<S>(c.triangle.A), over<S>(c.triangle.B),
+                                                                           over<S>(c.triangle.C)});
+                                         }),
+            method<double, OrderProblem>({"certified", "double", "this project: the first of exact orders"},
+                                         [cast = CertifiedCast()](const OrderCase& c) mutable { return cast(c); })};
+}
+
+}  // namespace reference::accuracy

@@ -1,0 +1,47 @@
+// Question 10 as programs answer it: both objects on their own, then the smaller t.
+#pragma once
+
+#include "reference/accuracy/distributions.h"
+#include "reference/accuracy/sphere_methods.h"
+#include "reference/accuracy/triangle_methods.h"
+#include "reference/kernel/first.h"
+
+namespace reference::accuracy {
+
+/// The textbook's quadratic and Cramer's rule, and t compared as it came out.
+template <class S>
+FirstHit<S> naive_cast(const Ray<S>& ray, const Sphere<S>& sphere, const Triangle<S>& triangle) {
+    const Hit<S> round = naive_quadratic(ray, sphere);
+    const Hit<S> flat = cramer(ray, triangle);
+    if (!round.hit && !flat.hit) return {};
+    if (!flat.hit) return {Outcome::sphere_first, round.t};
+    if (!round.hit) return {Outcome::triangle_first, flat.t};
+    if (round.t == flat.t) return {Outcome::tie, round.t};
+    return round.t < flat.t ? FirstHit<S>{Outcome::sphere_first, round.t}
+                            : FirstHit<S>{Outcome::triangle_first, flat.t};
+}
+
+/// The certified kernel's cast, with the memory it keeps from ray to ray.
+class CertifiedCast {
+  public:
+    FirstHit<double> operator()(const OrderCase& c) {
+        spheres_.front() = c.sphere;
+        triangles_.front() = c.triangle;
+        kernel::cast_ray(c.ray, spheres_, triangles_, cast_);
+        switch (cast_.first.kind) {
+            case kernel::First::Kind::sphere: return {Outcome::sphere_first, cast_.spheres.front().t};
+            case kernel::First::Kind::triangle: return {Outcome::triangle_first, cast_.triangles.front().t};
+            case kernel::First::Kind::tie: return {Outcome::tie, cast_.spheres.front().t};
+            case kernel::First::Kind::none:
+            case kernel::First::Kind::invalid: break;
+        }
+        return {};
+    }
+
+  private:
+    std::vector<Sphere<double>> spheres_{1};
+    std::vector<Triangle<double>> triangles_{1};
+    kernel::Cast cast_;
+};
+
+}  // namespace reference::accuracy

@@ -1,0 +1,64 @@
+// Random rays that aim at the decisions a kernel gets wrong. Every function maps one seed to one case, so that a
+// failure can be repeated from what RapidCheck prints.
+#pragma once
+
+#include <cstdint>
+#include <ostream>
+#include <string_view>
+#include <vector>
+
+#include "reference/accuracy/random_numbers.h"
+#include "reference/kernel/ray.h"
+
+namespace reference::accuracy {
+
+using reference::kernel::Ray;
+
+template <class T>
+struct SphereProblem {
+    Ray<T> ray;
+    Sphere<T> sphere;
+};
+template <class T>
+struct TriangleProblem {
+    Ray<T> ray;
+    Triangle<T> triangle;
+};
+template <class T>
+struct OrderProblem {
+    Ray<T> ray;
+    Sphere<T> sphere;
+    Triangle<T> triangle;
+};
+using SphereCase = SphereProblem<double>;
+using TriangleCase = TriangleProblem<double>;
+using OrderCase = OrderProblem<double>;
+struct SpherePairCase {
+    Ray<double> ray;
+    Sphere<double> one;
+    Sphere<double> other;
+};
+
+/// Whether the cases exist in floats as well; those about the steps or the range of doubles don't.
+enum class Exists { in_floats, in_doubles_only };
+
+template <class Case>
+struct Distribution {
+    std::string_view name;
+    Case (*draw)(std::uint64_t seed, Inputs inputs);
+    Exists exists = Exists::in_floats;
+    bool hard = true;  ///< aims at what rounding gets wrong
+
+    Case make(std::uint64_t seed) const { return draw(seed, Inputs::mixed); }
+    /// Where it exists in floats: every number is one.
+    Case make_in_floats(std::uint64_t seed) const { return draw(seed, Inputs::floats); }
+
+    friend void PrintTo(const Distribution& distribution, std::ostream* out) { *out << distribution.name; }
+};
+
+std::vector<Distribution<SphereCase>> sphere_distributions();
+std::vector<Distribution<TriangleCase>> triangle_distributions();
+std::vector<Distribution<OrderCase>> order_distributions();
+std::vector<Distribution<SpherePairCase>> sphere_pair_distributions();
+
+}  // namespace reference::accuracy

@@ -1,0 +1,48 @@
+// What a method of the ladder says of one ray.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "reference/kernel/double_double.h"
+#include "reference/kernel/ray.h"
+
+namespace reference::accuracy {
+
+using kernel::Ray;
+
+/// t means nothing on a miss.
+template <class S>
+struct Hit {
+    bool hit = false;
+    S t{};
+};
+
+/// Of one object: miss or hit. Of a scene: miss, or what is met first.
+enum class Outcome : std::uint8_t { miss, hit, sphere_first, triangle_first, tie };
+
+/// t of the object that is met first.
+template <class S>
+struct FirstHit {
+    Outcome outcome = Outcome::miss;
+    S t{};
+};
+
+/// False for what is not a number, so that it is never a hit.
+template <class S>
+bool at_least_zero(const S& x) {
+    return x >= 0;
+}
+inline bool at_least_zero(const kernel::DoubleDouble& x) {
+    return sign_of(x) >= 0;
+}
+
+/// The closed policy of all methods: the smaller root that is at least 0. near <= far.
+template <class S>
+Hit<S> first_root(const S& near, const S& far) {
+    if (at_least_zero(near)) return {true, near};
+    if (at_least_zero(far)) return {true, far};
+    return {};
+}
+
+}  // namespace reference::accuracy

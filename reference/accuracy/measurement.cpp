@@ -1,0 +1,228 @@
+#include <time.h>
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <stdexcept>
+
+#include "reference/accuracy/ladder.h"
+#include "reference/accuracy/machine.h"
+#include "reference/accuracy/statistics.h"
+
+namespace reference::accuracy {
+namespace {
+
+constexpr std::uint64_t slow_share = 16;  ///< a slow method is given one ray in so many
+
+/// How much is measured.
+struct Extent {
+    std::uint64_t rays;
+    int repetitions;
+};
+
+Extent extent_of(const MeasureOptions& options) {
+    Extent extent = options.quick ? Extent{8'192, 7} : Extent{25'000, 15};
+    if (options.rays != 0) extent.rays = options.rays;
+    return extent;
+}
+
+SphereProblem<float> as_floats(const SphereCase& c) {
+    return {{Vec3<float>(c.ray.origin), Vec3<float>(c.ray.direction)},
+            {Vec3<float>(c.sphere.center), static_cast<float>(c.sphere.radius)}};
+}
+TriangleProblem<float> as_floats(const TriangleCase& c) {
+    return {{Vec3<float>(c.ray.origin), Vec3<float>(c.ray.direction)},
+            {Vec3<float>(c.triangle.A), Vec3<float>(c.triangle.B), Vec3<float>(c.triangle.C)}};
+}
+OrderProblem<float> as_floats(const OrderCase& c) {
+    return {as_floats(SphereCase{c.ray, c.sphere}).ray, as_floats(SphereCase{c.ray, c.sphere}).sphere,
+            as_floats(TriangleCase{c.ray, c.triangle}).triangle};
+}
+
+bool is_asked_for(const std::string& method, const std::vector<std::string>& parts) {
+    return parts.empty() || std::any_of(parts.begin(), parts.end(), [&](const std::string& part) {
+               return method.find(part) != std::string::npos;
+           });
+}
+
+template <class Methods>
+Methods chosen(const Methods& methods, const std::vector<std::string>& parts) {
+    Methods result;
+    for (const auto& method : methods) {
+        if (is_asked_for(method.name(), parts)) result.push_back(method);
+    }
+    return result;
+}
+
+void refuse_unknown(const std::vector<std::string>& parts, const Ladder& ladder) {
+    for (const std::string& part : parts) {
+        const auto is_known = [&](const auto& methods) {
+            return std::any_of(methods.begin(), methods.end(),
+                               [&](const auto& method) { return is_asked_for(method.name(), {part}); });
+        };
+        if (is_known(ladder.spheres) || is_known(ladder.triangles) || is_known(ladder.casts)) continue;
+        throw std::invalid_argument("no method's name contains \"" + part + "\"");
+    }
+}
+
+/// How much is done, told to whoever asked for it.
+class Progress {
+  public:
+    Progress(const MeasureOptions& options, std::size_t distributions)
+        : tell_(options.progress), distributions_(static_cast<double>(distributions)) {}
+    void set(double done_of_distribution) const {
+        if (tell_) tell_(std::min(1.0, (finished_ + done_of_distribution) / distributions_));
+    }
+    void finish() {
+        finished_ += 1;
+        set(0);
+    }
+
+  private:
+    const std::function<void(double)>& tell_;
+    double distributions_;
+    double finished_ = 0;
+};
+
+constexpr double share_of_truth = 0.3;  ///< roughly, of a distribution's time
+constexpr std::uint64_t rays_between_progress = 2'048;
+
+/// Rays of one distribution, and the truth about them.
+template <template <class> class Problem>
+struct Drawn {
+    Rays<Problem> rays;
+    std::vector<TrueAnswer> truth;
+};
+
+template <template <class> class Problem>
+Drawn<Problem> draw(const Distribution<Problem<double>>& distribution, std::uint64_t seed, std::uint64_t count,
+                    const Progress& progress) {
+    Drawn<Problem> drawn;
+    Random seeds(seed);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        if (i % rays_between_progress == 0) {
+            progress.set(share_of_truth * static_cast<double>(i) / static_cast<double>(count));
+        }
+        const Problem<double> problem = distribution.make_in_floats(seeds.bits());
+        drawn.rays.doubles.push_back(problem);
+        drawn.rays.floats.push_back(as_floats(problem));
+        drawn.truth.push_back(true_answer(problem));
+    }
+    return drawn;
+}
+
+template <template <class> class Problem>
+std::uint64_t rays_for(const Method<Problem>& method, std::uint64_t rays) {
+    return method.speed == Speed::slow ? std::max<std::uint64_t>(rays / slow_share, std::min<std::uint64_t>(rays, 64))
+                                       : rays;
+}
+
+/// What this thread had of the processor: other programs' share is not counted.
+std::chrono::nanoseconds thread_time() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+/// Every method once a repetition, each time in another order: what disturbs the machine hits all alike. Nanoseconds
+/// per ray, by method.
+template <template <class> class Problem>
+std::vector<std::vector<double>> times_of(const std::vector<Method<Problem>>& methods, const Rays<Problem>& rays,
+                                          int repetitions, Random& random, const Progress& progress) {
+    std::vector<std::vector<double>> times(methods.size());
+    std::vector<std::size_t> order(methods.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    for (int repetition = 0; repetition < repetitions; ++repetition) {
+        for (std::size_t i = order.size(); i > 1; --i) {
+            std::swap(order[i - 1], order[static_cast<std::size_t>(random.bits() % i)]);
+        }
+        for (const std::size_t i : order) {
+            const std::uint64_t count = rays_for(methods[i], rays.doubles.size());
+            const std::chrono::nanoseconds start = thread_time();
+            methods[i].run(rays, count);
+            const std::chrono::duration<double, std::nano> time = thread_time() - start;
+            times[i].push_back(time.count() / static_cast<double>(count));
+        }
+        progress.set(share_of_truth + (1 - share_of_truth) * (repetition + 1) / repetitions);
+    }
+    return times;
+}
+
+template <template <class> class Problem>
+Row judged_row(const Method<Problem>& method, const Drawn<Problem>& drawn) {
+    const std::uint64_t rays = rays_for(method, drawn.truth.size());
+    const std::vector<Answer> answers = method.judge(drawn.rays, rays);
+    Row row;
+    row.kernel = method.kernel;
+    row.scalar = method.scalar;
+    row.source = method.source;
+    row.rays = rays;
+    row.wrong = wrong_answers(answers, drawn.truth);
+    constexpr double million = 1e6;
+    const Range interval = wilson_interval(row.wrong, rays);
+    row.wrong_per_million = million * static_cast<double>(row.wrong) / static_cast<double>(rays);
+    row.wrong_low = million * interval.low;
+    row.wrong_high = million * interval.high;
+    if (method.gives_t) row.t_error = t_error(answers, drawn.truth);
+    return row;
+}
+
+/// Judging comes first: it warms up what is timed next.
+template <template <class> class Problem>
+void add_rows(Measurement& measurement, Primitive primitive, const std::vector<Method<Problem>>& methods,
+              const std::vector<Distribution<Problem<double>>>& distributions, Progress& progress) {
+    if (methods.empty()) return;
+    for (const auto& distribution : distributions) {
+        if (distribution.exists == Exists::in_doubles_only) continue;
+        const Drawn<Problem> drawn = draw<Problem>(distribution, measurement.seed, measurement.rays, progress);
+        std::vector<Row> rows;
+        for (const auto& method : methods) {
+            Row& row = rows.emplace_back(judged_row(method, drawn));
+            row.primitive = primitive;
+            row.distribution = distribution.name;
+            row.hard = distribution.hard;
+        }
+        Random order(measurement.seed);
+        const auto times = times_of(methods, drawn.rays, measurement.repetitions, order, progress);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const Quartiles quartiles = quartiles_of(times[i]);
+            rows[i].ns_per_ray = quartiles.median;
+            rows[i].ns_low = quartiles.low;
+            rows[i].ns_high = quartiles.high;
+        }
+        mark_pareto(rows);
+        measurement.rows.insert(measurement.rows.end(), rows.begin(), rows.end());
+        progress.finish();
+    }
+}
+
+template <class Methods, class Distributions>
+std::size_t count_measured(const Methods& methods, const Distributions& distributions) {
+    if (methods.empty()) return 0;
+    return static_cast<std::size_t>(
+        std::count_if(distributions.begin(), distributions.end(),
+                      [](const auto& distribution) { return distribution.exists == Exists::in_floats; }));
+}
+
+}  // namespace
+
+Measurement measure(const MeasureOptions& options, const Ladder& ladder) {
+    refuse_unknown(options.kernels, ladder);
+    const Extent extent = extent_of(options);
+    Measurement measurement{options.seed, extent.rays, extent.repetitions, compiler(), arithmetic_flags(),
+                            processor(),  {}};
+    const auto spheres = chosen(ladder.spheres, options.kernels);
+    const auto triangles = chosen(ladder.triangles, options.kernels);
+    const auto casts = chosen(ladder.casts, options.kernels);
+    const auto sphere_rays = sphere_distributions();
+    const auto triangle_rays = triangle_distributions();
+    const auto cast_rays = order_distributions();
+    Progress progress(options, count_measured(spheres, sphere_rays) + count_measured(triangles, triangle_rays) +
+                                   count_measured(casts, cast_rays));
+    add_rows(measurement, Primitive::sphere, spheres, sphere_rays, progress);
+    add_rows(measurement, Primitive::triangle, triangles, triangle_rays, progress);
+    add_rows(measurement, Primitive::cast, casts, cast_rays, progress);
+    return measurement;
+}
+
+}  // namespace reference::accuracy

@@ -1,0 +1,132 @@
+// A method of the ladder as a value: what it is called, and its loops over a block of rays, each compiled with the
+// method inlined.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reference/accuracy/distributions.h"
+#include "reference/accuracy/hit.h"
+
+namespace reference::accuracy {
+
+/// The same rays in both precisions: every number is a float.
+template <template <class> class Problem>
+struct Rays {
+    std::vector<Problem<float>> floats;
+    std::vector<Problem<double>> doubles;
+};
+
+/// What a method found, in one shape for all: t as an unevaluated sum of two doubles. A hit whose t is not finite
+/// counts as a miss.
+struct Answer {
+    Outcome outcome = Outcome::miss;
+    double t = 0;
+    double t_rest = 0;
+};
+
+/// A slow method is given fewer rays.
+enum class Speed { usual, slow };
+
+/// The first `count` rays are asked for, each once.
+template <template <class> class Problem>
+struct Method {
+    std::string kernel;
+    std::string scalar;
+    std::string source;
+    Speed speed = Speed::usual;
+    bool gives_t = true;
+    std::function<std::vector<Answer>(const Rays<Problem>& rays, std::size_t count)> judge;  ///< to be looked at
+    std::function<void(const Rays<Problem>& rays, std::size_t count)> run;                   ///< to be timed
+
+    std::string name() const { return kernel + " " + scalar; }
+};
+
+/// All methods, each list in the order of its rows.
+struct Ladder {
+    std::vector<Method<SphereProblem>> spheres;
+    std::vector<Method<TriangleProblem>> triangles;
+    std::vector<Method<OrderProblem>> casts;
+};
+
+std::vector<Method<SphereProblem>> sphere_methods();
+std::vector<Method<TriangleProblem>> triangle_methods();
+std::vector<Method<OrderProblem>> cast_methods();
+
+inline Answer as_answer(bool hit) {
+    return {hit ? Outcome::hit : Outcome::miss};
+}
+template <class S>
+Answer as_answer(const FirstHit<S>& found) {
+    const auto t = static_cast<double>(found.t);
+    if (found.outcome == Outcome::miss || !std::isfinite(t)) return {};
+    return {found.outcome, t, static_cast<double>(S(found.t - S(t)))};
+}
+template <class S>
+Answer as_answer(const Hit<S>& found) {
+    return found.hit ? as_answer(FirstHit<S>{Outcome::hit, found.t}) : Answer{};
+}
+
+/// Makes the compiler believe that x is used.
+template <class X>
+void keep(const X& x) {
+    asm volatile("" : : "m"(x));
+}
+
+template <class Problem, class F>
+std::vector<Answer> answers_of(std::span<const Problem> problems, F method) {
+    std::vector<Answer> answers;
+    answers.reserve(problems.size());
+    for (const Problem& problem : problems) answers.push_back(as_answer(method(problem)));
+    return answers;
+}
+
+/// Flattened: every function that the method calls is inlined, where its source is at hand.
+template <class Problem, class F>
+[[gnu::flatten]] void run_flat(std::span<const Problem> problems, F method) {
+    for (const Problem& problem : problems) keep(method(problem));
+}
+template <class Problem, class F>
+void run_as_it_is(std::span<const Problem> problems, F method) {
+    for (const Problem& problem : problems) keep(method(problem));
+}
+
+template <class T, template <class> class Problem>
+std::span<const Problem<T>> first_of(const Rays<Problem>& rays, std::size_t count) {
+    if constexpr (std::is_same_v<T, float>) {
+        return std::span(rays.floats).first(count);
+    } else {
+        return std::span(rays.doubles).first(count);
+    }
+}
+
+struct Name {
+    std::string kernel;
+    std::string scalar;
+    std::string source;
+};
+
+/// `decide` takes a Problem<T> and gives a bool, a Hit or a FirstHit.
+template <class T, template <class> class Problem, Speed speed = Speed::usual, class F>
+Method<Problem> method(Name name, F decide) {
+    using Found = decltype(decide(std::declval<const Problem<T>&>()));
+    return {
+        std::move(name.kernel),
+        std::move(name.scalar),
+        std::move(name.source),
+        speed,
+        !std::is_same_v<Found, bool>,
+        [decide](const Rays<Problem>& rays, std::size_t count) { return answers_of(first_of<T>(rays, count), decide); },
+        [decide](const Rays<Problem>& rays, std::size_t count) {
+            if constexpr (speed == Speed::usual) {
+                run_flat(first_of<T>(rays, count), decide);
+            } else {
+                run_as_it_is(first_of<T>(rays, count), decide);
+            }
+        }};
+}
+
+}  // namespace reference::accuracy

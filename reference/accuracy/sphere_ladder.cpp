@@ -1,0 +1,79 @@
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include "reference/accuracy/method.h"
+#include "reference/accuracy/sphere_methods.h"
+#include "reference/kernel/sphere.h"
+
+namespace reference::accuracy {
+namespace {
+
+using boost::multiprecision::cpp_bin_float_100;
+using boost::multiprecision::cpp_bin_float_quad;
+
+template <class S, Speed speed>
+Method<SphereProblem> half_b_in(std::string scalar, std::string source) {
+    return method<double, SphereProblem, speed>(
+        {"half-b", std::move(scalar), std::move(source)}, [](const SphereCase& c) {
+            return half_b(Ray<S>{kernel::over<S>(c.ray.origin), kernel::over<S>(c.ray.direction)},
+                          Sphere<S>{kernel::over<S>(c.sphere.center), S(c.sphere.radius)});
+        });
+}
+
+/// One formula in float and in double.
+template <class F>
+void add_both(std::vector<Method<SphereProblem>>& methods, const std::string& kernel, const std::string& source,
+              F formula) {
+    const auto on = [formula](const auto& c) { return formula(c.ray, c.sphere); };
+    methods.push_back(method<float, SphereProblem>({kernel, "float", source}, on));
+    methods.push_back(method<double, SphereProblem>({kernel, "double", source}, on));
+}
+
+bool is_hit(kernel::SphereResult result) {
+    return result == kernel::SphereResult::hit || result == kernel::SphereResult::tangent;
+}
+
+void add_wide(std::vector<Method<SphereProblem>>& methods) {
+    methods.push_back(half_b_in<kernel::DoubleDouble, Speed::usual>(
+        "double-double",
+        "Joldes, Muller and Popescu, Tight and rigorous error bounds for double-word arithmetic (2017)"));
+    methods.push_back(method<float, SphereProblem>(
+        {"conservative quadratic", "float interval",
+         "Pharr, Jakob and Humphreys, Physically Based Rendering (4th ed.), 6.2.2"},
+        [](const SphereProblem<float>& c) { return conservative_quadratic(c.ray, c.sphere); }));
+    methods.push_back(half_b_in<cpp_bin_float_quad, Speed::slow>("quad", "Boost.Multiprecision, cpp_bin_float_quad"));
+    methods.push_back(
+        half_b_in<cpp_bin_float_100, Speed::slow>("100 digits", "Boost.Multiprecision, cpp_bin_float_100"));
+}
+
+}  // namespace
+
+std::vector<Method<SphereProblem>> sphere_methods() {
+    std::vector<Method<SphereProblem>> methods;
+    add_both(methods, "naive quadratic", "every textbook",
+             [](const auto& ray, const auto& sphere) { return naive_quadratic(ray, sphere); });
+    add_both(methods, "half-b", "Shirley, Black and Hollasch, Ray Tracing in One Weekend, 6.2",
+             [](const auto& ray, const auto& sphere) { return half_b(ray, sphere); });
+    add_both(methods, "stable", "Press et al., Numerical Recipes, 5.6",
+             [](const auto& ray, const auto& sphere) { return stable(ray, sphere); });
+    add_both(methods, "Kahan FMA", "Jeannerod, Louvet and Muller, Further analysis of Kahan's algorithm (2013)",
+             [](const auto& ray, const auto& sphere) { return kahan(ray, sphere); });
+    add_both(methods, "Haines", "Haines, Günther and Akenine-Möller, Ray Tracing Gems (2019), chapter 7",
+             [](const auto& ray, const auto& sphere) { return haines(ray, sphere); });
+    add_both(methods, "Lagrange", "Lagrange's identity for b² - ac",
+             [](const auto& ray, const auto& sphere) { return lagrange(ray, sphere); });
+    add_both(methods, "GLM", "GLM, gtx/intersect, intersectRaySphere",
+             [](const auto& ray, const auto& sphere) { return glm_sphere(ray, sphere); });
+    add_wide(methods);
+    methods.push_back(method<double, SphereProblem>(
+        {"certified decision", "double", "this project: error filter, double-double, whole numbers"},
+        [](const SphereCase& c) { return is_hit(kernel::decide(c.ray, c.sphere)); }));
+    methods.push_back(method<double, SphereProblem>(
+        {"certified with t", "double", "this project: t to one unit in the last place of double"},
+        [](const SphereCase& c) {
+            const kernel::SphereHit found = kernel::intersect(c.ray, c.sphere);
+            return Hit<double>{is_hit(found.result), found.t};
+        }));
+    return methods;
+}
+
+}  // namespace reference::accuracy

@@ -1,0 +1,164 @@
+// The ladder of ray and triangle: A + u(B-A) + v(C-A) = origin + t d. All follow one policy: t >= 0 is a hit, edges and
+// vertices belong to the triangle, a ray beside the plane or in it misses. No method knows the triangle beforehand, so
+// what one prepares per triangle is part of its price.
+#pragma once
+
+#ifndef GLM_ENABLE_EXPERIMENTAL
+#define GLM_ENABLE_EXPERIMENTAL
+#endif
+#include <cmath>
+#include <glm/gtx/intersect.hpp>
+#include <glm/matrix.hpp>
+#include <type_traits>
+#include <utility>
+
+#include "reference/accuracy/hit.h"
+
+namespace reference::accuracy {
+
+/// False where anything is not a number.
+template <class S>
+bool is_inside(const S& t, const S& u, const S& v) {
+    return t >= 0 && u >= 0 && v >= 0 && u + v <= 1;
+}
+
+/// The handout's linear system, solved by GLM's inverse matrix. A singular one has no finite entry.
+template <class S>
+Hit<S> by_inverse(const Ray<S>& ray, const Triangle<S>& triangle) {
+    const Mat3<S> M(-ray.direction, triangle.B - triangle.A, triangle.C - triangle.A);
+    const Vec3<S> x = glm::inverse(M) * Vec3<S>(ray.origin - triangle.A);
+    return {is_inside(x.x, x.y, x.z), x.x};
+}
+
+/// Cramer's rule: Shirley and Marschner, "Fundamentals of Computer Graphics", 4.4.2.
+template <class S>
+Hit<S> cramer(const Ray<S>& ray, const Triangle<S>& triangle) {
+    const Vec3<S> p = triangle.B - triangle.A;
+    const Vec3<S> q = triangle.C - triangle.A;
+    const Vec3<S> s = ray.origin - triangle.A;
+    const Vec3<S> normal = cross(p, q);
+    const Vec3<S> moment = cross(s, ray.direction);
+    const S det = -dot(ray.direction, normal);
+    if (det == 0) return {};
+    const S t = dot(s, normal) / det;
+    if (!(t >= 0)) return {};
+    const S u = dot(moment, q) / det;
+    if (!(u >= 0 && u <= 1)) return {};
+    const S v = -dot(moment, p) / det;
+    return {v >= 0 && u + v <= 1, t};
+}
+
+/// Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997), with its early exits; det is compared
+/// with 0, as no epsilon suits triangles of every size.
+template <class S>
+Hit<S> moller_trumbore(const Ray<S>& ray, const Triangle<S>& triangle) {
+    const Vec3<S> p = triangle.B - triangle.A;
+    const Vec3<S> q = triangle.C - triangle.A;
+    const Vec3<S> d_q = cross(ray.direction, q);
+    const S det = dot(p, d_q);
+    if (det == 0) return {};
+    const S inverse = S(1) / det;
+    const Vec3<S> s = ray.origin - triangle.A;
+    const S u = dot(s, d_q) * inverse;
+    if (!(u >= 0 && u <= 1)) return {};
+    const Vec3<S> s_p = cross(s, p);
+    const S v = dot(ray.direction, s_p) * inverse;
+    if (!(v >= 0 && u + v <= 1)) return {};
+    const S t = dot(q, s_p) * inverse;
+    return {t >= 0, t};
+}
+
+/// The same without a branch: no early exit, so nothing for the processor to guess. det = 0 leaves no finite u, v and
+/// t.
+template <class S>
+Hit<S> moller_trumbore_branch_free(const Ray<S>& ray, const Triangle<S>& triangle) {
+    const Vec3<S> p = triangle.B - triangle.A;
+    const Vec3<S> q = triangle.C - triangle.A;
+    const Vec3<S> s = ray.origin - triangle.A;
+    const Vec3<S> d_q = cross(ray.direction, q);
+    const Vec3<S> s_p = cross(s, p);
+    const S inverse = S(1) / dot(p, d_q);
+    const S u = dot(s, d_q) * inverse;
+    const S v = dot(ray.direction, s_p) * inverse;
+    const S t = dot(q, s_p) * inverse;
+    const int inside =
+        static_cast<int>(t >= 0) & static_cast<int>(u >= 0) & static_cast<int>(v >= 0) & static_cast<int>(u + v <= 1);
+    return {inside != 0, t};
+}
+
+/// (x, y, z) with coordinate k in front.
+template <class S>
+Vec3<S> turned(const Vec3<S>& p, int k) {
+    return {p[k], p[(k + 1) % 3], p[(k + 2) % 3]};
+}
+
+/// Baldwin and Weber, "Fast Ray-Triangle Intersections by Coordinate Transformation" (2016): the affine map that takes
+/// the triangle to (0, 0), (1, 0), (0, 1), divided by the largest component of the normal.
+template <class S>
+Hit<S> baldwin_weber(const Ray<S>& ray, const Triangle<S>& triangle) {
+    const Vec3<S> normal = cross(Vec3<S>(triangle.B - triangle.A), Vec3<S>(triangle.C - triangle.A));
+    const Vec3<S> sizes = glm::abs(normal);
+    const int k = sizes.x > sizes.y && sizes.x > sizes.z ? 0 : (sizes.y > sizes.z ? 1 : 2);
+    const Vec3<S> A = turned(triangle.A, k);
+    const Vec3<S> B = turned(triangle.B, k);
+    const Vec3<S> C = turned(triangle.C, k);
+    const Vec3<S> n = turned(normal, k);
+    const Vec3<S> p = B - A;
+    const Vec3<S> q = C - A;
+    const Vec3<S> origin = turned(ray.origin, k);
+    const Vec3<S> d = turned(ray.direction, k);
+    const S height = origin.x + n.y / n.x * origin.y + n.z / n.x * origin.z - dot(A, n) / n.x;
+    const S approach = d.x + n.y / n.x * d.y + n.z / n.x * d.z;
+    if (!(approach != 0)) return {};
+    const S t = -height / approach;
+    const S y = origin.y + t * d.y;
+    const S z = origin.z + t * d.z;
+    const S u = q.z / n.x * y - q.y / n.x * z + (C.y * A.z - C.z * A.y) / n.x;
+    const S v = p.y / n.x * z - p.z / n.x * y - (B.y * A.z - B.z * A.y) / n.x;
+    return {is_inside(t, u, v), t};
+}
+
+/// Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection" (2013): the triangle sheared into the ray's own
+/// coordinates; an edge function of exactly 0 is computed again in the wider type.
+template <class S>
+Hit<S> woop(const Ray<S>& ray, const Triangle<S>& triangle) {
+    using Wider = std::conditional_t<std::is_same_v<S, float>, double, long double>;
+    const Vec3<S> sizes = glm::abs(ray.direction);
+    const int k = sizes.x > sizes.y && sizes.x > sizes.z ? 0 : (sizes.y > sizes.z ? 1 : 2);
+    const Vec3<S> d = turned(ray.direction, k);
+    const Vec3<S> shear(S(1) / d.x, d.y / d.x, d.z / d.x);
+    const auto sheared = [&](const Vec3<S>& corner) {
+        const Vec3<S> p = turned(Vec3<S>(corner - ray.origin), k);
+        return Vec3<S>(shear.x * p.x, p.y - shear.y * p.x, p.z - shear.z * p.x);
+    };
+    const Vec3<S> A = sheared(triangle.A);
+    const Vec3<S> B = sheared(triangle.B);
+    const Vec3<S> C = sheared(triangle.C);
+    S U = C.y * B.z - C.z * B.y;
+    S V = A.y * C.z - A.z * C.y;
+    S W = B.y * A.z - B.z * A.y;
+    if (U == 0 || V == 0 || W == 0) {
+        const auto edge = [](const Vec3<S>& p, const Vec3<S>& q) {
+            return static_cast<S>(Wider(p.y) * Wider(q.z) - Wider(p.z) * Wider(q.y));
+        };
+        U = edge(C, B);
+        V = edge(A, C);
+        W = edge(B, A);
+    }
+    if ((U < 0 || V < 0 || W < 0) && (U > 0 || V > 0 || W > 0)) return {};
+    const S det = U + V + W;
+    if (!(det != 0)) return {};
+    const S t = (U * A.x + V * B.x + W * C.x) / det;
+    return {t >= 0, t};
+}
+
+/// GLM's own, which misses where |det| <= epsilon and leaves the sign of t to the caller.
+template <class S>
+Hit<S> glm_triangle(const Ray<S>& ray, const Triangle<S>& triangle) {
+    glm::vec<2, S> uv(0);
+    S t = 0;
+    const bool hit = glm::intersectRayTriangle(ray.origin, ray.direction, triangle.A, triangle.B, triangle.C, uv, t);
+    return {hit && t >= 0, t};
+}
+
+}  // namespace reference::accuracy

@@ -1,0 +1,106 @@
+// The float form of the distributions: every number a float, and the cases as hard as they are named.
+#include "reference/accuracy/distributions.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "reference/accuracy/truth.h"
+
+namespace {
+
+using namespace reference::accuracy;
+using reference::Sphere;
+using reference::Triangle;
+
+constexpr int rays_of_each = 2'000;
+
+void expect_float(double x) {
+    EXPECT_EQ(x, as_float(x));
+}
+void expect_floats(const P& p) {
+    EXPECT_EQ(p, as_float(p));
+}
+void expect_floats(const Ray<double>& ray) {
+    expect_floats(ray.origin);
+    expect_floats(ray.direction);
+    EXPECT_NE(ray.direction, P(0, 0, 0));
+}
+void expect_floats(const Sphere<double>& sphere) {
+    expect_floats(sphere.center);
+    expect_float(sphere.radius);
+    EXPECT_GT(sphere.radius, 0);
+}
+void expect_floats(const Triangle<double>& triangle) {
+    expect_floats(triangle.A);
+    expect_floats(triangle.B);
+    expect_floats(triangle.C);
+}
+
+template <class Case, class Check>
+void for_each_in_floats(const std::vector<Distribution<Case>>& distributions, Check check) {
+    for (const auto& distribution : distributions) {
+        if (distribution.exists == Exists::in_doubles_only) continue;
+        for (std::uint64_t seed = 0; seed < rays_of_each && !testing::Test::HasFailure(); ++seed) {
+            SCOPED_TRACE(testing::Message() << distribution.name << ", seed " << seed);
+            check(distribution.make_in_floats(seed));
+        }
+    }
+}
+
+TEST(DistributionsInFloats, HoldFloatsOnly) {
+    for_each_in_floats(sphere_distributions(), [](const SphereCase& c) {
+        expect_floats(c.ray);
+        expect_floats(c.sphere);
+    });
+    for_each_in_floats(triangle_distributions(), [](const TriangleCase& c) {
+        expect_floats(c.ray);
+        expect_floats(c.triangle);
+    });
+    for_each_in_floats(order_distributions(), [](const OrderCase& c) {
+        expect_floats(c.ray);
+        expect_floats(c.sphere);
+        expect_floats(c.triangle);
+    });
+}
+
+template <class Case>
+Distribution<Case> named(const std::vector<Distribution<Case>>& distributions, std::string_view name) {
+    for (const auto& distribution : distributions) {
+        if (distribution.name == name) return distribution;
+    }
+    throw std::logic_error("no such distribution");
+}
+
+TEST(DistributionsInFloats, AnExactTangentStaysExact) {
+    const auto distribution = named(sphere_distributions(), "exact tangent");
+    for (std::uint64_t seed = 0; seed < rays_of_each; ++seed) {
+        const SphereCase c = distribution.make_in_floats(seed);
+        const truth::SphereTruth found = truth::sphere(c.ray, c.sphere);
+        ASSERT_EQ(found.h * found.h, found.a * found.c) << "seed " << seed;
+    }
+}
+
+/// How often a ray hits among many; neither never nor always.
+template <class Case, class IsHit>
+void expect_both_answers(const std::vector<Distribution<Case>>& distributions, IsHit is_hit) {
+    for (const auto& distribution : distributions) {
+        if (distribution.exists == Exists::in_doubles_only) continue;
+        int hits = 0;
+        for (std::uint64_t seed = 0; seed < rays_of_each; ++seed) hits += is_hit(distribution.make_in_floats(seed));
+        EXPECT_GT(hits, rays_of_each / 100) << distribution.name;
+        if (distribution.name == "huge and near") continue;  // all of them hit: what is hard is t
+        EXPECT_LT(hits, rays_of_each - rays_of_each / 100) << distribution.name;
+    }
+}
+
+TEST(DistributionsInFloats, HoldHitsAndMisses) {
+    expect_both_answers(sphere_distributions(), [](const SphereCase& c) {
+        return truth::sphere(c.ray, c.sphere).result != reference::kernel::SphereResult::miss ? 1 : 0;
+    });
+    expect_both_answers(triangle_distributions(), [](const TriangleCase& c) {
+        return truth::triangle(c.ray, c.triangle).result == reference::kernel::TriangleResult::hit ? 1 : 0;
+    });
+}
+
+}  // namespace

@@ -1,0 +1,149 @@
+// measure() on what it is told to measure. No test looks at a time.
+#include "reference/accuracy/measurement.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <set>
+
+#include "reference/accuracy/ladder.h"
+#include "reference/kernel/sphere.h"
+#include "reference/kernel/triangle.h"
+
+namespace {
+
+using namespace reference::accuracy;
+using testing::Each;
+using testing::HasSubstr;
+
+MeasureOptions few_rays(std::uint64_t rays, std::vector<std::string> kernels = {}) {
+    MeasureOptions options;
+    options.quick = true;
+    options.rays = rays;
+    options.kernels = std::move(kernels);
+    return options;
+}
+
+bool is_lie(const Ray<double>& ray) {
+    const double mixed = ray.origin.x + 3 * ray.origin.y + 7 * ray.direction.z + 13 * ray.direction.y;
+    return Random(std::bit_cast<std::uint64_t>(mixed)).whole(0, 63) == 0;
+}
+
+/// The certified kernel, but for one ray in 64.
+Ladder broken_kernels() {
+    Ladder ladder;
+    ladder.spheres.push_back(method<double, SphereProblem>({"broken", "double", "this test"}, [](const SphereCase& c) {
+        const bool hit = reference::kernel::decide(c.ray, c.sphere) != reference::kernel::SphereResult::miss;
+        return hit != is_lie(c.ray);
+    }));
+    ladder.triangles.push_back(
+        method<double, TriangleProblem>({"broken", "double", "this test"}, [](const TriangleCase& c) {
+            const auto found = reference::kernel::intersect(c.ray, c.triangle);
+            return Hit<double>{(found.result == reference::kernel::TriangleResult::hit) != is_lie(c.ray), found.t};
+        }));
+    return ladder;
+}
+
+TEST(Measure, ReportsABrokenKernelAsWrongAsOftenAsItIs) {
+    constexpr std::uint64_t rays = 8'192;
+    const double sigma = std::sqrt(rays / 64.0);
+    const Measurement measurement = measure(few_rays(rays), broken_kernels());
+    EXPECT_EQ(measurement.rows.size(), 20U);
+    for (const Row& row : measurement.rows) {
+        EXPECT_EQ(row.rays, rays);
+        EXPECT_NEAR(static_cast<double>(row.wrong), rays / 64.0, 4 * sigma) << row.distribution;
+        EXPECT_LT(row.wrong_low, row.wrong_per_million);
+        EXPECT_LT(row.wrong_per_million, row.wrong_high);
+        EXPECT_EQ(row.t_error.has_value(), row.primitive == Primitive::triangle);
+    }
+}
+
+TEST(Measure, FindsTheCertifiedKernelNeverWrong) {
+    const Measurement measurement = measure(few_rays(4'096, {"certified"}));
+    EXPECT_EQ(measurement.rows.size(), 2 * 10U + 2 * 10U + 3U);
+    for (const Row& row : measurement.rows) {
+        EXPECT_EQ(row.wrong, 0U) << name_of(row.primitive) << ", " << row.distribution;
+        if (!row.t_error) continue;
+        EXPECT_LT(row.t_error->max_ulp, 2e-9) << name_of(row.primitive) << ", " << row.distribution;
+    }
+}
+
+/// Formulas as they are taught: on benign rays all of them are right, and t is as near as their scalar lets it be.
+TEST(Measure, FindsEveryMethodRightOnBenignRays) {
+    for (const Row& row : measure(few_rays(1'024)).rows) {
+        if (row.hard) continue;
+        SCOPED_TRACE(row.kernel + " " + row.scalar);
+        EXPECT_EQ(row.wrong, 0U);
+        if (!row.t_error) continue;
+        EXPECT_LT(row.t_error->mean_ulp, row.scalar.starts_with("float") ? 10 : 1e-7);
+    }
+}
+
+TEST(Measure, FindsFloatsWrongOrFarOffOnEveryHardDistributionOfSpheres) {
+    const Measurement measurement = measure(few_rays(1'024, {"naive quadratic float"}));
+    for (const Row& row : measurement.rows) {
+        if (!row.hard) continue;
+        EXPECT_TRUE(row.wrong > 10 || row.t_error->mean_ulp > 1'000) << row.distribution;
+    }
+}
+
+std::vector<std::uint64_t> wrong_counts(const Measurement& measurement) {
+    std::vector<std::uint64_t> counts;
+    for (const Row& row : measurement.rows) counts.push_back(row.wrong);
+    return counts;
+}
+
+TEST(Measure, TheSameSeedGivesTheSameCounts) {
+    MeasureOptions options = few_rays(512, {"naive", "Möller", "GLM"});
+    const auto counts = wrong_counts(measure(options));
+    EXPECT_EQ(wrong_counts(measure(options)), counts);
+    options.seed = 2;
+    EXPECT_NE(wrong_counts(measure(options)), counts);
+}
+
+TEST(Measure, SaysOnHowManyRaysASlowMethodWasJudged) {
+    for (const Row& row : measure(few_rays(2'048, {"100 digits", "half-b double"})).rows) {
+        EXPECT_EQ(row.rays, row.scalar == "100 digits" ? 128U : 2'048U);
+    }
+}
+
+TEST(Measure, TakesTheMethodsThatAreAskedFor) {
+    const Measurement measurement = measure(few_rays(64, {"Haines"}));
+    EXPECT_EQ(measurement.rows.size(), 20U);
+    for (const Row& row : measurement.rows) EXPECT_EQ(row.kernel, "Haines");
+}
+
+TEST(Measure, RefusesAMethodThatThereIsNot) {
+    EXPECT_THROW(measure(few_rays(64, {"Haines", "magic"})), std::invalid_argument);
+}
+
+TEST(Measure, TellsItsProgressUpToTheEnd) {
+    std::vector<double> told;
+    MeasureOptions options = few_rays(64, {"certified"});
+    options.progress = [&](double done) { told.push_back(done); };
+    measure(options);
+    ASSERT_FALSE(told.empty());
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    EXPECT_GE(told.front(), 0);
+    EXPECT_EQ(told.back(), 1);
+}
+
+TEST(Measure, SaysWhatItWasCompiledWith) {
+    const Measurement measurement = measure(few_rays(64, {"Haines float"}));
+    EXPECT_THAT(measurement.flags, HasSubstr("-ffp-contract=off"));
+    EXPECT_THAT(measurement.compiler, HasSubstr("++ "));
+    EXPECT_EQ(measurement.seed, 1U);
+}
+
+TEST(MethodNames, AreUniqueWithinAPrimitive) {
+    for (const Primitive primitive : {Primitive::sphere, Primitive::triangle, Primitive::cast}) {
+        const std::vector<std::string> names = method_names(primitive);
+        EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size());
+        EXPECT_THAT(names, Each(testing::Not(testing::IsEmpty())));
+    }
+}
+
+}  // namespace

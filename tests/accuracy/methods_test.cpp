@@ -1,0 +1,120 @@
+// The methods by themselves: their common policy, and what they make of numbers that are none.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "reference/accuracy/cast_methods.h"
+#include "reference/accuracy/method.h"
+#include "tests/kernel/hard_cases.h"
+
+namespace {
+
+using namespace reference::accuracy;
+using reference::Vec3;
+using reference::kernel::as_double;
+
+template <class S>
+void expect_no_surprise(const Hit<S>& found) {
+    if (found.hit) {
+        EXPECT_GE(found.t, 0);
+    }
+}
+
+template <class Case, class Check>
+void for_each_in_floats(const std::vector<Distribution<Case>>& distributions, Check check) {
+    for (const auto& distribution : distributions) {
+        if (distribution.exists == Exists::in_doubles_only) continue;
+        SCOPED_TRACE(distribution.name);
+        for (std::uint64_t seed = 0; seed < 5'000; ++seed) check(distribution.make_in_floats(seed));
+    }
+}
+
+TEST(NaiveDouble, NeverHitsAtWhatIsNoNumber) {
+    for_each_in_floats(sphere_distributions(), [](const SphereCase& c) {
+        expect_no_surprise(naive_quadratic(c.ray, c.sphere));
+        expect_no_surprise(half_b(c.ray, c.sphere));
+        expect_no_surprise(stable(c.ray, c.sphere));
+    });
+    for_each_in_floats(triangle_distributions(), [](const TriangleCase& c) {
+        expect_no_surprise(by_inverse(c.ray, c.triangle));
+        expect_no_surprise(cramer(c.ray, c.triangle));
+        expect_no_surprise(moller_trumbore(c.ray, c.triangle));
+        expect_no_surprise(moller_trumbore_branch_free(c.ray, c.triangle));
+    });
+}
+
+TEST(NaiveDouble, NeverHitsAtWhatIsNoNumberInTheCatalogue) {
+    for (const auto& c : hard_cases::sphere_cases()) {
+        SCOPED_TRACE(c.id);
+        expect_no_surprise(naive_quadratic(as_double(c.ray), as_double(c.sphere)));
+        expect_no_surprise(half_b(as_double(c.ray), as_double(c.sphere)));
+        expect_no_surprise(stable(as_double(c.ray), as_double(c.sphere)));
+    }
+    for (const auto& c : hard_cases::triangle_cases()) {
+        SCOPED_TRACE(c.id);
+        expect_no_surprise(cramer(as_double(c.ray), as_double(c.triangle)));
+        expect_no_surprise(moller_trumbore(as_double(c.ray), as_double(c.triangle)));
+        expect_no_surprise(moller_trumbore_branch_free(as_double(c.ray), as_double(c.triangle)));
+    }
+}
+
+TEST(Answers, AHitAtInfinityIsNone) {
+    EXPECT_EQ(as_answer(Hit<float>{true, std::numeric_limits<float>::infinity()}).outcome, Outcome::miss);
+    EXPECT_EQ(as_answer(Hit<float>{true, 1}).outcome, Outcome::hit);
+    EXPECT_EQ(as_answer(Hit<float>{false, 1}).outcome, Outcome::miss);
+}
+
+/// What a method says of one case in whole numbers, where every formula is exact, but for those in `but`.
+template <template <class> class Problem>
+void expect_all(const std::vector<Method<Problem>>& methods, const Rays<Problem>& rays, const Answer& expected,
+                const std::vector<std::string>& but = {}) {
+    for (const auto& method : methods) {
+        if (std::find(but.begin(), but.end(), method.kernel) != but.end()) continue;
+        SCOPED_TRACE(method.name());
+        const Answer answer = method.judge(rays, 1).front();
+        EXPECT_EQ(answer.outcome, expected.outcome);
+        if (method.gives_t) {
+            EXPECT_NEAR(answer.t, expected.t, 1e-6);
+        }
+    }
+}
+
+using PF = Vec3<float>;
+using PD = Vec3<double>;
+
+Rays<SphereProblem> sphere_ray(const P& origin, const P& direction, double radius) {
+    const SphereCase c{{origin, direction}, {P(0, 0, 0), radius}};
+    return {{{{PF(origin), PF(direction)}, {PF(0, 0, 0), static_cast<float>(radius)}}}, {c}};
+}
+Rays<TriangleProblem> triangle_ray(const P& origin, const P& direction) {
+    const P A(0, -2, 2);
+    const P B(2, 2, 2);
+    const P C(-2, 2, 2);
+    return {{{{PF(origin), PF(direction)}, {PF(A), PF(B), PF(C)}}}, {{{origin, direction}, {A, B, C}}}};
+}
+
+TEST(Methods, FollowOnePolicyForSpheres) {
+    const auto methods = sphere_methods();
+    expect_all(methods, sphere_ray({0, 0, 10}, {0, 0, -3}, 1), {Outcome::hit, 3});
+    expect_all(methods, sphere_ray({0, 0, 0}, {0, 0, -1}, 2), {Outcome::hit, 2});
+    expect_all(methods, sphere_ray({0, 0, 5}, {0, 0, 1}, 1), {Outcome::miss});
+    expect_all(methods, sphere_ray({0, 3, 5}, {0, 0, -1}, 1), {Outcome::miss});
+    // Intervals can prove no tangent.
+    expect_all(methods, sphere_ray({3, 4, 100}, {0, 0, -1}, 5), {Outcome::hit, 100}, {"conservative quadratic"});
+    expect_all(methods, sphere_ray({3, 4, 0}, {0, 0, -1}, 5), {Outcome::hit, 0}, {"conservative quadratic", "GLM"});
+}
+
+TEST(Methods, FollowOnePolicyForTriangles) {
+    const auto methods = triangle_methods();
+    expect_all(methods, triangle_ray({0, 0, 5}, {0, 0, -2}), {Outcome::hit, 1.5});
+    expect_all(methods, triangle_ray({0, 0, 2}, {0, 0, -1}), {Outcome::hit, 0});
+    expect_all(methods, triangle_ray({0, -2, 5}, {0, 0, -1}), {Outcome::hit, 3});
+    expect_all(methods, triangle_ray({1, 2, 5}, {0, 0, -1}), {Outcome::hit, 3});
+    expect_all(methods, triangle_ray({0, 0, 1}, {0, 0, -1}), {Outcome::miss});
+    expect_all(methods, triangle_ray({2, 0, 5}, {0, 0, -1}), {Outcome::miss});
+    expect_all(methods, triangle_ray({-5, 0, 3}, {1, 0, 0}), {Outcome::miss});
+    expect_all(methods, triangle_ray({-5, 0, 2}, {1, 0, 0}), {Outcome::miss});
+}
+
+}  // namespace

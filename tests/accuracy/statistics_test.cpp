@@ -1,0 +1,109 @@
+#include "reference/accuracy/statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace {
+
+using namespace reference::accuracy;
+
+struct Published {
+    std::uint64_t count, total;
+    double low, high;
+};
+
+/// Newcombe, "Two-sided confidence intervals for the single proportion" (1998), table I, method 3.
+TEST(Wilson, IsAsPublished) {
+    for (const auto& [count, total, low, high] :
+         {Published{81, 263, 0.2553, 0.3662}, Published{15, 148, 0.0624, 0.1605}, Published{0, 20, 0, 0.1611},
+          Published{1, 29, 0.0061, 0.1718}}) {
+        const Range range = wilson_interval(count, total);
+        EXPECT_NEAR(range.low, low, 0.00005);
+        EXPECT_NEAR(range.high, high, 0.00005);
+    }
+}
+
+TEST(Wilson, NothingSeenAndNothingElseSeenEndExactly) {
+    EXPECT_EQ(wilson_interval(0, 1'000).low, 0);
+    EXPECT_EQ(wilson_interval(1'000, 1'000).high, 1);
+}
+
+TEST(FloatUlp, IsTheStepBetweenFloatsAtThatSize) {
+    EXPECT_EQ(float_ulp(1), 0x1p-23);
+    EXPECT_EQ(float_ulp(std::nextafter(1.0, 0.0)), 0x1p-24);
+    EXPECT_EQ(float_ulp(1.999), 0x1p-23);
+    EXPECT_EQ(float_ulp(0x1p-126), 0x1p-149);
+    EXPECT_EQ(float_ulp(0x1p-300), 0x1p-149);
+}
+
+TEST(WrongAnswers, AreThoseOfAnotherOutcome) {
+    const std::array truth{TrueAnswer{Outcome::hit, 1}, TrueAnswer{Outcome::miss}, TrueAnswer{Outcome::tie, 1}};
+    EXPECT_EQ(wrong_answers(std::array{Answer{Outcome::hit, 5}, Answer{Outcome::miss}}, truth), 0U);
+    EXPECT_EQ(wrong_answers(std::array{Answer{}, Answer{Outcome::hit, 1}, Answer{Outcome::sphere_first, 1}}, truth),
+              3U);
+}
+
+TEST(TErrors, AreThoseOfTheHitsThatBothFind) {
+    const std::array truth{TrueAnswer{Outcome::hit, 1}, TrueAnswer{Outcome::hit, 1}, TrueAnswer{Outcome::miss},
+                           TrueAnswer{Outcome::hit, 1}, TrueAnswer{Outcome::hit, 0}};
+    const std::array answers{Answer{Outcome::hit, 1 + 0x1p-23}, Answer{Outcome::hit, 1 - 0x1.8p-22},
+                             Answer{Outcome::hit, 9}, Answer{}, Answer{Outcome::hit, 1}};
+    const std::optional<TError> error = t_error(answers, truth);
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->max_ulp, 3);
+    EXPECT_EQ(error->mean_ulp, 2);
+    EXPECT_EQ(error->p99_ulp, 3);
+    EXPECT_FALSE(t_error(std::array{Answer{}}, truth));
+}
+
+TEST(TErrors, The99thPercentileLeavesTheWorstHundredthOut) {
+    std::vector<TrueAnswer> truth(200, {Outcome::hit, 1});
+    std::vector<Answer> answers(200, {Outcome::hit, 1 + 0x1p-23});
+    answers[7].t = answers[8].t = 2;
+    EXPECT_EQ(t_error(answers, truth)->p99_ulp, 1);
+    answers[9].t = 2;
+    EXPECT_EQ(t_error(answers, truth)->p99_ulp, 0x1p23);
+}
+
+TEST(TErrors, SeeWhatIsBelowADouble) {
+    const std::array truth{TrueAnswer{Outcome::hit, 1, 0x1p-60}};
+    EXPECT_EQ(t_error(std::array{Answer{Outcome::hit, 1}}, truth)->max_ulp, 0x1p-37);
+    EXPECT_EQ(t_error(std::array{Answer{Outcome::hit, 1, 0x1p-60}}, truth)->max_ulp, 0);
+}
+
+TEST(Quartiles, LieBetweenRanks) {
+    const Quartiles four = quartiles_of({4, 1, 3, 2});
+    EXPECT_EQ(four.low, 1.75);
+    EXPECT_EQ(four.median, 2.5);
+    EXPECT_EQ(four.high, 3.25);
+    EXPECT_EQ(quartiles_of({7}).high, 7);
+}
+
+Row row(double ns, double wrong, std::optional<double> mean_ulp) {
+    Row result{};
+    result.ns_per_ray = ns;
+    result.wrong_per_million = wrong;
+    if (mean_ulp) result.t_error = TError{0, 0, *mean_ulp};
+    return result;
+}
+
+TEST(Pareto, MarksWhatNoOtherRowIsBetterThan) {
+    std::array rows{row(10, 500, 5),           // the fastest
+                    row(12, 600, 1),           // slower and more often wrong, but nearer
+                    row(20, 0, std::nullopt),  // never wrong, without a t
+                    row(30, 0, 0.5),           // as right as that, slower, and nearest
+                    row(10, 500, 5),           // the same as the first
+                    row(90, 0, 0.5)};          // nothing but slow
+    mark_pareto(rows);
+    const auto marks = [&](bool Row::*marked) {
+        std::vector<bool> result;
+        for (const Row& each : rows) result.push_back(each.*marked);
+        return result;
+    };
+    EXPECT_EQ(marks(&Row::pareto_wrong), (std::vector<bool>{true, false, true, false, true, false}));
+    EXPECT_EQ(marks(&Row::pareto_error), (std::vector<bool>{true, true, false, true, true, false}));
+}
+
+}  // namespace
