@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* mark = "accuracy.json";
+constexpr const char* of_an_earlier_run = "accuracy.json";
 
 reference::accuracy::Measurement measure(const AccuracyOptions& options) {
     ShareProgress progress;
@@ -37,7 +37,7 @@ void write_results(const report::AccuracyFindings& findings, const fs::path& out
         write_file(out / "accuracy.csv", report::accuracy_csv(*findings.measured));
         write_file(out / "accuracy.svg", report::accuracy_svg(*findings.measured));
         write_file(out / "accuracy.html", report::accuracy_html(findings));
-        write_file(out / mark, report::accuracy_json(findings));
+        write_file(out / of_an_earlier_run, report::accuracy_json(findings));
     } catch (const fs::filesystem_error& error) {
         throw HarnessError(fmt::format("{}: can't be written: {}", error.path1().string(), error.code().message()));
     }
@@ -55,7 +55,8 @@ int accuracy_command(const AccuracyOptions& options) {
     report::AccuracyFindings findings;
     std::optional<reference::Assignment> assignment;
     if (!options.assignment.empty()) assignment = reference::load_assignment(options.assignment, assignments_folder());
-    if (!options.out.empty()) prepare_results(options.out, mark, options.force ? Replace::yes : Replace::no);
+    if (!options.out.empty())
+        prepare_results(options.out, of_an_earlier_run, options.force ? Replace::yes : Replace::no);
     if (assignment) findings.assignment = reference::accuracy::assignment_accuracy(*assignment);
     if (measures) findings.measured = measure(options);
     fmt::print("{}", in_format(findings, options.format));

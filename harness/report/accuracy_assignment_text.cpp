@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "harness/clean_text.h"
 #include "harness/report/accuracy_assignment.h"
 #include "harness/report/accuracy_numbers.h"
@@ -8,6 +10,28 @@
 namespace harness::report {
 
 using namespace reference::accuracy;
+
+namespace {
+
+/// In lines of at most 110 characters, but for words that are longer; all but the first are indented.
+std::string wrapped(const std::string& sentence) {
+    constexpr std::size_t most = 110;
+    std::string text;
+    std::string line;
+    for (std::size_t at = 0; at < sentence.size();) {
+        const std::size_t end = std::min(sentence.find(' ', at), sentence.size());
+        const std::string word = sentence.substr(at, end - at);
+        if (!line.empty() && line.size() + 1 + word.size() > most) {
+            text += line + "\n";
+            line = " ";
+        }
+        line += (line.empty() ? "" : " ") + word;
+        at = end + 1;
+    }
+    return text + line + "\n";
+}
+
+}  // namespace
 
 std::string assignment_text(const AssignmentAccuracy& assignment) {
     std::string text = fmt::format("{}\n\n", escape_control(assignment.title));
@@ -30,7 +54,7 @@ std::string assignment_text(const AssignmentAccuracy& assignment) {
     }
     text += "\n" + decisions_summary(assignment.decisions) + "\n";
     for (const Decision& one : assignment.decisions) {
-        if (one.hangs_on_rounding()) text += "  " + decision_sentence(one) + "\n";
+        if (one.hangs_on_rounding()) text += wrapped("- " + decision_sentence(one));
     }
     text +=
         fmt::format("\nWhat all ten answers cost (median of {} interleaved repetitions):\n", assignment.repetitions);

@@ -127,7 +127,7 @@ Scatter error_scatter(const Panel& panel, const std::string& id) {
                     "",
                     time_title,
                     "mean error of t, ULP of float (logarithmic)",
-                    "under 10⁻¹²",
+                    "",
                     least_shown,
                     1,
                     {},
@@ -144,12 +144,10 @@ Scatter error_scatter(const Panel& panel, const std::string& id) {
              mark_of(row->scalar), row->ns_per_ray, row->ns_low, row->ns_high, error, error, error, row->pareto_error});
         if (error >= least_shown) least = std::min(least, error);
     }
+    scatter.least = decade_below(least);
     const bool any_below = std::any_of(scatter.points.begin(), scatter.points.end(),
-                                       [](const ScatterPoint& point) { return point.y < least_shown; });
-    if (!any_below) {
-        scatter.least = decade_below(least);
-        scatter.band_title = "";
-    }
+                                       [&](const ScatterPoint& point) { return point.y < scatter.least; });
+    if (any_below) scatter.band_title = "below " + power_text(static_cast<int>(std::round(std::log10(scatter.least))));
     scatter.description =
         fmt::format("{} methods by time and mean error of t.{}", scatter.points.size(), frontier_names(scatter));
     return scatter;

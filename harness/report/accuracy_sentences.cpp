@@ -32,11 +32,11 @@ std::string item_name(const reference::accuracy::ItemAccuracy& item) {
 }
 
 std::string decision_sentence(const Decision& decision) {
-    std::string text = fmt::format("{} = {}. It decides {}.", decision.what, value_text(decision), decision.asks);
+    std::string text = fmt::format("{} is {}. It decides {}.", decision.what, value_text(decision), decision.asks);
     if (decision.what.rfind("order", 0) == 0)
         text = fmt::format("{}: {}. It decides {}.", decision.what, value_text(decision), decision.asks);
     if (decision.sign == 0) {
-        text += " One rounding on the way to it decides, in any precision.";
+        text += " A single rounding on the way to it would decide instead, in any precision.";
     } else if (!decision.double_is_sure) {
         text += " That is within what rounding may do in double, and in float.";
     } else if (!decision.float_is_sure) {

@@ -13,7 +13,7 @@ namespace {
 
 using namespace reference::accuracy;
 
-constexpr std::size_t widest_name = 34;
+constexpr std::size_t widest_name = 36;
 
 std::string shown_name(const std::string& kernel, const std::string& scalar) {
     return escape_control(method_name(kernel, scalar));
@@ -32,7 +32,7 @@ std::string summary_table(const PrimitiveSummary& summary) {
     const std::size_t width = name_width(names);
     std::string text = fmt::format("{}: {} benign and {} hard distributions\n\n", title_of(summary.primitive),
                                    summary.benign.size(), summary.hard.size());
-    text += fmt::format("  {:<{}}  {:>9}  {:>12}  {:>13}  {}\n", "", width, "benign", "benign", "hard: wrong", "");
+    text += fmt::format("  {:<{}}  {:>9}  {:>12}  {:>13}\n", "", width, "benign", "benign", "hard: wrong");
     text += fmt::format("  {:<{}}  {:>9}  {:>12}  {:>13}  {}\n", "method", width, "ns/ray", "t off, ULP", "per million",
                         "worst set");
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -53,31 +53,28 @@ std::string panel_table(const Panel& panel) {
     const std::size_t width = name_width(names);
     std::string text = fmt::format("{}, {}{}\n\n", title_of(panel.primitive), escape_control(panel.distribution),
                                    panel.hard ? " (hard)" : "");
-    text += fmt::format("  {:<{}}  {:>8} {:>16}  {:>11} {:>18}  {:>8} {:>8} {:>8}\n", "method", width, "ns/ray",
+    text += fmt::format("  {:<{}}  {:>8} {:>15}  {:>9} {:>15}  {:>8} {:>8} {:>8}\n", "method", width, "ns/ray",
                         "quartiles", "wrong/1e6", "95 % interval", "mean ULP", "99 %", "max");
     for (std::size_t i = 0; i < names.size(); ++i) {
         const Row& row = *panel.rows[i];
         const auto error = [&](double TError::*which) {
             return row.t_error ? error_text((*row.t_error).*which) : std::string("-");
         };
-        text += fmt::format("{} {:<{}}  {:>8} {:>16}  {:>11} {:>18}  {:>8} {:>8} {:>8}\n", row.pareto_wrong ? "*" : " ",
-                            names[i], width, three_digits(row.ns_per_ray),
-                            fmt::format("{} - {}", three_digits(row.ns_low), three_digits(row.ns_high)),
-                            rate_text(row.wrong_per_million),
-                            fmt::format("{} - {}", rate_text(row.wrong_low), rate_text(row.wrong_high)),
-                            error(&TError::mean_ulp), error(&TError::p99_ulp), error(&TError::max_ulp));
+        text += fmt::format(
+            "{} {:<{}}  {:>8} {:>15}  {:>9} {:>15}  {:>8} {:>8} {:>8}\n", row.pareto_wrong ? "*" : " ", names[i], width,
+            three_digits(row.ns_per_ray), fmt::format("{}–{}", three_digits(row.ns_low), three_digits(row.ns_high)),
+            rate_text(row.wrong_per_million), fmt::format("{}–{}", rate_text(row.wrong_low), rate_text(row.wrong_high)),
+            error(&TError::mean_ulp), error(&TError::p99_ulp), error(&TError::max_ulp));
     }
     return text + "\n";
 }
 
 std::string measured_text(const Measurement& measured) {
-    std::string text = fmt::format("seed {}, {} rays of each distribution, {} interleaved repetitions; {}; {}{}\n",
+    std::string text = fmt::format("seed {}, {} rays of each distribution, {} interleaved repetitions{}\n{}, {}\n",
                                    measured.seed, measured.rays, measured.repetitions,
-                                   escape_control(measured.compiler), escape_control(measured.flags),
-                                   measured.processor.empty() ? "" : "; " + escape_control(measured.processor));
-    text +=
-        "* no method measured here is at once faster and less often wrong; t off by: the mean error of t of right "
-        "hits\n\n";
+                                   measured.processor.empty() ? "" : ", " + escape_control(measured.processor),
+                                   escape_control(measured.compiler), escape_control(measured.flags));
+    text += "* no method measured here is at once faster and less often wrong; `t off`: mean error of right hits\n\n";
     for (const PrimitiveSummary& summary : summarise(measured)) text += summary_table(summary);
     for (const Panel& panel : panels_of(measured)) text += panel_table(panel);
     text.pop_back();

@@ -4,7 +4,6 @@
 #include "harness/report/label_placement.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -14,24 +13,28 @@
 namespace harness::report {
 namespace {
 
-constexpr double gap = 2;          ///< between two labels, and a label and a point's mark
-constexpr double mark_radius = 6;  ///< of a point
-constexpr std::array radii = {9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 64.0, 80.0, 98.0, 118.0, 140.0, 165.0, 195.0, 230.0};
+constexpr double gap = 2;            ///< between two labels, and a label and a point's mark
+constexpr double mark_radius = 6;    ///< of a point
+constexpr double first_radius = 9;   ///< of the places around a point, from its middle to the label
+constexpr double next_radius = 1.3;  ///< each is so much larger than the one before
 constexpr int directions = 32;
 constexpr int most_passes = 12;
 
 constexpr double price_of_label = 1e6;
 constexpr double price_of_mark = 2e4;
 constexpr double price_of_leader_over_label = 400;
-constexpr double price_of_crossing = 150;
-constexpr double price_of_leader_over_mark = 60;
+constexpr double price_of_crossing = 200;
+constexpr double price_of_leader_over_mark = 250;
 constexpr double price_of_drawn = 12;
-constexpr double price_of_doubt = 40;  ///< nearer to another point than to its own, or nearly
+constexpr double price_of_doubt = 40;  ///< nearer to another point than to its own
 
-/// A far place costs more than its distance, so that no label pays for the comfort of many.
-double price_of_distance(double away) {
-    constexpr double far = 50;
-    return away + away * away / far;
+/// A far place costs more than its distance, so that no label pays for the comfort of many. On the level of its point a
+/// label reads best, to the right at first.
+double price_of_place(double radius, double angle) {
+    constexpr double far = 25;
+    constexpr double slant = 4;
+    constexpr double leftward = 0.5;
+    return radius + radius * radius / far + slant * std::abs(std::sin(angle)) + (std::cos(angle) < 0 ? leftward : 0);
 }
 
 bool overlap(const Box& one, const Box& other, double margin) {
@@ -76,9 +79,15 @@ Box mark_of(const Label& label) {
             label.point.y + mark_radius};
 }
 
-std::vector<Box> places_for(const Label& label, const Box& area) {
-    std::vector<Box> places;
-    for (const double radius : radii) {
+struct Place {
+    Box box;
+    double price;
+};
+
+std::vector<Place> places_for(const Label& label, const Box& area) {
+    std::vector<Place> places;
+    const double farthest = std::hypot(area.right - area.left, area.bottom - area.top);
+    for (double radius = first_radius; radius < farthest; radius *= next_radius) {
         for (int i = 0; i < directions; ++i) {
             const double angle = 2 * std::numbers::pi * i / directions;
             const double x = label.point.x + std::cos(angle) * (radius + label.width / 2);
@@ -86,7 +95,7 @@ std::vector<Box> places_for(const Label& label, const Box& area) {
             const Box box{x - label.width / 2, y - label.height / 2, x + label.width / 2, y + label.height / 2};
             if (box.left < area.left || box.right > area.right || box.top < area.top || box.bottom > area.bottom)
                 continue;
-            places.push_back(box);
+            places.push_back({box, price_of_place(radius, angle)});
         }
     }
     return places;
@@ -98,8 +107,7 @@ class Desk {
         : labels_(labels), drawn_(drawn), chosen_(labels.size()), prices_(labels.size()) {
         for (const Label& label : labels) {
             places_.push_back(places_for(label, area));
-            own_prices_.emplace_back();
-            for (const Box& place : places_.back()) own_prices_.back().push_back(own_price(label, place));
+            for (Place& place : places_.back()) place.price += price_of_hiding(label, place.box);
         }
     }
 
@@ -109,23 +117,27 @@ class Desk {
         for (const std::size_t i : order) {
             std::optional<Box> best;
             double least = std::numeric_limits<double>::infinity();
-            for (std::size_t place = 0; place < places_[i].size(); ++place) {
-                if (own_prices_[i][place] >= least) continue;
-                const double price = own_prices_[i][place] + price_among_others(i, places_[i][place], least);
+            for (const Place& place : places_[i]) {
+                if (place.price >= least) continue;
+                const double price = place.price + price_among_others(i, place.box, least);
                 if (price >= least) continue;
                 least = price;
-                best = places_[i][place];
+                best = place.box;
+                prices_[i] = place.price;
             }
             moved = moved || !best || !chosen_[i] || best->left != chosen_[i]->left || best->top != chosen_[i]->top;
             chosen_[i] = best;
-            prices_[i] = least;
         }
         return moved;
     }
 
     double price() const {
+        constexpr double unplaced = 1e9;
         double sum = 0;
-        for (const double price : prices_) sum += price;
+        for (std::size_t i = 0; i < chosen_.size(); ++i) {
+            if (!chosen_[i]) return unplaced;
+            sum += prices_[i] + price_among_others(i, *chosen_[i], unplaced);
+        }
         return sum;
     }
 
@@ -145,16 +157,15 @@ class Desk {
     }
 
   private:
-    double own_price(const Label& label, const Box& place) const {
+    double price_of_hiding(const Label& label, const Box& place) const {
         const Segment leader{label.point, nearest_on(place, label.point)};
         const double away = distance(leader.from, leader.to);
-        double price = price_of_distance(away);
+        double price = 0;
         for (const Label& other : labels_) {
             if (overlap(place, mark_of(other), 0)) price += price_of_mark;
             if (distance(other.point, label.point) <= mark_radius) continue;
             if (distance(leader, other.point) < mark_radius) price += price_of_leader_over_mark;
-            if (distance(nearest_on(place, other.point), other.point) < std::min(away + 4, 24.0))
-                price += price_of_doubt;
+            if (distance(nearest_on(place, other.point), other.point) < std::min(away, 24.0)) price += price_of_doubt;
         }
         for (const Segment& line : drawn_) {
             if (passes(line, place)) price += price_of_drawn;
@@ -178,10 +189,9 @@ class Desk {
 
     std::vector<Label> labels_;
     std::vector<Segment> drawn_;
-    std::vector<std::vector<Box>> places_;
-    std::vector<std::vector<double>> own_prices_;
+    std::vector<std::vector<Place>> places_;
     std::vector<std::optional<Box>> chosen_;
-    std::vector<double> prices_;  ///< of each label's place when it was chosen
+    std::vector<double> prices_;  ///< of each label's place, the others left out
 };
 
 /// What comes first finds the best places, so several orders are tried.

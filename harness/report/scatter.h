@@ -35,7 +35,7 @@ struct Scatter {
     std::string y_title;
     std::string band_title;         ///< what the band below the scale stands for; empty for no band
     double least = 0;               ///< values below are in the band; > 0
-    double most = 0;                ///< where the scale ends at the least; > least
+    double most = 0;                ///< where the scale ends at the least
     std::optional<double> ceiling;  ///< where it ends in any case
     std::vector<ScatterPoint> points;
 };
@@ -46,7 +46,6 @@ struct Drawing {
     double height = 0;
 };
 
-/// As high as the names need to keep apart.
 Drawing draw(const Scatter& scatter);
 
 /// The face of all text in pictures.
