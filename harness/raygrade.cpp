@@ -149,7 +149,7 @@ int run(int argc, char** argv) {
     accuracy_app
         .add_option("-k,--kernel", accuracy.kernels,
                     "Measure only the methods whose names hold one of these words, e.g. half-b or \"certified\"")
-        ->type_name("NAME...");
+        ->type_name("NAME");
     accuracy_app.add_option("-n,--rays", accuracy.rays, "Rays of each distribution; 0 for as many as fit the time")
         ->type_name("N");
     accuracy_app

@@ -37,14 +37,16 @@ tr.frontier th { font-weight: bold; }
 nav ul { columns: 14rem; padding-left: 1.2rem; }
 @page { size: A4; margin: 12mm; }
 @media print {
-  body { max-width: none; padding: 0; font-size: 9.5pt; }
+  :root { font-size: 9.5pt; }
+  body { max-width: none; padding: 0; }
   nav { display: none; }
   .pair { grid-template-columns: 1fr 1fr; }
   .picture svg { min-width: 0; }
   .picture, .wide { overflow: visible; }
   table { font-size: 8pt; }
   th, td { padding: 0.1rem 0.35rem; }
-  figure, tr, li { break-inside: avoid; }
+  figure, .picture, tr, li { break-inside: avoid; }
+  #summary figure { break-inside: auto; }
   h2, h3 { break-after: avoid; }
 }
 )";
@@ -52,21 +54,28 @@ nav ul { columns: 14rem; padding-left: 1.2rem; }
 constexpr const char* introduction = R"(
 <p>A ray tracer asks one question millions of times: does this ray hit, and where? The formula is in every textbook, and in a
 computer's arithmetic it sometimes answers wrongly. Here every method got the same rays, was timed in the same run, and each of
-its answers was judged by exact arithmetic, which does not round.</p>
-<h3>How to read the pictures</h3>
+its answers was judged by exact arithmetic, which does not round. <strong>Further left is faster, further down is wrong less
+often.</strong></p>
+)";
+
+constexpr const char* reading_aid = R"(
+<section id="reading">
+<h2>How to read the pictures</h2>
 <ul>
 <li>Each mark is a method, with its name beside it: a circle computes in float, a square in double, a diamond in something
-else. <strong>Further left is faster, further down is wrong less often.</strong></li>
+else.</li>
 <li>Wrong means a hit taken for a miss, a miss for a hit, or the wrong order of two hits. A mark in the green band made no
-wrong decision at all.</li>
+wrong decision at all; its height within the band means nothing, there the fastest is on top.</li>
 <li>The stepped line is the frontier. A method on it, in bold, is beaten by no other in both at once; whatever lies above the
 line and to its right costs more or errs more than it needs to.</li>
-<li>An upright bar is the 95 % interval of the rate: from so many rays it can't be known better. It reaches up from the
-band too: no wrong decision in a hundred thousand does not mean that there never is one. A level bar shows the quartiles of the
+<li>An upright bar is the 95 % interval of the rate: from so many rays it can't be known better. It rises from the band too:
+no wrong decision among a hundred thousand does not mean that there never is one. A level bar shows the quartiles of the
 time.</li>
+<li>Where a few methods are far slower than the rest, the grey part on the right packs their times closer together.</li>
 <li>Benign rays are those of a usual picture. Hard rays aim at what rounding gets wrong, such as spheres just grazed and edges
 just met; a rate on those says how a method fails where it matters, not how often it fails in a picture.</li>
 </ul>
+</section>
 )";
 
 std::string picture(const Scatter& scatter) {
@@ -180,7 +189,7 @@ std::string accuracy_html(const AccuracyFindings& findings) {
         "<title>What accuracy costs in time</title>\n<style>{}</style>\n</head>\n<body>\n<header>\n"
         "<h1>What accuracy costs in time</h1>\n{}</header>\n<main>\n",
         style, introduction);
-    html += summary_section(summaries) + run_facts(measured);
+    html += summary_section(summaries) + run_facts(measured) + reading_aid;
     if (findings.assignment) html += assignment_html(*findings.assignment);
     html += contents(panels) + panel_sections(panels) + methods_section(summaries);
     return html + "</main>\n</body>\n</html>\n";

@@ -13,10 +13,11 @@
 namespace harness::report {
 namespace {
 
-constexpr double gap = 2;            ///< between two labels, and a label and a point's mark
-constexpr double mark_radius = 6;    ///< of a point
-constexpr double first_radius = 9;   ///< of the places around a point, from its middle to the label
-constexpr double next_radius = 1.3;  ///< each is so much larger than the one before
+constexpr double gap = 2;           ///< between two labels, and a label and a point's mark
+constexpr double mark_radius = 6;   ///< of a point
+constexpr double first_radius = 9;  ///< of the places around a point, from its middle to the label
+constexpr double growth = 0.3;      ///< each is so much larger than the one before,
+constexpr double most_growth = 17;  ///< but no more than this: the height of a label and its gap
 constexpr int directions = 32;
 constexpr int most_passes = 12;
 
@@ -87,7 +88,7 @@ struct Place {
 std::vector<Place> places_for(const Label& label, const Box& area) {
     std::vector<Place> places;
     const double farthest = std::hypot(area.right - area.left, area.bottom - area.top);
-    for (double radius = first_radius; radius < farthest; radius *= next_radius) {
+    for (double radius = first_radius; radius < farthest; radius += std::min(growth * radius, most_growth)) {
         for (int i = 0; i < directions; ++i) {
             const double angle = 2 * std::numbers::pi * i / directions;
             const double x = label.point.x + std::cos(angle) * (radius + label.width / 2);
