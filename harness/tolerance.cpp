@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "reference/graded_allowance.h"
+#include "reference/tolerance.h"
 
 namespace harness {
 namespace {

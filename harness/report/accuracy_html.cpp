@@ -34,7 +34,7 @@ thead th { border-bottom: 2px solid #999; vertical-align: bottom; }
 tr.frontier th { font-weight: bold; }
 .bad { color: #a00000; font-weight: bold; }
 .facts { color: #555; font-size: 0.9rem; }
-nav ul { columns: 14rem; padding-left: 1.2rem; }
+nav ul { columns: 14rem; column-gap: 2rem; padding-left: 1.2rem; }
 @page { size: A4; margin: 12mm; }
 @media print {
   :root { font-size: 9.5pt; }
@@ -115,7 +115,7 @@ std::string panel_figure(const Panel& panel, const std::string& id) {
     html += "</div>\n";
     const std::size_t without_t = panel.rows.size() - errors.points.size();
     if (without_t > 0) {
-        html += "<figcaption class=\"facts\">Without a t, as they only decide:";
+        html += "<figcaption class=\"facts\">Without a t to compare:";
         std::string separator = " ";
         for (const Row* row : panel.rows) {
             if (row->t_error) continue;

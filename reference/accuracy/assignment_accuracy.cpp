@@ -7,7 +7,7 @@
 
 #include "reference/accuracy/read_scalar.h"
 #include "reference/certified_scene.h"
-#include "reference/graded_allowance.h"
+#include "reference/tolerance.h"
 
 namespace reference::accuracy {
 namespace {

@@ -1,4 +1,4 @@
-#include "reference/graded_allowance.h"
+#include "reference/tolerance.h"
 
 #include <algorithm>
 #include <cmath>
