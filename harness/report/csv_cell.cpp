@@ -2,6 +2,8 @@
 
 #include <csv.h>
 
+#include <string_view>
+
 #include "harness/clean_text.h"
 
 namespace harness::report {

@@ -1,11 +1,11 @@
-// One cell of a CSV file that a spreadsheet may open.
+// One cell of a CSV file that a spreadsheet will open.
 #pragma once
 
 #include <string>
 
 namespace harness::report {
 
-/// A quoted cell. What a spreadsheet would compute is text behind an apostrophe.
+/// Quoted as RFC 4180 has it, control bytes escaped. What a spreadsheet would compute is text behind an apostrophe.
 std::string csv_cell(const std::string& text);
 
 }  // namespace harness::report

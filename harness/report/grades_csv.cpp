@@ -4,6 +4,7 @@
 #include "harness/report/report.h"
 
 namespace harness::report {
+
 std::string grades_csv(const std::vector<Graded>& graded) {
     std::string text = "id,outcome,points,max_points";
     if (!graded.empty()) {
