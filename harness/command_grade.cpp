@@ -2,10 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
-#include <functional>
 #include <future>
 #include <iterator>
 #include <optional>
@@ -18,6 +15,7 @@
 #include "harness/progress.h"
 #include "harness/report/canvas.h"
 #include "harness/report/report.h"
+#include "harness/results_folder.h"
 
 namespace harness {
 namespace {
@@ -30,65 +28,6 @@ void check_trace(const fs::path& trace) {
     std::error_code error;
     if (fs::is_directory(trace, error) || access(folder.c_str(), W_OK | X_OK) != 0) {
         throw UsageError(fmt::format("{}: can't be written; name another file with --trace", trace.string()));
-    }
-}
-
-/// Writes a whole file or throws HarnessError; what was there before stays until the new one is complete.
-void write_file(const fs::path& file, const std::function<void(std::ostream&)>& write) {
-    const fs::path fresh = file.string() + ".new";
-    errno = 0;
-    std::ofstream stream(fresh, std::ios::binary);
-    write(stream);
-    stream.close();
-    if (!stream) {
-        const std::string why = errno == 0 ? "writing failed" : std::strerror(errno);
-        std::error_code ignored;
-        fs::remove(fresh, ignored);
-        throw HarnessError(fmt::format("{}: can't be written: {}; free some space or name another folder with --out",
-                                       file.string(), why));
-    }
-    fs::rename(fresh, file);
-}
-
-void write_file(const fs::path& file, const std::string& text) {
-    write_file(file, [&](std::ostream& stream) { stream << text; });
-}
-
-/// Whether there is nothing at all, or no more than the folders that a run makes first.
-bool is_without_files(const fs::path& out) {
-    std::error_code error;
-    if (!fs::exists(out, error)) return true;
-    for (const auto& entry : fs::directory_iterator(out, error)) {
-        if (entry.path().filename() != "feedback" || !fs::is_empty(entry.path(), error)) return false;
-    }
-    return !error;
-}
-
-/// Makes the results' folder, empty or with an earlier run's results that may be replaced. Throws UsageError.
-void prepare_folder(const fs::path& out, bool force) {
-    std::error_code error;
-    if (fs::exists(out, error) && !fs::is_directory(out, error)) {
-        throw UsageError(fmt::format("{}: is a file; name a folder for the results with --out", out.string()));
-    }
-    const bool empty = is_without_files(out);
-    const bool earlier = fs::exists(out / "grades.json", error);
-    if (!empty && earlier && !force) {
-        throw UsageError(fmt::format(
-            "{}: holds the results of an earlier run; replace them with --force, or name another folder with --out",
-            out.string()));
-    }
-    if (!empty && !earlier) {
-        throw UsageError(fmt::format(
-            "{}: is not empty and holds no results of raygrade; name another folder with --out", out.string()));
-    }
-    const fs::path probe = out / "feedback";
-    fs::create_directories(probe, error);
-    if (error)
-        throw UsageError(
-            fmt::format("{}: can't be made: {}; name another folder with --out", probe.string(), error.message()));
-    if (access(out.c_str(), W_OK | X_OK) != 0 || access(probe.c_str(), W_OK | X_OK) != 0) {
-        throw UsageError(fmt::format("{}: can't be written: {}; name another folder with --out", out.string(),
-                                     std::strerror(errno)));
     }
 }
 
@@ -178,7 +117,7 @@ int grade_command(const GradeOptions& options) {
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
     const auto marking = begin_marking(assignment);
     std::vector<Submission> submissions = find_submissions(options.paths);
-    prepare_folder(options.out, options.force);
+    prepare_results(options.out, "grades.json", options.force ? Replace::yes : Replace::no, "feedback");
     if (!options.trace.empty()) check_trace(options.trace);
     const Workshop workshop = open_workshop(options.workshop, assignment.limits);
     tell_of_the_sandbox(workshop);

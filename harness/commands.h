@@ -1,6 +1,7 @@
 // The subcommands of raygrade. Each writes results to stdout, its own voice to stderr, and returns the exit status.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -49,6 +50,19 @@ int reference_command(const ReferenceOptions& options);
 
 /// Answers the queries on stdin; some_not_graded when a line was none.
 int cast_command();
+
+struct AccuracyOptions {
+    std::vector<std::string> kernels;  ///< parts of the names of the methods to measure; all when empty
+    std::uint64_t rays = 0;            ///< of each distribution; 0 for what fits the time
+    std::uint64_t seed = 1;
+    bool quick = false;
+    std::string assignment;       ///< also tell of this one's scene; empty for none
+    std::filesystem::path out;    ///< where to write page, picture and figures; empty for nowhere
+    bool force = false;           ///< replace the results of an earlier run
+    std::string format = "text";  ///< text, json or csv
+};
+/// With an assignment and nowhere to write to, only the assignment is examined: that takes a moment.
+int accuracy_command(const AccuracyOptions& options);
 
 int doctor_command();
 

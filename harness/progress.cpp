@@ -19,6 +19,18 @@ std::string time_left(double left) {
     return left < 2 * minute ? fmt::format("{:.0f} s", left) : fmt::format("{:.0f} min", left / minute);
 }
 
+std::string bar(double done) {
+    constexpr std::size_t width = 30;
+    const auto filled = static_cast<std::size_t>(static_cast<double>(width) * std::clamp(done, 0.0, 1.0));
+    return fmt::format("\r[{}{}]", std::string(filled, '#'), std::string(width - filled, '.'));
+}
+
+/// Between two things told.
+std::chrono::milliseconds pause_of(bool is_terminal) {
+    using namespace std::chrono_literals;
+    return is_terminal ? 100ms : 10000ms;
+}
+
 }  // namespace
 
 std::string progress_text(std::size_t finished, std::size_t total, std::chrono::duration<double> elapsed) {
@@ -55,10 +67,8 @@ Progress::~Progress() {
 }
 
 void Progress::tell(const std::stop_token& stop) const {
-    using namespace std::chrono_literals;
-    constexpr std::size_t width = 30;
     const auto start = Timeline::Clock::now();
-    const auto pause = is_terminal_ ? 100ms : 10000ms;
+    const auto pause = pause_of(is_terminal_);
     std::mutex mutex;
     std::unique_lock lock(mutex);
     std::condition_variable_any wake;
@@ -66,15 +76,40 @@ void Progress::tell(const std::stop_token& stop) const {
         if (is_terminal_ || Timeline::Clock::now() - start >= pause) {
             const std::size_t finished = timeline_.finished;
             const std::string text = progress_text(finished, total_, Timeline::Clock::now() - start);
-            const std::size_t filled = total_ == 0 ? width : std::min(width, width * finished / total_);
             if (is_terminal_) {
-                fmt::print(stderr, "\r[{}{}] {}\x1b[K", std::string(filled, '#'), std::string(width - filled, '.'),
-                           text);
+                const double share = total_ == 0 ? 1.0 : static_cast<double>(finished) / static_cast<double>(total_);
+                fmt::print(stderr, "{} {}\x1b[K", bar(share), text);
             } else {
                 fmt::print(stderr, "{}\n", text);
             }
         }
         wake.wait_for(lock, stop, pause, [] { return false; });
+    }
+}
+
+std::string share_text(double done, std::chrono::duration<double> elapsed) {
+    constexpr double least = 0.01;
+    std::string text = fmt::format("{:.0f} %", 100 * done);
+    if (done >= least && done < 1) text += fmt::format(", {} left", time_left(elapsed.count() * (1 - done) / done));
+    return text;
+}
+
+ShareProgress::ShareProgress()
+    : is_terminal_(isatty(STDERR_FILENO) == 1), start_(Timeline::Clock::now()), told_(start_) {}
+
+ShareProgress::~ShareProgress() {
+    if (is_terminal_) fmt::print(stderr, "\r\x1b[K");
+}
+
+void ShareProgress::tell(double done) {
+    const auto now = Timeline::Clock::now();
+    if (now - told_ < pause_of(is_terminal_)) return;
+    told_ = now;
+    const std::string text = share_text(done, now - start_);
+    if (is_terminal_) {
+        fmt::print(stderr, "{} {}\x1b[K", bar(done), text);
+    } else {
+        fmt::print(stderr, "{}\n", text);
     }
 }
 

@@ -25,6 +25,27 @@ class Progress {
     std::jthread teller_;
 };
 
+/// The same of work that says itself how much of it is done. It tells from the worker's own thread, so that nothing
+/// runs beside what is being timed.
+class ShareProgress {
+  public:
+    ShareProgress();
+    ~ShareProgress();
+    ShareProgress(const ShareProgress&) = delete;
+    ShareProgress& operator=(const ShareProgress&) = delete;
+
+    /// `done` in [0, 1].
+    void tell(double done);
+
+  private:
+    bool is_terminal_;
+    Timeline::Clock::time_point start_;
+    Timeline::Clock::time_point told_;
+};
+
+/// "40 %, 12 s left"; without a time before a hundredth is done.
+std::string share_text(double done, std::chrono::duration<double> elapsed);
+
 /// "40 of 100, 3.1 a second, 19 s left"; without a rate before the first is finished.
 std::string progress_text(std::size_t finished, std::size_t total, std::chrono::duration<double> elapsed);
 

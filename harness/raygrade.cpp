@@ -21,6 +21,7 @@ constexpr const char* about =
     "  raygrade check ray_cast.cpp             a student's own check before handing in\n"
     "  raygrade reference                      the canonical answers\n"
     "  raygrade cast < queries.jsonl           exact answers to any rays\n"
+    "  raygrade accuracy --out accuracy        what accuracy costs in time: a page of pictures\n"
     "  raygrade doctor                         what this machine has and lacks";
 
 constexpr const char* footer =
@@ -155,6 +156,46 @@ int run(int argc, char** argv) {
         "Numbers are JSON numbers or hex floats in quotes. t >= 0, edges and vertices are hits, a tangent is one in "
         "the order.");
 
+    AccuracyOptions accuracy;
+    CLI::App& accuracy_app = *app.add_subcommand(
+        "accuracy", "Show what accuracy costs in time: every method on the same rays, timed and judged");
+    accuracy_app
+        .add_option("-k,--kernel", accuracy.kernels,
+                    "Measure only the methods whose names hold one of these words, e.g. half-b or \"certified\"")
+        ->type_name("NAME");
+    accuracy_app.add_option("-n,--rays", accuracy.rays, "Rays of each distribution; 0 for as many as fit the time")
+        ->type_name("N");
+    accuracy_app
+        .add_option("-s,--seed", accuracy.seed, "Where the random rays begin; the same seed gives the same rays")
+        ->type_name("N")
+        ->capture_default_str();
+    accuracy_app.add_flag("--quick", accuracy.quick, "Fewer rays: below ten seconds rather than below a minute");
+    accuracy_app
+        .add_option("-a,--assignment", accuracy.assignment,
+                    "Tell of this assignment's scene: each answer's error in float, double and long double, which "
+                    "decisions hang on rounding, what the certified answers cost. Alone it measures nothing else")
+        ->type_name("NAME|FILE");
+    accuracy_app
+        .add_option("-o,--out", accuracy.out,
+                    "The folder for accuracy.html, accuracy.svg, accuracy.json and accuracy.csv; without it nothing is "
+                    "written")
+        ->type_name("DIR");
+    accuracy_app.add_flag("--force", accuracy.force, "Replace the results of an earlier run in the output folder");
+    accuracy_app
+        .add_option("-f,--format", accuracy.format,
+                    "What to print: a table to read, everything as JSON, or the rows as CSV")
+        ->check(CLI::IsMember({"text", "json", "csv"}))
+        ->capture_default_str();
+    accuracy_app.footer(
+        "Every method gets the same rays in one run, in turn, so that a busy machine slows all alike; every answer is\n"
+        "judged by exact arithmetic. Benign rays are a usual picture's; hard ones aim at what rounding gets wrong. A "
+        "`*`\n"
+        "marks the frontier: no method is at once faster and less often wrong. Times depend on the machine, wrong\n"
+        "decisions on the seed and the compiler's flags, which the reports name.\n\n"
+        "Examples: raygrade accuracy --quick\n"
+        "          raygrade accuracy --out accuracy            the pictures, for a browser, a printer or a slide\n"
+        "          raygrade accuracy --assignment a6-2021      is float enough for this scene?");
+
     CLI::App& doctor_app = *app.add_subcommand("doctor", "Say what this machine has and lacks for grading");
 
     try {
@@ -166,6 +207,7 @@ int run(int argc, char** argv) {
     if (check_app.parsed()) return check_command(check);
     if (reference_app.parsed()) return reference_command(reference_options);
     if (cast_app.parsed()) return cast_command();
+    if (accuracy_app.parsed()) return accuracy_command(accuracy);
     return doctor_app.parsed() ? doctor_command() : usage;
 }
 

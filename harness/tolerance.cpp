@@ -1,7 +1,8 @@
 #include "harness/tolerance.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "reference/tolerance.h"
 
 namespace harness {
 namespace {
@@ -9,13 +10,6 @@ namespace {
 using reference::Answer;
 using reference::KeyItem;
 using reference::PixelConvention;
-
-/// Where nothing bounds how far float arithmetic may be off, as at a tangent, an answer is held to this share of its
-/// size.
-constexpr double allowance_without_bound = 0.01;
-
-/// What a key without certified allowances is held to: some roundings of float, beside the item's size.
-constexpr double uncertified_allowance = 1e-4;
 
 /// The item's first answer with the convention, or else its first: answers that several readings share are listed once.
 const Answer& answer_under(PixelConvention convention, const KeyItem& item) {
@@ -28,15 +22,7 @@ const Answer& answer_under(PixelConvention convention, const KeyItem& item) {
 
 Target target_with_allowance(const KeyItem& item, const Answer& answer, const reference::Rubric& rubric) {
     Target target = target_of(answer);
-    const auto* numbers = std::get_if<reference::Numbers>(&answer.value);
-    if (numbers == nullptr) return target;
-    const double unit = reference::unit_of(*numbers);
-    const double tolerance = unit * rubric.tolerance_of(item.spec.question, std::string(item.spec.name)).value_or(0.0);
-    for (std::size_t i = 0; i < numbers->size(); ++i) {
-        double allowance = answer.allowance.empty() ? uncertified_allowance * unit : answer.allowance[i];
-        if (!std::isfinite(allowance)) allowance = allowance_without_bound * unit;
-        target.allowance.push_back(std::max(allowance, tolerance));
-    }
+    target.allowance = reference::graded_allowance(item, answer, rubric);
     return target;
 }
 

@@ -2,7 +2,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "reference/exact/certified.h"
+#include "reference/certified_scene.h"
 #include "reference/reading_answers.h"
 
 namespace reference {
@@ -42,12 +42,19 @@ void enclose_numbers(Answer& answer, const std::vector<Certified>& numbers, cons
 
 }  // namespace
 
-ReadingAnswers certified_answers(const Assignment& assignment, const Reading& reading) {
-    const Scene<Rational> rationals = convert_scene<Rational>(assignment.scene, exact);
+Scene<Rational> rational_scene(const Scene<Decimal>& scene) {
+    return convert_scene<Rational>(scene, exact);
+}
+
+Scene<Certified> certified_scene(const Scene<Rational>& scene) {
     const auto basis = std::make_shared<RootBasis>();
-    const Scene<Certified> scene =
-        convert_scene<Certified>(rationals, [&](const Rational& x) { return Certified(FieldNumber(x, basis)); });
-    const SceneAnswers<Certified> answers = answer_scene(scene, reading.convention, reading.boundary);
+    return convert_scene<Certified>(scene, [&](const Rational& x) { return Certified(FieldNumber(x, basis)); });
+}
+
+ReadingAnswers certified_answers(const Assignment& assignment, const Reading& reading) {
+    const Scene<Rational> rationals = rational_scene(assignment.scene);
+    const SceneAnswers<Certified> answers =
+        answer_scene(certified_scene(rationals), reading.convention, reading.boundary);
     const std::map<ItemId, ItemBounds> bounds =
         bounds_of_correct_programs(rationals, reading.convention, branches_of(answers));
     ReadingAnswers result{decisions_of(answers), {}};

@@ -23,6 +23,12 @@ TEST(ProgressText, HasNoRateBeforeTheFirstAndNoTimeLeftAfterTheLast) {
     EXPECT_EQ(progress_text(3, 5, 0s), "3 of 5");
 }
 
+TEST(ShareText, TellsTimeLeftOnceThereIsSomethingToGoBy) {
+    EXPECT_EQ(harness::share_text(0, 5s), "0 %");
+    EXPECT_EQ(harness::share_text(0.25, 10s), "25 %, 30 s left");
+    EXPECT_EQ(harness::share_text(1, 40s), "100 %");
+}
+
 TEST(ClosingLine, TellsWhereTheTimeWent) {
     Timeline timeline;
     const auto begin = Timeline::Clock::now();

@@ -21,7 +21,7 @@ constexpr int usage = 2;
 TEST(CommandLine, HelpNamesEverySubcommand) {
     const Result result = raygrade({"--help"});
     EXPECT_EQ(result.status, 0);
-    for (const char* subcommand : {"grade", "check", "doctor", "reference"}) {
+    for (const char* subcommand : {"grade", "check", "doctor", "reference", "accuracy"}) {
         EXPECT_THAT(result.output, HasSubstr(subcommand));
         const Result help = raygrade({subcommand, "--help"});
         EXPECT_EQ(help.status, 0) << subcommand;

@@ -1,0 +1,15 @@
+// The assignment's part of the reports.
+#pragma once
+
+#include <string>
+
+#include "reference/accuracy/assignment_accuracy.h"
+
+namespace harness::report {
+
+std::string assignment_text(const reference::accuracy::AssignmentAccuracy& assignment);
+
+/// A <section> of the page.
+std::string assignment_html(const reference::accuracy::AssignmentAccuracy& assignment);
+
+}  // namespace harness::report

@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include "harness/report/accuracy_assignment.h"
+#include "harness/report/accuracy_numbers.h"
+#include "harness/report/accuracy_sentences.h"
+#include "harness/report/markup.h"
+
+namespace harness::report {
+namespace {
+
+using namespace reference::accuracy;
+
+std::string item_row(const ItemAccuracy& item) {
+    std::string row = fmt::format("<tr><th scope=\"row\">{}</th><td class=\"words\">{}</td>",
+                                  escape_markup(item_name(item)), escape_markup(item.truth));
+    for (const ItemError& error : item.errors) {
+        const std::string cell = item.ulp > 0 || error.otherwise ? error_cell(error) : "right";
+        const bool is_bad = error.otherwise || error.of_allowance > 1;
+        row += fmt::format("<td{}>{}</td>", is_bad ? " class=\"bad\"" : "", escape_markup(cell));
+    }
+    if (item.ulp == 0 || item.errors.empty()) return row + "<td></td><td></td><td></td></tr>\n";
+    const ItemError& error = item.errors.front();
+    return row + fmt::format("<td>{}</td><td>{}</td><td>{:.1f} %</td></tr>\n", error_text(error.absolute),
+                             error_text(item.allowance), 100 * error.of_allowance);
+}
+
+}  // namespace
+
+std::string assignment_html(const AssignmentAccuracy& assignment) {
+    std::string html =
+        fmt::format("<section id=\"assignment\">\n<h2>The assignment: {}</h2>\n", escape_markup(assignment.title));
+    html += "<h3>Which decisions hang on rounding</h3>\n<p>" + escape_markup(decisions_summary(assignment.decisions)) +
+            "</p>\n";
+    std::string near;
+    for (const Decision& one : assignment.decisions) {
+        if (one.hangs_on_rounding()) near += "<li>" + escape_markup(decision_sentence(one)) + "</li>\n";
+    }
+    if (!near.empty()) html += "<ul>\n" + near + "</ul>\n";
+    html +=
+        "<h3>How far each answer is off</h3>\n<p>The handout's ten questions, computed in each type, against the "
+        "certified answers: the largest error over an item's components, in units in the last place of float (ULP), "
+        "then "
+        "float's error as a length, what marking forgives, and how much of that float uses.</p>\n"
+        "<div class=\"wide\"><table>\n<thead><tr><th scope=\"col\">item</th><th scope=\"col\">true value</th>"
+        "<th scope=\"col\">float</th><th scope=\"col\">double</th><th scope=\"col\">long double</th>"
+        "<th scope=\"col\">float, off by</th><th scope=\"col\">allowance</th><th scope=\"col\">used</th></tr></thead>\n"
+        "<tbody>\n";
+    for (const ItemAccuracy& item : assignment.items) html += item_row(item);
+    html += fmt::format(
+        "</tbody></table></div>\n<h3>What the certified answers cost</h3>\n<p>All ten answers once, median of {} "
+        "interleaved repetitions. Certified means that every decision is made exactly and every value is enclosed "
+        "between "
+        "neighbouring doubles.</p>\n<table>\n<thead><tr><th scope=\"col\">arithmetic</th><th scope=\"col\">time</th>"
+        "<th scope=\"col\">times float</th></tr></thead>\n<tbody>\n",
+        assignment.repetitions);
+    for (const ScalarCost& cost : assignment.costs) {
+        html += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n", escape_markup(cost.scalar),
+                            time_text(cost.ns), three_digits(cost.to_float));
+    }
+    return html + "</tbody></table>\n</section>\n";
+}
+
+}  // namespace harness::report

@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/clean_text.h"
+#include "harness/report/accuracy_assignment.h"
+#include "harness/report/accuracy_numbers.h"
+#include "harness/report/accuracy_sentences.h"
+
+namespace harness::report {
+
+using namespace reference::accuracy;
+
+namespace {
+
+/// In lines of at most 110 characters, but for words that are longer; all but the first are indented.
+std::string wrapped(const std::string& sentence) {
+    constexpr std::size_t most = 110;
+    std::string text;
+    std::string line;
+    for (std::size_t at = 0; at < sentence.size();) {
+        const std::size_t end = std::min(sentence.find(' ', at), sentence.size());
+        const std::string word = sentence.substr(at, end - at);
+        if (!line.empty() && line.size() + 1 + word.size() > most) {
+            text += line + "\n";
+            line = " ";
+        }
+        line += (line.empty() ? "" : " ") + word;
+        at = end + 1;
+    }
+    return text + line + "\n";
+}
+
+}  // namespace
+
+std::string assignment_text(const AssignmentAccuracy& assignment) {
+    std::string text = fmt::format("{}\n\n", escape_control(assignment.title));
+    text +=
+        "How far a right program's answers are from the true ones, in units in the last place of float (ULP); the\n"
+        "largest over an item's components. The allowance is what marking forgives, and the last column the share\n"
+        "of it that float uses.\n\n";
+    text += fmt::format("  {:<16} {:>12} {:>12} {:>12} {:>14} {:>12} {:>9}\n", "item", "float", "double", "long double",
+                        "float, off by", "allowance", "used");
+    for (const ItemAccuracy& item : assignment.items) {
+        std::string line = fmt::format("  {:<16}", item_name(item));
+        for (const ItemError& error : item.errors)
+            line += fmt::format(" {:>12}", item.ulp > 0 || error.otherwise ? error_cell(error) : "right");
+        if (item.ulp > 0 && !item.errors.empty()) {
+            const ItemError& error = item.errors.front();
+            line += fmt::format(" {:>14} {:>12} {:>9}", error_text(error.absolute), error_text(item.allowance),
+                                fmt::format("{:.1f} %", 100 * error.of_allowance));
+        }
+        text += line + "\n";
+    }
+    text += "\n" + decisions_summary(assignment.decisions) + "\n";
+    for (const Decision& one : assignment.decisions) {
+        if (one.hangs_on_rounding()) text += wrapped("- " + decision_sentence(one));
+    }
+    text +=
+        fmt::format("\nWhat all ten answers cost (median of {} interleaved repetitions):\n", assignment.repetitions);
+    for (const ScalarCost& cost : assignment.costs) {
+        text += fmt::format("  {:<12} {:>10} {:>10} × float\n", cost.scalar, time_text(cost.ns),
+                            three_digits(cost.to_float));
+    }
+    text += "  certified: every decision made exactly and every value enclosed between neighbouring doubles\n";
+    return text;
+}
+
+}  // namespace harness::report

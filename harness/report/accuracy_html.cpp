@@ -1,0 +1,198 @@
+#include <fmt/format.h>
+
+#include "harness/report/accuracy_assignment.h"
+#include "harness/report/accuracy_numbers.h"
+#include "harness/report/accuracy_panels.h"
+#include "harness/report/accuracy_report.h"
+#include "harness/report/markup.h"
+
+namespace harness::report {
+namespace {
+
+using namespace reference::accuracy;
+
+constexpr const char* style = R"(
+:root { color-scheme: light; }
+body { margin: 0 auto; max-width: 68rem; padding: 1rem; background: #fff; color: #222;
+  font: 1rem/1.5 system-ui, Helvetica, Arial, "Liberation Sans", sans-serif; }
+h1 { font-size: 1.8rem; line-height: 1.2; margin: 0.5rem 0; }
+h2 { margin: 2.5rem 0 0.5rem; border-bottom: 2px solid #ddd; }
+h3 { margin: 1.5rem 0 0.25rem; }
+p, li { max-width: 46rem; }
+a { color: #0062a0; }
+figure { margin: 0.5rem 0 1rem; }
+.pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 26rem), 1fr)); gap: 0.5rem;
+  align-items: start; }
+.picture { overflow-x: auto; }
+.picture svg { display: block; width: 100%; min-width: 24rem; max-width: 42rem; height: auto; }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; font-size: 0.9rem; }
+th, td { padding: 0.2rem 0.6rem; text-align: right; border-bottom: 1px solid #e4e4e4;
+  font-variant-numeric: tabular-nums; vertical-align: top; }
+th[scope="row"], th:first-child, .words { text-align: left; font-weight: normal; }
+thead th { border-bottom: 2px solid #999; vertical-align: bottom; }
+tr.frontier th { font-weight: bold; }
+.bad { color: #a00000; font-weight: bold; }
+.facts { color: #555; font-size: 0.9rem; }
+nav ul { columns: 14rem; column-gap: 2rem; padding-left: 1.2rem; }
+@page { size: A4; margin: 12mm; }
+@media print {
+  :root { font-size: 9.5pt; }
+  body { max-width: none; padding: 0; }
+  nav { display: none; }
+  .pair { grid-template-columns: 1fr 1fr; }
+  .picture svg { min-width: 0; }
+  .picture, .wide { overflow: visible; }
+  table { font-size: 8pt; }
+  th, td { padding: 0.1rem 0.35rem; }
+  figure, .picture, tr, li { break-inside: avoid; }
+  #summary figure { break-inside: auto; }
+  h2, h3 { break-after: avoid; }
+}
+)";
+
+constexpr const char* introduction = R"(
+<p>A ray tracer asks one question millions of times: does this ray hit, and where? The formula is in every textbook, and in a
+computer's arithmetic it sometimes answers wrongly. Here every method got the same rays, was timed in the same run, and each of
+its answers was judged by exact arithmetic, which does not round. <strong>Further left is faster, further down is wrong less
+often.</strong></p>
+)";
+
+constexpr const char* reading_aid = R"(
+<section id="reading">
+<h2>How to read the pictures</h2>
+<ul>
+<li>Each mark is a method, with its name beside it: a circle computes in float, a square in double, a diamond in something
+else.</li>
+<li>Wrong means a hit taken for a miss, a miss for a hit, or the wrong order of two hits. A mark in the green band made no
+wrong decision at all; its height within the band means nothing, there the fastest is on top.</li>
+<li>The stepped line is the frontier. A method on it, in bold, is beaten by no other in both at once; whatever lies above the
+line and to its right costs more or errs more than it needs to.</li>
+<li>An upright bar is the 95 % interval of the rate: from so many rays it can't be known better. It rises from the band too:
+no wrong decision among a hundred thousand does not mean that there never is one. A level bar shows the quartiles of the
+time.</li>
+<li>Where a few methods are far slower than the rest, the grey part on the right packs their times closer together.</li>
+<li>Benign rays are those of a usual picture. Hard rays aim at what rounding gets wrong, such as spheres just grazed and edges
+just met; a rate on those says how a method fails where it matters, not how often it fails in a picture.</li>
+</ul>
+</section>
+)";
+
+std::string picture(const Scatter& scatter) {
+    return "<div class=\"picture\">\n" + draw(scatter).svg + "</div>\n";
+}
+
+std::string summary_section(const std::vector<PrimitiveSummary>& summaries) {
+    std::string html = "<section id=\"summary\">\n<h2>At a glance</h2>\n<figure>\n<div class=\"pair\">\n";
+    for (const PrimitiveSummary& summary : summaries) html += picture(summary_scatter(summary));
+    return html +
+           "</div>\n<figcaption class=\"facts\">Time on benign rays against wrong decisions on all hard ones "
+           "together.</figcaption>\n</figure>\n</section>\n";
+}
+
+std::string panel_id(std::size_t index) {
+    return fmt::format("panel-{}", index + 1);
+}
+
+std::string panel_title(const Panel& panel) {
+    return escape_markup(panel.distribution) + (panel.hard ? " (hard)" : "");
+}
+
+std::string contents(const std::vector<Panel>& panels) {
+    std::string html = "<nav aria-label=\"Distributions\">\n<h3>Each distribution by itself</h3>\n<ul>\n";
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        html += fmt::format("<li><a href=\"#{}\">{}: {}</a></li>\n", panel_id(i), title_of(panels[i].primitive),
+                            panel_title(panels[i]));
+    }
+    return html + "</ul>\n</nav>\n";
+}
+
+std::string panel_figure(const Panel& panel, const std::string& id) {
+    const Scatter errors = error_scatter(panel, id + "-t");
+    std::string html = fmt::format("<figure id=\"{}\">\n<h3>{}</h3>\n<div class=\"pair\">\n{}", id, panel_title(panel),
+                                   picture(wrong_scatter(panel, id + "-wrong")));
+    if (!errors.points.empty()) html += picture(errors);
+    html += "</div>\n";
+    const std::size_t without_t = panel.rows.size() - errors.points.size();
+    if (without_t > 0) {
+        html += "<figcaption class=\"facts\">Without a t to compare:";
+        std::string separator = " ";
+        for (const Row* row : panel.rows) {
+            if (row->t_error) continue;
+            html += separator + escape_markup(method_name(row->kernel, row->scalar));
+            separator = ", ";
+        }
+        html += ".</figcaption>\n";
+    }
+    return html + "</figure>\n";
+}
+
+std::string panel_sections(const std::vector<Panel>& panels) {
+    std::string html;
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const bool is_first = i == 0 || panels[i].primitive != panels[i - 1].primitive;
+        if (is_first)
+            html +=
+                fmt::format("{}<section>\n<h2>{}</h2>\n", i == 0 ? "" : "</section>\n", title_of(panels[i].primitive));
+        html += panel_figure(panels[i], panel_id(i));
+    }
+    return panels.empty() ? "" : html + "</section>\n";
+}
+
+std::string methods_section(const std::vector<PrimitiveSummary>& summaries) {
+    std::string html =
+        "<section id=\"methods\">\n<h2>The methods and where they are from</h2>\n<p>Time and error of t (mean, in "
+        "units in "
+        "the last place of float) are those of benign rays, wrong decisions those of hard ones. Bold: on the frontier "
+        "of "
+        "the first picture.</p>\n";
+    for (const PrimitiveSummary& summary : summaries) {
+        html += fmt::format(
+            "<h3>{}</h3>\n<div class=\"wide\"><table>\n<thead><tr><th scope=\"col\">method</th><th "
+            "scope=\"col\">ns</th>"
+            "<th scope=\"col\">t off, ULP</th><th scope=\"col\">wrong per million</th><th scope=\"col\" "
+            "class=\"words\">worst on</th><th scope=\"col\" class=\"words\">source</th></tr></thead>\n<tbody>\n",
+            title_of(summary.primitive));
+        for (const MethodSummary& method : summary.methods) {
+            html += fmt::format(
+                "<tr{}><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td class=\"words\">{}</td><td "
+                "class=\"words\">{}</td></tr>\n",
+                method.pareto_wrong ? " class=\"frontier\"" : "",
+                escape_markup(method_name(method.kernel, method.scalar)), three_digits(method.ns),
+                method.error ? error_text(*method.error) : "–", rate_text(method.wrong_per_million),
+                escape_markup(method.worst_set), escape_markup(method.source));
+        }
+        html += "</tbody></table></div>\n";
+    }
+    return html + "</section>\n";
+}
+
+std::string run_facts(const Measurement& measured) {
+    return fmt::format(
+        "<p class=\"facts\">Seed {}, {} rays of each distribution, median of {} interleaved repetitions. Compiler: {}. "
+        "Flags: {}. Processor: {}. Every figure is in accuracy.json and accuracy.csv beside this page.</p>\n",
+        measured.seed, measured.rays, measured.repetitions, escape_markup(measured.compiler),
+        escape_markup(measured.flags),
+        measured.processor.empty() ? "not named by the machine" : escape_markup(measured.processor));
+}
+
+}  // namespace
+
+std::string accuracy_html(const AccuracyFindings& findings) {
+    const Measurement& measured = findings.measured.value();
+    const std::vector<PrimitiveSummary> summaries = summarise(measured);
+    const std::vector<Panel> panels = panels_of(measured);
+    std::string html = fmt::format(
+        "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n<meta "
+        "charset=\"utf-8\"/>\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+        "<title>What accuracy costs in time</title>\n<style>{}</style>\n</head>\n<body>\n<header>\n"
+        "<h1>What accuracy costs in time</h1>\n{}</header>\n<main>\n",
+        style, introduction);
+    html += summary_section(summaries) + run_facts(measured) + reading_aid;
+    if (findings.assignment) html += assignment_html(*findings.assignment);
+    html += contents(panels) + panel_sections(panels) + methods_section(summaries);
+    return html + "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace harness::report

@@ -1,0 +1,64 @@
+#include "harness/report/accuracy_numbers.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace harness::report {
+namespace {
+
+constexpr int group = 3;
+
+std::string grouped(double whole) {
+    std::string digits = fmt::format("{:.0f}", whole);
+    for (int at = static_cast<int>(digits.size()) - group; at > 0; at -= group)
+        digits.insert(static_cast<std::size_t>(at), ",");
+    return digits;
+}
+
+}  // namespace
+
+std::string three_digits(double value) {
+    if (value == 0) return "0";
+    if (!std::isfinite(value)) return "unbounded";
+    const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
+    if (exponent >= 2) {
+        const double unit = std::pow(10.0, exponent - 2);
+        return grouped(std::round(value / unit) * unit);
+    }
+    return fmt::format("{:.{}f}", value, 2 - exponent);
+}
+
+std::string rate_text(double per_million) {
+    if (per_million == 0) return "0";
+    return per_million < 1 ? fmt::format("{:.2g}", per_million) : three_digits(per_million);
+}
+
+std::string error_text(double error) {
+    if (error == 0) return "0";
+    if (!std::isfinite(error)) return "unbounded";
+    constexpr double least = 1e-3;
+    constexpr double most = 1e6;
+    if (error < least || error >= most) return fmt::format("{:.1e}", error);
+    return error < 1 ? fmt::format("{:#.2g}", error) : three_digits(error);
+}
+
+std::string time_text(double ns) {
+    constexpr double thousand = 1e3;
+    if (ns < thousand) return three_digits(ns) + " ns";
+    return ns < thousand * thousand ? three_digits(ns / thousand) + " µs"
+                                    : three_digits(ns / thousand / thousand) + " ms";
+}
+
+std::string power_text(int exponent) {
+    constexpr std::array<const char*, 7> small = {"1", "10", "100", "1k", "10k", "100k", "1M"};
+    if (exponent >= 0 && exponent < static_cast<int>(small.size())) return small.at(static_cast<std::size_t>(exponent));
+    constexpr std::array<const char*, 10> superscripts = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = exponent < 0 ? "10⁻" : "10";
+    for (const char digit : std::to_string(std::abs(exponent)))
+        text += superscripts.at(static_cast<std::size_t>(digit - '0'));
+    return text;
+}
+
+}  // namespace harness::report

@@ -1,0 +1,63 @@
+#include "harness/report/accuracy_sentences.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/report/accuracy_numbers.h"
+
+namespace harness::report {
+namespace {
+
+using reference::accuracy::Decision;
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+    return text;
+}
+
+std::string value_text(const Decision& decision) {
+    const bool is_order = decision.what.rfind("order", 0) == 0;
+    if (decision.sign == 0) return is_order ? "both at the same t exactly" : "exactly 0";
+    if (is_order) return "very close";
+    return fmt::format("{:.3g}", decision.value);
+}
+
+}  // namespace
+
+std::string item_name(const reference::accuracy::ItemAccuracy& item) {
+    return fmt::format("{} {}", item.spec.question, item.spec.name);
+}
+
+std::string decision_sentence(const Decision& decision) {
+    std::string text = fmt::format("{} is {}. It decides {}.", decision.what, value_text(decision), decision.asks);
+    if (decision.what.rfind("order", 0) == 0)
+        text = fmt::format("{}: {}. It decides {}.", decision.what, value_text(decision), decision.asks);
+    if (decision.sign == 0) {
+        text += " A single rounding on the way to it would decide instead, in any precision.";
+    } else if (!decision.double_is_sure) {
+        text += " That is within what rounding may do in double, and in float.";
+    } else if (!decision.float_is_sure) {
+        text += " That is within what rounding may do in float; double is sure.";
+    }
+    return text + (decision.wrong.empty() ? " Here float, double and long double all decide it rightly."
+                                          : fmt::format(" Decided wrongly here by {}.", joined(decision.wrong)));
+}
+
+std::string decisions_summary(const std::vector<Decision>& decisions) {
+    const auto hang =
+        std::count_if(decisions.begin(), decisions.end(), [](const Decision& one) { return one.hangs_on_rounding(); });
+    const auto sure = static_cast<std::ptrdiff_t>(decisions.size()) - hang;
+    return fmt::format(
+        "{} of the {} signs that decide what the ray hits {} on rounding; {} beyond doubt also in float.", hang,
+        decisions.size(), hang == 1 ? "hangs" : "hang",
+        sure == 1 ? "the other is" : fmt::format("the other {} are", sure));
+}
+
+std::string error_cell(const reference::accuracy::ItemError& error) {
+    return error.otherwise ? "decided otherwise" : error_text(error.ulp);
+}
+
+}  // namespace harness::report

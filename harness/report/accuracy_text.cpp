@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/clean_text.h"
+#include "harness/report/accuracy_assignment.h"
+#include "harness/report/accuracy_numbers.h"
+#include "harness/report/accuracy_panels.h"
+#include "harness/report/accuracy_report.h"
+
+namespace harness::report {
+namespace {
+
+using namespace reference::accuracy;
+
+constexpr std::size_t widest_name = 36;
+
+std::string shown_name(const std::string& kernel, const std::string& scalar) {
+    return escape_control(method_name(kernel, scalar));
+}
+
+/// For names of a group; longer ones push their line to the right.
+std::size_t name_width(const std::vector<std::string>& names) {
+    std::size_t width = std::string_view("method").size();
+    for (const std::string& name : names) width = std::max(width, fmt::formatted_size("{:<1}", name));
+    return std::min(width, widest_name);
+}
+
+std::string summary_table(const PrimitiveSummary& summary) {
+    std::vector<std::string> names;
+    for (const MethodSummary& method : summary.methods) names.push_back(shown_name(method.kernel, method.scalar));
+    const std::size_t width = name_width(names);
+    std::string text = fmt::format("{}: {} benign and {} hard distributions\n\n", title_of(summary.primitive),
+                                   summary.benign.size(), summary.hard.size());
+    text += fmt::format("  {:<{}}  {:>9}  {:>12}  {:>13}\n", "", width, "benign", "benign", "hard: wrong");
+    text += fmt::format("  {:<{}}  {:>9}  {:>12}  {:>13}  {}\n", "method", width, "ns/ray", "t off, ULP", "per million",
+                        "worst set");
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const MethodSummary& method = summary.methods[i];
+        const std::string worst = method.worst_set.empty() ? "-"
+                                                           : fmt::format("{} {}", escape_control(method.worst_set),
+                                                                         rate_text(method.worst_per_million));
+        text += fmt::format("{} {:<{}}  {:>9}  {:>12}  {:>13}  {}\n", method.pareto_wrong ? "*" : " ", names[i], width,
+                            three_digits(method.ns), method.error ? error_text(*method.error) : "-",
+                            rate_text(method.wrong_per_million), worst);
+    }
+    return text + "\n";
+}
+
+std::string panel_table(const Panel& panel) {
+    std::vector<std::string> names;
+    for (const Row* row : panel.rows) names.push_back(shown_name(row->kernel, row->scalar));
+    const std::size_t width = name_width(names);
+    std::string text = fmt::format("{}, {}{}\n\n", title_of(panel.primitive), escape_control(panel.distribution),
+                                   panel.hard ? " (hard)" : "");
+    text += fmt::format("  {:<{}}  {:>8} {:>15}  {:>9} {:>15}  {:>8} {:>8} {:>8}\n", "method", width, "ns/ray",
+                        "quartiles", "wrong/1e6", "95 % interval", "mean ULP", "99 %", "max");
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const Row& row = *panel.rows[i];
+        const auto error = [&](double TError::*which) {
+            return row.t_error ? error_text((*row.t_error).*which) : std::string("-");
+        };
+        text += fmt::format(
+            "{} {:<{}}  {:>8} {:>15}  {:>9} {:>15}  {:>8} {:>8} {:>8}\n", row.pareto_wrong ? "*" : " ", names[i], width,
+            three_digits(row.ns_per_ray), fmt::format("{}–{}", three_digits(row.ns_low), three_digits(row.ns_high)),
+            rate_text(row.wrong_per_million), fmt::format("{}–{}", rate_text(row.wrong_low), rate_text(row.wrong_high)),
+            error(&TError::mean_ulp), error(&TError::p99_ulp), error(&TError::max_ulp));
+    }
+    return text + "\n";
+}
+
+std::string measured_text(const Measurement& measured) {
+    std::string text = fmt::format("seed {}, {} rays of each distribution, {} interleaved repetitions{}\n{}, {}\n",
+                                   measured.seed, measured.rays, measured.repetitions,
+                                   measured.processor.empty() ? "" : ", " + escape_control(measured.processor),
+                                   escape_control(measured.compiler), escape_control(measured.flags));
+    text += "* no method measured here is at once faster and less often wrong; `t off`: mean error of right hits\n\n";
+    for (const PrimitiveSummary& summary : summarise(measured)) text += summary_table(summary);
+    for (const Panel& panel : panels_of(measured)) text += panel_table(panel);
+    text.pop_back();
+    return text;
+}
+
+}  // namespace
+
+std::string accuracy_text(const AccuracyFindings& findings) {
+    std::string text;
+    if (findings.assignment) text += assignment_text(*findings.assignment);
+    if (findings.assignment && findings.measured) text += "\n";
+    if (findings.measured) text += measured_text(*findings.measured);
+    return text;
+}
+
+}  // namespace harness::report

@@ -1,0 +1,241 @@
+// Coordinate descent: each label in turn goes where it costs least while the others stay, until none moves. A place
+// costs its distance from the point, much more for what it hides or its leader line crosses, and most for another
+// label.
+#include "harness/report/label_placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <random>
+
+namespace harness::report {
+namespace {
+
+constexpr double gap = 2;           ///< between two labels, and a label and a point's mark
+constexpr double mark_radius = 6;   ///< of a point
+constexpr double first_radius = 9;  ///< of the places around a point, from its middle to the label
+constexpr double growth = 0.3;      ///< each is so much larger than the one before,
+constexpr double most_growth = 17;  ///< but no more than this: the height of a label and its gap
+constexpr int directions = 32;
+constexpr int most_passes = 12;
+
+constexpr double price_of_label = 1e6;
+constexpr double price_of_mark = 2e4;
+constexpr double price_of_leader_over_label = 1500;
+constexpr double price_of_crossing = 200;
+constexpr double price_of_leader_over_mark = 1000;
+constexpr double price_of_drawn = 12;
+constexpr double price_of_doubt = 40;  ///< nearer to another point than to its own
+
+/// A far place costs more than its distance, so that no label pays for the comfort of many. On the level of its point a
+/// label reads best, to the right at first.
+double price_of_place(double radius, double angle) {
+    constexpr double far = 10;
+    constexpr double slant = 4;
+    constexpr double leftward = 0.5;
+    return radius + radius * radius / far + slant * std::abs(std::sin(angle)) + (std::cos(angle) < 0 ? leftward : 0);
+}
+
+bool overlap(const Box& one, const Box& other, double margin) {
+    return one.left < other.right + margin && other.left < one.right + margin && one.top < other.bottom + margin &&
+           other.top < one.bottom + margin;
+}
+
+double side(const Spot& from, const Spot& to, const Spot& point) {
+    return (to.x - from.x) * (point.y - from.y) - (to.y - from.y) * (point.x - from.x);
+}
+
+bool cross(const Segment& one, const Segment& other) {
+    return side(one.from, one.to, other.from) * side(one.from, one.to, other.to) < 0 &&
+           side(other.from, other.to, one.from) * side(other.from, other.to, one.to) < 0;
+}
+
+bool passes(const Segment& line, const Box& box) {
+    const auto inside = [&](const Spot& spot) {
+        return spot.x > box.left && spot.x < box.right && spot.y > box.top && spot.y < box.bottom;
+    };
+    return inside(line.from) || inside(line.to) || cross(line, {{box.left, box.top}, {box.right, box.bottom}}) ||
+           cross(line, {{box.left, box.bottom}, {box.right, box.top}});
+}
+
+double distance(const Spot& one, const Spot& other) {
+    return std::hypot(one.x - other.x, one.y - other.y);
+}
+
+double distance(const Segment& line, const Spot& spot) {
+    const double length = distance(line.from, line.to);
+    if (length == 0) return distance(line.from, spot);
+    const double along =
+        ((spot.x - line.from.x) * (line.to.x - line.from.x) + (spot.y - line.from.y) * (line.to.y - line.from.y)) /
+        (length * length);
+    const double share = std::clamp(along, 0.0, 1.0);
+    return distance(
+        Spot{line.from.x + share * (line.to.x - line.from.x), line.from.y + share * (line.to.y - line.from.y)}, spot);
+}
+
+Box mark_of(const Label& label) {
+    return {label.point.x - mark_radius, label.point.y - mark_radius, label.point.x + mark_radius,
+            label.point.y + mark_radius};
+}
+
+struct Place {
+    Box box;
+    double price;
+};
+
+std::vector<Place> places_for(const Label& label, const Box& area) {
+    std::vector<Place> places;
+    const double farthest = std::hypot(area.right - area.left, area.bottom - area.top);
+    for (double radius = first_radius; radius < farthest; radius += std::min(growth * radius, most_growth)) {
+        for (int i = 0; i < directions; ++i) {
+            const double angle = 2 * std::numbers::pi * i / directions;
+            const double x = label.point.x + std::cos(angle) * (radius + label.width / 2);
+            const double y = label.point.y - std::sin(angle) * (radius + label.height / 2);
+            const Box box{x - label.width / 2, y - label.height / 2, x + label.width / 2, y + label.height / 2};
+            if (box.left < area.left || box.right > area.right || box.top < area.top || box.bottom > area.bottom)
+                continue;
+            places.push_back({box, price_of_place(radius, angle)});
+        }
+    }
+    return places;
+}
+
+class Desk {
+  public:
+    Desk(const std::vector<Label>& labels, const Box& area, const std::vector<Segment>& drawn)
+        : labels_(labels), drawn_(drawn), chosen_(labels.size()), prices_(labels.size()) {
+        for (const Label& label : labels) {
+            places_.push_back(places_for(label, area));
+            for (Place& place : places_.back()) place.price += price_of_hiding(label, place.box);
+        }
+    }
+
+    /// Whether any label moved.
+    bool pass(const std::vector<std::size_t>& order) {
+        bool moved = false;
+        for (const std::size_t i : order) {
+            std::optional<Box> best;
+            double least = std::numeric_limits<double>::infinity();
+            for (const Place& place : places_[i]) {
+                if (place.price >= least) continue;
+                const double price = place.price + price_among_others(i, place.box, least);
+                if (price >= least) continue;
+                least = price;
+                best = place.box;
+                prices_[i] = place.price;
+            }
+            moved = moved || !best || !chosen_[i] || best->left != chosen_[i]->left || best->top != chosen_[i]->top;
+            chosen_[i] = best;
+        }
+        return moved;
+    }
+
+    double price() const {
+        constexpr double unplaced = 1e9;
+        double sum = 0;
+        for (std::size_t i = 0; i < chosen_.size(); ++i) {
+            if (!chosen_[i]) return unplaced;
+            sum += prices_[i] + price_among_others(i, *chosen_[i], unplaced);
+        }
+        return sum;
+    }
+
+    Placement placement() const {
+        Placement placement{{}, true};
+        for (std::size_t i = 0; i < labels_.size(); ++i) {
+            placement.is_clear = placement.is_clear && chosen_[i];
+            placement.boxes.push_back(chosen_[i].value_or(mark_of(labels_[i])));
+        }
+        for (std::size_t i = 0; i < labels_.size(); ++i) {
+            for (std::size_t j = 0; j < labels_.size(); ++j) {
+                if (j < i && overlap(placement.boxes[i], placement.boxes[j], gap)) placement.is_clear = false;
+                if (overlap(placement.boxes[i], mark_of(labels_[j]), 0)) placement.is_clear = false;
+            }
+        }
+        return placement;
+    }
+
+  private:
+    double price_of_hiding(const Label& label, const Box& place) const {
+        const Segment leader{label.point, nearest_on(place, label.point)};
+        const double away = distance(leader.from, leader.to);
+        double price = 0;
+        for (const Label& other : labels_) {
+            if (overlap(place, mark_of(other), 0)) price += price_of_mark;
+            if (distance(other.point, label.point) <= mark_radius) continue;
+            if (distance(leader, other.point) < mark_radius) price += price_of_leader_over_mark;
+            if (distance(nearest_on(place, other.point), other.point) < std::min(away, 24.0)) price += price_of_doubt;
+        }
+        for (const Segment& line : drawn_) {
+            if (passes(line, place)) price += price_of_drawn;
+        }
+        return price;
+    }
+
+    double price_among_others(std::size_t i, const Box& place, double enough) const {
+        const Segment leader{labels_[i].point, nearest_on(place, labels_[i].point)};
+        double price = 0;
+        for (std::size_t j = 0; j < labels_.size() && price < enough; ++j) {
+            if (j == i || !chosen_[j]) continue;
+            const Segment other{labels_[j].point, nearest_on(*chosen_[j], labels_[j].point)};
+            if (overlap(place, *chosen_[j], gap)) price += price_of_label;
+            if (passes(leader, *chosen_[j])) price += price_of_leader_over_label;
+            if (passes(other, place)) price += price_of_leader_over_label;
+            if (cross(leader, other)) price += price_of_crossing;
+        }
+        return price;
+    }
+
+    std::vector<Label> labels_;
+    std::vector<Segment> drawn_;
+    std::vector<std::vector<Place>> places_;
+    std::vector<std::optional<Box>> chosen_;
+    std::vector<double> prices_;  ///< of each label's place, the others left out
+};
+
+/// What comes first finds the best places, so many orders are tried.
+std::vector<std::vector<std::size_t>> orders_of(const std::vector<Label>& labels) {
+    std::vector<std::size_t> order(labels.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::vector<std::vector<std::size_t>> orders{order};
+    const auto add = [&](auto key) {
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::size_t one, std::size_t other) { return key(labels[one]) < key(labels[other]); });
+        orders.push_back(order);
+        orders.emplace_back(order.rbegin(), order.rend());
+    };
+    add([](const Label& label) { return label.point.y; });
+    add([](const Label& label) { return label.point.x; });
+    add([](const Label& label) { return label.width; });
+    constexpr int shuffled = 32;
+    std::mt19937 random(1);  // NOLINT(cert-msc51-cpp): the same picture every time
+    for (int i = 0; i < shuffled; ++i) {
+        // std::shuffle may do otherwise with another library.
+        for (std::size_t last = order.size(); last > 1; --last) std::swap(order[last - 1], order[random() % last]);
+        orders.push_back(order);
+    }
+    return orders;
+}
+
+}  // namespace
+
+Spot nearest_on(const Box& box, const Spot& point) {
+    return {std::clamp(point.x, box.left, box.right), std::clamp(point.y, box.top, box.bottom)};
+}
+
+Placement place_labels(const std::vector<Label>& labels, const Box& area, const std::vector<Segment>& drawn) {
+    const Desk empty(labels, area, drawn);
+    std::optional<Desk> best;
+    for (const std::vector<std::size_t>& order : orders_of(labels)) {
+        Desk desk = empty;
+        for (int i = 0; i < most_passes && desk.pass(order); ++i) {
+        }
+        if (!best || desk.price() < best->price()) best = std::move(desk);
+    }
+    return best->placement();
+}
+
+}  // namespace harness::report

@@ -1,0 +1,44 @@
+// Where the names of points go in a crowded picture: beside their points, none over another.
+#pragma once
+
+#include <vector>
+
+namespace harness::report {
+
+struct Spot {
+    double x = 0;
+    double y = 0;
+};
+
+struct Box {
+    double left = 0;
+    double top = 0;
+    double right = 0;
+    double bottom = 0;
+};
+
+/// Something drawn that a name should rather not hide: a step of the frontier, an interval's bar.
+struct Segment {
+    Spot from;
+    Spot to;
+};
+
+struct Label {
+    Spot point;
+    double width = 0;
+    double height = 0;
+};
+
+struct Placement {
+    std::vector<Box> boxes;  ///< one a label, inside the area
+    bool is_clear = false;   ///< no box touches another or hides a point
+};
+
+/// Always the same for the same input. Where the area is too small for all labels, boxes overlap and `is_clear` says
+/// so.
+Placement place_labels(const std::vector<Label>& labels, const Box& area, const std::vector<Segment>& drawn);
+
+/// The end of a leader line: the box's nearest spot to its point.
+Spot nearest_on(const Box& box, const Spot& point);
+
+}  // namespace harness::report

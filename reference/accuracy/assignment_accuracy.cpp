@@ -1,0 +1,125 @@
+#include "reference/accuracy/assignment_accuracy.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/accuracy/read_scalar.h"
+#include "reference/certified_scene.h"
+#include "reference/tolerance.h"
+
+namespace reference::accuracy {
+namespace {
+
+constexpr int timed_repetitions = 41;
+
+/// A long double has more digits than one double holds, and no more than a few together.
+Certified exactly(long double x) {
+    Rational sum;
+    while (x != 0) {
+        const auto part = static_cast<double>(x);
+        sum += Rational(part);
+        x -= static_cast<long double>(part);
+    }
+    return Certified(FieldNumber(sum));
+}
+
+/// The distance, right to a rounding of double also where it is far below one of the values.
+double distance(const Certified& truth, long double given) {
+    if (!std::isfinite(given)) return HUGE_VAL;
+    return std::abs((truth - exactly(given)).enclosure().nearest);
+}
+
+double float_ulp_at(const Numbers& numbers) {
+    double largest = 0;
+    for (const double x : numbers) largest = std::max(largest, std::abs(x));
+    const auto at = largest == 0 ? 1.0F : static_cast<float>(largest);
+    return static_cast<double>(std::nextafter(at, HUGE_VALF)) - static_cast<double>(at);
+}
+
+template <class S>
+ItemError error_of(const ItemValue<S>& given, const ItemValue<Certified>& truth, double ulp, const Numbers& allowance) {
+    ItemError error;
+    error.otherwise = given.index() != truth.index();
+    if (error.otherwise) return error;
+    if (const Verdict* verdict = std::get_if<Verdict>(&given)) error.otherwise = *verdict != std::get<Verdict>(truth);
+    const auto* numbers = std::get_if<std::vector<S>>(&given);
+    if (numbers == nullptr) return error;
+    const auto& true_numbers = std::get<std::vector<Certified>>(truth);
+    for (std::size_t i = 0; i < numbers->size(); ++i) {
+        const double absolute = distance(true_numbers[i], static_cast<long double>((*numbers)[i]));
+        error.absolute = std::max(error.absolute, absolute);
+        if (absolute > 0) error.of_allowance = std::max(error.of_allowance, absolute / allowance.at(i));
+    }
+    error.ulp = error.absolute / ulp;
+    return error;
+}
+
+template <class S>
+void add_errors(std::vector<ItemAccuracy>& items, const std::string& scalar, const Assignment& assignment,
+                const AnswerKey& key, const ItemValues<Certified>& truth) {
+    const Boundary boundary = key.canonical.boundary;
+    const ItemValues<S> values =
+        values_of(answer_scene(scene_in<S>(assignment), key.canonical.convention, boundary), boundary);
+    auto item = items.begin();
+    for (const KeyQuestion& question : key.questions) {
+        for (const KeyItem& asked : question.items) {
+            const ItemId id{question.number, asked.spec.name};
+            const auto found = values.find(id);  // none for a verdict that could not be told, as of NaN
+            ItemError error = error_of<S>(found == values.end() ? ItemValue<S>() : found->second, truth.at(id),
+                                          item->ulp, graded_allowance(asked, asked.answers.front(), assignment.rubric));
+            error.scalar = scalar;
+            item->errors.push_back(std::move(error));
+            ++item;
+        }
+    }
+}
+
+std::string truth_text(const Value& value, Shape shape) {
+    if (std::holds_alternative<NoValue>(value)) return "none";
+    if (const Verdict* verdict = std::get_if<Verdict>(&value)) return std::string(sentence(*verdict));
+    const Numbers& numbers = std::get<Numbers>(value);
+    if (shape == Shape::scalar) return fmt::format("{:.6g}", numbers.front());
+    if (shape != Shape::vector) return "";
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", numbers[0], numbers[1], numbers[2]);
+}
+
+ItemAccuracy without_errors(const KeyItem& item, const Rubric& rubric) {
+    const Answer& answer = item.answers.front();
+    ItemAccuracy accuracy{item.spec, truth_text(answer.value, item.spec.shape), 0, 0, {}};
+    const Numbers allowance = graded_allowance(item, answer, rubric);
+    if (!allowance.empty()) {
+        accuracy.allowance = *std::max_element(allowance.begin(), allowance.end());
+        accuracy.ulp = float_ulp_at(std::get<Numbers>(answer.value));
+    }
+    return accuracy;
+}
+
+}  // namespace
+
+std::vector<ItemAccuracy> item_accuracies(const Assignment& assignment, const AnswerKey& key) {
+    std::vector<ItemAccuracy> items;
+    for (const KeyQuestion& question : key.questions) {
+        for (const KeyItem& item : question.items) items.push_back(without_errors(item, assignment.rubric));
+    }
+    const Scene<Certified> scene = certified_scene(rational_scene(assignment.scene));
+    const ItemValues<Certified> truth =
+        values_of(answer_scene(scene, key.canonical.convention, key.canonical.boundary), key.canonical.boundary);
+    add_errors<float>(items, "float", assignment, key, truth);
+    add_errors<double>(items, "double", assignment, key, truth);
+    add_errors<long double>(items, "long double", assignment, key, truth);
+    return items;
+}
+
+AssignmentAccuracy assignment_accuracy(const Assignment& assignment) {
+    const AnswerKey key = make_key(assignment, Precision::certified);
+    return {assignment.name,
+            assignment.title,
+            item_accuracies(assignment, key),
+            decisions_of(assignment, key.canonical),
+            costs_of(assignment, key.canonical, timed_repetitions),
+            timed_repetitions};
+}
+
+}  // namespace reference::accuracy

@@ -1,0 +1,84 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+
+#include "reference/accuracy/assignment_accuracy.h"
+#include "reference/accuracy/read_scalar.h"
+#include "reference/certified_scene.h"
+
+namespace reference::accuracy {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What stands behind the pointer is used and may be changed, as far as the compiler knows.
+template <class T>
+void keep(T& value) {
+    asm volatile("" : : "r"(&value) : "memory");
+}
+
+template <class S>
+std::function<void()> all_answers(const Assignment& assignment, const Reading& reading) {
+    return [scene = scene_in<S>(assignment), reading]() mutable {
+        keep(scene);
+        SceneAnswers<S> answers = answer_scene(scene, reading.convention, reading.boundary);
+        keep(answers);
+    };
+}
+
+std::function<void()> certified_answers_of(const Assignment& assignment, const Reading& reading) {
+    return [scene = rational_scene(assignment.scene), reading] {
+        const SceneAnswers<Certified> answers =
+            answer_scene(certified_scene(scene), reading.convention, reading.boundary);
+        for (const auto& [id, value] : values_of(answers, reading.boundary)) {
+            const auto* numbers = std::get_if<std::vector<Certified>>(&value);
+            if (numbers == nullptr) continue;
+            for (const Certified& x : *numbers) {
+                Enclosure enclosure = x.enclosure();
+                keep(enclosure);
+            }
+        }
+    };
+}
+
+struct Timed {
+    std::string scalar;
+    std::function<void()> run;
+    int times = 1;  ///< so often in one repetition, that the clock's own steps don't count
+    std::vector<double> ns{};
+
+    void repeat() {
+        const auto begin = Clock::now();
+        for (int i = 0; i < times; ++i) run();
+        const std::chrono::duration<double, std::nano> spent = Clock::now() - begin;
+        ns.push_back(spent.count() / times);
+    }
+};
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+}  // namespace
+
+std::vector<ScalarCost> costs_of(const Assignment& assignment, const Reading& reading, int repetitions) {
+    constexpr int of_built_in = 2000;
+    std::vector<Timed> all{{"float", all_answers<float>(assignment, reading), of_built_in},
+                           {"double", all_answers<double>(assignment, reading), of_built_in},
+                           {"long double", all_answers<long double>(assignment, reading), of_built_in},
+                           {"certified", certified_answers_of(assignment, reading)}};
+    for (int i = 0; i < repetitions; ++i) {
+        for (Timed& one : all) one.repeat();
+    }
+    std::vector<ScalarCost> costs;
+    for (const Timed& one : all) {
+        const double ns = median(one.ns);
+        costs.push_back({one.scalar, ns, costs.empty() ? 1.0 : ns / costs.front().ns});
+    }
+    return costs;
+}
+
+}  // namespace reference::accuracy

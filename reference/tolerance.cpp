@@ -1,0 +1,32 @@
+#include "reference/tolerance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace reference {
+namespace {
+
+/// Where nothing bounds how far float arithmetic may be off, as at a tangent, an answer is held to this share of its
+/// size.
+constexpr double allowance_without_bound = 0.01;
+
+/// What a key without certified allowances is held to: some roundings of float, beside the item's size.
+constexpr double uncertified_allowance = 1e-4;
+
+}  // namespace
+
+Numbers graded_allowance(const KeyItem& item, const Answer& answer, const Rubric& rubric) {
+    const auto* numbers = std::get_if<Numbers>(&answer.value);
+    if (numbers == nullptr) return {};
+    const double unit = unit_of(*numbers);
+    const double tolerance = unit * rubric.tolerance_of(item.spec.question, std::string(item.spec.name)).value_or(0.0);
+    Numbers allowances;
+    for (std::size_t i = 0; i < numbers->size(); ++i) {
+        double allowance = answer.allowance.empty() ? uncertified_allowance * unit : answer.allowance[i];
+        if (!std::isfinite(allowance)) allowance = allowance_without_bound * unit;
+        allowances.push_back(std::max(allowance, tolerance));
+    }
+    return allowances;
+}
+
+}  // namespace reference

@@ -1,0 +1,88 @@
+// `raygrade accuracy` as a person runs it: what it prints, what it writes, and what it won't write over.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/scenario.h"
+
+namespace scenario {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr int usage = 2;
+
+Result accuracy(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"accuracy", "--quick", "--rays", "256"});
+    return raygrade(arguments);
+}
+
+TEST(Accuracy, PrintsATableAndWritesNothingUnasked) {
+    const Result result = accuracy({});
+    EXPECT_EQ(result.status, 0) << result.both();
+    EXPECT_THAT(result.output, HasSubstr("Ray and sphere"));
+    EXPECT_THAT(result.output, HasSubstr("\n* ")) << "the frontier is marked";
+    EXPECT_THAT(result.both(), Not(HasSubstr("\x1b["))) << "no progress bar into a file";
+}
+
+TEST(Accuracy, WritesPagePictureAndFigures) {
+    const TemporaryFolder folder;
+    const Result result = accuracy({"--seed", "5", "--out", (folder / "out").string(), "--format", "json"});
+    ASSERT_EQ(result.status, 0) << result.both();
+    EXPECT_EQ(json::parse(result.output), read_json(folder / "out/accuracy.json"));
+    EXPECT_EQ(json::parse(result.output).at("seed"), 5);
+    EXPECT_THAT(read(folder / "out/accuracy.html"), HasSubstr("<h1>What accuracy costs in time</h1>"));
+    EXPECT_THAT(read(folder / "out/accuracy.svg"), HasSubstr("<svg xmlns=\"http://www.w3.org/2000/svg\""));
+    EXPECT_THAT(read(folder / "out/accuracy.csv"), HasSubstr("primitive,kernel,scalar"));
+    EXPECT_THAT(result.voice, HasSubstr("accuracy.html"));
+}
+
+TEST(Accuracy, ReplacesItsEarlierResultsOnlyByForce) {
+    const TemporaryFolder folder;
+    write(folder / "out/accuracy.json", "earlier");
+    const std::vector<std::string> arguments{"--out", (folder / "out").string()};
+    const Result refused = accuracy(arguments);
+    EXPECT_EQ(refused.status, usage);
+    EXPECT_THAT(refused.voice, HasSubstr("--force"));
+    EXPECT_EQ(read(folder / "out/accuracy.json"), "earlier");
+    std::vector<std::string> forced = arguments;
+    forced.emplace_back("--force");
+    EXPECT_EQ(accuracy(forced).status, 0);
+    EXPECT_NE(read(folder / "out/accuracy.json"), "earlier");
+}
+
+TEST(Accuracy, NeverWritesAmongOtherFiles) {
+    const TemporaryFolder folder;
+    write(folder / "out/thesis.tex", "years");
+    const Result result = accuracy({"--force", "--out", (folder / "out").string()});
+    EXPECT_EQ(result.status, usage);
+    EXPECT_FALSE(fs::exists(folder / "out/accuracy.json"));
+}
+
+TEST(Accuracy, ExaminesAnAssignmentWithoutMeasuringRays) {
+    const Result result = raygrade({"accuracy", "--assignment", "a6-2021"});
+    EXPECT_EQ(result.status, 0) << result.both();
+    EXPECT_THAT(result.output, HasSubstr("triangle: t is exactly 0"));
+    EXPECT_THAT(result.output, HasSubstr("× float"));
+    EXPECT_THAT(result.output, Not(HasSubstr("rays of each distribution")));
+}
+
+TEST(Accuracy, SaysThatAnAssignmentHasNoRowsForCsv) {
+    const Result result = raygrade({"accuracy", "--assignment", "a6-2021", "--format", "csv"});
+    EXPECT_EQ(result.status, usage);
+    EXPECT_THAT(result.voice, HasSubstr("--format json"));
+}
+
+TEST(Accuracy, RefusesAMethodThatThereIsNot) {
+    const Result result = accuracy({"--kernel", "nonsense"});
+    EXPECT_EQ(result.status, usage);
+    EXPECT_THAT(result.voice, HasSubstr("nonsense"));
+}
+
+}  // namespace
+}  // namespace scenario
