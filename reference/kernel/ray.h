@@ -2,6 +2,9 @@
 // same double. The policy is closed: t >= 0 is a hit, edges and vertices belong to the triangle, a tangent touches.
 #pragma once
 
+#include <cmath>
+#include <optional>
+
 #include "reference/scene.h"
 
 namespace reference::kernel {
@@ -53,13 +56,16 @@ inline bool is_valid(const Ray<double>& ray) {
 }
 
 /// The same numbers in double.
-inline Ray<double> as_double(const Ray<float>& ray) {
+template <class T>
+Ray<double> as_double(const Ray<T>& ray) {
     return {Vec3<double>(ray.origin), Vec3<double>(ray.direction)};
 }
-inline Sphere<double> as_double(const Sphere<float>& sphere) {
+template <class T>
+Sphere<double> as_double(const Sphere<T>& sphere) {
     return {Vec3<double>(sphere.center), static_cast<double>(sphere.radius)};
 }
-inline Triangle<double> as_double(const Triangle<float>& triangle) {
+template <class T>
+Triangle<double> as_double(const Triangle<T>& triangle) {
     return {Vec3<double>(triangle.A), Vec3<double>(triangle.B), Vec3<double>(triangle.C)};
 }
 

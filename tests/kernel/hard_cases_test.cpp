@@ -7,7 +7,7 @@
 
 #include "reference/kernel/sphere.h"
 #include "reference/kernel/triangle.h"
-#include "reference/stages/first_hit.h"
+#include "reference/stages/sphere.h"
 #include "tests/kernel/oracle.h"
 
 namespace {
