@@ -1,8 +1,6 @@
 #include "reference/kernel/first.h"
 
 #include "reference/kernel/integers.h"
-#include "reference/kernel/sphere.h"
-#include "reference/kernel/triangle.h"
 
 namespace reference::kernel {
 namespace {
@@ -135,6 +133,11 @@ bool holds_invalid(const Ray<double>& ray, const Cast& cast) {
 }
 
 }  // namespace
+
+std::partial_ordering order_exactly(const Ray<double>& ray, const Sphere<double>& sphere,
+                                    const Triangle<double>& triangle) {
+    return exact_order(ray, sphere, triangle);
+}
 
 void cast_ray(const Ray<double>& ray, const std::vector<Sphere<double>>& spheres,
               const std::vector<Triangle<double>>& triangles, Cast& result) {

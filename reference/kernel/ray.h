@@ -46,6 +46,14 @@ struct TriangleHit {
     double v;
 };
 
+/// A decision with t to a relative error of 2^-26, a quarter of a float's last place; where t lies below the normal
+/// doubles, to one unit in its last place. 0 without a hit.
+template <class Result>
+struct FloatHit {
+    Result result;
+    double t;
+};
+
 inline bool is_finite(const Vec3<double>& p) {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }

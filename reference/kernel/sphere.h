@@ -47,13 +47,14 @@ struct SphereFilter {
     }
     /// If it is known.
     bool is_hit() const { return (D > 0) & ((c < 0) | (h < 0)); }
-    /// If it is hit: the root in a form without cancellation.
-    double t() const {
-        const double root = std::sqrt(std::max(D, 0.0));
-        const double q = std::abs(h) + root;
+    /// If it is hit: the root in a form without cancellation. With c and D known to 2^-28 of themselves, so is √D to
+    /// 2^-29, and q to little more, as h is known to 2^-51 √am and √D > 2^-10 √am. That makes 2^-27 for t.
+    double t_of_hit() const {
+        const double q = std::abs(h) + std::sqrt(std::max(D, 0.0));
         const bool from_inside = (c < 0) & (h < 0);
         return (from_inside ? q : std::abs(c)) / (from_inside ? a : q);
     }
+    static constexpr double margin_for_t = 0x1p28;
 };
 
 /// What the filter cannot tell, and whatever else: exact, and slower.
@@ -74,20 +75,18 @@ inline SphereHit intersect(const Ray<float>& ray, const Sphere<float>& sphere) {
     return intersect(as_double(ray), as_double(sphere));
 }
 
-/// decide(), with t to a relative error of 2^-26, a quarter of a float's last place.
-///
-/// With c and D known to 2^-28 of themselves, so is √D to 2^-29, and |h| + √D to 2^-28, as h is known to 2^-40 of √am
-/// and √D > 2^-10 √am. The quotient adds 2u.
+/// decide(), with t as far as a float goes.
 template <class T>
-SphereHit intersect_to_float(const Ray<T>& ray, const Sphere<T>& sphere) {
+FloatHit<SphereResult> intersect_to_float(const Ray<T>& ray, const Sphere<T>& sphere) {
     const SphereFilter filter(ray, sphere);
-    if (!filter.is_known(0x1p28)) [[unlikely]] {
+    if (!filter.is_known(SphereFilter::margin_for_t)) [[unlikely]] {
         const SphereResult result = decide(ray, sphere);
         if (result == SphereResult::miss || result == SphereResult::invalid) return {result, 0};
-        return intersect(as_double(ray), as_double(sphere));
+        return {result, intersect(ray, sphere).t};
     }
     const bool hit = filter.is_hit();
-    return {hit ? SphereResult::hit : SphereResult::miss, hit ? filter.t() : 0};
+    const double t = filter.t_of_hit();
+    return {hit ? SphereResult::hit : SphereResult::miss, hit ? t : 0};
 }
 
 }  // namespace reference::kernel

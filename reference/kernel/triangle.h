@@ -48,6 +48,12 @@ struct TriangleFilter {
     bool is_hit() const { return (inside > error) & (t > t_error); }
     /// is_hit() or is_miss() holds, and tells the truth.
     bool is_known() const { return (det > error) & (is_miss() | is_hit()); }
+    /// Beside that: of a hit, det and T are known to 2^-28 of themselves, and so t = T / det to 2^-27.
+    bool is_known_with_t() const {
+        const bool t_known = (det > 0x1p28 * error) & (t > 0x1p28 * t_error) & (t_of_hit() > 0x1p-1000);
+        return (det > error) & (is_miss() | (is_hit() & t_known));
+    }
+    double t_of_hit() const { return t / det; }
 
   private:
     static double size(const Vec3<double>& p) { return std::abs(p.x) + std::abs(p.y) + std::abs(p.z); }
@@ -69,6 +75,19 @@ TriangleResult decide(const Ray<T>& ray, const Triangle<T>& triangle) {
 TriangleHit intersect(const Ray<double>& ray, const Triangle<double>& triangle);
 inline TriangleHit intersect(const Ray<float>& ray, const Triangle<float>& triangle) {
     return intersect(as_double(ray), as_double(triangle));
+}
+
+/// decide(), with t as far as a float goes.
+template <class T>
+FloatHit<TriangleResult> intersect_to_float(const Ray<T>& ray, const Triangle<T>& triangle) {
+    const TriangleFilter filter(ray, triangle);
+    if (!filter.is_known_with_t()) [[unlikely]] {
+        const TriangleResult result = decide(ray, triangle);
+        if (result != TriangleResult::hit) return {result, 0};
+        return {result, intersect(ray, triangle).t};
+    }
+    const bool hit = filter.is_hit();
+    return {hit ? TriangleResult::hit : TriangleResult::miss, hit ? filter.t_of_hit() : 0};
 }
 
 }  // namespace reference::kernel
