@@ -2,8 +2,11 @@
 // same double. The policy is closed: t >= 0 is a hit, edges and vertices belong to the triangle, a tangent touches.
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <type_traits>
 
 #include "reference/scene.h"
 

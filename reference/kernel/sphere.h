@@ -9,11 +9,11 @@ namespace reference::kernel {
 /// a t² + 2 h t + c = 0 in doubles, D = h² - a c, and how far off c and D may be.
 ///
 /// With u = 2^-53, f = origin - center and m = |f|² + R², while nothing underflows: a is off by at most 3ua, f by u of
-/// itself, h by 4u|d||f|, c by 6um; so h² by 9uam, a c by 10uam and D by 21uam. An underflow costs a product at most
-/// 2^-1075: a 2^-1073, h 2^-1073, c 2^-1072 and D 2^-1071 (a + m + 1). The bounds are 8u(m + k) and 32u(a + k)(m + k)
-/// with k = 2^-500, which hold all of that and what computing them loses. Where anything overflows they are infinite
-/// (the 4 sees to it that D does not overflow before its bound), and of a NaN or a zero direction nothing is decided.
-/// For floats k changes nothing: their a is at least 2^-298, and so is m, unless both are 0.
+/// itself, h by 4u|d||f|, c by 6um; so h² by 9uam, a c by 10uam and D by 21uam. The bounds are 32um and 32uam, which
+/// hold what computing them loses too. Floats stay far inside the range of doubles. With doubles an underflow costs a
+/// product at most 2^-1075, and so a 2^-1073, h 2^-1073, c 2^-1072 and D 2^-1071 (a + m + 1): k = 2^-500 added to a and
+/// m holds that. Where anything overflows, D's bound does before. Of a NaN, an infinity, a zero direction or a radius
+/// that is not above 0 nothing is known.
 struct SphereFilter {
     double a;
     double h;
@@ -21,32 +21,38 @@ struct SphereFilter {
     double D;
     double c_error;
     double D_error;
-    double radius;
+    bool valid_radius;
 
     template <class T>
     SphereFilter(const Ray<T>& ray, const Sphere<T>& sphere) {
         const Vec3<double> d(ray.direction);
         const Vec3<double> f = Vec3<double>(ray.origin) - Vec3<double>(sphere.center);
-        constexpr double k = 0x1p-500;
-        radius = static_cast<double>(sphere.radius);
+        const auto R = static_cast<double>(sphere.radius);
         a = dot(d, d);
         h = dot(d, f);
         const double f_squared = dot(f, f);
-        const double R_squared = radius * radius;
+        const double R_squared = R * R;
         c = f_squared - R_squared;
         D = h * h - a * c;
-        const double m = f_squared + R_squared + k;
-        c_error = 0x1p-50 * m;
-        D_error = 4 * (a + k) * m * 0x1p-50;
+        if constexpr (std::is_same_v<T, float>) {
+            c_error = 0x1p-48 * (f_squared + R_squared);
+            D_error = a * c_error;
+        } else {
+            constexpr double k = 0x1p-500;
+            const double m = f_squared + R_squared + k;
+            c_error = 0x1p-48 * m;
+            D_error = (0x1p+4 * m) * (a + k) * 0x1p-52;
+        }
+        valid_radius = is_above_zero(sphere.radius);
     }
 
     /// c and D are known to 1/margin of themselves, and the ray and the sphere are valid. Then h² = D + a c > 11uam for
     /// a c > 0 and D > 0, so that the sign of h is known as well.
     bool is_known(double margin) const {
-        return (std::abs(D) > margin * D_error) & (std::abs(c) > margin * c_error) & (radius > 0);
+        return std::abs(D) > margin * D_error && std::abs(c) > margin * c_error && valid_radius;
     }
-    /// If it is known.
-    bool is_hit() const { return (D > 0) & ((c < 0) | (h < 0)); }
+    /// If it is known: D > 0, and c < 0 or h < 0.
+    bool is_hit() const { return (~sign(D) & (sign(c) | sign(h))) != 0; }
     /// If it is hit: the root in a form without cancellation. With c and D known to 2^-28 of themselves, so is √D to
     /// 2^-29, and q to little more, as h is known to 2^-51 √am and √D > 2^-10 √am. That makes 2^-27 for t.
     double t_of_hit() const {
@@ -55,6 +61,12 @@ struct SphereFilter {
         return (from_inside ? q : std::abs(c)) / (from_inside ? a : q);
     }
     static constexpr double margin_for_t = 0x1p28;
+
+  private:
+    static std::uint64_t sign(double x) { return std::bit_cast<std::uint64_t>(x) >> 63U; }
+    /// Or not a number. As whole numbers, which cost nothing beside the doubles.
+    static bool is_above_zero(float x) { return std::bit_cast<std::int32_t>(x) > 0; }
+    static bool is_above_zero(double x) { return std::bit_cast<std::int64_t>(x) > 0; }
 };
 
 /// What the filter cannot tell, and whatever else: exact, and slower.

@@ -10,10 +10,10 @@ namespace reference::kernel {
 ///
 /// With u = 2^-53 and n = |B-A|₁ + |C-A|₁ + |S-A|₁, while nothing underflows: det, U and V are sums of products of
 /// three factors, off by at most 7u of the product of the factors' norms, and these three products add up to |V|₁n²/3
-/// at most; W is off by 3u|V|₁n² and T by un³. An underflow costs at most 2^-1072 (|V|₁ + n + 1). The bounds are
-/// 16u(|V|₁ + k)(n + k)² and 16u(n + k)³ with k = 2^-300, which hold all of that and what computing them loses. Where
-/// anything overflows they are infinite, and of a NaN, a zero direction or a triangle without an area nothing is
-/// decided. For floats k changes nothing, unless n is 0.
+/// at most; W is off by 3u|V|₁n² and T by un³. The bounds are 16u|V|₁n² and 16un³, which hold what computing them loses
+/// too. Floats stay far inside the range of doubles. With doubles an underflow costs at most 2^-1072 (|V|₁ + n + 1):
+/// k = 2^-300 added to |V|₁ and n holds that; and sizes beyond 2^300, where a product could overflow, make the bounds
+/// infinite. Of a NaN, an infinity, a zero direction or a triangle without an area nothing is known.
 struct TriangleFilter {
     double det;
     double t;
@@ -30,33 +30,40 @@ struct TriangleFilter {
         const Vec3<double> s = Vec3<double>(ray.origin) - A;
         const Vec3<double> normal = cross(p, q);
         const Vec3<double> side = cross(s, d);
-        const double signed_det = -dot(d, normal);
-        const double u = dot(side, q);
-        const double v = -dot(side, p);
-        const double w = signed_det - u - v;
-        det = std::abs(signed_det);
-        t = std::copysign(1.0, signed_det) * dot(s, normal);
-        inside = signed_det < 0 ? -std::max(u, std::max(v, w)) : std::min(u, std::min(v, w));
-        constexpr double k = 0x1p-300;
-        const double n = size(p) + size(q) + size(s) + k;
-        const double n_squared = n * n;
-        error = n_squared * ((size(d) + k) * 16) * 0x1p-53;
-        t_error = n_squared * (n * 16) * 0x1p-53;
+        const double det_or_minus = dot(d, normal);
+        const double towards = std::copysign(1.0, det_or_minus);
+        det = std::abs(det_or_minus);
+        t = towards * dot(s, normal);
+        const double u = towards * dot(side, q);
+        const double v = towards * dot(side, p);
+        inside = std::min(std::min(-u, v), det + u - v);
+        double n = size(p) + size(q) + size(s);
+        double d_size = size(d);
+        if constexpr (std::is_same_v<T, double>) {
+            constexpr double k = 0x1p-300;
+            n += k;
+            d_size += k;
+            if (!(n + d_size < 0x1p300)) n = HUGE_VAL;
+        }
+        const double unit = 0x1p-49 * (n * n);
+        error = unit * d_size;
+        t_error = unit * n;
+        t = -t;
     }
 
-    bool is_miss() const { return (inside < -error) | (t < -t_error); }
-    bool is_hit() const { return (inside > error) & (t > t_error); }
-    /// is_hit() or is_miss() holds, and tells the truth.
-    bool is_known() const { return (det > error) & (is_miss() | is_hit()); }
+    /// The signs of all of them are, or of a triangle that is missed at least enough.
+    bool is_known() const { return det > error && std::abs(inside) > error && std::abs(t) > t_error; }
+    /// If it is known.
+    bool is_hit() const { return (sign(inside) | sign(t)) == 0; }
     /// Beside that: of a hit, det and T are known to 2^-28 of themselves, and so t = T / det to 2^-27.
     bool is_known_with_t() const {
-        const bool t_known = (det > 0x1p28 * error) & (t > 0x1p28 * t_error) & (t_of_hit() > 0x1p-1000);
-        return (det > error) & (is_miss() | (is_hit() & t_known));
+        return det > 0x1p28 * error && std::abs(inside) > error && std::abs(t) > 0x1p28 * t_error;
     }
     double t_of_hit() const { return t / det; }
 
   private:
     static double size(const Vec3<double>& p) { return std::abs(p.x) + std::abs(p.y) + std::abs(p.z); }
+    static std::uint64_t sign(double x) { return std::bit_cast<std::uint64_t>(x) >> 63U; }
 };
 
 /// What the filter cannot tell, and whatever else: exact, and slower.

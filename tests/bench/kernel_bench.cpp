@@ -23,7 +23,7 @@ using reference::Triangle;
 using reference::Vec3;
 
 /// More than a branch predictor remembers, and little enough for a second-level cache.
-constexpr std::size_t case_count = 4096;
+constexpr std::size_t case_count = 16384;
 
 template <class T>
 struct SphereInput {
@@ -69,8 +69,8 @@ template <class Input, class Kernel>
 void add(const std::string& name, const std::vector<Input>& inputs, Kernel kernel) {
     benchmark::RegisterBenchmark(name.c_str(), [inputs, kernel](benchmark::State& state) {
         for (auto _ : state) {
-            double sum = 0;
-            for (const Input& input : inputs) sum += static_cast<double>(kernel(input));
+            auto sum = decltype(kernel(inputs[0])){};
+            for (const Input& input : inputs) sum += kernel(input);
             benchmark::DoNotOptimize(sum);
         }
         count(state);
@@ -98,8 +98,11 @@ void add_triangle(const std::string& type, const distributions::Distribution<Tri
     const auto name = [&](const char* kernel) {
         return "triangle/" + std::string(distribution.name) + "/" + type + " in/" + kernel;
     };
-    add(name("naive float"), inputs, [](const Input& i) { return naive::triangle_t<float>(i.ray, i.triangle); });
-    add(name("naive double"), inputs, [](const Input& i) { return naive::triangle_t<double>(i.ray, i.triangle); });
+    add(name("naive float"), inputs,
+        [](const Input& i) { return static_cast<int>(naive::triangle_is_hit<float>(i.ray, i.triangle)); });
+    add(name("naive double"), inputs,
+        [](const Input& i) { return static_cast<int>(naive::triangle_is_hit<double>(i.ray, i.triangle)); });
+    add(name("naive double t"), inputs, [](const Input& i) { return naive::triangle_t<double>(i.ray, i.triangle); });
     add(name("decide"), inputs, [](const Input& i) { return static_cast<int>(decide(i.ray, i.triangle)); });
     add(name("fast t"), inputs, [](const Input& i) { return intersect_to_float(i.ray, i.triangle).t; });
     add(name("intersect"), inputs, [](const Input& i) { return intersect(i.ray, i.triangle).t; });

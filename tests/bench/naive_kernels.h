@@ -27,21 +27,37 @@ S sphere_t(const Ray<T>& ray, const reference::Sphere<T>& sphere) {
     return larger >= 0 ? larger : -1;
 }
 
-/// Möller and Trumbore (1997), with one test at the end; -1 for a miss.
+/// Möller and Trumbore (1997), with one test at the end.
+template <class S>
+struct MollerTrumbore {
+    S t;
+    bool hit;
+
+    template <class T>
+    MollerTrumbore(const Ray<T>& ray, const reference::Triangle<T>& triangle) {
+        const Vec3<S> d(ray.direction);
+        const Vec3<S> A(triangle.A);
+        const Vec3<S> p = Vec3<S>(triangle.B) - A;
+        const Vec3<S> q = Vec3<S>(triangle.C) - A;
+        const Vec3<S> s = Vec3<S>(ray.origin) - A;
+        const Vec3<S> d_q = cross(d, q);
+        const Vec3<S> s_p = cross(s, p);
+        const S inverse = 1 / dot(p, d_q);
+        const S u = dot(s, d_q) * inverse;
+        const S v = dot(d, s_p) * inverse;
+        t = dot(q, s_p) * inverse;
+        hit = (u >= 0) & (v >= 0) & (u + v <= 1) & (t >= 0);
+    }
+};
+template <class S, class T>
+bool triangle_is_hit(const Ray<T>& ray, const reference::Triangle<T>& triangle) {
+    return MollerTrumbore<S>(ray, triangle).hit;
+}
+/// -1 for a miss.
 template <class S, class T>
 S triangle_t(const Ray<T>& ray, const reference::Triangle<T>& triangle) {
-    const Vec3<S> d(ray.direction);
-    const Vec3<S> A(triangle.A);
-    const Vec3<S> p = Vec3<S>(triangle.B) - A;
-    const Vec3<S> q = Vec3<S>(triangle.C) - A;
-    const Vec3<S> s = Vec3<S>(ray.origin) - A;
-    const Vec3<S> d_q = cross(d, q);
-    const Vec3<S> s_p = cross(s, p);
-    const S inverse = 1 / dot(p, d_q);
-    const S u = dot(s, d_q) * inverse;
-    const S v = dot(d, s_p) * inverse;
-    const S t = dot(q, s_p) * inverse;
-    return (u >= 0) & (v >= 0) & (u + v <= 1) & (t >= 0) ? t : -1;
+    const MollerTrumbore<S> at(ray, triangle);
+    return at.hit ? at.t : -1;
 }
 
 struct First {
