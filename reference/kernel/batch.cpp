@@ -12,7 +12,6 @@
 #else
 #define EVERY_VECTOR_LENGTH
 #endif
-#define ALWAYS_INLINE inline __attribute__((always_inline))
 
 namespace reference::kernel {
 namespace {
@@ -29,13 +28,13 @@ struct Block {
 enum class With { decision, t };
 
 template <With with>
-ALWAYS_INLINE void fill(Block& block, std::size_t i, const SphereFilter& filter) {
+KERNEL_INLINE void fill(Block& block, std::size_t i, const SphereFilter& filter) {
     block.known[i] = filter.is_known(with == With::t ? SphereFilter::margin_for_t : 1) ? 1 : 0;
     block.hit[i] = filter.is_hit() ? 1 : 0;
     if constexpr (with == With::t) block.t[i] = filter.is_hit() ? filter.t_of_hit() : 0;
 }
 template <With with>
-ALWAYS_INLINE void fill(Block& block, std::size_t i, const TriangleFilter& filter) {
+KERNEL_INLINE void fill(Block& block, std::size_t i, const TriangleFilter& filter) {
     const bool known = with == With::t ? filter.is_known_with_t() : filter.is_known();
     block.known[i] = known ? 1 : 0;
     block.hit[i] = filter.is_hit() ? 1 : 0;
@@ -43,7 +42,7 @@ ALWAYS_INLINE void fill(Block& block, std::size_t i, const TriangleFilter& filte
 }
 
 template <With with, class Filter, class T, class Object>
-ALWAYS_INLINE void filter_block(const Rays<T>& rays, std::size_t from, std::size_t size, const Object& object,
+KERNEL_INLINE void filter_block(const Rays<T>& rays, std::size_t from, std::size_t size, const Object& object,
                                 Block& block) {
     const T* const ox = rays.origin[0].data() + from;
     const T* const oy = rays.origin[1].data() + from;
@@ -68,7 +67,7 @@ void settle(const Ray<T>& ray, const auto& object, auto& result, double& t) {
 }
 
 template <With with, class Filter, class T, class Object, class Result>
-ALWAYS_INLINE void by_blocks(const Rays<T>& rays, const Object& object, Result* results, double* t) {
+KERNEL_INLINE void by_blocks(const Rays<T>& rays, const Object& object, Result* results, double* t) {
     for (std::size_t from = 0; from < rays.size(); from += block_size) {
         const std::size_t size = std::min(block_size, rays.size() - from);
         Block block;
@@ -102,11 +101,11 @@ EVERY_VECTOR_LENGTH void decide(const Rays<double>& rays, const Sphere<double>& 
 }
 EVERY_VECTOR_LENGTH void decide(const Rays<float>& rays, const Triangle<float>& triangle,
                                 std::span<TriangleResult> results) {
-    by_blocks<With::decision, TriangleFilter>(rays, triangle, results.data(), nullptr);
+    by_blocks<With::decision, TriangleFilter>(rays, PreparedTriangle(triangle), results.data(), nullptr);
 }
 EVERY_VECTOR_LENGTH void decide(const Rays<double>& rays, const Triangle<double>& triangle,
                                 std::span<TriangleResult> results) {
-    by_blocks<With::decision, TriangleFilter>(rays, triangle, results.data(), nullptr);
+    by_blocks<With::decision, TriangleFilter>(rays, PreparedTriangle(triangle), results.data(), nullptr);
 }
 
 EVERY_VECTOR_LENGTH void intersect_to_float(const Rays<float>& rays, const Sphere<float>& sphere,
@@ -119,11 +118,11 @@ EVERY_VECTOR_LENGTH void intersect_to_float(const Rays<double>& rays, const Sphe
 }
 EVERY_VECTOR_LENGTH void intersect_to_float(const Rays<float>& rays, const Triangle<float>& triangle,
                                             std::span<TriangleResult> results, std::span<double> t) {
-    by_blocks<With::t, TriangleFilter>(rays, triangle, results.data(), t.data());
+    by_blocks<With::t, TriangleFilter>(rays, PreparedTriangle(triangle), results.data(), t.data());
 }
 EVERY_VECTOR_LENGTH void intersect_to_float(const Rays<double>& rays, const Triangle<double>& triangle,
                                             std::span<TriangleResult> results, std::span<double> t) {
-    by_blocks<With::t, TriangleFilter>(rays, triangle, results.data(), t.data());
+    by_blocks<With::t, TriangleFilter>(rays, PreparedTriangle(triangle), results.data(), t.data());
 }
 
 }  // namespace reference::kernel

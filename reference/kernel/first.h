@@ -42,7 +42,7 @@ std::partial_ordering order_exactly(const Ray<double>& ray, const Sphere<double>
 
 /// With the two t's each known to 2^-26, a difference of 2^-24 of the larger decides.
 template <class T>
-FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
+KERNEL_INLINE FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, const PreparedTriangle<T>& triangle) {
     const auto at_sphere = intersect_to_float(ray, sphere);
     const auto at_triangle = intersect_to_float(ray, triangle);
     if (at_sphere.result == SphereResult::invalid || at_triangle.result == TriangleResult::invalid) {
@@ -57,11 +57,16 @@ FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>&
     const double difference = at_sphere.t - at_triangle.t;
     const double larger = std::max(at_sphere.t, at_triangle.t);
     if (!(std::abs(difference) > 0x1p-24 * larger + 0x1p-1000) || std::isinf(larger)) [[unlikely]] {
-        const auto order = order_exactly(as_double(ray), as_double(sphere), as_double(triangle));
+        const auto order = order_exactly(as_double(ray), as_double(sphere), as_double(triangle.triangle));
         if (order == 0) return {First::Kind::tie, at_sphere.t};
         return order < 0 ? sphere_first : triangle_first;
     }
     return difference < 0 ? sphere_first : triangle_first;
+}
+
+template <class T>
+KERNEL_INLINE FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
+    return first_of(ray, sphere, PreparedTriangle<T>(triangle));
 }
 
 }  // namespace reference::kernel

@@ -10,6 +10,9 @@
 
 #include "reference/scene.h"
 
+/// The filters are a few dozen operations of one straight line, where a call costs as much as it does.
+#define KERNEL_INLINE inline __attribute__((always_inline))
+
 namespace reference::kernel {
 
 /// The points origin + t direction with t >= 0. The direction need not have unit length.
@@ -68,15 +71,15 @@ inline bool is_valid(const Ray<double>& ray) {
 
 /// The same numbers in double.
 template <class T>
-Ray<double> as_double(const Ray<T>& ray) {
+KERNEL_INLINE Ray<double> as_double(const Ray<T>& ray) {
     return {Vec3<double>(ray.origin), Vec3<double>(ray.direction)};
 }
 template <class T>
-Sphere<double> as_double(const Sphere<T>& sphere) {
+KERNEL_INLINE Sphere<double> as_double(const Sphere<T>& sphere) {
     return {Vec3<double>(sphere.center), static_cast<double>(sphere.radius)};
 }
 template <class T>
-Triangle<double> as_double(const Triangle<T>& triangle) {
+KERNEL_INLINE Triangle<double> as_double(const Triangle<T>& triangle) {
     return {Vec3<double>(triangle.A), Vec3<double>(triangle.B), Vec3<double>(triangle.C)};
 }
 

@@ -19,12 +19,13 @@ struct SphereFilter {
     double h;
     double c;
     double D;
-    double c_error;
-    double D_error;
+    double m;
+    double am;       ///< times overflow_room for doubles
+    double am_unit;  ///< 32u for that am
     bool valid_radius;
 
     template <class T>
-    SphereFilter(const Ray<T>& ray, const Sphere<T>& sphere) {
+    KERNEL_INLINE SphereFilter(const Ray<T>& ray, const Sphere<T>& sphere) {
         const Vec3<double> d(ray.direction);
         const Vec3<double> f = Vec3<double>(ray.origin) - Vec3<double>(sphere.center);
         const auto R = static_cast<double>(sphere.radius);
@@ -34,35 +35,35 @@ struct SphereFilter {
         const double R_squared = R * R;
         c = f_squared - R_squared;
         D = h * h - a * c;
-        if constexpr (std::is_same_v<T, float>) {
-            c_error = 0x1p-48 * (f_squared + R_squared);
-            D_error = a * c_error;
-        } else {
+        m = f_squared + R_squared;
+        am = a * m;
+        if constexpr (std::is_same_v<T, double>) {
             constexpr double k = 0x1p-500;
-            const double m = f_squared + R_squared + k;
-            c_error = 0x1p-48 * m;
-            D_error = (0x1p+4 * m) * (a + k) * 0x1p-52;
+            m += k;
+            am = (overflow_room * m) * (a + k);
         }
+        am_unit = std::is_same_v<T, double> ? 0x1p-48 / overflow_room : 0x1p-48;
         valid_radius = is_above_zero(sphere.radius);
     }
 
     /// c and D are known to 1/margin of themselves, and the ray and the sphere are valid. Then h² = D + a c > 11uam for
     /// a c > 0 and D > 0, so that the sign of h is known as well.
     bool is_known(double margin) const {
-        return std::abs(D) > margin * D_error && std::abs(c) > margin * c_error && valid_radius;
+        return std::abs(D) > (margin * am_unit) * am && std::abs(c) > (margin * 0x1p-48) * m && valid_radius;
     }
     /// If it is known: D > 0, and c < 0 or h < 0.
     bool is_hit() const { return (~sign(D) & (sign(c) | sign(h))) != 0; }
     /// If it is hit: the root in a form without cancellation. With c and D known to 2^-28 of themselves, so is √D to
     /// 2^-29, and q to little more, as h is known to 2^-51 √am and √D > 2^-10 √am. That makes 2^-27 for t.
     double t_of_hit() const {
-        const double q = std::abs(h) + std::sqrt(std::max(D, 0.0));
+        const double q = std::abs(h) + std::sqrt(D);
         const bool from_inside = (c < 0) & (h < 0);
         return (from_inside ? q : std::abs(c)) / (from_inside ? a : q);
     }
     static constexpr double margin_for_t = 0x1p28;
 
   private:
+    static constexpr double overflow_room = 0x1p4;
     static std::uint64_t sign(double x) { return std::bit_cast<std::uint64_t>(x) >> 63U; }
     /// Or not a number. As whole numbers, which cost nothing beside the doubles.
     static bool is_above_zero(float x) { return std::bit_cast<std::int32_t>(x) > 0; }
@@ -74,7 +75,7 @@ SphereResult decide_exactly(const Ray<double>& ray, const Sphere<double>& sphere
 
 /// Exact. Throws nothing, never over- or underflows.
 template <class T>
-SphereResult decide(const Ray<T>& ray, const Sphere<T>& sphere) {
+KERNEL_INLINE SphereResult decide(const Ray<T>& ray, const Sphere<T>& sphere) {
     const SphereFilter filter(ray, sphere);
     if (!filter.is_known(1)) [[unlikely]]
         return decide_exactly(as_double(ray), as_double(sphere));
@@ -89,16 +90,14 @@ inline SphereHit intersect(const Ray<float>& ray, const Sphere<float>& sphere) {
 
 /// decide(), with t as far as a float goes.
 template <class T>
-FloatHit<SphereResult> intersect_to_float(const Ray<T>& ray, const Sphere<T>& sphere) {
+KERNEL_INLINE FloatHit<SphereResult> intersect_to_float(const Ray<T>& ray, const Sphere<T>& sphere) {
     const SphereFilter filter(ray, sphere);
     if (!filter.is_known(SphereFilter::margin_for_t)) [[unlikely]] {
-        const SphereResult result = decide(ray, sphere);
-        if (result == SphereResult::miss || result == SphereResult::invalid) return {result, 0};
-        return {result, intersect(ray, sphere).t};
+        const SphereHit hit = intersect(as_double(ray), as_double(sphere));
+        return {hit.result, hit.t};
     }
-    const bool hit = filter.is_hit();
-    const double t = filter.t_of_hit();
-    return {hit ? SphereResult::hit : SphereResult::miss, hit ? t : 0};
+    if (!filter.is_hit()) return {SphereResult::miss, 0};
+    return {SphereResult::hit, filter.t_of_hit()};
 }
 
 }  // namespace reference::kernel

@@ -6,14 +6,35 @@
 
 namespace reference::kernel {
 
+/// What the filter takes of a triangle alone. Made once, it serves many rays.
+template <class T>
+struct PreparedTriangle {
+    Triangle<T> triangle;
+    Vec3<double> A;
+    Vec3<double> p;  ///< B - A
+    Vec3<double> q;  ///< C - A
+    Vec3<double> normal;
+    double edges;  ///< |p|₁ + |q|₁
+
+    KERNEL_INLINE explicit PreparedTriangle(const Triangle<T>& given)
+        : triangle(given),
+          A(given.A),
+          p(Vec3<double>(given.B) - A),
+          q(Vec3<double>(given.C) - A),
+          normal(cross(p, q)),
+          edges(norm(p) + norm(q)) {}
+
+    static double norm(const Vec3<double>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+};
+
 /// Cramer's rule in doubles with det > 0, and how far its numbers may be off: u, v, w = 1 - u - v and t times det.
 ///
-/// With u = 2^-53 and n = |B-A|₁ + |C-A|₁ + |S-A|₁, while nothing underflows: det, U and V are sums of products of
-/// three factors, off by at most 7u of the product of the factors' norms, and these three products add up to |V|₁n²/3
-/// at most; W is off by 3u|V|₁n² and T by un³. The bounds are 16u|V|₁n² and 16un³, which hold what computing them loses
-/// too. Floats stay far inside the range of doubles. With doubles an underflow costs at most 2^-1072 (|V|₁ + n + 1):
-/// k = 2^-300 added to |V|₁ and n holds that; and sizes beyond 2^300, where a product could overflow, make the bounds
-/// infinite. Of a NaN, an infinity, a zero direction or a triangle without an area nothing is known.
+/// With u = 2^-53, e = |B-A|₁ + |C-A|₁ and n = e + |S-A|₁, while nothing underflows: det, U and V are sums of products
+/// of three factors, off by at most 7u of the product of the factors' norms, and these three products add up to |V|₁en
+/// at most; W is off by 9u|V|₁en and T by 8ue²n. The bounds are 16u|V|₁en and 16ue²n, which hold what computing them
+/// loses too. Floats stay far inside the range of doubles. With doubles an underflow costs at most 2^-1072 (|V|₁ + n +
+/// 1): k = 2^-300 added to |V|₁ and e holds that; and sizes beyond 2^300, where a product could overflow, make the
+/// bounds infinite. Of a NaN, an infinity, a zero direction or a triangle without an area nothing is known.
 struct TriangleFilter {
     double det;
     double t;
@@ -22,33 +43,30 @@ struct TriangleFilter {
     double t_error;
 
     template <class T>
-    TriangleFilter(const Ray<T>& ray, const Triangle<T>& triangle) {
+    KERNEL_INLINE TriangleFilter(const Ray<T>& ray, const PreparedTriangle<T>& triangle) {
         const Vec3<double> d(ray.direction);
-        const Vec3<double> A(triangle.A);
-        const Vec3<double> p = Vec3<double>(triangle.B) - A;
-        const Vec3<double> q = Vec3<double>(triangle.C) - A;
-        const Vec3<double> s = Vec3<double>(ray.origin) - A;
-        const Vec3<double> normal = cross(p, q);
+        const Vec3<double> s = Vec3<double>(ray.origin) - triangle.A;
         const Vec3<double> side = cross(s, d);
-        const double det_or_minus = dot(d, normal);
-        const double towards = std::copysign(1.0, det_or_minus);
-        det = std::abs(det_or_minus);
-        t = towards * dot(s, normal);
-        const double u = towards * dot(side, q);
-        const double v = towards * dot(side, p);
-        inside = std::min(std::min(-u, v), det + u - v);
-        double n = size(p) + size(q) + size(s);
-        double d_size = size(d);
+        const double minus_det = dot(d, triangle.normal);
+        const double towards = std::copysign(1.0, minus_det);
+        det = std::abs(minus_det);
+        t = -(towards * dot(s, triangle.normal));
+        const double minus_u = towards * dot(side, triangle.q);
+        const double v = towards * dot(side, triangle.p);
+        inside = std::min(std::min(-minus_u, v), det + minus_u - v);
+        double e = triangle.edges;
+        double d_norm = triangle.norm(d);
+        double n = e + triangle.norm(s);
         if constexpr (std::is_same_v<T, double>) {
             constexpr double k = 0x1p-300;
+            e += k;
+            d_norm += k;
             n += k;
-            d_size += k;
-            if (!(n + d_size < 0x1p300)) n = HUGE_VAL;
+            if (!(n + d_norm < 0x1p300)) n = HUGE_VAL;
         }
-        const double unit = 0x1p-49 * (n * n);
-        error = unit * d_size;
-        t_error = unit * n;
-        t = -t;
+        const double unit = 0x1p-49 * (e * n);
+        error = unit * d_norm;
+        t_error = unit * e;
     }
 
     /// The signs of all of them are, or of a triangle that is missed at least enough.
@@ -62,7 +80,6 @@ struct TriangleFilter {
     double t_of_hit() const { return t / det; }
 
   private:
-    static double size(const Vec3<double>& p) { return std::abs(p.x) + std::abs(p.y) + std::abs(p.z); }
     static std::uint64_t sign(double x) { return std::bit_cast<std::uint64_t>(x) >> 63U; }
 };
 
@@ -71,11 +88,15 @@ TriangleResult decide_exactly(const Ray<double>& ray, const Triangle<double>& tr
 
 /// Exact; an edge that two triangles share is never missed between them. Never over- or underflows.
 template <class T>
-TriangleResult decide(const Ray<T>& ray, const Triangle<T>& triangle) {
+KERNEL_INLINE TriangleResult decide(const Ray<T>& ray, const PreparedTriangle<T>& triangle) {
     const TriangleFilter filter(ray, triangle);
     if (!filter.is_known()) [[unlikely]]
-        return decide_exactly(as_double(ray), as_double(triangle));
+        return decide_exactly(as_double(ray), as_double(triangle.triangle));
     return filter.is_hit() ? TriangleResult::hit : TriangleResult::miss;
+}
+template <class T>
+KERNEL_INLINE TriangleResult decide(const Ray<T>& ray, const Triangle<T>& triangle) {
+    return decide(ray, PreparedTriangle<T>(triangle));
 }
 
 /// decide(), with t, u and v.
@@ -86,15 +107,18 @@ inline TriangleHit intersect(const Ray<float>& ray, const Triangle<float>& trian
 
 /// decide(), with t as far as a float goes.
 template <class T>
-FloatHit<TriangleResult> intersect_to_float(const Ray<T>& ray, const Triangle<T>& triangle) {
+KERNEL_INLINE FloatHit<TriangleResult> intersect_to_float(const Ray<T>& ray, const PreparedTriangle<T>& triangle) {
     const TriangleFilter filter(ray, triangle);
     if (!filter.is_known_with_t()) [[unlikely]] {
-        const TriangleResult result = decide(ray, triangle);
-        if (result != TriangleResult::hit) return {result, 0};
-        return {result, intersect(ray, triangle).t};
+        const TriangleHit hit = intersect(as_double(ray), as_double(triangle.triangle));
+        return {hit.result, hit.t};
     }
-    const bool hit = filter.is_hit();
-    return {hit ? TriangleResult::hit : TriangleResult::miss, hit ? filter.t_of_hit() : 0};
+    if (!filter.is_hit()) return {TriangleResult::miss, 0};
+    return {TriangleResult::hit, filter.t_of_hit()};
+}
+template <class T>
+KERNEL_INLINE FloatHit<TriangleResult> intersect_to_float(const Ray<T>& ray, const Triangle<T>& triangle) {
+    return intersect_to_float(ray, PreparedTriangle<T>(triangle));
 }
 
 }  // namespace reference::kernel

@@ -37,19 +37,23 @@ template <class T>
 struct TriangleInput {
     Ray<T> ray;
     Triangle<T> triangle;
+    PreparedTriangle<T> prepared;
     explicit TriangleInput(const TriangleCase& c)
         : ray{Vec3<T>(c.ray.origin), Vec3<T>(c.ray.direction)},
-          triangle{Vec3<T>(c.triangle.A), Vec3<T>(c.triangle.B), Vec3<T>(c.triangle.C)} {}
+          triangle{Vec3<T>(c.triangle.A), Vec3<T>(c.triangle.B), Vec3<T>(c.triangle.C)},
+          prepared(triangle) {}
 };
 template <class T>
 struct OrderInput {
     Ray<T> ray;
     Sphere<T> sphere;
     Triangle<T> triangle;
+    PreparedTriangle<T> prepared;
     explicit OrderInput(const OrderCase& c)
         : ray{Vec3<T>(c.ray.origin), Vec3<T>(c.ray.direction)},
           sphere{Vec3<T>(c.sphere.center), static_cast<T>(c.sphere.radius)},
-          triangle{Vec3<T>(c.triangle.A), Vec3<T>(c.triangle.B), Vec3<T>(c.triangle.C)} {}
+          triangle{Vec3<T>(c.triangle.A), Vec3<T>(c.triangle.B), Vec3<T>(c.triangle.C)},
+          prepared(triangle) {}
 };
 
 template <class Input, class Case>
@@ -104,7 +108,9 @@ void add_triangle(const std::string& type, const distributions::Distribution<Tri
         [](const Input& i) { return static_cast<int>(naive::triangle_is_hit<double>(i.ray, i.triangle)); });
     add(name("naive double t"), inputs, [](const Input& i) { return naive::triangle_t<double>(i.ray, i.triangle); });
     add(name("decide"), inputs, [](const Input& i) { return static_cast<int>(decide(i.ray, i.triangle)); });
+    add(name("decide, prepared"), inputs, [](const Input& i) { return static_cast<int>(decide(i.ray, i.prepared)); });
     add(name("fast t"), inputs, [](const Input& i) { return intersect_to_float(i.ray, i.triangle).t; });
+    add(name("fast t, prepared"), inputs, [](const Input& i) { return intersect_to_float(i.ray, i.prepared).t; });
     add(name("intersect"), inputs, [](const Input& i) { return intersect(i.ray, i.triangle).t; });
 }
 
@@ -119,6 +125,7 @@ void add_order(const std::string& type, const distributions::Distribution<OrderC
     add(name("naive double"), inputs,
         [](const Input& i) { return naive::first<double>(i.ray, i.sphere, i.triangle).t; });
     add(name("certified"), inputs, [](const Input& i) { return first_of(i.ray, i.sphere, i.triangle).t; });
+    add(name("certified, prepared"), inputs, [](const Input& i) { return first_of(i.ray, i.sphere, i.prepared).t; });
 }
 
 /// All rays of the first distribution at one object: moved with their own to its place.
