@@ -46,6 +46,12 @@ class Scale {
     int exponent() const { return is_empty() ? 0 : least_; }
     int bits() const { return is_empty() ? 0 : most_ - least_; }
 
+    int end() const { return exponent() + bits(); }
+    /// No square of the largest number is near the ends of the range of doubles, nor is its cube.
+    bool is_near_one() const { return std::abs(end()) < 150; }
+    /// A power of two that brings the largest number near 1.
+    double to_one() const { return std::ldexp(1.0, std::clamp(-end(), -1000, 1000)); }
+
     /// The number of these bits as an N.
     template <class N>
     N whole(double x) const {
@@ -66,6 +72,22 @@ class Scale {
 struct Scales {
     Scale lengths;
     Scale directions;
+
+    int bits() const { return std::max(lengths.bits(), directions.bits()); }
+    bool are_near_one() const { return lengths.is_near_one() && directions.is_near_one(); }
+
+    /// The same case with all sizes near 1. What becomes subnormal thereby is rounded, by no more than an underflow
+    /// costs, which the filters allow for many times over.
+    Ray<double> to_one(const Ray<double>& ray) const {
+        return {scaled(ray.origin, lengths.to_one()), scaled(ray.direction, directions.to_one())};
+    }
+    Sphere<double> to_one(const Sphere<double>& sphere) const {
+        return {scaled(sphere.center, lengths.to_one()), sphere.radius * lengths.to_one()};
+    }
+    Triangle<double> to_one(const Triangle<double>& triangle) const {
+        const double factor = lengths.to_one();
+        return {scaled(triangle.A, factor), scaled(triangle.B, factor), scaled(triangle.C, factor)};
+    }
 
     template <class... Objects>
     explicit Scales(const Ray<double>& ray, const Objects&... objects) {
@@ -122,14 +144,16 @@ class Whole {
     const Scales& scales_;
 };
 
+inline constexpr int longest_fixed = 125;
+
 /// Calls `decide` with a Whole of the shortest numbers that hold what the scales cover. The sizes are those with which
 /// c of a sphere takes one word, two and four: with L bits a length it is below 2^(2L + 5).
 template <class Decide>
 auto in_whole_numbers(const Scales& scales, Decide decide) {
-    const int bits = std::max(scales.lengths.bits(), scales.directions.bits());
+    const int bits = scales.bits();
     if (bits <= 28) return decide(Whole<Fixed<28>>(scales));
     if (bits <= 61) return decide(Whole<Fixed<61>>(scales));
-    if (bits <= 125) return decide(Whole<Fixed<125>>(scales));
+    if (bits <= longest_fixed) return decide(Whole<Fixed<longest_fixed>>(scales));
     return decide(Whole<Integer>(scales));
 }
 

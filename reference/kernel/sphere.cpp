@@ -3,6 +3,7 @@
 #include "reference/exact/certified.h"
 #include "reference/kernel/double_double.h"
 #include "reference/kernel/integers.h"
+#include "reference/kernel/product_sum.h"
 #include "reference/stages/sphere.h"
 
 namespace reference::kernel {
@@ -82,21 +83,65 @@ double root_by_balls(const Ray<double>& ray, const Sphere<double>& sphere) {
     return root(quadratic, choose_root(quadratic, Boundary::nonnegative))->enclosure().nearest;
 }
 
+/// From the signs, each asked for only where it matters.
+template <class C, class H, class D>
+SphereResult result_of(C sign_of_c, H sign_of_h, D sign_of_D) {
+    const std::partial_ordering c = sign_of_c();
+    if (c < 0) return SphereResult::hit;
+    const std::partial_ordering h = sign_of_h();
+    if (c > 0 && h >= 0) return SphereResult::miss;
+    if (c == 0) return h == 0 ? SphereResult::tangent : SphereResult::hit;
+    const std::partial_ordering d = sign_of_D();
+    if (d == 0) return SphereResult::tangent;
+    return d < 0 ? SphereResult::miss : SphereResult::hit;
+}
+
+/// |f|² - R², multiplied out.
+std::partial_ordering sign_of_c(const Scales& scales, const Ray<double>& ray, const Sphere<double>& sphere) {
+    ProductSum c(2 * scales.lengths.exponent(), 2 * scales.lengths.end() + 1);
+    for (int i = 0; i < 3; ++i) {
+        c.add(ray.origin[i], ray.origin[i]);
+        c.add(sphere.center[i], sphere.center[i]);
+        c.subtract(ray.origin[i], sphere.center[i], 1);
+    }
+    c.subtract(sphere.radius, sphere.radius);
+    return c.sign();
+}
+
+std::partial_ordering sign_of_h(const Scales& scales, const Ray<double>& ray, const Sphere<double>& sphere) {
+    ProductSum h(scales.lengths.exponent() + scales.directions.exponent(),
+                 scales.lengths.end() + scales.directions.end());
+    for (int i = 0; i < 3; ++i) {
+        h.add(ray.direction[i], ray.origin[i]);
+        h.subtract(ray.direction[i], sphere.center[i]);
+    }
+    return h.sign();
+}
+
+std::partial_ordering sign_of_D(const Scales& scales, const Ray<double>& ray, const Sphere<double>& sphere) {
+    const SphereFilter filter(scales.to_one(ray), scales.to_one(sphere));
+    if (filter.D_is_known(1)) return filter.D <=> 0;
+    return sign_of(quadratic_of(Whole<Integer>(scales), ray, sphere).D());
+}
+
 }  // namespace
 
 SphereResult decide_exactly(const Ray<double>& ray, const Sphere<double>& sphere) {
     const bool valid_sphere = is_finite(sphere.center) && std::isfinite(sphere.radius) && sphere.radius > 0;
     if (!is_valid(ray) || !valid_sphere) return SphereResult::invalid;
-    return in_whole_numbers(Scales(ray, sphere), [&](const auto& whole) {
+    const Scales scales(ray, sphere);
+    if (!scales.are_near_one()) {
+        const SphereFilter filter(scales.to_one(ray), scales.to_one(sphere));
+        if (filter.is_known(1)) return filter.is_hit() ? SphereResult::hit : SphereResult::miss;
+    }
+    if (scales.bits() > longest_fixed) {
+        return result_of([&] { return sign_of_c(scales, ray, sphere); }, [&] { return sign_of_h(scales, ray, sphere); },
+                         [&] { return sign_of_D(scales, ray, sphere); });
+    }
+    return in_whole_numbers(scales, [&](const auto& whole) {
         const auto quadratic = quadratic_of(whole, ray, sphere);
-        const auto c = sign_of(quadratic.c);
-        if (c < 0) return SphereResult::hit;
-        const auto h = sign_of(quadratic.h);
-        if (c > 0 && h >= 0) return SphereResult::miss;
-        if (c == 0) return h == 0 ? SphereResult::tangent : SphereResult::hit;
-        const auto D = sign_of(quadratic.D());
-        if (D == 0) return SphereResult::tangent;
-        return D < 0 ? SphereResult::miss : SphereResult::hit;
+        return result_of([&] { return sign_of(quadratic.c); }, [&] { return sign_of(quadratic.h); },
+                         [&] { return sign_of(quadratic.D()); });
     });
 }
 

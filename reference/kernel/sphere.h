@@ -49,8 +49,9 @@ struct SphereFilter {
     /// c and D are known to 1/margin of themselves, and the ray and the sphere are valid. Then h² = D + a c > 11uam for
     /// a c > 0 and D > 0, so that the sign of h is known as well.
     bool is_known(double margin) const {
-        return std::abs(D) > (margin * am_unit) * am && std::abs(c) > (margin * 0x1p-48) * m && valid_radius;
+        return D_is_known(margin) && std::abs(c) > (margin * 0x1p-48) * m && valid_radius;
     }
+    bool D_is_known(double margin) const { return std::abs(D) > (margin * am_unit) * am; }
     /// If it is known: D > 0, and c < 0 or h < 0.
     bool is_hit() const { return (~sign(D) & (sign(c) | sign(h))) != 0; }
     /// If it is hit: the root in a form without cancellation. With c and D known to 2^-28 of themselves, so is √D to
