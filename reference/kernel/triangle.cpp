@@ -97,7 +97,12 @@ TriangleResult decide_exactly(const Ray<double>& ray, const Triangle<double>& tr
     if (!is_valid(ray) || !is_finite(triangle.A) || !is_finite(triangle.B) || !is_finite(triangle.C)) {
         return TriangleResult::invalid;
     }
-    return in_whole_numbers(Scales(ray, triangle),
+    const Scales scales(ray, triangle);
+    if (!scales.are_near_one()) {
+        const TriangleFilter filter(scales.to_one(ray), PreparedTriangle(scales.to_one(triangle)));
+        if (filter.is_known()) return filter.is_hit() ? TriangleResult::hit : TriangleResult::miss;
+    }
+    return in_whole_numbers(scales,
                             [&](const auto& whole) { return result_of(determinants_of(whole, ray, triangle)); });
 }
 
