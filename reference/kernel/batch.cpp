@@ -31,14 +31,14 @@ template <With with>
 KERNEL_INLINE void fill(Block& block, std::size_t i, const SphereFilter& filter) {
     block.known[i] = filter.is_known(with == With::t ? SphereFilter::margin_for_t : 1) ? 1 : 0;
     block.hit[i] = filter.is_hit() ? 1 : 0;
-    if constexpr (with == With::t) block.t[i] = filter.is_hit() ? filter.t_of_hit() : 0;
+    if constexpr (with == With::t) block.t[i] = filter.is_hit() ? filter.root() : 0;
 }
 template <With with>
 KERNEL_INLINE void fill(Block& block, std::size_t i, const TriangleFilter& filter) {
     const bool known = with == With::t ? filter.is_known_with_t() : filter.is_known();
     block.known[i] = known ? 1 : 0;
     block.hit[i] = filter.is_hit() ? 1 : 0;
-    if constexpr (with == With::t) block.t[i] = filter.is_hit() ? filter.t_of_hit() : 0;
+    if constexpr (with == With::t) block.t[i] = filter.is_hit() ? filter.t() : 0;
 }
 
 template <With with, class Filter, class T, class Object>

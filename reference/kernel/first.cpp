@@ -139,6 +139,11 @@ std::partial_ordering order_exactly(const Ray<double>& ray, const Sphere<double>
     return exact_order(ray, sphere, triangle);
 }
 
+std::partial_ordering order_exactly(const Ray<float>& ray, const Sphere<float>& sphere,
+                                    const Triangle<float>& triangle) {
+    return exact_order(as_double(ray), as_double(sphere), as_double(triangle));
+}
+
 void cast_ray(const Ray<double>& ray, const std::vector<Sphere<double>>& spheres,
               const std::vector<Triangle<double>>& triangles, Cast& result) {
     result.spheres.clear();

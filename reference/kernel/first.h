@@ -1,6 +1,7 @@
 // Which of a scene's objects a ray hits first, without a wrong decision.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "reference/kernel/sphere.h"
@@ -39,8 +40,10 @@ struct FirstHit {
 /// The sign of (the sphere's t) - (the triangle's t), both hit. Exact, and slow.
 std::partial_ordering order_exactly(const Ray<double>& ray, const Sphere<double>& sphere,
                                     const Triangle<double>& triangle);
+std::partial_ordering order_exactly(const Ray<float>& ray, const Sphere<float>& sphere,
+                                    const Triangle<float>& triangle);
 
-/// With the two t's each known to 2^-26, a difference of 2^-24 of the larger decides.
+/// With the two t's each known to 2^-26, a difference of 2^-24 of the smaller decides.
 template <class T>
 KERNEL_INLINE FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, const PreparedTriangle<T>& triangle) {
     const auto at_sphere = intersect_to_float(ray, sphere);
@@ -48,22 +51,22 @@ KERNEL_INLINE FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, cons
     if (at_sphere.result == SphereResult::invalid || at_triangle.result == TriangleResult::invalid) {
         return {First::Kind::invalid, 0};
     }
-    const FirstHit sphere_first{First::Kind::sphere, at_sphere.t};
-    const FirstHit triangle_first{First::Kind::triangle, at_triangle.t};
-    if (at_sphere.result == SphereResult::miss) {
-        return at_triangle.result == TriangleResult::hit ? triangle_first : FirstHit{First::Kind::none, 0};
-    }
-    if (at_triangle.result != TriangleResult::hit) return sphere_first;
+    const bool sphere_is_hit = at_sphere.result != SphereResult::miss;
+    const bool triangle_is_hit = at_triangle.result == TriangleResult::hit;
+    const double slack = 0x1p-24 * std::min(at_sphere.t, at_triangle.t) + 0x1p-1000;
     const double difference = at_sphere.t - at_triangle.t;
-    const double larger = std::max(at_sphere.t, at_triangle.t);
-    if (!(std::abs(difference) > 0x1p-24 * larger + 0x1p-1000) || std::isinf(larger)) [[unlikely]] {
-        const auto order = order_exactly(as_double(ray), as_double(sphere), as_double(triangle.triangle));
+    bool sphere_is_nearer = difference < 0;
+    if (sphere_is_hit & triangle_is_hit & !(std::abs(difference) > slack)) [[unlikely]] {
+        const auto order = order_exactly(ray, sphere, triangle.triangle);
         if (order == 0) return {First::Kind::tie, at_sphere.t};
-        return order < 0 ? sphere_first : triangle_first;
+        sphere_is_nearer = order < 0;
     }
-    return difference < 0 ? sphere_first : triangle_first;
+    // Chosen by an index, not by a branch that nobody can foretell.
+    const bool sphere_is_first = sphere_is_hit & (!triangle_is_hit | sphere_is_nearer);
+    const std::array kinds{First::Kind::none, First::Kind::triangle, First::Kind::sphere, First::Kind::sphere};
+    const std::array ts{at_triangle.t, at_sphere.t};
+    return {kinds[std::size_t{2} * sphere_is_first + triangle_is_hit], ts[sphere_is_first]};
 }
-
 template <class T>
 KERNEL_INLINE FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
     return first_of(ray, sphere, PreparedTriangle<T>(triangle));

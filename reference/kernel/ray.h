@@ -53,7 +53,7 @@ struct TriangleHit {
 };
 
 /// A decision with t to a relative error of 2^-26, a quarter of a float's last place; where t lies below the normal
-/// doubles, to one unit in its last place. 0 without a hit.
+/// doubles, to one unit in its last place. 0 without a hit, by a product and not by a branch that nobody can foretell.
 template <class Result>
 struct FloatHit {
     Result result;

@@ -152,4 +152,12 @@ SphereHit intersect(const Ray<double>& ray, const Sphere<double>& sphere) {
     return {result, root_by_balls(ray, sphere)};
 }
 
+SphereResult decide_exactly(const Ray<float>& ray, const Sphere<float>& sphere) {
+    return decide_exactly(as_double(ray), as_double(sphere));
+}
+
+SphereHit intersect(const Ray<float>& ray, const Sphere<float>& sphere) {
+    return intersect(as_double(ray), as_double(sphere));
+}
+
 }  // namespace reference::kernel

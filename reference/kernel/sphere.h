@@ -54,10 +54,11 @@ struct SphereFilter {
     bool D_is_known(double margin) const { return std::abs(D) > (margin * am_unit) * am; }
     /// If it is known: D > 0, and c < 0 or h < 0.
     bool is_hit() const { return (~sign(D) & (sign(c) | sign(h))) != 0; }
-    /// If it is hit: the root in a form without cancellation. With c and D known to 2^-28 of themselves, so is √D to
-    /// 2^-29, and q to little more, as h is known to 2^-51 √am and √D > 2^-10 √am. That makes 2^-27 for t.
-    double t_of_hit() const {
-        const double q = std::abs(h) + std::sqrt(D);
+    /// If it is known to margin_for_t and hit: the root in a form without cancellation; a number in any case. With c
+    /// and D known to 2^-28 of themselves, so is √D to 2^-29, and q to little more, as h is known to 2^-51 √am and √D >
+    /// 2^-10 √am. That makes 2^-27 for t.
+    double root() const {
+        const double q = std::abs(h) + std::sqrt(std::abs(D));
         const bool from_inside = (c < 0) & (h < 0);
         return (from_inside ? q : std::abs(c)) / (from_inside ? a : q);
     }
@@ -71,34 +72,33 @@ struct SphereFilter {
     static bool is_above_zero(double x) { return std::bit_cast<std::int64_t>(x) > 0; }
 };
 
-/// What the filter cannot tell, and whatever else: exact, and slower.
+/// What the filter cannot tell, and whatever else: exact, and slower. Takes floats as they are, so that the fast path
+/// has nothing to prepare for it.
 SphereResult decide_exactly(const Ray<double>& ray, const Sphere<double>& sphere);
+SphereResult decide_exactly(const Ray<float>& ray, const Sphere<float>& sphere);
 
 /// Exact. Throws nothing, never over- or underflows.
 template <class T>
 KERNEL_INLINE SphereResult decide(const Ray<T>& ray, const Sphere<T>& sphere) {
     const SphereFilter filter(ray, sphere);
     if (!filter.is_known(1)) [[unlikely]]
-        return decide_exactly(as_double(ray), as_double(sphere));
+        return decide_exactly(ray, sphere);
     return filter.is_hit() ? SphereResult::hit : SphereResult::miss;
 }
 
 /// decide(), with t.
 SphereHit intersect(const Ray<double>& ray, const Sphere<double>& sphere);
-inline SphereHit intersect(const Ray<float>& ray, const Sphere<float>& sphere) {
-    return intersect(as_double(ray), as_double(sphere));
-}
+SphereHit intersect(const Ray<float>& ray, const Sphere<float>& sphere);
 
 /// decide(), with t as far as a float goes.
 template <class T>
 KERNEL_INLINE FloatHit<SphereResult> intersect_to_float(const Ray<T>& ray, const Sphere<T>& sphere) {
     const SphereFilter filter(ray, sphere);
     if (!filter.is_known(SphereFilter::margin_for_t)) [[unlikely]] {
-        const SphereHit hit = intersect(as_double(ray), as_double(sphere));
+        const SphereHit hit = intersect(ray, sphere);
         return {hit.result, hit.t};
     }
-    if (!filter.is_hit()) return {SphereResult::miss, 0};
-    return {SphereResult::hit, filter.t_of_hit()};
+    return {filter.is_hit() ? SphereResult::hit : SphereResult::miss, filter.root() * filter.is_hit()};
 }
 
 }  // namespace reference::kernel

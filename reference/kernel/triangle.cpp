@@ -112,4 +112,12 @@ TriangleHit intersect(const Ray<double>& ray, const Triangle<double>& triangle) 
     return solve(ray, triangle);
 }
 
+TriangleResult decide_exactly(const Ray<float>& ray, const Triangle<float>& triangle) {
+    return decide_exactly(as_double(ray), as_double(triangle));
+}
+
+TriangleHit intersect(const Ray<float>& ray, const Triangle<float>& triangle) {
+    return intersect(as_double(ray), as_double(triangle));
+}
+
 }  // namespace reference::kernel

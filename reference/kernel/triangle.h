@@ -37,7 +37,7 @@ struct PreparedTriangle {
 /// bounds infinite. Of a NaN, an infinity, a zero direction or a triangle without an area nothing is known.
 struct TriangleFilter {
     double det;
-    double t;
+    double t_numerator;
     double inside;  ///< the least of u, v and w
     double error;
     double t_error;
@@ -50,7 +50,7 @@ struct TriangleFilter {
         const double minus_det = dot(d, triangle.normal);
         const double towards = std::copysign(1.0, minus_det);
         det = std::abs(minus_det);
-        t = -(towards * dot(s, triangle.normal));
+        t_numerator = -(towards * dot(s, triangle.normal));
         const double minus_u = towards * dot(side, triangle.q);
         const double v = towards * dot(side, triangle.p);
         inside = std::min(std::min(-minus_u, v), det + minus_u - v);
@@ -70,28 +70,31 @@ struct TriangleFilter {
     }
 
     /// The signs of all of them are, or of a triangle that is missed at least enough.
-    bool is_known() const { return det > error && std::abs(inside) > error && std::abs(t) > t_error; }
+    bool is_known() const { return det > error && std::abs(inside) > error && std::abs(t_numerator) > t_error; }
     /// If it is known.
-    bool is_hit() const { return (sign(inside) | sign(t)) == 0; }
+    bool is_hit() const { return (sign(inside) | sign(t_numerator)) == 0; }
     /// Beside that: of a hit, det and T are known to 2^-28 of themselves, and so t = T / det to 2^-27.
     bool is_known_with_t() const {
-        return det > 0x1p28 * error && std::abs(inside) > error && std::abs(t) > 0x1p28 * t_error;
+        return det > 0x1p28 * error && std::abs(inside) > error && std::abs(t_numerator) > 0x1p28 * t_error;
     }
-    double t_of_hit() const { return t / det; }
+    /// Of a hit that is known so; a number in any case.
+    double t() const { return t_numerator / det; }
 
   private:
     static std::uint64_t sign(double x) { return std::bit_cast<std::uint64_t>(x) >> 63U; }
 };
 
-/// What the filter cannot tell, and whatever else: exact, and slower.
+/// What the filter cannot tell, and whatever else: exact, and slower. Takes floats as they are, so that the fast path
+/// has nothing to prepare for it.
 TriangleResult decide_exactly(const Ray<double>& ray, const Triangle<double>& triangle);
+TriangleResult decide_exactly(const Ray<float>& ray, const Triangle<float>& triangle);
 
 /// Exact; an edge that two triangles share is never missed between them. Never over- or underflows.
 template <class T>
 KERNEL_INLINE TriangleResult decide(const Ray<T>& ray, const PreparedTriangle<T>& triangle) {
     const TriangleFilter filter(ray, triangle);
     if (!filter.is_known()) [[unlikely]]
-        return decide_exactly(as_double(ray), as_double(triangle.triangle));
+        return decide_exactly(ray, triangle.triangle);
     return filter.is_hit() ? TriangleResult::hit : TriangleResult::miss;
 }
 template <class T>
@@ -101,20 +104,17 @@ KERNEL_INLINE TriangleResult decide(const Ray<T>& ray, const Triangle<T>& triang
 
 /// decide(), with t, u and v.
 TriangleHit intersect(const Ray<double>& ray, const Triangle<double>& triangle);
-inline TriangleHit intersect(const Ray<float>& ray, const Triangle<float>& triangle) {
-    return intersect(as_double(ray), as_double(triangle));
-}
+TriangleHit intersect(const Ray<float>& ray, const Triangle<float>& triangle);
 
 /// decide(), with t as far as a float goes.
 template <class T>
 KERNEL_INLINE FloatHit<TriangleResult> intersect_to_float(const Ray<T>& ray, const PreparedTriangle<T>& triangle) {
     const TriangleFilter filter(ray, triangle);
     if (!filter.is_known_with_t()) [[unlikely]] {
-        const TriangleHit hit = intersect(as_double(ray), as_double(triangle.triangle));
+        const TriangleHit hit = intersect(ray, triangle.triangle);
         return {hit.result, hit.t};
     }
-    if (!filter.is_hit()) return {TriangleResult::miss, 0};
-    return {TriangleResult::hit, filter.t_of_hit()};
+    return {filter.is_hit() ? TriangleResult::hit : TriangleResult::miss, filter.t() * filter.is_hit()};
 }
 template <class T>
 KERNEL_INLINE FloatHit<TriangleResult> intersect_to_float(const Ray<T>& ray, const Triangle<T>& triangle) {
