@@ -73,9 +73,11 @@ struct TriangleFilter {
     bool is_known() const { return det > error && std::abs(inside) > error && std::abs(t_numerator) > t_error; }
     /// If it is known.
     bool is_hit() const { return (sign(inside) | sign(t_numerator)) == 0; }
-    /// Beside that: of a hit, det and T are known to 2^-28 of themselves, and so t = T / det to 2^-27.
+    /// Beside that, T is known to 2^-28 of itself. So is the det of a hit: its point is at most e from A, so t|V|₁ <=
+    /// n, and det = T/t > 2^28 * 16ue²|V|₁, of which the 2u|V|₁e² that det may be off is less than 2^-30. t = T/det is
+    /// then known to 2^-27.
     bool is_known_with_t() const {
-        return det > 0x1p28 * error && std::abs(inside) > error && std::abs(t_numerator) > 0x1p28 * t_error;
+        return det > error && std::abs(inside) > error && std::abs(t_numerator) > 0x1p28 * t_error;
     }
     /// Of a hit that is known so; a number in any case.
     double t() const { return t_numerator / det; }

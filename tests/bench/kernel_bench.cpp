@@ -23,7 +23,7 @@ using reference::Triangle;
 using reference::Vec3;
 
 /// More than a branch predictor remembers, and little enough for a second-level cache.
-constexpr std::size_t case_count = 10000;
+constexpr std::size_t case_count = 16384;
 
 template <class T>
 struct SphereInput {

@@ -1,14 +1,7 @@
 // Each level of the kernel on its own against fractions: the filters for floats and for doubles, t as far as a float
-// goes, the exact level at each size of its numbers, and blocks of rays against single ones.
-#include <gtest/gtest.h>
-// gtest comes first: RapidCheck's printers look for it.
-#include <rapidcheck/gtest.h>
-
-#include <cstdlib>
-#include <limits>
-
-#include "reference/kernel/batch.h"
+// goes, and the exact level at each size of its numbers.
 #include "reference/kernel/first.h"
+#include "tests/kernel/any_precision.h"
 #include "tests/kernel/distributions.h"
 #include "tests/kernel/oracle.h"
 #include "tests/kernel/random_numbers.h"
@@ -16,34 +9,11 @@
 namespace {
 
 using namespace reference::kernel;
+using namespace any_precision;
 using distributions::P;
 using distributions::Random;
-using reference::Sphere;
-using reference::Triangle;
-using reference::Vec3;
 
-template <class Check>
-void for_seeds(std::string_view name, const char* rays, Check check) {
-    setenv("RC_PARAMS", rays, 0);
-    const auto seeds = rc::gen::noShrink(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()));
-    EXPECT_TRUE(rc::check(std::string(name), [&] { check(*seeds); }));
-}
 constexpr const char* rays_in_ci = "max_success=5000";
-
-// Never inline: where g++ 12 sees doubles become floats and doubles again, two at a time, it leaves out the rounding.
-#define ROUNDED __attribute__((noinline))
-template <class T>
-ROUNDED Ray<T> ray_of(const Ray<double>& ray) {
-    return {Vec3<T>(ray.origin), Vec3<T>(ray.direction)};
-}
-template <class T>
-ROUNDED Sphere<T> object_of(const Sphere<double>& sphere) {
-    return {Vec3<T>(sphere.center), static_cast<T>(sphere.radius)};
-}
-template <class T>
-ROUNDED Triangle<T> object_of(const Triangle<double>& triangle) {
-    return {Vec3<T>(triangle.A), Vec3<T>(triangle.B), Vec3<T>(triangle.C)};
-}
 
 SphereResult true_result(const Ray<double>& ray, const Sphere<double>& sphere) {
     const bool valid = is_valid(ray) && is_finite(sphere.center) && std::isfinite(sphere.radius) && sphere.radius > 0;
@@ -200,92 +170,32 @@ TEST(Levels, EachSizeOfTheExactLevel) {
     });
 }
 
-/// Rays at one object, some like the given one, some invalid, of any number.
-template <class T>
-struct Columns {
-    std::array<std::vector<T>, 6> columns;
-
-    Columns(Random& random, const Ray<double>& given) {
-        static constexpr T nan = std::numeric_limits<T>::quiet_NaN();
-        static constexpr T infinite = std::numeric_limits<T>::infinity();
-        const int size = random.whole(0, 300);
-        for (int i = 0; i < size; ++i) {
-            Ray<T> ray = ray_of<T>({random.nudged(given.origin), random.nudged(given.direction)});
-            if (random.whole(0, 1) == 0) ray.origin += ray_of<T>({random.direction(), random.direction()}).direction;
-            switch (random.whole(0, 20)) {
-                case 0: ray.direction = Vec3<T>(0, 0, 0); break;
-                case 1: ray.direction[random.whole(0, 2)] = nan; break;
-                case 2: ray.origin[random.whole(0, 2)] = random.whole(0, 1) == 0 ? nan : -infinite; break;
-                case 3: ray.direction[random.whole(0, 2)] = infinite; break;
-                default: break;
-            }
-            for (int j = 0; j < 3; ++j) {
-                columns[static_cast<std::size_t>(j)].push_back(ray.origin[j]);
-                columns[static_cast<std::size_t>(j + 3)].push_back(ray.direction[j]);
-            }
-        }
-    }
-    Rays<T> rays() const { return {{columns[0], columns[1], columns[2]}, {columns[3], columns[4], columns[5]}}; }
-};
-
-#ifdef KERNEL_IS_CONTRACTED
-constexpr bool is_contracted = true;
-#else
-constexpr bool is_contracted = false;
-#endif
-
-template <class T, class Object>
-void check_batch(Random& random, const Ray<double>& given, const Object& object) {
-    const Columns<T> columns(random, given);
-    const Rays<T> rays = columns.rays();
-    using Result = decltype(decide(rays[0], object));
-    std::vector<Result> decided(rays.size());
-    std::vector<Result> measured(rays.size());
-    std::vector<double> ts(rays.size(), -1);
-    decide(rays, object, decided);
-    intersect_to_float(rays, object, measured, ts);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        const auto single = intersect_to_float(rays[i], object);
-        RC_ASSERT(decided[i] == decide(rays[i], object));
-        RC_ASSERT(measured[i] == single.result);
-        // GCC may fuse a * b + c in the one and not in the other, unless the build forbids it, as the reference's does.
-        if constexpr (is_contracted) {
-            RC_ASSERT(std::abs(ts[i] - single.t) <= 0x1p-25 * single.t);
-        } else {
-            RC_ASSERT(ts[i] == single.t);
-        }
-    }
+/// A hit at a slant of 2^-45 to 1, from 2^-45 to 1 of the direction away: known to be one long before its t is.
+TEST(Levels, ShallowRaysAndRaysFromNearThePlane) {
+    for_seeds("shallow or near", "max_success=20000", [](std::uint64_t seed) {
+        Random random(seed);
+        const Triangle<double> triangle{random.point(4), random.point(4), random.point(4)};
+        const P p = triangle.B - triangle.A;
+        const P q = triangle.C - triangle.A;
+        const P inside = triangle.A + reference::scaled(p, 0.3) + reference::scaled(q, random.between(0.2, 0.5));
+        const P slant = reference::scaled(cross(p, q), std::exp2(-random.whole(0, 45)));
+        const P d = reference::scaled(p, random.number()) + reference::scaled(q, random.number()) + slant;
+        check_levels(Ray<double>{inside - reference::scaled(d, std::exp2(-random.whole(0, 45))), d}, triangle);
+    });
 }
 
-TEST(Batch, GivesWhatSingleRaysGive) {
-    for (const auto& distribution : distributions::spheres()) {
-        for_seeds(distribution.name, "max_success=60", [&](std::uint64_t seed) {
-            const distributions::SphereCase c = distribution.make(seed);
-            Random random(seed + 7);
-            check_batch<float>(random, c.ray, object_of<float>(c.sphere));
-            check_batch<double>(random, c.ray, c.sphere);
-        });
-    }
-    for (const auto& distribution : distributions::triangles()) {
-        for_seeds(distribution.name, "max_success=60", [&](std::uint64_t seed) {
-            const distributions::TriangleCase c = distribution.make(seed);
-            Random random(seed + 7);
-            check_batch<float>(random, c.ray, object_of<float>(c.triangle));
-            check_batch<double>(random, c.ray, c.triangle);
-        });
-    }
-}
-
-TEST(Batch, InvalidObjectsAreInvalidInEveryLane) {
-    Random random(1);
-    const Ray<double> ray{P(0, 0, 9), P(0, 0, -1)};
-    for (const double radius : {0.0, -1.0, -0.0, HUGE_VAL, std::nan("")}) {
-        check_batch<double>(random, ray, Sphere<double>{P(0, 0, 0), radius});
-        check_batch<float>(random, ray, Sphere<float>{Vec3<float>(0, 0, 0), static_cast<float>(radius)});
-        EXPECT_EQ(decide(ray, Sphere<double>{P(0, 0, 0), radius}), SphereResult::invalid);
-    }
-    check_batch<double>(random, ray, Triangle<double>{P(0, 0, HUGE_VAL), P(1, 0, 0), P(0, 1, 0)});
-    check_batch<double>(random, ray, Triangle<double>{P(0, 0, 0), P(0, 0, 0), P(0, 1, 0)});
+/// A triangle through the point where the ray meets the sphere, but for 2^-52 to 2^-20 of the way.
+TEST(Levels, ATriangleAlmostWhereTheSphereIsHit) {
+    const auto benign = distributions::spheres().front();
+    for_seeds("almost together", "max_success=20000", [&](std::uint64_t seed) {
+        const distributions::SphereCase c = benign.make(seed);
+        Random random(seed + 1);
+        const double t = intersect(c.ray, c.sphere).t * (1 + random.number() * std::exp2(-random.whole(20, 52)));
+        const P at = c.ray.origin + reference::scaled(c.ray.direction, t);
+        const P one = random.direction();
+        const P other = random.direction();
+        check_first(c.ray, c.sphere, Triangle<double>{at + one, at + other, at - one - other});
+    });
 }
 
 }  // namespace
