@@ -5,7 +5,9 @@ namespace reference::accuracy {
 
 std::vector<Method<OrderProblem>> cast_methods() {
     const std::string naive = "the handout's questions 6, 8 and 10, by the textbook's quadratic and Cramer's rule";
+    const std::string certified = "this project: both decisions exact, and their order";
     const auto in_own_scalar = [](const auto& c) { return naive_cast(c.ray, c.sphere, c.triangle); };
+    const auto certify = [](const auto& c) { return certified_cast(c.ray, c.sphere, c.triangle); };
     return {method<float, OrderProblem>({"naive", "float", naive}, in_own_scalar),
             method<double, OrderProblem>({"naive", "double", naive}, in_own_scalar),
             method<double, OrderProblem>({"naive", "long double", naive},
@@ -17,7 +19,10 @@ std::vector<Method<OrderProblem>> cast_methods() {
                                                                Triangle<S>{over<S>(c.triangle.A), over<S>(c.triangle.B),
                                                                            over<S>(c.triangle.C)});
                                          }),
-            method<double, OrderProblem>({"certified", "double", "this project: the first of exact orders"},
+            method<float, OrderProblem>({"certified", "float", certified}, certify),
+            method<double, OrderProblem>({"certified", "double", certified}, certify),
+            method<double, OrderProblem>({"certified to the last place", "double",
+                                          "this project: every t to one unit in the last place of double"},
                                          [cast = CertifiedCast()](const OrderCase& c) mutable { return cast(c); })};
 }
 

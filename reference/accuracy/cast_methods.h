@@ -21,21 +21,33 @@ FirstHit<S> naive_cast(const Ray<S>& ray, const Sphere<S>& sphere, const Triangl
                             : FirstHit<S>{Outcome::triangle_first, flat.t};
 }
 
-/// The certified kernel's cast, with the memory it keeps from ray to ray.
+inline Outcome outcome_of(kernel::First::Kind first) {
+    switch (first) {
+        case kernel::First::Kind::sphere: return Outcome::sphere_first;
+        case kernel::First::Kind::triangle: return Outcome::triangle_first;
+        case kernel::First::Kind::tie: return Outcome::tie;
+        case kernel::First::Kind::none:
+        case kernel::First::Kind::invalid: break;
+    }
+    return Outcome::miss;
+}
+
+/// The certified kernel's first object, with its t as far as a float goes.
+template <class T>
+FirstHit<double> certified_cast(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
+    const kernel::FirstHit found = kernel::first_of(ray, sphere, triangle);
+    return {outcome_of(found.kind), found.t};
+}
+
+/// The certified kernel's cast of whole scenes, with the memory it keeps from ray to ray.
 class CertifiedCast {
   public:
     FirstHit<double> operator()(const OrderCase& c) {
         spheres_.front() = c.sphere;
         triangles_.front() = c.triangle;
         kernel::cast_ray(c.ray, spheres_, triangles_, cast_);
-        switch (cast_.first.kind) {
-            case kernel::First::Kind::sphere: return {Outcome::sphere_first, cast_.spheres.front().t};
-            case kernel::First::Kind::triangle: return {Outcome::triangle_first, cast_.triangles.front().t};
-            case kernel::First::Kind::tie: return {Outcome::tie, cast_.spheres.front().t};
-            case kernel::First::Kind::none:
-            case kernel::First::Kind::invalid: break;
-        }
-        return {};
+        const Outcome outcome = outcome_of(cast_.first.kind);
+        return {outcome, outcome == Outcome::triangle_first ? cast_.triangles.front().t : cast_.spheres.front().t};
     }
 
   private:

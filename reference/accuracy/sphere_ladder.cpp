@@ -64,11 +64,15 @@ std::vector<Method<SphereProblem>> sphere_methods() {
     add_both(methods, "GLM", "GLM, gtx/intersect, intersectRaySphere",
              [](const auto& ray, const auto& sphere) { return glm_sphere(ray, sphere); });
     add_wide(methods);
+    add_both(methods, "certified decision", "this project: an error filter, then whole numbers",
+             [](const auto& ray, const auto& sphere) { return is_hit(kernel::decide(ray, sphere)); });
+    add_both(methods, "certified with t", "this project: t to 2^-26, a quarter of a unit in the last place of float",
+             [](const auto& ray, const auto& sphere) {
+                 const auto found = kernel::intersect_to_float(ray, sphere);
+                 return Hit<double>{is_hit(found.result), found.t};
+             });
     methods.push_back(method<double, SphereProblem>(
-        {"certified decision", "double", "this project: error filter, double-double, whole numbers"},
-        [](const SphereCase& c) { return is_hit(kernel::decide(c.ray, c.sphere)); }));
-    methods.push_back(method<double, SphereProblem>(
-        {"certified with t", "double", "this project: t to one unit in the last place of double"},
+        {"certified to the last place", "double", "this project: t to one unit in the last place of double"},
         [](const SphereCase& c) {
             const kernel::SphereHit found = kernel::intersect(c.ray, c.sphere);
             return Hit<double>{is_hit(found.result), found.t};

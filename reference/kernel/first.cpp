@@ -1,9 +1,6 @@
 #include "reference/kernel/first.h"
 
 #include "reference/kernel/integers.h"
-#include "reference/kernel/sphere.h"
-#include "reference/kernel/triangle.h"
-#include "reference/stages/order.h"
 
 namespace reference::kernel {
 namespace {
@@ -24,29 +21,82 @@ std::partial_ordering filtered_order(double one, double other) {
     return std::partial_ordering::unordered;
 }
 
-template <class I>
-RootChoice closed_root(const Quadratic<I>& quadratic) {
-    return choose_root(quadratic, Boundary::nonnegative);
+std::partial_ordering reversed(std::partial_ordering order) {
+    return 0 <=> order;
 }
 
-/// Of two spheres, of two triangles, or of a sphere and a triangle.
-template <class I>
-std::partial_ordering exact_order(const IntegerScene<I>& scene) {
-    if (scene.triangles.empty()) {
-        const Quadratic<I> one = quadratic_of(scene.ray, scene.spheres[0]);
-        const Quadratic<I> other = quadratic_of(scene.ray, scene.spheres[1]);
-        return order_of(one, closed_root(one), other, closed_root(other));
-    }
-    if (scene.spheres.empty()) {
-        return order_of(solution_of(scene.ray, scene.triangles[0]), solution_of(scene.ray, scene.triangles[1]));
-    }
-    const Quadratic<I> quadratic = quadratic_of(scene.ray, scene.spheres[0]);
-    return order_of(quadratic, closed_root(quadratic), solution_of(scene.ray, scene.triangles[0]));
+/// The sign of (the sphere's t) - (the triangle's t), both hit. With t = N/det for the triangle, det > 0: P = aN² + 2hN
+/// det + c det² tells whether it lies between the roots, L = aN + h det on which side of their middle.
+template <class Quadratic, class Determinants>
+std::partial_ordering exact_order(const Quadratic& sphere, const Determinants& triangle) {
+    const auto N = triangle.t();
+    const auto det = triangle.det();
+    const auto aN = sphere.a * N;
+    const auto h_det = sphere.h * det;
+    const auto P = sign_of(N * (aN + h_det + h_det) + sphere.c * (det * det));
+    const auto L_det = sign_of(aN + h_det);
+    const auto L = sign_of(det) < 0 ? reversed(L_det) : L_det;
+    const bool smaller = sphere.smaller_is_first();
+    if (P < 0) return smaller ? std::partial_ordering::less : std::partial_ordering::greater;
+    if (P > 0) return reversed(L);
+    if (L == 0 || (L < 0) == smaller) return std::partial_ordering::equivalent;
+    return L > 0 ? std::partial_ordering::less : std::partial_ordering::greater;
 }
 
-std::partial_ordering order_in_integers(const Ray<double>& ray, const std::vector<Sphere<double>>& spheres,
-                                        const std::vector<Triangle<double>>& triangles) {
-    return in_integers(ray, spheres, triangles, [](const auto& scene) { return exact_order(scene); });
+/// The sign of x + p√d + q√e by squaring; p and q are 1 or -1, d and e at least 0.
+template <class X, class D>
+std::partial_ordering sign_of_root_sum(const X& x, int p, const D& d, int q, const D& e) {
+    const auto times = [](int factor, std::partial_ordering sign) { return factor > 0 ? sign : reversed(sign); };
+    const auto roots = times(p, p == q ? sign_of(d + e) : sign_of(d - e));
+    const auto rest = sign_of(x);
+    if (rest == 0 || roots == rest) return roots;
+    if (roots == 0) return rest;
+    // They pull apart: compare (p√d + q√e)² = d + e + 2pq√(de) with x².
+    const auto y = d + e - x * x;
+    const auto de = d * e;
+    const auto product = de + de + (de + de);
+    const auto plain = sign_of(y);
+    const auto more = times(p * q, sign_of(product));
+    auto roots_win = plain;
+    if (plain == 0 || more == plain) {
+        roots_win = more;
+    } else if (more != 0) {
+        const auto larger = sign_of(y * y - product);
+        roots_win = plain > 0 ? larger : reversed(larger);
+    }
+    if (roots_win == 0) return roots_win;
+    return roots_win > 0 ? roots : rest;
+}
+
+/// Of two spheres that are hit.
+template <class A, class H, class C>
+std::partial_ordering exact_order(const HalfQuadratic<A, H, C>& one, const HalfQuadratic<A, H, C>& other) {
+    return sign_of_root_sum(other.h - one.h, one.smaller_is_first() ? -1 : 1, one.D(),
+                            other.smaller_is_first() ? 1 : -1, other.D());
+}
+
+/// Of two triangles that are hit.
+template <class N, class E>
+std::partial_ordering exact_order(const Determinants<N, E>& one, const Determinants<N, E>& other) {
+    const auto one_det = one.det();
+    const auto other_det = other.det();
+    const auto difference = sign_of(one.t() * other_det - other.t() * one_det);
+    return (sign_of(one_det) < 0) != (sign_of(other_det) < 0) ? reversed(difference) : difference;
+}
+
+auto exact_form(const auto& whole, const Ray<double>& ray, const Sphere<double>& sphere) {
+    return quadratic_of(whole, ray, sphere);
+}
+auto exact_form(const auto& whole, const Ray<double>& ray, const Triangle<double>& triangle) {
+    return determinants_of(whole, ray, triangle);
+}
+
+/// Of two objects that are hit, a sphere before a triangle.
+template <class One, class Other>
+std::partial_ordering exact_order(const Ray<double>& ray, const One& one, const Other& other) {
+    return in_whole_numbers(Scales(ray, one, other), [&](const auto& whole) {
+        return exact_order(exact_form(whole, ray, one), exact_form(whole, ray, other));
+    });
 }
 
 /// The order of a's t and b's t, where a is a sphere if only one of them is.
@@ -54,9 +104,9 @@ std::partial_ordering order(const Ray<double>& ray, const std::vector<Sphere<dou
                             const std::vector<Triangle<double>>& triangles, const Candidate& a, const Candidate& b) {
     const auto filtered = filtered_order(a.t, b.t);
     if (filtered != std::partial_ordering::unordered) return filtered;
-    if (a.is_sphere && b.is_sphere) return order_in_integers(ray, {spheres[a.index], spheres[b.index]}, {});
-    if (!a.is_sphere) return order_in_integers(ray, {}, {triangles[a.index], triangles[b.index]});
-    return order_in_integers(ray, {spheres[a.index]}, {triangles[b.index]});
+    if (a.is_sphere && b.is_sphere) return exact_order(ray, spheres[a.index], spheres[b.index]);
+    if (!a.is_sphere) return exact_order(ray, triangles[a.index], triangles[b.index]);
+    return exact_order(ray, spheres[a.index], triangles[b.index]);
 }
 
 /// Spheres come before triangles, as `order` asks.
@@ -83,6 +133,16 @@ bool holds_invalid(const Ray<double>& ray, const Cast& cast) {
 }
 
 }  // namespace
+
+std::partial_ordering order_exactly(const Ray<double>& ray, const Sphere<double>& sphere,
+                                    const Triangle<double>& triangle) {
+    return exact_order(ray, sphere, triangle);
+}
+
+std::partial_ordering order_exactly(const Ray<float>& ray, const Sphere<float>& sphere,
+                                    const Triangle<float>& triangle) {
+    return exact_order(as_double(ray), as_double(sphere), as_double(triangle));
+}
 
 void cast_ray(const Ray<double>& ray, const std::vector<Sphere<double>>& spheres,
               const std::vector<Triangle<double>>& triangles, Cast& result) {

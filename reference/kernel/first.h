@@ -1,9 +1,11 @@
 // Which of a scene's objects a ray hits first, without a wrong decision.
 #pragma once
 
+#include <array>
 #include <vector>
 
-#include "reference/kernel/ray.h"
+#include "reference/kernel/sphere.h"
+#include "reference/kernel/triangle.h"
 
 namespace reference::kernel {
 
@@ -29,5 +31,45 @@ struct Cast {
 /// Every object on its own, and the first of them. Writes into `result`, whose memory it keeps from ray to ray.
 void cast_ray(const Ray<double>& ray, const std::vector<Sphere<double>>& spheres,
               const std::vector<Triangle<double>>& triangles, Cast& result);
+
+/// The same for one sphere and one triangle, with the first t as far as a float goes; 0 for none and invalid.
+struct FirstHit {
+    First::Kind kind;
+    double t;
+};
+/// The sign of (the sphere's t) - (the triangle's t), both hit. Exact, and slow.
+std::partial_ordering order_exactly(const Ray<double>& ray, const Sphere<double>& sphere,
+                                    const Triangle<double>& triangle);
+std::partial_ordering order_exactly(const Ray<float>& ray, const Sphere<float>& sphere,
+                                    const Triangle<float>& triangle);
+
+/// With the two t's each known to 2^-26, a difference of 2^-24 of the smaller decides.
+template <class T>
+KERNEL_INLINE FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, const PreparedTriangle<T>& triangle) {
+    const auto at_sphere = intersect_to_float(ray, sphere);
+    const auto at_triangle = intersect_to_float(ray, triangle);
+    if (at_sphere.result == SphereResult::invalid || at_triangle.result == TriangleResult::invalid) {
+        return {First::Kind::invalid, 0};
+    }
+    const bool sphere_is_hit = at_sphere.result != SphereResult::miss;
+    const bool triangle_is_hit = at_triangle.result == TriangleResult::hit;
+    const double slack = 0x1p-24 * std::min(at_sphere.t, at_triangle.t) + 0x1p-1000;
+    const double difference = at_sphere.t - at_triangle.t;
+    bool sphere_is_nearer = difference < 0;
+    if (sphere_is_hit & triangle_is_hit & !(std::abs(difference) > slack)) [[unlikely]] {
+        const auto order = order_exactly(ray, sphere, triangle.triangle);
+        if (order == 0) return {First::Kind::tie, at_sphere.t};
+        sphere_is_nearer = order < 0;
+    }
+    // Chosen by an index, not by a branch that nobody can foretell.
+    const bool sphere_is_first = sphere_is_hit & (!triangle_is_hit | sphere_is_nearer);
+    const std::array kinds{First::Kind::none, First::Kind::triangle, First::Kind::sphere, First::Kind::sphere};
+    const std::array ts{at_triangle.t, at_sphere.t};
+    return {kinds[std::size_t{2} * sphere_is_first + triangle_is_hit], ts[sphere_is_first]};
+}
+template <class T>
+KERNEL_INLINE FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
+    return first_of(ray, sphere, PreparedTriangle<T>(triangle));
+}
 
 }  // namespace reference::kernel

@@ -1,107 +1,202 @@
-// The exact level of the certified kernel: the same stages over whole numbers. Lengths are multiplied by one power of
-// two and directions by another, which changes no sign, so that doubles of any size become whole.
+// The exact level of the kernel: its formulas over whole numbers. Lengths are multiplied by one power of two and
+// directions by another, which changes no sign, so that doubles of any size become whole; how many bits they take then
+// chooses the type that holds them.
 #pragma once
 
 #include <algorithm>
-#include <vector>
+#include <bit>
 
+#include "reference/kernel/fixed.h"
 #include "reference/kernel/ray.h"
 #include "reference/kernel/whole.h"
-#include "reference/stages/triangle.h"
 
 namespace reference::kernel {
 
-/// The range of the bits that a set of finite doubles has.
+/// A finite double as mantissa * 2^exponent.
+struct Binary {
+    std::int64_t mantissa;
+    int exponent;
+
+    explicit Binary(double x) {
+        const auto bits = std::bit_cast<std::uint64_t>(x);
+        const auto biased = static_cast<int>((bits >> 52U) & 0x7ffU);
+        const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52U) - 1);
+        const auto size = static_cast<std::int64_t>(fraction | (biased == 0 ? 0 : std::uint64_t{1} << 52U));
+        mantissa = static_cast<std::int64_t>(bits) < 0 ? -size : size;
+        exponent = std::max(biased, 1) - 1075;
+    }
+};
+
+/// The range of the bits that a set of finite doubles has, without the zeros at their ends.
 class Scale {
   public:
-    void cover(double x);
-    void cover(const Vec3<double>& p);
-    /// The numbers times 2^-exponent() are whole and have at most bits() bits.
+    void cover(double x) {
+        const Binary binary(x);
+        if (binary.mantissa == 0) return;
+        const auto size = static_cast<std::uint64_t>(std::abs(binary.mantissa));
+        least_ = std::min(least_, binary.exponent + std::countr_zero(size));
+        most_ = std::max(most_, binary.exponent + static_cast<int>(std::bit_width(size)));
+    }
+    void cover(const Vec3<double>& p) {
+        cover(p.x);
+        cover(p.y);
+        cover(p.z);
+    }
+    /// The numbers times 2^-exponent() are whole and below 2^bits().
     int exponent() const { return is_empty() ? 0 : least_; }
     int bits() const { return is_empty() ? 0 : most_ - least_; }
 
-    template <class I>
-    I whole(double x) const {
-        if (x == 0) return I(0);
-        int above = 0;
-        const double mantissa = std::ldexp(std::frexp(x, &above), mantissa_bits);
-        return I(static_cast<std::int64_t>(mantissa), static_cast<unsigned>(above - mantissa_bits - least_));
-    }
-    template <class I>
-    Vec3<I> whole(const Vec3<double>& p) const {
-        return Vec3<I>(whole<I>(p.x), whole<I>(p.y), whole<I>(p.z));
+    int end() const { return exponent() + bits(); }
+    /// No square of the largest number is near the ends of the range of doubles, nor is its cube.
+    bool is_near_one() const { return std::abs(end()) < 150; }
+    /// A power of two that brings the largest number near 1.
+    double to_one() const { return std::ldexp(1.0, std::clamp(-end(), -1000, 1000)); }
+
+    /// The number of these bits as an N.
+    template <class N>
+    N whole(double x) const {
+        const Binary binary(x);
+        if (binary.mantissa == 0) return N();
+        const int shift = binary.exponent - exponent();
+        return shift < 0 ? N(binary.mantissa >> -shift, 0) : N(binary.mantissa, shift);
     }
 
   private:
-    static constexpr int mantissa_bits = 53;
     bool is_empty() const { return least_ > most_; }
     int least_ = 1 << 20;
     int most_ = -(1 << 20);
 };
 
+/// Of a ray and objects. Their t's have a common scale as well: the true t is that of the whole numbers times
+/// 2^(lengths.exponent() - directions.exponent()).
 struct Scales {
     Scale lengths;
     Scale directions;
-};
-/// All numbers are finite.
-Scales scales_of(const Ray<double>& ray, const std::vector<Sphere<double>>& spheres,
-                 const std::vector<Triangle<double>>& triangles);
 
-/// A ray and objects in whole numbers, of a common scale: their t's can be compared.
-template <class I>
-struct IntegerScene {
-    Ray<I> ray;
-    std::vector<Sphere<I>> spheres;
-    std::vector<Triangle<I>> triangles;
-    long t_exponent = 0;  ///< the true t is that of the whole numbers times 2^t_exponent
+    int bits() const { return std::max(lengths.bits(), directions.bits()); }
+    bool are_near_one() const { return lengths.is_near_one() && directions.is_near_one(); }
+
+    /// The same case with all sizes near 1. What becomes subnormal thereby is rounded, by no more than an underflow
+    /// costs, which the filters allow for many times over.
+    Ray<double> to_one(const Ray<double>& ray) const {
+        return {scaled(ray.origin, lengths.to_one()), scaled(ray.direction, directions.to_one())};
+    }
+    Sphere<double> to_one(const Sphere<double>& sphere) const {
+        return {scaled(sphere.center, lengths.to_one()), sphere.radius * lengths.to_one()};
+    }
+    Triangle<double> to_one(const Triangle<double>& triangle) const {
+        const double factor = lengths.to_one();
+        return {scaled(triangle.A, factor), scaled(triangle.B, factor), scaled(triangle.C, factor)};
+    }
+
+    template <class... Objects>
+    explicit Scales(const Ray<double>& ray, const Objects&... objects) {
+        directions.cover(ray.direction);
+        lengths.cover(ray.origin);
+        (cover(objects), ...);
+    }
+
+  private:
+    void cover(const Sphere<double>& sphere) {
+        lengths.cover(sphere.center);
+        lengths.cover(sphere.radius);
+    }
+    void cover(const Triangle<double>& triangle) {
+        for (const Vec3<double>& vertex : {triangle.A, triangle.B, triangle.C}) lengths.cover(vertex);
+    }
 };
 
-template <class I>
-IntegerScene<I> as_integers(const Scales& scales, const Ray<double>& ray, const std::vector<Sphere<double>>& spheres,
-                            const std::vector<Triangle<double>>& triangles) {
-    const Scale& lengths = scales.lengths;
-    const auto length = [&](const Vec3<double>& p) { return lengths.template whole<I>(p); };
-    IntegerScene<I> scene{{length(ray.origin), scales.directions.template whole<I>(ray.direction)},
-                          {},
-                          {},
-                          long{lengths.exponent()} - scales.directions.exponent()};
-    for (const Sphere<double>& sphere : spheres) {
-        scene.spheres.push_back({length(sphere.center), lengths.template whole<I>(sphere.radius)});
-    }
-    for (const Triangle<double>& triangle : triangles) {
-        scene.triangles.push_back({length(triangle.A), length(triangle.B), length(triangle.C)});
-    }
-    return scene;
+template <class N>
+struct Point {
+    N x;
+    N y;
+    N z;
+};
+template <class N>
+Point(N, N, N) -> Point<N>;
+
+template <class N>
+auto operator-(const Point<N>& p, const Point<N>& q) {
+    return Point{p.x - q.x, p.y - q.y, p.z - q.z};
+}
+template <class N, class M>
+auto dot(const Point<N>& p, const Point<M>& q) {
+    return p.x * q.x + p.y * q.y + p.z * q.z;
+}
+template <class N, class M>
+auto cross(const Point<N>& p, const Point<M>& q) {
+    return Point{p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
 }
 
-/// The bits of the longest polynomials of order.h, with L bits a length and V a direction. aN²: a has 2V + 2 bits, N
-/// three products of differences, 3L + 6, and the three summands of P two bits more: 2V + 6L + 16. Two spheres: d has
-/// 2V + 2L + 9, and (d + e - x²)² 4V + 4L + 24.
-inline int polynomial_bits(const Scales& scales) {
-    const int V = scales.directions.bits();
-    const int L = scales.lengths.bits();
-    return std::max(2 * V + 6 * L + 16, 4 * V + 4 * L + 24);
-}
+/// Makes N of the numbers that the scales cover.
+template <class N>
+class Whole {
+  public:
+    explicit Whole(const Scales& scales) : scales_(scales) {}
+    N length(double x) const { return scales_.lengths.template whole<N>(x); }
+    Point<N> place(const Vec3<double>& p) const { return point(scales_.lengths, p); }
+    Point<N> direction(const Vec3<double>& p) const { return point(scales_.directions, p); }
 
-/// Calls `decide` with the scene in integers that hold every polynomial of the stages.
+  private:
+    static Point<N> point(const Scale& scale, const Vec3<double>& p) {
+        return {scale.template whole<N>(p.x), scale.template whole<N>(p.y), scale.template whole<N>(p.z)};
+    }
+    const Scales& scales_;
+};
+
+inline constexpr int longest_fixed = 125;
+
+/// Calls `decide` with a Whole of the shortest numbers that hold what the scales cover. The sizes are those with which
+/// c of a sphere takes one word, two and four: with L bits a length it is below 2^(2L + 5).
 template <class Decide>
-auto in_integers(const Ray<double>& ray, const std::vector<Sphere<double>>& spheres,
-                 const std::vector<Triangle<double>>& triangles, Decide decide) {
-    const Scales scales = scales_of(ray, spheres, triangles);
-    if (polynomial_bits(scales) <= wide_bits) {
-        return decide(as_integers<WideInteger>(scales, ray, spheres, triangles));
-    }
-    return decide(as_integers<Integer>(scales, ray, spheres, triangles));
+auto in_whole_numbers(const Scales& scales, Decide decide) {
+    const int bits = scales.bits();
+    if (bits <= 28) return decide(Whole<Fixed<28>>(scales));
+    if (bits <= 61) return decide(Whole<Fixed<61>>(scales));
+    if (bits <= longest_fixed) return decide(Whole<Fixed<longest_fixed>>(scales));
+    return decide(Whole<Integer>(scales));
 }
 
-template <class I>
-Quadratic<I> quadratic_of(const Ray<I>& ray, const Sphere<I>& sphere) {
-    return sphere_quadratic(ray.origin, ray.direction, sphere);
+/// a t² + 2 h t + c = 0, the quadratic of a ray and a sphere.
+template <class A, class H, class C>
+struct HalfQuadratic {
+    A a;
+    H h;
+    C c;
+    /// A quarter of the discriminant.
+    auto D() const { return h * h - a * c; }
+    /// Of a sphere that is hit: t is the smaller root.
+    bool smaller_is_first() const { return sign_of(c) > 0 || (sign_of(c) == 0 && sign_of(h) < 0); }
+};
+
+template <class N>
+auto quadratic_of(const Whole<N>& whole, const Ray<double>& ray, const Sphere<double>& sphere) {
+    const auto d = whole.direction(ray.direction);
+    const auto f = whole.place(ray.origin) - whole.place(sphere.center);
+    const auto R = whole.length(sphere.radius);
+    return HalfQuadratic{dot(d, d), dot(d, f), dot(f, f) - R * R};
 }
 
-template <class I>
-CramerSolution<I> solution_of(const Ray<I>& ray, const Triangle<I>& triangle) {
-    return solve_by_cramer(triangle_system(ray.origin, ray.direction, triangle));
+/// Cramer's rule for A + u(B-A) + v(C-A) = S + tV, each determinant when it is asked for.
+template <class N, class E>
+struct Determinants {
+    Point<N> d;  ///< V
+    Point<E> p;  ///< B - A
+    Point<E> q;  ///< C - A
+    Point<E> s;  ///< S - A
+
+    auto normal() const { return cross(p, q); }
+    auto det() const { return N() - dot(d, normal()); }
+    auto t() const { return dot(s, normal()); }
+    auto u() const { return dot(cross(s, d), q); }
+    auto v() const { return dot(cross(d, s), p); }
+};
+
+template <class N>
+auto determinants_of(const Whole<N>& whole, const Ray<double>& ray, const Triangle<double>& triangle) {
+    const auto A = whole.place(triangle.A);
+    return Determinants{whole.direction(ray.direction), whole.place(triangle.B) - A, whole.place(triangle.C) - A,
+                        whole.place(ray.origin) - A};
 }
 
 }  // namespace reference::kernel

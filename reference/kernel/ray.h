@@ -2,7 +2,16 @@
 // same double. The policy is closed: t >= 0 is a hit, edges and vertices belong to the triangle, a tangent touches.
 #pragma once
 
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
 #include "reference/scene.h"
+
+/// The filters are a few dozen operations of one straight line, where a call costs as much as it does.
+#define KERNEL_INLINE inline __attribute__((always_inline))
 
 namespace reference::kernel {
 
@@ -43,6 +52,14 @@ struct TriangleHit {
     double v;
 };
 
+/// A decision with t to a relative error of 2^-26, a quarter of a float's last place; where t lies below the normal
+/// doubles, to one unit in its last place. 0 without a hit, by a product and not by a branch that nobody can foretell.
+template <class Result>
+struct FloatHit {
+    Result result;
+    double t;
+};
+
 inline bool is_finite(const Vec3<double>& p) {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
@@ -53,13 +70,16 @@ inline bool is_valid(const Ray<double>& ray) {
 }
 
 /// The same numbers in double.
-inline Ray<double> as_double(const Ray<float>& ray) {
+template <class T>
+KERNEL_INLINE Ray<double> as_double(const Ray<T>& ray) {
     return {Vec3<double>(ray.origin), Vec3<double>(ray.direction)};
 }
-inline Sphere<double> as_double(const Sphere<float>& sphere) {
+template <class T>
+KERNEL_INLINE Sphere<double> as_double(const Sphere<T>& sphere) {
     return {Vec3<double>(sphere.center), static_cast<double>(sphere.radius)};
 }
-inline Triangle<double> as_double(const Triangle<float>& triangle) {
+template <class T>
+KERNEL_INLINE Triangle<double> as_double(const Triangle<T>& triangle) {
     return {Vec3<double>(triangle.A), Vec3<double>(triangle.B), Vec3<double>(triangle.C)};
 }
 

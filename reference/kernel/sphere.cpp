@@ -3,118 +3,66 @@
 #include "reference/exact/certified.h"
 #include "reference/kernel/double_double.h"
 #include "reference/kernel/integers.h"
+#include "reference/kernel/product_sum.h"
+#include "reference/stages/sphere.h"
 
 namespace reference::kernel {
 namespace {
 
-/// What the filters of one level know: bounds of the errors of the quadratic's b, c and d.
-struct Errors {
-    double b;
-    double c;
-    double d;
-};
-
-/// u of the bounds below; for double-double 32u² stands in for it.
-template <class S>
-constexpr double unit = 0x1p-53;
-template <>
-constexpr double unit<DoubleDouble> = 0x1p-101;
-
-/// With u = 2^-53, f = origin - center, m = |f|² + R²: computed in doubles, c is off by at most 8um, b = 2 V·f by
-/// 16u|V||f|, and d = b² - 4ac by 4 * 32uam. In double-double c is off by at most 20u²m, b by 22u²|V||f| and d by 4 *
-/// 64u²am (summing the bounds of double_double.h), so the same formulas with 32u² for u hold. Empty where a product
-/// could leave the range of doubles: then only whole numbers tell.
-std::optional<Errors> errors_in(double a, double f_squared, double R_squared, double u) {
-    const double m = f_squared + R_squared;
-    const auto in_range = [](double x) { return 0x1p-450 < x && x < 0x1p450; };
-    if (!in_range(a) || !in_range(m)) return std::nullopt;
-    return Errors{16 * u * std::sqrt(a) * std::sqrt(m), 8 * u * m, 128 * u * a * m};
-}
-
-/// The signs as far as this level knows them.
-struct Signs {
-    std::partial_ordering b;
-    std::partial_ordering c;
-    std::partial_ordering d;
-};
-
-std::partial_ordering filtered(double x, double error) {
-    if (x > error) return std::partial_ordering::greater;
-    if (x < -error) return std::partial_ordering::less;
-    return std::partial_ordering::unordered;
-}
-
-/// Empty where the signs do not suffice.
-std::optional<SphereResult> result_of(const Signs& signs) {
-    constexpr auto unknown = std::partial_ordering::unordered;
-    if (signs.d < 0) return SphereResult::miss;
-    if (signs.c < 0) return SphereResult::hit;
-    if (signs.c == unknown || signs.b == unknown) return std::nullopt;
-    if (signs.c > 0 && signs.b >= 0) return SphereResult::miss;
-    if (signs.d == unknown) return std::nullopt;
-    return signs.d == 0 ? SphereResult::tangent : SphereResult::hit;
-}
-
-/// A level of the kernel: the quadratic in S with its errors.
-template <class S>
+/// The quadratic in double-double and how far its numbers may be off. With the u, f and m of SphereFilter,
+/// double-double has c off by at most 20u²m, b = 2h by 22u²|d||f| and d = b² - 4ac by 4 * 64u²am (summing the bounds of
+/// double_double.h); the formulas below are more than twice that. Empty where a product could leave the range of
+/// doubles.
 struct Level {
-    Quadratic<S> quadratic;
-    std::optional<Errors> errors;
+    Quadratic<DoubleDouble> quadratic;
+    double b_error;
+    double c_error;
+    double d_error;
 
-    Level(const Ray<double>& ray, const Sphere<double>& sphere)
-        : quadratic(sphere_quadratic(over<S>(ray.origin), over<S>(ray.direction),
-                                     Sphere<S>{over<S>(sphere.center), S(sphere.radius)})) {
+    static std::optional<Level> of(const Ray<double>& ray, const Sphere<double>& sphere) {
+        using S = DoubleDouble;
         const Vec3<double> f = ray.origin - sphere.center;
-        errors = errors_in(dot(ray.direction, ray.direction), dot(f, f), sphere.radius * sphere.radius, unit<S>);
-    }
-
-    std::optional<SphereResult> decide() const {
-        if (!errors) return std::nullopt;
-        return result_of({filtered(static_cast<double>(quadratic.b), errors->b),
-                          filtered(static_cast<double>(quadratic.c), errors->c),
-                          filtered(static_cast<double>(quadratic.d), errors->d)});
+        const double a = dot(ray.direction, ray.direction);
+        const double m = dot(f, f) + sphere.radius * sphere.radius;
+        const auto in_range = [](double x) { return 0x1p-450 < x && x < 0x1p450; };
+        if (!in_range(a) || !in_range(m)) return std::nullopt;
+        constexpr double unit = 0x1p-101;
+        return Level{sphere_quadratic(over<S>(ray.origin), over<S>(ray.direction),
+                                      Sphere<S>{over<S>(sphere.center), S(sphere.radius)}),
+                     16 * unit * std::sqrt(a) * std::sqrt(m), 8 * unit * m, 128 * unit * a * m};
     }
 };
-
-SphereResult decide_in_integers(const Ray<double>& ray, const Sphere<double>& sphere) {
-    return in_integers(ray, {sphere}, {}, [](const auto& scene) {
-        const auto quadratic = quadratic_of(scene.ray, scene.spheres.front());
-        return *result_of({sign_of(quadratic.b), sign_of(quadratic.c), sign_of(quadratic.d)});
-    });
-}
 
 /// c of the quadratic, from whole numbers: for a ray that starts so near the surface that nothing is left of it
 /// otherwise. Empty where it is not zero and far from the middle of the doubles' range.
 std::optional<DoubleDouble> exact_c(const Ray<double>& ray, const Sphere<double>& sphere) {
-    return in_integers(ray, {sphere}, {}, [&](const auto& scene) -> std::optional<DoubleDouble> {
-        const auto c = quadratic_of(scene.ray, scene.spheres.front()).c;
-        if (sign_of(c) == 0) return DoubleDouble();
-        using I = std::decay_t<decltype(c)>;
-        const double high = c.as_double();
-        const int exponent = 2 * scales_of(ray, {sphere}, {}).lengths.exponent();
-        const double size = std::ldexp(std::abs(high), exponent);
-        if (!std::isfinite(high) || !(0x1p-900 < size && size < 0x1p900)) return std::nullopt;
-        const double low = (c - I(high)).as_double();
-        return DoubleDouble(std::ldexp(high, exponent)) + DoubleDouble(std::ldexp(low, exponent));
-    });
+    const Scales scales(ray, sphere);
+    const Integer c = quadratic_of(Whole<Integer>(scales), ray, sphere).c;
+    if (sign_of(c) == 0) return DoubleDouble();
+    const double high = c.as_double();
+    const int exponent = 2 * scales.lengths.exponent();
+    const double size = std::ldexp(std::abs(high), exponent);
+    if (!std::isfinite(high) || !(0x1p-900 < size && size < 0x1p900)) return std::nullopt;
+    const double low = (c - Integer(high)).as_double();
+    return DoubleDouble(std::ldexp(high, exponent)) + DoubleDouble(std::ldexp(low, exponent));
 }
 
 /// t of a hit in double-double; empty where its relative error cannot be held below 2^-56.
 std::optional<double> root_in_double_double(const Ray<double>& ray, const Sphere<double>& sphere, SphereResult result) {
-    const Level<DoubleDouble> level(ray, sphere);
-    if (!level.errors) return std::nullopt;
-    const auto& [a, b, rounded_c, d] = level.quadratic;
+    const auto level = Level::of(ray, sphere);
+    if (!level) return std::nullopt;
+    const auto& [a, b, rounded_c, d] = level->quadratic;
     const double b_size = std::abs(static_cast<double>(b));
     if (result == SphereResult::tangent) {
-        if (!(level.errors->b < 0x1p-56 * b_size)) return std::nullopt;
+        if (!(level->b_error < 0x1p-56 * b_size)) return std::nullopt;
         return static_cast<double>(-b / (DoubleDouble(2) * a));
     }
     const DoubleDouble spread = sqrt(d);
     const double root = static_cast<double>(spread);
     // |√d - √d'| <= |d - d'| / √d'; |b| and √d are added, so their errors are relative to the sum.
-    const double sum_error = (level.errors->b + level.errors->d / root) / (b_size + root);
+    const double sum_error = (level->b_error + level->d_error / root) / (b_size + root);
     if (!(sum_error < 0x1p-58)) return std::nullopt;
-    const bool c_is_known = level.errors->c < 0x1p-58 * std::abs(static_cast<double>(rounded_c));
+    const bool c_is_known = level->c_error < 0x1p-58 * std::abs(static_cast<double>(rounded_c));
     const std::optional<DoubleDouble> known_c = c_is_known ? rounded_c : exact_c(ray, sphere);
     if (!known_c) return std::nullopt;
     const DoubleDouble& c = *known_c;
@@ -135,14 +83,66 @@ double root_by_balls(const Ray<double>& ray, const Sphere<double>& sphere) {
     return root(quadratic, choose_root(quadratic, Boundary::nonnegative))->enclosure().nearest;
 }
 
+/// From the signs, each asked for only where it matters.
+template <class C, class H, class D>
+SphereResult result_of(C sign_of_c, H sign_of_h, D sign_of_D) {
+    const std::partial_ordering c = sign_of_c();
+    if (c < 0) return SphereResult::hit;
+    const std::partial_ordering h = sign_of_h();
+    if (c > 0 && h >= 0) return SphereResult::miss;
+    if (c == 0) return h == 0 ? SphereResult::tangent : SphereResult::hit;
+    const std::partial_ordering d = sign_of_D();
+    if (d == 0) return SphereResult::tangent;
+    return d < 0 ? SphereResult::miss : SphereResult::hit;
+}
+
+/// |f|² - R², multiplied out.
+std::partial_ordering sign_of_c(const Scales& scales, const Ray<double>& ray, const Sphere<double>& sphere) {
+    ProductSum c(2 * scales.lengths.exponent(), 2 * scales.lengths.end() + 1);
+    for (int i = 0; i < 3; ++i) {
+        c.add(ray.origin[i], ray.origin[i]);
+        c.add(sphere.center[i], sphere.center[i]);
+        c.subtract(ray.origin[i], sphere.center[i], 1);
+    }
+    c.subtract(sphere.radius, sphere.radius);
+    return c.sign();
+}
+
+std::partial_ordering sign_of_h(const Scales& scales, const Ray<double>& ray, const Sphere<double>& sphere) {
+    ProductSum h(scales.lengths.exponent() + scales.directions.exponent(),
+                 scales.lengths.end() + scales.directions.end());
+    for (int i = 0; i < 3; ++i) {
+        h.add(ray.direction[i], ray.origin[i]);
+        h.subtract(ray.direction[i], sphere.center[i]);
+    }
+    return h.sign();
+}
+
+std::partial_ordering sign_of_D(const Scales& scales, const Ray<double>& ray, const Sphere<double>& sphere) {
+    const SphereFilter filter(scales.to_one(ray), scales.to_one(sphere));
+    if (filter.D_is_known(1)) return filter.D <=> 0;
+    return sign_of(quadratic_of(Whole<Integer>(scales), ray, sphere).D());
+}
+
 }  // namespace
 
-SphereResult decide(const Ray<double>& ray, const Sphere<double>& sphere) {
+SphereResult decide_exactly(const Ray<double>& ray, const Sphere<double>& sphere) {
     const bool valid_sphere = is_finite(sphere.center) && std::isfinite(sphere.radius) && sphere.radius > 0;
     if (!is_valid(ray) || !valid_sphere) return SphereResult::invalid;
-    if (const auto result = Level<double>(ray, sphere).decide()) return *result;
-    if (const auto result = Level<DoubleDouble>(ray, sphere).decide()) return *result;
-    return decide_in_integers(ray, sphere);
+    const Scales scales(ray, sphere);
+    if (!scales.are_near_one()) {
+        const SphereFilter filter(scales.to_one(ray), scales.to_one(sphere));
+        if (filter.is_known(1)) return filter.is_hit() ? SphereResult::hit : SphereResult::miss;
+    }
+    if (scales.bits() > longest_fixed) {
+        return result_of([&] { return sign_of_c(scales, ray, sphere); }, [&] { return sign_of_h(scales, ray, sphere); },
+                         [&] { return sign_of_D(scales, ray, sphere); });
+    }
+    return in_whole_numbers(scales, [&](const auto& whole) {
+        const auto quadratic = quadratic_of(whole, ray, sphere);
+        return result_of([&] { return sign_of(quadratic.c); }, [&] { return sign_of(quadratic.h); },
+                         [&] { return sign_of(quadratic.D()); });
+    });
 }
 
 SphereHit intersect(const Ray<double>& ray, const Sphere<double>& sphere) {
@@ -150,6 +150,14 @@ SphereHit intersect(const Ray<double>& ray, const Sphere<double>& sphere) {
     if (result == SphereResult::miss || result == SphereResult::invalid) return {result, 0};
     if (const auto t = root_in_double_double(ray, sphere, result)) return {result, *t};
     return {result, root_by_balls(ray, sphere)};
+}
+
+SphereResult decide_exactly(const Ray<float>& ray, const Sphere<float>& sphere) {
+    return decide_exactly(as_double(ray), as_double(sphere));
+}
+
+SphereHit intersect(const Ray<float>& ray, const Sphere<float>& sphere) {
+    return intersect(as_double(ray), as_double(sphere));
 }
 
 }  // namespace reference::kernel

@@ -1,66 +1,39 @@
-// Whole numbers for the exact level of the kernel, as scalars of the stages.
+// Whole numbers of any size, where those of fixed.h do not suffice: numbers whose sizes differ by hundreds of bits.
 #pragma once
 
 #include <gmpxx.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <compare>
 #include <cstdint>
-#include <type_traits>
 #include <utility>
 
 namespace reference::kernel {
 
-/// A whole number in some representation. `Number` is GMP's, of any size, or Boost's of fixed size.
-template <class Number>
-class Whole {
+/// As Fixed, without an end.
+class Integer {
   public:
-    Whole() = default;
-    explicit Whole(int x) : value_(x) {}
+    Integer() = default;
     /// mantissa * 2^shift, shift >= 0.
-    Whole(std::int64_t mantissa, unsigned shift) : value_(static_cast<long>(mantissa)) { value_ <<= shift; }
+    Integer(std::int64_t mantissa, int shift) : value_(static_cast<long>(mantissa)) {
+        value_ <<= static_cast<mp_bitcnt_t>(shift);
+    }
     /// x is a whole number.
-    explicit Whole(double x) : value_(x) {}
-    const Number& value() const { return value_; }
+    explicit Integer(double x) : value_(x) {}
+    const mpz_class& value() const { return value_; }
     /// A double within one unit in the last place; infinite beyond the doubles.
     double as_double() const {
-        if constexpr (std::is_same_v<Number, mpz_class>) {
-            return mpz_sizeinbase(value_.get_mpz_t(), 2) > 1023 ? sgn(value_) * HUGE_VAL : value_.get_d();
-        } else {
-            return value_.template convert_to<double>();
-        }
+        return mpz_sizeinbase(value_.get_mpz_t(), 2) > 1023 ? sgn(value_) * HUGE_VAL : value_.get_d();
     }
 
-    Whole operator-() const { return Whole(Number(-value_)); }
-    friend Whole operator+(const Whole& x, const Whole& y) { return Whole(Number(x.value_ + y.value_)); }
-    friend Whole operator-(const Whole& x, const Whole& y) { return Whole(Number(x.value_ - y.value_)); }
-    friend Whole operator*(const Whole& x, const Whole& y) { return Whole(Number(x.value_ * y.value_)); }
-    Whole& operator+=(const Whole& y) {
-        value_ += y.value_;
-        return *this;
-    }
-    Whole& operator-=(const Whole& y) {
-        value_ -= y.value_;
-        return *this;
-    }
-    friend std::partial_ordering sign_of(const Whole& x) {
-        if (x.value_ < 0) return std::partial_ordering::less;
-        return x.value_ > 0 ? std::partial_ordering::greater : std::partial_ordering::equivalent;
-    }
+    friend Integer operator+(const Integer& x, const Integer& y) { return Integer(mpz_class(x.value_ + y.value_)); }
+    friend Integer operator-(const Integer& x, const Integer& y) { return Integer(mpz_class(x.value_ - y.value_)); }
+    friend Integer operator*(const Integer& x, const Integer& y) { return Integer(mpz_class(x.value_ * y.value_)); }
+    friend std::partial_ordering sign_of(const Integer& x) { return sgn(x.value_) <=> 0; }
 
   private:
-    explicit Whole(Number x) : value_(std::move(x)) {}
-    Number value_ = 0;
+    explicit Integer(mpz_class x) : value_(std::move(x)) {}
+    mpz_class value_ = 0;
 };
-
-using Integer = Whole<mpz_class>;
-
-/// Without the heap: five times as fast, for numbers that are known to fit.
-inline constexpr int wide_bits = 512;
-using WideInteger = Whole<boost::multiprecision::number<
-    boost::multiprecision::cpp_int_backend<wide_bits, wide_bits, boost::multiprecision::signed_magnitude,
-                                           boost::multiprecision::unchecked, void>,
-    boost::multiprecision::et_off>>;
 
 }  // namespace reference::kernel

@@ -63,11 +63,13 @@ TEST(Measure, ReportsABrokenKernelAsWrongAsOftenAsItIs) {
 
 TEST(Measure, FindsTheCertifiedKernelNeverWrong) {
     const Measurement measurement = measure(few_rays(4'096, {"certified"}));
-    EXPECT_EQ(measurement.rows.size(), 2 * 10U + 2 * 10U + 3U);
+    EXPECT_EQ(measurement.rows.size(), 5 * 10U + 7 * 10U + 3 * 3U);
     for (const Row& row : measurement.rows) {
         EXPECT_EQ(row.wrong, 0U) << name_of(row.primitive) << ", " << row.distribution;
         if (!row.t_error) continue;
-        EXPECT_LT(row.t_error->max_ulp, 2e-9) << name_of(row.primitive) << ", " << row.distribution;
+        // One unit in the last place of double, or a quarter of one of float and what of it a tiny t is off.
+        const double most = row.kernel == "certified to the last place" ? 2e-9 : 0.26;
+        EXPECT_LT(row.t_error->max_ulp, most) << name_of(row.primitive) << ", " << row.distribution;
     }
 }
 

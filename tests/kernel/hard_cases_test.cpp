@@ -8,7 +8,7 @@
 #include "reference/accuracy/truth.h"
 #include "reference/kernel/sphere.h"
 #include "reference/kernel/triangle.h"
-#include "reference/stages/first_hit.h"
+#include "reference/stages/sphere.h"
 
 namespace {
 

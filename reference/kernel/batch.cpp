@@ -1,0 +1,128 @@
+#include "reference/kernel/batch.h"
+
+#include <cstdint>
+
+#include "reference/kernel/sphere.h"
+#include "reference/kernel/triangle.h"
+
+// The machine chooses among vectors of its own length when the program starts. No clone may fuse a * b + c (the build
+// says -ffp-contract=off), so that each gives the same bits.
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
+#define EVERY_VECTOR_LENGTH __attribute__((target_clones("avx2", "default")))
+#else
+#define EVERY_VECTOR_LENGTH
+#endif
+
+namespace reference::kernel {
+namespace {
+
+constexpr std::size_t block_size = 128;
+
+/// What the filter says of a block of rays. Words as long as a double, so that comparisons stay in the vectors.
+struct Block {
+    std::array<std::int64_t, block_size> known;
+    std::array<std::int64_t, block_size> hit;
+    std::array<double, block_size> t;
+};
+
+enum class With { decision, t };
+
+template <With with>
+KERNEL_INLINE void fill(Block& block, std::size_t i, const SphereFilter& filter) {
+    block.known[i] = filter.is_known(with == With::t ? SphereFilter::margin_for_t : 1) ? 1 : 0;
+    block.hit[i] = filter.is_hit() ? 1 : 0;
+    if constexpr (with == With::t) block.t[i] = filter.is_hit() ? filter.root() : 0;
+}
+template <With with>
+KERNEL_INLINE void fill(Block& block, std::size_t i, const TriangleFilter& filter) {
+    const bool known = with == With::t ? filter.is_known_with_t() : filter.is_known();
+    block.known[i] = known ? 1 : 0;
+    block.hit[i] = filter.is_hit() ? 1 : 0;
+    if constexpr (with == With::t) block.t[i] = filter.is_hit() ? filter.t() : 0;
+}
+
+template <With with, class Filter, class T, class Object>
+KERNEL_INLINE void filter_block(const Rays<T>& rays, std::size_t from, std::size_t size, const Object& object,
+                                Block& block) {
+    const T* const ox = rays.origin[0].data() + from;
+    const T* const oy = rays.origin[1].data() + from;
+    const T* const oz = rays.origin[2].data() + from;
+    const T* const dx = rays.direction[0].data() + from;
+    const T* const dy = rays.direction[1].data() + from;
+    const T* const dz = rays.direction[2].data() + from;
+    for (std::size_t i = 0; i < size; ++i) {
+        fill<with>(block, i, Filter(Ray<T>{Vec3<T>(ox[i], oy[i], oz[i]), Vec3<T>(dx[i], dy[i], dz[i])}, object));
+    }
+}
+
+template <class T>
+void settle(const Ray<T>& ray, const auto& object, auto& result) {
+    result = decide(ray, object);
+}
+template <class T>
+void settle(const Ray<T>& ray, const auto& object, auto& result, double& t) {
+    const auto hit = intersect_to_float(ray, object);
+    result = hit.result;
+    t = hit.t;
+}
+
+template <With with, class Filter, class T, class Object, class Result>
+KERNEL_INLINE void by_blocks(const Rays<T>& rays, const Object& object, Result* results, double* t) {
+    for (std::size_t from = 0; from < rays.size(); from += block_size) {
+        const std::size_t size = std::min(block_size, rays.size() - from);
+        Block block;
+        filter_block<with, Filter>(rays, from, size, object, block);
+        std::int64_t all_known = 1;
+        for (std::size_t i = 0; i < size; ++i) all_known &= block.known[i];
+        for (std::size_t i = 0; i < size; ++i) {
+            results[from + i] = block.hit[i] != 0 ? Result::hit : Result::miss;
+            if constexpr (with == With::t) t[from + i] = block.t[i];
+        }
+        if (all_known != 0) continue;
+        for (std::size_t i = 0; i < size; ++i) {
+            if (block.known[i] != 0) continue;
+            if constexpr (with == With::t) {
+                settle(rays[from + i], object, results[from + i], t[from + i]);
+            } else {
+                settle(rays[from + i], object, results[from + i]);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+EVERY_VECTOR_LENGTH void decide(const Rays<float>& rays, const Sphere<float>& sphere, std::span<SphereResult> results) {
+    by_blocks<With::decision, SphereFilter>(rays, sphere, results.data(), nullptr);
+}
+EVERY_VECTOR_LENGTH void decide(const Rays<double>& rays, const Sphere<double>& sphere,
+                                std::span<SphereResult> results) {
+    by_blocks<With::decision, SphereFilter>(rays, sphere, results.data(), nullptr);
+}
+EVERY_VECTOR_LENGTH void decide(const Rays<float>& rays, const Triangle<float>& triangle,
+                                std::span<TriangleResult> results) {
+    by_blocks<With::decision, TriangleFilter>(rays, PreparedTriangle(triangle), results.data(), nullptr);
+}
+EVERY_VECTOR_LENGTH void decide(const Rays<double>& rays, const Triangle<double>& triangle,
+                                std::span<TriangleResult> results) {
+    by_blocks<With::decision, TriangleFilter>(rays, PreparedTriangle(triangle), results.data(), nullptr);
+}
+
+EVERY_VECTOR_LENGTH void intersect_to_float(const Rays<float>& rays, const Sphere<float>& sphere,
+                                            std::span<SphereResult> results, std::span<double> t) {
+    by_blocks<With::t, SphereFilter>(rays, sphere, results.data(), t.data());
+}
+EVERY_VECTOR_LENGTH void intersect_to_float(const Rays<double>& rays, const Sphere<double>& sphere,
+                                            std::span<SphereResult> results, std::span<double> t) {
+    by_blocks<With::t, SphereFilter>(rays, sphere, results.data(), t.data());
+}
+EVERY_VECTOR_LENGTH void intersect_to_float(const Rays<float>& rays, const Triangle<float>& triangle,
+                                            std::span<TriangleResult> results, std::span<double> t) {
+    by_blocks<With::t, TriangleFilter>(rays, PreparedTriangle(triangle), results.data(), t.data());
+}
+EVERY_VECTOR_LENGTH void intersect_to_float(const Rays<double>& rays, const Triangle<double>& triangle,
+                                            std::span<TriangleResult> results, std::span<double> t) {
+    by_blocks<With::t, TriangleFilter>(rays, PreparedTriangle(triangle), results.data(), t.data());
+}
+
+}  // namespace reference::kernel

@@ -1,0 +1,204 @@
+// Each level of the kernel on its own against fractions: the filters for floats and for doubles, t as far as a float
+// goes, and the exact level at each size of its numbers.
+#include "reference/accuracy/distributions.h"
+#include "reference/accuracy/random_numbers.h"
+#include "reference/accuracy/truth.h"
+#include "reference/kernel/first.h"
+#include "tests/kernel/any_precision.h"
+
+namespace {
+
+namespace accuracy = reference::accuracy;
+namespace truth = reference::accuracy::truth;
+
+using namespace reference::kernel;
+using namespace any_precision;
+using reference::accuracy::P;
+using reference::accuracy::Random;
+
+constexpr const char* rays_in_ci = "max_success=5000";
+
+SphereResult true_result(const Ray<double>& ray, const Sphere<double>& sphere) {
+    const bool valid = is_valid(ray) && is_finite(sphere.center) && std::isfinite(sphere.radius) && sphere.radius > 0;
+    return valid ? truth::sphere(ray, sphere).result : SphereResult::invalid;
+}
+TriangleResult true_result(const Ray<double>& ray, const Triangle<double>& triangle) {
+    const bool valid = is_valid(ray) && is_finite(triangle.A) && is_finite(triangle.B) && is_finite(triangle.C);
+    return valid ? truth::triangle(ray, triangle).result : TriangleResult::invalid;
+}
+truth::Real true_t(const Ray<double>& ray, const Sphere<double>& sphere) {
+    return truth::sphere(ray, sphere).t();
+}
+truth::Real true_t(const Ray<double>& ray, const Triangle<double>& triangle) {
+    return truth::real(truth::triangle(ray, triangle).t);
+}
+
+bool is_within_a_quarter_of_a_float(double t, const truth::Real& truth) {
+    if (truth::is_within_one_ulp(t, truth)) return true;
+    return abs(truth::Real(t) - truth) <= abs(truth) * truth::Real(0x1p-26);
+}
+
+bool is_hit(SphereResult result) {
+    return result == SphereResult::hit || result == SphereResult::tangent;
+}
+bool is_hit(TriangleResult result) {
+    return result == TriangleResult::hit;
+}
+
+/// All that is said of one ray and one object of T, by each level that may say it.
+template <class T, class Object>
+void check_levels(const Ray<T>& ray, const Object& object) {
+    const Ray<double> exact_ray = as_double(ray);
+    const auto exact_object = as_double(object);
+    const auto truth = true_result(exact_ray, exact_object);
+    RC_ASSERT(decide(ray, object) == truth);
+    RC_ASSERT(decide_exactly(exact_ray, exact_object) == truth);
+    const auto given = intersect_to_float(ray, object);
+    RC_ASSERT(given.result == truth);
+    if (!is_hit(truth)) {
+        RC_ASSERT(given.t == 0);
+    } else {
+        RC_ASSERT(is_within_a_quarter_of_a_float(given.t, true_t(exact_ray, exact_object)));
+    }
+}
+
+template <class T>
+void check_spheres() {
+    for (const auto& distribution : accuracy::sphere_distributions()) {
+        for_seeds(distribution.name, rays_in_ci, [&](std::uint64_t seed) {
+            const accuracy::SphereCase c = distribution.make(seed);
+            check_levels(ray_of<T>(c.ray), object_of<T>(c.sphere));
+        });
+    }
+}
+TEST(Levels, SpheresInFloats) {
+    check_spheres<float>();
+}
+TEST(Levels, SpheresInDoubles) {
+    check_spheres<double>();
+}
+
+template <class T>
+void check_triangles() {
+    for (const auto& distribution : accuracy::triangle_distributions()) {
+        for_seeds(distribution.name, rays_in_ci, [&](std::uint64_t seed) {
+            const accuracy::TriangleCase c = distribution.make(seed);
+            check_levels(ray_of<T>(c.ray), object_of<T>(c.triangle));
+        });
+    }
+}
+TEST(Levels, TrianglesInFloats) {
+    check_triangles<float>();
+}
+TEST(Levels, TrianglesInDoubles) {
+    check_triangles<double>();
+}
+
+template <class T>
+First::Kind true_first(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
+    const auto at_sphere = true_result(as_double(ray), as_double(sphere));
+    const auto at_triangle = true_result(as_double(ray), as_double(triangle));
+    if (at_sphere == SphereResult::invalid || at_triangle == TriangleResult::invalid) return First::Kind::invalid;
+    if (at_sphere == SphereResult::miss) return is_hit(at_triangle) ? First::Kind::triangle : First::Kind::none;
+    if (!is_hit(at_triangle)) return First::Kind::sphere;
+    const int order = truth::order(truth::sphere(as_double(ray), as_double(sphere)),
+                                   truth::triangle(as_double(ray), as_double(triangle)).t);
+    if (order == 0) return First::Kind::tie;
+    return order < 0 ? First::Kind::sphere : First::Kind::triangle;
+}
+
+template <class T>
+void check_first(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
+    const FirstHit given = first_of(ray, sphere, triangle);
+    RC_ASSERT(given.kind == true_first(ray, sphere, triangle));
+    if (given.kind == First::Kind::sphere || given.kind == First::Kind::tie) {
+        RC_ASSERT(is_within_a_quarter_of_a_float(given.t, true_t(as_double(ray), as_double(sphere))));
+    } else if (given.kind == First::Kind::triangle) {
+        RC_ASSERT(is_within_a_quarter_of_a_float(given.t, true_t(as_double(ray), as_double(triangle))));
+    } else {
+        RC_ASSERT(given.t == 0);
+    }
+}
+
+TEST(Levels, TheFirstOfASphereAndATriangle) {
+    for (const auto& distribution : accuracy::order_distributions()) {
+        for_seeds(distribution.name, rays_in_ci, [&](std::uint64_t seed) {
+            const accuracy::OrderCase c = distribution.make(seed);
+            check_first(c.ray, c.sphere, c.triangle);
+            check_first(ray_of<float>(c.ray), object_of<float>(c.sphere), object_of<float>(c.triangle));
+        });
+    }
+}
+
+/// Powers of two at which the numbers of the exact level get a word longer, and some beyond.
+int drawn_bits(Random& random) {
+    static constexpr std::array around{28, 61, 62, 125, 126, 300, 900};
+    return around[static_cast<std::size_t>(random.whole(0, 6))] + random.whole(-2, 2);
+}
+
+/// A ray that touches a sphere, an edge, and both at once, or is a hair off, from 2^bits away, or with a direction
+/// whose coordinates are 2^bits apart.
+struct Spread {
+    Ray<double> ray;
+    Sphere<double> sphere;
+    Triangle<double> triangle;
+
+    explicit Spread(std::uint64_t seed) {
+        Random random(seed);
+        const double far = std::exp2(drawn_bits(random));
+        const bool in_direction = random.whole(0, 1) == 0;
+        const double step = random.whole(0, 1) == 0 ? 0 : std::exp2(-drawn_bits(random));
+        const double size = random.whole(1, 5);
+        sphere = {P(0, 0, 0), 5 * size};
+        // Along the surface at (3, 4, 0), so that the coordinates of the direction may differ in size.
+        const P d = in_direction ? P(4, -3, std::exp2(-drawn_bits(random))) : P(0, 0, -1);
+        ray = {P(3 * size, 4 * size + step, 0) - reference::scaled(d, in_direction ? 1.0 : far), d};
+        if (random.whole(0, 2) == 0) sphere.radius = random.nudged(sphere.radius);
+        if (random.whole(0, 3) == 0) ray.origin.x = random.nudged(ray.origin.x);
+        // With (3, 4, 0) on the edge from B to C, in the plane z = 0 or the one that holds the z axis.
+        const double half = random.whole(1, 9);
+        const P B = in_direction ? P(3 * size, 4 * size, -half) : P(3 * size - half, 4 * size, 0);
+        const P C = in_direction ? P(3 * size, 4 * size, half) : P(3 * size + half, 4 * size, 0);
+        triangle = {in_direction ? P(4 * size, 5 * size, 0) : P(3 * size, 7 * size, 0), B, C};
+    }
+};
+
+TEST(Levels, EachSizeOfTheExactLevel) {
+    for_seeds("spread", "max_success=20000", [](std::uint64_t seed) {
+        const Spread c(seed);
+        check_levels(c.ray, c.sphere);
+        check_levels(c.ray, c.triangle);
+        check_first(c.ray, c.sphere, c.triangle);
+        check_levels(ray_of<float>(c.ray), object_of<float>(c.sphere));
+    });
+}
+
+/// A hit at a slant of 2^-45 to 1, from 2^-45 to 1 of the direction away: known to be one long before its t is.
+TEST(Levels, ShallowRaysAndRaysFromNearThePlane) {
+    for_seeds("shallow or near", "max_success=20000", [](std::uint64_t seed) {
+        Random random(seed);
+        const Triangle<double> triangle{random.point(4), random.point(4), random.point(4)};
+        const P p = triangle.B - triangle.A;
+        const P q = triangle.C - triangle.A;
+        const P inside = triangle.A + reference::scaled(p, 0.3) + reference::scaled(q, random.between(0.2, 0.5));
+        const P slant = reference::scaled(cross(p, q), std::exp2(-random.whole(0, 45)));
+        const P d = reference::scaled(p, random.number()) + reference::scaled(q, random.number()) + slant;
+        check_levels(Ray<double>{inside - reference::scaled(d, std::exp2(-random.whole(0, 45))), d}, triangle);
+    });
+}
+
+/// A triangle through the point where the ray meets the sphere, but for 2^-52 to 2^-20 of the way.
+TEST(Levels, ATriangleAlmostWhereTheSphereIsHit) {
+    const auto benign = accuracy::sphere_distributions().front();
+    for_seeds("almost together", "max_success=20000", [&](std::uint64_t seed) {
+        const accuracy::SphereCase c = benign.make(seed);
+        Random random(seed + 1);
+        const double t = intersect(c.ray, c.sphere).t * (1 + random.number() * std::exp2(-random.whole(20, 52)));
+        const P at = c.ray.origin + reference::scaled(c.ray.direction, t);
+        const P one = random.direction();
+        const P other = random.direction();
+        check_first(c.ray, c.sphere, Triangle<double>{at + one, at + other, at - one - other});
+    });
+}
+
+}  // namespace
