@@ -8,8 +8,10 @@
 #include "harness/batch.h"
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <memory>
@@ -89,6 +91,9 @@ class Batch {
     void run_all();
     Graded finish(Built built);
     void run_each(Built& built);
+    /// Now and then. The results come from the arenas of other threads than the sources did, whose room they don't
+    /// take.
+    void give_memory_back();
     bool marking_is_made() const;
     /// Calls `work`, and makes the submission not graded when it fails. False then.
     template <class Work>
@@ -103,6 +108,7 @@ class Batch {
     /// In the store, for each submission: of its first run, its repetitions, and the one under the sanitizers.
     std::vector<std::vector<std::string>> keys_;
     std::vector<bool> is_kept_;
+    std::atomic<int> released_{0};
 
     std::mutex mutex_;  ///< over all that follows
     std::vector<HeaderLines> headers_;
@@ -252,6 +258,7 @@ void Batch::run_all() {
         const std::size_t index = built->index;
         if (or_not_graded(index, [&] { results_[index] = finish(std::move(*built)); })) ++timeline_.finished;
         submissions_[index] = {};  // of ten thousand the sources alone take 50 MB
+        give_memory_back();
     }
 }
 
@@ -287,6 +294,11 @@ void Batch::run_each(Built& built) {
     if (!workshop_.store) return;
     for (std::size_t i = 0; i < built.executions.size(); ++i)
         workshop_.store->keep(keys_[built.index].at(i), built.executions[i]);
+}
+
+void Batch::give_memory_back() {
+    constexpr int seldom = 512;
+    if (++released_ % seldom == 0) malloc_trim(0);
 }
 
 bool Batch::marking_is_made() const {

@@ -94,7 +94,6 @@ const MatchedItem* Judge::readable(const ItemId& id) const {
 ItemScore Judge::start_score(const KeyItem& item) const {
     ItemScore score;
     score.spec = item.spec;
-    score.expected = item.answers.front().value;
     const std::vector<double> allowances = target_with_allowance(item, item.answers.front(), rubric_).allowance;
     if (!allowances.empty()) score.allowance = *std::max_element(allowances.begin(), allowances.end());
     return score;

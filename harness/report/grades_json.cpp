@@ -1,4 +1,5 @@
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <sstream>
@@ -25,14 +26,31 @@ ordered_json or_null(const std::string& text) {
     return text.empty() ? ordered_json(nullptr) : ordered_json(escape_control(text));
 }
 
-ordered_json item_json(const ItemScore& item) {
+/// The canonical values of a key. They are not kept with each submission: of ten thousand that would be 40 MB.
+class Expected {
+  public:
+    explicit Expected(const reference::AnswerKey& key) {
+        for (const reference::KeyQuestion& question : key.questions) {
+            for (const reference::KeyItem& item : question.items) {
+                values_[{item.spec.question, item.spec.name}] =
+                    reference::value_json(item.answers.front().value, item.spec.shape);
+            }
+        }
+    }
+    const ordered_json& of(const reference::ItemSpec& spec) const { return values_.at({spec.question, spec.name}); }
+
+  private:
+    std::map<reference::ItemId, ordered_json> values_;
+};
+
+ordered_json item_json(const ItemScore& item, const Expected& expected) {
     ordered_json json{{"name", item.spec.name},
                       {"verdict", to_string(item.verdict)},
                       {"points", tidy(item.points)},
                       {"max_points", tidy(item.max_points)},
                       {"printed", or_null(item.printed)},
                       {"line", item.line == 0 ? ordered_json(nullptr) : ordered_json(item.line)},
-                      {"expected", reference::value_json(item.expected, item.spec.shape)},
+                      {"expected", expected.of(item.spec)},
                       {"error", item.error ? ordered_json(*item.error) : ordered_json(nullptr)},
                       {"allowance", item.allowance},
                       {"accepted_as", or_null(item.accepted_as)},
@@ -40,9 +58,9 @@ ordered_json item_json(const ItemScore& item) {
     return json;
 }
 
-ordered_json question_json(const QuestionScore& question) {
+ordered_json question_json(const QuestionScore& question, const Expected& expected) {
     ordered_json items = ordered_json::array();
-    for (const ItemScore& item : question.items) items.push_back(item_json(item));
+    for (const ItemScore& item : question.items) items.push_back(item_json(item, expected));
     return {{"number", question.number},
             {"verdict", to_string(question.verdict)},
             {"points", tidy(question.points)},
@@ -68,7 +86,7 @@ ordered_json student_json(const std::optional<LmsName>& name) {
     return {{"name", or_null(name->student)}, {"lms_user_id", or_null(name->id)}, {"late", name->late}};
 }
 
-ordered_json submission_json(const Graded& graded) {
+ordered_json submission_json(const Graded& graded, const Expected& expected) {
     const bool marked = graded.outcome != Outcome::not_graded;
     ordered_json notes = ordered_json::array();
     for (const std::string& note : graded.submission.notes) notes.push_back(escape_control(note));
@@ -79,7 +97,8 @@ ordered_json submission_json(const Graded& graded) {
     for (const std::string& finding : graded.sanitizer) sanitizer.push_back(escape_control(finding));
     ordered_json questions = ordered_json::array();
     if (marked) {
-        for (const QuestionScore& question : graded.score.questions) questions.push_back(question_json(question));
+        for (const QuestionScore& question : graded.score.questions)
+            questions.push_back(question_json(question, expected));
     }
     return {
         {"id", escape_control(graded.submission.id)},
@@ -117,9 +136,10 @@ void write_grades_json(std::ostream& out, const std::vector<Graded>& graded, con
     std::string opening = text(head, "");
     opening.resize(opening.size() - 2);  // "\n}"
     out << opening << ",\n  \"submissions\": [";
+    const Expected expected(marking.key);
     std::string_view before = "\n    ";
     for (const Graded& one : graded) {
-        out << before << text(submission_json(one), "    ");
+        out << before << text(submission_json(one, expected), "    ");
         before = ",\n    ";
     }
     out << (graded.empty() ? "" : "\n  ") << "]\n}\n";
