@@ -26,19 +26,6 @@ Extent extent_of(const MeasureOptions& options) {
     return extent;
 }
 
-SphereProblem<float> as_floats(const SphereCase& c) {
-    return {{Vec3<float>(c.ray.origin), Vec3<float>(c.ray.direction)},
-            {Vec3<float>(c.sphere.center), static_cast<float>(c.sphere.radius)}};
-}
-TriangleProblem<float> as_floats(const TriangleCase& c) {
-    return {{Vec3<float>(c.ray.origin), Vec3<float>(c.ray.direction)},
-            {Vec3<float>(c.triangle.A), Vec3<float>(c.triangle.B), Vec3<float>(c.triangle.C)}};
-}
-OrderProblem<float> as_floats(const OrderCase& c) {
-    return {as_floats(SphereCase{c.ray, c.sphere}).ray, as_floats(SphereCase{c.ray, c.sphere}).sphere,
-            as_floats(TriangleCase{c.ray, c.triangle}).triangle};
-}
-
 bool is_asked_for(const std::string& method, const std::vector<std::string>& parts) {
     return parts.empty() || std::any_of(parts.begin(), parts.end(), [&](const std::string& part) {
                return method.find(part) != std::string::npos;
@@ -97,15 +84,11 @@ struct Drawn {
 template <template <class> class Problem>
 Drawn<Problem> draw(const Distribution<Problem<double>>& distribution, std::uint64_t seed, std::uint64_t count,
                     const Progress& progress) {
-    Drawn<Problem> drawn;
-    Random seeds(seed);
-    for (std::uint64_t i = 0; i < count; ++i) {
-        if (i % rays_between_progress == 0) {
-            progress.set(share_of_truth * static_cast<double>(i) / static_cast<double>(count));
+    Drawn<Problem> drawn{draw_rays<Problem>(distribution, seed, count), {}};
+    for (const Problem<double>& problem : drawn.rays.doubles) {
+        if (drawn.truth.size() % rays_between_progress == 0) {
+            progress.set(share_of_truth * static_cast<double>(drawn.truth.size()) / static_cast<double>(count));
         }
-        const Problem<double> problem = distribution.make_in_floats(seeds.bits());
-        drawn.rays.doubles.push_back(problem);
-        drawn.rays.floats.push_back(as_floats(problem));
         drawn.truth.push_back(true_answer(problem));
     }
     return drawn;

@@ -20,6 +20,31 @@ struct Rays {
     std::vector<Problem<double>> doubles;
 };
 
+inline SphereProblem<float> as_floats(const SphereCase& c) {
+    return {{Vec3<float>(c.ray.origin), Vec3<float>(c.ray.direction)},
+            {Vec3<float>(c.sphere.center), static_cast<float>(c.sphere.radius)}};
+}
+inline TriangleProblem<float> as_floats(const TriangleCase& c) {
+    return {{Vec3<float>(c.ray.origin), Vec3<float>(c.ray.direction)},
+            {Vec3<float>(c.triangle.A), Vec3<float>(c.triangle.B), Vec3<float>(c.triangle.C)}};
+}
+inline OrderProblem<float> as_floats(const OrderCase& c) {
+    return {as_floats(SphereCase{c.ray, c.sphere}).ray, as_floats(SphereCase{c.ray, c.sphere}).sphere,
+            as_floats(TriangleCase{c.ray, c.triangle}).triangle};
+}
+
+/// `count` cases of a distribution that exists in floats.
+template <template <class> class Problem>
+Rays<Problem> draw_rays(const Distribution<Problem<double>>& distribution, std::uint64_t seed, std::uint64_t count) {
+    Rays<Problem> rays;
+    Random seeds(seed);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        rays.doubles.push_back(distribution.make_in_floats(seeds.bits()));
+        rays.floats.push_back(as_floats(rays.doubles.back()));
+    }
+    return rays;
+}
+
 /// What a method found, in one shape for all: t as an unevaluated sum of two doubles. A hit whose t is not finite
 /// counts as a miss.
 struct Answer {

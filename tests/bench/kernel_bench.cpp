@@ -1,16 +1,17 @@
-// What a certified decision costs beside a naive one, on every distribution: nanoseconds a case.
+// The ladder's methods on its distributions, and the kernel's blocks of rays beside single ones: nanoseconds a ray.
 // Ratios are those of one run: kernel_bench --benchmark_enable_random_interleaving=true --benchmark_repetitions=9
-//                                           --benchmark_report_aggregates_only=true
+//                                           --benchmark_report_aggregates_only=true --benchmark_filter=benign
 #include <benchmark/benchmark.h>
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "reference/accuracy/distributions.h"
+#include "reference/accuracy/method.h"
 #include "reference/kernel/batch.h"
-#include "reference/kernel/first.h"
-#include "tests/bench/naive_kernels.h"
+#include "reference/kernel/sphere.h"
+#include "reference/kernel/triangle.h"
 
 namespace {
 
@@ -20,131 +21,34 @@ using namespace reference::kernel;
 using reference::Sphere;
 using reference::Triangle;
 using reference::Vec3;
-using reference::accuracy::OrderCase;
 using reference::accuracy::SphereCase;
-using reference::accuracy::TriangleCase;
 
 /// More than a branch predictor remembers, and little enough for a second-level cache.
 constexpr std::size_t case_count = 16384;
+constexpr std::size_t slow_case_count = 1024;
 
-template <class T>
-struct SphereInput {
-    Ray<T> ray;
-    Sphere<T> sphere;
-    explicit SphereInput(const SphereCase& c)
-        : ray{Vec3<T>(c.ray.origin), Vec3<T>(c.ray.direction)},
-          sphere{Vec3<T>(c.sphere.center), static_cast<T>(c.sphere.radius)} {}
-};
-template <class T>
-struct TriangleInput {
-    Ray<T> ray;
-    Triangle<T> triangle;
-    explicit TriangleInput(const TriangleCase& c)
-        : ray{Vec3<T>(c.ray.origin), Vec3<T>(c.ray.direction)},
-          triangle{Vec3<T>(c.triangle.A), Vec3<T>(c.triangle.B), Vec3<T>(c.triangle.C)} {}
-};
-template <class T>
-struct OrderInput {
-    Ray<T> ray;
-    Sphere<T> sphere;
-    Triangle<T> triangle;
-    explicit OrderInput(const OrderCase& c)
-        : ray{Vec3<T>(c.ray.origin), Vec3<T>(c.ray.direction)},
-          sphere{Vec3<T>(c.sphere.center), static_cast<T>(c.sphere.radius)},
-          triangle{Vec3<T>(c.triangle.A), Vec3<T>(c.triangle.B), Vec3<T>(c.triangle.C)} {}
-};
-
-template <class T>
-struct PreparedTriangleInput {
-    Ray<T> ray;
-    PreparedTriangle<T> triangle;
-    explicit PreparedTriangleInput(const TriangleInput<T>& input) : ray(input.ray), triangle(input.triangle) {}
-};
-template <class T>
-struct PreparedOrderInput {
-    Ray<T> ray;
-    Sphere<T> sphere;
-    PreparedTriangle<T> triangle;
-    explicit PreparedOrderInput(const OrderInput<T>& input)
-        : ray(input.ray), sphere(input.sphere), triangle(input.triangle) {}
-};
-
-template <class Input, class Case>
-std::vector<Input> drawn(const accuracy::Distribution<Case>& distribution) {
-    std::vector<Input> inputs;
-    for (std::size_t i = 0; i < case_count; ++i) inputs.emplace_back(distribution.make(i));
-    return inputs;
+void count(benchmark::State& state, std::size_t rays) {
+    const auto cases = static_cast<double>(rays) * static_cast<double>(state.iterations());
+    state.counters["ray"] = benchmark::Counter(cases, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-void count(benchmark::State& state) {
-    const auto cases = static_cast<double>(case_count) * static_cast<double>(state.iterations());
-    state.counters["case"] = benchmark::Counter(cases, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-}
-
-/// `kernel` gives a number for each input, which is summed so that none is left out.
-template <class Input, class Kernel>
-void add(const std::string& name, const std::vector<Input>& inputs, Kernel kernel) {
-    benchmark::RegisterBenchmark(name.c_str(), [inputs, kernel](benchmark::State& state) {
-        for (auto _ : state) {
-            auto sum = decltype(kernel(inputs[0])){};
-            for (const Input& input : inputs) sum += kernel(input);
-            benchmark::DoNotOptimize(sum);
+template <template <class> class Problem>
+void add_all(const std::string& primitive, const std::vector<accuracy::Method<Problem>>& methods,
+             const std::vector<accuracy::Distribution<Problem<double>>>& distributions) {
+    for (const auto& distribution : distributions) {
+        if (distribution.exists == accuracy::Exists::in_doubles_only) continue;
+        const auto rays =
+            std::make_shared<const accuracy::Rays<Problem>>(accuracy::draw_rays<Problem>(distribution, 1, case_count));
+        for (const auto& method : methods) {
+            const std::string name = primitive + "/" + std::string(distribution.name) + "/" + method.name();
+            benchmark::RegisterBenchmark(name.c_str(), [rays, method](benchmark::State& state) {
+                const std::size_t some = method.speed == accuracy::Speed::slow ? slow_case_count : case_count;
+                method.judge(*rays, some);  // prepares what a method prepares
+                for (auto _ : state) method.run(*rays, some);
+                count(state, some);
+            });
         }
-        count(state);
-    });
-}
-
-template <class T>
-void add_sphere(const std::string& type, const accuracy::Distribution<SphereCase>& distribution) {
-    using Input = SphereInput<T>;
-    const auto inputs = drawn<Input>(distribution);
-    const auto name = [&](const char* kernel) {
-        return "sphere/" + std::string(distribution.name) + "/" + type + " in/" + kernel;
-    };
-    add(name("naive float"), inputs, [](const Input& i) { return naive::sphere_t<float>(i.ray, i.sphere); });
-    add(name("naive double"), inputs, [](const Input& i) { return naive::sphere_t<double>(i.ray, i.sphere); });
-    add(name("decide"), inputs, [](const Input& i) { return static_cast<int>(decide(i.ray, i.sphere)); });
-    add(name("fast t"), inputs, [](const Input& i) { return intersect_to_float(i.ray, i.sphere).t; });
-    add(name("intersect"), inputs, [](const Input& i) { return intersect(i.ray, i.sphere).t; });
-}
-
-template <class T>
-void add_triangle(const std::string& type, const accuracy::Distribution<TriangleCase>& distribution) {
-    using Input = TriangleInput<T>;
-    using Prepared = PreparedTriangleInput<T>;
-    const auto inputs = drawn<Input>(distribution);
-    const std::vector<Prepared> prepared(inputs.begin(), inputs.end());
-    const auto name = [&](const char* kernel) {
-        return "triangle/" + std::string(distribution.name) + "/" + type + " in/" + kernel;
-    };
-    add(name("naive float"), inputs,
-        [](const Input& i) { return static_cast<int>(naive::triangle_is_hit<float>(i.ray, i.triangle)); });
-    add(name("naive double"), inputs,
-        [](const Input& i) { return static_cast<int>(naive::triangle_is_hit<double>(i.ray, i.triangle)); });
-    add(name("naive double t"), inputs, [](const Input& i) { return naive::triangle_t<double>(i.ray, i.triangle); });
-    add(name("decide"), inputs, [](const Input& i) { return static_cast<int>(decide(i.ray, i.triangle)); });
-    add(name("decide, prepared"), prepared,
-        [](const Prepared& i) { return static_cast<int>(decide(i.ray, i.triangle)); });
-    add(name("fast t"), inputs, [](const Input& i) { return intersect_to_float(i.ray, i.triangle).t; });
-    add(name("fast t, prepared"), prepared, [](const Prepared& i) { return intersect_to_float(i.ray, i.triangle).t; });
-    add(name("intersect"), inputs, [](const Input& i) { return intersect(i.ray, i.triangle).t; });
-}
-
-template <class T>
-void add_order(const std::string& type, const accuracy::Distribution<OrderCase>& distribution) {
-    using Input = OrderInput<T>;
-    using Prepared = PreparedOrderInput<T>;
-    const auto inputs = drawn<Input>(distribution);
-    const std::vector<Prepared> prepared(inputs.begin(), inputs.end());
-    const auto name = [&](const char* kernel) {
-        return "cast/" + std::string(distribution.name) + "/" + type + " in/" + kernel;
-    };
-    add(name("naive float"), inputs, [](const Input& i) { return naive::first<float>(i.ray, i.sphere, i.triangle).t; });
-    add(name("naive double"), inputs,
-        [](const Input& i) { return naive::first<double>(i.ray, i.sphere, i.triangle).t; });
-    add(name("certified"), inputs, [](const Input& i) { return first_of(i.ray, i.sphere, i.triangle).t; });
-    add(name("certified, prepared"), prepared,
-        [](const Prepared& i) { return first_of(i.ray, i.sphere, i.triangle).t; });
+    }
 }
 
 /// All rays of the first distribution at one object: moved with their own to its place.
@@ -171,7 +75,7 @@ void add_batch(const std::string& name, const Block<T>& block, const Object& obj
             batch(rays, object, std::span<Result>(results), std::span<double>(ts));
             benchmark::ClobberMemory();
         }
-        count(state);
+        count(state, case_count);
     });
 }
 
@@ -219,18 +123,9 @@ void add_batches(const std::string& type) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    for (const auto& distribution : accuracy::sphere_distributions()) {
-        add_sphere<float>("float", distribution);
-        add_sphere<double>("double", distribution);
-    }
-    for (const auto& distribution : accuracy::triangle_distributions()) {
-        add_triangle<float>("float", distribution);
-        add_triangle<double>("double", distribution);
-    }
-    for (const auto& distribution : accuracy::order_distributions()) {
-        add_order<float>("float", distribution);
-        add_order<double>("double", distribution);
-    }
+    add_all("sphere", accuracy::sphere_methods(), accuracy::sphere_distributions());
+    add_all("triangle", accuracy::triangle_methods(), accuracy::triangle_distributions());
+    add_all("cast", accuracy::cast_methods(), accuracy::order_distributions());
     add_batches<float>("float");
     add_batches<double>("double");
     benchmark::Initialize(&argc, argv);
