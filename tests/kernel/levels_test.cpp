@@ -164,7 +164,7 @@ struct Spread {
 };
 
 TEST(Levels, EachSizeOfTheExactLevel) {
-    for_seeds("spread", "max_success=20000", [](std::uint64_t seed) {
+    for_seeds("spread", "max_success=5000", [](std::uint64_t seed) {
         const Spread c(seed);
         check_levels(c.ray, c.sphere);
         check_levels(c.ray, c.triangle);
