@@ -52,13 +52,6 @@ std::vector<Source> newest(const std::vector<Source>& sources, std::vector<std::
     return result;
 }
 
-Submission with_problem(std::string id, std::string problem) {
-    Submission submission;
-    submission.id = std::move(id);
-    submission.problem = std::move(problem);
-    return submission;
-}
-
 void add_all_below(const FileTree& tree, const path& folder, HandIn& hand_in, int depth) {
     const Contents contents = tree.list(folder);
     hand_in.add(contents);
@@ -190,6 +183,13 @@ Submission from_student(const FileTree& tree, const Student& student, const std:
 }
 
 }  // namespace
+
+Submission with_problem(std::string id, std::string problem) {
+    Submission submission;
+    submission.id = std::move(id);
+    submission.problem = std::move(problem);
+    return submission;
+}
 
 void HandIn::add(const Contents& contents) {
     for (const path& file : contents.sources) sources.push_back({file, file.filename(), {}});

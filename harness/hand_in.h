@@ -11,6 +11,9 @@
 
 namespace harness {
 
+/// A submission that can't be graded, and why.
+Submission with_problem(std::string id, std::string problem);
+
 /// What one student handed in.
 struct HandIn {
     struct Source {

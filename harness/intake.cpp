@@ -23,13 +23,6 @@ std::string folder_id(const path& folder) {
     return name.empty() ? "root" : printable(name.native());
 }
 
-Submission with_problem(std::string id, std::string problem) {
-    Submission submission;
-    submission.id = std::move(id);
-    submission.problem = std::move(problem);
-    return submission;
-}
-
 Submission from_file(const FileTree& tree, const path& file, std::string id, Links links) {
     Submission submission;
     submission.id = std::move(id);

@@ -107,12 +107,16 @@ class Index {
         const auto add = [&](std::size_t key, const std::string& value, std::size_t row) {
             if (!value.empty()) keys_[key][value].insert(row);
         };
+        const auto number = column_of(roster.header, "ID");
+        const auto sis_user = column_of(roster.header, "SIS User ID");
+        const auto sis_login = column_of(roster.header, "SIS Login ID");
+        const auto student = column_of(roster.header, "Student");
         for (std::size_t row = 0; row < roster.students.size(); ++row) {
             const Row& cells = roster.students[row];
-            add(0, cell_of(cells, column_of(roster.header, "ID")), row);
-            add(1, cell_of(cells, column_of(roster.header, "SIS User ID")), row);
-            add(2, cell_of(cells, column_of(roster.header, "SIS Login ID")), row);
-            add(3, name_in_a_download(cell_of(cells, column_of(roster.header, "Student"))), row);
+            add(0, cell_of(cells, number), row);
+            add(1, cell_of(cells, sis_user), row);
+            add(2, cell_of(cells, sis_login), row);
+            add(3, name_in_a_download(cell_of(cells, student)), row);
         }
     }
 

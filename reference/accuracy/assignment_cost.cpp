@@ -1,10 +1,9 @@
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <functional>
 
 #include "reference/accuracy/assignment_accuracy.h"
 #include "reference/accuracy/read_scalar.h"
+#include "reference/accuracy/statistics.h"
 #include "reference/certified_scene.h"
 
 namespace reference::accuracy {
@@ -56,12 +55,6 @@ struct Timed {
     }
 };
 
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 }  // namespace
 
 std::vector<ScalarCost> costs_of(const Assignment& assignment, const Reading& reading, int repetitions) {
@@ -75,7 +68,7 @@ std::vector<ScalarCost> costs_of(const Assignment& assignment, const Reading& re
     }
     std::vector<ScalarCost> costs;
     for (const Timed& one : all) {
-        const double ns = median(one.ns);
+        const double ns = quartiles_of(one.ns).median;
         costs.push_back({one.scalar, ns, costs.empty() ? 1.0 : ns / costs.front().ns});
     }
     return costs;

@@ -154,4 +154,21 @@ Method<Problem> method(Name name, F decide) {
         }};
 }
 
+template <class T>
+const Sphere<T>& object_of(const SphereProblem<T>& problem) {
+    return problem.sphere;
+}
+template <class T>
+const Triangle<T>& object_of(const TriangleProblem<T>& problem) {
+    return problem.triangle;
+}
+
+/// One formula of a ray and an object, in float and in double.
+template <template <class> class Problem, class F>
+void add_both(std::vector<Method<Problem>>& methods, const std::string& kernel, const std::string& source, F formula) {
+    const auto on = [formula](const auto& problem) { return formula(problem.ray, object_of(problem)); };
+    methods.push_back(method<float, Problem>({kernel, "float", source}, on));
+    methods.push_back(method<double, Problem>({kernel, "double", source}, on));
+}
+
 }  // namespace reference::accuracy

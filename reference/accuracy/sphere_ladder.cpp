@@ -19,15 +19,6 @@ Method<SphereProblem> half_b_in(std::string scalar, std::string source) {
         });
 }
 
-/// One formula in float and in double.
-template <class F>
-void add_both(std::vector<Method<SphereProblem>>& methods, const std::string& kernel, const std::string& source,
-              F formula) {
-    const auto on = [formula](const auto& c) { return formula(c.ray, c.sphere); };
-    methods.push_back(method<float, SphereProblem>({kernel, "float", source}, on));
-    methods.push_back(method<double, SphereProblem>({kernel, "double", source}, on));
-}
-
 bool is_hit(kernel::SphereResult result) {
     return result == kernel::SphereResult::hit || result == kernel::SphereResult::tangent;
 }

@@ -7,15 +7,6 @@
 namespace reference::accuracy {
 namespace {
 
-/// One formula in float and in double.
-template <class F>
-void add_both(std::vector<Method<TriangleProblem>>& methods, const std::string& kernel, const std::string& source,
-              F formula) {
-    const auto on = [formula](const auto& c) { return formula(c.ray, c.triangle); };
-    methods.push_back(method<float, TriangleProblem>({kernel, "float", source}, on));
-    methods.push_back(method<double, TriangleProblem>({kernel, "double", source}, on));
-}
-
 /// The triangles of the rays that were judged last, prepared as a scene prepares each of its triangles once: that is
 /// not part of a ray's time.
 template <class T>
