@@ -87,8 +87,9 @@ void release(std::string& text) {
 }
 
 /// Without the source, which nobody needs any more.
-Graded begun(const Submission& submission, const Workshop& workshop) {
+Graded begun(const Submission& submission, const Marking& marking, const Workshop& workshop) {
     Graded graded;
+    if (submission.lms && submission.lms->late) graded.late_share = marking.assignment.rubric.late_deduction;
     graded.submission = submission;
     release(graded.submission.source);
     graded.tier = workshop.sandbox->tier();
@@ -140,7 +141,7 @@ std::string_view limit_name(Ended ended) {
 
 Graded mark(const Submission& submission, std::vector<Execution> executions, const Marking& marking,
             const Workshop& workshop, Timeline& timeline) {
-    Graded graded = begun(submission, workshop);
+    Graded graded = begun(submission, marking, workshop);
     Execution& execution = executions.front();
     graded.outcome = outcome_of(execution.run);
     graded.explanation = explain(execution.build, execution.run, workshop.run);
@@ -164,7 +165,7 @@ Graded mark(const Submission& submission, std::vector<Execution> executions, con
 
 Graded ungraded(const Submission& submission, const std::string& why, const Marking& marking,
                 const Workshop& workshop) {
-    Graded graded = begun(submission, workshop);
+    Graded graded = begun(submission, marking, workshop);
     graded.explanation = why;
     graded.score = score({}, marking.key, marking.assignment);
     return graded;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "harness/execution.h"
+#include "harness/override.h"
 #include "harness/score.h"
 #include "harness/submission.h"
 #include "harness/timeline.h"
@@ -52,6 +53,8 @@ struct Graded {
     std::vector<Flag> flags;
     std::vector<std::string> sanitizer;  ///< what a build under the sanitizers found; costs nothing
     Score score;                         ///< all missing when nothing was printed
+    double late_share = 0;               ///< of its points, lost because it was late; 0 when it was not
+    std::vector<Override> overrides;     ///< the instructor's, oldest first; what counts is final_mark's to say
 };
 
 /// What every submission is held to.

@@ -28,6 +28,10 @@ struct Rubric {
     /// The most that all such answers of a submission together may earn, as a share of its points, 0 to 1. Beyond it
     /// each of them earns proportionally less.
     double follow_through_cap = 1.0;
+    /// The share of its points that a late hand-in loses, 0 to 1.
+    double late_deduction = 0;
+    /// Whether a student may see the right values beside what was printed.
+    bool show_expected = false;
     /// An answer is never held to fewer printed decimals than this: half a unit of its last decimal is forgiven,
     /// counted at min_decimals where fewer were printed. 0 to 9.
     int min_decimals = 2;

@@ -79,8 +79,8 @@ void read_tolerance(const TomlTable& table, Rubric& rubric) {
 }  // namespace
 
 Rubric read_rubric(const TomlTable& table) {
-    table.allow_only({"pixel_conventions", "boundary", "follow_through", "follow_through_cap", "min_decimals", "points",
-                      "tolerance"});
+    table.allow_only({"pixel_conventions", "boundary", "follow_through", "follow_through_cap", "late_deduction",
+                      "min_decimals", "points", "show_expected", "tolerance"});
     Rubric rubric;
     if (table.has("pixel_conventions")) {
         rubric.pixel_conventions.clear();
@@ -100,7 +100,9 @@ Rubric read_rubric(const TomlTable& table) {
     }
     if (table.has("follow_through")) rubric.follow_through = read_amount(table, "follow_through", 0, 1);
     if (table.has("follow_through_cap")) rubric.follow_through_cap = read_amount(table, "follow_through_cap", 0, 1);
+    if (table.has("late_deduction")) rubric.late_deduction = read_amount(table, "late_deduction", 0, 1);
     if (table.has("min_decimals")) rubric.min_decimals = table.integer("min_decimals", 0, 9);
+    if (table.has("show_expected")) rubric.show_expected = table.boolean("show_expected");
     if (table.has("points")) read_points(table.table("points"), rubric);
     if (table.has("tolerance")) read_tolerance(table.table("tolerance"), rubric);
     return rubric;

@@ -184,6 +184,13 @@ int TomlTable::integer(std::string_view key, int least, int most) const {
     return static_cast<int>(whole->get());
 }
 
+bool TomlTable::boolean(std::string_view key) const {
+    const toml::node& node = impl_->required(key);
+    const auto* truth = node.as_boolean();
+    if (truth == nullptr) impl_->fail_at(node.source().begin.line, key, "must be true or false");
+    return truth->get();
+}
+
 std::string TomlTable::place(std::string_view key) const {
     return impl_->place_at(impl_->line_of(key), key);
 }

@@ -36,6 +36,7 @@ class TomlTable {
     std::vector<std::vector<Decimal>> decimal_rows(std::string_view key, std::size_t rows, std::size_t columns) const;
     /// A whole number in [least, most].
     int integer(std::string_view key, int least, int most) const;
+    bool boolean(std::string_view key) const;
 
     template <class Enum>
     Enum choice(std::string_view key, const std::string& given,

@@ -192,4 +192,16 @@ TEST(Rubric, HasNoToleranceUnlessOneIsWritten) {
     EXPECT_EQ(read(scene + "[rubric.tolerance]\ndefault = 0.25\n").rubric.tolerance_of(6, "t"), 0.25);
 }
 
+TEST(Rubric, TakesNothingOffForBeingLateAndShowsNoAnswersUnlessItSaysSo) {
+    EXPECT_EQ(read(scene).rubric.late_deduction, 0);
+    EXPECT_FALSE(read(scene).rubric.show_expected);
+    const Rubric written = read(scene + "late_deduction = 0.2\nshow_expected = true\n").rubric;
+    EXPECT_EQ(written.late_deduction, 0.2);
+    EXPECT_TRUE(written.show_expected);
+    EXPECT_THAT(complaint("[rubric]\n", "[rubric]\nlate_deduction = 20\n"),
+                says("20: rubric.late_deduction", "must be from 0 to 1"));
+    EXPECT_THAT(complaint("[rubric]\n", "[rubric]\nshow_expected = 1\n"),
+                says("20: rubric.show_expected", "must be true or false"));
+}
+
 }  // namespace

@@ -1,0 +1,54 @@
+#include "harness/final_mark.h"
+
+#include <algorithm>
+
+namespace harness {
+namespace {
+
+/// Whether an override replaces something within the submission, so that the automatic sum is no longer right.
+bool any_within(const Graded& graded) {
+    return std::any_of(graded.overrides.begin(), graded.overrides.end(),
+                       [](const Override& each) { return each.question != 0; });
+}
+
+/// The automatic sum as it was made where nothing replaces a part of it: summed again it could round differently.
+double before_late(const Graded& graded) {
+    if (!any_within(graded)) return graded.score.points;
+    double sum = 0;
+    for (const QuestionScore& question : graded.score.questions) sum += final_points(graded, question);
+    return sum;
+}
+
+}  // namespace
+
+const Override* find_override(const Graded& graded, int question, const std::string& item) {
+    const auto found = std::find_if(graded.overrides.rbegin(), graded.overrides.rend(), [&](const Override& each) {
+        return each.question == question && each.item == item;
+    });
+    return found == graded.overrides.rend() ? nullptr : &*found;
+}
+
+double final_points(const Graded& graded, const QuestionScore& question, const ItemScore& item) {
+    const Override* own = find_override(graded, question.number, std::string(item.spec.name));
+    return own == nullptr ? item.points : own->points;
+}
+
+double final_points(const Graded& graded, const QuestionScore& question) {
+    if (const Override* own = find_override(graded, question.number, "")) return own->points;
+    const bool untouched = std::none_of(graded.overrides.begin(), graded.overrides.end(),
+                                        [&](const Override& each) { return each.question == question.number; });
+    if (untouched) return question.points;
+    double sum = 0;
+    for (const ItemScore& item : question.items) sum += final_points(graded, question, item);
+    return sum;
+}
+
+std::optional<FinalMark> final_mark(const Graded& graded) {
+    if (const Override* whole = find_override(graded, 0, "")) return FinalMark{whole->points, 0};
+    if (graded.outcome == Outcome::not_graded) return std::nullopt;
+    const double points = before_late(graded);
+    const double deduction = points * graded.late_share;
+    return FinalMark{points - deduction, deduction};
+}
+
+}  // namespace harness

@@ -1,0 +1,30 @@
+// What counts in the end: the automatic marks, the instructor's overrides in their place, less what a late hand-in
+// loses. Every report that names points takes them from here.
+#pragma once
+
+#include <optional>
+
+#include "harness/grade.h"
+
+namespace harness {
+
+/// The override of just this item, question (`item` empty) or submission (`question` 0, `item` empty); the last one
+/// counts. Null when there is none.
+const Override* find_override(const Graded& graded, int question, const std::string& item);
+
+/// Points of an item: its override's, else the automatic ones.
+double final_points(const Graded& graded, const QuestionScore& question, const ItemScore& item);
+
+/// Points of a question: its own override's, else the sum of its items'.
+double final_points(const Graded& graded, const QuestionScore& question);
+
+struct FinalMark {
+    double points = 0;
+    double late_deduction = 0;  ///< in points, taken off already
+};
+
+/// Points of a submission: an override of the whole stands as it is; else the sum of its questions, less the rubric's
+/// share for a late hand-in. Empty when it was not graded and the instructor has not given it points as a whole.
+std::optional<FinalMark> final_mark(const Graded& graded);
+
+}  // namespace harness
