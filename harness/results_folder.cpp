@@ -56,18 +56,20 @@ void prepare_results(const fs::path& out, const std::string& mark, Replace repla
 
 void write_file(const fs::path& file, const std::function<void(std::ostream&)>& write) {
     const fs::path fresh = file.string() + ".new";
-    errno = 0;
-    std::ofstream stream(fresh, std::ios::binary);
-    write(stream);
-    stream.close();
-    if (!stream) {
-        const std::string why = errno == 0 ? "writing failed" : std::strerror(errno);
+    const auto fail = [&](const std::string& why) {
         std::error_code ignored;
         fs::remove(fresh, ignored);
         throw HarnessError(fmt::format("{}: can't be written: {}; free some space or name another folder with --out",
                                        file.string(), why));
-    }
-    fs::rename(fresh, file);
+    };
+    errno = 0;
+    std::ofstream stream(fresh, std::ios::binary);
+    write(stream);
+    stream.close();
+    if (!stream) fail(errno == 0 ? "writing failed" : std::strerror(errno));
+    std::error_code error;
+    fs::rename(fresh, file, error);
+    if (error) fail(error.message());
 }
 
 void write_file(const fs::path& file, const std::string& text) {
