@@ -38,6 +38,15 @@ void write_results(const report::AccuracyFindings& findings, const fs::path& out
     write_file(out / of_an_earlier_run, report::accuracy_json(findings));
 }
 
+void prepare_folder(const fs::path& out, bool replace) {
+    if (look_into(out, {of_an_earlier_run}) == Holds::earlier_results && !replace) {
+        throw UsageError(fmt::format(
+            "{}: holds the results of an earlier run; replace them with --force, or name another folder with --out",
+            out.string()));
+    }
+    make_results_folder(out);
+}
+
 }  // namespace
 
 int accuracy_command(const AccuracyOptions& options) {
@@ -50,8 +59,7 @@ int accuracy_command(const AccuracyOptions& options) {
     report::AccuracyFindings findings;
     std::optional<reference::Assignment> assignment;
     if (!options.assignment.empty()) assignment = reference::load_assignment(options.assignment, assignments_folder());
-    if (!options.out.empty())
-        prepare_results(options.out, of_an_earlier_run, options.force ? Replace::yes : Replace::no);
+    if (!options.out.empty()) prepare_folder(options.out, options.force);
     if (assignment) findings.assignment = reference::accuracy::assignment_accuracy(*assignment);
     if (measures) findings.measured = measure(options);
     fmt::print("{}", in_format(findings, options.format));
