@@ -13,6 +13,7 @@
 #include <set>
 #include <utility>
 
+#include "harness/final_mark.h"
 #include "harness/report/csv_cell.h"
 
 namespace harness::report {
@@ -202,11 +203,12 @@ CanvasImport canvas_import(const CanvasRoster& roster, const std::vector<Graded>
         } else if (found->second.size() > 1) {
             for (const Graded* one : found->second)
                 import.ambiguous.push_back(one->submission.id + ": " + name_of(row));
-        } else if (found->second.front()->outcome == Outcome::not_graded) {
+        } else if (!points_that_count(*found->second.front())) {
             import.not_graded.push_back(found->second.front()->submission.id);
         } else {
             ++import.matched;
-            import.csv += with_score(roster.students[row], fmt::format("{:.2f}", found->second.front()->score.points));
+            import.csv +=
+                with_score(roster.students[row], fmt::format("{:.2f}", *points_that_count(*found->second.front())));
         }
     }
     return import;

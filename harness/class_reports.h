@@ -1,0 +1,44 @@
+// The files of a results folder beside the gradebook: each is a function of what the gradebook holds, so that they can
+// be written again at any time.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/gradebook.h"
+#include "harness/report/canvas.h"
+
+namespace harness {
+
+/// The name of the roster among a gradebook's inputs, and of the file that is made from it.
+constexpr const char* canvas_roster_input = "canvas-roster";
+constexpr const char* canvas_import_name = "grades-canvas.csv";
+
+/// The names of the files that tell that a folder holds results of raygrade.
+std::vector<std::string> marks_of_results();
+
+/// The name of a submission's feedback in its folder, without the ending: its id, which may hold the path before it,
+/// cut where a file name would be too long. `index` is the submission's place in the class.
+std::string feedback_name(const std::string& id, std::size_t index);
+
+/// All that the reports of a class are made from.
+struct ClassResults {
+    const std::vector<Graded>& graded;  ///< with their overrides
+    const Marking& marking;
+    Tier tier;
+    std::optional<report::CanvasRoster> canvas;  ///< whose gradebook to fill in; empty for none
+};
+
+/// Reads the inputs that a gradebook keeps, such as the roster. Throws RosterError.
+std::optional<report::CanvasRoster> read_roster(const std::optional<KeptInput>& input);
+
+/// Writes every report into `folder`, which has been made with its folder `feedback`, and removes those of students who
+/// are no longer in the class. With `only`, the place of one submission, the feedback of the others stays as it is.
+/// The result says whom Canvas's import leaves out. Throws HarnessError.
+std::optional<report::CanvasImport> write_class_reports(const ClassResults& results,
+                                                        const std::filesystem::path& folder,
+                                                        std::optional<std::size_t> only = {});
+
+}  // namespace harness
