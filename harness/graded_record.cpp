@@ -124,9 +124,14 @@ json lms_record(const LmsName& name) {
 }
 
 LmsName lms_from(const json& record) {
-    return {
-        take<std::string>(record, "student"), take<std::string>(record, "id"), take<std::string>(record, "attachment"),
-        take<std::string>(record, "file"),    take<bool>(record, "late"),      take<bool>(record, "is_file")};
+    LmsName name;
+    name.student = take<std::string>(record, "student");
+    name.id = take<std::string>(record, "id");
+    name.attachment = take<std::string>(record, "attachment");
+    name.file = take<std::string>(record, "file");
+    name.late = take<bool>(record, "late");
+    name.is_file = take<bool>(record, "is_file");
+    return name;
 }
 
 json submission_record(const Submission& submission) {
