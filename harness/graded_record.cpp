@@ -38,39 +38,43 @@ Value take(const json& record, const char* name) {
     return found == record.end() ? Value() : found->template get<Value>();
 }
 
+/// Its fields in this order, later ones behind them: an item is most of a record, and names would be most of an item.
 json item_record(const ItemScore& item) {
-    json record{{"name", item.spec.name}, {"verdict", to_string(item.verdict)}};
-    put(record, "points", item.points);
-    put(record, "max_points", item.max_points);
-    put(record, "printed", item.printed);
-    put(record, "line", item.line);
-    if (item.error) record["error"] = *item.error;
-    put(record, "allowance", item.allowance);
-    put(record, "accepted_as", item.accepted_as);
-    put(record, "diagnosis", item.diagnosis);
-    put(record, "advice", item.advice);
-    return record;
+    json::array_t fields;
+    fields.reserve(11);
+    fields.emplace_back(item.spec.name);
+    fields.emplace_back(to_string(item.verdict));
+    fields.emplace_back(item.points);
+    fields.emplace_back(item.max_points);
+    fields.emplace_back(item.printed);
+    fields.emplace_back(item.line);
+    fields.push_back(item.error ? json(*item.error) : json());
+    fields.emplace_back(item.allowance);
+    fields.emplace_back(item.accepted_as);
+    fields.emplace_back(item.diagnosis);
+    fields.emplace_back(item.advice);
+    return fields;
 }
 
-ItemScore item_from(const json& record, int question) {
+ItemScore item_from(const json& fields, int question) {
     ItemScore item;
-    const auto name = take<std::string>(record, "name");
+    const auto name = fields.at(0).get<std::string>();
     const auto specs = reference::all_items();
     const auto spec = std::find_if(specs.begin(), specs.end(), [&](const reference::ItemSpec& each) {
         return each.question == question && each.name == name;
     });
     if (spec == specs.end()) throw std::invalid_argument(name);
     item.spec = *spec;
-    item.verdict = called<ItemVerdict>(take<std::string>(record, "verdict"), verdicts);
-    item.points = take<double>(record, "points");
-    item.max_points = take<double>(record, "max_points");
-    item.printed = take<std::string>(record, "printed");
-    item.line = take<int>(record, "line");
-    if (record.contains("error")) item.error = take<double>(record, "error");
-    item.allowance = take<double>(record, "allowance");
-    item.accepted_as = take<std::string>(record, "accepted_as");
-    item.diagnosis = take<std::string>(record, "diagnosis");
-    item.advice = take<std::string>(record, "advice");
+    item.verdict = called<ItemVerdict>(fields.at(1).get<std::string>(), verdicts);
+    item.points = fields.at(2).get<double>();
+    item.max_points = fields.at(3).get<double>();
+    item.printed = fields.at(4).get<std::string>();
+    item.line = fields.at(5).get<int>();
+    if (!fields.at(6).is_null()) item.error = fields.at(6).get<double>();
+    item.allowance = fields.at(7).get<double>();
+    item.accepted_as = fields.at(8).get<std::string>();
+    item.diagnosis = fields.at(9).get<std::string>();
+    item.advice = fields.at(10).get<std::string>();
     return item;
 }
 
@@ -120,9 +124,14 @@ json lms_record(const LmsName& name) {
 }
 
 LmsName lms_from(const json& record) {
-    return {
-        take<std::string>(record, "student"), take<std::string>(record, "id"), take<std::string>(record, "attachment"),
-        take<std::string>(record, "file"),    take<bool>(record, "late"),      take<bool>(record, "is_file")};
+    LmsName name;
+    name.student = take<std::string>(record, "student");
+    name.id = take<std::string>(record, "id");
+    name.attachment = take<std::string>(record, "attachment");
+    name.file = take<std::string>(record, "file");
+    name.late = take<bool>(record, "late");
+    name.is_file = take<bool>(record, "is_file");
+    return name;
 }
 
 json submission_record(const Submission& submission) {
