@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "harness/final_mark.h"
 #include "harness/report/csv_cell.h"
 
 namespace harness::report {
@@ -62,7 +63,9 @@ class Index {
     }
 
     std::set<std::size_t> find(const Submission& submission) const {
-        const std::string number = submission.lms ? submission.lms->id : submission.id;
+        // Another system's number of a student may be Canvas's of somebody else.
+        const bool of_another = submission.lms && submission.lms->system != Lms::canvas;
+        const std::string number = of_another ? "" : submission.lms ? submission.lms->id : submission.id;
         const std::string name = submission.lms ? submission.lms->student : submission.id;
         const std::string values[] = {number, submission.id, submission.id, name_key(name)};
         for (std::size_t key = 0; key < std::size(keys_); ++key) {
@@ -143,11 +146,11 @@ CanvasImport canvas_import(const CanvasRoster& roster, const std::vector<Graded>
         } else if (found->second.size() > 1) {
             for (const Graded* one : found->second)
                 import.ambiguous.push_back(one->submission.id + ": " + name_of(row));
-        } else if (found->second.front()->outcome == Outcome::not_graded) {
-            import.not_graded.push_back(found->second.front()->submission.id);
-        } else {
+        } else if (const auto mark = final_mark(*found->second.front())) {
             ++import.matched;
-            import.csv += with_score(roster.students[row], fmt::format("{:.2f}", found->second.front()->score.points));
+            import.csv += with_score(roster.students[row], fmt::format("{:.2f}", mark->points));
+        } else {
+            import.not_graded.push_back(found->second.front()->submission.id);
         }
     }
     return import;
