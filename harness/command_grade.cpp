@@ -15,6 +15,7 @@
 #include "harness/progress.h"
 #include "harness/report/canvas.h"
 #include "harness/report/report.h"
+#include "harness/report_files.h"
 #include "harness/results_folder.h"
 
 namespace harness {
@@ -114,11 +115,13 @@ void tell_canvas(const report::CanvasImport& import, const fs::path& file) {
 
 int grade_command(const GradeOptions& options) {
     const auto roster = read_roster(options);
+    const auto worksheet = read_worksheet(options);
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
     const auto marking = begin_marking(assignment);
     std::vector<Submission> submissions = find_submissions(options.paths);
     prepare_results(options.out, "grades.json", options.force ? Replace::yes : Replace::no, "feedback");
     if (!options.trace.empty()) check_trace(options.trace);
+    prepare_report_file(options.junit, "--junit", ".xml");
     const Workshop workshop = open_workshop(options.workshop, assignment.limits);
     tell_of_the_sandbox(workshop);
     // A mistake of the assignment is to be told before a class is compiled.
@@ -138,6 +141,7 @@ int grade_command(const GradeOptions& options) {
             tell_canvas(import, options.out / "grades-canvas.csv");
         }
         write_results(graded, marking.get(), workshop.sandbox->tier(), options.out);
+        write_for_systems(options, worksheet, graded, marking.get());
     } catch (const fs::filesystem_error& error) {
         throw HarnessError(fmt::format("{}: can't be written: {}", error.path1().string(), error.code().message()));
     }
