@@ -85,7 +85,10 @@ TEST(Classroom50, RoundsHalvesUp) {
 }
 
 TEST(Classroom50, SurvivesHostileText) {
-    EXPECT_EQ(told(hostile(), "print(ascii(d['tests'][5]['output'])[-30:])\n").find('\x1b'), std::string::npos);
+    EXPECT_EQ(told(hostile(),
+                   "o = d['tests'][5]['output']\n"
+                   "print('<b>&' in o, [c for c in o if c < ' ' and c != '\\n'])\n"),
+              "True []\n");
 }
 
 TEST(Classroom50, IsNotForWhatHasNoPoints) {
