@@ -49,8 +49,9 @@ std::string gradescope_results(const Graded& graded, const Marking& marking) {
     json["test_name_format"] = "text";
     json["visibility"] = "visible";
     json["stdout_visibility"] = "hidden";
-    json["extra_data"] = {{"outcome", to_string(graded.outcome)},
-                          {"late", graded.submission.lms ? ordered_json(graded.submission.lms->late) : nullptr}};
+    json["extra_data"] = {{"outcome", to_string(graded.outcome)}};
+    const auto& lms = graded.submission.lms;
+    if (lms && lms->system == Lms::canvas) json["extra_data"]["late"] = lms->late;
     if (mark && graded.outcome != Outcome::not_graded) {
         json["tests"] = ordered_json::array();
         for (const QuestionScore& question : graded.score.questions)

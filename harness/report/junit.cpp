@@ -153,7 +153,9 @@ void add_properties(pugi::xml_node suite, const Graded& graded) {
     if (const auto mark = final_mark(graded)) add("points", fmt::format("{:.2f}", mark->points));
     add("max_points", fmt::format("{:.2f}", graded.score.max_points));
     add("outcome", std::string(to_string(graded.outcome)));
-    if (graded.submission.lms) add("late", graded.submission.lms->late ? "true" : "false");
+    // Canvas alone says so.
+    const auto& lms = graded.submission.lms;
+    if (lms && lms->system == Lms::canvas) add("late", lms->late ? "true" : "false");
 }
 
 }  // namespace
