@@ -3,7 +3,6 @@
 #include <stdexcept>
 
 #include "harness/commands.h"
-#include "harness/failure.h"
 #include "harness/find_submissions.h"
 #include "harness/progress.h"
 #include "harness/report/accuracy_report.h"
@@ -33,14 +32,19 @@ std::string in_format(const report::AccuracyFindings& findings, const std::strin
 }
 
 void write_results(const report::AccuracyFindings& findings, const fs::path& out) {
-    try {
-        write_file(out / "accuracy.csv", report::accuracy_csv(*findings.measured));
-        write_file(out / "accuracy.svg", report::accuracy_svg(*findings.measured));
-        write_file(out / "accuracy.html", report::accuracy_html(findings));
-        write_file(out / of_an_earlier_run, report::accuracy_json(findings));
-    } catch (const fs::filesystem_error& error) {
-        throw HarnessError(fmt::format("{}: can't be written: {}", error.path1().string(), error.code().message()));
+    write_file(out / "accuracy.csv", report::accuracy_csv(*findings.measured));
+    write_file(out / "accuracy.svg", report::accuracy_svg(*findings.measured));
+    write_file(out / "accuracy.html", report::accuracy_html(findings));
+    write_file(out / of_an_earlier_run, report::accuracy_json(findings));
+}
+
+void prepare_folder(const fs::path& out, bool replace) {
+    if (look_into(out, {of_an_earlier_run}) == Holds::earlier_results && !replace) {
+        throw UsageError(fmt::format(
+            "{}: holds the results of an earlier run; replace them with --force, or name another folder with --out",
+            out.string()));
     }
+    make_results_folder(out);
 }
 
 }  // namespace
@@ -55,8 +59,7 @@ int accuracy_command(const AccuracyOptions& options) {
     report::AccuracyFindings findings;
     std::optional<reference::Assignment> assignment;
     if (!options.assignment.empty()) assignment = reference::load_assignment(options.assignment, assignments_folder());
-    if (!options.out.empty())
-        prepare_results(options.out, of_an_earlier_run, options.force ? Replace::yes : Replace::no);
+    if (!options.out.empty()) prepare_folder(options.out, options.force);
     if (assignment) findings.assignment = reference::accuracy::assignment_accuracy(*assignment);
     if (measures) findings.measured = measure(options);
     fmt::print("{}", in_format(findings, options.format));

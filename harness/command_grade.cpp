@@ -3,20 +3,22 @@
 
 #include <algorithm>
 #include <fstream>
-#include <future>
 #include <iterator>
 #include <optional>
 
 #include "harness/batch.h"
+#include "harness/class_reports.h"
 #include "harness/clean_text.h"
 #include "harness/commands.h"
 #include "harness/failure.h"
 #include "harness/find_submissions.h"
+#include "harness/gradebook.h"
 #include "harness/progress.h"
-#include "harness/report/canvas.h"
+#include "harness/report/class_changes.h"
 #include "harness/report/report.h"
 #include "harness/report_files.h"
 #include "harness/results_folder.h"
+#include "reference/assignment_file.h"
 
 namespace harness {
 namespace {
@@ -30,33 +32,6 @@ void check_trace(const fs::path& trace) {
     if (fs::is_directory(trace, error) || access(folder.c_str(), W_OK | X_OK) != 0) {
         throw UsageError(fmt::format("{}: can't be written; name another file with --trace", trace.string()));
     }
-}
-
-/// The name of a submission's feedback: its id, which may hold the path before it, cut where a file name would be too
-/// long.
-std::string feedback_name(const std::string& id, std::size_t index) {
-    constexpr std::size_t longest = 200;
-    std::string name;
-    for (const char c : id) name += c == '/' ? "%2F" : std::string(1, c);
-    if (name.size() > longest) name = fmt::format("{}-{}", name.substr(0, longest), index + 1);
-    return name + ".md";
-}
-
-void write_results(const std::vector<Graded>& graded, const Marking& marking, Tier tier, const fs::path& out) {
-    const fs::path feedback = out / "feedback";
-    for (const auto& entry : fs::directory_iterator(feedback)) {
-        if (entry.path().extension() == ".md") fs::remove(entry.path());  // of an earlier run, under --force
-    }
-    std::future<void> written = std::async(std::launch::async, [&] {
-        for (std::size_t i = 0; i < graded.size(); ++i) {
-            write_file(feedback / feedback_name(graded[i].submission.id, i),
-                       report::feedback_markdown(graded[i], marking));
-        }
-    });
-    write_file(out / "grades.csv", report::grades_csv(graded));
-    write_file(out / "grades.json",
-               [&](std::ostream& stream) { report::write_grades_json(stream, graded, marking, tier); });
-    written.get();
 }
 
 std::vector<Graded> grade_with_progress(std::vector<Submission> submissions, const std::shared_future<Marking>& marking,
@@ -88,19 +63,98 @@ int status_of(const std::vector<Graded>& graded) {
     return std::any_of(graded.begin(), graded.end(), missed) ? some_not_graded : all_graded;
 }
 
-std::optional<report::CanvasRoster> read_roster(const GradeOptions& options) {
+namespace {
+
+std::optional<KeptInput> read_roster_file(const GradeOptions& options) {
     if (options.canvas_roster.empty()) return std::nullopt;
     std::ifstream file(options.canvas_roster, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     if (!file) {
         throw UsageError(fmt::format("{}: can't be read: {}", options.canvas_roster.string(), std::strerror(errno)));
     }
+    return KeptInput{canvas_roster_input, options.canvas_column, text};
+}
+
+/// The roster given, or the one kept from an earlier run.
+std::optional<report::CanvasRoster> find_roster(const std::optional<KeptInput>& given, const Gradebook& gradebook,
+                                                const GradeOptions& options) {
     try {
-        return report::read_canvas_roster(text, options.canvas_column);
+        return read_roster(given ? given : gradebook.input(canvas_roster_input));
     } catch (const report::RosterError& error) {
-        throw UsageError(fmt::format("{} {}", options.canvas_roster.string(), error.what()));
+        const fs::path file = given ? options.canvas_roster : options.out / gradebook_name;
+        throw UsageError(fmt::format("{} {}", file.string(), error.what()));
     }
 }
+
+/// The worksheet given, or the one kept from an earlier run.
+std::optional<report::MoodleWorksheet> find_worksheet(const std::optional<KeptInput>& given, const Gradebook& gradebook,
+                                                      const GradeOptions& options) {
+    try {
+        return read_worksheet(given ? given : gradebook.input(moodle_worksheet_input));
+    } catch (const report::RosterError& error) {
+        const fs::path file = given ? options.moodle_worksheet : options.out / gradebook_name;
+        throw UsageError(fmt::format("{} {}", file.string(), error.what()));
+    }
+}
+
+/// What is to be written where, and what was there before.
+struct Desk {
+    Gradebook gradebook;
+    std::optional<Run> last_run;
+    bool writes = true;         ///< else the changes are only shown
+    bool of_an_older_raygrade;  ///< there are results and no gradebook with them
+};
+
+Desk open_desk(const GradeOptions& options, Holds holds) {
+    Gradebook gradebook(options.out);
+    auto last_run = gradebook.last_run();
+    const bool has_results = holds == Holds::earlier_results && (last_run || fs::exists(options.out / "grades.json"));
+    const bool is_older = has_results && !last_run;
+    return {std::move(gradebook), std::move(last_run), options.apply || !has_results, is_older};
+}
+
+bool is_unchanged(const Desk& desk, const ClassChanges& changes) {
+    return desk.last_run && changes.rising.empty() && changes.falling.empty() && changes.level.empty() &&
+           changes.fresh.empty() && changes.gone.empty() && desk.gradebook.reports_are_written();
+}
+
+/// Who rises, who falls and why.
+void tell_changes(const Desk& desk, const Gradebook::Comparison& comparison, const reference::AssignmentFile& file,
+                  const Marking& marking, const fs::path& out) {
+    if (desk.of_an_older_raygrade) {
+        fmt::print("\n{} holds results without a gradebook, of an older raygrade: nothing can be compared.\n",
+                   out.string());
+    }
+    if (!desk.last_run) return;
+    const Run& last = *desk.last_run;
+    fmt::print("\nCompared with run {} of {}:\n", last.number, last.author.when);
+    const std::string assignment =
+        assignment_change({last.assignment, last.toml}, {marking.assignment.name, file.toml}, marking);
+    if (!assignment.empty()) fmt::print("{}\n", assignment);
+    if (last.raygrade != RAYGRADE_VERSION)
+        fmt::print("raygrade is {} now, {} before.\n", RAYGRADE_VERSION, last.raygrade);
+    fmt::print("{}{}\n", report::changes_text(comparison.changes), report::changes_summary(comparison.changes));
+    if (!desk.gradebook.reports_are_written()) {
+        fmt::print(
+            "The files beside the gradebook are older than it: a command was ended before it had written them.\n");
+    }
+}
+
+void tell_without_place(const std::vector<KeptOverride>& overrides) {
+    for (const KeptOverride& each : overrides) {
+        fmt::print(stderr, "note: the override of {} for {} is kept, but there is no such submission or item here\n",
+                   place_of(each.given), escape_control(each.submission));
+    }
+}
+
+void tell_notes(const std::vector<Graded>& graded) {
+    for (const Graded& one : graded) {
+        for (const std::string& note : one.submission.notes)
+            fmt::print(stderr, "note: {}: {}\n", one.submission.id, note);
+    }
+}
+
+}  // namespace
 
 void tell_canvas(const report::CanvasImport& import, const fs::path& file) {
     const auto list = [](const char* what, const std::vector<std::string>& names) {
@@ -114,37 +168,50 @@ void tell_canvas(const report::CanvasImport& import, const fs::path& file) {
 }
 
 int grade_command(const GradeOptions& options) {
-    const auto roster = read_roster(options);
-    const auto worksheet = read_worksheet(options);
-    const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
+    const auto roster_given = read_roster_file(options);
+    const auto worksheet_given = read_worksheet_file(options);
+    const reference::AssignmentFile file = reference::read_assignment_file(options.assignment, assignments_folder());
+    const reference::Assignment assignment = reference::parse_assignment(file.toml, file.path);
     const auto marking = begin_marking(assignment);
     std::vector<Submission> submissions = find_submissions(options.paths);
-    prepare_results(options.out, "grades.json", options.force ? Replace::yes : Replace::no, "feedback");
+    const Holds holds = look_into(options.out, marks_of_results(), "feedback");
+    if (holds == Holds::nothing || options.apply) make_results_folder(options.out, "feedback");
+    const FolderLock lock(options.out);
+    Desk desk = open_desk(options, holds);
+    const auto roster = find_roster(roster_given, desk.gradebook, options);
+    const auto worksheet = find_worksheet(worksheet_given, desk.gradebook, options);
     if (!options.trace.empty()) check_trace(options.trace);
     prepare_report_file(options.junit, "--junit", ".xml");
     const Workshop workshop = open_workshop(options.workshop, assignment.limits);
     tell_of_the_sandbox(workshop);
     // A mistake of the assignment is to be told before a class is compiled.
     for (const std::string& note : marking.get().key.notes) fmt::print(stderr, "note: {}\n", note);
-    const std::vector<Graded> graded =
+    std::vector<Graded> graded =
         grade_with_progress(std::move(submissions), marking, workshop, options.jobs, options.trace);
-    fmt::print("{}", report::class_table(graded));
+    const auto without_place = attach(desk.gradebook.overrides(), graded);
+    const auto comparison = desk.gradebook.compare(graded);
+    if (desk.writes || desk.of_an_older_raygrade) fmt::print("{}", report::class_table(graded));
+    tell_changes(desk, comparison, file, marking.get(), options.out);
     std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
-    for (const Graded& one : graded) {
-        for (const std::string& note : one.submission.notes)
-            fmt::print(stderr, "note: {}: {}\n", one.submission.id, note);
+    tell_notes(graded);
+    tell_without_place(without_place);
+    if (!desk.writes) {
+        fmt::print("{}", is_unchanged(desk, comparison.changes) ? "Nothing has changed, and nothing was written.\n"
+                                                                : "Nothing was written; --apply writes it.\n");
+        return status_of(graded);
     }
-    try {
-        if (roster) {
-            const report::CanvasImport import = report::canvas_import(*roster, graded);
-            write_file(options.out / "grades-canvas.csv", import.csv);
-            tell_canvas(import, options.out / "grades-canvas.csv");
-        }
-        write_results(graded, marking.get(), workshop.sandbox->tier(), options.out);
-        write_for_systems(options, worksheet, graded, marking.get());
-    } catch (const fs::filesystem_error& error) {
-        throw HarnessError(fmt::format("{}: can't be written: {}", error.path1().string(), error.code().message()));
-    }
+    const Tier tier = workshop.sandbox->tier();
+    const Run run{0, author_now(), RAYGRADE_VERSION, assignment.name, file.path, file.toml, tier};
+    std::vector<KeptInput> inputs;
+    if (roster_given) inputs.push_back(*roster_given);
+    if (worksheet_given) inputs.push_back(*worksheet_given);
+    desk.gradebook.save(run, graded, comparison, inputs);
+    const HandedBack handed_back = write_class_reports({graded, marking.get(), tier, roster, worksheet}, options.out);
+    desk.gradebook.note_reports_written();
+    write_junit_file(options, graded, marking.get());
+    if (handed_back.canvas) tell_canvas(*handed_back.canvas, options.out / canvas_import_name);
+    if (handed_back.moodle) tell_moodle(*handed_back.moodle, options.out / moodle_import_name);
+    if (handed_back.feedback) tell_feedback(*handed_back.feedback, options.out / feedback_zip_name);
     fmt::print("\nresults: {}\nfeedback: {}\n", (options.out / "grades.json").string(),
                (options.out / "feedback").string());
     return status_of(graded);

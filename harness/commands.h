@@ -25,7 +25,7 @@ struct GradeOptions {
     std::string assignment;
     std::filesystem::path out;
     int jobs = 1;
-    bool force = false;                   ///< replace the results of an earlier run
+    bool apply = false;  ///< write, also over the results of an earlier run; else show what would change
     std::filesystem::path canvas_roster;  ///< a gradebook exported from Canvas; empty for none
     std::string canvas_column;            ///< the assignment's in it; empty for the only one
     std::filesystem::path trace;          ///< where to write a trace of the run; empty for none
@@ -35,6 +35,18 @@ struct GradeOptions {
     std::filesystem::path junit = {};              ///< where to write JUnit XML; empty for nowhere
 };
 int grade_command(const GradeOptions& options);
+
+struct OverrideOptions {
+    std::string id;      ///< of the submission
+    std::string item;    ///< "6.t", "6" or "total"
+    std::string points;  ///< as written; empty with remove
+    std::optional<std::string> why;
+    std::string by;  ///< empty for the account that runs raygrade
+    std::filesystem::path results = "results";
+    bool remove = false;
+    bool list = false;  ///< show the overrides there are and do nothing else
+};
+int override_command(const OverrideOptions& options);
 
 struct CheckOptions {
     std::filesystem::path source;

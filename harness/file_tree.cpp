@@ -45,7 +45,8 @@ void sort(Contents& contents) {
 /// Results of raygrade's own, which lie in the class's folder when it was graded from there.
 bool holds_results(const path& folder) {
     std::error_code ignored;
-    return std::filesystem::is_regular_file(folder / "grades.json", ignored) &&
+    return (std::filesystem::is_regular_file(folder / "grades.json", ignored) ||
+            std::filesystem::is_regular_file(folder / "gradebook.sqlite", ignored)) &&
            std::filesystem::is_directory(folder / "feedback", ignored);
 }
 

@@ -51,4 +51,9 @@ std::optional<FinalMark> final_mark(const Graded& graded) {
     return FinalMark{points - deduction, deduction};
 }
 
+std::optional<double> points_that_count(const Graded& graded) {
+    const auto mark = final_mark(graded);
+    return mark ? std::optional(mark->points) : std::nullopt;
+}
+
 }  // namespace harness

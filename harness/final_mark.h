@@ -27,4 +27,7 @@ struct FinalMark {
 /// share for a late hand-in. Empty when it was not graded and the instructor has not given it points as a whole.
 std::optional<FinalMark> final_mark(const Graded& graded);
 
+/// Its points alone.
+std::optional<double> points_that_count(const Graded& graded);
+
 }  // namespace harness

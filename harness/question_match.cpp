@@ -166,12 +166,18 @@ bool keeps_order(const std::vector<Placed>& candidates, const Matcher& matcher, 
     return true;
 }
 
-/// The best that reading one list without a name as several scalars gives, if it gains more than `best_gain`.
-std::vector<Placed> take_best_list_apart(const std::vector<Placed>& candidates, std::span<const ItemSpec> items,
-                                         const Matcher& matcher, std::int64_t& best_gain) {
+/// Candidates, and the best way to answer the items with them.
+struct Reading {
+    std::vector<Placed> candidates;
+    Matcher::Solution solution;
+};
+
+/// The best that reading one list without a name as several scalars gives; empty if nothing gains more than `whole`.
+std::optional<Reading> take_best_list_apart(const Reading& whole, std::span<const ItemSpec> items,
+                                            const Matcher& matcher) {
     constexpr std::size_t most_lists = 8;
-    const Matcher::Solution whole = matcher.solve(candidates);
-    std::vector<Placed> best;
+    const std::vector<Placed>& candidates = whole.candidates;
+    std::optional<Reading> best;
     std::size_t lists = 0;
     for (std::size_t k = 0; k < candidates.size() && lists < most_lists; ++k) {
         const PrintedValue& value = candidates[k].candidate.value;
@@ -183,32 +189,29 @@ std::vector<Placed> take_best_list_apart(const std::vector<Placed>& candidates, 
             const bool fit = std::all_of(named.begin(), named.end(), [&](const ItemSpec& item) {
                 return item.shape == Shape::scalar && !matcher.forbids(value, item);
             });
-            if (!fit || !keeps_order(candidates, matcher, whole, k, first, count)) continue;
+            if (!fit || !keeps_order(candidates, matcher, whole.solution, k, first, count)) continue;
             std::vector<Placed> trial = with_list_apart(candidates, k, items, first);
-            const std::int64_t gain = matcher.solve(trial).gain;
-            if (gain <= best_gain) continue;
-            best_gain = gain;
-            best = std::move(trial);
+            Matcher::Solution solution = matcher.solve(trial);
+            if (solution.gain <= (best ? *best : whole).solution.gain) continue;
+            best = Reading{std::move(trial), std::move(solution)};
         }
     }
     return best;
 }
 
 /// Reads lists without a name as several scalars, "1 -4 2" as a, b, c, where that lets more items be answered.
-std::vector<Placed> take_lists_apart(std::vector<Placed> candidates, std::span<const ItemSpec> items,
-                                     const Matcher& matcher) {
+Reading take_lists_apart(Reading reading, std::span<const ItemSpec> items, const Matcher& matcher) {
     constexpr std::size_t most_candidates = 48;
     constexpr int most_apart = 3;
     const bool scalars =
         std::any_of(items.begin(), items.end(), [](const ItemSpec& i) { return i.shape == Shape::scalar; });
-    if (!scalars || candidates.size() > most_candidates) return candidates;
-    std::int64_t gain = matcher.solve(candidates).gain;
+    if (!scalars || reading.candidates.size() > most_candidates) return reading;
     for (int apart = 0; apart < most_apart; ++apart) {
-        std::vector<Placed> better = take_best_list_apart(candidates, items, matcher, gain);
-        if (better.empty()) break;
-        candidates = std::move(better);
+        std::optional<Reading> better = take_best_list_apart(reading, items, matcher);
+        if (!better) break;
+        reading = std::move(*better);
     }
-    return candidates;
+    return reading;
 }
 
 }  // namespace
@@ -257,11 +260,12 @@ Answers answer_question(std::span<const ItemSpec> items, std::span<const std::ve
         }
     }
     const Matcher matcher(items, need, fits);
-    if (need == Need::order_or_label) candidates = take_lists_apart(std::move(candidates), items, matcher);
     Matcher::Solution solution = matcher.solve(candidates);
-    Answers answers{{}, std::move(solution.candidate_of), solution.gain};
-    answers.candidates.reserve(candidates.size());
-    for (Placed& placed : candidates) answers.candidates.push_back(std::move(placed.candidate));
+    Reading reading{std::move(candidates), std::move(solution)};
+    if (need == Need::order_or_label) reading = take_lists_apart(std::move(reading), items, matcher);
+    Answers answers{{}, std::move(reading.solution.candidate_of), reading.solution.gain};
+    answers.candidates.reserve(reading.candidates.size());
+    for (Placed& placed : reading.candidates) answers.candidates.push_back(std::move(placed.candidate));
     return answers;
 }
 

@@ -18,6 +18,7 @@ constexpr const char* about =
     "Grades a ray-casting assignment: compiles each ray_cast.cpp, runs it, reads its ten\n"
     "answers and marks them against a certified key.\n\n"
     "  raygrade grade class/ --out results     a class: marks, reports, grades.json\n"
+    "  raygrade override s05 6.t 2 --why ...   an instructor's mark in place of the automatic one\n"
     "  raygrade check ray_cast.cpp             a student's own check before handing in\n"
     "  raygrade reference                      the canonical answers\n"
     "  raygrade cast < queries.jsonl           exact answers to any rays\n"
@@ -102,7 +103,9 @@ int run(int argc, char** argv) {
         ->required()
         ->type_name("PATH...");
     add_assignment(grade_app, grade.assignment);
-    grade_app.add_option("-o,--out", grade.out, "The folder for grades.json, grades.csv and feedback/<id>.md")
+    grade_app
+        .add_option("-o,--out", grade.out,
+                    "The folder for gradebook.sqlite, grades.json, grades.csv and feedback/<id>.md")
         ->type_name("DIR")
         ->capture_default_str();
     grade_app
@@ -110,7 +113,9 @@ int run(int argc, char** argv) {
         ->check(CLI::Range(1, 1024))
         ->type_name("N")
         ->capture_default_str();
-    grade_app.add_flag("--force", grade.force, "Replace the results of an earlier run in the output folder");
+    grade_app.add_flag("--apply", grade.apply,
+                       "Write the new marks over those of an earlier run in the output folder; without it a regrade "
+                       "only shows who rises, who falls and why");
     grade_app
         .add_option("--canvas-roster", grade.canvas_roster,
                     "A gradebook exported from Canvas: also write grades-canvas.csv, which Canvas imports, and say who "
@@ -140,6 +145,24 @@ int run(int argc, char** argv) {
     add_workshop(grade_app, grade.workshop);
     grade_app.footer(limits_footer() +
                      "\nExample: raygrade grade submissions/ --assignment a6-2021 --out results -j 4");
+
+    OverrideOptions given;
+    CLI::App& override_app = *app.add_subcommand(
+        "override", "Give points in place of the automatic ones: they stay through every regrade, with the reason");
+    override_app.add_option("id", given.id, "The submission, as the reports name it")->type_name("ID");
+    override_app.add_option("item", given.item, "An item such as 6.t, a question such as 6, or total")
+        ->type_name("ITEM");
+    override_app.add_option("points", given.points, "What it gets instead, 0 or more")->type_name("POINTS");
+    override_app.add_option("--why", given.why, "The reason, which the student reads too")->type_name("TEXT");
+    override_app.add_option("--by", given.by, "Who decides; by default the account that runs raygrade")
+        ->type_name("NAME");
+    override_app.add_option("--results", given.results, "The folder that `raygrade grade` wrote its results to")
+        ->type_name("DIR")
+        ->capture_default_str();
+    override_app.add_flag("--remove", given.remove, "Take an override back: the automatic points count again");
+    override_app.add_flag("--list", given.list, "Show the overrides there are");
+    override_app.footer(
+        "The reports are written again at once. Example: raygrade override s05 6.t 1.5 --why \"right but for a sign\"");
 
     CheckOptions check{{}, "default", {}, {}};
     CLI::App& check_app = *app.add_subcommand(
@@ -234,6 +257,7 @@ int run(int argc, char** argv) {
         return app.exit(error) == 0 ? all_graded : usage;
     }
     if (grade_app.parsed()) return grade_command(grade);
+    if (override_app.parsed()) return override_command(given);
     if (check_app.parsed()) return check_command(check);
     if (reference_app.parsed()) return reference_command(reference_options);
     if (cast_app.parsed()) return cast_command();

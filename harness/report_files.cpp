@@ -13,7 +13,6 @@
 #include "harness/clean_text.h"
 #include "harness/final_mark.h"
 #include "harness/find_submissions.h"
-#include "harness/report/feedback_zip.h"
 #include "harness/report/gradescope.h"
 #include "harness/report/junit.h"
 #include "harness/results_folder.h"
@@ -25,43 +24,6 @@ namespace fs = std::filesystem;
 
 void list(const char* what, const std::vector<std::string>& names) {
     for (const std::string& name : names) fmt::print("  {}: {}\n", what, escape_control(name));
-}
-
-void tell_moodle(const report::MoodleImport& import, const fs::path& file) {
-    fmt::print("for Moodle: {}, {} filled in\n", file.string(), import.matched);
-    if (import.other_maximum) {
-        fmt::print("  the worksheet's maximum grade is {:g}, not the assignment's: points are filled in as they are\n",
-                   *import.other_maximum);
-    }
-    list("ambiguous, left out", import.ambiguous);
-    list("not in the worksheet, left out", import.unmatched);
-    list("not graded, left out", import.not_graded);
-    list("locked in Moodle, left out", import.locked);
-    list("above the maximum grade, left out", import.above);
-    list("lower than before", import.lowered);
-    list("nothing handed in, left as it is", import.without);
-}
-
-void write_worksheet(const fs::path& file, const std::optional<report::MoodleWorksheet>& worksheet,
-                     const std::vector<Graded>& graded) {
-    if (!worksheet) {
-        fs::remove(file);
-        return;
-    }
-    const report::MoodleImport import = report::moodle_import(*worksheet, graded);
-    write_file(file, import.csv);
-    tell_moodle(import, file);
-}
-
-void write_feedback(const fs::path& file, const std::vector<Graded>& graded, const Marking& marking) {
-    if (!report::is_from_lms(graded)) {
-        fs::remove(file);
-        return;
-    }
-    report::FeedbackZip zip;
-    write_file(file, [&](std::ostream& stream) { zip = report::write_feedback_zip(stream, graded, marking); });
-    fmt::print("feedback to hand back: {}, {} pages\n", file.string(), zip.pages);
-    list("left out", zip.left_out);
 }
 
 std::string from_environment(const char* name) {
@@ -117,7 +79,7 @@ void prepare_report_file(const fs::path& file, std::string_view option, std::str
     }
 }
 
-std::optional<report::MoodleWorksheet> read_worksheet(const GradeOptions& options) {
+std::optional<KeptInput> read_worksheet_file(const GradeOptions& options) {
     if (options.moodle_worksheet.empty()) {
         if (options.moodle_columns.empty()) return std::nullopt;
         throw UsageError("--moodle-column: names a column of no worksheet; give it with --moodle-worksheet");
@@ -132,19 +94,40 @@ std::optional<report::MoodleWorksheet> read_worksheet(const GradeOptions& option
         throw UsageError(fmt::format("{}: can't be read: {}", name,
                                      text.size() > longest ? "it is larger than 64 MiB" : std::strerror(errno)));
     }
+    std::string columns;
+    for (const std::string& column : options.moodle_columns) columns += column + '\n';
+    KeptInput input{moodle_worksheet_input, columns, text};
     try {
-        return report::read_moodle_worksheet(text, options.moodle_columns);
+        read_worksheet(input);
     } catch (const report::RosterError& error) {
         throw UsageError(fmt::format("{} {}", name, error.what()));
     }
+    return input;
 }
 
-void write_for_systems(const GradeOptions& options, const std::optional<report::MoodleWorksheet>& worksheet,
-                       const std::vector<Graded>& graded, const Marking& marking) {
-    write_worksheet(options.out / "grades-moodle.csv", worksheet, graded);
-    write_feedback(options.out / "feedback.zip", graded, marking);
+void write_junit_file(const GradeOptions& options, const std::vector<Graded>& graded, const Marking& marking) {
     if (options.junit.empty()) return;
     write_file(options.junit, [&](std::ostream& stream) { report::write_junit(stream, graded, marking); });
+}
+
+void tell_moodle(const report::MoodleImport& import, const fs::path& file) {
+    fmt::print("for Moodle: {}, {} filled in\n", file.string(), import.matched);
+    if (import.other_maximum) {
+        fmt::print("  the worksheet's maximum grade is {:g}, not the assignment's: points are filled in as they are\n",
+                   *import.other_maximum);
+    }
+    list("ambiguous, left out", import.ambiguous);
+    list("not in the worksheet, left out", import.unmatched);
+    list("not graded, left out", import.not_graded);
+    list("locked in Moodle, left out", import.locked);
+    list("above the maximum grade, left out", import.above);
+    list("lower than before", import.lowered);
+    list("nothing handed in, left as it is", import.without);
+}
+
+void tell_feedback(const report::FeedbackZip& zip, const fs::path& file) {
+    fmt::print("feedback to hand back: {}, {} pages\n", file.string(), zip.pages);
+    list("left out", zip.left_out);
 }
 
 CheckFiles::CheckFiles(const CheckOptions& options) : options_(options) {

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/class_reports.h"
 #include "harness/commands.h"
 #include "harness/report/classroom50.h"
-#include "harness/report/moodle.h"
 
 namespace harness {
 
@@ -17,13 +17,15 @@ namespace harness {
 /// student's. Nothing when the path is empty. Throws UsageError, which names the option.
 void prepare_report_file(const std::filesystem::path& file, std::string_view option, std::string_view ending);
 
-/// The worksheet that --moodle-worksheet names; empty without one. Throws UsageError.
-std::optional<report::MoodleWorksheet> read_worksheet(const GradeOptions& options);
+/// The worksheet that --moodle-worksheet names, to be kept in the gradebook; empty without one. Throws UsageError.
+std::optional<KeptInput> read_worksheet_file(const GradeOptions& options);
 
-/// grades-moodle.csv, feedback.zip and the JUnit file, as far as they are called for, and on stdout who is left out.
-/// What an earlier run wrote and this one does not is removed. Throws HarnessError.
-void write_for_systems(const GradeOptions& options, const std::optional<report::MoodleWorksheet>& worksheet,
-                       const std::vector<Graded>& graded, const Marking& marking);
+/// The JUnit file, if it is asked for. Throws HarnessError.
+void write_junit_file(const GradeOptions& options, const std::vector<Graded>& graded, const Marking& marking);
+
+/// On stdout who is left out.
+void tell_moodle(const report::MoodleImport& import, const std::filesystem::path& file);
+void tell_feedback(const report::FeedbackZip& zip, const std::filesystem::path& file);
 
 /// The files that a check is asked for, seen to before anything is run.
 class CheckFiles {

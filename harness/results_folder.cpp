@@ -1,8 +1,11 @@
 #include "harness/results_folder.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -27,22 +30,21 @@ bool is_without_files(const fs::path& out, const std::string& feedback) {
 
 }  // namespace
 
-void prepare_results(const fs::path& out, const std::string& mark, Replace replace, const std::string& feedback) {
+Holds look_into(const fs::path& out, const std::vector<std::string>& marks, const std::string& feedback) {
     std::error_code error;
     if (fs::exists(out, error) && !fs::is_directory(out, error)) {
         throw UsageError(fmt::format("{}: is a file; name a folder for the results with --out", out.string()));
     }
-    const bool empty = is_without_files(out, feedback);
-    const bool earlier = fs::exists(out / mark, error);
-    if (!empty && earlier && replace == Replace::no) {
-        throw UsageError(fmt::format(
-            "{}: holds the results of an earlier run; replace them with --force, or name another folder with --out",
-            out.string()));
-    }
-    if (!empty && !earlier) {
-        throw UsageError(fmt::format(
-            "{}: is not empty and holds no results of raygrade; name another folder with --out", out.string()));
-    }
+    if (is_without_files(out, feedback)) return Holds::nothing;
+    const bool earlier =
+        std::any_of(marks.begin(), marks.end(), [&](const std::string& mark) { return fs::exists(out / mark, error); });
+    if (earlier) return Holds::earlier_results;
+    throw UsageError(
+        fmt::format("{}: is not empty and holds no results of raygrade; name another folder with --out", out.string()));
+}
+
+void make_results_folder(const fs::path& out, const std::string& feedback) {
+    std::error_code error;
     const fs::path probe = feedback.empty() ? out : out / feedback;
     fs::create_directories(probe, error);
     if (error)
@@ -54,20 +56,28 @@ void prepare_results(const fs::path& out, const std::string& mark, Replace repla
     }
 }
 
+FolderLock::FolderLock(const fs::path& folder) : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (!folder_ || flock(folder_.get(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    throw UsageError(
+        fmt::format("{}: another raygrade is at work on it; run this again when that has ended", folder.string()));
+}
+
 void write_file(const fs::path& file, const std::function<void(std::ostream&)>& write) {
     const fs::path fresh = file.string() + ".new";
-    errno = 0;
-    std::ofstream stream(fresh, std::ios::binary);
-    write(stream);
-    stream.close();
-    if (!stream) {
-        const std::string why = errno == 0 ? "writing failed" : std::strerror(errno);
+    const auto fail = [&](const std::string& why) {
         std::error_code ignored;
         fs::remove(fresh, ignored);
         throw HarnessError(fmt::format("{}: can't be written: {}; free some space or name another folder with --out",
                                        file.string(), why));
-    }
-    fs::rename(fresh, file);
+    };
+    errno = 0;
+    std::ofstream stream(fresh, std::ios::binary);
+    write(stream);
+    stream.close();
+    if (!stream) fail(errno == 0 ? "writing failed" : std::strerror(errno));
+    std::error_code error;
+    fs::rename(fresh, file, error);
+    if (error) fail(error.message());
 }
 
 void write_file(const fs::path& file, const std::string& text) {

@@ -1,19 +1,37 @@
-// The folder that a command writes its results to: never over anybody else's files.
+// The folder that a command writes its results to: never over anybody else's files, and by one command at a time.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <ostream>
 #include <string>
+#include <vector>
+
+#include "harness/sandbox/file_descriptor.h"
 
 namespace harness {
 
-enum class Replace { no, yes };
+enum class Holds { nothing, earlier_results };
 
-/// Makes the folder and, where `feedback` names one, that folder in it. It is new, empty, or holds the results of an
-/// earlier run, known by the file `mark`, that may be replaced. Throws UsageError.
-void prepare_results(const std::filesystem::path& out, const std::string& mark, Replace replace,
-                     const std::string& feedback = "");
+/// What `out` holds: it is missing or empty but for an empty folder called `feedback`, or it holds one of the files
+/// `marks`, by which the results of an earlier run are known. Throws UsageError for anything else.
+Holds look_into(const std::filesystem::path& out, const std::vector<std::string>& marks,
+                const std::string& feedback = "");
+
+/// Makes the folder and, where `feedback` names one, that folder in it, and looks whether they can be written. Throws
+/// UsageError.
+void make_results_folder(const std::filesystem::path& out, const std::string& feedback = "");
+
+/// Held while a command reads and writes a folder, so that two don't mix their results.
+class FolderLock {
+  public:
+    /// Throws UsageError when another raygrade holds it. A folder that is missing, or on a file system without such
+    /// locks, is not locked.
+    explicit FolderLock(const std::filesystem::path& folder);
+
+  private:
+    FileDescriptor folder_;
+};
 
 /// Writes a whole file or throws HarnessError; what was there before stays until the new one is complete.
 void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);

@@ -12,15 +12,51 @@ namespace {
 /// few 2^-53, and summing n of them adds n 2^-53.
 constexpr double own_error = 0x1p-40;
 
-/// A sum in lanes, as the compiler may not reorder additions of doubles to use vectors.
-class Sum {
-  public:
-    void add(std::size_t i, double x) { lanes_[i % lanes_.size()] += x; }
-    double value() const { return std::accumulate(lanes_.begin(), lanes_.end(), 0.0); }
+/// Sums in lanes, as the compiler may not reorder additions of doubles to use vectors.
+using Lanes = std::array<double, 8>;
 
-  private:
-    std::array<double, 8> lanes_{};
+double sum(const Lanes& lanes) {
+    return std::accumulate(lanes.begin(), lanes.end(), 0.0);
+}
+
+struct Sizes {
+    double results = 0;   ///< the sum of |r_i|
+    double operands = 0;  ///< the sum of |p x_i| + |q y_i|
 };
+
+/// r = p x + q y for n numbers.
+Sizes combine(double* r, double p, const double* x, double q, const double* y, std::size_t n) {
+    Lanes results{};
+    Lanes operands{};
+    const auto add = [&](std::size_t i, std::size_t lane) {
+        const double one = p * x[i];
+        const double other = q * y[i];
+        r[i] = one + other;
+        results[lane] += std::abs(r[i]);
+        operands[lane] += std::abs(one) + std::abs(other);
+    };
+    std::size_t i = 0;
+    for (; i + results.size() <= n; i += results.size()) {
+        for (std::size_t lane = 0; lane < results.size(); ++lane) add(i + lane, lane);
+    }
+    for (; i < n; ++i) add(i, i % results.size());
+    return {sum(results), sum(operands)};
+}
+
+/// r = p x for n numbers; the sum of their sizes.
+double scale(double* r, double p, const double* x, std::size_t n) {
+    Lanes results{};
+    const auto add = [&](std::size_t i, std::size_t lane) {
+        r[i] = p * x[i];
+        results[lane] += std::abs(r[i]);
+    };
+    std::size_t i = 0;
+    for (; i + results.size() <= n; i += results.size()) {
+        for (std::size_t lane = 0; lane < results.size(); ++lane) add(i + lane, lane);
+    }
+    for (; i < n; ++i) add(i, i % results.size());
+    return sum(results);
+}
 
 }  // namespace
 
@@ -81,28 +117,17 @@ Affine<T> Affine<T>::combination(double p, const Affine& x, double q, const Affi
     result.roundings_ = x.roundings_ != nullptr ? x.roundings_ : y.roundings_;
     result.center_ = p * x.center_ + q * y.center_;
     result.slack_ = std::abs(p) * x.slack_ + std::abs(q) * y.slack_;
-    const std::vector<double>& longer = x.deviations_.size() < y.deviations_.size() ? y.deviations_ : x.deviations_;
+    const Deviations& longer = x.deviations_.size() < y.deviations_.size() ? y.deviations_ : x.deviations_;
     const std::size_t common = std::min(x.deviations_.size(), y.deviations_.size());
     const double factor = &longer == &x.deviations_ ? p : q;
     // With room for the rounding that follows.
     if (result.roundings_ != nullptr) result.deviations_.reserve(result.roundings_->count() + 1);
-    result.deviations_.resize(longer.size());
-    Sum sizes;
-    Sum operands;
-    for (std::size_t i = 0; i < common; ++i) {
-        const double one = p * x.deviations_[i];
-        const double other = q * y.deviations_[i];
-        result.deviations_[i] = one + other;
-        sizes.add(i, std::abs(one + other));
-        operands.add(i, std::abs(one) + std::abs(other));
-    }
-    for (std::size_t i = common; i < longer.size(); ++i) {
-        result.deviations_[i] = factor * longer[i];
-        sizes.add(i, std::abs(factor * longer[i]));
-    }
-    result.sizes_ = sizes.value();
+    result.deviations_.resize(longer.size(), boost::container::default_init);
+    const Sizes sizes = combine(result.deviations_.data(), p, x.deviations_.data(), q, y.deviations_.data(), common);
+    result.sizes_ = sizes.results +
+                    scale(result.deviations_.data() + common, factor, longer.data() + common, longer.size() - common);
     // What cancels here does so up to the roundings of the two products.
-    result.slack_ += 0x1p-51 * (1 + own_error) * operands.value();
+    result.slack_ += 0x1p-51 * (1 + own_error) * sizes.operands;
     result.slack_ += 0x1p-51 * (std::abs(p * x.center_) + std::abs(q * y.center_));
     return result;
 }

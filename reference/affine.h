@@ -4,10 +4,10 @@
 // (2004).
 #pragma once
 
+#include <boost/container/vector.hpp>
 #include <compare>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 #include "reference/interval.h"
 
@@ -57,6 +57,9 @@ class Affine {
     friend std::partial_ordering sign_of(const Affine& x) { return sign_of(x.range()); }
 
   private:
+    /// Its elements need not be set to zero before they are computed.
+    using Deviations = boost::container::vector<double>;
+
     Affine plus(const Affine& y) const;
     Affine minus(const Affine& y) const;
     Affine times(const Affine& y) const;
@@ -77,9 +80,9 @@ class Affine {
 
     Roundings* roundings_ = nullptr;
     double center_ = 0;
-    double slack_ = 0;                ///< infinite when nothing is known
-    double sizes_ = 0;                ///< the sum of the deviations' sizes
-    std::vector<double> deviations_;  ///< by the rounding's number; what is missing at the end is 0
+    double slack_ = 0;       ///< infinite when nothing is known
+    double sizes_ = 0;       ///< the sum of the deviations' sizes
+    Deviations deviations_;  ///< by the rounding's number; what is missing at the end is 0
 };
 
 extern template class Affine<float>;

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "reference/assignment_file.h"
 #include "reference/rubric_reader.h"
 #include "reference/scene_reader.h"
 #include "reference/toml_table.h"
@@ -74,7 +75,7 @@ Assignment parse_assignment(std::string_view toml, const std::filesystem::path& 
     return assignment;
 }
 
-Assignment load_assignment(const std::string& name_or_file, const std::filesystem::path& directory) {
+AssignmentFile read_assignment_file(const std::string& name_or_file, const std::filesystem::path& directory) {
     namespace fs = std::filesystem;
     fs::path path = name_or_file;
     std::error_code error;
@@ -95,7 +96,12 @@ Assignment load_assignment(const std::string& name_or_file, const std::filesyste
     std::ostringstream text;
     text << file.rdbuf();
     if (!file) throw AssignmentError(fmt::format("{}: can't be read; check its permissions", path.string()));
-    return parse_assignment(text.str(), path);
+    return {path, text.str()};
+}
+
+Assignment load_assignment(const std::string& name_or_file, const std::filesystem::path& directory) {
+    const AssignmentFile file = read_assignment_file(name_or_file, directory);
+    return parse_assignment(file.toml, file.path);
 }
 
 }  // namespace reference

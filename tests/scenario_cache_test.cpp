@@ -156,7 +156,7 @@ void grade_and_kill(const Class& some, std::size_t enough) {
     if (child == 0) {
         setenv("XDG_CACHE_HOME", cache.c_str(), 1);
         if (freopen("/dev/null", "w", stdout) == nullptr || freopen("/dev/null", "w", stderr) == nullptr) _exit(1);
-        execl(RAYGRADE_BINARY, RAYGRADE_BINARY, "grade", folder.c_str(), "--out", out.c_str(), "--force", nullptr);
+        execl(RAYGRADE_BINARY, RAYGRADE_BINARY, "grade", folder.c_str(), "--out", out.c_str(), "--apply", nullptr);
         _exit(1);
     }
     const auto deadline = std::chrono::steady_clock::now() + 100s;

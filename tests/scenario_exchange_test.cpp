@@ -36,7 +36,7 @@ class Exchange : public testing::Test {
     }
     Result grade(const fs::path& class_, const std::vector<std::string>& options) const {
         std::vector<std::string> arguments = {"grade", class_.string(), "--assignment", "a6-2021",
-                                              "--out", out().string(),  "--force"};
+                                              "--out", out().string(),  "--apply"};
         arguments.insert(arguments.end(), options.begin(), options.end());
         return raygrade(arguments);
     }

@@ -76,7 +76,7 @@ class Fault : public testing::Test {
     fs::path temporary() const { return folder / "tmp"; }
     void add(const std::string& id, std::string_view source) const { write(students() / id / "ray_cast.cpp", source); }
     std::vector<std::string> command(std::vector<std::string> more = {}) const {
-        std::vector<std::string> words = {"grade", students().string(), "--out", out().string(), "--force"};
+        std::vector<std::string> words = {"grade", students().string(), "--out", out().string(), "--apply"};
         words.insert(words.end(), more.begin(), more.end());
         return words;
     }
@@ -227,7 +227,7 @@ json marks(const fs::path& grades) {
 }
 
 TEST_F(Fault, FourBusyLoopsDoNotChangeAMark) {
-    std::vector<std::string> words = {"grade", "--out", out().string(), "--force", "-j", "2"};
+    std::vector<std::string> words = {"grade", "--out", out().string(), "--apply", "-j", "2"};
     for (const char* who : {"ada", "ben", "mateo", "nadia", "oskar", "priya", "quentin", "rosa"}) {
         words.push_back(sample(who).string());
     }

@@ -224,25 +224,24 @@ TEST_F(BadInput, AnOutputFolderWithSomeonesFiles) {
     }
 }
 
-TEST_F(BadInput, EarlierResultsAreKeptUnlessForced) {
+TEST_F(BadInput, EarlierResultsAreKeptUnlessApplied) {
     ASSERT_EQ(grade().status, 0);
     const std::string before = read(out() / "grades.json");
     write(students() / "late/ray_cast.cpp", small_program);
 
-    const Result refused = grade();
-    EXPECT_EQ(refused.status, usage) << refused.both();
-    EXPECT_THAT(refused.voice, HasSubstr(out().string()));
-    EXPECT_THAT(refused.voice, HasSubstr("--force"));
+    const Result shown = grade();
+    EXPECT_EQ(shown.status, 0) << shown.both();
+    EXPECT_THAT(shown.output, HasSubstr("--apply"));
     EXPECT_EQ(read(out() / "grades.json"), before);
 
-    const Result forced = raygrade({"grade", students().string(), "--out", out().string(), "--force"});
-    EXPECT_EQ(forced.status, 0) << forced.both();
+    const Result applied = raygrade({"grade", students().string(), "--out", out().string(), "--apply"});
+    EXPECT_EQ(applied.status, 0) << applied.both();
     EXPECT_FALSE(graded("late").is_null());
 }
 
 TEST_F(BadInput, EarlierResultsInTheClassAreNoStudent) {
     const std::vector<std::string> words = {"grade", students().string(), "--out", (students() / "results").string(),
-                                            "--force"};
+                                            "--apply"};
     ASSERT_EQ(raygrade(words).status, 0);
     const Result again = raygrade(words);
     EXPECT_EQ(again.status, 0) << again.both();

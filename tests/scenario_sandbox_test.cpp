@@ -35,7 +35,7 @@ class Sandboxed : public testing::Test {
     fs::path students() const { return folder / "class"; }
     fs::path out() const { return folder / "out"; }
     Result grade(std::vector<std::string> more, const Preparation& prepare = {}) const {
-        more.insert(more.begin(), {"grade", "--out", out().string(), "--force"});
+        more.insert(more.begin(), {"grade", "--out", out().string(), "--apply"});
         more.push_back(students().string());
         return raygrade(more, prepare);
     }

@@ -146,11 +146,12 @@ CanvasImport canvas_import(const CanvasRoster& roster, const std::vector<Graded>
         } else if (found->second.size() > 1) {
             for (const Graded* one : found->second)
                 import.ambiguous.push_back(one->submission.id + ": " + name_of(row));
-        } else if (const auto mark = final_mark(*found->second.front())) {
-            ++import.matched;
-            import.csv += with_score(roster.students[row], fmt::format("{:.2f}", mark->points));
-        } else {
+        } else if (!points_that_count(*found->second.front())) {
             import.not_graded.push_back(found->second.front()->submission.id);
+        } else {
+            ++import.matched;
+            import.csv +=
+                with_score(roster.students[row], fmt::format("{:.2f}", *points_that_count(*found->second.front())));
         }
     }
     return import;

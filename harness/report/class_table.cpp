@@ -3,45 +3,44 @@
 #include <algorithm>
 #include <map>
 
-#include "harness/clean_text.h"
+#include "harness/final_mark.h"
+#include "harness/override_place.h"
+#include "harness/report/columns.h"
 #include "harness/report/report.h"
 
 namespace harness::report {
 namespace {
-
-constexpr std::size_t widest_id = 28;
-
-/// Cuts or fills to a width in code points, as near as a table gets to columns.
-std::string padded(std::string_view text, std::size_t width) {
-    std::string result;
-    std::size_t columns = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool starts = (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U;
-        if (starts && columns == width) break;
-        if (starts) ++columns;
-        result += text[i];
-    }
-    return result + std::string(width - std::min(width, columns), ' ');
-}
-
-std::string one_line(std::string text) {
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    std::replace(text.begin(), text.end(), '\t', ' ');
-    return escape_control(text);
-}
-
-std::size_t code_points(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
 
 std::string row_of(const Graded& graded, std::size_t id_width) {
     std::string row =
         fmt::format("{}  {:<13}", padded(one_line(graded.submission.id), id_width), to_string(graded.outcome));
     const bool marked = graded.outcome != Outcome::not_graded;
     for (const QuestionScore& question : graded.score.questions)
-        row += fmt::format(" {:>5}", marked ? points_text(question.points) : "-");
-    return row + fmt::format("  {:>6}\n", marked ? points_text(graded.score.points) : "-");
+        row += fmt::format(" {:>5}", marked ? points_text(final_points(graded, question)) : "-");
+    const auto points = points_that_count(graded);
+    return row + fmt::format("  {:>6}{}\n", points ? points_text(*points) : "-", graded.overrides.empty() ? "" : "*");
+}
+
+/// What the instructor gave in place of the automatic marks, and what a late hand-in has lost.
+std::string departures(const std::vector<Graded>& graded) {
+    std::string text;
+    for (const Graded& one : graded) {
+        const std::string id = one_line(one.submission.id);
+        for (const Override& given : one.overrides) {
+            const auto automatic = points_at(one.score, given);
+            if (!automatic) continue;
+            const bool marked = one.outcome != Outcome::not_graded;
+            text += fmt::format("* {}: {} {} in place of {}, by {}: {}\n", id, place_of(given),
+                                points_text(given.points), marked ? points_text(automatic->automatic) : "no mark",
+                                one_line(given.by), one_line(given.why));
+        }
+        const auto mark = final_mark(one);
+        if (mark && mark->late_deduction > 0) {
+            text += fmt::format("late: {}: {} points taken off, {:g} %\n", id, points_text(mark->late_deduction),
+                                one.late_share * 100);
+        }
+    }
+    return text.empty() ? "" : "\n" + text;
 }
 
 struct Tally {
@@ -49,8 +48,8 @@ struct Tally {
     double points = 0, max_points = 0;
 };
 
-void count(Tally& tally, const QuestionScore& question) {
-    tally.points += question.points;
+void count(Tally& tally, const Graded& graded, const QuestionScore& question) {
+    tally.points += final_points(graded, question);
     tally.max_points += question.max_points;
     for (const ItemScore& item : question.items) {
         switch (item.verdict) {
@@ -67,7 +66,7 @@ std::string summary(const std::vector<Graded>& graded) {
     std::map<int, Tally> tallies;
     for (const Graded& one : graded) {
         if (one.outcome == Outcome::not_graded) continue;
-        for (const QuestionScore& question : one.score.questions) count(tallies[question.number], question);
+        for (const QuestionScore& question : one.score.questions) count(tallies[question.number], one, question);
     }
     std::string text = fmt::format("\n{:<26} {:>7}  {:>6} {:>6} {:>6} {:>7} {:>10}\n", "question", "average", "right",
                                    "follow", "wrong", "missing", "unreadable");
@@ -84,7 +83,7 @@ std::string summary(const std::vector<Graded>& graded) {
 
 std::string class_table(const std::vector<Graded>& graded) {
     if (graded.empty()) return "";
-    std::size_t id_width = 10;
+    std::size_t id_width = narrowest_id;
     for (const Graded& one : graded)
         id_width = std::max(id_width, std::min(widest_id, code_points(one_line(one.submission.id))));
     std::string text = padded("submission", id_width) + fmt::format("  {:<13}", "outcome");
@@ -92,17 +91,21 @@ std::string class_table(const std::vector<Graded>& graded) {
         text += fmt::format(" {:>5}", fmt::format("Q{}", question.number));
     text += fmt::format("  {:>6}\n", "points");
     double sum = 0;
-    std::size_t marked = 0;
+    std::size_t marked = 0, by_hand = 0;
     for (const Graded& one : graded) {
         text += row_of(one, id_width);
-        if (one.outcome == Outcome::not_graded) continue;
-        sum += one.score.points;
+        const auto points = points_that_count(one);
+        if (!points) continue;
+        sum += *points;
         ++marked;
+        if (one.outcome == Outcome::not_graded) ++by_hand;
     }
+    text += departures(graded);
     text += summary(graded);
     if (marked > 0) {
         text +=
-            fmt::format("\n{} of {} graded, average {} of {} points\n", marked, graded.size(),
+            fmt::format("\n{} of {} graded{}, average {} of {} points\n", marked - by_hand, graded.size(),
+                        by_hand > 0 ? fmt::format(", {} marked by hand", by_hand) : "",
                         points_text(sum / static_cast<double>(marked)), points_text(graded.front().score.max_points));
     }
     if (const std::string warning = sandbox_warning(graded.front().tier); !warning.empty()) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "harness/clean_text.h"
+#include "harness/final_mark.h"
+#include "harness/override_place.h"
 #include "harness/report/report.h"
 
 namespace harness::report {
@@ -41,13 +43,44 @@ std::string where(const ItemScore& item) {
     return item.line == 0 ? "" : fmt::format(" (line {} of your output)", item.line);
 }
 
-std::string item_line(int question, const ItemScore& item, Outcome outcome) {
+std::string item_line(const Graded& graded, const QuestionScore& question, const ItemScore& item) {
     const std::string name = item.spec.shape == reference::Shape::verdict ? "the verdict" : std::string(item.spec.name);
-    std::string text = fmt::format("- Question {}, {}{}: ", question, name, where(item));
+    std::string text = fmt::format("- Question {}, {}{}: ", question.number, name, where(item));
     if (!item.printed.empty()) text += fmt::format("you printed {}. ", code(item.printed));
-    text += item_sentence(item, outcome);
+    text += item_sentence(item, graded.outcome);
     if (!item.diagnosis.empty()) text += fmt::format(" ({})", item.diagnosis);
-    return text + fmt::format(" {} of {} points.\n", points_text(item.points), points_text(item.max_points));
+    text += fmt::format(" {} of {} points", points_text(item.points), points_text(item.max_points));
+    const Override* given = find_override(graded, question.number, std::string(item.spec.name));
+    if (given != nullptr) text += fmt::format("; your instructor gave {}", points_text(given->points));
+    return text + ".\n";
+}
+
+/// What the instructor gave instead, and why.
+std::string from_the_instructor(const Graded& graded) {
+    std::string text;
+    for (const Override& given : graded.overrides) {
+        const auto there = points_at(graded.score, given);
+        if (!there) continue;
+        const std::string instead =
+            graded.outcome == Outcome::not_graded ? "" : fmt::format(", in place of {}", points_text(there->automatic));
+        text += fmt::format("- Your instructor gave {} of {} for {}{}: {}\n", points_text(given.points),
+                            points_text(there->most), place_in_words(given), instead, code(given.why));
+    }
+    return text.empty() ? "" : text + "\n";
+}
+
+/// The mark, and why it is not the sum of the questions where it is not.
+std::string mark_lines(const Graded& graded) {
+    const auto mark = final_mark(graded);
+    if (!mark) return "";
+    std::string text =
+        fmt::format("**{} of {} points**\n\n", points_text(mark->points), points_text(graded.score.max_points));
+    if (mark->late_deduction > 0) {
+        text += fmt::format("Handed in late: {} of {} points are taken off ({:g} %).\n\n",
+                            points_text(mark->late_deduction), points_text(mark->points + mark->late_deduction),
+                            graded.late_share * 100);
+    }
+    return text + from_the_instructor(graded);
 }
 
 std::string verdict_of(const QuestionScore& question) {
@@ -67,7 +100,7 @@ std::string items_worth_saying(const Graded& graded) {
             continue;
         }
         for (const ItemScore& item : question.items) {
-            if (!item_sentence(item, graded.outcome).empty()) text += item_line(question.number, item, graded.outcome);
+            if (!item_sentence(item, graded.outcome).empty()) text += item_line(graded, question, item);
         }
     }
     return text;
@@ -97,17 +130,17 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
         text += fmt::format("> **Warning.** {}\n\n", warning);
     }
     if (graded.outcome == Outcome::not_graded) {
-        return text + fmt::format("**Not graded.** {}\n", why_not_graded(graded.submission));
+        return text + mark_lines(graded) + fmt::format("**Not graded.** {}\n", why_not_graded(graded.submission));
     }
     const Score& score = graded.score;
-    text += fmt::format("**{} of {} points**\n\n", points_text(score.points), points_text(score.max_points));
+    text += mark_lines(graded);
     if (!graded.explanation.empty()) text += graded.explanation + "\n\n";
     if (score.follow_cap) text += cap_sentence(*score.follow_cap) + "\n\n";
     text += "| Question | | Result | Points |\n|---:|---|---|---:|\n";
     for (const QuestionScore& question : score.questions) {
-        text +=
-            fmt::format("| {} | {} | {} | {} of {} |\n", question.number, reference::question_title(question.number),
-                        verdict_of(question), points_text(question.points), points_text(question.max_points));
+        text += fmt::format("| {} | {} | {} | {} of {} |\n", question.number,
+                            reference::question_title(question.number), verdict_of(question),
+                            points_text(final_points(graded, question)), points_text(question.max_points));
     }
     const std::string items = graded.outcome == Outcome::compile_error ? "" : items_worth_saying(graded);
     if (!items.empty()) text += "\n## Answers to look at\n\n" + items;

@@ -1,9 +1,22 @@
 #include <fmt/format.h>
 
+#include "harness/final_mark.h"
+#include "harness/override_place.h"
 #include "harness/report/csv_cell.h"
 #include "harness/report/report.h"
 
 namespace harness::report {
+
+namespace {
+
+/// Where the instructor's marks stand in place of the automatic ones: "6.t 8".
+std::string overridden(const Graded& graded) {
+    std::string places;
+    for (const Override& given : graded.overrides) places += (places.empty() ? "" : " ") + place_of(given);
+    return places;
+}
+
+}  // namespace
 
 std::string grades_csv(const std::vector<Graded>& graded) {
     std::string text = "id,outcome,points,max_points";
@@ -11,14 +24,17 @@ std::string grades_csv(const std::vector<Graded>& graded) {
         for (const QuestionScore& question : graded.front().score.questions)
             text += fmt::format(",Q{}", question.number);
     }
-    text += ",explanation,sandbox\r\n";
+    text += ",explanation,sandbox,automatic_points,late_deduction,overridden\r\n";
     for (const Graded& one : graded) {
         const bool marked = one.outcome != Outcome::not_graded;
+        const auto mark = final_mark(one);
         text += fmt::format("{},{},{},{}", csv_cell(one.submission.id), to_string(one.outcome),
-                            marked ? points_text(one.score.points) : "", points_text(one.score.max_points));
+                            mark ? points_text(mark->points) : "", points_text(one.score.max_points));
         for (const QuestionScore& question : one.score.questions)
-            text += "," + (marked ? points_text(question.points) : "");
-        text += "," + csv_cell(one.explanation) + "," + std::string(to_string(one.tier)) + "\r\n";
+            text += "," + (marked ? points_text(final_points(one, question)) : "");
+        text += fmt::format(",{},{},{},{},{}\r\n", csv_cell(one.explanation), to_string(one.tier),
+                            marked ? points_text(one.score.points) : "", mark ? points_text(mark->late_deduction) : "",
+                            csv_cell(overridden(one)));
     }
     return text;
 }

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "harness/clean_text.h"
+#include "harness/final_mark.h"
 #include "harness/report/report.h"
 #include "reference/value_json.h"
 
@@ -43,10 +44,11 @@ class Expected {
     std::map<reference::ItemId, ordered_json> values_;
 };
 
-ordered_json item_json(const ItemScore& item, const Expected& expected) {
+ordered_json item_json(const Graded& graded, const QuestionScore& question, const ItemScore& item,
+                       const Expected& expected) {
     ordered_json json{{"name", item.spec.name},
                       {"verdict", to_string(item.verdict)},
-                      {"points", tidy(item.points)},
+                      {"points", tidy(final_points(graded, question, item))},
                       {"max_points", tidy(item.max_points)},
                       {"printed", or_null(item.printed)},
                       {"line", item.line == 0 ? ordered_json(nullptr) : ordered_json(item.line)},
@@ -54,18 +56,33 @@ ordered_json item_json(const ItemScore& item, const Expected& expected) {
                       {"error", item.error ? ordered_json(*item.error) : ordered_json(nullptr)},
                       {"allowance", item.allowance},
                       {"accepted_as", or_null(item.accepted_as)},
-                      {"diagnosis", or_null(item.diagnosis)}};
+                      {"diagnosis", or_null(item.diagnosis)},
+                      {"automatic_points", tidy(item.points)}};
     return json;
 }
 
-ordered_json question_json(const QuestionScore& question, const Expected& expected) {
+ordered_json question_json(const Graded& graded, const QuestionScore& question, const Expected& expected) {
     ordered_json items = ordered_json::array();
-    for (const ItemScore& item : question.items) items.push_back(item_json(item, expected));
+    for (const ItemScore& item : question.items) items.push_back(item_json(graded, question, item, expected));
     return {{"number", question.number},
             {"verdict", to_string(question.verdict)},
-            {"points", tidy(question.points)},
+            {"points", tidy(final_points(graded, question))},
             {"max_points", tidy(question.max_points)},
-            {"items", items}};
+            {"items", items},
+            {"automatic_points", tidy(question.points)}};
+}
+
+ordered_json overrides_json(const Graded& graded) {
+    ordered_json overrides = ordered_json::array();
+    for (const Override& given : graded.overrides) {
+        overrides.push_back({{"question", given.question == 0 ? ordered_json(nullptr) : ordered_json(given.question)},
+                             {"item", or_null(given.item)},
+                             {"points", tidy(given.points)},
+                             {"why", escape_control(given.why)},
+                             {"by", escape_control(given.by)},
+                             {"when", given.when}});
+    }
+    return overrides;
 }
 
 ordered_json run_json(const ProcessResult& run) {
@@ -88,6 +105,7 @@ ordered_json student_json(const std::optional<LmsName>& name) {
 
 ordered_json submission_json(const Graded& graded, const Expected& expected) {
     const bool marked = graded.outcome != Outcome::not_graded;
+    const auto mark = final_mark(graded);
     ordered_json notes = ordered_json::array();
     for (const std::string& note : graded.submission.notes) notes.push_back(escape_control(note));
     ordered_json flags = ordered_json::array();
@@ -98,7 +116,7 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
     ordered_json questions = ordered_json::array();
     if (marked) {
         for (const QuestionScore& question : graded.score.questions)
-            questions.push_back(question_json(question, expected));
+            questions.push_back(question_json(graded, question, expected));
     }
     return {
         {"id", escape_control(graded.submission.id)},
@@ -110,11 +128,14 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
         {"notes", notes},
         {"build", {{"seconds", seconds(graded.build.wall)}, {"diagnostics", escape_control(graded.build.diagnostics)}}},
         {"run", run_json(graded.run)},
-        {"points", marked ? ordered_json(tidy(graded.score.points)) : ordered_json(nullptr)},
+        {"points", mark ? ordered_json(tidy(mark->points)) : ordered_json(nullptr)},
         {"max_points", tidy(graded.score.max_points)},
         {"questions", questions},
         {"sanitizer", sanitizer},
-        {"flags", flags}};
+        {"flags", flags},
+        {"automatic_points", marked ? ordered_json(tidy(graded.score.points)) : ordered_json(nullptr)},
+        {"late_deduction", mark ? ordered_json(tidy(mark->late_deduction)) : ordered_json(nullptr)},
+        {"overrides", overrides_json(graded)}};
 }
 
 }  // namespace

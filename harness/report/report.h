@@ -12,6 +12,8 @@ namespace harness::report {
 
 // Marks that were made without a sandbox say so in every one of them.
 
+// Their points are those that count (final_mark.h), with the automatic ones beside them where they differ.
+
 /// The class table and the summary by question, for a terminal. Ends in a newline.
 std::string class_table(const std::vector<Graded>& graded);
 
@@ -19,8 +21,9 @@ std::string class_table(const std::vector<Graded>& graded);
 void write_grades_json(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking, Tier tier);
 std::string grades_json(const std::vector<Graded>& graded, const Marking& marking, Tier tier);
 
-/// One row a submission, RFC 4180 with a header: id, outcome, points, max_points, the points by question,
-/// the explanation and the sandbox. A cell that a spreadsheet would take for a formula begins with an apostrophe.
+/// One row a submission, RFC 4180 with a header: id, outcome, points, max_points, the points by question, the
+/// explanation, the sandbox, the automatic points, what is taken off for lateness and where marks are overridden. A
+/// cell that a spreadsheet would take for a formula begins with an apostrophe.
 std::string grades_csv(const std::vector<Graded>& graded);
 
 /// A student's feedback as Markdown: points and, for each lost mark, question, line, what was printed and what is wrong

@@ -97,6 +97,19 @@ TEST(CanvasImport, NeverGuesses) {
     EXPECT_EQ(rows_of(import.csv).size(), 2U) << "nobody's score is changed";
 }
 
+TEST(CanvasImport, HasThePointsThatCount) {
+    Graded late = handed_in("s14");
+    late.late_share = 0.5;
+    Graded by_hand = not_graded("ppoe");
+    by_hand.overrides = {{0, "", 40, "by hand", "bea", ""}};
+    const CanvasImport import = import_of({late, by_hand});
+    const auto rows = rows_of(import.csv);
+    ASSERT_EQ(rows.size(), 4U);
+    EXPECT_EQ(rows[2].back(), "49.17");
+    EXPECT_EQ(rows[3].back(), "40.00");
+    EXPECT_THAT(import.not_graded, IsEmpty());
+}
+
 TEST(CanvasImport, LeavesAloneWhatHasNoMarks) {
     const CanvasImport import = import_of({not_graded("14")});
     EXPECT_THAT(import.not_graded, ElementsAre("14"));

@@ -34,6 +34,28 @@ TEST(ClassTable, ShowsNoControlBytes) {
     EXPECT_THAT(table, Not(HasSubstr("\a")));
 }
 
+TEST(ClassTable, MarksAnOverriddenMarkAndSaysWhoGaveWhatWhy) {
+    Graded zoe = graded("zoe", output_with_a_mistake());
+    zoe.overrides = {{6, "t", 1.5, "right\x1b idea", "bea", ""}};
+    Graded bob = not_graded("bob");
+    bob.overrides = {{0, "", 40, "by hand", "cem", ""}};
+    const std::string table = class_table({zoe, bob, graded("ada", output_with_a_mistake())});
+    EXPECT_THAT(table, HasSubstr("   99.83*\n"));
+    EXPECT_THAT(table, HasSubstr("      40*\n"));
+    EXPECT_THAT(table, HasSubstr("   98.33\n"));
+    EXPECT_THAT(table, HasSubstr("* zoe: 6.t 1.5 in place of 0, by bea: right\\x1b idea\n"));
+    EXPECT_THAT(table, HasSubstr("* bob: total 40 in place of no mark, by cem: by hand\n"));
+    EXPECT_THAT(table, HasSubstr("2 of 3 graded, 1 marked by hand, average 79.39 of")) << "of (99.83, 40, 98.33)";
+    EXPECT_THAT(table, HasSubstr("  9.83 ")) << "question 6";
+}
+
+TEST(ClassTable, SaysWhatALateHandInHasLost) {
+    Graded zoe = graded("zoe", output_with_a_mistake());
+    zoe.late_share = 0.1;
+    EXPECT_THAT(class_table({zoe}), HasSubstr("late: zoe: 9.83 points taken off, 10 %\n"));
+    EXPECT_THAT(class_table({zoe}), HasSubstr("   88.5\n"));
+}
+
 TEST(ClassTable, SumsUpEachQuestion) {
     const std::string table = class_table({graded("zoe", output_with_a_mistake())});
     EXPECT_THAT(table, HasSubstr("ray and sphere"));

@@ -154,5 +154,36 @@ TEST(CheckText, ShowsNoControlBytes) {
     EXPECT_THAT(check_text(hostile()), Not(HasSubstr("\x1b")));
 }
 
+TEST(Feedback, SaysWhatTheInstructorGaveInsteadAndWhy) {
+    Graded zoe = graded("zoe", output_with_a_mistake());
+    zoe.overrides = {{6, "t", 1.5, "the right `idea`\x1b", "bea", ""}, {8, "", 4, "copied", "bea", ""}};
+    const std::string text = feedback_markdown(zoe, marking());
+    EXPECT_THAT(text, HasSubstr("**93.83 of 100 points**"));
+    EXPECT_THAT(
+        text,
+        HasSubstr("- Your instructor gave 1.5 of 1.67 for question 6, t, in place of 0: ``the right `idea`\\x1b"));
+    EXPECT_THAT(text, HasSubstr("- Your instructor gave 4 of 10 for question 8, in place of 10: `copied`"));
+    EXPECT_THAT(text, HasSubstr("| 6 | ray and sphere | wrong | 9.83 of 10 |"));
+    EXPECT_THAT(text, HasSubstr(" 0 of 1.67 points; your instructor gave 1.5.\n"));
+    EXPECT_THAT(text, Not(HasSubstr("late")));
+}
+
+TEST(Feedback, SaysWhatALateHandInHasLost) {
+    Graded zoe = graded("zoe", output_with_a_mistake());
+    zoe.late_share = 0.1;
+    const std::string text = feedback_markdown(zoe, marking());
+    EXPECT_THAT(text, HasSubstr("**88.5 of 100 points**"));
+    EXPECT_THAT(text, HasSubstr("Handed in late: 9.83 of 98.33 points are taken off (10 %)."));
+}
+
+TEST(Feedback, HasTheInstructorsMarkOfWhatCouldNotBeGraded) {
+    Graded bob = not_graded("bob");
+    bob.overrides = {{0, "", 40, "by hand", "bea", ""}};
+    const std::string text = feedback_markdown(bob, marking());
+    EXPECT_THAT(text, HasSubstr("**40 of 100 points**"));
+    EXPECT_THAT(text, HasSubstr("- Your instructor gave 40 of 100 for the whole: `by hand`"));
+    EXPECT_THAT(text, HasSubstr("**Not graded.**"));
+}
+
 }  // namespace
 }  // namespace harness::report

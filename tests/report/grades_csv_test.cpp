@@ -37,10 +37,11 @@ std::vector<std::vector<std::string>> read_csv(const std::string& text) {
 TEST(GradesCsv, ReadsBackAsARowASubmission) {
     const auto rows = read_csv(grades_csv({graded("zoe", output_with_a_mistake()), graded("ada", "")}));
     ASSERT_EQ(rows.size(), 3U);
-    EXPECT_THAT(rows[0], ElementsAre("id", "outcome", "points", "max_points", "Q1", "Q2", "Q3", "Q4", "Q5", "Q6", "Q7",
-                                     "Q8", "Q9", "Q10", "explanation", "sandbox"));
+    EXPECT_THAT(rows[0],
+                ElementsAre("id", "outcome", "points", "max_points", "Q1", "Q2", "Q3", "Q4", "Q5", "Q6", "Q7", "Q8",
+                            "Q9", "Q10", "explanation", "sandbox", "automatic_points", "late_deduction", "overridden"));
     EXPECT_THAT(rows[1], ElementsAre("zoe", "graded", "98.33", "100", "10", "10", "10", "10", "10", "8.33", "10", "10",
-                                     "10", "10", "", "bwrap+shim"));
+                                     "10", "10", "", "bwrap+shim", "98.33", "0", ""));
     EXPECT_EQ(rows[2][1], "no_output");
     EXPECT_EQ(rows[2][2], "0");
 }
@@ -57,7 +58,7 @@ TEST(GradesCsv, GivesASpreadsheetNothingToCompute) {
     ASSERT_EQ(rows.size(), 2U) << "a line break within a cell";
     EXPECT_EQ(rows[1].size(), rows[0].size());
     EXPECT_THAT(rows[1].front(), StartsWith("'="));
-    EXPECT_THAT(rows[1].at(rows[1].size() - 2), StartsWith("'=")) << "the explanation";
+    EXPECT_THAT(rows[1].at(14), StartsWith("'=")) << "the explanation";
     for (const char* start : {"=1", "+1", "-1", "@x", "\tx", "  =1"}) {
         Graded one = graded("s", "");
         one.submission.id = start;
@@ -69,14 +70,34 @@ TEST(GradesCsv, HoldsNoControlBytes) {
     EXPECT_EQ(grades_csv({hostile()}).find('\x1b'), std::string::npos);
 }
 
+TEST(GradesCsv, HasThePointsThatCountWithTheAutomaticOnesAtTheEnd) {
+    Graded one = graded("zoe", output_with_a_mistake());
+    one.late_share = 0.5;
+    one.overrides = {{6, "t", 1, "idea", "bea", ""}, {8, "", 4, "idea", "bea", ""}};
+    Graded whole = not_graded("bob");
+    whole.overrides = {{0, "", 40, "by hand", "bea", ""}};
+    const auto rows = read_csv(grades_csv({one, whole}));
+    EXPECT_EQ(rows[1][2], "46.67") << "half of 98.33 + 1 - 6";
+    EXPECT_EQ(rows[1][9], "9.33") << "question 6";
+    EXPECT_EQ(rows[1][11], "4") << "question 8";
+    EXPECT_EQ(rows[1][16], "98.33");
+    EXPECT_EQ(rows[1][17], "46.67");
+    EXPECT_EQ(rows[1][18], "6.t 8");
+    EXPECT_EQ(rows[2][2], "40");
+    EXPECT_EQ(rows[2][4], "") << "it has no questions";
+    EXPECT_EQ(rows[2][16], "");
+    EXPECT_EQ(rows[2][18], "total");
+}
+
 TEST(GradesCsv, NamesTheSandbox) {
     Graded one = graded("s", "");
     one.tier = Tier::unsafe;
-    EXPECT_EQ(read_csv(grades_csv({one}))[1].back(), "unsafe");
+    EXPECT_EQ(read_csv(grades_csv({one}))[1].at(15), "unsafe");
 }
 
 TEST(GradesCsv, HasItsHeaderWithoutSubmissions) {
-    EXPECT_EQ(grades_csv({}), "id,outcome,points,max_points,explanation,sandbox\r\n");
+    EXPECT_EQ(grades_csv({}),
+              "id,outcome,points,max_points,explanation,sandbox,automatic_points,late_deduction,overridden\r\n");
 }
 
 }  // namespace

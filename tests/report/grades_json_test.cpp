@@ -28,8 +28,9 @@ TEST(GradesJson, HasEveryFieldOfTheFormat) {
     EXPECT_THAT(keys(root), IsSupersetOf({"schema", "assignment", "sandbox", "submissions"}));
     EXPECT_EQ(root.at("schema"), "raygrade/grades/1");
     const json& submission = root.at("submissions").at(0);
-    EXPECT_THAT(keys(submission), IsSupersetOf({"id", "student", "file", "source_sha256", "outcome", "build", "run",
-                                                "points", "max_points", "questions", "flags"}));
+    EXPECT_THAT(keys(submission),
+                IsSupersetOf({"id", "student", "file", "source_sha256", "outcome", "build", "run", "points",
+                              "max_points", "questions", "flags", "automatic_points", "late_deduction", "overrides"}));
     EXPECT_THAT(keys(submission.at("student")), IsSupersetOf({"name", "lms_user_id", "late"}));
     EXPECT_THAT(keys(submission.at("build")), IsSupersetOf({"seconds", "diagnostics"}));
     EXPECT_THAT(keys(submission.at("run")),
@@ -82,6 +83,35 @@ TEST(GradesJson, IsIndentedAsOneValueHoweverManySubmissions) {
         const std::string text = grades_json(all, marking(), harness::Tier::bwrap);
         EXPECT_EQ(text, nlohmann::ordered_json::parse(text).dump(2) + "\n") << count;
     }
+}
+
+TEST(GradesJson, HasThePointsThatCountBesideTheAutomaticOnesAndTheOverrides) {
+    Graded one = graded("zoe", output_with_a_mistake());
+    one.late_share = 0.5;
+    one.overrides = {{6, "t", 1, "idea\x1b", "bea", "2026-11-22T09:30:00Z"}, {8, "", 4, "idea", "bea", ""}};
+    const json submission = grades({one}).at("submissions").at(0);
+    EXPECT_NEAR(submission.at("points").get<double>(), (590.0 / 6 + 1 - 6) / 2, 1e-5);
+    EXPECT_NEAR(submission.at("automatic_points").get<double>(), 590.0 / 6, 1e-5);
+    EXPECT_NEAR(submission.at("late_deduction").get<double>(), (590.0 / 6 + 1 - 6) / 2, 1e-5);
+    const json& sphere = submission.at("questions").at(5);
+    EXPECT_NEAR(sphere.at("points").get<double>(), 50.0 / 6 + 1, 1e-5);
+    EXPECT_NEAR(sphere.at("automatic_points").get<double>(), 50.0 / 6, 1e-5);
+    EXPECT_EQ(sphere.at("items").at(4).at("points"), 1.0);
+    EXPECT_EQ(sphere.at("items").at(4).at("automatic_points"), 0.0);
+    EXPECT_EQ(submission.at("questions").at(7).at("points"), 4.0);
+    EXPECT_EQ(submission.at("overrides"), json::parse(R"([
+        {"question": 6, "item": "t", "points": 1.0, "why": "idea\\x1b", "by": "bea", "when": "2026-11-22T09:30:00Z"},
+        {"question": 8, "item": null, "points": 4.0, "why": "idea", "by": "bea", "when": ""}])"));
+}
+
+TEST(GradesJson, HasTheInstructorsMarkOfWhatCouldNotBeGraded) {
+    Graded bob = not_graded("bob");
+    bob.overrides = {{0, "", 40, "by hand", "bea", ""}};
+    const json submission = grades({bob}).at("submissions").at(0);
+    EXPECT_EQ(submission.at("points"), 40.0);
+    EXPECT_EQ(submission.at("automatic_points"), nullptr);
+    EXPECT_EQ(submission.at("overrides").at(0).at("question"), nullptr);
+    EXPECT_TRUE(grades({not_graded("cy")}).at("submissions").at(0).at("late_deduction").is_null());
 }
 
 TEST(GradesJson, AddsItsPointsUp) {

@@ -1,0 +1,135 @@
+#include "harness/class_changes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "harness/final_mark.h"
+#include "harness/report/report.h"
+
+namespace harness {
+namespace {
+
+using report::points_text;
+
+constexpr double a_millionth = 1e-6;
+
+std::string signed_points(double points) {
+    return (points > 0 ? "+" : "") + points_text(points);
+}
+
+/// Whether the item's own marks count, or an override's in their place.
+bool is_overridden(const Graded& graded, const ItemScore& item) {
+    return find_override(graded, item.spec.question, std::string(item.spec.name)) != nullptr ||
+           find_override(graded, item.spec.question, "") != nullptr || find_override(graded, 0, "") != nullptr;
+}
+
+using Items = std::map<std::pair<int, std::string_view>, const ItemScore*>;
+
+Items items_of(const Graded& graded) {
+    Items items;
+    for (const QuestionScore& question : graded.score.questions) {
+        for (const ItemScore& item : question.items) items[{question.number, item.spec.name}] = &item;
+    }
+    return items;
+}
+
+/// Either may be null, for what was not asked.
+std::string item_change(const ItemScore* before, const ItemScore* after, const Graded& graded) {
+    const ItemScore& item = after == nullptr ? *before : *after;
+    const double difference = (after == nullptr ? 0 : after->points) - (before == nullptr ? 0 : before->points);
+    const bool moves = std::abs(difference) > a_millionth;
+    std::string text = fmt::format("{}.{} ", item.spec.question, item.spec.name);
+    if (before == nullptr) {
+        text += fmt::format("is asked now: {}", to_string(after->verdict));
+    } else if (after == nullptr) {
+        text += "is no longer asked";
+    } else if (before->verdict != after->verdict) {
+        text += fmt::format("{} -> {}", to_string(before->verdict), to_string(after->verdict));
+    } else if (moves) {
+        text += fmt::format("still {}", to_string(after->verdict));
+    } else {
+        return "";
+    }
+    if (moves) text += fmt::format(" ({})", signed_points(difference));
+    return text + (is_overridden(graded, item) ? ", overridden" : "");
+}
+
+void add_items(std::vector<std::string>& reasons, const Graded& before, const Graded& after) {
+    const Items then = items_of(before);
+    Items all = then;
+    const Items now = items_of(after);
+    all.insert(now.begin(), now.end());
+    const auto in = [](const Items& items, const Items::key_type& key) {
+        const auto found = items.find(key);
+        return found == items.end() ? nullptr : found->second;
+    };
+    for (const auto& [key, item] : all) {
+        std::string text = item_change(in(then, key), in(now, key), after);
+        if (!text.empty()) reasons.push_back(std::move(text));
+    }
+}
+
+}  // namespace
+
+bool is_same_mark(const std::optional<double>& one, const std::optional<double>& other) {
+    if (!one || !other) return one.has_value() == other.has_value();
+    return std::abs(*one - *other) <= a_millionth;
+}
+
+MarkChange change_between(const Graded& before, const Graded& after) {
+    MarkChange change{after.submission.id, points_that_count(before), points_that_count(after), {}};
+    const std::string& source_then = before.submission.source_sha256;
+    const std::string& source_now = after.submission.source_sha256;
+    if (source_then != source_now) {
+        change.reasons.emplace_back(source_now.empty()    ? "no source any more"
+                                    : source_then.empty() ? "a source, where there was none"
+                                                          : "another source");
+    }
+    if (before.outcome != after.outcome) {
+        change.reasons.push_back(fmt::format("{} -> {}", to_string(before.outcome), to_string(after.outcome)));
+    }
+    if (before.late_share != after.late_share) {
+        change.reasons.push_back(
+            fmt::format("late: loses {:g} %, {:g} % before", after.late_share * 100, before.late_share * 100));
+    }
+    const bool both_marked = before.outcome != Outcome::not_graded && after.outcome != Outcome::not_graded;
+    if (both_marked) add_items(change.reasons, before, after);
+    return change;
+}
+
+void add(ClassChanges& changes, MarkChange change) {
+    if (is_same_mark(change.before, change.after)) {
+        if (change.reasons.empty()) {
+            ++changes.untouched;
+        } else {
+            changes.level.push_back(std::move(change));
+        }
+        return;
+    }
+    constexpr double below_all = -1;
+    const bool rises = change.after.value_or(below_all) > change.before.value_or(below_all);
+    (rises ? changes.rising : changes.falling).push_back(std::move(change));
+}
+
+std::string assignment_change(const AssignmentText& before, const AssignmentText& after, const Marking& marking) {
+    if (after.name != before.name) {
+        return fmt::format("The assignment is another one: {} now, {} before.", after.name, before.name);
+    }
+    if (after.toml == before.toml) return "";
+    const std::string text = fmt::format("The file of the assignment {} has changed", after.name);
+    try {
+        const reference::Assignment then = reference::parse_assignment(before.toml, before.name + ".toml");
+        const bool same_key = reference::to_json(reference::make_key(then, reference::Precision::certified)) ==
+                              reference::to_json(marking.key);
+        return text + (same_key ? "; its key is the same." : ", and with it the key.");
+    } catch (const std::exception&) {
+        return text + ".";  // it was read by another raygrade, whose files this one does not take
+    }
+}
+
+}  // namespace harness

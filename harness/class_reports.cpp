@@ -1,0 +1,116 @@
+#include "harness/class_reports.h"
+
+#include <fmt/format.h>
+
+#include <future>
+#include <sstream>
+
+#include "harness/failure.h"
+#include "harness/report/report.h"
+#include "harness/results_folder.h"
+
+namespace harness {
+namespace {
+
+namespace fs = std::filesystem;
+
+void remove_feedback(const fs::path& feedback) {
+    for (const auto& entry : fs::directory_iterator(feedback)) {
+        if (entry.path().extension() == ".md") fs::remove(entry.path());
+    }
+}
+
+void write_feedback(const ClassResults& results, std::size_t index, const fs::path& feedback) {
+    const Graded& one = results.graded[index];
+    write_file(feedback / (feedback_name(one.submission.id, index) + ".md"),
+               report::feedback_markdown(one, results.marking));
+}
+
+void write_all_feedback(const ClassResults& results, const fs::path& feedback) {
+    remove_feedback(feedback);
+    for (std::size_t i = 0; i < results.graded.size(); ++i) write_feedback(results, i, feedback);
+}
+
+std::optional<report::CanvasImport> write_canvas(const ClassResults& results, const fs::path& file) {
+    if (!results.canvas) {
+        fs::remove(file);  // of an earlier run, whose marks are not to be imported any more
+        return std::nullopt;
+    }
+    report::CanvasImport import = report::canvas_import(*results.canvas, results.graded);
+    write_file(file, import.csv);
+    return import;
+}
+
+std::optional<report::MoodleImport> write_moodle(const ClassResults& results, const fs::path& file) {
+    if (!results.moodle) {
+        fs::remove(file);
+        return std::nullopt;
+    }
+    report::MoodleImport import = report::moodle_import(*results.moodle, results.graded);
+    write_file(file, import.csv);
+    return import;
+}
+
+std::optional<report::FeedbackZip> write_zip(const ClassResults& results, const fs::path& file) {
+    if (!report::is_from_lms(results.graded)) {
+        fs::remove(file);
+        return std::nullopt;
+    }
+    report::FeedbackZip zip;
+    write_file(
+        file, [&](std::ostream& stream) { zip = report::write_feedback_zip(stream, results.graded, results.marking); });
+    return zip;
+}
+
+}  // namespace
+
+std::vector<std::string> marks_of_results() {
+    return {"grades.json", gradebook_name};
+}
+
+std::string feedback_name(const std::string& id, std::size_t index) {
+    constexpr std::size_t longest = 200;
+    std::string name;
+    for (const char c : id) name += c == '/' ? "%2F" : std::string(1, c);
+    if (name.size() > longest) name = fmt::format("{}-{}", name.substr(0, longest), index + 1);
+    return name;
+}
+
+std::optional<report::CanvasRoster> read_roster(const std::optional<KeptInput>& input) {
+    if (!input) return std::nullopt;
+    return report::read_canvas_roster(input->content, input->choice);
+}
+
+std::optional<report::MoodleWorksheet> read_worksheet(const std::optional<KeptInput>& input) {
+    if (!input) return std::nullopt;
+    std::vector<std::string> columns;
+    std::istringstream choice(input->choice);
+    for (std::string column; std::getline(choice, column);) columns.push_back(column);
+    return report::read_moodle_worksheet(input->content, columns);
+}
+
+HandedBack write_class_reports(const ClassResults& results, const fs::path& folder, std::optional<std::size_t> only) {
+    try {
+        std::future<void> written = std::async(std::launch::async, [&] {
+            if (only) {
+                write_feedback(results, *only, folder / "feedback");
+            } else {
+                write_all_feedback(results, folder / "feedback");
+            }
+        });
+        HandedBack handed_back;
+        handed_back.canvas = write_canvas(results, folder / canvas_import_name);
+        handed_back.moodle = write_moodle(results, folder / moodle_import_name);
+        write_file(folder / "grades.csv", report::grades_csv(results.graded));
+        write_file(folder / "grades.json", [&](std::ostream& stream) {
+            report::write_grades_json(stream, results.graded, results.marking, results.tier);
+        });
+        handed_back.feedback = write_zip(results, folder / feedback_zip_name);
+        written.get();
+        return handed_back;
+    } catch (const fs::filesystem_error& error) {
+        throw HarnessError(fmt::format("{}: can't be written: {}", error.path1().string(), error.code().message()));
+    }
+}
+
+}  // namespace harness

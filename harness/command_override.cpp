@@ -1,0 +1,180 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/class_reports.h"
+#include "harness/clean_text.h"
+#include "harness/commands.h"
+#include "harness/failure.h"
+#include "harness/find_submissions.h"
+#include "harness/near_names.h"
+#include "harness/report/report.h"
+#include "harness/results_folder.h"
+
+namespace harness {
+namespace {
+
+namespace fs = std::filesystem;
+using report::points_text;
+
+/// A class as its gradebook has it.
+struct Kept {
+    Run run;
+    std::vector<Graded> graded;  ///< with the overrides
+    std::vector<KeptOverride> overrides;
+};
+
+Kept restore(const Gradebook& gradebook, const fs::path& folder) {
+    const auto run = gradebook.last_run();
+    if (!run) {
+        throw UsageError(
+            fmt::format("{}: holds no gradebook; name the folder that `raygrade grade --out` wrote to "
+                        "with --results",
+                        folder.string()));
+    }
+    Kept kept{*run, gradebook.restore(), gradebook.overrides()};
+    attach(kept.overrides, kept.graded);
+    return kept;
+}
+
+/// The submission's place in the class. Throws UsageError with the near names when there is none.
+std::size_t find_submission(const std::vector<Graded>& graded, const std::string& id) {
+    std::vector<std::string> ids;
+    for (std::size_t i = 0; i < graded.size(); ++i) {
+        if (graded[i].submission.id == id) return i;
+        ids.push_back(graded[i].submission.id);
+    }
+    throw UsageError(
+        fmt::format("{}: is none of the submissions graded; {}", escape_control(id), did_you_mean(id, ids)));
+}
+
+void list(const Kept& kept) {
+    for (const KeptOverride& each : kept.overrides) {
+        const auto one = std::find_if(kept.graded.begin(), kept.graded.end(),
+                                      [&](const Graded& any) { return any.submission.id == each.submission; });
+        const auto there = one == kept.graded.end() ? std::nullopt : points_at(one->score, each.given);
+        const std::string instead =
+            there ? fmt::format("of {}, automatically {}", points_text(there->most), points_text(there->automatic))
+                  : "kept, but there is no such submission or item now";
+        fmt::print("{}  {}  {} ({})  by {}, {}: {}\n", escape_control(each.submission), place_of(each.given),
+                   points_text(each.given.points), instead, escape_control(each.given.by), each.given.when,
+                   escape_control(each.given.why));
+    }
+    if (kept.overrides.empty()) fmt::print("no overrides\n");
+}
+
+/// Everything that the last command may have left unwritten, or only what an override of one submission changes.
+void rewrite_reports(Gradebook& gradebook, const Kept& kept, bool all, std::optional<std::size_t> changed,
+                     const fs::path& folder) {
+    const reference::Assignment assignment = reference::parse_assignment(kept.run.toml, kept.run.assignment_file);
+    const auto marking = begin_marking(assignment);
+    std::optional<report::CanvasRoster> roster;
+    std::optional<report::MoodleWorksheet> worksheet;
+    try {
+        roster = read_roster(gradebook.input(canvas_roster_input));
+        worksheet = read_worksheet(gradebook.input(moodle_worksheet_input));
+    } catch (const report::RosterError& error) {
+        throw HarnessError(
+            fmt::format("{}: the roster kept in it {}", (folder / gradebook_name).string(), error.what()));
+    }
+    make_results_folder(folder, "feedback");
+    const ClassResults results{kept.graded, marking.get(), kept.run.tier, roster, worksheet};
+    if (all || changed) write_class_reports(results, folder, all ? std::nullopt : changed);
+    gradebook.note_reports_written();
+}
+
+void tell_mark(const Graded& before, const Graded& after) {
+    const auto text = [](const Graded& one) {
+        const auto points = points_that_count(one);
+        return points ? points_text(*points) : "no mark";
+    };
+    fmt::print("{}: {} -> {} of {} points in all\n", escape_control(after.submission.id), text(before), text(after),
+               points_text(after.score.max_points));
+}
+
+void put(Gradebook& gradebook, Kept& kept, std::size_t index, const OverrideOptions& options) {
+    Graded& one = kept.graded[index];
+    const Graded before = one;
+    const OverridePlace place = read_place(options.item, one);
+    const double points = read_override_points(options.points);
+    const Author author = author_now(options.by.empty() ? "" : read_line(options.by, "--by"));
+    const Override given{place.question, place.item, points, read_line(*options.why, "--why"),
+                         author.name,    author.when};
+    const PlacePoints there = points_at(one.score, given).value();
+    if (points > there.most) {
+        fmt::print(stderr, "note: {} is more than the {} points of the rubric\n", points_text(points),
+                   points_text(there.most));
+    }
+    std::erase_if(one.overrides, [&](const Override& each) { return place_of(each) == place_of(given); });
+    one.overrides.push_back(given);
+    gradebook.put_override({options.id, given}, there.automatic, points_that_count(one));
+    fmt::print("{} {}: {} of {}, automatically {}\n", escape_control(options.id), place_of(given), points_text(points),
+               points_text(there.most), one.outcome == Outcome::not_graded ? "no mark" : points_text(there.automatic));
+    tell_mark(before, one);
+}
+
+/// The place of the submission in the class, if it still is in it.
+std::optional<std::size_t> remove(Gradebook& gradebook, Kept& kept, const OverrideOptions& options) {
+    std::vector<std::string> places;
+    for (const KeptOverride& each : kept.overrides) {
+        if (each.submission == options.id) places.push_back(place_of(each.given));
+    }
+    const auto removed = std::find_if(kept.overrides.begin(), kept.overrides.end(), [&](const KeptOverride& each) {
+        return each.submission == options.id && place_of(each.given) == options.item;
+    });
+    if (removed == kept.overrides.end()) {
+        throw UsageError(fmt::format("{} of {}: is not overridden; {}", escape_control(options.item),
+                                     escape_control(options.id), did_you_mean(options.item, places)));
+    }
+    const Author author = author_now(options.by.empty() ? "" : read_line(options.by, "--by"));
+    const std::string why = read_line(*options.why, "--why");
+    const auto one = std::find_if(kept.graded.begin(), kept.graded.end(),
+                                  [&](const Graded& any) { return any.submission.id == options.id; });
+    if (one == kept.graded.end()) {
+        gradebook.remove_override(*removed, author, why, std::nullopt);
+        fmt::print("{} {}: removed\n", escape_control(options.id), escape_control(options.item));
+        return std::nullopt;
+    }
+    const Graded before = *one;
+    std::erase_if(one->overrides, [&](const Override& each) { return place_of(each) == options.item; });
+    gradebook.remove_override(*removed, author, why, points_that_count(*one));
+    tell_mark(before, *one);
+    return static_cast<std::size_t>(one - kept.graded.begin());
+}
+
+void check(const OverrideOptions& options) {
+    if (options.id.empty() || options.item.empty() || (options.points.empty() != options.remove)) {
+        throw UsageError(options.remove
+                             ? "override --remove takes a submission and an item: raygrade override s05 6.t --remove "
+                               "--why \"a slip\""
+                             : "override takes a submission, an item and points: raygrade override s05 6.t 1.5 --why "
+                               "\"right but for a sign\"");
+    }
+    if (!options.why) throw UsageError("override takes a reason: --why \"right but for a sign\"");
+}
+
+}  // namespace
+
+int override_command(const OverrideOptions& options) {
+    if (!options.list) check(options);
+    const FolderLock lock(options.results);
+    Gradebook gradebook(options.results);
+    Kept kept = restore(gradebook, options.results);
+    if (options.list) {
+        list(kept);
+        return all_graded;
+    }
+    // What a command that was ended has left unwritten is made good for.
+    const bool all = !gradebook.reports_are_written();
+    std::optional<std::size_t> changed;
+    if (options.remove) {
+        changed = remove(gradebook, kept, options);
+    } else {
+        changed = find_submission(kept.graded, options.id);
+        put(gradebook, kept, *changed, options);
+    }
+    rewrite_reports(gradebook, kept, all, changed, options.results);
+    return all_graded;
+}
+
+}  // namespace harness

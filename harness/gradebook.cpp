@@ -1,0 +1,249 @@
+#include "harness/gradebook.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_set>
+#include <utility>
+
+#include "harness/failure.h"
+#include "harness/final_mark.h"
+#include "harness/find_submissions.h"
+#include "harness/gradebook_file.h"
+#include "harness/gradebook_rows.h"
+#include "harness/graded_record.h"
+#include "harness/report/report.h"
+
+namespace harness {
+namespace {
+
+using SQLite::Statement;
+
+using Record = Gradebook::Comparison::Record;
+
+constexpr const char* last_run_number = "SELECT COALESCE(MAX(run), 0) FROM runs";
+
+std::vector<std::uint8_t> bytes(const SQLite::Column& column) {
+    const auto* begin = static_cast<const std::uint8_t*>(column.getBlob());
+    return {begin, begin + column.getBytes()};
+}
+
+Tier tier_called(const std::string& name) {
+    for (const Tier tier : {Tier::bwrap, Tier::landlock}) {
+        if (to_string(tier) == name) return tier;
+    }
+    return Tier::unsafe;
+}
+
+std::string override_text(const Override& given) {
+    return fmt::format("{}: {}", report::points_text(given.points), given.why);
+}
+
+std::string override_of(const KeptOverride& kept) {
+    return fmt::format("override of {} of {}", place_of(kept.given), kept.submission);
+}
+
+}  // namespace
+
+Gradebook::Gradebook(const std::filesystem::path& folder)
+    : file_(folder / gradebook_name), database_(open_gradebook(file_, Create::no)) {}
+
+Gradebook::~Gradebook() = default;
+Gradebook::Gradebook(Gradebook&&) noexcept = default;
+
+template <class Work>
+auto Gradebook::attempt(Work work) const -> decltype(work()) {
+    try {
+        return work();
+    } catch (const SQLite::Exception& error) {
+        throw HarnessError(gradebook_problem(file_, error));
+    }
+}
+
+std::optional<Run> Gradebook::last_run() const {
+    if (!database_) return std::nullopt;
+    return attempt([&]() -> std::optional<Run> {
+        Statement query(*database_,
+                        "SELECT run, who, at, raygrade, assignment, assignment_file, toml, sandbox FROM runs "
+                        "ORDER BY run DESC LIMIT 1");
+        if (!query.executeStep()) return std::nullopt;
+        const auto text = [&](int column) { return query.getColumn(column).getString(); };
+        return Run{query.getColumn(0).getInt64(), {text(1), text(2)}, text(3), text(4), text(5), text(6),
+                   tier_called(text(7))};
+    });
+}
+
+bool Gradebook::reports_are_written() const {
+    if (!database_) return true;
+    return attempt([&] {
+        return database_->execAndGet("SELECT entry = (SELECT COALESCE(MAX(entry), 0) FROM audit) FROM reports")
+                   .getInt() != 0;
+    });
+}
+
+void Gradebook::note_reports_written() {
+    if (!database_) return;
+    attempt([&] { database_->exec("UPDATE reports SET entry = (SELECT COALESCE(MAX(entry), 0) FROM audit)"); });
+}
+
+std::vector<KeptOverride> Gradebook::overrides() const {
+    if (!database_) return {};
+    return attempt([&] {
+        Statement query(*database_,
+                        "SELECT submission, question, item, points, why, who, at FROM overrides ORDER BY at, rowid");
+        std::vector<KeptOverride> all;
+        while (query.executeStep()) {
+            const auto text = [&](int column) { return query.getColumn(column).getString(); };
+            all.push_back(
+                {text(0),
+                 {query.getColumn(1).getInt(), text(2), query.getColumn(3).getDouble(), text(4), text(5), text(6)}});
+        }
+        return all;
+    });
+}
+
+std::vector<Graded> Gradebook::restore() const {
+    if (!database_) return {};
+    return attempt([&] {
+        Statement query(*database_, "SELECT id, record FROM submissions ORDER BY place");
+        std::vector<Graded> graded;
+        while (query.executeStep()) {
+            auto one = from_record(bytes(query.getColumn(1)));
+            if (!one) throw HarnessError(gradebook_damage(file_, "the record of " + query.getColumn(0).getString()));
+            graded.push_back(std::move(*one));
+        }
+        return graded;
+    });
+}
+
+std::optional<KeptInput> Gradebook::input(const std::string& name) const {
+    if (!database_) return std::nullopt;
+    return attempt([&]() -> std::optional<KeptInput> {
+        Statement query(*database_, "SELECT choice, content FROM inputs WHERE name = ?");
+        query.bind(1, name);
+        if (!query.executeStep()) return std::nullopt;
+        return KeptInput{name, query.getColumn(0).getString(), query.getColumn(1).getString()};
+    });
+}
+
+void Gradebook::compare_one(const std::vector<std::uint8_t>& record, const Graded& after, std::size_t index,
+                            Comparison& comparison) const {
+    if (record == to_record(after)) {
+        comparison.records[index] = Record::same;
+        ++comparison.changes.untouched;
+        return;
+    }
+    auto before = from_record(record);
+    if (!before) throw HarnessError(gradebook_damage(file_, "the record of " + after.submission.id));
+    before->overrides = after.overrides;
+    MarkChange change = change_between(*before, after);
+    const bool moved = !change.reasons.empty() || !is_same_mark(change.before, change.after);
+    comparison.records[index] = moved ? Record::other_marks : Record::other;
+    add(comparison.changes, std::move(change));
+}
+
+Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) const {
+    Comparison comparison;
+    comparison.records.assign(graded.size(), Record::fresh);
+    const auto add_fresh = [&](const Graded& one) {
+        comparison.changes.fresh.push_back({one.submission.id, std::nullopt, points_that_count(one), {}});
+    };
+    if (!database_) {
+        std::for_each(graded.begin(), graded.end(), add_fresh);
+        return comparison;
+    }
+    return attempt([&] {
+        // One view of the database, whatever another program does meanwhile.
+        const SQLite::Transaction view(*database_);
+        comparison.run = database_->execAndGet(last_run_number).getInt64();
+        Statement find(*database_, "SELECT record FROM submissions WHERE id = ?");
+        std::unordered_set<std::string> present;
+        for (std::size_t i = 0; i < graded.size(); ++i) {
+            const std::string& id = graded[i].submission.id;
+            present.insert(id);
+            find.reset();
+            find.bind(1, id);
+            if (find.executeStep()) {
+                compare_one(bytes(find.getColumn(0)), graded[i], i, comparison);
+            } else {
+                add_fresh(graded[i]);
+            }
+        }
+        Statement all(*database_, "SELECT id, final_points FROM submissions ORDER BY place");
+        while (all.executeStep()) {
+            const std::string id = all.getColumn(0).getString();
+            const SQLite::Column mark = all.getColumn(1);
+            if (present.contains(id)) continue;
+            comparison.changes.gone.push_back(
+                {id, mark.isNull() ? std::nullopt : std::optional(mark.getDouble()), std::nullopt, {}});
+        }
+        return std::move(comparison);
+    });
+}
+
+void Gradebook::save(const Run& run, const std::vector<Graded>& graded, const Comparison& comparison,
+                     const std::vector<KeptInput>& inputs) {
+    if (!database_) {
+        try {
+            database_ = open_gradebook(file_, Create::yes);
+        } catch (const UsageError& error) {  // the class has been graded by now
+            throw HarnessError(error.what());
+        }
+    }
+    attempt([&] {
+        SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+        Run numbered = run;
+        numbered.number = database_->execAndGet(last_run_number).getInt64() + 1;
+        if (numbered.number != comparison.run + 1) {
+            throw HarnessError(
+                fmt::format("{}: was changed by another raygrade meanwhile, so nothing was written; "
+                            "run the command again",
+                            file_.string()));
+        }
+        write_run(*database_, numbered, graded);
+        SubmissionRows rows(*database_, numbered.number);
+        for (const MarkChange& change : comparison.changes.gone) {
+            rows.remove(change.id);
+            rows.add_gone(change.id);
+        }
+        for (std::size_t i = 0; i < graded.size(); ++i) {
+            const Record record = comparison.records[i];
+            if (record == Record::same) {
+                rows.move(graded[i].submission.id, i);
+                continue;
+            }
+            rows.write(graded[i], i);
+            if (record != Record::other) rows.add_history(graded[i]);
+        }
+        for (const KeptInput& input : inputs) write_input(*database_, input);
+        write_changes(*database_, numbered, comparison.changes);
+        transaction.commit();
+    });
+}
+
+void Gradebook::put_override(const KeptOverride& kept, double automatic, const std::optional<double>& points) {
+    attempt([&] {
+        SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+        std::string before = fmt::format("{}, automatically", report::points_text(automatic));
+        for (const KeptOverride& each : overrides()) {
+            if (is_same_place(each, kept)) before = override_text(each.given);
+        }
+        write_override(*database_, kept);
+        write_final_points(*database_, kept.submission, points);
+        write_audit(*database_, {kept.given.by, kept.given.when}, override_of(kept), before, override_text(kept.given));
+        transaction.commit();
+    });
+}
+
+void Gradebook::remove_override(const KeptOverride& removed, const Author& author, const std::string& why,
+                                const std::optional<double>& points) {
+    attempt([&] {
+        SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+        erase_override(*database_, removed);
+        write_final_points(*database_, removed.submission, points);
+        write_audit(*database_, author, override_of(removed), override_text(removed.given), "removed: " + why);
+        transaction.commit();
+    });
+}
+
+}  // namespace harness

@@ -1,0 +1,232 @@
+#include "harness/gradebook_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "harness/clean_text.h"
+#include "harness/final_mark.h"
+#include "harness/graded_record.h"
+#include "harness/report/report.h"
+
+namespace harness {
+namespace {
+
+using SQLite::Statement;
+
+void bind(Statement& statement, int place, const std::optional<double>& points) {
+    if (points) {
+        statement.bind(place, *points);
+    } else {
+        statement.bind(place);
+    }
+}
+
+void bind(Statement& statement, int place, const std::optional<std::string>& text) {
+    if (text) {
+        statement.bind(place, *text);
+    } else {
+        statement.bind(place);
+    }
+}
+
+void execute(Statement& statement) {
+    statement.exec();
+    statement.reset();
+    statement.clearBindings();
+}
+
+std::optional<double> automatic_points(const Graded& graded) {
+    return graded.outcome == Outcome::not_graded ? std::nullopt : std::optional(graded.score.points);
+}
+
+/// As valid UTF-8, which other readers of the database insist on. Empty is NULL: nothing is known.
+std::optional<std::string> or_null(const std::string& text) {
+    return text.empty() ? std::nullopt : std::optional(escape_control(text));
+}
+
+/// Item names need no escapes.
+std::string points_by_item(const Score& score) {
+    std::string json = "{";
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) {
+            fmt::format_to(std::back_inserter(json), "{}\"{}.{}\":{}", json.size() > 1 ? "," : "", question.number,
+                           item.spec.name, item.points);
+        }
+    }
+    return json + "}";
+}
+
+/// "80", "80.25", or nothing for no mark.
+std::optional<std::string> mark_text(const std::optional<double>& points) {
+    return points ? std::optional(report::points_text(*points)) : std::nullopt;
+}
+
+}  // namespace
+
+SubmissionRows::SubmissionRows(SQLite::Database& database, std::int64_t run)
+    : run_(run),
+      submission_(database,
+                  "INSERT OR REPLACE INTO submissions (id, place, run, student, lms_id, late, outcome, "
+                  "automatic_points, final_points, max_points, source_sha256, record) "
+                  "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+      place_(database, "UPDATE submissions SET place = ?1 WHERE id = ?2 AND place <> ?1"),
+      remove_(database, "DELETE FROM submissions WHERE id = ?"),
+      item_(database,
+            "INSERT INTO items (submission, question, item, verdict, points, max_points, printed, line, diagnosis) "
+            "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+      remove_items_(database, "DELETE FROM items WHERE submission = ?"),
+      history_(database,
+               "INSERT INTO history (submission, run, outcome, automatic_points, final_points, max_points, "
+               "source_sha256, items) VALUES (?, ?, ?, ?, ?, ?, ?, ?)"),
+      gone_(database, "INSERT INTO history (submission, run, outcome) VALUES (?, ?, 'gone')") {}
+
+void SubmissionRows::write(const Graded& graded, std::size_t place) {
+    const Submission& submission = graded.submission;
+    const std::vector<std::uint8_t> record = to_record(graded);
+    submission_.bind(1, submission.id);
+    submission_.bind(2, static_cast<std::int64_t>(place));
+    submission_.bind(3, run_);
+    bind(submission_, 4, submission.lms ? or_null(submission.lms->student) : std::nullopt);
+    bind(submission_, 5, submission.lms ? or_null(submission.lms->id) : std::nullopt);
+    submission_.bind(6, submission.lms && submission.lms->late ? 1 : 0);
+    submission_.bind(7, std::string(to_string(graded.outcome)));
+    bind(submission_, 8, automatic_points(graded));
+    bind(submission_, 9, points_that_count(graded));
+    submission_.bind(10, graded.score.max_points);
+    submission_.bind(11, submission.source_sha256);
+    submission_.bindNoCopy(12, record.data(), static_cast<int>(record.size()));
+    execute(submission_);
+    write_items(graded);
+}
+
+void SubmissionRows::write_items(const Graded& graded) {
+    remove_items_.bind(1, graded.submission.id);
+    execute(remove_items_);
+    if (graded.outcome == Outcome::not_graded) return;
+    for (const QuestionScore& question : graded.score.questions) {
+        for (const ItemScore& item : question.items) {
+            item_.bindNoCopy(1, graded.submission.id);
+            item_.bind(2, question.number);
+            item_.bind(3, std::string(item.spec.name));
+            item_.bind(4, std::string(to_string(item.verdict)));
+            item_.bind(5, item.points);
+            item_.bind(6, item.max_points);
+            item_.bind(7, escape_control(item.printed));
+            item_.bind(8, item.line);
+            item_.bindNoCopy(9, item.diagnosis);
+            execute(item_);
+        }
+    }
+}
+
+void SubmissionRows::move(const std::string& id, std::size_t place) {
+    place_.bind(1, static_cast<std::int64_t>(place));
+    place_.bindNoCopy(2, id);
+    execute(place_);
+}
+
+void SubmissionRows::remove(const std::string& id) {
+    for (Statement* statement : {&remove_, &remove_items_}) {
+        statement->bind(1, id);
+        execute(*statement);
+    }
+}
+
+void SubmissionRows::add_history(const Graded& graded) {
+    const bool marked = graded.outcome != Outcome::not_graded;
+    history_.bind(1, graded.submission.id);
+    history_.bind(2, run_);
+    history_.bind(3, std::string(to_string(graded.outcome)));
+    bind(history_, 4, automatic_points(graded));
+    bind(history_, 5, points_that_count(graded));
+    history_.bind(6, graded.score.max_points);
+    bind(history_, 7, or_null(graded.submission.source_sha256));
+    bind(history_, 8, marked ? std::optional(points_by_item(graded.score)) : std::nullopt);
+    execute(history_);
+}
+
+void SubmissionRows::add_gone(const std::string& id) {
+    gone_.bind(1, id);
+    gone_.bind(2, run_);
+    execute(gone_);
+}
+
+void write_audit(SQLite::Database& database, const Author& author, const std::string& what,
+                 const std::optional<std::string>& before, const std::optional<std::string>& after) {
+    Statement entry(database, "INSERT INTO audit (at, who, what, before, after) VALUES (?, ?, ?, ?, ?)");
+    entry.bind(1, author.when);
+    entry.bind(2, author.name);
+    entry.bind(3, what);
+    bind(entry, 4, before);
+    bind(entry, 5, after);
+    execute(entry);
+}
+
+void write_run(SQLite::Database& database, const Run& run, const std::vector<Graded>& graded) {
+    Statement insert(database, "INSERT INTO runs VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    insert.bind(1, run.number);
+    insert.bind(2, run.author.when);
+    insert.bind(3, run.author.name);
+    insert.bind(4, run.raygrade);
+    insert.bind(5, run.assignment);
+    insert.bind(6, run.assignment_file.string());
+    insert.bind(7, run.toml);
+    insert.bind(8, std::string(to_string(run.tier)));
+    insert.bind(9, static_cast<std::int64_t>(graded.size()));
+    insert.bind(10, static_cast<std::int64_t>(std::count_if(graded.begin(), graded.end(), [](const Graded& one) {
+                    return one.outcome != Outcome::not_graded;
+                })));
+    insert.exec();
+}
+
+/// The run itself, and each mark that it moved.
+void write_changes(SQLite::Database& database, const Run& run, const ClassChanges& changes) {
+    write_audit(database, run.author, fmt::format("run {}", run.number), std::nullopt, run.assignment);
+    for (const auto* moved : {&changes.rising, &changes.falling, &changes.gone}) {
+        for (const MarkChange& change : *moved) {
+            write_audit(database, run.author, fmt::format("mark of {} in run {}", change.id, run.number),
+                        mark_text(change.before), mark_text(change.after));
+        }
+    }
+}
+
+void write_final_points(SQLite::Database& database, const std::string& id, const std::optional<double>& points) {
+    Statement update(database, "UPDATE submissions SET final_points = ? WHERE id = ?");
+    if (points) update.bind(1, *points);
+    update.bind(2, id);
+    update.exec();
+}
+
+void write_override(SQLite::Database& database, const KeptOverride& kept) {
+    Statement insert(database,
+                     "INSERT OR REPLACE INTO overrides (submission, question, item, points, why, who, at) "
+                     "VALUES (?, ?, ?, ?, ?, ?, ?)");
+    insert.bind(1, kept.submission);
+    insert.bind(2, kept.given.question);
+    insert.bind(3, kept.given.item);
+    insert.bind(4, kept.given.points);
+    insert.bind(5, kept.given.why);
+    insert.bind(6, kept.given.by);
+    insert.bind(7, kept.given.when);
+    insert.exec();
+}
+
+void erase_override(SQLite::Database& database, const KeptOverride& kept) {
+    Statement erase(database, "DELETE FROM overrides WHERE submission = ? AND question = ? AND item = ?");
+    erase.bind(1, kept.submission);
+    erase.bind(2, kept.given.question);
+    erase.bind(3, kept.given.item);
+    erase.exec();
+}
+
+void write_input(SQLite::Database& database, const KeptInput& input) {
+    Statement insert(database, "INSERT OR REPLACE INTO inputs (name, choice, content) VALUES (?, ?, ?)");
+    insert.bind(1, input.name);
+    insert.bind(2, input.choice);
+    insert.bind(3, input.content.data(), static_cast<int>(input.content.size()));
+    insert.exec();
+}
+
+}  // namespace harness

@@ -1,0 +1,253 @@
+#include "harness/graded_record.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <stdexcept>
+
+#include "harness/ended_words.h"
+
+namespace harness {
+namespace {
+
+using nlohmann::json;
+
+constexpr Outcome outcomes[] = {Outcome::graded,       Outcome::compile_error, Outcome::crashed,   Outcome::timed_out,
+                                Outcome::output_limit, Outcome::memory_limit,  Outcome::no_output, Outcome::not_graded};
+constexpr ItemVerdict verdicts[] = {ItemVerdict::right, ItemVerdict::follow, ItemVerdict::wrong, ItemVerdict::missing,
+                                    ItemVerdict::unreadable};
+constexpr Tier tiers[] = {Tier::bwrap, Tier::landlock, Tier::unsafe};
+
+/// The one of `all` that is called so in reports, whose words never change.
+template <class Enum>
+Enum called(const std::string& word, std::span<const Enum> all) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](Enum each) { return to_string(each) == word; });
+    if (found == all.end()) throw std::invalid_argument(word);
+    return *found;
+}
+
+/// Most fields of most submissions are at their default, and a class has hundreds of thousands of them.
+template <class Value>
+void put(json& record, const char* name, const Value& value) {
+    if (value != Value()) record[name] = value;
+}
+
+template <class Value>
+Value take(const json& record, const char* name) {
+    const auto found = record.find(name);
+    return found == record.end() ? Value() : found->template get<Value>();
+}
+
+json item_record(const ItemScore& item) {
+    json record{{"name", item.spec.name}, {"verdict", to_string(item.verdict)}};
+    put(record, "points", item.points);
+    put(record, "max_points", item.max_points);
+    put(record, "printed", item.printed);
+    put(record, "line", item.line);
+    if (item.error) record["error"] = *item.error;
+    put(record, "allowance", item.allowance);
+    put(record, "accepted_as", item.accepted_as);
+    put(record, "diagnosis", item.diagnosis);
+    put(record, "advice", item.advice);
+    return record;
+}
+
+ItemScore item_from(const json& record, int question) {
+    ItemScore item;
+    const auto name = take<std::string>(record, "name");
+    const auto specs = reference::all_items();
+    const auto spec = std::find_if(specs.begin(), specs.end(), [&](const reference::ItemSpec& each) {
+        return each.question == question && each.name == name;
+    });
+    if (spec == specs.end()) throw std::invalid_argument(name);
+    item.spec = *spec;
+    item.verdict = called<ItemVerdict>(take<std::string>(record, "verdict"), verdicts);
+    item.points = take<double>(record, "points");
+    item.max_points = take<double>(record, "max_points");
+    item.printed = take<std::string>(record, "printed");
+    item.line = take<int>(record, "line");
+    if (record.contains("error")) item.error = take<double>(record, "error");
+    item.allowance = take<double>(record, "allowance");
+    item.accepted_as = take<std::string>(record, "accepted_as");
+    item.diagnosis = take<std::string>(record, "diagnosis");
+    item.advice = take<std::string>(record, "advice");
+    return item;
+}
+
+json score_record(const Score& score) {
+    json questions = json::array();
+    for (const QuestionScore& question : score.questions) {
+        json items = json::array();
+        for (const ItemScore& item : question.items) items.push_back(item_record(item));
+        json record{{"number", question.number}, {"verdict", to_string(question.verdict)}, {"items", std::move(items)}};
+        put(record, "points", question.points);
+        put(record, "max_points", question.max_points);
+        questions.push_back(std::move(record));
+    }
+    json record{{"questions", std::move(questions)}};
+    put(record, "points", score.points);
+    put(record, "max_points", score.max_points);
+    if (score.follow_cap) record["follow_cap"] = *score.follow_cap;
+    return record;
+}
+
+Score score_from(const json& record) {
+    Score score;
+    score.points = take<double>(record, "points");
+    score.max_points = take<double>(record, "max_points");
+    if (record.contains("follow_cap")) score.follow_cap = take<double>(record, "follow_cap");
+    for (const json& each : record.at("questions")) {
+        QuestionScore question;
+        question.number = take<int>(each, "number");
+        question.verdict = called<ItemVerdict>(take<std::string>(each, "verdict"), verdicts);
+        question.points = take<double>(each, "points");
+        question.max_points = take<double>(each, "max_points");
+        for (const json& item : each.at("items")) question.items.push_back(item_from(item, question.number));
+        score.questions.push_back(std::move(question));
+    }
+    return score;
+}
+
+constexpr std::array systems = {"canvas", "moodle", "gradescope"};  // as in Lms
+
+json lms_record(const LmsName& name) {
+    json record = json::object();
+    record["system"] = systems.at(static_cast<std::size_t>(name.system));
+    put(record, "student", name.student);
+    put(record, "id", name.id);
+    put(record, "attachment", name.attachment);
+    put(record, "file", name.file);
+    put(record, "late", name.late);
+    record["is_file"] = name.is_file;
+    return record;
+}
+
+LmsName lms_from(const json& record) {
+    const auto system = std::find(systems.begin(), systems.end(), take<std::string>(record, "system"));
+    if (system == systems.end()) throw std::out_of_range("a record of an unknown system");
+    return {static_cast<Lms>(system - systems.begin()),
+            take<std::string>(record, "student"),
+            take<std::string>(record, "id"),
+            take<std::string>(record, "attachment"),
+            take<std::string>(record, "file"),
+            take<bool>(record, "late"),
+            take<bool>(record, "is_file")};
+}
+
+json submission_record(const Submission& submission) {
+    json record{{"id", submission.id}};
+    put(record, "file", submission.file.native());
+    put(record, "source_sha256", submission.source_sha256);
+    put(record, "notes", submission.notes);
+    if (submission.lms) record["lms"] = lms_record(*submission.lms);
+    if (submission.problem) record["problem"] = *submission.problem;
+    return record;
+}
+
+Submission submission_from(const json& record) {
+    Submission submission;
+    submission.id = take<std::string>(record, "id");
+    submission.file = take<std::string>(record, "file");
+    submission.source_sha256 = take<std::string>(record, "source_sha256");
+    submission.notes = take<std::vector<std::string>>(record, "notes");
+    if (record.contains("lms")) submission.lms = lms_from(record.at("lms"));
+    if (record.contains("problem")) submission.problem = take<std::string>(record, "problem");
+    return submission;
+}
+
+json build_record(const Build& build) {
+    json record = json::object();
+    put(record, "tried", build.tried);
+    put(record, "compiled", build.compiled);
+    put(record, "reached_limit", build.reached_limit);
+    put(record, "diagnostics", build.diagnostics);
+    put(record, "ms", build.wall.count());
+    return record;
+}
+
+Build build_from(const json& record) {
+    Build build;
+    build.tried = take<bool>(record, "tried");
+    build.compiled = take<bool>(record, "compiled");
+    build.reached_limit = take<bool>(record, "reached_limit");
+    build.diagnostics = take<std::string>(record, "diagnostics");
+    build.wall = std::chrono::milliseconds(take<std::int64_t>(record, "ms"));
+    return build;
+}
+
+json run_record(const ProcessResult& run) {
+    json record{{"ended", word_for(run.ended)}};
+    put(record, "exit_code", run.exit_code);
+    put(record, "signal", run.signal);
+    put(record, "error", run.error);
+    put(record, "cpu_ms", run.cpu.count());
+    put(record, "wall_ms", run.wall.count());
+    put(record, "peak_memory_bytes", run.peak_memory_bytes);
+    put(record, "errors", run.errors);
+    put(record, "errors_truncated", run.errors_truncated);
+    return record;
+}
+
+ProcessResult run_from(const json& record) {
+    ProcessResult run;
+    const auto ended = ended_from(take<std::string>(record, "ended"));
+    if (!ended) throw std::invalid_argument("ended");
+    run.ended = *ended;
+    run.exit_code = take<int>(record, "exit_code");
+    run.signal = take<int>(record, "signal");
+    run.error = take<int>(record, "error");
+    run.cpu = std::chrono::milliseconds(take<std::int64_t>(record, "cpu_ms"));
+    run.wall = std::chrono::milliseconds(take<std::int64_t>(record, "wall_ms"));
+    run.peak_memory_bytes = take<std::uint64_t>(record, "peak_memory_bytes");
+    run.errors = take<std::string>(record, "errors");
+    run.errors_truncated = take<bool>(record, "errors_truncated");
+    return run;
+}
+
+Graded graded_from(const json& record) {
+    Graded graded;
+    graded.submission = submission_from(record.at("submission"));
+    graded.outcome = called<Outcome>(take<std::string>(record, "outcome"), outcomes);
+    graded.our_fault = take<bool>(record, "our_fault");
+    graded.explanation = take<std::string>(record, "explanation");
+    graded.tier = called<Tier>(take<std::string>(record, "sandbox"), tiers);
+    graded.build = build_from(record.at("build"));
+    graded.run = run_from(record.at("run"));
+    if (record.contains("flags")) {
+        for (const json& flag : record.at("flags")) graded.flags.push_back({flag.at(0), flag.at(1)});
+    }
+    graded.sanitizer = take<std::vector<std::string>>(record, "sanitizer");
+    graded.score = score_from(record.at("score"));
+    graded.late_share = take<double>(record, "late_share");
+    return graded;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> to_record(const Graded& graded) {
+    json record{{"submission", submission_record(graded.submission)},
+                {"outcome", to_string(graded.outcome)},
+                {"sandbox", to_string(graded.tier)},
+                {"build", build_record(graded.build)},
+                {"run", run_record(graded.run)},
+                {"score", score_record(graded.score)}};
+    put(record, "our_fault", graded.our_fault);
+    put(record, "explanation", graded.explanation);
+    put(record, "sanitizer", graded.sanitizer);
+    put(record, "late_share", graded.late_share);
+    for (const Flag& flag : graded.flags) record["flags"].push_back(json::array({flag.kind, flag.evidence}));
+    return json::to_cbor(record);
+}
+
+std::optional<Graded> from_record(const std::vector<std::uint8_t>& record) {
+    try {
+        return graded_from(json::from_cbor(record));
+    } catch (const json::exception&) {
+        return std::nullopt;
+    } catch (const std::invalid_argument&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace harness

@@ -1,0 +1,170 @@
+#include "harness/class_changes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "harness/report/class_changes.h"
+#include "tests/report/graded_samples.h"
+
+namespace harness {
+namespace {
+
+using namespace report_samples;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::SizeIs;
+
+/// Question 6's t.
+ItemScore& t_of(Graded& one) {
+    return one.score.questions[5].items[4];
+}
+
+/// `points` for question 6's t, as the score would have them.
+Graded with_t(ItemVerdict verdict, double points) {
+    Graded one = graded("zoe", output_with_a_mistake());
+    t_of(one).verdict = verdict;
+    t_of(one).points = points;
+    one.score.questions[5].points += points;
+    one.score.points += points;
+    return one;
+}
+
+ClassChanges filed(const Graded& before, const Graded& after) {
+    ClassChanges changes;
+    add(changes, change_between(before, after));
+    return changes;
+}
+
+TEST(ClassChanges, AreNoneBetweenTheSame) {
+    const Graded one = with_t(ItemVerdict::wrong, 0);
+    EXPECT_THAT(change_between(one, one).reasons, IsEmpty());
+    EXPECT_EQ(filed(one, one).untouched, 1U);
+}
+
+TEST(ClassChanges, SayByWhichItemAMarkRisesOrFalls) {
+    const Graded low = with_t(ItemVerdict::wrong, 0), high = with_t(ItemVerdict::right, 1.5);
+    const ClassChanges up = filed(low, high), down = filed(high, low);
+    ASSERT_THAT(up.rising, SizeIs(1));
+    EXPECT_THAT(up.rising[0].reasons, ElementsAre("6.t wrong -> right (+1.5)"));
+    EXPECT_NEAR(*up.rising[0].after - *up.rising[0].before, 1.5, 1e-9);
+    ASSERT_THAT(down.falling, SizeIs(1));
+    EXPECT_THAT(down.falling[0].reasons, ElementsAre("6.t right -> wrong (-1.5)"));
+}
+
+TEST(ClassChanges, TellARubricsOtherPointsFromAnotherVerdict) {
+    EXPECT_THAT(filed(with_t(ItemVerdict::follow, 1), with_t(ItemVerdict::follow, 0.5)).falling.at(0).reasons,
+                ElementsAre("6.t still follow (-0.5)"));
+}
+
+TEST(ClassChanges, NameSourceOutcomeAndLateness) {
+    Graded before = with_t(ItemVerdict::wrong, 0);
+    Graded after = before;
+    after.submission.source_sha256 = std::string(64, 'b');
+    after.outcome = Outcome::crashed;
+    after.late_share = 0.1;
+    const ClassChanges changes = filed(before, after);
+    ASSERT_THAT(changes.falling, SizeIs(1));
+    EXPECT_THAT(changes.falling[0].reasons,
+                ElementsAre("another source", "graded -> crashed", "late: loses 10 %, 0 % before"));
+    before.submission.source_sha256 = "";
+    EXPECT_THAT(change_between(before, after).reasons.front(), "a source, where there was none");
+    EXPECT_THAT(change_between(after, before).reasons.front(), "no source any more");
+}
+
+TEST(ClassChanges, KeepTheSameMarkForOtherReasonsApart) {
+    Graded after = with_t(ItemVerdict::missing, 0);
+    const ClassChanges changes = filed(with_t(ItemVerdict::wrong, 0), after);
+    ASSERT_THAT(changes.level, SizeIs(1));
+    EXPECT_THAT(changes.level[0].reasons, ElementsAre("6.t wrong -> missing"));
+    EXPECT_THAT(changes.rising, IsEmpty());
+    EXPECT_THAT(changes.falling, IsEmpty());
+}
+
+TEST(ClassChanges, CountAMarkThatIsLostAsAFallAndANewOneAsARise) {
+    const ClassChanges lost = filed(graded("zoe", ""), not_graded("zoe"));
+    ASSERT_THAT(lost.falling, SizeIs(1)) << "also from 0 points";
+    EXPECT_FALSE(lost.falling[0].after.has_value());
+    EXPECT_THAT(lost.falling[0].reasons, ElementsAre("no_output -> not_graded"));
+    EXPECT_THAT(filed(not_graded("zoe"), graded("zoe", "")).rising, SizeIs(1));
+}
+
+TEST(ClassChanges, LeaveAMarkThatAnOverrideHolds) {
+    Graded before = with_t(ItemVerdict::wrong, 0), after = with_t(ItemVerdict::right, 1.5);
+    before.overrides = after.overrides = {{6, "t", 1, "right idea", "ada", ""}};
+    const ClassChanges changes = filed(before, after);
+    ASSERT_THAT(changes.level, SizeIs(1));
+    EXPECT_THAT(changes.level[0].reasons, ElementsAre("6.t wrong -> right (+1.5), overridden"));
+}
+
+TEST(ClassChanges, TellOfItemsThatAreAskedNowOrNoLonger) {
+    const Graded with = with_t(ItemVerdict::right, 1.5);
+    Graded without = with;
+    without.score.questions.pop_back();
+    without.score.points -= 10;
+    EXPECT_THAT(filed(with, without).falling.at(0).reasons, ElementsAre("10.verdict is no longer asked (-10)"));
+    EXPECT_THAT(filed(without, with).rising.at(0).reasons, ElementsAre("10.verdict is asked now: right (+10)"));
+}
+
+TEST(ClassChanges, AreReadAsOneLineEachWithTheFallsLast) {
+    ClassChanges changes = filed(with_t(ItemVerdict::right, 1.5), with_t(ItemVerdict::wrong, 0));
+    MarkChange rise = change_between(with_t(ItemVerdict::wrong, 0), with_t(ItemVerdict::right, 1.5));
+    rise.id = "riser\n\x1b";
+    add(changes, rise);
+    changes.fresh = {{"newcomer", std::nullopt, 50.0, {}}};
+    changes.gone = {{"leaver", 60.0, std::nullopt, {}}};
+    changes.untouched = 26;
+    const std::string text = report::changes_text(changes);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
+    EXPECT_THAT(text, AllOf(HasSubstr("rises  riser"), HasSubstr("+1.5  6.t wrong -> right"), Not(HasSubstr("\x1b"))));
+    EXPECT_THAT(text, AllOf(HasSubstr("falls  zoe"), HasSubstr("-1.5  6.t right -> wrong")));
+    EXPECT_THAT(text, HasSubstr("99.83 ->  98.33    -1.5"));
+    EXPECT_LT(text.find("leaver"), text.find("newcomer"));
+    EXPECT_LT(text.find("rises"), text.find("falls"));
+    EXPECT_EQ(report::changes_summary(changes), "1 rises, 1 falls, 26 stay as they are, 1 is new, 1 is gone.");
+    EXPECT_EQ(report::changes_summary({}), "0 rise, 0 fall, 0 stay as they are.");
+}
+
+TEST(ClassChanges, NameSixReasonsAndHowManyMore) {
+    MarkChange change{"zoe", 1.0, 2.0, {"a", "b", "c", "d", "e", "f", "g", "h"}};
+    ClassChanges changes;
+    add(changes, change);
+    EXPECT_THAT(report::changes_text(changes), HasSubstr("a; b; c; d; e; f; and 2 more\n"));
+}
+
+TEST(AssignmentChange, SaysWhetherTheKeyIsAnother) {
+    const std::string then = R"(
+[camera]
+eye = [0, 0, 4]
+lookat = [0, 0, 0]
+vup = [0, 1, 0]
+[window]
+clip_left = -2
+clip_right = 2
+clip_bottom = -1
+clip_top = 1
+clip_near = 2
+width = 301
+height = 201
+pixel = [150, 100]
+[[sphere]]
+center = [1, 1, 0]
+radius = 2
+)";
+    const auto change = [&](const std::string& toml, const std::string& name = "a6") {
+        const reference::Assignment now = reference::parse_assignment(toml, name + ".toml");
+        return assignment_change({"a6", then}, {name, toml},
+                                 {now, reference::make_key(now, reference::Precision::certified)});
+    };
+    EXPECT_EQ(change(then), "");
+    EXPECT_THAT(change(then + "[rubric]\nfollow_through = 0.5\n"), HasSubstr("its key is the same"));
+    std::string moved = then;
+    moved.replace(moved.find("radius = 2"), 10, "radius = 3");
+    EXPECT_THAT(change(moved), HasSubstr("and with it the key"));
+    EXPECT_THAT(change(then, "b7"), HasSubstr("b7 now, a6 before"));
+}
+
+}  // namespace
+}  // namespace harness

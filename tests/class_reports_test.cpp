@@ -1,0 +1,132 @@
+#include "harness/class_reports.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "harness/failure.h"
+#include "harness/find_submissions.h"
+#include "harness/results_folder.h"
+#include "tests/report/graded_samples.h"
+#include "tests/temporary_folder.h"
+
+namespace harness {
+namespace {
+
+using namespace report_samples;
+using testing::HasSubstr;
+using testing::Not;
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    EXPECT_TRUE(stream) << file;
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Every file below a folder by its name.
+std::map<std::string, std::string> files_of(const fs::path& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file()) files[fs::relative(entry.path(), folder).string()] = text_of(entry.path());
+    }
+    return files;
+}
+
+constexpr const char* exported = "Student,ID,Assignment 6 (71)\r\nAda,ada,\r\nBob,bob,\r\n";
+
+/// Ada, late and with an override; a hostile one; and bob, who was not graded but has points as a whole.
+std::vector<Graded> a_class() {
+    std::vector<Graded> all = {graded("ada", output_with_a_mistake()), hostile(), not_graded("bob")};
+    all[0].late_share = 0.25;
+    return all;
+}
+const std::vector<KeptOverride> overrides = {{"ada", {6, "t", 1.5, "right idea", "bea", "2026-11-22T09:30:00Z"}},
+                                             {"bob", {0, "", 40, "by hand", "bea", "2026-11-22T09:31:00Z"}}};
+
+class ClassReports : public testing::Test {
+  protected:
+    fs::path write(const std::string& name, const std::vector<Graded>& all, std::optional<std::size_t> only = {}) {
+        const fs::path out = folder.path() / name;
+        make_results_folder(out, "feedback");
+        write_class_reports({all, marking(), Tier::bwrap, report::read_canvas_roster(exported, "")}, out, only);
+        return out;
+    }
+    TemporaryFolder folder;
+};
+
+TEST_F(ClassReports, FromTheGradebookAreThoseOfTheFreshClassByteForByte) {
+    std::vector<Graded> fresh = a_class();
+    attach(overrides, fresh);
+    const fs::path book = folder.make_folder("book");
+    Gradebook gradebook(book);
+    gradebook.save({0, {"ada", ""}, "", "", "", "", Tier::bwrap}, fresh, gradebook.compare(fresh), {});
+    for (const KeptOverride& each : overrides) gradebook.put_override(each, 0, {});
+    std::vector<Graded> restored = Gradebook(book).restore();
+    attach(Gradebook(book).overrides(), restored);
+    const auto files = files_of(write("fresh", fresh));
+    EXPECT_EQ(files_of(write("restored", restored)), files);
+    EXPECT_EQ(files.size(), 3U + 3U);
+    EXPECT_THAT(files.at("grades-canvas.csv"), HasSubstr("\"Ada\",\"ada\",\"74.88\"\r\n"))
+        << "(98.33 + 1.5) less a quarter";
+    EXPECT_THAT(files.at("grades-canvas.csv"), HasSubstr("\"Bob\",\"bob\",\"40.00\"\r\n"));
+}
+
+TEST_F(ClassReports, RemoveTheFeedbackOfWhoIsGoneAndAnImportWithoutItsRoster) {
+    const fs::path out = write("out", a_class());
+    folder.write("out/feedback/mine.txt", "mine");
+    write_class_reports({{}, marking(), Tier::bwrap, std::nullopt}, out);
+    EXPECT_FALSE(fs::exists(out / "feedback/ada.md"));
+    EXPECT_TRUE(fs::exists(out / "feedback/mine.txt"));
+    EXPECT_FALSE(fs::exists(out / "grades-canvas.csv"));
+}
+
+TEST_F(ClassReports, OfOneChangedSubmissionLeaveTheOthersFeedbackAlone) {
+    std::vector<Graded> all = a_class();
+    const fs::path out = write("out", all);
+    folder.write("out/feedback/bob.md", "as it was");
+    attach(overrides, all);
+    write("out", all, 0);
+    EXPECT_EQ(text_of(out / "feedback/bob.md"), "as it was");
+    EXPECT_THAT(text_of(out / "feedback/ada.md"), HasSubstr("right idea"));
+    EXPECT_THAT(text_of(out / "grades.json"), HasSubstr("right idea"));
+}
+
+TEST_F(ClassReports, TellOfAFolderThatCannotBeWritten) {
+    EXPECT_THROW(write_class_reports({a_class(), marking(), Tier::bwrap, std::nullopt}, folder.path() / "nowhere"),
+                 HarnessError);
+}
+
+TEST(FeedbackName, HasNoSlashAndFitsAFileName) {
+    EXPECT_EQ(feedback_name("2021/s01", 3), "2021%2Fs01");
+    EXPECT_EQ(feedback_name(std::string(300, 'x'), 3), std::string(200, 'x') + "-4");
+}
+
+TEST(ResultsFolder, IsNotSharedByTwoCommandsAtOnce) {
+    const TemporaryFolder folder;
+    const fs::path out = folder.make_folder("out");
+    {
+        const FolderLock lock(out);
+        EXPECT_THROW(FolderLock{out}, UsageError);
+    }
+    EXPECT_NO_THROW(FolderLock{out});
+    EXPECT_NO_THROW(FolderLock{folder.path() / "missing"});
+}
+
+TEST(ResultsFolder, IsNewEmptyOrOfAnEarlierRun) {
+    const TemporaryFolder folder;
+    const auto look = [&](const char* name) { return look_into(folder.path() / name, marks_of_results(), "feedback"); };
+    EXPECT_EQ(look("missing"), Holds::nothing);
+    folder.make_folder("begun/feedback");
+    EXPECT_EQ(look("begun"), Holds::nothing);
+    folder.write("older/grades.json", "{}");
+    EXPECT_EQ(look("older"), Holds::earlier_results);
+    folder.write("killed/gradebook.sqlite", "");
+    EXPECT_EQ(look("killed"), Holds::earlier_results);
+    folder.write("mine/thesis.txt", "mine");
+    EXPECT_THROW(look("mine"), UsageError);
+    folder.write("file", "mine");
+    EXPECT_THROW(look("file"), UsageError);
+}
+
+}  // namespace
+}  // namespace harness

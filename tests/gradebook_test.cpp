@@ -1,0 +1,397 @@
+#include "harness/gradebook.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <thread>
+
+#include "harness/failure.h"
+#include "harness/find_submissions.h"
+#include "tests/report/graded_samples.h"
+#include "tests/temporary_folder.h"
+
+namespace harness {
+namespace {
+
+using namespace report_samples;
+using namespace std::chrono_literals;
+using nlohmann::json;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+using Record = Gradebook::Comparison::Record;
+
+Run a_run(const std::string& when = "2026-11-22T09:30:00Z") {
+    return {0, {"ada", when}, "0.7.0", "a6-2021", "/a6-2021.toml", "title = \"x\"\n", Tier::landlock};
+}
+
+/// Compares and saves, as a command does.
+Gradebook::Comparison save(const std::filesystem::path& folder, std::vector<Graded> all,
+                           const std::vector<KeptInput>& inputs = {}) {
+    Gradebook gradebook(folder);
+    attach(gradebook.overrides(), all);
+    auto comparison = gradebook.compare(all);
+    gradebook.save(a_run(), all, comparison, inputs);
+    return comparison;
+}
+
+std::vector<Graded> three() {
+    return {graded("ada", output_with_a_mistake()), graded("ben", ""), not_graded("cy")};
+}
+
+std::filesystem::path file_in(const TemporaryFolder& folder) {
+    return folder.path() / gradebook_name;
+}
+
+void alter(const TemporaryFolder& folder, const std::string& sql) {
+    SQLite::Database(file_in(folder).string(), SQLite::OPEN_READWRITE).exec(sql);
+}
+
+std::string text_of(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The rows of a query as python3 reads them, which knows nothing of ours.
+json rows(const TemporaryFolder& folder, const std::string& query) {
+    const auto script = folder.write("rows.py",
+                                     "import json, sqlite3, sys\n"
+                                     "book = sqlite3.connect(sys.argv[1])\n"
+                                     "assert book.execute('PRAGMA integrity_check').fetchone()[0] == 'ok'\n"
+                                     "print(json.dumps([list(row) for row in book.execute(sys.argv[2])]))\n");
+    const std::string command =
+        "python3 '" + script.string() + "' '" + file_in(folder).string() + "' \"" + query + "\"";
+    FILE* pipe = popen(command.c_str(), "r");
+    std::string text;
+    std::array<char, 4096> buffer{};
+    while (const std::size_t got = fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), got);
+    EXPECT_EQ(pclose(pipe), 0) << "python3 can't read it";
+    return json::parse(text);
+}
+
+std::string refusal(const TemporaryFolder& folder) {
+    try {
+        const Gradebook gradebook(folder.path());
+    } catch (const UsageError& error) {
+        return error.what();
+    }
+    return "(taken)";
+}
+
+TEST(Gradebook, IsNotMadeBeforeSomethingIsSaved) {
+    const TemporaryFolder folder;
+    {
+        const Gradebook gradebook(folder.path());
+        EXPECT_FALSE(gradebook.last_run());
+        EXPECT_THAT(gradebook.compare(three()).changes.fresh, SizeIs(3));
+        EXPECT_THAT(gradebook.overrides(), IsEmpty());
+    }
+    EXPECT_FALSE(std::filesystem::exists(file_in(folder)));
+}
+
+TEST(Gradebook, GivesTheClassBackInItsOrder) {
+    const TemporaryFolder folder;
+    const std::vector<Graded> all = {graded("zoe", output_with_a_mistake()), hostile(), not_graded("bob")};
+    save(folder.path(), all);
+    const Gradebook gradebook(folder.path());
+    const std::vector<Graded> restored = gradebook.restore();
+    EXPECT_EQ(report::grades_json(restored, marking(), Tier::bwrap), report::grades_json(all, marking(), Tier::bwrap));
+    const auto run = gradebook.last_run();
+    ASSERT_TRUE(run);
+    EXPECT_EQ(run->number, 1);
+    EXPECT_EQ(run->author.name, "ada");
+    EXPECT_EQ(run->author.when, "2026-11-22T09:30:00Z");
+    EXPECT_EQ(run->raygrade, "0.7.0");
+    EXPECT_EQ(run->assignment, "a6-2021");
+    EXPECT_EQ(run->assignment_file, "/a6-2021.toml");
+    EXPECT_EQ(run->toml, "title = \"x\"\n");
+    EXPECT_EQ(run->tier, Tier::landlock);
+}
+
+TEST(Gradebook, IsReadByPython) {
+    const TemporaryFolder folder;
+    Graded late = graded("ada", output_with_a_mistake());
+    late.submission.lms = read_canvas_name("adalovelace_LATE_17_4_ray_cast.cpp");
+    late.late_share = 0.5;
+    save(folder.path(), {late, hostile(), not_graded("cy")});
+    EXPECT_EQ(rows(folder,
+                   "SELECT id, place, run, student, lms_id, late, outcome, round(automatic_points, 2), "
+                   "round(final_points, 2), max_points, length(source_sha256) FROM submissions WHERE place <> 1 "
+                   "ORDER BY place"),
+              json::parse(R"([["ada", 0, 1, "adalovelace", "17", 1, "graded", 98.33, 49.17, 100, 64],
+                              ["cy", 2, 1, null, null, 0, "not_graded", null, null, 100, 64]])"));
+    EXPECT_EQ(rows(folder,
+                   "SELECT verdict, points, printed, line > 0, diagnosis FROM items "
+                   "WHERE submission = 'ada' AND question = 6 AND item = 't'")
+                  .at(0)
+                  .at(0),
+              "wrong");
+    EXPECT_EQ(rows(folder, "SELECT COUNT(*) FROM items"), json::parse("[[44]]")) << "none of what was not graded";
+    EXPECT_EQ(rows(folder, "SELECT run, at, who, raygrade, assignment, toml, sandbox, submissions, graded FROM runs"),
+              json::parse(R"([[1, "2026-11-22T09:30:00Z", "ada", "0.7.0", "a6-2021", "title = \"x\"\n",
+                               "landlock+shim", 3, 2]])"));
+    const json history = rows(folder, "SELECT outcome, items FROM history WHERE submission = 'ada'");
+    EXPECT_EQ(json::parse(history.at(0).at(1).get<std::string>()).at("6.t"), 0);
+    EXPECT_EQ(json::parse(history.at(0).at(1).get<std::string>()).size(), 22U);
+    EXPECT_EQ(rows(folder, "PRAGMA user_version"), json::parse("[[1]]"));
+}
+
+TEST(Gradebook, WritesOnlyWhatHasChanged) {
+    const TemporaryFolder folder;
+    save(folder.path(), three());
+    std::vector<Graded> all = three();
+    all[1].build.wall = 5ms;
+    all[2] = graded("cy", "Question 5:\nV: 1 2 3\n");
+    std::swap(all[0], all[2]);
+    const auto comparison = save(folder.path(), all);
+    EXPECT_THAT(comparison.records, ElementsAre(Record::other_marks, Record::other, Record::same));
+    EXPECT_EQ(comparison.changes.untouched, 2U) << "how long the compiler took is no change";
+    EXPECT_THAT(comparison.changes.rising, SizeIs(1));
+    EXPECT_EQ(rows(folder, "SELECT id, run FROM submissions ORDER BY place"),
+              json::parse(R"([["cy", 2], ["ben", 2], ["ada", 1]])"));
+    EXPECT_EQ(rows(folder, "SELECT submission, run FROM history ORDER BY run, submission"),
+              json::parse(R"([["ada", 1], ["ben", 1], ["cy", 1], ["cy", 2]])"));
+    EXPECT_EQ(Gradebook(folder.path()).restore().at(1).build.wall, 5ms);
+}
+
+TEST(Gradebook, RemembersTheMarksOfWhoIsGone) {
+    const TemporaryFolder folder;
+    save(folder.path(), three());
+    const auto comparison = save(folder.path(), {three()[1]});
+    ASSERT_THAT(comparison.changes.gone, SizeIs(2));
+    EXPECT_EQ(comparison.changes.gone[0].id, "ada");
+    EXPECT_NEAR(*comparison.changes.gone[0].before, 98.33, 0.01);
+    EXPECT_EQ(rows(folder, "SELECT id FROM submissions"), json::parse(R"([["ben"]])"));
+    EXPECT_EQ(rows(folder, "SELECT DISTINCT submission FROM items"), json::parse(R"([["ben"]])"));
+    EXPECT_EQ(rows(folder, "SELECT run, outcome, round(final_points, 2) FROM history WHERE submission = 'ada'"),
+              json::parse(R"([[1, "graded", 98.33], [2, "gone", null]])"));
+    EXPECT_EQ(rows(folder, "SELECT what, before, after, who FROM audit WHERE what LIKE 'mark of ada%'"),
+              json::parse(R"([["mark of ada in run 2", "98.33", null, "ada"]])"));
+    EXPECT_THAT(save(folder.path(), three()).changes.fresh, SizeIs(2)) << "they may come back";
+}
+
+TEST(Gradebook, KeepsOverridesThroughRunsAndAfterTheirSubmission) {
+    const TemporaryFolder folder;
+    save(folder.path(), three());
+    const KeptOverride kept{"ada", {6, "t", 1.5, "right \"idea\"", "bea", "2026-11-23T10:00:00Z"}};
+    Gradebook(folder.path()).put_override(kept, 0, 99.83);
+    for (const auto& all : {three(), std::vector<Graded>{three()[1]}, three()}) {
+        save(folder.path(), all);
+        const auto overrides = Gradebook(folder.path()).overrides();
+        ASSERT_THAT(overrides, SizeIs(1));
+        EXPECT_EQ(overrides[0].submission, "ada");
+        EXPECT_EQ(overrides[0].given.question, 6);
+        EXPECT_EQ(overrides[0].given.item, "t");
+        EXPECT_EQ(overrides[0].given.points, 1.5);
+        EXPECT_EQ(overrides[0].given.why, "right \"idea\"");
+        EXPECT_EQ(overrides[0].given.by, "bea");
+        EXPECT_EQ(overrides[0].given.when, "2026-11-23T10:00:00Z");
+    }
+    EXPECT_EQ(
+        rows(folder, "SELECT round(automatic_points, 2), round(final_points, 2) FROM submissions WHERE id = 'ada'"),
+        json::parse("[[98.33, 99.83]]"));
+}
+
+TEST(Gradebook, SaysInItsAuditTrailWhoGaveWhatWhenAndWhy) {
+    const TemporaryFolder folder;
+    save(folder.path(), three());
+    Gradebook gradebook(folder.path());
+    gradebook.put_override({"cy", {0, "", 40, "by hand", "bea", "2026-11-23T10:00:00Z"}}, 0, 40.0);
+    gradebook.put_override({"cy", {0, "", 45, "again", "cem", "2026-11-24T10:00:00Z"}}, 0, 45.0);
+    EXPECT_EQ(rows(folder, "SELECT final_points FROM submissions WHERE id = 'cy'"), json::parse("[[45]]"));
+    const auto kept = gradebook.overrides();
+    ASSERT_THAT(kept, SizeIs(1)) << "one for a place";
+    gradebook.remove_override(kept[0], {"dee", "2026-11-25T10:00:00Z"}, "a slip", std::nullopt);
+    EXPECT_THAT(gradebook.overrides(), IsEmpty());
+    EXPECT_EQ(rows(folder, "SELECT at, who, what, before, after FROM audit ORDER BY entry"), json::parse(R"([
+        ["2026-11-22T09:30:00Z", "ada", "run 1", null, "a6-2021"],
+        ["2026-11-23T10:00:00Z", "bea", "override of total of cy", "0, automatically", "40: by hand"],
+        ["2026-11-24T10:00:00Z", "cem", "override of total of cy", "40: by hand", "45: again"],
+        ["2026-11-25T10:00:00Z", "dee", "override of total of cy", "45: again", "removed: a slip"]])"));
+    EXPECT_EQ(rows(folder, "SELECT final_points FROM submissions WHERE id = 'cy'"), json::parse("[[null]]"));
+}
+
+TEST(Gradebook, KnowsWhetherTheReportsTellAllOfIt) {
+    const TemporaryFolder folder;
+    EXPECT_TRUE(Gradebook(folder.path()).reports_are_written());
+    save(folder.path(), three());
+    EXPECT_FALSE(Gradebook(folder.path()).reports_are_written());
+    Gradebook gradebook(folder.path());
+    gradebook.note_reports_written();
+    EXPECT_TRUE(Gradebook(folder.path()).reports_are_written());
+    gradebook.put_override({"ada", {6, "t", 1, "why", "bea", ""}}, 0, 99.0);
+    EXPECT_FALSE(Gradebook(folder.path()).reports_are_written());
+}
+
+TEST(Gradebook, KeepsTheInputsOfReports) {
+    const TemporaryFolder folder;
+    const std::string content("\xef\xbb\xbfStudent,ID\0\xff", 15);
+    save(folder.path(), three(), {{"canvas-roster", "Assignment 6", content}});
+    save(folder.path(), three());
+    const auto kept = Gradebook(folder.path()).input("canvas-roster");
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(kept->choice, "Assignment 6");
+    EXPECT_EQ(kept->content, content);
+    EXPECT_FALSE(Gradebook(folder.path()).input("another"));
+    save(folder.path(), three(), {{"canvas-roster", "", "new"}});
+    EXPECT_EQ(Gradebook(folder.path()).input("canvas-roster")->content, "new");
+}
+
+TEST(Gradebook, IsRefusedAndLeftAsItIsWhenItIsOfAnotherVersion) {
+    const TemporaryFolder folder;
+    save(folder.path(), three());
+    alter(folder, "PRAGMA user_version = 2");
+    const std::string before = text_of(file_in(folder));
+    EXPECT_THAT(refusal(folder),
+                AllOf(HasSubstr(file_in(folder).string()), HasSubstr("version 2"), HasSubstr("another raygrade")));
+    EXPECT_EQ(text_of(file_in(folder)), before);
+}
+
+TEST(Gradebook, IsRefusedAndLeftAsItIsWhenItIsAnotherProgramsDatabase) {
+    const TemporaryFolder folder;
+    SQLite::Database(file_in(folder).string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
+        .exec("CREATE TABLE photos (name TEXT)");
+    const std::string before = text_of(file_in(folder));
+    EXPECT_THAT(refusal(folder), HasSubstr("another program's database"));
+    EXPECT_EQ(text_of(file_in(folder)), before);
+}
+
+TEST(Gradebook, IsRefusedAndLeftAsItIsWhenItIsDamaged) {
+    const TemporaryFolder folder;
+    for (const std::string& text : {std::string("no database at all, but longer than a header of one hundred bytes, "
+                                                "which is what a database begins with, as one can read"),
+                                    std::string("short")}) {
+        folder.write(gradebook_name, text);
+        EXPECT_THAT(refusal(folder), AllOf(HasSubstr("is damaged"), HasSubstr("backup"), HasSubstr("move it away")));
+        EXPECT_EQ(text_of(file_in(folder)), text);
+    }
+    std::filesystem::remove(file_in(folder));
+    save(folder.path(), three());
+    alter(folder, "ALTER TABLE overrides DROP COLUMN why");
+    EXPECT_THAT(refusal(folder), HasSubstr("is damaged"));
+}
+
+TEST(Gradebook, TellsOfARecordThatTheDiskHasGarbled) {
+    const TemporaryFolder folder;
+    save(folder.path(), three());
+    alter(folder, "UPDATE submissions SET record = x'a0' WHERE id = 'ben'");
+    const Gradebook gradebook(folder.path());
+    const auto damage = [](auto work) -> std::string {
+        try {
+            work();
+        } catch (const HarnessError& error) {
+            return error.what();
+        }
+        return "(nothing thrown)";
+    };
+    EXPECT_THAT(damage([&] { gradebook.restore(); }), AllOf(HasSubstr("is damaged"), HasSubstr("ben")));
+    EXPECT_THAT(damage([&] { gradebook.compare(three()); }), AllOf(HasSubstr("is damaged"), HasSubstr("ben")));
+}
+
+TEST(Gradebook, TakesAnEmptyFileForNone) {
+    const TemporaryFolder folder;
+    folder.write(gradebook_name, "");  // as of a run that was killed before it had saved
+    EXPECT_FALSE(Gradebook(folder.path()).last_run());
+    save(folder.path(), three());
+    EXPECT_EQ(Gradebook(folder.path()).last_run()->number, 1);
+}
+
+TEST(Gradebook, RefusesARunThatWasComparedWithAnOlderOne) {
+    const TemporaryFolder folder;
+    save(folder.path(), three());
+    Gradebook slow(folder.path());
+    const auto comparison = slow.compare(three());
+    save(folder.path(), {three()[0]});
+    EXPECT_THROW(slow.save(a_run(), three(), comparison, {}), HarnessError);
+    EXPECT_EQ(rows(folder, "SELECT id FROM submissions"), json::parse(R"([["ada"]])"));
+    EXPECT_EQ(rows(folder, "SELECT COUNT(*) FROM runs"), json::parse("[[2]]"));
+}
+
+TEST(Gradebook, TakesTheOverridesOfTwoProcessesAtOnce) {
+    const TemporaryFolder folder;
+    save(folder.path(), three());
+    constexpr int each = 20;
+    std::vector<pid_t> children;
+    for (const int question : {6, 8}) {
+        children.push_back(fork());
+        ASSERT_GE(children.back(), 0);
+        if (children.back() != 0) continue;
+        try {
+            Gradebook gradebook(folder.path());
+            for (int i = 0; i < each; ++i) {
+                gradebook.put_override({"s" + std::to_string(i), {question, "", 1, "why", "me", "now"}}, 0, {});
+            }
+        } catch (const std::exception&) {
+            _exit(1);
+        }
+        _exit(0);
+    }
+    for (const pid_t child : children) {
+        int status = 0;
+        waitpid(child, &status, 0);
+        EXPECT_EQ(status, 0);
+    }
+    EXPECT_THAT(Gradebook(folder.path()).overrides(), SizeIs(2 * each));
+    EXPECT_EQ(rows(folder, "SELECT COUNT(*) FROM audit"), json::parse("[[41]]"));
+}
+
+/// Which of two classes a gradebook holds: every mark of run n is n, and so is how many there are.
+std::vector<Graded> class_of_run(int n) {
+    std::vector<Graded> all;
+    for (int i = 0; i < 20 + n % 2; ++i) {
+        all.push_back(graded("s" + std::to_string(i), ""));
+        all.back().score.points = n;
+    }
+    return all;
+}
+
+/// The seed is fixed: 25 moments of saving one run after the other.
+TEST(Gradebook, IsAsBeforeOrAsAfterwardsWhenItsWriterIsKilled) {
+    const TemporaryFolder folder;
+    save(folder.path(), class_of_run(1));
+    std::mt19937 random(17);
+    int saved = 1;
+    for (int round = 0; round < 25; ++round) {
+        const pid_t child = fork();
+        ASSERT_GE(child, 0);
+        if (child == 0) {
+            try {
+                for (int n = saved + 1;; ++n) save(folder.path(), class_of_run(n));
+            } catch (const std::exception&) {
+                _exit(1);
+            }
+        }
+        std::this_thread::sleep_for(std::chrono::microseconds(random() % 60000));
+        kill(child, SIGKILL);
+        int status = 0;
+        waitpid(child, &status, 0);
+        ASSERT_TRUE(WIFSIGNALED(status)) << "it was still writing";
+        const Gradebook gradebook(folder.path());
+        const auto run = gradebook.last_run();
+        ASSERT_TRUE(run);
+        ASSERT_GE(run->number, saved) << "what was saved stays saved";
+        saved = static_cast<int>(run->number);
+        const std::vector<Graded> all = gradebook.restore();
+        ASSERT_EQ(all.size(), class_of_run(saved).size());
+        for (const Graded& one : all) ASSERT_EQ(one.score.points, saved) << one.submission.id;
+    }
+    EXPECT_GT(saved, 1) << "something was saved between two kills";
+    EXPECT_EQ(rows(folder, "SELECT DISTINCT final_points FROM submissions"), json::array({json::array({saved})}));
+    EXPECT_EQ(rows(folder, "SELECT COUNT(DISTINCT run), MAX(run) FROM history"),
+              json::array({json::array({saved, saved})}))
+        << "no run without its marks";
+}
+
+}  // namespace
+}  // namespace harness

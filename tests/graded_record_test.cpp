@@ -1,0 +1,132 @@
+#include "harness/graded_record.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "tests/report/graded_samples.h"
+
+namespace harness {
+namespace {
+
+using namespace report_samples;
+using namespace std::chrono_literals;
+using testing::ElementsAre;
+
+Graded again(const Graded& graded) {
+    auto restored = from_record(to_record(graded));
+    EXPECT_TRUE(restored.has_value());
+    return restored ? *restored : Graded{};
+}
+
+/// One of each kind, with whatever a submission may have.
+std::vector<Graded> a_class() {
+    Graded late = graded("late", output_with_a_mistake());
+    late.submission.lms = read_canvas_name("łzoe_LATE_17_4_ray_cast.cpp");
+    late.late_share = 0.1;
+    late.flags = {{"nondeterministic", "run 1 printed \x1b 2"}};
+    late.sanitizer = {"line 8: heap-buffer-overflow", "line 9: \xff"};
+    late.build.wall = 1234ms;
+    late.run.cpu = 7ms;
+    late.run.wall = 9ms;
+    late.run.peak_memory_bytes = std::uint64_t{5} << 40;
+    late.run.exit_code = 3;
+    Graded crashed = graded("crashed", "Question 6:\nt: nan\nd: inf\n");
+    crashed.outcome = Outcome::crashed;
+    crashed.tier = Tier::unsafe;
+    crashed.run.ended = Ended::signalled;
+    crashed.run.signal = 11;
+    crashed.score.follow_cap = 12.5;
+    Graded stopped = graded("stopped", "");
+    stopped.outcome = Outcome::timed_out;
+    stopped.run.ended = Ended::cpu_limit;
+    return {late, crashed, stopped, hostile(), not_graded("none")};
+}
+
+TEST(GradedRecord, GivesTheSameReportsByteForByte) {
+    const std::vector<Graded> fresh = a_class();
+    std::vector<Graded> restored;
+    for (const Graded& one : fresh) restored.push_back(again(one));
+    EXPECT_EQ(report::grades_json(restored, marking(), Tier::bwrap),
+              report::grades_json(fresh, marking(), Tier::bwrap));
+    EXPECT_EQ(report::grades_csv(restored), report::grades_csv(fresh));
+    EXPECT_EQ(report::class_table(restored), report::class_table(fresh));
+    for (std::size_t i = 0; i < fresh.size(); ++i) {
+        EXPECT_EQ(report::feedback_markdown(restored[i], marking()), report::feedback_markdown(fresh[i], marking()));
+        EXPECT_EQ(report::check_text(restored[i]), report::check_text(fresh[i]));
+    }
+}
+
+TEST(GradedRecord, GivesBackWhatNoReportShows) {
+    Graded one = graded("zoe", output_with_a_mistake());
+    one.our_fault = true;
+    one.submission.problem = "unreadable \xff";
+    one.submission.notes = {"older: a.cpp", ""};
+    one.submission.lms = LmsName{"Zoe", "17", "4", "a b.cpp", false, false};
+    one.build.tried = one.build.compiled = one.build.reached_limit = true;
+    one.run.error = 8;
+    one.run.errors_truncated = true;
+    one.score.questions[5].items[4].advice = "The nearer one.";
+    const Graded restored = again(one);
+    EXPECT_TRUE(restored.our_fault);
+    EXPECT_EQ(restored.submission.problem, "unreadable \xff");
+    EXPECT_THAT(restored.submission.notes, ElementsAre("older: a.cpp", ""));
+    ASSERT_TRUE(restored.submission.lms);
+    EXPECT_EQ(restored.submission.lms->attachment, "4");
+    EXPECT_EQ(restored.submission.lms->file, "a b.cpp");
+    EXPECT_FALSE(restored.submission.lms->is_file);
+    EXPECT_TRUE(restored.build.tried && restored.build.compiled && restored.build.reached_limit);
+    EXPECT_EQ(restored.run.error, 8);
+    EXPECT_TRUE(restored.run.errors_truncated);
+    EXPECT_EQ(restored.score.questions[5].items[4].advice, "The nearer one.");
+    EXPECT_EQ(restored.score.questions[5].items[4].spec.label, one.score.questions[5].items[4].spec.label);
+}
+
+TEST(GradedRecord, KeepsEveryNumberAsItIs) {
+    Graded one = graded("zoe", output_with_a_mistake());
+    one.score.points = 100.0 / 3;
+    ItemScore& item = one.score.questions[5].items[4];
+    for (const double x : {0.0, 1e-300, 0.1, 1.0 / 3, std::numeric_limits<double>::infinity(),
+                           std::numeric_limits<double>::denorm_min(), 123456789.125}) {
+        item.error = x;
+        item.allowance = x;
+        const Graded restored = again(one);
+        EXPECT_EQ(restored.score.questions[5].items[4].error, x);
+        EXPECT_EQ(restored.score.questions[5].items[4].allowance, x);
+        EXPECT_EQ(restored.score.points, 100.0 / 3);
+    }
+    item.error = std::nan("");
+    EXPECT_TRUE(std::isnan(*again(one).score.questions[5].items[4].error));
+    item.error.reset();
+    EXPECT_FALSE(again(one).score.questions[5].items[4].error.has_value());
+}
+
+TEST(GradedRecord, HasTheSameBytesForTheSameSubmission) {
+    for (const Graded& one : a_class()) EXPECT_EQ(to_record(again(one)), to_record(one));
+    Graded other = a_class().front();
+    other.score.questions[9].items[0].points += 0.001;
+    EXPECT_NE(to_record(other), to_record(a_class().front()));
+}
+
+TEST(GradedRecord, IsNotReadFromOtherBytes) {
+    const std::vector<std::uint8_t> whole = to_record(hostile());
+    ASSERT_GT(whole.size(), 1000U);
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        EXPECT_FALSE(from_record({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)})) << size;
+    }
+    for (const char* path : {"/outcome", "/sandbox", "/run/ended", "/score/questions/0/items/0/verdict",
+                             "/score/questions/0/items/0/name"}) {
+        auto json = nlohmann::json::from_cbor(whole);
+        ASSERT_TRUE(json.contains(nlohmann::json::json_pointer(path))) << path;
+        json[nlohmann::json::json_pointer(path)] = "unheard of";
+        EXPECT_FALSE(from_record(nlohmann::json::to_cbor(json))) << path;
+        json[nlohmann::json::json_pointer(path)] = 7;
+        EXPECT_FALSE(from_record(nlohmann::json::to_cbor(json))) << path;
+    }
+}
+
+}  // namespace
+}  // namespace harness
