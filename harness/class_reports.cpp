@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <future>
+#include <sstream>
 
 #include "harness/failure.h"
 #include "harness/report/report.h"
@@ -40,6 +41,27 @@ std::optional<report::CanvasImport> write_canvas(const ClassResults& results, co
     return import;
 }
 
+std::optional<report::MoodleImport> write_moodle(const ClassResults& results, const fs::path& file) {
+    if (!results.moodle) {
+        fs::remove(file);
+        return std::nullopt;
+    }
+    report::MoodleImport import = report::moodle_import(*results.moodle, results.graded);
+    write_file(file, import.csv);
+    return import;
+}
+
+std::optional<report::FeedbackZip> write_zip(const ClassResults& results, const fs::path& file) {
+    if (!report::is_from_lms(results.graded)) {
+        fs::remove(file);
+        return std::nullopt;
+    }
+    report::FeedbackZip zip;
+    write_file(
+        file, [&](std::ostream& stream) { zip = report::write_feedback_zip(stream, results.graded, results.marking); });
+    return zip;
+}
+
 }  // namespace
 
 std::vector<std::string> marks_of_results() {
@@ -59,8 +81,15 @@ std::optional<report::CanvasRoster> read_roster(const std::optional<KeptInput>& 
     return report::read_canvas_roster(input->content, input->choice);
 }
 
-std::optional<report::CanvasImport> write_class_reports(const ClassResults& results, const fs::path& folder,
-                                                        std::optional<std::size_t> only) {
+std::optional<report::MoodleWorksheet> read_worksheet(const std::optional<KeptInput>& input) {
+    if (!input) return std::nullopt;
+    std::vector<std::string> columns;
+    std::istringstream choice(input->choice);
+    for (std::string column; std::getline(choice, column);) columns.push_back(column);
+    return report::read_moodle_worksheet(input->content, columns);
+}
+
+HandedBack write_class_reports(const ClassResults& results, const fs::path& folder, std::optional<std::size_t> only) {
     try {
         std::future<void> written = std::async(std::launch::async, [&] {
             if (only) {
@@ -69,13 +98,16 @@ std::optional<report::CanvasImport> write_class_reports(const ClassResults& resu
                 write_all_feedback(results, folder / "feedback");
             }
         });
-        auto import = write_canvas(results, folder / canvas_import_name);
+        HandedBack handed_back;
+        handed_back.canvas = write_canvas(results, folder / canvas_import_name);
+        handed_back.moodle = write_moodle(results, folder / moodle_import_name);
         write_file(folder / "grades.csv", report::grades_csv(results.graded));
         write_file(folder / "grades.json", [&](std::ostream& stream) {
             report::write_grades_json(stream, results.graded, results.marking, results.tier);
         });
+        handed_back.feedback = write_zip(results, folder / feedback_zip_name);
         written.get();
-        return import;
+        return handed_back;
     } catch (const fs::filesystem_error& error) {
         throw HarnessError(fmt::format("{}: can't be written: {}", error.path1().string(), error.code().message()));
     }

@@ -9,12 +9,17 @@
 
 #include "harness/gradebook.h"
 #include "harness/report/canvas.h"
+#include "harness/report/feedback_zip.h"
+#include "harness/report/moodle.h"
 
 namespace harness {
 
-/// The name of the roster among a gradebook's inputs, and of the file that is made from it.
+/// The names of the rosters among a gradebook's inputs, and of the files that are made from them.
 constexpr const char* canvas_roster_input = "canvas-roster";
 constexpr const char* canvas_import_name = "grades-canvas.csv";
+constexpr const char* moodle_worksheet_input = "moodle-worksheet";
+constexpr const char* moodle_import_name = "grades-moodle.csv";
+constexpr const char* feedback_zip_name = "feedback.zip";
 
 /// The names of the files that tell that a folder holds results of raygrade.
 std::vector<std::string> marks_of_results();
@@ -28,17 +33,25 @@ struct ClassResults {
     const std::vector<Graded>& graded;  ///< with their overrides
     const Marking& marking;
     Tier tier;
-    std::optional<report::CanvasRoster> canvas;  ///< whose gradebook to fill in; empty for none
+    std::optional<report::CanvasRoster> canvas;     ///< whose gradebook to fill in; empty for none
+    std::optional<report::MoodleWorksheet> moodle;  ///< likewise
 };
 
 /// Reads the inputs that a gradebook keeps, such as the roster. Throws RosterError.
 std::optional<report::CanvasRoster> read_roster(const std::optional<KeptInput>& input);
+std::optional<report::MoodleWorksheet> read_worksheet(const std::optional<KeptInput>& input);
+
+/// Whom the files for other systems leave out; each empty where there is no such file.
+struct HandedBack {
+    std::optional<report::CanvasImport> canvas;
+    std::optional<report::MoodleImport> moodle;
+    std::optional<report::FeedbackZip> feedback;
+};
 
 /// Writes every report into `folder`, which has been made with its folder `feedback`, and removes those of students who
 /// are no longer in the class. With `only`, the place of one submission, the feedback of the others stays as it is.
-/// The result says whom Canvas's import leaves out. Throws HarnessError.
-std::optional<report::CanvasImport> write_class_reports(const ClassResults& results,
-                                                        const std::filesystem::path& folder,
-                                                        std::optional<std::size_t> only = {});
+/// Throws HarnessError.
+HandedBack write_class_reports(const ClassResults& results, const std::filesystem::path& folder,
+                               std::optional<std::size_t> only = {});
 
 }  // namespace harness

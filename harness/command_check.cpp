@@ -4,6 +4,7 @@
 #include "harness/commands.h"
 #include "harness/find_submissions.h"
 #include "harness/report/report.h"
+#include "harness/report_files.h"
 
 namespace harness {
 
@@ -14,6 +15,7 @@ int check_command(const CheckOptions& options) {
         throw UsageError(fmt::format("{}: holds {} submissions; `raygrade check` takes one, `raygrade grade` a class",
                                      options.source.string(), submissions.size()));
     }
+    const CheckFiles files(options);
     const Workshop workshop = open_workshop(options.workshop, assignment.limits);
     tell_of_the_sandbox(workshop);
     // Now that the looks at the machine are over: the key is needed only when the program has run.
@@ -21,6 +23,7 @@ int check_command(const CheckOptions& options) {
     const Graded graded = grade(submissions.front(), marking, workshop);
     tell_problems(workshop);
     fmt::print("{}\n\n{}", assignment.title, report::check_text(graded));
+    files.write(graded, marking.get());
     if (graded.outcome == Outcome::not_graded) return status_of({graded});
     const bool too_few =
         options.fail_under && graded.score.points < *options.fail_under / 100 * graded.score.max_points;

@@ -16,6 +16,7 @@
 #include "harness/progress.h"
 #include "harness/report/class_changes.h"
 #include "harness/report/report.h"
+#include "harness/report_files.h"
 #include "harness/results_folder.h"
 #include "reference/assignment_file.h"
 
@@ -81,6 +82,17 @@ std::optional<report::CanvasRoster> find_roster(const std::optional<KeptInput>& 
         return read_roster(given ? given : gradebook.input(canvas_roster_input));
     } catch (const report::RosterError& error) {
         const fs::path file = given ? options.canvas_roster : options.out / gradebook_name;
+        throw UsageError(fmt::format("{} {}", file.string(), error.what()));
+    }
+}
+
+/// The worksheet given, or the one kept from an earlier run.
+std::optional<report::MoodleWorksheet> find_worksheet(const std::optional<KeptInput>& given, const Gradebook& gradebook,
+                                                      const GradeOptions& options) {
+    try {
+        return read_worksheet(given ? given : gradebook.input(moodle_worksheet_input));
+    } catch (const report::RosterError& error) {
+        const fs::path file = given ? options.moodle_worksheet : options.out / gradebook_name;
         throw UsageError(fmt::format("{} {}", file.string(), error.what()));
     }
 }
@@ -157,6 +169,7 @@ void tell_canvas(const report::CanvasImport& import, const fs::path& file) {
 
 int grade_command(const GradeOptions& options) {
     const auto roster_given = read_roster_file(options);
+    const auto worksheet_given = read_worksheet_file(options);
     const reference::AssignmentFile file = reference::read_assignment_file(options.assignment, assignments_folder());
     const reference::Assignment assignment = reference::parse_assignment(file.toml, file.path);
     const auto marking = begin_marking(assignment);
@@ -166,7 +179,9 @@ int grade_command(const GradeOptions& options) {
     const FolderLock lock(options.out);
     Desk desk = open_desk(options, holds);
     const auto roster = find_roster(roster_given, desk.gradebook, options);
+    const auto worksheet = find_worksheet(worksheet_given, desk.gradebook, options);
     if (!options.trace.empty()) check_trace(options.trace);
+    prepare_report_file(options.junit, "--junit", ".xml");
     const Workshop workshop = open_workshop(options.workshop, assignment.limits);
     tell_of_the_sandbox(workshop);
     // A mistake of the assignment is to be told before a class is compiled.
@@ -187,10 +202,16 @@ int grade_command(const GradeOptions& options) {
     }
     const Tier tier = workshop.sandbox->tier();
     const Run run{0, author_now(), RAYGRADE_VERSION, assignment.name, file.path, file.toml, tier};
-    desk.gradebook.save(run, graded, comparison, roster_given ? std::vector{*roster_given} : std::vector<KeptInput>{});
-    const auto import = write_class_reports({graded, marking.get(), tier, roster}, options.out);
+    std::vector<KeptInput> inputs;
+    if (roster_given) inputs.push_back(*roster_given);
+    if (worksheet_given) inputs.push_back(*worksheet_given);
+    desk.gradebook.save(run, graded, comparison, inputs);
+    const HandedBack handed_back = write_class_reports({graded, marking.get(), tier, roster, worksheet}, options.out);
     desk.gradebook.note_reports_written();
-    if (import) tell_canvas(*import, options.out / canvas_import_name);
+    write_junit_file(options, graded, marking.get());
+    if (handed_back.canvas) tell_canvas(*handed_back.canvas, options.out / canvas_import_name);
+    if (handed_back.moodle) tell_moodle(*handed_back.moodle, options.out / moodle_import_name);
+    if (handed_back.feedback) tell_feedback(*handed_back.feedback, options.out / feedback_zip_name);
     fmt::print("\nresults: {}\nfeedback: {}\n", (options.out / "grades.json").string(),
                (options.out / "feedback").string());
     return status_of(graded);

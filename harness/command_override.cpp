@@ -69,14 +69,16 @@ void rewrite_reports(Gradebook& gradebook, const Kept& kept, bool all, std::opti
     const reference::Assignment assignment = reference::parse_assignment(kept.run.toml, kept.run.assignment_file);
     const auto marking = begin_marking(assignment);
     std::optional<report::CanvasRoster> roster;
+    std::optional<report::MoodleWorksheet> worksheet;
     try {
         roster = read_roster(gradebook.input(canvas_roster_input));
+        worksheet = read_worksheet(gradebook.input(moodle_worksheet_input));
     } catch (const report::RosterError& error) {
         throw HarnessError(
             fmt::format("{}: the roster kept in it {}", (folder / gradebook_name).string(), error.what()));
     }
     make_results_folder(folder, "feedback");
-    const ClassResults results{kept.graded, marking.get(), kept.run.tier, roster};
+    const ClassResults results{kept.graded, marking.get(), kept.run.tier, roster, worksheet};
     if (all || changed) write_class_reports(results, folder, all ? std::nullopt : changed);
     gradebook.note_reports_written();
 }

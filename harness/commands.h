@@ -30,6 +30,9 @@ struct GradeOptions {
     std::string canvas_column;            ///< the assignment's in it; empty for the only one
     std::filesystem::path trace;          ///< where to write a trace of the run; empty for none
     WorkshopOptions workshop;
+    std::filesystem::path moodle_worksheet = {};   ///< a grading worksheet downloaded from Moodle; empty for none
+    std::vector<std::string> moodle_columns = {};  ///< "grade=Bewertung": its columns that can't be told
+    std::filesystem::path junit = {};              ///< where to write JUnit XML; empty for nowhere
 };
 int grade_command(const GradeOptions& options);
 
@@ -50,6 +53,10 @@ struct CheckOptions {
     std::string assignment;
     std::optional<double> fail_under;  ///< percent of the points
     WorkshopOptions workshop;
+    // Where to write what other systems read; empty for nowhere.
+    std::filesystem::path gradescope = {};   ///< results.json
+    std::filesystem::path classroom50 = {};  ///< result.json
+    std::filesystem::path junit = {};        ///< JUnit XML
 };
 int check_command(const CheckOptions& options);
 

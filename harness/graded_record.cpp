@@ -1,6 +1,7 @@
 #include "harness/graded_record.h"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <stdexcept>
@@ -112,8 +113,11 @@ Score score_from(const json& record) {
     return score;
 }
 
+constexpr std::array systems = {"canvas", "moodle", "gradescope"};  // as in Lms
+
 json lms_record(const LmsName& name) {
     json record = json::object();
+    record["system"] = systems.at(static_cast<std::size_t>(name.system));
     put(record, "student", name.student);
     put(record, "id", name.id);
     put(record, "attachment", name.attachment);
@@ -124,7 +128,10 @@ json lms_record(const LmsName& name) {
 }
 
 LmsName lms_from(const json& record) {
+    const auto system = std::find(systems.begin(), systems.end(), take<std::string>(record, "system"));
+    if (system == systems.end()) throw std::out_of_range("a record of an unknown system");
     LmsName name;
+    name.system = static_cast<Lms>(system - systems.begin());
     name.student = take<std::string>(record, "student");
     name.id = take<std::string>(record, "id");
     name.attachment = take<std::string>(record, "attachment");

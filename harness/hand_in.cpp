@@ -81,8 +81,6 @@ Submission take_packed(const FileTree& tree, const HandIn& hand_in, std::string 
     }
 }
 
-enum class Lms { canvas, moodle, gradescope };
-
 std::optional<LmsName> read_name(Lms lms, const path& file, bool is_folder) {
     const std::string name = file.filename();
     switch (lms) {

@@ -32,6 +32,7 @@ std::optional<LmsName> read_canvas_name(std::string_view file) {
 std::optional<LmsName> read_moodle_name(std::string_view text) {
     static const RE2 pattern(R"((?s)(.*)_(\d+)_assignsubmission_(file|onlinetext)(?:_(.*))?)");
     LmsName name;
+    name.system = Lms::moodle;
     std::string kind;
     if (!RE2::FullMatch(piece(text), pattern, &name.student, &name.id, &kind, &name.file)) return std::nullopt;
     name.is_file = kind == "file";
@@ -41,6 +42,7 @@ std::optional<LmsName> read_moodle_name(std::string_view text) {
 std::optional<LmsName> read_gradescope_name(std::string_view folder) {
     static const RE2 pattern(R"(submission_(\d+))");
     LmsName name;
+    name.system = Lms::gradescope;
     if (!RE2::FullMatch(piece(folder), pattern, &name.id)) return std::nullopt;
     return name;
 }

@@ -7,8 +7,11 @@
 
 namespace harness {
 
+enum class Lms { canvas, moodle, gradescope };
+
 /// Who handed a file in, when and as what, as far as its name in the system's download tells.
 struct LmsName {
+    Lms system = Lms::canvas;  ///< whose number `id` is
     std::string student;     ///< the name as the system writes it: "doejane", "Jane Doe", a group's; empty if anonymous
     std::string id;          ///< the system's number of the user, participant or submission
     std::string attachment;  ///< Canvas's number of the file, higher for a later one; empty elsewhere

@@ -38,6 +38,13 @@ void add_assignment(CLI::App& command, std::string& assignment) {
         ->capture_default_str();
 }
 
+void add_junit(CLI::App& command, std::filesystem::path& junit) {
+    command
+        .add_option("--junit", junit,
+                    "Also write JUnit XML, for continuous integration: a testsuite a submission, a testcase an answer")
+        ->type_name("FILE.xml");
+}
+
 void add_workshop(CLI::App& command, WorkshopOptions& workshop) {
     command
         .add_option("--limit", workshop.limits,
@@ -119,6 +126,19 @@ int run(int argc, char** argv) {
                     "The assignment's column in it, with its number or without; needed where there are several")
         ->type_name("TITLE");
     grade_app
+        .add_option(
+            "--moodle-worksheet", grade.moodle_worksheet,
+            "A grading worksheet downloaded from Moodle: also write grades-moodle.csv, the same with the grades "
+            "filled in, and say who could not be matched")
+        ->type_name("FILE");
+    grade_app
+        .add_option("--moodle-column", grade.moodle_columns,
+                    "What a column of it is for, where raygrade can't tell: identifier, name, grade, maximum or "
+                    "changeable, as in --moodle-column grade=Bewertung")
+        ->allow_extra_args(false)
+        ->type_name("WHAT=HEADING");
+    add_junit(grade_app, grade.junit);
+    grade_app
         .add_option("--trace", grade.trace,
                     "Write a trace of build, run, read and score of each submission here, for ui.perfetto.dev")
         ->type_name("FILE");
@@ -152,6 +172,16 @@ int run(int argc, char** argv) {
     check_app.add_option("--fail-under", check.fail_under, "Exit with status 1 below this share of the points")
         ->check(CLI::Range(0.0, 100.0))
         ->type_name("PERCENT");
+    check_app
+        .add_option("--gradescope", check.gradescope,
+                    "Also write Gradescope's results.json, as an autograder must: see README, For an autograder")
+        ->type_name("FILE.json");
+    check_app
+        .add_option("--classroom50", check.classroom50,
+                    "Also write Classroom 50's result.json, by the environment of its runner; not where there are no "
+                    "marks")
+        ->type_name("FILE.json");
+    add_junit(check_app, check.junit);
     add_workshop(check_app, check.workshop);
     check_app.footer(limits_footer() + "\nExample: raygrade check ray_cast.cpp");
 

@@ -69,6 +69,9 @@ std::string reason(const Answer& answer, const AnswerKey& key);
 /// allowance.
 AnswerKey make_key(const Assignment& assignment, Precision precision);
 
+/// One value as a right program prints it: 0.585786, vec3(0.000000, 0.000000, -2.000000), a sentence, or "none".
+std::string value_text(const Value& value, Shape shape);
+
 /// As a right program prints it: the handout's questions, one labelled answer a line, in glm::to_string's format.
 std::string to_text(const AnswerKey& key);
 

@@ -25,20 +25,6 @@ std::string matrix_text(std::span<const double> numbers, std::size_t size) {
     return text + ")";
 }
 
-std::string value_text(const Value& value, Shape shape) {
-    if (std::holds_alternative<NoValue>(value)) return "none";
-    if (const Verdict* verdict = std::get_if<Verdict>(&value)) return std::string(sentence(*verdict));
-    const Numbers& numbers = std::get<Numbers>(value);
-    switch (shape) {
-        case Shape::scalar: return fmt::format("{:.6g}", numbers.front());
-        case Shape::vector: return "vec3" + group(numbers);
-        case Shape::matrix3: return matrix_text(numbers, 3);
-        case Shape::matrix4: return matrix_text(numbers, 4);
-        case Shape::verdict: return "";
-    }
-    return "";
-}
-
 /// A scalar as a number, a vector as an array, a matrix as an array of columns.
 ordered_json shaped(const Numbers& numbers, Shape shape) {
     if (shape == Shape::scalar) return numbers.front();
@@ -98,6 +84,20 @@ void write(const ordered_json& json, const std::string& new_line, std::string& t
 }
 
 }  // namespace
+
+std::string value_text(const Value& value, Shape shape) {
+    if (std::holds_alternative<NoValue>(value)) return "none";
+    if (const Verdict* verdict = std::get_if<Verdict>(&value)) return std::string(sentence(*verdict));
+    const Numbers& numbers = std::get<Numbers>(value);
+    switch (shape) {
+        case Shape::scalar: return fmt::format("{:.6g}", numbers.front());
+        case Shape::vector: return "vec3" + group(numbers);
+        case Shape::matrix3: return matrix_text(numbers, 3);
+        case Shape::matrix4: return matrix_text(numbers, 4);
+        case Shape::verdict: return "";
+    }
+    return "";
+}
 
 ordered_json value_json(const Value& value, Shape shape) {
     if (std::holds_alternative<NoValue>(value)) return nullptr;

@@ -1,14 +1,9 @@
 #include "harness/report/canvas.h"
 
-#include <csv.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <climits>
-#include <cwchar>
-#include <cwctype>
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -18,42 +13,6 @@
 
 namespace harness::report {
 namespace {
-
-using Row = std::vector<std::string>;
-
-struct Rows {
-    std::vector<Row> rows;
-    Row row;
-};
-
-/// RFC 4180 with the byte order mark that spreadsheets put before it.
-std::vector<Row> parse_csv(std::string_view text) {
-    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-    csv_parser parser;
-    if (csv_init(&parser, CSV_APPEND_NULL) != 0) throw std::bad_alloc();
-    const std::unique_ptr<csv_parser, void (*)(csv_parser*)> end(&parser, csv_free);
-    Rows rows;
-    const auto on_cell = [](void* cell, std::size_t size, void* data) {
-        static_cast<Rows*>(data)->row.emplace_back(static_cast<const char*>(cell), size);
-    };
-    const auto on_row = [](int, void* data) {
-        auto* all = static_cast<Rows*>(data);
-        all->rows.push_back(std::exchange(all->row, {}));
-    };
-    csv_parse(&parser, text.data(), text.size(), on_cell, on_row, &rows);
-    csv_fini(&parser, on_cell, on_row, &rows);
-    return std::move(rows.rows);
-}
-
-std::optional<std::size_t> column_of(const Row& header, std::string_view name) {
-    const auto found = std::find(header.begin(), header.end(), name);
-    if (found == header.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - header.begin());
-}
-
-std::string cell_of(const Row& row, std::optional<std::size_t> column) {
-    return column && *column < row.size() ? row[*column] : "";
-}
 
 /// "Title (number)": the title; empty for another header.
 std::string title_of(const std::string& header) {
@@ -83,24 +42,6 @@ std::string choose_column(const Row& header, const std::string& wanted) {
                       way_out);
 }
 
-/// A name as Canvas writes it in the download: lower case without anything but letters, digits and '_'.
-std::string name_in_a_download(const std::string& name) {
-    std::string result;
-    std::mbstate_t in{}, out{};
-    for (std::size_t at = 0; at < name.size();) {
-        wchar_t c = 0;
-        const std::size_t size = std::mbrtowc(&c, name.data() + at, name.size() - at, &in);
-        if (size == 0 || size > name.size() - at) break;  // no UTF-8
-        at += size;
-        if (std::iswalnum(static_cast<std::wint_t>(c)) == 0 && c != L'_') continue;
-        char bytes[MB_LEN_MAX];
-        const std::size_t written =
-            std::wcrtomb(bytes, static_cast<wchar_t>(std::towlower(static_cast<std::wint_t>(c))), &out);
-        if (written <= MB_LEN_MAX) result.append(bytes, written);
-    }
-    return result;
-}
-
 /// The rows of the students by what they may be found by, the surest key first.
 class Index {
   public:
@@ -117,14 +58,16 @@ class Index {
             add(0, cell_of(cells, number), row);
             add(1, cell_of(cells, sis_user), row);
             add(2, cell_of(cells, sis_login), row);
-            add(3, name_in_a_download(cell_of(cells, student)), row);
+            add(3, name_key(cell_of(cells, student)), row);
         }
     }
 
     std::set<std::size_t> find(const Submission& submission) const {
-        const std::string number = submission.lms ? submission.lms->id : submission.id;
+        // Another system's number of a student may be Canvas's of somebody else.
+        const bool of_another = submission.lms && submission.lms->system != Lms::canvas;
+        const std::string number = of_another ? "" : submission.lms ? submission.lms->id : submission.id;
         const std::string name = submission.lms ? submission.lms->student : submission.id;
-        const std::string values[] = {number, submission.id, submission.id, name_in_a_download(name)};
+        const std::string values[] = {number, submission.id, submission.id, name_key(name)};
         for (std::size_t key = 0; key < std::size(keys_); ++key) {
             const auto found = keys_[key].find(values[key]);
             if (found != keys_[key].end()) return found->second;

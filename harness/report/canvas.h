@@ -1,26 +1,20 @@
 // Marks back into Canvas: its own exported gradebook, filled in.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "harness/grade.h"
+#include "harness/report/roster.h"
 
 namespace harness::report {
 
-/// The gradebook can't be used: what() says why and the way out.
-class RosterError : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
-
 /// What Canvas exports under Grades: one row a student, one column an assignment (gradebook_importer.rb).
 struct CanvasRoster {
-    std::vector<std::string> header;
-    std::vector<std::vector<std::string>> before;  ///< the rows above the students', such as "Points Possible"
-    std::vector<std::vector<std::string>> students;
+    Row header;
+    std::vector<Row> before;  ///< the rows above the students', such as "Points Possible"
+    std::vector<Row> students;
     std::string column;  ///< the assignment's, "Title (number)"
 };
 

@@ -1,15 +1,9 @@
 // The reports as the programs that will read them read them: JSON and CSV by Python, HTML and SVG by an XML parser.
 #include <gmock/gmock.h>
 
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
 #include "harness/report/accuracy_report.h"
 #include "tests/accuracy/sample_measurement.h"
-#include "tests/temporary_folder.h"
+#include "tests/report/told_by.h"
 
 namespace {
 
@@ -17,24 +11,6 @@ using harness::report::AccuracyFindings;
 using testing::HasSubstr;
 using testing::Not;
 namespace report = harness::report;
-
-/// What a shell command prints with `content` in the file $1; fails the test where the command fails.
-std::string told_by(const std::string& command, const std::string& content) {
-    const TemporaryFolder folder;
-    std::ofstream(folder.path() / "content", std::ios::binary) << content;
-    std::ofstream(folder.path() / "script") << command;
-    const std::string run = "bash " + (folder.path() / "script").string() + " " + (folder.path() / "content").string() +
-                            " > " + (folder.path() / "told").string() + " 2>&1";
-    const int status = std::system(run.c_str());
-    std::ifstream told(folder.path() / "told");
-    std::string text{std::istreambuf_iterator<char>(told), {}};
-    EXPECT_EQ(status, 0) << text;
-    return text;
-}
-
-std::string python(const std::string& program, const std::string& content) {
-    return told_by("python3 - \"$1\" <<'END'\nimport csv, json, sys\n" + program + "\nEND\n", content);
-}
 
 constexpr const char* read_json = "d = json.load(open(sys.argv[1], encoding='utf-8'))\n";
 constexpr const char* read_csv = "r = list(csv.DictReader(open(sys.argv[1], encoding='utf-8', newline='')))\n";

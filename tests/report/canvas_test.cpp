@@ -116,6 +116,24 @@ TEST(CanvasImport, LeavesAloneWhatHasNoMarks) {
     EXPECT_THAT(import.csv, Not(HasSubstr("Roe")));
 }
 
+TEST(CanvasImport, TakesNoOtherSystemsNumberForCanvass) {
+    Graded of_moodle = handed_in("somebody");
+    of_moodle.submission.lms = read_moodle_name("Some Body_14_assignsubmission_file");
+    EXPECT_THAT(import_of({of_moodle}).unmatched, ElementsAre("somebody"));
+    of_moodle.submission.lms = read_moodle_name("Poe Pat_14_assignsubmission_file");
+    EXPECT_EQ(rows_of(import_of({of_moodle}).csv)[2][0], "Poe, Pat") << "by name";
+}
+
+TEST(CanvasImport, GivesThePointsThatCount) {
+    Graded late = handed_in("14");
+    late.late_share = 0.5;
+    Graded by_hand = not_graded("15");
+    by_hand.overrides = {{0, "", 80, "read by hand", "ada", ""}};
+    const auto rows = rows_of(import_of({late, by_hand}).csv);
+    EXPECT_EQ(rows[2][5], "49.17");
+    EXPECT_EQ(rows[3][5], "80.00");
+}
+
 TEST(CanvasRoster, SaysWhyAColumnCannotBeChosen) {
     EXPECT_THAT(why_not(exported, ""), HasSubstr("\"Assignment 5 (70)\", \"Assignment 6 (71)\""));
     EXPECT_THAT(why_not(exported, "Assignment 7"), HasSubstr("no column \"Assignment 7\""));

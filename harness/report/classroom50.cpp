@@ -1,0 +1,69 @@
+#include "harness/report/classroom50.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "harness/final_mark.h"
+#include "harness/report/item_text.h"
+
+namespace harness::report {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::size_t longest_output = 5'000;
+
+/// Halves up; what a sum of shares lacks to a half through rounding is forgiven.
+long whole(double points) {
+    return std::max(0L, std::lround(points + 1e-9));
+}
+
+/// The questions' whole points: each what the sum so far grows by when it is rounded, so that nothing is lost or won.
+ordered_json tests_json(const Graded& graded, const Marking& marking) {
+    ordered_json tests = ordered_json::array();
+    double points = 0, most = 0;
+    for (const QuestionScore& question : graded.score.questions) {
+        const double own = final_points(graded, question);
+        const long score = whole(points + own) - whole(points);
+        const long max_score = whole(most + question.max_points) - whole(most);
+        std::string output;
+        for (const ItemScore& item : question.items) output += item_text(graded, question, item, marking);
+        points += own;
+        most += question.max_points;
+        tests.push_back(
+            {{"test-name", fmt::format("Question {}: {}", question.number, reference::question_title(question.number))},
+             {"passed", is_passed(own, question.max_points, question.verdict)},
+             {"score", std::min(score, max_score)},
+             {"max-score", max_score},
+             {"points", std::round(own * 100) / 100},
+             {"output", bounded(output, longest_output)}});
+    }
+    return tests;
+}
+
+}  // namespace
+
+std::string classroom50_result(const Graded& graded, const Marking& marking, const Classroom50Submission& submission) {
+    const auto mark = final_mark(graded);
+    if (!mark) throw std::logic_error("a result.json without points");
+    const long max_score = whole(graded.score.max_points);
+    ordered_json json{{"schema", "classroom50/result/v1"},
+                      {"classroom", submission.classroom},
+                      {"assignment", submission.assignment}};
+    if (!submission.assignment_type.empty()) json["assignment_type"] = submission.assignment_type;
+    if (!submission.owner.empty()) json["owner"] = submission.owner;
+    json["submission"] = submission.tag;
+    json["commit"] = submission.commit;
+    json["release"] = submission.release;
+    json["review"] = submission.review;
+    json["datetime"] = submission.datetime;
+    json["score"] = std::min(whole(mark->points), max_score);
+    json["max-score"] = max_score;
+    json["tests"] = tests_json(graded, marking);
+    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace harness::report

@@ -1,0 +1,63 @@
+#include "harness/report/gradescope.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "harness/final_mark.h"
+#include "harness/report/item_text.h"
+
+namespace harness::report {
+namespace {
+
+using nlohmann::ordered_json;
+
+// Ten questions and the whole: below 100,000.
+constexpr std::size_t longest_of_the_whole = 40'000;
+constexpr std::size_t longest_of_a_question = 5'000;
+
+double two_decimals(double points) {
+    return std::round(points * 100) / 100;
+}
+
+ordered_json test_json(const Graded& graded, const QuestionScore& question, const Marking& marking) {
+    const double points = final_points(graded, question);
+    std::string output;
+    for (const ItemScore& item : question.items) output += item_text(graded, question, item, marking);
+    output += override_text(find_override(graded, question.number, ""));
+    return {{"name", fmt::format("Question {}: {}", question.number, reference::question_title(question.number))},
+            {"number", std::to_string(question.number)},
+            {"score", two_decimals(points)},
+            {"max_score", two_decimals(question.max_points)},
+            {"status", is_passed(points, question.max_points, question.verdict) ? "passed" : "failed"},
+            {"output", bounded(output, longest_of_a_question)},
+            {"output_format", "text"},
+            {"visibility", "visible"}};
+}
+
+}  // namespace
+
+std::string gradescope_results(const Graded& graded, const Marking& marking) {
+    ordered_json json;
+    const auto mark = final_mark(graded);
+    if (mark) json["score"] = two_decimals(mark->points);
+    json["execution_time"] = static_cast<double>((graded.build.wall + graded.run.wall).count()) / 1000.0;
+    json["output"] = bounded(submission_text(graded), longest_of_the_whole);
+    json["output_format"] = "text";
+    json["test_output_format"] = "text";
+    json["test_name_format"] = "text";
+    json["visibility"] = "visible";
+    json["stdout_visibility"] = "hidden";
+    json["extra_data"] = {{"outcome", to_string(graded.outcome)}};
+    const auto& lms = graded.submission.lms;
+    if (lms && lms->system == Lms::canvas) json["extra_data"]["late"] = lms->late;
+    if (mark && graded.outcome != Outcome::not_graded) {
+        json["tests"] = ordered_json::array();
+        for (const QuestionScore& question : graded.score.questions)
+            json["tests"].push_back(test_json(graded, question, marking));
+    }
+    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace harness::report

@@ -1,0 +1,84 @@
+#include "harness/report/item_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/clean_text.h"
+#include "harness/final_mark.h"
+#include "harness/report/report.h"
+
+namespace harness::report {
+namespace {
+
+std::string right_value(const ItemScore& item, const Marking& marking) {
+    for (const reference::KeyQuestion& question : marking.key.questions) {
+        if (question.number != item.spec.question) continue;
+        for (const reference::KeyItem& each : question.items) {
+            if (each.spec.name == item.spec.name) return value_text(each.answers.front().value, each.spec.shape);
+        }
+    }
+    return "";
+}
+
+}  // namespace
+
+bool is_passed(double points, double max_points, ItemVerdict verdict) {
+    constexpr double rounding = 1e-9;  // of the shares that points are sums of
+    if (max_points > 0) return points >= max_points - rounding;
+    return verdict == ItemVerdict::right || verdict == ItemVerdict::follow;
+}
+
+std::string override_text(const Override* override_) {
+    if (override_ == nullptr) return "";
+    return fmt::format("Set by the instructor: {} points, {}\n", points_text(override_->points),
+                       escape_control(override_->why));
+}
+
+std::string item_text(const Graded& graded, const QuestionScore& question, const ItemScore& item,
+                      const Marking& marking) {
+    std::string text = fmt::format("{}: {}, {} of {} points{}\n", item.spec.name, to_string(item.verdict),
+                                   points_text(final_points(graded, question, item)), points_text(item.max_points),
+                                   item.line == 0 ? "" : fmt::format(" (line {} of the output)", item.line));
+    const std::string sentence = item_sentence(item, graded.outcome);
+    if (!sentence.empty()) {
+        if (!item.printed.empty()) text += "  You printed " + escape_control(item.printed) + "\n";
+        text += "  " + sentence + (item.diagnosis.empty() ? "" : fmt::format(" ({})", item.diagnosis)) + "\n";
+    }
+    const bool is_shown = marking.assignment.rubric.show_expected && item.verdict != ItemVerdict::right;
+    if (is_shown) text += "  Right is " + right_value(item, marking) + "\n";
+    const std::string word = override_text(find_override(graded, question.number, std::string(item.spec.name)));
+    return text + (word.empty() ? "" : "  " + word);
+}
+
+std::string submission_text(const Graded& graded) {
+    std::string text;
+    if (const auto mark = final_mark(graded)) {
+        text += fmt::format("{} of {} points\n", points_text(mark->points), points_text(graded.score.max_points));
+        if (mark->late_deduction > 0)
+            text += fmt::format("Handed in late: {} points were taken off.\n", points_text(mark->late_deduction));
+    } else {
+        text += "Not graded.\n";
+    }
+    text += override_text(find_override(graded, 0, ""));
+    if (const std::string warning = sandbox_warning(graded.tier); !warning.empty())
+        text += "Warning: " + warning + "\n";
+    if (!graded.explanation.empty()) text += escape_control(graded.explanation) + "\n";
+    for (const std::string& note : graded.submission.notes) text += escape_control(note) + "\n";
+    for (const Flag& flag : graded.flags) text += flag.kind + ": " + escape_control(flag.evidence) + "\n";
+    for (const std::string& finding : graded.sanitizer) text += "Sanitizers: " + escape_control(finding) + "\n";
+    if (!graded.build.diagnostics.empty())
+        text += "\nThe compiler's messages:\n" + escape_control(graded.build.diagnostics) + "\n";
+    return text;
+}
+
+std::string bounded(std::string text, std::size_t longest) {
+    constexpr std::string_view rest = "\n… the rest is left out\n";
+    if (text.size() <= longest) return text;
+    std::size_t end = longest - std::min(longest, rest.size());
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+    text.resize(end);
+    return text + std::string(rest);
+}
+
+}  // namespace harness::report

@@ -1,0 +1,154 @@
+#include "harness/report/moodle.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "harness/final_mark.h"
+#include "harness/report/csv_cell.h"
+
+namespace harness::report {
+namespace {
+
+/// Nothing but the ASCII letters and digits of a name: what no packer and no file system writes in another way.
+std::string plain_letters(std::string_view name) {
+    std::string letters;
+    for (const char c : name) {
+        if ((c >= '0' && c <= '9') || (c >= 'a' && c <= 'z')) letters += c;
+        if (c >= 'A' && c <= 'Z') letters += static_cast<char>(c - 'A' + 'a');
+    }
+    return letters;
+}
+
+/// Whether `part` is left when letters are taken out of `whole`.
+bool is_within(std::string_view part, std::string_view whole) {
+    for (const char c : whole) {
+        if (!part.empty() && part.front() == c) part.remove_prefix(1);
+    }
+    return part.empty();
+}
+
+/// The participants by what they may be found by, and their names.
+class Participants {
+  public:
+    explicit Participants(const MoodleWorksheet& worksheet) : worksheet_(worksheet) {
+        for (std::size_t row = 0; row < worksheet.rows.size(); ++row) {
+            const auto identifier = read_identifier(cell_of(worksheet.rows[row], worksheet.identifier));
+            if (identifier) by_number_[identifier->number].insert(row);
+            const std::string name = name_key(cell_of(worksheet.rows[row], worksheet.name));
+            if (!name.empty()) by_name_[name].insert(row);
+        }
+    }
+
+    std::set<std::size_t> find(const Submission& submission) const {
+        const bool numbered = submission.lms && submission.lms->system == Lms::moodle;
+        const std::string name = submission.lms ? submission.lms->student : submission.id;
+        const auto& keys = numbered ? by_number_ : by_name_;
+        const auto found = keys.find(numbered ? submission.lms->id : name_key(name));
+        return found == keys.end() ? std::set<std::size_t>{} : found->second;
+    }
+
+    /// A download may put the group before the name, a worksheet a mark behind it, and a name is "Participant" while
+    /// marking is blind.
+    bool contradicts(const Submission& submission, std::size_t row) const {
+        if (!submission.lms || submission.lms->system != Lms::moodle) return false;
+        const std::string handed_in = plain_letters(submission.lms->student);
+        const std::string here = plain_letters(cell_of(worksheet_.rows[row], worksheet_.name));
+        const auto identifier = read_identifier(cell_of(worksheet_.rows[row], worksheet_.identifier));
+        if (identifier && name_key(identifier->prefix) == name_key(submission.lms->student)) return false;
+        return !is_within(handed_in, here) && !is_within(here, handed_in);
+    }
+
+    /// For messages.
+    std::string called(std::size_t row) const {
+        const std::string name = cell_of(worksheet_.rows[row], worksheet_.name);
+        return name.empty() ? cell_of(worksheet_.rows[row], worksheet_.identifier) : name;
+    }
+
+  private:
+    const MoodleWorksheet& worksheet_;
+    std::map<std::string, std::set<std::size_t>> by_number_, by_name_;
+};
+
+/// Fills in the grade of one row, or says why not.
+void fill_in(MoodleImport& import, const MoodleWorksheet& worksheet, Row& row, const Graded& graded) {
+    const std::string& id = graded.submission.id;
+    const auto mark = final_mark(graded);
+    const std::string most = cell_of(row, worksheet.maximum);
+    const auto maximum = read_grade(most);
+    if (!mark) {
+        import.not_graded.push_back(id);
+        return;
+    }
+    if (is_no(cell_of(row, worksheet.changeable))) {
+        import.locked.push_back(id);
+        return;
+    }
+    std::string grade = fmt::format("{:.2f}", mark->points);
+    if (maximum && *maximum != graded.score.max_points) import.other_maximum = maximum;
+    if (maximum && read_grade(grade).value_or(*maximum + 1) > *maximum) {
+        import.above.push_back(fmt::format("{}: {} of at most {}", id, grade, most));
+        return;
+    }
+    if (most.find(',') != std::string::npos) std::replace(grade.begin(), grade.end(), '.', ',');
+    std::string& cell = row[worksheet.grade];
+    const auto before = read_grade(cell);
+    if (before && *read_grade(grade) < *before) {
+        import.lowered.push_back(fmt::format("{}: {} becomes {}", id, cell, grade));
+    }
+    cell = grade;
+    ++import.matched;
+}
+
+std::string csv_of(const MoodleWorksheet& worksheet, const std::vector<Row>& rows) {
+    std::string csv = worksheet.byte_order_mark ? "\xef\xbb\xbf" : "";
+    const auto add = [&](const Row& row) {
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            if (i > 0) csv += worksheet.separator;
+            csv += csv_cell_as_it_is(row[i], worksheet.separator);
+        }
+        csv += worksheet.line_end;
+    };
+    add(worksheet.header);
+    for (const Row& row : rows) add(row);
+    return csv;
+}
+
+}  // namespace
+
+MoodleImport moodle_import(const MoodleWorksheet& worksheet, const std::vector<Graded>& graded) {
+    MoodleImport import;
+    const Participants participants(worksheet);
+    std::map<std::size_t, std::vector<const Graded*>> of_row;
+    for (const Graded& one : graded) {
+        const std::set<std::size_t> rows = participants.find(one.submission);
+        if (rows.empty()) import.unmatched.push_back(one.submission.id);
+        if (rows.size() == 1) of_row[*rows.begin()].push_back(&one);
+        if (rows.size() < 2) continue;
+        std::string names;
+        for (const std::size_t row : rows) names += (names.empty() ? "" : "; ") + participants.called(row);
+        import.ambiguous.push_back(one.submission.id + ": " + names);
+    }
+    std::vector<Row> rows = worksheet.rows;
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        const auto found = of_row.find(row);
+        if (found == of_row.end()) {
+            if (!participants.called(row).empty()) import.without.push_back(participants.called(row));
+            continue;
+        }
+        const bool alone = found->second.size() == 1;
+        const Graded& first = *found->second.front();
+        if (alone && rows[row].size() > worksheet.grade && !participants.contradicts(first.submission, row)) {
+            fill_in(import, worksheet, rows[row], first);
+            continue;
+        }
+        for (const Graded* one : found->second)
+            import.ambiguous.push_back(one->submission.id + ": " + participants.called(row));
+    }
+    import.csv = csv_of(worksheet, rows);
+    return import;
+}
+
+}  // namespace harness::report

@@ -1,0 +1,74 @@
+#include "harness/report/roster.h"
+
+#include <csv.h>
+
+#include <algorithm>
+#include <climits>
+#include <cwchar>
+#include <cwctype>
+#include <memory>
+#include <new>
+#include <utility>
+
+namespace harness::report {
+namespace {
+
+struct Rows {
+    std::vector<Row> rows;
+    Row row;
+};
+
+int nothing_is_blank(unsigned char) {
+    return 0;
+}
+
+}  // namespace
+
+std::vector<Row> parse_csv(std::string_view text, char separator, Blanks blanks) {
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    csv_parser parser;
+    if (csv_init(&parser, CSV_APPEND_NULL) != 0) throw std::bad_alloc();
+    const std::unique_ptr<csv_parser, void (*)(csv_parser*)> end(&parser, csv_free);
+    csv_set_delim(&parser, static_cast<unsigned char>(separator));
+    if (blanks == Blanks::keep) csv_set_space_func(&parser, nothing_is_blank);
+    Rows rows;
+    const auto on_cell = [](void* cell, std::size_t size, void* data) {
+        static_cast<Rows*>(data)->row.emplace_back(static_cast<const char*>(cell), size);
+    };
+    const auto on_row = [](int, void* data) {
+        auto* all = static_cast<Rows*>(data);
+        all->rows.push_back(std::exchange(all->row, {}));
+    };
+    csv_parse(&parser, text.data(), text.size(), on_cell, on_row, &rows);
+    csv_fini(&parser, on_cell, on_row, &rows);
+    return std::move(rows.rows);
+}
+
+std::optional<std::size_t> column_of(const Row& header, std::string_view name) {
+    const auto found = std::find(header.begin(), header.end(), name);
+    if (found == header.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - header.begin());
+}
+
+std::string cell_of(const Row& row, std::optional<std::size_t> column) {
+    return column && *column < row.size() ? row[*column] : "";
+}
+
+std::string name_key(std::string_view name) {
+    std::string result;
+    std::mbstate_t in{}, out{};
+    for (std::size_t at = 0; at < name.size();) {
+        wchar_t c = 0;
+        const std::size_t size = std::mbrtowc(&c, name.data() + at, name.size() - at, &in);
+        if (size == 0 || size > name.size() - at) return "";
+        at += size;
+        if (std::iswalnum(static_cast<std::wint_t>(c)) == 0 && c != L'_') continue;
+        char bytes[MB_LEN_MAX];
+        const std::size_t written =
+            std::wcrtomb(bytes, static_cast<wchar_t>(std::towlower(static_cast<std::wint_t>(c))), &out);
+        if (written <= MB_LEN_MAX) result.append(bytes, written);
+    }
+    return result;
+}
+
+}  // namespace harness::report

@@ -1,0 +1,37 @@
+// What the rosters that instructors export have in common: rows of cells, columns by name, students by name.
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace harness::report {
+
+/// The roster can't be used: what() says why and the way out, to be read after the file's name.
+class RosterError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+using Row = std::vector<std::string>;
+
+/// What is done with blanks around a cell that is not in quotes.
+enum class Blanks { trim, keep };
+
+/// RFC 4180 with the byte order mark that spreadsheets put before it. Empty lines are no rows.
+std::vector<Row> parse_csv(std::string_view text, char separator = ',', Blanks blanks = Blanks::trim);
+
+/// The first column with just this name.
+std::optional<std::size_t> column_of(const Row& header, std::string_view name);
+
+/// Empty where the row is too short, or there is no such column.
+std::string cell_of(const Row& row, std::optional<std::size_t> column);
+
+/// A name as it is compared, and as Canvas writes it in a download: in lower case, without anything but letters, digits
+/// and '_'. "Doe, Jane" is "doejane". Empty for what is no UTF-8: such a name finds nobody. Letters are those of the
+/// locale, which raygrade sets to C.UTF-8.
+std::string name_key(std::string_view name);
+
+}  // namespace harness::report

@@ -1,0 +1,120 @@
+// Read back by python3's json, and held to what Gradescope's specification says.
+#include "harness/report/gradescope.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/report/graded_samples.h"
+#include "tests/report/told_by.h"
+
+namespace harness::report {
+namespace {
+
+using namespace report_samples;
+using testing::HasSubstr;
+using testing::Not;
+
+/// docs/specs.md of gradescope/autograder_samples, for what is there; then `d` is the file.
+constexpr const char* read_results = R"(
+d = json.load(open(sys.argv[1], encoding='utf-8'))
+number = lambda x: isinstance(x, (int, float)) and not isinstance(x, bool) and x >= 0
+top = {'score', 'execution_time', 'output', 'output_format', 'test_output_format', 'test_name_format', 'visibility',
+       'stdout_visibility', 'extra_data', 'tests', 'leaderboard'}
+test = {'score', 'max_score', 'status', 'name', 'name_format', 'number', 'output', 'output_format', 'tags',
+        'visibility', 'extra_data'}
+formats = {'text', 'html', 'simple_format', 'md', 'ansi'}
+seen = {'hidden', 'after_due_date', 'after_published', 'visible'}
+assert set(d) <= top, set(d) - top
+assert number(d['execution_time']) and d['visibility'] in seen and d['stdout_visibility'] in seen
+assert {d['output_format'], d['test_output_format'], d['test_name_format']} <= formats
+for t in d.get('tests', []):
+    assert set(t) <= test, set(t) - test
+    assert number(t['score']) and number(t['max_score']) and t['status'] in ('passed', 'failed')
+    assert t['visibility'] in seen and t['output_format'] in formats and isinstance(t['number'], str)
+texts = [d['output']] + [t['output'] for t in d.get('tests', [])]
+assert sum(map(len, texts)) < 100000
+assert not any(c < ' ' and c not in '\n\t' for t in texts for c in t)
+)";
+
+std::string told(const Graded& graded, const std::string& program, const Marking& by = marking()) {
+    return python(read_results + program, gradescope_results(graded, by));
+}
+
+TEST(Gradescope, HoldsATestForEachQuestion) {
+    EXPECT_EQ(told(graded("ada", output_with_a_mistake()),
+                   "print(d['score'], len(d['tests']), [t['number'] for t in d['tests']])\n"
+                   "t = d['tests'][5]\n"
+                   "print(t['name'], t['score'], t['max_score'], t['status'], d['tests'][4]['status'])\n"
+                   "print(round(sum(t['score'] for t in d['tests']), 2), sum(t['max_score'] for t in d['tests']))\n"),
+              "98.33 10 ['1', '2', '3', '4', '5', '6', '7', '8', '9', '10']\n"
+              "Question 6: ray and sphere 8.33 10.0 failed passed\n"
+              "98.33 100.0\n");
+}
+
+TEST(Gradescope, SaysWhatWasPrintedAndNeverWhatIsRight) {
+    const std::string output = told(graded("ada", output_with_a_mistake()), "print(d['tests'][5]['output'])\n");
+    EXPECT_THAT(output, HasSubstr("t: wrong, 0 of 1.67 points (line "));
+    EXPECT_THAT(output, HasSubstr("  You printed "));
+    EXPECT_THAT(output, HasSubstr("far root"));
+    EXPECT_THAT(output, Not(HasSubstr("Right is")));
+
+    Marking open = marking();
+    open.assignment.rubric.show_expected = true;
+    const std::string shown = told(graded("ada", output_with_a_mistake()), "print(d['tests'][5]['output'])\n", open);
+    const std::string right =
+        value_text(open.key.questions[5].items[4].answers.front().value, reference::Shape::scalar);
+    EXPECT_THAT(shown, HasSubstr("  Right is " + right + "\n"));
+    EXPECT_THAT(output, Not(HasSubstr(right)));
+}
+
+TEST(Gradescope, GivesWhatDoesNotCompileZeroAndTheMessages) {
+    Graded broken = graded("ada", "");
+    broken.outcome = Outcome::compile_error;
+    broken.explanation = "The program does not compile.";
+    broken.build.diagnostics = "ray_cast.cpp:19:1: error: expected ';'";
+    EXPECT_EQ(
+        told(broken,
+             "print(d['score'], [t['score'] for t in d['tests']] == [0] * 10, {t['status'] for t in d['tests']})\n"
+             "print(d['output'])\n"),
+        "0.0 True {'failed'}\n"
+        "0 of 100 points\nThe program does not compile.\n\nThe compiler's messages:\n"
+        "ray_cast.cpp:19:1: error: expected ';'\n\n");
+}
+
+TEST(Gradescope, GivesWhatWasNotGradedNoScoreRatherThanZero) {
+    EXPECT_EQ(told(not_graded("ada"),
+                   "print('score' in d, 'tests' in d, d['extra_data']['outcome'])\n"
+                   "print(d['output'])\n"),
+              "False False not_graded\nNot graded.\nThe folder holds two sources; `keep` one.\n\n");
+    Graded given = not_graded("ada");
+    given.overrides = {{0, "", 80, "read by hand", "ada", ""}};
+    EXPECT_EQ(told(given, "print(d['score'], 'tests' in d)\n"), "80.0 False\n");
+}
+
+TEST(Gradescope, TakesTheInstructorsWordAndTheLateDeduction) {
+    Graded one = graded("ada", output_with_a_mistake());
+    one.overrides = {{6, "t", 1.5, "right idea", "ada", ""}, {10, "", 4, "a guess", "ada", ""}};
+    one.late_share = 0.5;
+    one.submission.lms = read_canvas_name("doe_LATE_1_2_ray_cast.cpp");
+    EXPECT_EQ(told(one,
+                   "print(d['score'], d['tests'][5]['score'], d['tests'][9]['score'], d['extra_data']['late'])\n"
+                   "print('right idea' in d['tests'][5]['output'], 'a guess' in d['tests'][9]['output'])\n"
+                   "print(d['output'])\n"),
+              "46.92 9.83 4.0 True\nTrue True\n46.92 of 100 points\nHanded in late: 46.92 points were taken off.\n\n");
+}
+
+TEST(Gradescope, IsBoundedAndSafeForHostileText) {
+    Graded one = hostile();
+    one.build.diagnostics = "é\x1b" + std::string(300'000, '\xff');
+    for (QuestionScore& question : one.score.questions) {
+        for (ItemScore& item : question.items) {
+            item.verdict = ItemVerdict::wrong;
+            item.printed = std::string(200, '\x01');
+            item.advice = std::string(3'000, 'a');
+        }
+    }
+    EXPECT_EQ(told(one, "print(d['output'].endswith('the rest is left out\\n'), len(d['output']) > 30000)\n"),
+              "True True\n");
+}
+
+}  // namespace
+}  // namespace harness::report

@@ -1,0 +1,131 @@
+// Held to a schema by xmllint, and read back by python3's XML parser.
+#include "harness/report/junit.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/report/graded_samples.h"
+#include "tests/report/told_by.h"
+
+namespace harness::report {
+namespace {
+
+using namespace report_samples;
+using testing::HasSubstr;
+
+Graded broken() {
+    Graded one = graded("broken", "");
+    one.outcome = Outcome::compile_error;
+    one.explanation = "The program does not compile.";
+    one.build.diagnostics = "ray_cast.cpp:19:1: error: expected ';' <T> & ]]>";
+    return one;
+}
+
+Graded crashed() {
+    Graded one = graded("crashed", output_with_a_mistake());
+    one.outcome = Outcome::crashed;
+    one.explanation = "The program was ended by SIGSEGV.";
+    one.build.wall = std::chrono::milliseconds(1500);
+    one.run.wall = std::chrono::milliseconds(20);
+    one.submission.lms = read_canvas_name("crashed_LATE_1_2_ray_cast.cpp");
+    return one;
+}
+
+/// What a Python program says of it that has the root as `r`; only if the schema holds, and the counts are those of the
+/// testcases.
+std::string told(const std::vector<Graded>& graded, const std::string& program) {
+    const std::string xml = junit(graded, marking());
+    EXPECT_THAT(told_by("xmllint --noout --schema " RAYGRADE_PROJECT "/tests/report/junit.xsd \"$1\"", xml),
+                HasSubstr("validates"));
+    return python(
+        "import xml.etree.ElementTree\n"
+        "r = xml.etree.ElementTree.parse(sys.argv[1]).getroot()\n"
+        "for e in [r] + r.findall('testsuite'):\n"
+        "    n = lambda w: len(e.findall('.//' + w))\n"
+        "    assert [n('testcase'), n('failure'), n('error'), n('skipped')] == \\\n"
+        "        [int(e.get(w)) for w in ('tests', 'failures', 'errors', 'skipped')]\n"
+        "    assert abs(sum(float(t.get('time')) for t in e.findall('.//testcase')) - float(e.get('time'))) < 1e-6\n"
+        "case = lambda s, c, n: r.find(f'testsuite[@name=\"{s}\"]/testcase[@classname=\"{c}\"][@name=\"{n}\"]')\n" +
+            program,
+        xml);
+}
+
+TEST(Junit, HasASuiteForEachSubmissionAndACaseForEachAnswer) {
+    EXPECT_EQ(told({graded("ada", output_with_a_mistake()), crashed()},
+                   "print([s.get('name') for s in r], r.get('tests'), r.get('failures'))\n"
+                   "print([t.get('classname') + ' ' + t.get('name') for t in r[0].findall('testcase')][:4])\n"
+                   "print({p.get('name'): p.get('value') for p in r[0][0]})\n"
+                   "print({p.get('name'): p.get('value') for p in r[1][0]})\n"),
+              "['ada', 'crashed'] 48 3\n"
+              "['ada compiles', 'ada runs', 'ada.question 1 P_VCS', 'ada.question 2 X_vcs']\n"
+              "{'points': '98.33', 'max_points': '100.00', 'outcome': 'graded'}\n"
+              "{'points': '98.33', 'max_points': '100.00', 'outcome': 'crashed', 'late': 'true'}\n");
+}
+
+TEST(Junit, SaysWhyAnAnswerFailsAndWhatFollows) {
+    const std::string text =
+        told({graded("ada", output_with_a_mistake())},
+             "f = case('ada', 'ada.question 6', 't')[0]\n"
+             "print(f.tag, f.get('message'))\nprint(f.text)\n"
+             "print(case('ada', 'ada.question 6', 'hit')[0].tag, len(case('ada', 'ada.question 6', 'a')))\n");
+    EXPECT_THAT(text, HasSubstr("failure "));
+    EXPECT_THAT(text, HasSubstr("t: wrong, 0 of 1.67 points (line "));
+    EXPECT_THAT(text, HasSubstr("far root"));
+    EXPECT_THAT(text, HasSubstr("system-out 0\n"))
+        << "an answer that follows passes with a word; a right one needs none";
+    EXPECT_THAT(text, testing::Not(HasSubstr("Right is")));
+}
+
+TEST(Junit, FailsWhatDidNotEndByItself) {
+    EXPECT_EQ(told({crashed()},
+                   "c = case('crashed', 'crashed', 'runs')\n"
+                   "print(c[0].tag, c[0].get('message'), c.get('time'))\n"
+                   "print(len(case('crashed', 'crashed', 'compiles')))\n"),
+              "failure The program was ended by SIGSEGV. 0.020\n0\n");
+}
+
+TEST(Junit, SkipsTheAnswersOfWhatDoesNotCompile) {
+    EXPECT_EQ(told({broken()},
+                   "f = case('broken', 'broken', 'compiles')[0]\n"
+                   "print(f.tag, f.get('message'), f.text.splitlines()[-1])\n"
+                   "print(r.get('tests'), r.get('failures'), r.get('skipped'), r.get('errors'))\n"
+                   "print(r[0][0][0].get('value'))\n"),
+              "failure The program does not compile. ray_cast.cpp:19:1: error: expected ';' <T> & ]]>\n"
+              "24 1 23 0\n0.00\n");
+}
+
+TEST(Junit, CallsWhatWasNotGradedAnErrorAndNotZero) {
+    EXPECT_EQ(told({not_graded("eve")},
+                   "t = r[0].findall('testcase')\n"
+                   "print(len(t), t[0].get('name'), t[0][0].tag, t[0][0].get('message'))\n"
+                   "print([p.get('name') for p in r[0][0]])\n"),
+              "1 is graded error The folder holds two sources; `keep` one.\n['max_points', 'outcome']\n");
+    Graded given = not_graded("eve");
+    given.overrides = {{0, "", 80, "read by hand", "ada", ""}};
+    EXPECT_EQ(told({given}, "print(r.get('errors'), r[0][0][0].get('value'), 'read by hand' in r[0][1][0].text)\n"),
+              "0 80.00 True\n");
+}
+
+TEST(Junit, TakesTheInstructorsWord) {
+    Graded one = graded("ada", output_with_a_mistake());
+    one.overrides = {{6, "t", 5.0 / 3, "right idea", "ada", ""}, {10, "", 0, "guessed", "ada", ""}};
+    EXPECT_EQ(told({one},
+                   "c = case('ada', 'ada.question 6', 't')[0]\nprint(c.tag, 'right idea' in c.text)\n"
+                   "c = case('ada', 'ada.question 10', 'verdict')[0]\nprint(c.tag, 'guessed' in c.text)\n"
+                   "print(r[0][0][0].get('value'))\n"),
+              "system-out True\nfailure True\n90.00\n");
+}
+
+TEST(Junit, HoldsHostileTextAsText) {
+    Graded evil = hostile();
+    evil.explanation = "\x1b[31m\xEF\xBF\xBE\xEF\xBF\xBF\xff <!-- ]]> &amp;";
+    evil.outcome = Outcome::crashed;
+    EXPECT_EQ(told({evil}, "print(r[0].get('name'))\nprint(ascii(r[0].findall('testcase')[1][0].get('message')))\n"),
+              "=HYPERLINK(\"x\"),|`id`\n'\\\\x1b[31m\\\\ufffe\\\\uffff\\\\xff <!-- ]]> &amp;'\n");
+}
+
+TEST(Junit, OfNobodyIsStillAReport) {
+    EXPECT_EQ(told({}, "print(r.tag, len(r), r.get('tests'))\n"), "testsuites 0 0\n");
+}
+
+}  // namespace
+}  // namespace harness::report

@@ -1,0 +1,243 @@
+// Read back by python3's csv, cell by cell beside the worksheet it was made from.
+#include "harness/report/moodle.h"
+
+#include <gmock/gmock.h>
+
+#include <clocale>
+#include <nlohmann/json.hpp>
+
+#include "tests/report/graded_samples.h"
+#include "tests/report/told_by.h"
+
+namespace harness::report {
+namespace {
+
+using namespace report_samples;
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr const char* english =
+    "Identifier,\"Full name\",Status,Grade,\"Maximum grade\",\"Grade can be changed\",\"Last modified "
+    "(submission)\",\"Last modified (grade)\",\"Feedback comments\"\n"
+    "\"Participant 11\",\"Jane Doe\",\"Submitted for grading\",,100.00,Yes,\"Monday, 1 November 2021, 9:00 AM\",-,\n"
+    "\"Participant 12\",\"Jane Doe\",\"Submitted for grading\",90.00,100.00,Yes,-,-,\"=SUM(A1:A9)\"\n"
+    "\"Participant 13\",\"Żan Łukasz\",\"Submitted for grading\",,100.00,No,-,-,\"two\nlines, \"\"quoted\"\"\"\n"
+    "\"Participant 14\",Rick Roe,\"No submission\",,100.00,Yes,-,-,\n"
+    "\"Participant 15\",Pat Poe,\"No submission\",55.00,100.00,Yes,-,-,  kept blanks \n";
+
+constexpr const char* german =
+    "\xef\xbb\xbfKennung;Vollständiger Name;E-Mail-Adresse;Status;Bewertung;Bestwertung;Bewertung kann geändert "
+    "werden;Zuletzt geändert (Abgabe);Zuletzt geändert (Bewertung);Feedback als Kommentar\r\n"
+    "Teilnehmer/in11;Jane Doe;jane@example.org;Zur Bewertung abgegeben;;100,00;Ja;Montag, 1. November 2021;-;\r\n"
+    "Teilnehmer/in12;Rick Roe;rick@example.org;Keine Abgabe;;100,00;Nein;-;-;\r\n";
+
+class MoodleTest : public testing::Test {
+  protected:
+    MoodleTest() { std::setlocale(LC_CTYPE, "C.UTF-8"); }  // as raygrade does
+};
+using MoodleWorksheetTest = MoodleTest;
+using MoodleImportTest = MoodleTest;
+
+/// With these points, as if the instructor had said so.
+Graded worth(Graded one, double points) {
+    one.overrides.push_back({0, "", points, "for the test", "ada", "2026-11-22T09:30:00Z"});
+    return one;
+}
+
+Graded from_moodle(const std::string& folder, double points) {
+    Graded one = worth(graded(folder, output_with_a_mistake()), points);
+    one.submission.lms = read_moodle_name(folder);
+    EXPECT_TRUE(one.submission.lms) << folder;
+    return one;
+}
+
+MoodleImport import_of(const char* csv, const std::vector<Graded>& graded,
+                       const std::vector<std::string>& columns = {}) {
+    return moodle_import(read_moodle_worksheet(csv, columns), graded);
+}
+
+/// The cells that are not as they were: [row, heading, before, after].
+json changes(const std::string& before, const std::string& after, char separator = ',') {
+    const std::string program =
+        "both = open(sys.argv[1], 'rb').read().decode('utf-8-sig').split('\\x00')\n"
+        "import io\n"
+        "a, b = [list(csv.reader(io.StringIO(t, newline=''), strict=True, delimiter='" +
+        std::string(1, separator) +
+        "')) for t in both]\n"
+        "assert [len(r) for r in a] == [len(r) for r in b]\n"
+        "print(json.dumps([[i, a[0][j], a[i][j], b[i][j]] for i in range(len(a)) for j in range(len(a[i]))\n"
+        "                  if a[i][j] != b[i][j]]))\n";
+    std::string second = after;
+    if (second.starts_with("\xef\xbb\xbf")) second.erase(0, 3);
+    return json::parse(python(program, before + std::string(1, '\0') + second));
+}
+
+std::string why_not(std::string_view csv, const std::vector<std::string>& columns = {}) {
+    std::setlocale(LC_CTYPE, "C.UTF-8");
+    try {
+        read_moodle_worksheet(csv, columns);
+    } catch (const RosterError& error) {
+        return error.what();
+    }
+    return "no RosterError";
+}
+
+TEST_F(MoodleImportTest, FillsInTheGradeAndChangesNoOtherCell) {
+    const MoodleImport import = import_of(english, {from_moodle("Jane Doe_11_assignsubmission_file", 87.456),
+                                                    from_moodle("Rick Roe_14_assignsubmission_file", 100)});
+    EXPECT_EQ(changes(english, import.csv), json::parse(R"([[1, "Grade", "", "87.46"], [4, "Grade", "", "100.00"]])"));
+    EXPECT_EQ(import.matched, 2U);
+    EXPECT_THAT(import.without, ElementsAre("Jane Doe", "Żan Łukasz", "Pat Poe"));
+}
+
+TEST_F(MoodleImportTest, LeavesTheTeachersOwnCellsByteForByte) {
+    const std::string csv =
+        "\xef\xbb\xbfIdentifier,Full name,Grade,Maximum grade,Comments\r\n"
+        "Participant 1,J\xe9rome,7.5,10,=cmd|' /C calc'!A1\r\n"
+        "Participant 2,\"@Roe, Rick\",,10,\"a\r\nb \"\"c\"\"\"\r\n";
+    EXPECT_EQ(import_of(csv.c_str(), {}).csv, csv);
+}
+
+TEST_F(MoodleImportTest, WritesTheDecimalSignAndSeparatorOfTheWorksheet) {
+    const MoodleImport import = import_of(german, {from_moodle("Jane Doe_11_assignsubmission_file", 87.5)});
+    EXPECT_EQ(changes(german, import.csv, ';'), json::parse(R"([[1, "Bewertung", "", "87,50"]])"));
+    EXPECT_TRUE(import.csv.starts_with("\xef\xbb\xbfKennung;"));
+    EXPECT_THAT(import.csv, HasSubstr("Kommentar\r\n"));
+}
+
+TEST_F(MoodleImportTest, TakesAParticipantsNumberAloneForThoseFromMoodle) {
+    const MoodleImport import = import_of(english, {from_moodle("Rick Roe_99_assignsubmission_file", 50)});
+    EXPECT_THAT(import.unmatched, ElementsAre("Rick Roe_99_assignsubmission_file"))
+        << "the worksheet is another assignment's";
+    EXPECT_EQ(import.matched, 0U);
+}
+
+TEST_F(MoodleImportTest, MatchesOthersByFullNameAndNeverByAnothersNumber) {
+    Graded of_canvas = worth(graded("patpoe", output_with_a_mistake()), 60);
+    of_canvas.submission.lms = read_canvas_name("patpoe_14_5001_ray_cast.cpp");
+    const MoodleImport import = import_of(english, {of_canvas, worth(graded("rick roe", output_with_a_mistake()), 40)});
+    EXPECT_EQ(changes(english, import.csv),
+              json::parse(R"([[4, "Grade", "", "40.00"], [5, "Grade", "55.00", "60.00"]])"));
+}
+
+TEST_F(MoodleImportTest, NeverGuesses) {
+    const MoodleImport import = import_of(
+        english, {worth(graded("Jane Doe", output_with_a_mistake()), 50),
+                  from_moodle("Rick Roe_14_assignsubmission_file", 50), worth(graded("RickRoe", "x"), 60),
+                  from_moodle("Somebody Else_15_assignsubmission_file", 70), worth(graded("nobody", "x"), 1)});
+    EXPECT_EQ(import.csv, import_of(english, {}).csv);
+    EXPECT_THAT(import.ambiguous,
+                ElementsAre("Jane Doe: Jane Doe; Jane Doe", "Rick Roe_14_assignsubmission_file: Rick Roe",
+                            "RickRoe: Rick Roe", "Somebody Else_15_assignsubmission_file: Pat Poe"));
+    EXPECT_THAT(import.unmatched, ElementsAre("nobody"));
+}
+
+TEST_F(MoodleImportTest, KnowsANameWithItsGroupAndOneThatWasHidden) {
+    const MoodleImport import = import_of(english, {from_moodle("Group A-Rick Roe_14_assignsubmission_file", 40),
+                                                    from_moodle("Participant_15_assignsubmission_file_", 60),
+                                                    from_moodle("Z\xcc\x87"
+                                                                "an Łukasz_13_assignsubmission_file",
+                                                                60)});
+    EXPECT_EQ(import.matched, 2U);
+    EXPECT_THAT(import.ambiguous, IsEmpty()) << "an accent may be a character of its own";
+    EXPECT_THAT(import.locked, ElementsAre("Z\xcc\x87"
+                                           "an Łukasz_13_assignsubmission_file"));
+}
+
+TEST_F(MoodleImportTest, LeavesAloneWhatIsLockedOrHasNoMarks) {
+    Graded none = not_graded("14");
+    none.submission.lms = read_moodle_name("Rick Roe_14_assignsubmission_file");
+    const MoodleImport import = import_of(english, {none, from_moodle("Żan Łukasz_13_assignsubmission_file", 50)});
+    EXPECT_EQ(import.csv, import_of(english, {}).csv);
+    EXPECT_THAT(import.not_graded, ElementsAre("14"));
+    EXPECT_THAT(import.locked, ElementsAre("Żan Łukasz_13_assignsubmission_file"));
+    EXPECT_THAT(import_of(german, {from_moodle("Rick Roe_12_assignsubmission_file", 1)}).locked,
+                ElementsAre("Rick Roe_12_assignsubmission_file"));
+}
+
+TEST_F(MoodleImportTest, NeverGoesAboveTheMaximumAndSaysWhatItLowers) {
+    const MoodleImport import = import_of(english, {from_moodle("Jane Doe_11_assignsubmission_file", 100.006),
+                                                    from_moodle("Jane Doe_12_assignsubmission_file", 89.999),
+                                                    from_moodle("Rick Roe_14_assignsubmission_file", 100.004),
+                                                    from_moodle("Pat Poe_15_assignsubmission_file", 54.99)});
+    EXPECT_EQ(changes(english, import.csv),
+              json::parse(R"([[4, "Grade", "", "100.00"], [5, "Grade", "55.00", "54.99"]])"));
+    EXPECT_THAT(import.above, ElementsAre("Jane Doe_11_assignsubmission_file: 100.01 of at most 100.00"));
+    EXPECT_THAT(import.lowered, ElementsAre("Pat Poe_15_assignsubmission_file: 55.00 becomes 54.99"));
+    EXPECT_FALSE(import.other_maximum);
+}
+
+TEST_F(MoodleImportTest, SaysWhereTheMaximumIsNotTheAssignments) {
+    const MoodleImport import = import_of("Identifier,Grade,Maximum grade\nParticipant 1,,50\n",
+                                          {from_moodle("Participant_1_assignsubmission_file", 40)});
+    ASSERT_TRUE(import.other_maximum);
+    EXPECT_EQ(*import.other_maximum, 50);
+    EXPECT_EQ(import.matched, 1U);
+}
+
+TEST_F(MoodleImportTest, TakesPointsOffALateHandIn) {
+    Graded late = graded("Rick Roe", output_with_a_mistake());
+    late.late_share = 0.5;
+    EXPECT_THAT(import_of(english, {late}).csv, HasSubstr(",49.17,100.00,")) << "half of 98.33";
+}
+
+TEST_F(MoodleWorksheetTest, KnowsColumnsOfEnglishHeadings) {
+    const MoodleWorksheet worksheet = read_moodle_worksheet(english);
+    EXPECT_EQ(worksheet.identifier, 0U);
+    EXPECT_EQ(worksheet.name, 1U);
+    EXPECT_EQ(worksheet.grade, 3U);
+    EXPECT_EQ(worksheet.maximum, 4U);
+    EXPECT_EQ(worksheet.changeable, 5U);
+}
+
+TEST_F(MoodleWorksheetTest, KnowsColumnsOfOtherLanguagesByWhatTheyHold) {
+    const MoodleWorksheet in_german = read_moodle_worksheet(german);
+    EXPECT_EQ(in_german.identifier, 0U);
+    EXPECT_EQ(in_german.name, 1U);
+    EXPECT_EQ(in_german.grade, 4U);
+    EXPECT_EQ(in_german.maximum, 5U);
+    EXPECT_EQ(in_german.changeable, 6U);
+
+    // Groups, a marker and a marking workflow beside; two grades are there already.
+    const MoodleWorksheet in_japanese = read_moodle_worksheet(
+        "ID,氏名,メール,ステータス,グループ,マーカー,評点,最大評点,ワークフロー,評点変更可,最終更新 (評点)\n"
+        "参加者 1,山田太郎,a@b,提出済み,A,,80.00,100.00,未評定,はい,-\n"
+        "参加者 2,鈴木花子,b@b,提出済み,A,,100.00,100.00,未評定,いいえ,-\n"
+        ",,,,,,,,,,\n");
+    EXPECT_EQ(in_japanese.identifier, 0U);
+    EXPECT_EQ(in_japanese.name, 1U);
+    EXPECT_EQ(in_japanese.grade, 6U);
+    EXPECT_EQ(in_japanese.maximum, 7U);
+    EXPECT_EQ(in_japanese.changeable, 9U);
+
+    const MoodleWorksheet blind = read_moodle_worksheet(
+        "Identifiant,Note,Note maximale,La note peut être "
+        "modifiée\nParticipant7,,20.00,Oui\nParticipant8,,20.00,Non\n");
+    EXPECT_FALSE(blind.name);
+    EXPECT_EQ(blind.grade, 1U);
+    EXPECT_EQ(blind.changeable, 3U);
+}
+
+TEST_F(MoodleWorksheetTest, IsToldWhatCannotBeKnown) {
+    // Of a single student, a matriculation number may be a maximum, too.
+    constexpr const char* single = "Kennung,Telefon,Matrikel,Bewertung,Bestwertung\nTeilnehmer/in1,,4711,,\"100,00\"\n";
+    EXPECT_THAT(why_not(single), HasSubstr("--moodle-column grade="));
+    EXPECT_EQ(read_moodle_worksheet(single, {"grade=Bewertung"}).maximum, 4U);
+    EXPECT_EQ(read_moodle_worksheet(single, {"maximum=Bestwertung"}).grade, 3U);
+}
+
+TEST_F(MoodleWorksheetTest, SaysWhyItCannotBeUsed) {
+    EXPECT_THAT(why_not(""), HasSubstr("no participants"));
+    EXPECT_THAT(why_not("Identifier,Grade,Maximum grade\n"), HasSubstr("no participants"));
+    EXPECT_THAT(why_not("Name,Grade,Maximum grade\nJane,1,2\n"), HasSubstr("no column that is called \"Identifier\""));
+    EXPECT_THAT(why_not("Identifier,Grade,Scale\nParticipant 1,,\"A\nB\"\n"), HasSubstr("a scale can't be filled in"));
+    EXPECT_THAT(why_not(english, {"grade=Note"}), HasSubstr("no column \"Note\"; there are: \"Identifier\""));
+    EXPECT_THAT(why_not(english, {"points=Grade"}), HasSubstr("give identifier, name, grade, maximum or changeable"));
+    EXPECT_THAT(why_not(english, {"grade"}), HasSubstr("give identifier"));
+    EXPECT_THAT(why_not(english, {"grade=Maximum grade"}), HasSubstr("for two things"));
+}
+
+}  // namespace
+}  // namespace harness::report

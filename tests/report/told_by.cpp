@@ -1,0 +1,27 @@
+#include "tests/report/told_by.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "tests/temporary_folder.h"
+
+std::string told_by(const std::string& command, const std::string& content) {
+    const TemporaryFolder folder;
+    const auto file = folder.write("content", content);
+    const auto script = folder.write("script", command);
+    const auto told = folder.path() / "told";
+    const std::string run = "bash " + script.string() + " " + file.string() + " > " + told.string() + " 2>&1";
+    const int status = std::system(run.c_str());
+    std::ifstream stream(told);
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    EXPECT_EQ(status, 0) << text;
+    return text;
+}
+
+std::string python(const std::string& program, const std::string& content) {
+    return told_by("PYTHONUTF8=1 python3 - \"$1\" <<'END'\nimport csv, json, sys, zipfile\n" + program + "\nEND\n",
+                   content);
+}

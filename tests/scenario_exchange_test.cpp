@@ -1,0 +1,170 @@
+// What other systems get: the files beside the reports, asked for on the command line.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/packed.h"
+#include "tests/scenario.h"
+
+namespace scenario {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr int some_not_graded = 1;
+constexpr int usage = 2;
+
+/// Prints the answer to question 5 alone, 10 of 100 points: quick to compile.
+constexpr std::string_view small_program =
+    "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n";
+
+class Exchange : public testing::Test {
+  protected:
+    Exchange() { write(source(), small_program); }
+
+    fs::path source() const { return folder / "handed-in/ray_cast.cpp"; }
+    Result check(const std::vector<std::string>& options, const Preparation& prepare = {}) const {
+        std::vector<std::string> arguments = {"check", source().string(), "--assignment", "a6-2021"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        return raygrade(arguments, prepare);
+    }
+    Result grade(const fs::path& class_, const std::vector<std::string>& options) const {
+        std::vector<std::string> arguments = {"grade", class_.string(), "--assignment", "a6-2021",
+                                              "--out", out().string(),  "--apply"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        return raygrade(arguments);
+    }
+    fs::path out() const { return folder / "out"; }
+
+    TemporaryFolder folder;
+};
+
+bool set_classroom50() {
+    return setenv("CLASSROOM", "cs770", 1) == 0 && setenv("ASSIGNMENT", "ray-casting", 1) == 0 &&
+           setenv("SUBMISSION_TAG", "submit/2026-06-01T14-32-05Z-a1b2c3d", 1) == 0 &&
+           setenv("COMMIT_URL", "https://example.org/commit/a1", 1) == 0 &&
+           setenv("RELEASE_URL", "https://example.org/releases/s", 1) == 0 && setenv("USERNAME", "alice", 1) == 0 &&
+           unsetenv("OWNER") == 0 && unsetenv("REVIEW_URL") == 0 && unsetenv("ASSIGNMENT_TYPE") == 0;
+}
+
+bool unset_classroom50() {
+    return set_classroom50() && unsetenv("CLASSROOM") == 0 && unsetenv("RELEASE_URL") == 0;
+}
+
+TEST_F(Exchange, ACheckWritesWhatGradescopeReads) {
+    const fs::path results = folder / "results.json";
+    const Result result = check({"--gradescope", results.string()});
+    EXPECT_EQ(result.status, 0) << result.both();
+    EXPECT_EQ(read_json(results).at("score"), 10);
+    EXPECT_EQ(read_json(results).at("tests").at(4).at("status"), "passed");
+    EXPECT_EQ(read_json(results).at("tests").size(), 10U);
+
+    write(source(), "int main() { return not_there; }\n");
+    EXPECT_EQ(check({"--gradescope", results.string()}).status, 0);
+    EXPECT_EQ(read_json(results).at("score"), 0);
+    EXPECT_THAT(read_json(results).at("output").get<std::string>(), HasSubstr("not_there"));
+}
+
+TEST_F(Exchange, WhatCannotBeGradedHasNoScoreAnywhere) {
+    write(source(), std::string(std::size_t{2} << 20U, '/'));
+    write(folder / "result.json", R"({"score": 100, "schema": "forged by the student"})");
+    const Result result = check({"--gradescope", (folder / "results.json").string(), "--classroom50",
+                                 (folder / "result.json").string(), "--junit", (folder / "junit.xml").string()},
+                                set_classroom50);
+    EXPECT_EQ(result.status, some_not_graded) << result.both();
+    EXPECT_FALSE(read_json(folder / "results.json").contains("score"));
+    EXPECT_FALSE(fs::exists(folder / "result.json"));
+    EXPECT_THAT(read(folder / "junit.xml"), HasSubstr("<error message="));
+}
+
+TEST_F(Exchange, ACheckWritesWhatClassroom50Reads) {
+    const fs::path file = folder / "result.json";
+    const Result result = check({"--classroom50", file.string()}, set_classroom50);
+    EXPECT_EQ(result.status, 0) << result.both();
+    const json written = read_json(file);
+    EXPECT_EQ(written.at("score"), 10);
+    EXPECT_EQ(written.at("classroom"), "cs770");
+    EXPECT_EQ(written.at("owner"), "alice");
+    EXPECT_EQ(written.at("review"), written.at("commit")) << "without REVIEW_URL";
+    EXPECT_FALSE(written.contains("assignment_type"));
+}
+
+TEST_F(Exchange, NamesWhatClassroom50sEnvironmentLacks) {
+    const fs::path file = folder / "result.json";
+    const Result result = check({"--classroom50", file.string()}, unset_classroom50);
+    EXPECT_EQ(result.status, usage);
+    EXPECT_THAT(result.voice, HasSubstr("CLASSROOM, RELEASE_URL"));
+    EXPECT_FALSE(fs::exists(file));
+}
+
+TEST_F(Exchange, WritesOverNobodysFile) {
+    for (const std::string option : {"--gradescope", "--classroom50", "--junit"}) {
+        const Result over = check({option, source().string()}, set_classroom50);
+        EXPECT_EQ(over.status, usage) << over.both();
+        EXPECT_THAT(over.voice, HasSubstr("does not end in ."));
+        EXPECT_EQ(read(source()), small_program);
+    }
+    EXPECT_THAT(check({"--gradescope", "/nowhere/results.json"}).voice, HasSubstr("/nowhere/results.json"));
+
+    // A student's checkout may hold links where we write.
+    write(folder / "precious.json", "precious");
+    fs::create_symlink(folder / "precious.json", folder / "results.json");
+    fs::create_symlink(folder / "precious.json", folder / "results.json.new");
+    EXPECT_EQ(check({"--gradescope", (folder / "results.json").string()}).status, 0);
+    EXPECT_EQ(read(folder / "precious.json"), "precious");
+    EXPECT_EQ(read_json(folder / "results.json").at("score"), 10);
+}
+
+TEST_F(Exchange, AMoodleClassGoesBackToMoodle) {
+    const fs::path download =
+        pack(folder / "class.zip", {{"Jane Doe_11_assignsubmission_file/ray_cast.cpp", std::string(small_program)},
+                                    {"Rick Roe_12_assignsubmission_file/notes.txt", "sorry"}});
+    const std::string head = "Identifier,Full name,Grade,Maximum grade,Last modified (grade)\n";
+    write(folder / "worksheet.csv", head +
+                                        "Participant 11,Jane Doe,,100.00,-\n"
+                                        "Participant 12,Rick Roe,,100.00,-\n"
+                                        "Participant 13,Pat Poe,7.00,100.00,-\n");
+    const Result result = grade(download, {"--moodle-worksheet", (folder / "worksheet.csv").string(), "--junit",
+                                           (folder / "junit.xml").string()});
+    EXPECT_EQ(result.status, some_not_graded) << result.both();
+    EXPECT_EQ(read(out() / "grades-moodle.csv"), head +
+                                                     "Participant 11,Jane Doe,10.00,100.00,-\n"
+                                                     "Participant 12,Rick Roe,,100.00,-\n"
+                                                     "Participant 13,Pat Poe,7.00,100.00,-\n");
+    EXPECT_THAT(result.output, HasSubstr("grades-moodle.csv, 1 filled in\n"));
+    EXPECT_THAT(result.output, HasSubstr("  not graded, left out: Rick Roe\n"));
+    EXPECT_THAT(result.output, HasSubstr("  nothing handed in, left as it is: Pat Poe\n"));
+    EXPECT_THAT(result.output, HasSubstr("feedback.zip, 2 pages\n"));
+    EXPECT_TRUE(fs::exists(out() / "feedback.zip"));
+    EXPECT_THAT(read(folder / "junit.xml"), HasSubstr("<testsuite name=\"Jane Doe\""));
+
+    // What the next run does not write is not left from this one.
+    EXPECT_EQ(grade(source().parent_path(), {}).status, 0);
+    EXPECT_FALSE(fs::exists(out() / "grades-moodle.csv"));
+    EXPECT_FALSE(fs::exists(out() / "feedback.zip"));
+}
+
+TEST_F(Exchange, AWorksheetThatCannotBeUsedIsToldBeforeAnythingIsGraded) {
+    const fs::path worksheet = folder / "worksheet.csv";
+    const auto told = [&](const std::vector<std::string>& options) {
+        const Result result = grade(source().parent_path(), options);
+        EXPECT_EQ(result.status, usage) << result.both();
+        EXPECT_FALSE(fs::exists(out()));
+        return result.voice;
+    };
+    EXPECT_THAT(told({"--moodle-worksheet", "/nowhere/w.csv"}), HasSubstr("/nowhere/w.csv: can't be read: No such"));
+    EXPECT_THAT(told({"--moodle-worksheet", folder.path().string()}), HasSubstr("can't be read"));
+    write(worksheet, "Name,Points\nJane,1\n");
+    EXPECT_THAT(told({"--moodle-worksheet", worksheet.string()}),
+                HasSubstr("worksheet.csv has no column that is called \"Identifier\""));
+    EXPECT_THAT(told({"--moodle-column", "grade=Note"}), HasSubstr("--moodle-worksheet"));
+}
+
+}  // namespace
+}  // namespace scenario
