@@ -3,7 +3,9 @@
 #include "harness/batch.h"
 #include "harness/commands.h"
 #include "harness/find_submissions.h"
+#include "harness/page_file.h"
 #include "harness/report/report.h"
+#include "harness/report/student_page.h"
 
 namespace harness {
 
@@ -14,6 +16,7 @@ int check_command(const CheckOptions& options) {
         throw UsageError(fmt::format("{}: holds {} submissions; `raygrade check` takes one, `raygrade grade` a class",
                                      options.source.string(), submissions.size()));
     }
+    if (!options.html.empty()) require_place_for_page(options.html, "--html");
     const Workshop workshop = open_workshop(options.workshop, assignment.limits);
     tell_of_the_sandbox(workshop);
     // Now that the looks at the machine are over: the key is needed only when the program has run.
@@ -21,6 +24,7 @@ int check_command(const CheckOptions& options) {
     const Graded graded = grade(submissions.front(), marking, workshop);
     tell_problems(workshop);
     fmt::print("{}\n\n{}", assignment.title, report::check_text(graded));
+    if (!options.html.empty()) write_page(options.html, report::student_page(graded, marking.get()), "--html");
     if (graded.outcome == Outcome::not_graded) return status_of({graded});
     const bool too_few =
         options.fail_under && graded.score.points < *options.fail_under / 100 * graded.score.max_points;

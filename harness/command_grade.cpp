@@ -14,7 +14,9 @@
 #include "harness/find_submissions.h"
 #include "harness/progress.h"
 #include "harness/report/canvas.h"
+#include "harness/report/class_report.h"
 #include "harness/report/report.h"
+#include "harness/report/student_page.h"
 #include "harness/results_folder.h"
 
 namespace harness {
@@ -31,30 +33,35 @@ void check_trace(const fs::path& trace) {
     }
 }
 
-/// The name of a submission's feedback: its id, which may hold the path before it, cut where a file name would be too
-/// long.
+/// The name of a submission's feedback, without the ending: its id, which may hold the path before it, cut where a file
+/// name would be too long.
 std::string feedback_name(const std::string& id, std::size_t index) {
     constexpr std::size_t longest = 200;
     std::string name;
     for (const char c : id) name += c == '/' ? "%2F" : std::string(1, c);
     if (name.size() > longest) name = fmt::format("{}-{}", name.substr(0, longest), index + 1);
-    return name + ".md";
+    return name;
 }
 
 void write_results(const std::vector<Graded>& graded, const Marking& marking, Tier tier, const fs::path& out) {
     const fs::path feedback = out / "feedback";
     for (const auto& entry : fs::directory_iterator(feedback)) {
-        if (entry.path().extension() == ".md") fs::remove(entry.path());  // of an earlier run, under --force
+        const fs::path ending = entry.path().extension();
+        if (ending == ".md" || ending == ".html") fs::remove(entry.path());  // of an earlier run, under --force
     }
     std::future<void> written = std::async(std::launch::async, [&] {
+        report::StudentPages pages(marking);
         for (std::size_t i = 0; i < graded.size(); ++i) {
-            write_file(feedback / feedback_name(graded[i].submission.id, i),
-                       report::feedback_markdown(graded[i], marking));
+            const std::string name = feedback_name(graded[i].submission.id, i);
+            write_file(feedback / (name + ".md"), report::feedback_markdown(graded[i], marking));
+            write_file(feedback / (name + ".html"), pages.page(graded[i]));
         }
     });
     write_file(out / "grades.csv", report::grades_csv(graded));
     write_file(out / "grades.json",
                [&](std::ostream& stream) { report::write_grades_json(stream, graded, marking, tier); });
+    write_file(out / "report.html",
+               [&](std::ostream& stream) { report::write_class_report(stream, graded, marking, tier); });
     written.get();
 }
 
@@ -141,8 +148,8 @@ int grade_command(const GradeOptions& options) {
     } catch (const fs::filesystem_error& error) {
         throw HarnessError(fmt::format("{}: can't be written: {}", error.path1().string(), error.code().message()));
     }
-    fmt::print("\nresults: {}\nfeedback: {}\n", (options.out / "grades.json").string(),
-               (options.out / "feedback").string());
+    fmt::print("\nresults: {}\nreport: {}\nfeedback: {}\n", (options.out / "grades.json").string(),
+               (options.out / "report.html").string(), (options.out / "feedback").string());
     return status_of(graded);
 }
 

@@ -38,6 +38,7 @@ struct CheckOptions {
     std::string assignment;
     std::optional<double> fail_under;  ///< percent of the points
     WorkshopOptions workshop;
+    std::filesystem::path html = {};  ///< where to write the student's page; empty for nowhere
 };
 int check_command(const CheckOptions& options);
 

@@ -95,7 +95,9 @@ int run(int argc, char** argv) {
         ->required()
         ->type_name("PATH...");
     add_assignment(grade_app, grade.assignment);
-    grade_app.add_option("-o,--out", grade.out, "The folder for grades.json, grades.csv and feedback/<id>.md")
+    grade_app
+        .add_option("-o,--out", grade.out,
+                    "The folder for report.html, grades.json, grades.csv and feedback/<id>.html and .md")
         ->type_name("DIR")
         ->capture_default_str();
     grade_app
@@ -129,6 +131,10 @@ int run(int argc, char** argv) {
     check_app.add_option("--fail-under", check.fail_under, "Exit with status 1 below this share of the points")
         ->check(CLI::Range(0.0, 100.0))
         ->type_name("PERCENT");
+    check_app
+        .add_option("--html", check.html,
+                    "Also write the verdicts as a page for a browser; replaces only an earlier page of raygrade's")
+        ->type_name("FILE");
     add_workshop(check_app, check.workshop);
     check_app.footer(limits_footer() + "\nExample: raygrade check ray_cast.cpp");
 
