@@ -17,10 +17,6 @@
 namespace harness::report {
 namespace {
 
-std::string programs(std::size_t count) {
-    return fmt::format("{} {}", count, count == 1 ? "program" : "programs");
-}
-
 PageData tiles_of(const ClassStatistics& statistics) {
     PageData tiles(PageData::type::list);
     const auto add = [&](const char* what, const std::string& value) {

@@ -44,6 +44,7 @@ std::string words_of(std::string_view printed) {
             words += ' ';
         }
     }
+    if (words.ends_with(' ')) words.pop_back();
     return words;
 }
 
