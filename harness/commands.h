@@ -65,6 +65,15 @@ struct AccuracyOptions {
 /// With an assignment and nowhere to write to, only the assignment is examined: that takes a moment.
 int accuracy_command(const AccuracyOptions& options);
 
+struct ExplainOptions {
+    std::filesystem::path transcript;  ///< what a program printed; empty for the scene alone
+    std::string assignment;
+    std::string out = "explain.svg";  ///< "-" for stdout
+    bool force = false;               ///< replace an earlier picture
+    bool without_answers = false;     ///< draw nothing that only the key tells
+};
+int explain_command(const ExplainOptions& options);
+
 int doctor_command();
 
 /// our_fault, some_not_graded or all_graded.

@@ -22,6 +22,7 @@ constexpr const char* about =
     "  raygrade reference                      the canonical answers\n"
     "  raygrade cast < queries.jsonl           exact answers to any rays\n"
     "  raygrade accuracy --out accuracy        what accuracy costs in time: a page of pictures\n"
+    "  raygrade explain output.txt             a picture of the scene and of what a program printed\n"
     "  raygrade doctor                         what this machine has and lacks";
 
 constexpr const char* footer =
@@ -202,6 +203,22 @@ int run(int argc, char** argv) {
         "          raygrade accuracy --out accuracy            the pictures, for a browser, a printer or a slide\n"
         "          raygrade accuracy --assignment a6-2021      is float enough for this scene?");
 
+    ExplainOptions explain{{}, "default"};
+    CLI::App& explain_app = *app.add_subcommand(
+        "explain", "Draw the assignment as SVG: camera, image plane, ray, objects, hit points, by the handout's names");
+    explain_app
+        .add_option("transcript", explain.transcript,
+                    "What a program printed: its wrong points and vectors are drawn beside the right ones")
+        ->type_name("TRANSCRIPT");
+    add_assignment(explain_app, explain.assignment);
+    explain_app.add_option("-o,--out", explain.out, "Where to write the picture; - for stdout")
+        ->type_name("FILE")
+        ->capture_default_str();
+    explain_app.add_flag("--force", explain.force, "Replace an earlier picture");
+    explain_app.add_flag("--without-answers", explain.without_answers,
+                         "For a student: draw what the handout gives and what was printed, and nothing of the key");
+    explain_app.footer("Example: ./ray_cast > output.txt; raygrade explain output.txt -o explain.svg");
+
     CLI::App& doctor_app = *app.add_subcommand("doctor", "Say what this machine has and lacks for grading");
 
     try {
@@ -214,6 +231,7 @@ int run(int argc, char** argv) {
     if (reference_app.parsed()) return reference_command(reference_options);
     if (cast_app.parsed()) return cast_command();
     if (accuracy_app.parsed()) return accuracy_command(accuracy);
+    if (explain_app.parsed()) return explain_command(explain);
     return doctor_app.parsed() ? doctor_command() : usage;
 }
 
