@@ -140,8 +140,8 @@ void write_mistakes(std::ostream& out, const std::vector<Graded>& graded,
         data["number"] = std::to_string(question.question);
         data["question_title"] = std::string(reference::question_title(question.question));
         if (question.following > 0) {
-            data["following"] = fmt::format("{} more without a mistake here: what is off follows from earlier answers.",
-                                            programs(question.following));
+            data["following"] = fmt::format("Off in {} more {}, but only because of earlier answers.",
+                                            question.following, question.following == 1 ? "program" : "programs");
         }
         PageData groups(PageData::type::list);
         for (const WrongAnswer& answer : question.answers) groups.push_back(group_of(answer, graded));
@@ -180,7 +180,8 @@ void write_class_report(std::ostream& out, const std::vector<Graded>& graded, co
     out << PageTemplate(pages::class_table_mustache).fill_in(head);
     for (std::size_t i = 0; i < graded.size(); ++i) out << sheets.row(graded[i], i);
     out << "</tbody></table></div>\n</section>\n<section id=\"each\" aria-labelledby=\"each-title\">\n"
-           "<h2 id=\"each-title\">Each student</h2>\n";
+           "<h2 id=\"each-title\">Each student</h2>\n"
+        << sheets.shared_part();
     for (std::size_t i = 0; i < graded.size(); ++i) out << sheets.sheet(graded[i], i);
     out << "</section>\n</main>\n" << pages::class_panel_mustache << "</body>\n</html>\n";
 }

@@ -8,7 +8,6 @@
 #include "harness/final_mark.h"
 #include "harness/report/class_statistics.h"
 #include "harness/report/expected_text.h"
-#include "harness/report/explaining_picture.h"
 #include "harness/report/look_first.h"
 #include "harness/report/markup.h"
 #include "harness/report/pages/pages.h"
@@ -149,13 +148,13 @@ std::string links_to(const std::vector<std::size_t>& who, const std::vector<Grad
 }
 
 ClassSheets::ClassSheets(const Marking& marking, bool named)
-    : marking_(marking),
-      named_(named),
+    : named_(named),
       asked_(expected_texts(marking.key)),
       row_(pages::class_row_mustache),
       sheet_(pages::class_student_mustache),
       item_(pages::class_item_mustache),
-      evidence_("h4", most_text_bytes) {}
+      evidence_("h4", most_text_bytes),
+      pictures_(marking, true, "all-") {}
 
 std::string ClassSheets::row(const Graded& graded, std::size_t index) {
     PageData data;
@@ -197,7 +196,7 @@ std::string ClassSheets::rows_of(const Graded& graded, const QuestionScore& ques
 
 std::string ClassSheets::picture_of(const Graded& graded, std::size_t index) {
     if (picture_bytes_ > most_picture_bytes || !lost_geometry(graded)) return "";
-    std::string picture = explaining_picture(marking_, &graded, true, fmt::format("p{}-", index + 1));
+    std::string picture = pictures_.picture(&graded, fmt::format("p{}-", index + 1));
     picture_bytes_ += picture.size();
     return picture;
 }

@@ -6,6 +6,7 @@
 
 #include "harness/grade.h"
 #include "harness/report/evidence.h"
+#include "harness/report/explaining_picture.h"
 #include "harness/report/page_template.h"
 #include "reference/item_values.h"
 
@@ -22,9 +23,11 @@ std::string links_to(const std::vector<std::size_t>& who, const std::vector<Grad
 
 class ClassSheets {
   public:
-    /// `marking` must outlive it. `named`: the table has columns for names and late hand-ins.
+    /// `named`: the table has columns for names and late hand-ins.
     ClassSheets(const Marking& marking, bool named);
 
+    /// What the sheets' pictures share, to stand before them.
+    std::string shared_part() const { return pictures_.shared_part(); }
     std::string row(const Graded& graded, std::size_t index);
     std::string sheet(const Graded& graded, std::size_t index);
 
@@ -32,7 +35,6 @@ class ClassSheets {
     std::string rows_of(const Graded& graded, const QuestionScore& question);
     std::string picture_of(const Graded& graded, std::size_t index);
 
-    const Marking& marking_;
     bool named_;
     std::map<reference::ItemId, std::string> asked_;
     std::size_t picture_bytes_ = 0;  ///< of all sheets so far
@@ -40,6 +42,7 @@ class ClassSheets {
     PageTemplate sheet_;
     PageTemplate item_;
     Evidence evidence_;
+    ExplainingPictures pictures_;
 };
 
 }  // namespace harness::report

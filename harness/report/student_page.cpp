@@ -6,7 +6,6 @@
 
 #include "harness/final_mark.h"
 #include "harness/report/expected_text.h"
-#include "harness/report/explaining_picture.h"
 #include "harness/report/look_first.h"
 #include "harness/report/pages/pages.h"
 #include "harness/report/report.h"
@@ -94,9 +93,10 @@ std::string note_of(const Graded& graded, const QuestionScore& question, const s
     const bool follows =
         look && std::find(look->following.begin(), look->following.end(), question.number) != look->following.end();
     if (!follows) return "";
-    return fmt::format("Nothing is wrong here by itself: it follows from {}, and comes right with {}.",
-                       look->is_missing ? "your earlier answers" : fmt::format("question {}", look->question),
-                       look->is_missing ? "them" : "it");
+    if (!look->is_only || look->is_missing)
+        return "Nothing is wrong here by itself: it follows from your earlier answers, and comes right with them.";
+    return fmt::format("Nothing is wrong here by itself: it follows from question {}, and comes right with it.",
+                       look->question);
 }
 
 }  // namespace
@@ -109,7 +109,8 @@ StudentPages::StudentPages(const Marking& marking)
       policy_(security_policy({style_})),
       page_(pages::student_mustache),
       question_(pages::question_mustache),
-      evidence_("h2", most_bytes) {}
+      evidence_("h2", most_bytes),
+      pictures_(marking, marking.assignment.rubric.show_expected, "scene-") {}
 
 PageData StudentPages::item(const Graded& graded, const QuestionScore& question, const ItemScore& item,
                             bool said) const {
@@ -186,8 +187,7 @@ std::string StudentPages::page(const Graded& graded) {
             cells.push_back(cell_of(graded, each));
             if (is_worth_a_section(graded, each)) sections += question(graded, each);
         }
-        const bool shows_answers = marking_.assignment.rubric.show_expected;
-        set_text(data, "picture", explaining_picture(marking_, &graded, shows_answers, "scene-"));
+        data["picture"] = pictures_.whole_picture(&graded, "scene-");
     }
     data["questions"] = std::move(cells);
     data["sections"] = sections;

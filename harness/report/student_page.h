@@ -6,6 +6,7 @@
 
 #include "harness/grade.h"
 #include "harness/report/evidence.h"
+#include "harness/report/explaining_picture.h"
 #include "harness/report/page_template.h"
 #include "reference/item_values.h"
 
@@ -33,6 +34,7 @@ class StudentPages {
     PageTemplate page_;
     PageTemplate question_;
     Evidence evidence_;
+    ExplainingPictures pictures_;
 };
 
 /// One page.
