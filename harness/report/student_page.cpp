@@ -187,7 +187,8 @@ std::string StudentPages::page(const Graded& graded) {
             cells.push_back(cell_of(graded, each));
             if (is_worth_a_section(graded, each)) sections += question(graded, each);
         }
-        data["picture"] = pictures_.whole_picture(&graded, "scene-");
+        // Where nothing is to be looked at, a picture of it is time and bytes for nothing.
+        if (!sections.empty()) data["picture"] = pictures_.whole_picture(&graded, "scene-");
     }
     data["questions"] = std::move(cells);
     data["sections"] = sections;
