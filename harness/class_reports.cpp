@@ -6,7 +6,9 @@
 #include <sstream>
 
 #include "harness/failure.h"
+#include "harness/report/class_report.h"
 #include "harness/report/report.h"
+#include "harness/report/student_page.h"
 #include "harness/results_folder.h"
 
 namespace harness {
@@ -16,19 +18,23 @@ namespace fs = std::filesystem;
 
 void remove_feedback(const fs::path& feedback) {
     for (const auto& entry : fs::directory_iterator(feedback)) {
-        if (entry.path().extension() == ".md") fs::remove(entry.path());
+        const fs::path ending = entry.path().extension();
+        if (ending == ".md" || ending == ".html") fs::remove(entry.path());
     }
 }
 
-void write_feedback(const ClassResults& results, std::size_t index, const fs::path& feedback) {
+void write_feedback(const ClassResults& results, std::size_t index, report::StudentPages& pages,
+                    const fs::path& feedback) {
     const Graded& one = results.graded[index];
-    write_file(feedback / (feedback_name(one.submission.id, index) + ".md"),
-               report::feedback_markdown(one, results.marking));
+    const std::string name = feedback_name(one.submission.id, index);
+    write_file(feedback / (name + ".md"), report::feedback_markdown(one, results.marking));
+    write_file(feedback / (name + ".html"), pages.page(one));
 }
 
 void write_all_feedback(const ClassResults& results, const fs::path& feedback) {
     remove_feedback(feedback);
-    for (std::size_t i = 0; i < results.graded.size(); ++i) write_feedback(results, i, feedback);
+    report::StudentPages pages(results.marking);
+    for (std::size_t i = 0; i < results.graded.size(); ++i) write_feedback(results, i, pages, feedback);
 }
 
 std::optional<report::CanvasImport> write_canvas(const ClassResults& results, const fs::path& file) {
@@ -93,7 +99,8 @@ HandedBack write_class_reports(const ClassResults& results, const fs::path& fold
     try {
         std::future<void> written = std::async(std::launch::async, [&] {
             if (only) {
-                write_feedback(results, *only, folder / "feedback");
+                report::StudentPages pages(results.marking);
+                write_feedback(results, *only, pages, folder / "feedback");
             } else {
                 write_all_feedback(results, folder / "feedback");
             }
@@ -104,6 +111,9 @@ HandedBack write_class_reports(const ClassResults& results, const fs::path& fold
         write_file(folder / "grades.csv", report::grades_csv(results.graded));
         write_file(folder / "grades.json", [&](std::ostream& stream) {
             report::write_grades_json(stream, results.graded, results.marking, results.tier);
+        });
+        write_file(folder / "report.html", [&](std::ostream& stream) {
+            report::write_class_report(stream, results.graded, results.marking, results.tier);
         });
         handed_back.feedback = write_zip(results, folder / feedback_zip_name);
         written.get();

@@ -3,7 +3,9 @@
 #include "harness/batch.h"
 #include "harness/commands.h"
 #include "harness/find_submissions.h"
+#include "harness/page_file.h"
 #include "harness/report/report.h"
+#include "harness/report/student_page.h"
 #include "harness/report_files.h"
 
 namespace harness {
@@ -16,6 +18,7 @@ int check_command(const CheckOptions& options) {
                                      options.source.string(), submissions.size()));
     }
     const CheckFiles files(options);
+    if (!options.html.empty()) require_place_for_page(options.html, "--html");
     const Workshop workshop = open_workshop(options.workshop, assignment.limits);
     tell_of_the_sandbox(workshop);
     // Now that the looks at the machine are over: the key is needed only when the program has run.
@@ -24,6 +27,7 @@ int check_command(const CheckOptions& options) {
     tell_problems(workshop);
     fmt::print("{}\n\n{}", assignment.title, report::check_text(graded));
     files.write(graded, marking.get());
+    if (!options.html.empty()) write_page(options.html, report::student_page(graded, marking.get()), "--html");
     if (graded.outcome == Outcome::not_graded) return status_of({graded});
     const bool too_few =
         options.fail_under && graded.score.points < *options.fail_under / 100 * graded.score.max_points;

@@ -212,8 +212,8 @@ int grade_command(const GradeOptions& options) {
     if (handed_back.canvas) tell_canvas(*handed_back.canvas, options.out / canvas_import_name);
     if (handed_back.moodle) tell_moodle(*handed_back.moodle, options.out / moodle_import_name);
     if (handed_back.feedback) tell_feedback(*handed_back.feedback, options.out / feedback_zip_name);
-    fmt::print("\nresults: {}\nfeedback: {}\n", (options.out / "grades.json").string(),
-               (options.out / "feedback").string());
+    fmt::print("\nresults: {}\nreport: {}\nfeedback: {}\n", (options.out / "grades.json").string(),
+               (options.out / "report.html").string(), (options.out / "feedback").string());
     return status_of(graded);
 }
 

@@ -57,6 +57,7 @@ struct CheckOptions {
     std::filesystem::path gradescope = {};   ///< results.json
     std::filesystem::path classroom50 = {};  ///< result.json
     std::filesystem::path junit = {};        ///< JUnit XML
+    std::filesystem::path html = {};         ///< where to write the student's page; empty for nowhere
 };
 int check_command(const CheckOptions& options);
 
@@ -82,6 +83,15 @@ struct AccuracyOptions {
 };
 /// With an assignment and nowhere to write to, only the assignment is examined: that takes a moment.
 int accuracy_command(const AccuracyOptions& options);
+
+struct ExplainOptions {
+    std::filesystem::path transcript;  ///< what a program printed; empty for the scene alone
+    std::string assignment;
+    std::string out = "explain.svg";  ///< "-" for stdout
+    bool force = false;               ///< replace an earlier picture
+    bool without_answers = false;     ///< draw nothing that only the key tells
+};
+int explain_command(const ExplainOptions& options);
 
 int doctor_command();
 

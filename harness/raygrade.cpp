@@ -23,6 +23,7 @@ constexpr const char* about =
     "  raygrade reference                      the canonical answers\n"
     "  raygrade cast < queries.jsonl           exact answers to any rays\n"
     "  raygrade accuracy --out accuracy        what accuracy costs in time: a page of pictures\n"
+    "  raygrade explain output.txt             a picture of the scene and of what a program printed\n"
     "  raygrade doctor                         what this machine has and lacks";
 
 constexpr const char* footer =
@@ -104,8 +105,9 @@ int run(int argc, char** argv) {
         ->type_name("PATH...");
     add_assignment(grade_app, grade.assignment);
     grade_app
-        .add_option("-o,--out", grade.out,
-                    "The folder for gradebook.sqlite, grades.json, grades.csv and feedback/<id>.md")
+        .add_option(
+            "-o,--out", grade.out,
+            "The folder for report.html, gradebook.sqlite, grades.json, grades.csv and feedback/<id>.html and .md")
         ->type_name("DIR")
         ->capture_default_str();
     grade_app
@@ -182,6 +184,10 @@ int run(int argc, char** argv) {
                     "marks")
         ->type_name("FILE.json");
     add_junit(check_app, check.junit);
+    check_app
+        .add_option("--html", check.html,
+                    "Also write the verdicts as a page for a browser; replaces only an earlier page of raygrade's")
+        ->type_name("FILE");
     add_workshop(check_app, check.workshop);
     check_app.footer(limits_footer() + "\nExample: raygrade check ray_cast.cpp");
 
@@ -249,6 +255,22 @@ int run(int argc, char** argv) {
         "          raygrade accuracy --out accuracy            the pictures, for a browser, a printer or a slide\n"
         "          raygrade accuracy --assignment a6-2021      is float enough for this scene?");
 
+    ExplainOptions explain{{}, "default"};
+    CLI::App& explain_app = *app.add_subcommand(
+        "explain", "Draw the assignment as SVG: camera, image plane, ray, objects, hit points, by the handout's names");
+    explain_app
+        .add_option("transcript", explain.transcript,
+                    "What a program printed: its wrong points and vectors are drawn beside the right ones")
+        ->type_name("TRANSCRIPT");
+    add_assignment(explain_app, explain.assignment);
+    explain_app.add_option("-o,--out", explain.out, "Where to write the picture; - for stdout")
+        ->type_name("FILE")
+        ->capture_default_str();
+    explain_app.add_flag("--force", explain.force, "Replace an earlier picture");
+    explain_app.add_flag("--without-answers", explain.without_answers,
+                         "For a student: draw what the handout gives and what was printed, and nothing of the key");
+    explain_app.footer("Example: ./ray_cast > output.txt; raygrade explain output.txt -o explain.svg");
+
     CLI::App& doctor_app = *app.add_subcommand("doctor", "Say what this machine has and lacks for grading");
 
     try {
@@ -262,6 +284,7 @@ int run(int argc, char** argv) {
     if (reference_app.parsed()) return reference_command(reference_options);
     if (cast_app.parsed()) return cast_command();
     if (accuracy_app.parsed()) return accuracy_command(accuracy);
+    if (explain_app.parsed()) return explain_command(explain);
     return doctor_app.parsed() ? doctor_command() : usage;
 }
 

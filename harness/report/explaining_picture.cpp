@@ -1,10 +1,239 @@
 #include "harness/report/explaining_picture.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "harness/report/markup.h"
+#include "harness/report/picture/image_plane.h"
+#include "harness/report/picture/layout.h"
+#include "harness/report/picture/legend.h"
+#include "harness/report/picture/panel.h"
+#include "harness/report/picture/printed_sketch.h"
+#include "harness/report/scatter.h"
+
 namespace harness::report {
 
-std::string explaining_picture(const Marking& /*marking*/, const Graded* /*graded*/, bool /*with_answers*/,
-                               const std::string& /*id_prefix*/) {
-    return "";
+using namespace picture;
+
+namespace {
+
+/// Whatever is to be seen of the base, for the perspective view to fill its box with.
+std::vector<Point> content_of(const Sketch& sketch, const Frame& frame) {
+    std::vector<Point> content;
+    const auto add = [&](const Point& world) {
+        if (frame.holds(world)) content.push_back(frame.inside(world));
+    };
+    for (const Dot& dot : sketch.dots) add(dot.at);
+    for (const Polygon& polygon : sketch.polygons) {
+        for (const Point& corner : polygon.corners) add(corner);
+    }
+    for (const Arrow& arrow : sketch.arrows) add(arrow.at + arrow.vector * frame.arrow);
+    for (const Ball& ball : sketch.balls) {
+        const Point around(ball.radius, ball.radius, ball.radius);
+        if (!frame.holds(ball.center - around) || !frame.holds(ball.center + around)) continue;
+        // As large as it looks from near by.
+        for (int i = 0; i < 27; ++i) {
+            const Point direction(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+            constexpr double nearer = 1.12;
+            if (i != 13)
+                content.push_back(
+                    frame.inside(ball.center + reference::normalized(direction) * (nearer * ball.radius)));
+        }
+    }
+    if (content.size() < 3) {  // nothing but a camera far from everything: all of the frame
+        for (int i = 0; i < 8; ++i)
+            content.push_back({(i & 1) == 0 ? frame.half.x : -frame.half.x, (i & 2) == 0 ? frame.half.y : -frame.half.y,
+                               (i & 4) == 0 ? frame.half.z : -frame.half.z});
+    }
+    return content;
+}
+
+void append(Sketch& sketch, Sketch&& more) {
+    const auto move = [](auto& to, auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    move(sketch.balls, more.balls);
+    move(sketch.polygons, more.polygons);
+    move(sketch.lines, more.lines);
+    move(sketch.arrows, more.arrows);
+    move(sketch.dots, more.dots);
+    move(sketch.notes, more.notes);
+}
+
+/// One view of what is the same for all.
+struct BaseView {
+    View view;
+    std::string box;
+    Panel panel;
+    Names names;  ///< of the panel, where nobody's answers are in the way
+};
+
+std::string describe(const DoubleScene& scene, const std::vector<std::string>& notes) {
+    const auto point = [](const Point& p) { return fmt::format("({} {} {})", figure(p.x), figure(p.y), figure(p.z)); };
+    return fmt::format("The eye at {} looks at {} through an image plane at distance {}. {}", point(scene.camera.eye),
+                       point(scene.camera.lookat), figure(scene.window.clip_near), fmt::join(notes, " "));
+}
+
+}  // namespace
+
+/// Whether names of the scene and of what was printed are placed at once, or the latter around the former.
+enum class Together { yes, no };
+
+/// All of it comes of the assignment, and of the key only where `with_answers`.
+struct ExplainingPictures::Base {
+    Base(const Marking& marking, bool answers, Room room);
+
+    bool with_answers;
+    DoubleScene scene;
+    RightValues right;
+    Frame frame;
+    ImagePlane image_plane;
+    std::vector<BaseView> views;
+    std::vector<std::string> notes;
+    KeyLines key;
+    std::string beside;    ///< image plane and key, as SVG
+    Names names_in_plane;  ///< where nobody's answers are in the way
+
+    /// A whole <svg> element around `body`.
+    std::string page(const std::string& id_prefix, bool is_graded, const std::vector<std::string>& told,
+                     const std::string& body) const;
+    /// What can be drawn of one student's answers; `told` gets what can't.
+    PrintedSketch printed(const Graded& graded, std::vector<std::string>& told) const;
+    /// Beside the views: the printed pixel, and what the marks mean.
+    std::string beside_printed(const PrintedSketch& printed, Together together, std::vector<std::string>& told) const;
+    std::string whole(const Graded* graded, const std::string& id_prefix) const;
+};
+
+ExplainingPictures::Base::Base(const Marking& marking, bool answers, Room room)
+    : with_answers(answers), scene(double_scene(marking.assignment)) {
+    std::vector<Point> more;
+    if (with_answers) {
+        right = right_values(marking.key, scene);
+        const bool misses = marking.key.decisions.triangle == "miss";
+        for (const auto& point : {right.P_WCS, right.P_s, misses ? std::nullopt : right.P_t}) {
+            if (point) more.push_back(*point);
+        }
+        if (right.X_vcs && right.Y_vcs && right.Z_vcs) {
+            for (const Point& corner : window_corners(scene, *right.X_vcs, *right.Y_vcs, *right.Z_vcs))
+                more.push_back(corner);
+        }
+    }
+    std::vector<std::string> of_frame;
+    frame = choose_frame(scene, more, room, of_frame);
+    Sketch sketch = given_sketch(scene, right.asked_sphere, right.asked_triangle);
+    if (with_answers) append(sketch, right_sketch(right, marking.key, scene, frame));
+    notes = sketch.notes;
+    notes.insert(notes.end(), of_frame.begin(), of_frame.end());
+    if (frame.arrow != 1) notes.push_back(fmt::format("Unit vectors are drawn {} long.", figure(frame.arrow)));
+
+    std::vector<View> looks{perspective_view(scene, perspective_box, content_of(sketch, frame))};
+    for (View& view : parallel_views(scene, frame, {side_box, other_box})) looks.push_back(std::move(view));
+    for (View& view : looks) {
+        Panel panel = draw_panel(view, frame, sketch);
+        Names names = place_names(panel.names, view.box, panel.drawn, taken_by_box(view));
+        std::string box = draw_box(view, frame);
+        views.push_back({std::move(view), std::move(box), std::move(panel), std::move(names)});
+    }
+    image_plane = draw_image_plane(scene, right.P_VCS, image_plane_box);
+    names_in_plane = place_names_in(image_plane, image_plane.names, image_plane.taken);
+    key = draw_key(scene, with_answers, first_of_key);
+    beside = image_plane.svg + key.svg;
+}
+
+std::string ExplainingPictures::Base::page(const std::string& id_prefix, bool is_graded,
+                                           const std::vector<std::string>& told, const std::string& body) const {
+    const NoteLines lines = draw_notes(told, page_width - 8, first_note);
+    return fmt::format(
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-labelledby=\"{0}t {0}d\" width=\"{1}\" "
+               "height=\"{2}\" viewBox=\"0 0 {1} {2}\" font-family=\"{3}\" font-size=\"{4}\" "
+               "fill=\"currentColor\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n"
+               "<title id=\"{0}t\">{5}</title>\n<desc id=\"{0}d\">{6}</desc>\n",
+               escape_markup(id_prefix), page_width, coordinate(lines.bottom + 8), font_family, letter_size,
+               is_graded ? "The scene, and what was printed" : "The scene", escape_markup(describe(scene, told))) +
+           body + lines.svg + "</svg>\n";
+}
+
+PrintedSketch ExplainingPictures::Base::printed(const Graded& graded, std::vector<std::string>& told) const {
+    PrintedSketch printed = printed_sketch(graded.score, scene, with_answers ? &right : nullptr, frame);
+    told.insert(told.end(), printed.sketch.notes.begin(), printed.sketch.notes.end());
+    return printed;
+}
+
+std::string ExplainingPictures::Base::beside_printed(const PrintedSketch& printed, Together together,
+                                                     std::vector<std::string>& told) const {
+    Panel pixel;
+    if (printed.P_VCS)
+        pixel = draw_printed_pixel(scene, *printed.P_VCS, printed.is_P_VCS_right, image_plane.window, told);
+    const Sketch& sketch = printed.sketch;
+    const bool any = !pixel.names.empty() || !sketch.dots.empty() || !sketch.arrows.empty();
+    std::vector<Name> names = pixel.names;
+    std::vector<Box> taken = names_in_plane.taken;
+    if (together == Together::yes) {
+        names.insert(names.begin(), image_plane.names.begin(), image_plane.names.end());
+        taken = image_plane.taken;
+    }
+    return pixel.shapes + place_names_in(image_plane, names, taken).svg +
+           (any ? draw_printed_key(with_answers, key.next) : "");
+}
+
+// Names that give way to those of this student's answers.
+std::string ExplainingPictures::Base::whole(const Graded* graded, const std::string& id_prefix) const {
+    std::vector<std::string> told = notes;
+    PrintedSketch own;
+    if (graded != nullptr) own = printed(*graded, told);
+    std::string body;
+    for (const BaseView& base : views) {
+        const Panel panel = draw_panel(base.view, frame, own.sketch);
+        std::vector<Name> names = base.panel.names;
+        names.insert(names.end(), panel.names.begin(), panel.names.end());
+        std::vector<Segment> drawn = base.panel.drawn;
+        drawn.insert(drawn.end(), panel.drawn.begin(), panel.drawn.end());
+        body += base.box + base.panel.shapes + panel.shapes +
+                (panel.names.empty() ? base.names.svg
+                                     : place_names(names, base.view.box, drawn, taken_by_box(base.view)).svg);
+    }
+    body += beside + beside_printed(own, Together::yes, told);
+    return page(id_prefix, graded != nullptr, told, body);
+}
+
+ExplainingPictures::ExplainingPictures(const Marking& marking, bool with_answers, const std::string& id_prefix)
+    : base_(std::make_unique<const Base>(marking, with_answers, Room::for_mistakes)),
+      id_(escape_markup(id_prefix + "scene")) {}
+
+ExplainingPictures::~ExplainingPictures() = default;
+ExplainingPictures::ExplainingPictures(ExplainingPictures&&) noexcept = default;
+ExplainingPictures& ExplainingPictures::operator=(ExplainingPictures&&) noexcept = default;
+
+std::string ExplainingPictures::shared_part() const {
+    std::string svg;
+    for (const BaseView& view : base_->views) svg += view.box + view.panel.shapes + view.names.svg;
+    return fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"0\" height=\"0\" aria-hidden=\"true\"><defs><g id=\"{}\">\n"
+        "{}</g></defs></svg>\n",
+        id_, svg + base_->beside + base_->names_in_plane.svg);
+}
+
+std::string ExplainingPictures::picture(const Graded* graded, const std::string& id_prefix) const {
+    std::vector<std::string> told = base_->notes;
+    PrintedSketch printed;
+    if (graded != nullptr) printed = base_->printed(*graded, told);
+    std::string body = fmt::format("<use href=\"#{}\"/>\n", id_);
+    for (const BaseView& base : base_->views) {
+        const Panel own = draw_panel(base.view, base_->frame, printed.sketch);
+        std::vector<Segment> drawn = base.panel.drawn;
+        drawn.insert(drawn.end(), own.drawn.begin(), own.drawn.end());
+        body += own.shapes + place_names(own.names, base.view.box, drawn, base.names.taken).svg;
+    }
+    body += base_->beside_printed(printed, Together::no, told);
+    return base_->page(id_prefix, graded != nullptr, told, body);
+}
+
+std::string ExplainingPictures::whole_picture(const Graded* graded, const std::string& id_prefix) const {
+    return base_->whole(graded, id_prefix);
+}
+
+std::string explaining_picture(const Marking& marking, const Graded* graded, bool with_answers,
+                               const std::string& id_prefix) {
+    const Room room = graded == nullptr ? Room::for_scene : Room::for_mistakes;
+    return ExplainingPictures::Base(marking, with_answers, room).whole(graded, id_prefix);
 }
 
 }  // namespace harness::report

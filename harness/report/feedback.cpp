@@ -5,6 +5,7 @@
 #include "harness/clean_text.h"
 #include "harness/final_mark.h"
 #include "harness/override_place.h"
+#include "harness/report/look_first.h"
 #include "harness/report/report.h"
 
 namespace harness::report {
@@ -33,10 +34,6 @@ std::string code_block(const std::string& text) {
     const std::string safe = escape_control(text);
     const std::string fence(std::max<std::size_t>(3, longest_run_of_backticks(safe) + 1), '`');
     return fmt::format("{0}\n{1}{2}{0}\n", fence, safe, safe.ends_with('\n') ? "" : "\n");
-}
-
-std::string cap_sentence(double cap) {
-    return fmt::format("Answers that follow from an earlier mistake earn at most {} points in all.", points_text(cap));
 }
 
 std::string where(const ItemScore& item) {
@@ -106,22 +103,6 @@ std::string items_worth_saying(const Graded& graded) {
     return text;
 }
 
-/// For the student, whom neither the machine's troubles nor its folders concern; the instructor has both in the table.
-std::string why_not_graded(const Submission& submission) {
-    if (!submission.problem) return "That is not the program's fault: something went wrong here. Ask your instructor.";
-    std::string problem = *submission.problem;
-    const std::string folder = submission.file.parent_path().string() + "/";
-    for (std::size_t at = problem.find(folder); folder != "/" && at != std::string::npos; at = problem.find(folder)) {
-        problem.erase(at, folder.size());
-    }
-    return code(problem);
-}
-
-/// What a flag says, for a person.
-std::string flag_title(const Flag& flag) {
-    return flag.kind == "nondeterministic" ? "The program does not answer the same each time" : flag.kind;
-}
-
 }  // namespace
 
 std::string feedback_markdown(const Graded& graded, const Marking& marking) {
@@ -130,11 +111,14 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
         text += fmt::format("> **Warning.** {}\n\n", warning);
     }
     if (graded.outcome == Outcome::not_graded) {
-        return text + mark_lines(graded) + fmt::format("**Not graded.** {}\n", why_not_graded(graded.submission));
+        const std::string reason = reason_for_student(graded.submission);
+        return text + mark_lines(graded) +
+               fmt::format("**Not graded.** {}\n", graded.submission.problem ? code(reason) : reason);
     }
     const Score& score = graded.score;
     text += mark_lines(graded);
     if (!graded.explanation.empty()) text += graded.explanation + "\n\n";
+    if (const std::string look = look_first_sentence(graded); !look.empty()) text += fmt::format("**{}**\n\n", look);
     if (score.follow_cap) text += cap_sentence(*score.follow_cap) + "\n\n";
     text += "| Question | | Result | Points |\n|---:|---|---|---:|\n";
     for (const QuestionScore& question : score.questions) {
@@ -191,6 +175,7 @@ std::string check_text(const Graded& graded) {
                                 item.diagnosis.empty() ? "" : fmt::format(" ({})", item.diagnosis));
         }
     }
+    if (const std::string look = look_first_sentence(graded); !look.empty()) text += "\n" + look + "\n";
     if (graded.score.follow_cap) text += "\n" + cap_sentence(*graded.score.follow_cap) + "\n";
     return text +
            fmt::format("\n{} of {} points\n", points_text(graded.score.points), points_text(graded.score.max_points));

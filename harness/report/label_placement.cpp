@@ -27,7 +27,6 @@ constexpr double price_of_mark = 2e4;
 constexpr double price_of_leader_over_label = 1500;
 constexpr double price_of_crossing = 200;
 constexpr double price_of_leader_over_mark = 1000;
-constexpr double price_of_drawn = 12;
 constexpr double price_of_doubt = 40;  ///< nearer to another point than to its own
 
 /// A far place costs more than its distance, so that no label pays for the comfort of many. On the level of its point a
@@ -53,11 +52,13 @@ bool cross(const Segment& one, const Segment& other) {
            side(other.from, other.to, one.from) * side(other.from, other.to, one.to) < 0;
 }
 
+bool contains(const Box& box, const Spot& spot) {
+    return spot.x > box.left && spot.x < box.right && spot.y > box.top && spot.y < box.bottom;
+}
+
 bool passes(const Segment& line, const Box& box) {
-    const auto inside = [&](const Spot& spot) {
-        return spot.x > box.left && spot.x < box.right && spot.y > box.top && spot.y < box.bottom;
-    };
-    return inside(line.from) || inside(line.to) || cross(line, {{box.left, box.top}, {box.right, box.bottom}}) ||
+    return contains(box, line.from) || contains(box, line.to) ||
+           cross(line, {{box.left, box.top}, {box.right, box.bottom}}) ||
            cross(line, {{box.left, box.bottom}, {box.right, box.top}});
 }
 
@@ -86,9 +87,9 @@ struct Place {
     double price;
 };
 
-std::vector<Place> places_for(const Label& label, const Box& area) {
+std::vector<Place> places_for(const Label& label, const Box& area, double most) {
     std::vector<Place> places;
-    const double farthest = std::hypot(area.right - area.left, area.bottom - area.top);
+    const double farthest = std::min(most, std::hypot(area.right - area.left, area.bottom - area.top));
     for (double radius = first_radius; radius < farthest; radius += std::min(growth * radius, most_growth)) {
         for (int i = 0; i < directions; ++i) {
             const double angle = 2 * std::numbers::pi * i / directions;
@@ -105,10 +106,16 @@ std::vector<Place> places_for(const Label& label, const Box& area) {
 
 class Desk {
   public:
-    Desk(const std::vector<Label>& labels, const Box& area, const std::vector<Segment>& drawn)
-        : labels_(labels), drawn_(drawn), chosen_(labels.size()), prices_(labels.size()) {
+    Desk(const std::vector<Label>& labels, const Box& area, const std::vector<Segment>& drawn,
+         const PlaceSearch& search)
+        : labels_(labels),
+          drawn_(drawn),
+          taken_(search.taken),
+          price_of_drawn_(search.price_of_drawn),
+          chosen_(labels.size()),
+          prices_(labels.size()) {
         for (const Label& label : labels) {
-            places_.push_back(places_for(label, area));
+            places_.push_back(places_for(label, area, search.farthest));
             for (Place& place : places_.back()) place.price += price_of_hiding(label, place.box);
         }
     }
@@ -154,15 +161,23 @@ class Desk {
                 if (j < i && overlap(placement.boxes[i], placement.boxes[j], gap)) placement.is_clear = false;
                 if (overlap(placement.boxes[i], mark_of(labels_[j]), 0)) placement.is_clear = false;
             }
+            if (is_taken(placement.boxes[i])) placement.is_clear = false;
         }
         return placement;
     }
 
   private:
+    bool is_taken(const Box& place) const {
+        return std::any_of(taken_.begin(), taken_.end(), [&](const Box& box) { return overlap(place, box, 0); });
+    }
+
     double price_of_hiding(const Label& label, const Box& place) const {
         const Segment leader{label.point, nearest_on(place, label.point)};
         const double away = distance(leader.from, leader.to);
-        double price = 0;
+        double price = is_taken(place) ? price_of_label : 0;
+        for (const Box& box : taken_) {
+            if (passes(leader, box) && !contains(box, label.point)) price += price_of_leader_over_label;
+        }
         for (const Label& other : labels_) {
             if (overlap(place, mark_of(other), 0)) price += price_of_mark;
             if (distance(other.point, label.point) <= mark_radius) continue;
@@ -170,7 +185,7 @@ class Desk {
             if (distance(nearest_on(place, other.point), other.point) < std::min(away, 24.0)) price += price_of_doubt;
         }
         for (const Segment& line : drawn_) {
-            if (passes(line, place)) price += price_of_drawn;
+            if (passes(line, place)) price += price_of_drawn_;
         }
         return price;
     }
@@ -191,13 +206,15 @@ class Desk {
 
     std::vector<Label> labels_;
     std::vector<Segment> drawn_;
+    std::vector<Box> taken_;
+    double price_of_drawn_;
     std::vector<std::vector<Place>> places_;
     std::vector<std::optional<Box>> chosen_;
     std::vector<double> prices_;  ///< of each label's place, the others left out
 };
 
 /// What comes first finds the best places, so many orders are tried.
-std::vector<std::vector<std::size_t>> orders_of(const std::vector<Label>& labels) {
+std::vector<std::vector<std::size_t>> orders_of(const std::vector<Label>& labels, int shuffled) {
     std::vector<std::size_t> order(labels.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::vector<std::vector<std::size_t>> orders{order};
@@ -210,7 +227,6 @@ std::vector<std::vector<std::size_t>> orders_of(const std::vector<Label>& labels
     add([](const Label& label) { return label.point.y; });
     add([](const Label& label) { return label.point.x; });
     add([](const Label& label) { return label.width; });
-    constexpr int shuffled = 32;
     std::mt19937 random(1);  // NOLINT(cert-msc51-cpp): the same picture every time
     for (int i = 0; i < shuffled; ++i) {
         // std::shuffle may do otherwise with another library.
@@ -226,10 +242,11 @@ Spot nearest_on(const Box& box, const Spot& point) {
     return {std::clamp(point.x, box.left, box.right), std::clamp(point.y, box.top, box.bottom)};
 }
 
-Placement place_labels(const std::vector<Label>& labels, const Box& area, const std::vector<Segment>& drawn) {
-    const Desk empty(labels, area, drawn);
+Placement place_labels(const std::vector<Label>& labels, const Box& area, const std::vector<Segment>& drawn,
+                       const PlaceSearch& search) {
+    const Desk empty(labels, area, drawn, search);
     std::optional<Desk> best;
-    for (const std::vector<std::size_t>& order : orders_of(labels)) {
+    for (const std::vector<std::size_t>& order : orders_of(labels, search.shuffled)) {
         Desk desk = empty;
         for (int i = 0; i < most_passes && desk.pass(order); ++i) {
         }

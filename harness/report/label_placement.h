@@ -34,9 +34,18 @@ struct Placement {
     bool is_clear = false;   ///< no box touches another or hides a point
 };
 
+/// How places are looked for.
+struct PlaceSearch {
+    std::vector<Box> taken = {};  ///< where a label would hide what stands there already
+    int shuffled = 32;            ///< random starting orders, beside the seven that are always tried
+    double farthest = 1e9;        ///< of a place from its point
+    double price_of_drawn = 12;   ///< for each line that a label hides, in units of distance
+};
+
 /// Always the same for the same input. Where the area is too small for all labels, boxes overlap and `is_clear` says
 /// so.
-Placement place_labels(const std::vector<Label>& labels, const Box& area, const std::vector<Segment>& drawn);
+Placement place_labels(const std::vector<Label>& labels, const Box& area, const std::vector<Segment>& drawn,
+                       const PlaceSearch& search = {});
 
 /// The end of a leader line: the box's nearest spot to its point.
 Spot nearest_on(const Box& box, const Spot& point);

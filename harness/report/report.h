@@ -40,4 +40,14 @@ std::string points_text(double points);
 /// Why an item lost its mark or was accepted in another form, as sentences; empty for a plainly right one.
 std::string item_sentence(const ItemScore& item, Outcome outcome);
 
+/// That the rubric's cap on follow-through, in points, has cut some.
+std::string cap_sentence(double cap);
+
+/// Why a submission has no marks, for its student, whom neither the machine's troubles nor its folders concern; the
+/// instructor has both in the class table. May hold the student's own file names.
+std::string reason_for_student(const Submission& submission);
+
+/// What a flag says, for a person.
+std::string flag_title(const Flag& flag);
+
 }  // namespace harness::report

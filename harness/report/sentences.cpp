@@ -47,6 +47,24 @@ std::string points_text(double points) {
     return text == "-0" ? "0" : text;
 }
 
+std::string cap_sentence(double cap) {
+    return fmt::format("Answers that follow from an earlier mistake earn at most {} points in all.", points_text(cap));
+}
+
+std::string reason_for_student(const Submission& submission) {
+    if (!submission.problem) return "That is not the program's fault: something went wrong here. Ask your instructor.";
+    std::string problem = *submission.problem;
+    const std::string folder = submission.file.parent_path().string() + "/";
+    for (std::size_t at = problem.find(folder); folder != "/" && at != std::string::npos; at = problem.find(folder)) {
+        problem.erase(at, folder.size());
+    }
+    return problem;
+}
+
+std::string flag_title(const Flag& flag) {
+    return flag.kind == "nondeterministic" ? "The program does not answer the same each time" : flag.kind;
+}
+
 std::string item_sentence(const ItemScore& item, Outcome outcome) {
     switch (item.verdict) {
         case ItemVerdict::right: return item.accepted_as.empty() ? "" : fmt::format("Accepted: {}.", item.accepted_as);

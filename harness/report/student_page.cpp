@@ -2,16 +2,203 @@
 
 #include <fmt/format.h>
 
-#include "harness/report/markup.h"
+#include <algorithm>
+
+#include "harness/final_mark.h"
+#include "harness/report/expected_text.h"
+#include "harness/report/look_first.h"
+#include "harness/report/pages/pages.h"
 #include "harness/report/report.h"
+#include "harness/report/verdict_words.h"
 
 namespace harness::report {
+namespace {
+
+/// Of the compiler's messages and of each other text; the Markdown beside the page has all of it.
+constexpr std::size_t most_bytes = 64 << 10U;
+
+bool has_marks(const Graded& graded) {
+    return graded.outcome != Outcome::not_graded && graded.outcome != Outcome::compile_error;
+}
+
+bool all_have(const QuestionScore& question, ItemVerdict verdict) {
+    return std::all_of(question.items.begin(), question.items.end(),
+                       [&](const ItemScore& item) { return item.verdict == verdict; });
+}
+
+/// Whether there is anything to say of it beyond that it is right.
+bool is_worth_a_section(const Graded& graded, const QuestionScore& question) {
+    return std::any_of(question.items.begin(), question.items.end(),
+                       [&](const ItemScore& item) { return !item_sentence(item, graded.outcome).empty(); });
+}
+
+bool is_plainly_right(const ItemScore& item, Outcome outcome) {
+    return item_sentence(item, outcome).empty();
+}
+
+std::string who_of(const Submission& submission) {
+    std::string who = submission.id;
+    if (submission.lms && !submission.lms->student.empty()) who = submission.lms->student + ", " + who;
+    const std::string file = submission.file.filename().string();
+    return file.empty() ? who : who + ", " + file;
+}
+
+/// "question 6, t", "question 6" or "the whole".
+std::string place_of(const Override& given) {
+    if (given.question == 0) return "the whole";
+    return fmt::format("question {}{}", given.question, given.item.empty() ? "" : ", " + given.item);
+}
+
+/// What makes the points other than the sum of the automatic ones.
+PageData list_of_changes(const Graded& graded, const std::optional<FinalMark>& mark) {
+    PageData list(PageData::type::list);
+    const auto add = [&](const std::string& text) {
+        PageData change;
+        change["text"] = text;
+        list.push_back(change);
+    };
+    if (graded.score.follow_cap && has_marks(graded)) add(cap_sentence(*graded.score.follow_cap));
+    for (const Override& given : graded.overrides) {
+        if (find_override(graded, given.question, given.item) != &given) continue;
+        add(fmt::format("Your instructor gave {} points for {}: {}", points_text(given.points), place_of(given),
+                        given.why));
+    }
+    if (mark && mark->late_deduction > 0)
+        add(fmt::format("Handed in late: {} points are taken off.", points_text(mark->late_deduction)));
+    return list;
+}
+
+/// A question in the strip at the top.
+PageData cell_of(const Graded& graded, const QuestionScore& question) {
+    PageData cell;
+    const std::string_view verdict = class_of(question);
+    cell["class"] = std::string(verdict);
+    cell["number"] = std::to_string(question.number);
+    cell["question_title"] = std::string(reference::question_title(question.number));
+    cell["symbol"] = std::string(symbol_of(question));
+    cell["word"] = word_of(question);
+    cell["got"] = points_text(final_points(graded, question));
+    cell["most"] = points_text(question.max_points);
+    cell["linked"] = is_worth_a_section(graded, question);
+    return cell;
+}
+
+std::string note_of(const Graded& graded, const QuestionScore& question, const std::optional<LookFirst>& look) {
+    if (all_have(question, ItemVerdict::missing) && question.items.size() > 1) {
+        const bool ended_early = graded.outcome != Outcome::graded;
+        return ended_early
+                   ? "No answer was found in what the program printed before it ended."
+                   : "No answer was found in the output. Print each with a label under this question’s heading.";
+    }
+    const bool follows =
+        look && std::find(look->following.begin(), look->following.end(), question.number) != look->following.end();
+    if (!follows) return "";
+    if (!look->is_only || look->is_missing)
+        return "Nothing is wrong here by itself: it follows from your earlier answers, and comes right with them.";
+    return fmt::format("Nothing is wrong here by itself: it follows from question {}, and comes right with it.",
+                       look->question);
+}
+
+}  // namespace
+
+StudentPages::StudentPages(const Marking& marking)
+    : marking_(marking),
+      asked_(marking.assignment.rubric.show_expected ? expected_texts(marking.key)
+                                                     : std::map<reference::ItemId, std::string>()),
+      style_(pages::page_css),
+      policy_(security_policy({style_})),
+      page_(pages::student_mustache),
+      question_(pages::question_mustache),
+      evidence_("h2", most_bytes),
+      pictures_(marking, marking.assignment.rubric.show_expected, "scene-") {}
+
+PageData StudentPages::item(const Graded& graded, const QuestionScore& question, const ItemScore& item,
+                            bool said) const {
+    PageData data;
+    data["name"] = std::string(item.spec.name);
+    data["item_class"] = std::string(to_string(item.verdict));
+    data["item_word"] = std::string(word_of(item.verdict));
+    data["item_got"] = points_text(final_points(graded, question, item));
+    data["item_most"] = points_text(item.max_points);
+    data["item_set"] = find_override(graded, question.number, std::string(item.spec.name)) != nullptr;
+    set_text(data, "printed", item.printed);
+    if (item.line != 0) data["line"] = std::to_string(item.line);
+    const auto asked = asked_.find({item.spec.question, item.spec.name});
+    if (asked != asked_.end() && item.verdict != ItemVerdict::right) data["asked"] = asked->second;
+    if (!said) set_text(data, "sentence", item_sentence(item, graded.outcome));
+    set_text(data, "diagnosis", item.diagnosis);
+    return data;
+}
+
+std::string StudentPages::question(const Graded& graded, const QuestionScore& question) {
+    const std::optional<LookFirst> look = look_first(graded);
+    PageData data = cell_of(graded, question);
+    data["is_first"] = look && look->question == question.number;
+    data["set"] = find_override(graded, question.number, "") != nullptr;
+    const std::string note = note_of(graded, question, look);
+    set_text(data, "note", note);
+    const bool all_missing = all_have(question, ItemVerdict::missing) && question.items.size() > 1;
+    PageData items(PageData::type::list);
+    std::string right;
+    for (const ItemScore& each : question.items) {
+        if (is_plainly_right(each, graded.outcome)) {
+            right += (right.empty() ? "" : ", ") + std::string(each.spec.name);
+        } else if (!all_missing) {
+            items.push_back(item(graded, question, each, !note.empty() && each.verdict == ItemVerdict::follow));
+        }
+    }
+    set_text(data, "right", right);
+    data["has_items"] = items.is_non_empty_list();
+    data["items"] = std::move(items);
+    return question_.fill_in(data);
+}
+
+std::string StudentPages::page(const Graded& graded) {
+    PageData data;
+    data["policy"] = policy_;
+    data["style"] = style_;
+    data["title"] = marking_.assignment.title;
+    data["id"] = graded.submission.id;
+    data["who"] = who_of(graded.submission);
+    const std::optional<FinalMark> mark = final_mark(graded);
+    if (mark) data["points"] = points_text(mark->points);
+    data["max"] = points_text(graded.score.max_points);
+    set_text(data, "warning", sandbox_warning(graded.tier));
+    const bool ungraded = graded.outcome == Outcome::not_graded;
+    if (ungraded) data["not_graded"] = reason_for_student(graded.submission);
+    if (!ungraded) set_text(data, "explanation", graded.explanation);
+    if (const std::string look = look_first_sentence(graded); !look.empty()) {
+        PageData first;
+        const std::size_t colon = look.find(':');
+        first["number"] = std::to_string(look_first(graded)->question);
+        first["start"] = look.substr(0, colon);
+        first["rest"] = look.substr(colon);
+        data["first"] = std::move(first);
+    } else if (graded.outcome == Outcome::graded && graded.score.points == graded.score.max_points) {
+        data["all_right"] = "Every answer is right.";
+    }
+    data["changes"] = list_of_changes(graded, mark);
+    data["compile_error"] = graded.outcome == Outcome::compile_error;
+    data["has_questions"] = has_marks(graded);
+    PageData cells(PageData::type::list);
+    std::string sections;
+    if (has_marks(graded)) {
+        for (const QuestionScore& each : graded.score.questions) {
+            cells.push_back(cell_of(graded, each));
+            if (is_worth_a_section(graded, each)) sections += question(graded, each);
+        }
+        // Where nothing is to be looked at, a picture of it is time and bytes for nothing.
+        if (!sections.empty()) data["picture"] = pictures_.whole_picture(&graded, "scene-");
+    }
+    data["questions"] = std::move(cells);
+    data["sections"] = sections;
+    data["messages"] = evidence_.compiler(graded);
+    data["evidence"] = evidence_.others(graded);
+    return std::string(page_beginning) + page_.fill_in(data);
+}
 
 std::string student_page(const Graded& graded, const Marking& marking) {
-    return fmt::format(
-        "<!doctype html><html lang=\"en\"><meta "
-        "charset=\"utf-8\"><title>{0}</title><h1>{0}</h1><pre>{1}</pre></html>\n",
-        escape_markup(marking.assignment.title), escape_markup(check_text(graded)));
+    return StudentPages(marking).page(graded);
 }
 
 }  // namespace harness::report

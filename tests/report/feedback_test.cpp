@@ -2,8 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "tests/report/graded_samples.h"
 #include "tests/student/mistakes.h"
 #include "tests/student/printout.h"
@@ -14,42 +12,6 @@ namespace {
 using namespace report_samples;
 using testing::HasSubstr;
 using testing::Not;
-
-/// Every way a key's number of three digits or more may stand in a text, shortest first: its first three significant
-/// decimals do.
-std::vector<std::string> traces_of_key() {
-    std::vector<std::string> traces;
-    for (const reference::KeyQuestion& question : marking().key.questions) {
-        for (const reference::KeyItem& item : question.items) {
-            for (const reference::Answer& answer : item.answers) {
-                const auto* numbers = std::get_if<reference::Numbers>(&answer.value);
-                if (numbers == nullptr) continue;
-                for (const double x : *numbers) {
-                    const bool telling = std::abs(x * 100 - std::round(x * 100)) > 1e-6;
-                    if (telling) traces.push_back(fmt::format("{:.5f}", std::abs(x)).substr(0, 5));
-                }
-            }
-        }
-    }
-    return traces;
-}
-
-/// A program that answers nothing rightly, for whose output no number of the key is an excuse.
-std::string wrong_everywhere() {
-    std::string output;
-    int question = 0;
-    for (const reference::ItemSpec& spec : reference::all_items()) {
-        if (spec.question != question) output += fmt::format("Question {}:\n", question = spec.question);
-        if (spec.shape == reference::Shape::verdict) {
-            output += "ray hits nothing\n";
-            continue;
-        }
-        output += fmt::format("{}:", spec.label);
-        for (int i = 0; i < reference::component_count(spec.shape); ++i) output += fmt::format(" {}", 70.25 + 11 * i);
-        output += "\n";
-    }
-    return output;
-}
 
 TEST(Feedback, NeverHoldsAnExpectedValue) {
     const Graded wrong = graded("s01", wrong_everywhere());
@@ -86,6 +48,12 @@ TEST(Feedback, SaysQuestionLineWhatWasPrintedAndWhatIsWrong) {
                           "6, t \\(line [0-9]+ of your output\\): you printed `[0-9.]+`"));
     EXPECT_THAT(text, HasSubstr("far root"));
     EXPECT_THAT(text, HasSubstr("it follows correctly from an earlier mistake"));
+}
+
+TEST(Feedback, SaysWhichQuestionToLookAtFirst) {
+    const Graded one = graded("s01", output_with_a_mistake());
+    for (const std::string& text : {feedback_markdown(one, marking()), check_text(one)})
+        EXPECT_THAT(text, HasSubstr("Look at question 6 first: it is the one with a wrong answer. Question 7 only"));
 }
 
 TEST(Feedback, SaysNothingOfItemsThatArePlainlyRight) {

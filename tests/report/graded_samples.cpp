@@ -1,5 +1,7 @@
 #include "tests/report/graded_samples.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <optional>
 
@@ -57,6 +59,39 @@ Graded not_graded(const std::string& id) {
     result.outcome = Outcome::not_graded;
     result.explanation = "The folder holds two sources; `keep` one.";
     return result;
+}
+
+std::vector<std::string> traces_of_key() {
+    std::vector<std::string> traces;
+    for (const reference::KeyQuestion& question : marking().key.questions) {
+        for (const reference::KeyItem& item : question.items) {
+            for (const reference::Answer& answer : item.answers) {
+                const auto* numbers = std::get_if<reference::Numbers>(&answer.value);
+                if (numbers == nullptr) continue;
+                for (const double x : *numbers) {
+                    const bool telling = std::abs(x * 100 - std::round(x * 100)) > 1e-6;
+                    if (telling) traces.push_back(fmt::format("{:.5f}", std::abs(x)).substr(0, 5));
+                }
+            }
+        }
+    }
+    return traces;
+}
+
+std::string wrong_everywhere() {
+    std::string output;
+    int question = 0;
+    for (const reference::ItemSpec& spec : reference::all_items()) {
+        if (spec.question != question) output += fmt::format("Question {}:\n", question = spec.question);
+        if (spec.shape == reference::Shape::verdict) {
+            output += "ray hits nothing\n";
+            continue;
+        }
+        output += fmt::format("{}:", spec.label);
+        for (int i = 0; i < reference::component_count(spec.shape); ++i) output += fmt::format(" {}", 70.25 + 11 * i);
+        output += "\n";
+    }
+    return output;
 }
 
 }  // namespace report_samples

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "harness/report/report.h"
 
@@ -22,5 +23,11 @@ harness::Graded hostile();
 
 /// A submission that could not be graded.
 harness::Graded not_graded(const std::string& id);
+
+/// How each number of the key that is not a short decimal begins, however it is printed: its first three decimals.
+std::vector<std::string> traces_of_key();
+
+/// The output of a program that answers nothing rightly, for which no number of the key is an excuse.
+std::string wrong_everywhere();
 
 }  // namespace report_samples

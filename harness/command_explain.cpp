@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "harness/commands.h"
+#include "harness/failure.h"
+#include "harness/find_submissions.h"
+#include "harness/report/explaining_picture.h"
+#include "harness/results_folder.h"
+
+namespace harness {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* to_stdout = "-";
+
+/// Every picture of ours has it, and hardly a file of anybody else.
+constexpr std::string_view mark_of_ours = "<title id=\"raygrade-t\">";
+
+/// As much as a program may print by default.
+constexpr std::size_t most_bytes = std::size_t{1} << 20U;
+
+std::string beginning_of(const fs::path& file, std::size_t bytes) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string text(bytes, '\0');
+    stream.read(text.data(), static_cast<std::streamsize>(bytes));
+    text.resize(static_cast<std::size_t>(stream.gcount()));
+    return text;
+}
+
+/// Throws UsageError unless there is nothing at `out` or an earlier picture that may be replaced.
+void check_out(const fs::path& out, Replace replace) {
+    std::error_code error;
+    const fs::path folder = out.has_parent_path() ? out.parent_path() : ".";
+    if (!fs::is_directory(folder, error)) {
+        throw UsageError(
+            fmt::format("{}: there is no such folder; make it, or name another file with -o", folder.string()));
+    }
+    const fs::path fresh = out.string() + ".new";  // write_file's
+    if (fs::exists(fs::symlink_status(fresh, error))) {
+        throw UsageError(fmt::format("{}: is in the way; remove it, or name another file with -o", fresh.string()));
+    }
+    const fs::file_status status = fs::symlink_status(out, error);
+    if (!fs::exists(status)) return;
+    constexpr std::size_t enough = 1000;
+    const bool ours = fs::is_regular_file(status) && beginning_of(out, enough).find(mark_of_ours) != std::string::npos;
+    if (!ours) {
+        throw UsageError(
+            fmt::format("{}: is there already and is no picture of raygrade; name another file with -o", out.string()));
+    }
+    if (replace == Replace::no) {
+        throw UsageError(fmt::format(
+            "{}: holds an earlier picture; replace it with --force, or name another file with -o", out.string()));
+    }
+}
+
+std::string read_output(const fs::path& file) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) {
+        throw UsageError(fmt::format("{}: is no file; give one with what a program printed", file.string()));
+    }
+    std::string output = beginning_of(file, most_bytes + 1);
+    if (output.size() > most_bytes) {
+        throw UsageError(fmt::format("{}: larger than 1 MiB, which is more than a program may print", file.string()));
+    }
+    if (output.empty() && fs::file_size(file, error) != 0) {
+        throw UsageError(fmt::format("{}: can't be read; check its permissions", file.string()));
+    }
+    return output;
+}
+
+}  // namespace
+
+int explain_command(const ExplainOptions& options) {
+    const bool writes_file = options.out != to_stdout;
+    if (writes_file) check_out(options.out, options.force ? Replace::yes : Replace::no);
+    Graded graded;
+    const bool has_transcript = !options.transcript.empty();
+    if (has_transcript) graded.run.output = read_output(options.transcript);
+    const Marking marking = begin_marking(reference::load_assignment(options.assignment, assignments_folder())).get();
+    if (has_transcript) graded.score = score(read_transcript(graded.run.output), marking.key, marking.assignment);
+    const std::string picture =
+        report::explaining_picture(marking, has_transcript ? &graded : nullptr, !options.without_answers, "raygrade-");
+    if (!writes_file) {
+        fmt::print("{}", picture);
+        return all_graded;
+    }
+    try {
+        write_file(options.out, picture);
+    } catch (const fs::filesystem_error& error) {
+        throw HarnessError(fmt::format("{}: can't be written: {}", options.out, error.code().message()));
+    }
+    fmt::print("picture: {}\n", options.out);
+    return all_graded;
+}
+
+}  // namespace harness

@@ -1,0 +1,88 @@
+#include "harness/report/class_pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/report/report.h"
+
+namespace harness::report {
+namespace {
+
+constexpr double width = 440;
+constexpr double height = 208;
+constexpr double left = 14;
+constexpr double right = width - 14;
+constexpr double top = 22;
+constexpr double ground = height - 40;
+constexpr double bin_width = (right - left) / ClassStatistics::bins;
+constexpr double gap = 3;
+
+std::string bar(const ClassStatistics& statistics, std::size_t bin, std::size_t tallest) {
+    const std::size_t count = statistics.distribution.at(bin);
+    const double x = left + bin_width * static_cast<double>(bin);
+    const double share = static_cast<double>(count) / static_cast<double>(tallest);
+    const double bar_height = count == 0 ? 0 : std::max(2.0, share * (ground - top));
+    const double step = statistics.max_points / ClassStatistics::bins;
+    const double from = step * static_cast<double>(bin);
+    const bool is_last = bin + 1 == ClassStatistics::bins;
+    std::string svg;
+    if (count > 0) {
+        svg = fmt::format("<rect class=\"bin\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" rx=\"2\">",
+                          x + gap / 2, ground - bar_height, bin_width - gap, bar_height);
+        const std::string range = points_text(from) + (is_last ? " or more" : " to below " + points_text(from + step));
+        svg += fmt::format("<title>{} {} {} points</title></rect>\n", count, count == 1 ? "has" : "have", range);
+        svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x + bin_width / 2, ground - bar_height - 5,
+                           count);
+    }
+    return svg +
+           fmt::format("<text class=\"axis\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x, ground + 16, points_text(from));
+}
+
+std::string described(const ClassStatistics& statistics) {
+    std::string text;
+    const double step = statistics.max_points / ClassStatistics::bins;
+    for (std::size_t bin = 0; bin < ClassStatistics::bins; ++bin) {
+        if (statistics.distribution.at(bin) == 0) continue;
+        text += fmt::format("{}{} from {}", text.empty() ? "" : ", ", statistics.distribution.at(bin),
+                            points_text(step * static_cast<double>(bin)));
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string distribution_picture(const ClassStatistics& statistics) {
+    const std::size_t tallest =
+        std::max<std::size_t>(1, *std::max_element(statistics.distribution.begin(), statistics.distribution.end()));
+    std::string svg = fmt::format(
+        "<svg class=\"histogram\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" "
+        "aria-labelledby=\"points-t points-d\">\n<title id=\"points-t\">How many have how many points</title>\n"
+        "<desc id=\"points-d\">By tenths of the points: {}.</desc>\n",
+        width, height, described(statistics));
+    for (std::size_t bin = 0; bin < ClassStatistics::bins; ++bin) svg += bar(statistics, bin, tallest);
+    svg += fmt::format("<path class=\"ground\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>\n", left, ground, right);
+    svg += fmt::format("<text class=\"axis\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", right, ground + 16,
+                       points_text(statistics.max_points));
+    svg += fmt::format("<text class=\"axis\" x=\"{:.1f}\" y=\"{:.1f}\">points</text>\n", width / 2, ground + 33);
+    return svg + "</svg>\n";
+}
+
+std::string tally_bar(const ItemTally& tally) {
+    if (tally.all() == 0) return "";
+    std::string svg = "<svg class=\"tally\" viewBox=\"0 0 100 8\" preserveAspectRatio=\"none\" aria-hidden=\"true\">";
+    double x = 0;
+    const auto part = [&](const char* name, std::size_t count) {
+        if (count == 0) return;
+        const double share = 100 * static_cast<double>(count) / static_cast<double>(tally.all());
+        svg += fmt::format("<rect class=\"{}\" x=\"{:.2f}\" width=\"{:.2f}\" height=\"8\"/>", name, x, share);
+        x += share;
+    };
+    part("right", tally.right);
+    part("follow", tally.follow);
+    part("wrong", tally.wrong);
+    part("missing", tally.missing);
+    return svg + "</svg>";
+}
+
+}  // namespace harness::report

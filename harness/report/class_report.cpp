@@ -1,0 +1,189 @@
+#include "harness/report/class_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+
+#include "harness/report/class_pictures.h"
+#include "harness/report/class_sheet.h"
+#include "harness/report/class_statistics.h"
+#include "harness/report/page_template.h"
+#include "harness/report/pages/pages.h"
+#include "harness/report/report.h"
+#include "harness/report/verdict_words.h"
+#include "harness/report/wrong_answers.h"
+
+namespace harness::report {
+namespace {
+
+PageData tiles_of(const ClassStatistics& statistics) {
+    PageData tiles(PageData::type::list);
+    const auto add = [&](const char* what, const std::string& value) {
+        PageData tile;
+        tile["what"] = what;
+        tile["value"] = value;
+        tiles.push_back(tile);
+    };
+    add("handed in", std::to_string(statistics.handed_in));
+    if (statistics.marked != statistics.handed_in) add("with points", std::to_string(statistics.marked));
+    const std::string most = " of " + points_text(statistics.max_points);
+    if (statistics.mean) add("mean", points_text(*statistics.mean) + most);
+    if (statistics.median) add("median", points_text(*statistics.median) + most);
+    if (statistics.late > 0) add("late", std::to_string(statistics.late));
+    if (statistics.flagged > 0) add("to look at", std::to_string(statistics.flagged));
+    if (statistics.overridden > 0) add("with an override", std::to_string(statistics.overridden));
+    return tiles;
+}
+
+PageData outcomes_of(const ClassStatistics& statistics, const std::vector<Graded>& graded) {
+    PageData outcomes(PageData::type::list);
+    for (const OutcomeCount& each : statistics.outcomes) {
+        PageData outcome;
+        outcome["outcome"] = outcome_words(each.outcome);
+        outcome["count"] = std::to_string(each.who.size());
+        // The many that ran to their end are the table's to list.
+        outcome["who"] = each.outcome == Outcome::graded ? "all others" : links_to(each.who, graded);
+        outcomes.push_back(outcome);
+    }
+    return outcomes;
+}
+
+PageData items_of(const ClassStatistics& statistics) {
+    PageData items(PageData::type::list);
+    for (const ItemTally& tally : statistics.items) {
+        PageData item;
+        item["number"] = std::to_string(tally.spec.question);
+        item["question_title"] = std::string(reference::question_title(tally.spec.question));
+        item["name"] = std::string(tally.spec.name);
+        item["bar"] = tally_bar(tally);
+        item["right"] = std::to_string(tally.right);
+        item["follow"] = std::to_string(tally.follow);
+        item["wrong"] = std::to_string(tally.wrong);
+        item["missing"] = std::to_string(tally.missing);
+        items.push_back(item);
+    }
+    return items;
+}
+
+/// The wrong answers, of all questions, that most students share.
+PageData most_shared(const std::vector<QuestionMistakes>& mistakes) {
+    constexpr std::size_t most = 6;
+    std::vector<const WrongAnswer*> answers;
+    for (const QuestionMistakes& question : mistakes) {
+        for (const WrongAnswer& answer : question.answers) {
+            const bool explains = answer.verdict != ItemVerdict::missing && !answer.differing;
+            if (explains && answer.who.size() > 1) answers.push_back(&answer);
+        }
+    }
+    std::stable_sort(answers.begin(), answers.end(),
+                     [](const WrongAnswer* a, const WrongAnswer* b) { return a->who.size() > b->who.size(); });
+    answers.resize(std::min(answers.size(), most));
+    PageData shared(PageData::type::list);
+    for (const WrongAnswer* answer : answers) {
+        PageData one;
+        one["question"] = std::to_string(answer->spec.question);
+        one["shared_count"] = std::to_string(answer->who.size());
+        one["shared_item"] = std::string(answer->spec.name);
+        set_text(one, "shared_name", answer->diagnosis);
+        one["shared_sentence"] = answer->sentence;
+        shared.push_back(one);
+    }
+    return shared;
+}
+
+PageData group_of(const WrongAnswer& answer, const std::vector<Graded>& graded) {
+    constexpr std::size_t many = 12;
+    PageData group;
+    group["count"] = std::to_string(answer.who.size());
+    group["name"] = answer.whole_question ? "all of it" : std::string(answer.spec.name);
+    group["verdict"] = std::string(to_string(answer.verdict));
+    group["verdict_word"] = answer.differing ? "wrong, each in another way" : std::string(word_of(answer.verdict));
+    set_text(group, "diagnosis", answer.diagnosis);
+    set_text(group, "printed", answer.printed);
+    set_text(group, "sentence", answer.sentence);
+    if (answer.who.size() > many) group["many"] = fmt::format("{} students", answer.who.size());
+    group["who"] = links_to(answer.who, graded);
+    return group;
+}
+
+void write_head(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking, Tier tier,
+                const std::vector<QuestionMistakes>& mistakes) {
+    const ClassStatistics statistics = class_statistics(graded);
+    const std::string style = std::string(pages::page_css) + std::string(pages::class_css);
+    PageData data;
+    data["policy"] = security_policy({style}, pages::class_js);
+    data["style"] = style;
+    data["script"] = std::string(pages::class_js);
+    data["title"] = marking.assignment.title;
+    data["assignment"] = marking.assignment.name;
+    set_text(data, "warning", sandbox_warning(tier));
+    data["tiles"] = tiles_of(statistics);
+    data["distribution"] = distribution_picture(statistics);
+    data["outcomes"] = outcomes_of(statistics, graded);
+    PageData shared = most_shared(mistakes);
+    data["has_shared"] = shared.is_non_empty_list();
+    data["shared"] = std::move(shared);
+    data["has_items"] = !statistics.items.empty();
+    data["printed"] = std::to_string(statistics.printed);
+    data["items"] = items_of(statistics);
+    out << page_beginning << PageTemplate(pages::class_head_mustache).fill_in(data);
+}
+
+void write_mistakes(std::ostream& out, const std::vector<Graded>& graded,
+                    const std::vector<QuestionMistakes>& mistakes) {
+    PageTemplate section(pages::class_groups_mustache);
+    out << "<section aria-labelledby=\"mistakes\">\n<h2 id=\"mistakes\">The same mistakes, question by question</h2>\n";
+    for (const QuestionMistakes& question : mistakes) {
+        if (question.answers.empty()) continue;
+        PageData data;
+        data["number"] = std::to_string(question.question);
+        data["question_title"] = std::string(reference::question_title(question.question));
+        if (question.following > 0) {
+            data["following"] = fmt::format("Off in {} more {}, but only because of earlier answers.",
+                                            question.following, question.following == 1 ? "program" : "programs");
+        }
+        PageData groups(PageData::type::list);
+        for (const WrongAnswer& answer : question.answers) groups.push_back(group_of(answer, graded));
+        data["groups"] = std::move(groups);
+        out << section.fill_in(data);
+    }
+    const bool none = std::all_of(mistakes.begin(), mistakes.end(),
+                                  [](const QuestionMistakes& question) { return question.answers.empty(); });
+    out << (none ? "<p>There are none.</p>\n</section>\n" : "</section>\n");
+}
+
+}  // namespace
+
+void write_class_report(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking, Tier tier) {
+    const std::vector<QuestionMistakes> mistakes = mistakes_by_question(graded);
+    write_head(out, graded, marking, tier, mistakes);
+    write_mistakes(out, graded, mistakes);
+
+    const bool named =
+        std::any_of(graded.begin(), graded.end(), [](const Graded& one) { return one.submission.lms.has_value(); });
+    ClassSheets sheets(marking, named);
+    PageData head;
+    head["named"] = named;
+    PageData numbers(PageData::type::list);
+    for (const reference::KeyQuestion& question : marking.key.questions)
+        numbers.push_back(std::to_string(question.number));
+    head["numbers"] = std::move(numbers);
+    PageData outcomes(PageData::type::list);
+    for (const OutcomeCount& each : class_statistics(graded).outcomes) {
+        PageData outcome;
+        outcome["outcome"] = std::string(to_string(each.outcome));
+        outcome["outcome_words"] = outcome_words(each.outcome);
+        outcomes.push_back(outcome);
+    }
+    head["outcomes"] = std::move(outcomes);
+    out << PageTemplate(pages::class_table_mustache).fill_in(head);
+    for (std::size_t i = 0; i < graded.size(); ++i) out << sheets.row(graded[i], i);
+    out << "</tbody></table></div>\n</section>\n<section id=\"each\" aria-labelledby=\"each-title\">\n"
+           "<h2 id=\"each-title\">Each student</h2>\n"
+        << sheets.shared_part();
+    for (std::size_t i = 0; i < graded.size(); ++i) out << sheets.sheet(graded[i], i);
+    out << "</section>\n</main>\n" << pages::class_panel_mustache << "</body>\n</html>\n";
+}
+
+}  // namespace harness::report

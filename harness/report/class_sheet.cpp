@@ -1,0 +1,227 @@
+#include "harness/report/class_sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "harness/final_mark.h"
+#include "harness/report/class_statistics.h"
+#include "harness/report/expected_text.h"
+#include "harness/report/look_first.h"
+#include "harness/report/markup.h"
+#include "harness/report/pages/pages.h"
+#include "harness/report/report.h"
+#include "harness/report/verdict_words.h"
+
+namespace harness::report {
+namespace {
+
+/// Of each text from a submission: the feedback holds all of it.
+constexpr std::size_t most_text_bytes = 4 << 10U;
+
+/// Of all pictures together: a report of a thousand is to open at once. Who comes after has theirs in the feedback.
+constexpr std::size_t most_picture_bytes = 6 << 20U;
+
+std::string late_text(const Graded& graded) {
+    return graded.submission.lms && graded.submission.lms->late ? "late" : "";
+}
+
+/// Points by question, one cell each; coloured by what is lost.
+std::string cells_of(const Graded& graded) {
+    std::string cells;
+    for (const QuestionScore& question : graded.score.questions) {
+        if (graded.outcome == Outcome::not_graded) {
+            cells += "<td class=\"number q\">–</td>";
+            continue;
+        }
+        const double points = final_points(graded, question);
+        const char* lost = points >= question.max_points ? "" : points > 0 ? " part" : " zero";
+        cells += fmt::format("<td class=\"number q{}\">{}</td>", lost, points_text(points));
+    }
+    return cells;
+}
+
+PageData chips_of(const Graded& graded) {
+    PageData chips(PageData::type::list);
+    const auto add = [&](const std::string& text, const char* kind) {
+        PageData chip;
+        chip["chip"] = text;
+        chip["chip_class"] = kind;
+        chips.push_back(chip);
+    };
+    std::set<std::string> kinds;
+    for (const Flag& flag : graded.flags) kinds.insert(flag.kind);
+    for (std::string kind : kinds) {
+        std::replace(kind.begin(), kind.end(), '_', ' ');
+        add(kind, "wrong");
+    }
+    if (!graded.sanitizer.empty()) add("sanitizer", "missing");
+    if (!graded.overrides.empty()) add("override", "follow");
+    return chips;
+}
+
+std::string question_heading(const Graded& graded, const QuestionScore& question) {
+    const double points = final_points(graded, question);
+    const bool set = find_override(graded, question.number, "") != nullptr;
+    return fmt::format(
+        "<tbody><tr class=\"question\"><th colspan=\"4\" scope=\"rowgroup\">{}. {}</th><td class=\"number\">{}{} of "
+        "{}</td></tr>\n",
+        question.number, reference::question_title(question.number),
+        set ? fmt::format("<s>{}</s> ", points_text(question.points)) : "", points_text(points),
+        points_text(question.max_points));
+}
+
+/// Why an item lost its mark, for the instructor: the student's sentence, the mistake's name, the distance.
+std::string why_of(const ItemScore& item, Outcome outcome) {
+    std::string why = item_sentence(item, outcome);
+    if (!item.diagnosis.empty()) why += fmt::format(" ({})", item.diagnosis);
+    const bool off = item.error && item.verdict != ItemVerdict::right;
+    if (off) why += fmt::format(" Off by {:.3g}; {:.2g} is allowed.", *item.error, item.allowance);
+    return why;
+}
+
+bool lost_geometry(const Graded& graded) {
+    return std::any_of(graded.score.questions.begin(), graded.score.questions.end(), [](const QuestionScore& question) {
+        return std::any_of(question.items.begin(), question.items.end(), [](const ItemScore& item) {
+            return item.verdict == ItemVerdict::wrong || item.verdict == ItemVerdict::follow;
+        });
+    });
+}
+
+std::string override_text(const Graded& graded, const Override& each) {
+    std::string place = "the whole";
+    if (each.question != 0)
+        place = fmt::format("question {}{}", each.question, each.item.empty() ? "" : ", " + each.item);
+    const bool counts = find_override(graded, each.question, each.item) == &each;
+    return fmt::format("Override: {} points for {}, by {}, {}: {}{}", points_text(each.points), place, each.by,
+                       each.when, each.why, counts ? "" : " (a later one counts)");
+}
+
+PageData changes_of(const Graded& graded, const std::optional<FinalMark>& mark) {
+    PageData changes(PageData::type::list);
+    const auto add = [&](const std::string& text) {
+        PageData change;
+        change["text"] = text;
+        changes.push_back(change);
+    };
+    for (const Override& each : graded.overrides) add(override_text(graded, each));
+    if (mark && mark->late_deduction > 0)
+        add(fmt::format("Late: {} points are taken off.", points_text(mark->late_deduction)));
+    const bool marked = graded.outcome != Outcome::not_graded;
+    if (mark && marked && points_text(mark->points) != points_text(graded.score.points))
+        add(fmt::format("Marked automatically: {} of {} points.", points_text(graded.score.points),
+                        points_text(graded.score.max_points)));
+    if (graded.score.follow_cap && marked) add(cap_sentence(*graded.score.follow_cap));
+    return changes;
+}
+
+std::string facts_of(const Graded& graded) {
+    std::string facts = graded.submission.id;
+    const std::string file = graded.submission.file.string();
+    if (!file.empty()) facts += " · " + file;
+    facts += " · " + outcome_words(graded.outcome);
+    if (!late_text(graded).empty()) facts += " · late";
+    return facts;
+}
+
+}  // namespace
+
+std::string label_of(const Graded& graded) {
+    const auto& lms = graded.submission.lms;
+    return lms && !lms->student.empty() ? lms->student : graded.submission.id;
+}
+
+std::string outcome_words(Outcome outcome) {
+    std::string words(to_string(outcome));
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
+}
+
+std::string links_to(const std::vector<std::size_t>& who, const std::vector<Graded>& graded) {
+    std::string links;
+    for (const std::size_t i : who) {
+        links += fmt::format("{}<a href=\"#s{}\">{}</a>", links.empty() ? "" : ", ", i + 1,
+                             escape_markup(label_of(graded[i])));
+    }
+    return links;
+}
+
+ClassSheets::ClassSheets(const Marking& marking, bool named)
+    : named_(named),
+      asked_(expected_texts(marking.key)),
+      row_(pages::class_row_mustache),
+      sheet_(pages::class_student_mustache),
+      item_(pages::class_item_mustache),
+      evidence_("h4", most_text_bytes),
+      pictures_(marking, true, "all-") {}
+
+std::string ClassSheets::row(const Graded& graded, std::size_t index) {
+    PageData data;
+    data["outcome"] = std::string(to_string(graded.outcome));
+    data["outcome_words"] = outcome_words(graded.outcome);
+    data["number"] = std::to_string(index + 1);
+    data["id"] = graded.submission.id;
+    data["named"] = named_;
+    if (named_) {
+        data["name"] = graded.submission.lms ? graded.submission.lms->student : "";
+        data["late"] = late_text(graded);
+    }
+    data["cells"] = cells_of(graded);
+    const std::optional<FinalMark> mark = final_mark(graded);
+    data["total"] = mark ? points_text(mark->points) : "–";
+    data["chips"] = chips_of(graded);
+    return row_.fill_in(data);
+}
+
+std::string ClassSheets::rows_of(const Graded& graded, const QuestionScore& question) {
+    std::string rows = question_heading(graded, question);
+    for (const ItemScore& item : question.items) {
+        PageData data;
+        data["name"] = std::string(item.spec.name);
+        set_text(data, "printed", item.printed);
+        if (item.line != 0) data["line"] = std::to_string(item.line);
+        data["asked"] = asked_.at({item.spec.question, item.spec.name});
+        data["verdict"] = std::string(to_string(item.verdict));
+        data["word"] = std::string(word_of(item.verdict));
+        data["got"] = points_text(final_points(graded, question, item));
+        data["most"] = points_text(item.max_points);
+        if (find_override(graded, question.number, std::string(item.spec.name)) != nullptr)
+            data["automatic"] = points_text(item.points);
+        set_text(data, "why", why_of(item, graded.outcome));
+        rows += item_.fill_in(data);
+    }
+    return rows + "</tbody>\n";
+}
+
+std::string ClassSheets::picture_of(const Graded& graded, std::size_t index) {
+    if (picture_bytes_ > most_picture_bytes || !lost_geometry(graded)) return "";
+    std::string picture = pictures_.picture(&graded, fmt::format("p{}-", index + 1));
+    picture_bytes_ += picture.size();
+    return picture;
+}
+
+std::string ClassSheets::sheet(const Graded& graded, std::size_t index) {
+    PageData data;
+    data["number"] = std::to_string(index + 1);
+    data["label"] = label_of(graded);
+    data["facts"] = facts_of(graded);
+    data["outcome_words"] = outcome_words(graded.outcome);
+    const std::optional<FinalMark> mark = final_mark(graded);
+    if (mark) data["total"] = points_text(mark->points);
+    data["max"] = points_text(graded.score.max_points);
+    set_text(data, "explanation", graded.explanation);
+    set_text(data, "look", look_first_sentence(graded));
+    data["changes"] = changes_of(graded, mark);
+    if (has_answers(graded)) {
+        std::string rows;
+        for (const QuestionScore& question : graded.score.questions) rows += rows_of(graded, question);
+        data["rows"] = rows;
+        set_text(data, "picture", picture_of(graded, index));
+    }
+    data["messages"] = evidence_.compiler(graded);
+    data["evidence"] = evidence_.others(graded);
+    return sheet_.fill_in(data);
+}
+
+}  // namespace harness::report

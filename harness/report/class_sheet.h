@@ -1,0 +1,48 @@
+// One student in the class report: a row of its table, and a sheet with what was printed against what was asked.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "harness/grade.h"
+#include "harness/report/evidence.h"
+#include "harness/report/explaining_picture.h"
+#include "harness/report/page_template.h"
+#include "reference/item_values.h"
+
+namespace harness::report {
+
+/// What the report calls a student: the name that the learning management system gave, else the submission's id.
+std::string label_of(const Graded& graded);
+
+/// "compile error".
+std::string outcome_words(Outcome outcome);
+
+/// "<a href="#s3">…</a>, …", escaped, to the sheets of these.
+std::string links_to(const std::vector<std::size_t>& who, const std::vector<Graded>& graded);
+
+class ClassSheets {
+  public:
+    /// `named`: the table has columns for names and late hand-ins.
+    ClassSheets(const Marking& marking, bool named);
+
+    /// What the sheets' pictures share, to stand before them.
+    std::string shared_part() const { return pictures_.shared_part(); }
+    std::string row(const Graded& graded, std::size_t index);
+    std::string sheet(const Graded& graded, std::size_t index);
+
+  private:
+    std::string rows_of(const Graded& graded, const QuestionScore& question);
+    std::string picture_of(const Graded& graded, std::size_t index);
+
+    bool named_;
+    std::map<reference::ItemId, std::string> asked_;
+    std::size_t picture_bytes_ = 0;  ///< of all sheets so far
+    PageTemplate row_;
+    PageTemplate sheet_;
+    PageTemplate item_;
+    Evidence evidence_;
+    ExplainingPictures pictures_;
+};
+
+}  // namespace harness::report

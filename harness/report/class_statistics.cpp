@@ -1,0 +1,112 @@
+#include "harness/report/class_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "harness/final_mark.h"
+
+namespace harness::report {
+namespace {
+
+void count(ItemTally& tally, ItemVerdict verdict) {
+    switch (verdict) {
+        case ItemVerdict::right: ++tally.right; break;
+        case ItemVerdict::follow: ++tally.follow; break;
+        case ItemVerdict::wrong:
+        case ItemVerdict::unreadable: ++tally.wrong; break;
+        case ItemVerdict::missing: ++tally.missing; break;
+    }
+}
+
+std::vector<ItemTally> tally_items(const std::vector<Graded>& graded) {
+    std::vector<ItemTally> tallies;
+    for (const Graded& one : graded) {
+        if (!has_answers(one)) continue;
+        std::size_t at = 0;  // every score has the same items in the same order
+        for (const QuestionScore& question : one.score.questions) {
+            for (const ItemScore& item : question.items) {
+                if (at == tallies.size()) tallies.push_back({item.spec});
+                count(tallies[at++], item.verdict);
+            }
+        }
+    }
+    std::stable_sort(tallies.begin(), tallies.end(),
+                     [](const ItemTally& a, const ItemTally& b) { return a.failed() > b.failed(); });
+    return tallies;
+}
+
+std::size_t bin_of(double points, double max_points) {
+    const double tenths = max_points > 0 ? std::floor(ClassStatistics::bins * points / max_points) : 0;
+    return static_cast<std::size_t>(std::clamp(tenths, 0.0, ClassStatistics::bins - 1.0));
+}
+
+double median_of(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+void summarise_points(ClassStatistics& statistics, const std::vector<Graded>& graded) {
+    std::vector<double> points;
+    for (const Graded& one : graded) {
+        if (const auto mark = final_mark(one)) points.push_back(mark->points);
+    }
+    statistics.marked = points.size();
+    if (points.empty()) return;
+    double sum = 0;
+    for (const double each : points) {
+        sum += each;
+        ++statistics.distribution.at(bin_of(each, statistics.max_points));
+    }
+    statistics.mean = sum / static_cast<double>(points.size());
+    statistics.median = median_of(std::move(points));
+}
+
+}  // namespace
+
+double ItemTally::failed() const {
+    return all() == 0 ? 0 : static_cast<double>(wrong + missing) / static_cast<double>(all());
+}
+
+bool has_answers(const Graded& graded) {
+    switch (graded.outcome) {
+        case Outcome::graded:
+        case Outcome::crashed:
+        case Outcome::timed_out:
+        case Outcome::output_limit:
+        case Outcome::memory_limit: break;
+        case Outcome::compile_error:
+        case Outcome::no_output:
+        case Outcome::not_graded: return false;
+    }
+    return std::any_of(graded.score.questions.begin(), graded.score.questions.end(), [](const QuestionScore& question) {
+        return std::any_of(question.items.begin(), question.items.end(),
+                           [](const ItemScore& item) { return item.verdict != ItemVerdict::missing; });
+    });
+}
+
+bool is_flagged(const Graded& graded) {
+    return !graded.flags.empty() || !graded.sanitizer.empty();
+}
+
+ClassStatistics class_statistics(const std::vector<Graded>& graded) {
+    ClassStatistics statistics;
+    statistics.handed_in = graded.size();
+    if (!graded.empty()) statistics.max_points = graded.front().score.max_points;
+    std::map<Outcome, std::vector<std::size_t>> outcomes;
+    for (std::size_t i = 0; i < graded.size(); ++i) {
+        const Graded& one = graded[i];
+        outcomes[one.outcome].push_back(i);
+        statistics.late += one.submission.lms && one.submission.lms->late ? 1 : 0;
+        statistics.flagged += is_flagged(one) ? 1 : 0;
+        statistics.overridden += one.overrides.empty() ? 0 : 1;
+        statistics.printed += has_answers(one) ? 1 : 0;
+    }
+    for (auto& [outcome, who] : outcomes) statistics.outcomes.push_back({outcome, std::move(who)});
+    summarise_points(statistics, graded);
+    statistics.items = tally_items(graded);
+    return statistics;
+}
+
+}  // namespace harness::report

@@ -1,0 +1,23 @@
+// What the compiler said, by line of the source.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace harness::report {
+
+struct CompilerMessage {
+    int line = 0;      ///< of the source, 1-based
+    std::string kind;  ///< "error" or "warning"
+    std::string text;  ///< hostile bytes, as the compiler wrote them
+};
+
+/// The errors and warnings about the submission's own lines, errors first, at most `most` of them. What is about a
+/// header, or continues a message, is left out: the messages as a whole are there for that.
+std::vector<CompilerMessage> compiler_messages(std::string_view diagnostics, std::size_t most = 20);
+
+/// At most `most` bytes of a text from a submission, cut at the end of a line where there is one.
+std::string beginning_of(const std::string& text, std::size_t most);
+
+}  // namespace harness::report

@@ -1,0 +1,66 @@
+#include "harness/report/evidence.h"
+
+#include "harness/report/compiler_messages.h"
+#include "harness/report/pages/pages.h"
+#include "harness/report/report.h"
+
+namespace harness::report {
+namespace {
+
+PageData list_of(const std::vector<std::string>& texts, std::size_t most_bytes) {
+    PageData list(PageData::type::list);
+    for (const std::string& text : texts) list.push_back(beginning_of(text, most_bytes));
+    return list;
+}
+
+}  // namespace
+
+Evidence::Evidence(std::string_view heading, std::size_t most_bytes)
+    : heading_(heading),
+      most_bytes_(most_bytes),
+      messages_(pages::messages_mustache),
+      others_(pages::evidence_mustache) {}
+
+std::string Evidence::compiler(const Graded& graded) {
+    const std::string& diagnostics = graded.build.diagnostics;
+    if (diagnostics.empty()) return "";
+    PageData data;
+    data["level"] = heading_;
+    data["only_warnings"] = graded.outcome != Outcome::compile_error;
+    PageData lines(PageData::type::list);
+    for (const CompilerMessage& message : compiler_messages(diagnostics)) {
+        PageData line;
+        line["number"] = std::to_string(message.line);
+        line["kind"] = message.kind;
+        line["text"] = message.text;
+        lines.push_back(line);
+    }
+    data["has_lines"] = lines.is_non_empty_list();
+    data["lines"] = std::move(lines);
+    data["diagnostics"] = beginning_of(diagnostics, most_bytes_);
+    return messages_.fill_in(data);
+}
+
+std::string Evidence::others(const Graded& graded) {
+    const std::vector<std::string>& notes = graded.submission.notes;
+    if (graded.flags.empty() && graded.sanitizer.empty() && notes.empty() && graded.run.errors.empty()) return "";
+    PageData data;
+    data["level"] = heading_;
+    PageData flags(PageData::type::list);
+    for (const Flag& flag : graded.flags) {
+        PageData one;
+        one["flag"] = flag_title(flag);
+        one["proof"] = beginning_of(flag.evidence, most_bytes_);
+        flags.push_back(one);
+    }
+    data["has_flags"] = !graded.flags.empty();
+    data["flags"] = std::move(flags);
+    data["has_findings"] = !graded.sanitizer.empty();
+    data["findings"] = list_of(graded.sanitizer, most_bytes_);
+    data["has_notes"] = !notes.empty();
+    data["notes"] = list_of(notes, most_bytes_);
+    set_text(data, "errors", beginning_of(graded.run.errors, most_bytes_));
+    return others_.fill_in(data);
+}
+
+}  // namespace harness::report

@@ -1,0 +1,15 @@
+// The key's values as people read them.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "reference/answer_key.h"
+
+namespace harness::report {
+
+/// By question and item: "3.41421", "(0, 0, -2)", a matrix row by row, "none", or a verdict's sentence; six significant
+/// digits. The canonical values alone.
+std::map<reference::ItemId, std::string> expected_texts(const reference::AnswerKey& key);
+
+}  // namespace harness::report

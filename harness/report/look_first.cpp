@@ -1,0 +1,79 @@
+#include "harness/report/look_first.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace harness::report {
+namespace {
+
+bool any(const QuestionScore& question, ItemVerdict verdict) {
+    return std::any_of(question.items.begin(), question.items.end(),
+                       [&](const ItemScore& item) { return item.verdict == verdict; });
+}
+
+bool is_wrong_itself(const QuestionScore& question) {
+    return any(question, ItemVerdict::wrong) || any(question, ItemVerdict::unreadable);
+}
+
+bool only_follows(const QuestionScore& question) {
+    return any(question, ItemVerdict::follow) && !is_wrong_itself(question) && !any(question, ItemVerdict::missing);
+}
+
+/// "4", "4 and 5", "4, 5 and 6".
+std::string listed(const std::vector<int>& numbers) {
+    std::string text;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const char* before = i == 0 ? "" : i + 1 == numbers.size() ? " and " : ", ";
+        text += before + std::to_string(numbers[i]);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::optional<LookFirst> look_first(const Graded& graded) {
+    switch (graded.outcome) {
+        case Outcome::compile_error:
+        case Outcome::no_output:
+        case Outcome::not_graded: return std::nullopt;
+        case Outcome::graded:
+        case Outcome::crashed:
+        case Outcome::timed_out:
+        case Outcome::output_limit:
+        case Outcome::memory_limit: break;
+    }
+    const std::vector<QuestionScore>& questions = graded.score.questions;
+    const auto wrong = std::find_if(questions.begin(), questions.end(), is_wrong_itself);
+    const auto missing = std::find_if(questions.begin(), questions.end(),
+                                      [](const QuestionScore& q) { return any(q, ItemVerdict::missing); });
+    const auto first = wrong != questions.end() ? wrong : missing;
+    if (first == questions.end()) return std::nullopt;
+    LookFirst look{first->number,
+                   wrong == questions.end(),
+                   std::count_if(questions.begin(), questions.end(), is_wrong_itself) == 1,
+                   {}};
+    for (const QuestionScore& question : questions) {
+        if (only_follows(question)) look.following.push_back(question.number);
+    }
+    return look;
+}
+
+std::string look_first_sentence(const Graded& graded) {
+    const std::optional<LookFirst> look = look_first(graded);
+    if (!look) return "";
+    std::string text = fmt::format("Look at question {} first: ", look->question);
+    if (look->is_missing) {
+        text += "it is the earliest with an answer missing.";
+    } else {
+        text += look->is_only ? "it is the one with a wrong answer." : "it is the earliest with a wrong answer.";
+    }
+    if (look->following.empty()) return text;
+    const bool one = look->following.size() == 1;
+    const bool from_it = look->is_only && !look->is_missing && look->following.front() > look->question;
+    return text + fmt::format(" {} {} only {} from {} and {} no mistake of {} own.", one ? "Question" : "Questions",
+                              listed(look->following), one ? "follows" : "follow", from_it ? "it" : "earlier answers",
+                              one ? "has" : "have", one ? "its" : "their");
+}
+
+}  // namespace harness::report

@@ -1,0 +1,113 @@
+
+'use strict';
+// Sorting, filtering and the panel of one student. Without this script the page says all the same.
+document.documentElement.classList.add('scripted');
+document.addEventListener('DOMContentLoaded', () => {
+  const byId = (id) => document.getElementById(id);
+  const body = byId('class').tBodies[0];
+  const rows = [...body.rows];
+  const collator = new Intl.Collator(undefined, { numeric: true, sensitivity: 'base' });
+  const linkOf = (row) => row.querySelector('a');
+  const articleOf = (row) => byId(linkOf(row).hash.slice(1));
+  const shownRows = () => [...body.rows].filter((row) => !row.hidden);
+
+  // Sorting: a button in each heading. What has no number is last either way round.
+  const compare = (kind, column, direction) => (a, b) => {
+    const x = a.cells[column].textContent;
+    const y = b.cells[column].textContent;
+    if (kind === 'text') return direction * collator.compare(x, y);
+    const p = parseFloat(x);
+    const q = parseFloat(y);
+    if (isNaN(p) || isNaN(q)) return isNaN(p) - isNaN(q);
+    return direction * (p - q);
+  };
+  const headings = [...byId('class').tHead.rows[0].cells];
+  headings.forEach((heading, column) => {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.append(...heading.childNodes);
+    heading.append(button);
+    button.addEventListener('click', () => {
+      const ascending = heading.getAttribute('aria-sort') !== 'ascending';
+      headings.forEach((other) => other.removeAttribute('aria-sort'));
+      heading.setAttribute('aria-sort', ascending ? 'ascending' : 'descending');
+      body.append(...[...body.rows].sort(compare(heading.dataset.sort, column, ascending ? 1 : -1)));
+    });
+  });
+
+  // Filtering.
+  const words = rows.map((row) => row.textContent.toLowerCase());
+  const columnOf = (question) => headings.findIndex((heading) => heading.dataset.question === question);
+  const filter = () => {
+    const find = byId('find').value.trim().toLowerCase();
+    const outcome = byId('outcome').value;
+    const lost = byId('lost').value === '' ? -1 : columnOf(byId('lost').value);
+    let shown = 0;
+    rows.forEach((row, i) => {
+      const lostThere = lost < 0 || /part|zero/.test(row.cells[lost].className);
+      const flagged = !byId('flagged').checked || row.cells[row.cells.length - 1].textContent.trim() !== '';
+      const fits = words[i].includes(find) && (outcome === '' || row.dataset.outcome === outcome) && lostThere && flagged;
+      row.hidden = !fits;
+      if (fits) shown += 1;
+    });
+    byId('shown').textContent = shown + ' of ' + rows.length + ' shown';
+    if (byId('all').getAttribute('aria-pressed') === 'true') showInFull(true);
+  };
+  byId('filter').addEventListener('input', filter);
+  byId('filter').addEventListener('submit', (event) => event.preventDefault());
+  byId('filter').hidden = false;
+
+  // All that the table shows, one below the other.
+  const showInFull = (on) => {
+    byId('all').setAttribute('aria-pressed', String(on));
+    byId('each').classList.toggle('shown', on);
+    rows.forEach((row) => { articleOf(row).parentElement.open = on && !row.hidden; });
+  };
+  byId('all').addEventListener('click', () => showInFull(byId('all').getAttribute('aria-pressed') !== 'true'));
+
+  // One student, in a panel: the sheet itself is moved there and back.
+  const panel = byId('panel');
+  let open = null;
+  const putBack = () => {
+    if (!open) return;
+    open.home.append(open.article);
+    open = null;
+  };
+  const show = (article) => {
+    putBack();
+    open = { article, home: article.parentElement, row: rows.find((row) => linkOf(row).hash === '#' + article.id) };
+    byId('panel-body').append(article);
+    panel.setAttribute('aria-labelledby', article.getAttribute('aria-labelledby'));
+    const order = shownRows();
+    const at = order.indexOf(open.row);
+    byId('previous').disabled = at <= 0;
+    byId('next').disabled = at < 0 || at === order.length - 1;
+    if (!panel.open) panel.showModal();
+    panel.scrollTop = 0;
+  };
+  const step = (by) => {
+    const order = shownRows();
+    const row = order[order.indexOf(open.row) + by];
+    if (row) show(articleOf(row));
+  };
+  byId('previous').addEventListener('click', () => step(-1));
+  byId('next').addEventListener('click', () => step(1));
+  byId('close').addEventListener('click', () => panel.close());
+  panel.addEventListener('click', (event) => { if (event.target === panel) panel.close(); });
+  panel.addEventListener('close', () => {
+    const row = open ? open.row : null;
+    putBack();
+    if (row && !row.hidden) linkOf(row).focus();
+  });
+  document.addEventListener('click', (event) => {
+    const link = event.target.closest('a[href^="#s"]');
+    if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return;
+    const article = byId(link.hash.slice(1));
+    if (!article || article.tagName !== 'ARTICLE') return;
+    event.preventDefault();
+    show(article);
+  });
+  const linked = location.hash.startsWith('#s') ? byId(location.hash.slice(1)) : null;
+  if (linked && linked.tagName === 'ARTICLE') show(linked);
+  filter();
+});

@@ -1,0 +1,25 @@
+// The texts that pages are made of, each the file of its name in this folder: *.mustache are templates (mustache(5)),
+// page.css is every page's style, class.css and class.js the class report's own.
+#pragma once
+
+#include <string_view>
+
+namespace harness::report::pages {
+
+extern const std::string_view page_css;
+extern const std::string_view class_css;
+extern const std::string_view class_js;
+
+extern const std::string_view student_mustache;
+extern const std::string_view question_mustache;
+extern const std::string_view messages_mustache;
+extern const std::string_view evidence_mustache;
+extern const std::string_view class_head_mustache;
+extern const std::string_view class_groups_mustache;
+extern const std::string_view class_panel_mustache;
+extern const std::string_view class_row_mustache;
+extern const std::string_view class_student_mustache;
+extern const std::string_view class_table_mustache;
+extern const std::string_view class_item_mustache;
+
+}  // namespace harness::report::pages

@@ -1,0 +1,233 @@
+#include "harness/report/picture/assignment_sketch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/pipeline.h"
+
+namespace harness::report::picture {
+namespace {
+
+using reference::AnswerKey;
+using reference::Numbers;
+
+const Numbers* numbers_of(const AnswerKey& key, int question, std::string_view name) {
+    for (const auto& each : key.questions) {
+        for (const auto& item : each.items) {
+            if (each.number == question && item.spec.name == name)
+                return std::get_if<Numbers>(&item.answers.front().value);
+        }
+    }
+    return nullptr;
+}
+
+std::optional<Point> point_of(const AnswerKey& key, int question, std::string_view name) {
+    const Numbers* numbers = numbers_of(key, question, name);
+    if (numbers == nullptr || numbers->size() != 3) return std::nullopt;
+    const Point point((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+    return is_finite(point) ? std::optional(point) : std::nullopt;
+}
+
+double number_of(const AnswerKey& key, int question, std::string_view name) {
+    const Numbers* numbers = numbers_of(key, question, name);
+    return numbers != nullptr && numbers->size() == 1 ? numbers->front() : std::nan("");
+}
+
+/// The index of what differs least; the first such one, and 0 where nothing can be told.
+template <class T, class Difference>
+std::size_t nearest(const std::vector<T>& things, Difference difference) {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < things.size(); ++i) {
+        if (difference(things[i]) < difference(things[best])) best = i;
+    }
+    return best;
+}
+
+void find_asked(const AnswerKey& key, const DoubleScene& scene, RightValues& right) {
+    if (!right.P_WCS || !right.V) return;
+    const double b = number_of(key, 6, "b");
+    const double c = number_of(key, 6, "c");
+    right.asked_sphere = nearest(scene.spheres, [&](const auto& sphere) {
+        const auto quadratic = reference::sphere_quadratic(*right.P_WCS, *right.V, sphere);
+        return std::hypot(quadratic.b - b, quadratic.c - c);
+    });
+    const Numbers* matrix = numbers_of(key, 8, "matrix");
+    const auto rhs = point_of(key, 8, "rhs");
+    if (matrix == nullptr || matrix->size() != 9 || !rhs) return;
+    right.asked_triangle = nearest(scene.triangles, [&](const auto& triangle) {
+        const auto system = reference::triangle_system(*right.P_WCS, *right.V, triangle);
+        double sum = distance(system.rhs, *rhs);
+        for (int i = 1; i < 3; ++i) {
+            const auto at = static_cast<std::size_t>(3 * i);
+            sum += distance(system.matrix[i], Point((*matrix)[at], (*matrix)[at + 1], (*matrix)[at + 2]));
+        }
+        return sum;
+    });
+}
+
+Point middle_of(const reference::Triangle<double>& triangle) {
+    return triangle.A / 3.0 + triangle.B / 3.0 + triangle.C / 3.0;
+}
+
+void draw_window(const RightValues& right, const DoubleScene& scene, Sketch& sketch) {
+    if (!right.X_vcs || !right.Y_vcs || !right.Z_vcs) return;
+    const Point& eye = scene.camera.eye;
+    for (const auto& [name, axis] :
+         {std::pair("X_vcs", *right.X_vcs), std::pair("Y_vcs", *right.Y_vcs), std::pair("Z_vcs", *right.Z_vcs)})
+        sketch.arrows.push_back({eye, axis, name, Ink::camera, Stroke::plain});
+    const std::vector<Point> corners = window_corners(scene, *right.X_vcs, *right.Y_vcs, *right.Z_vcs);
+    for (const Point& corner : corners) sketch.lines.push_back({eye, corner, Ink::camera, Stroke::thin});
+    sketch.polygons.push_back({corners, Ink::camera, Stroke::plain});
+}
+
+void draw_ray(const RightValues& right, const DoubleScene& scene, const Frame& frame, Sketch& sketch) {
+    if (!right.P_WCS || !right.V) return;
+    sketch.lines.push_back({scene.camera.eye, *right.P_WCS, Ink::ray, Stroke::thin});
+    sketch.lines.push_back(ray_from(*right.P_WCS, *right.V, frame));
+    sketch.arrows.push_back({*right.P_WCS, *right.V, "V", Ink::ray, Stroke::plain});
+    sketch.dots.push_back({*right.P_WCS, "P_WCS", Ink::ray, Mark::dot});
+}
+
+std::string hit_note(std::string_view object, std::string_view point, double t) {
+    return fmt::format("{}: the ray hits the {}, t = {:.4g}.", point, object, t);
+}
+
+void draw_sphere_hit(const RightValues& right, const AnswerKey& key, Sketch& sketch) {
+    const std::string& decision = key.decisions.sphere;
+    if (right.P_s) sketch.dots.push_back({*right.P_s, "P_s", Ink::sphere, Mark::dot});
+    if (right.P_s && right.sphere_normal)
+        sketch.arrows.push_back({*right.P_s, *right.sphere_normal, "N at P_s", Ink::sphere, Stroke::plain});
+    if (decision == "hit") sketch.notes.push_back(hit_note("sphere", "P_s", number_of(key, 6, "t")));
+    if (decision == "miss") sketch.notes.emplace_back("The ray misses the sphere.");
+    if (decision == "tangent") sketch.notes.emplace_back("P_s: the ray touches the sphere in this one point, d = 0.");
+    if (decision == "boundary") sketch.notes.emplace_back("The ray starts on the sphere, c = 0.");
+}
+
+void draw_triangle_hit(const RightValues& right, const AnswerKey& key, const DoubleScene& scene, Sketch& sketch) {
+    const std::string& decision = key.decisions.triangle;
+    const bool met = decision == "hit" || decision == "boundary";
+    // Where t = 0 does not count the key has no hit point, and yet the ray starts there.
+    const std::optional<Point> P_t = decision == "boundary" ? right.P_WCS : right.P_t;
+    if (P_t) sketch.dots.push_back({*P_t, "P_t", Ink::triangle, met ? Mark::dot : Mark::ring});
+    if (right.triangle_normal) {
+        const bool at_hit = met && P_t;
+        const Point at = at_hit ? *P_t : middle_of(scene.triangles[right.asked_triangle]);
+        sketch.arrows.push_back(
+            {at, *right.triangle_normal, at_hit ? "N at P_t" : "N of ABC", Ink::triangle, Stroke::plain});
+    }
+    if (decision == "hit") sketch.notes.push_back(hit_note("triangle", "P_t", number_of(key, 8, "t")));
+    if (decision == "boundary") sketch.notes.emplace_back("P_t: the ray starts on the triangle, t = 0.");
+    if (decision == "coplanar") sketch.notes.emplace_back("The ray lies in the triangle's plane.");
+    if (decision == "miss") {
+        const bool behind = number_of(key, 8, "t") < 0;
+        sketch.notes.emplace_back(!P_t     ? "The ray misses the triangle: it runs beside its plane."
+                                  : behind ? "The ray misses the triangle: P_t is behind its start, t < 0."
+                                           : "The ray misses the triangle: P_t is in its plane, but outside of it.");
+    }
+}
+
+void tell_first(const AnswerKey& key, Sketch& sketch) {
+    const auto& decisions = key.decisions;
+    if (decisions.sphere.empty() || decisions.triangle.empty()) return;
+    if (std::find(decisions.policy.begin(), decisions.policy.end(), "boundary") != decisions.policy.end()) {
+        sketch.notes.emplace_back("Which of the two is hit first depends on whether t = 0 counts as a hit.");
+    } else if (decisions.first == "sphere" || decisions.first == "triangle") {
+        sketch.notes.push_back(fmt::format("The ray hits the {} first.", decisions.first));
+    } else if (decisions.first == "tie") {
+        sketch.notes.emplace_back("The ray hits both at the same t.");
+    }
+}
+
+/// Some of a kind where there are many, then without names; `asked` is always among them.
+template <class T, class Draw>
+void draw_objects(const std::vector<T>& things, std::size_t asked, std::string_view what, Draw draw, Sketch& sketch) {
+    constexpr std::size_t most = 6;
+    constexpr std::size_t most_named = 2;
+    const std::size_t count = std::min(things.size(), most);
+    for (std::size_t i = 0; i < count; ++i)
+        draw(things[i + 1 == count ? std::max(i, asked) : i], things.size() <= most_named);
+    if (count < things.size())
+        sketch.notes.push_back(fmt::format("Only {} of {} {}s are drawn.", count, things.size(), what));
+}
+
+}  // namespace
+
+DoubleScene double_scene(const reference::Assignment& assignment) {
+    return reference::convert_scene<double>(assignment.scene, [](const auto& number) { return number.to_double(); });
+}
+
+RightValues right_values(const AnswerKey& key, const DoubleScene& scene) {
+    RightValues right{point_of(key, 1, "P_VCS"),
+                      point_of(key, 2, "X_vcs"),
+                      point_of(key, 2, "Y_vcs"),
+                      point_of(key, 2, "Z_vcs"),
+                      point_of(key, 4, "P_WCS"),
+                      point_of(key, 5, "V"),
+                      point_of(key, 6, "hit"),
+                      point_of(key, 7, "normal"),
+                      point_of(key, 8, "hit"),
+                      point_of(key, 9, "normal"),
+                      0,
+                      0};
+    find_asked(key, scene, right);
+    return right;
+}
+
+std::vector<Point> window_corners(const DoubleScene& scene, const Point& X_vcs, const Point& Y_vcs,
+                                  const Point& Z_vcs) {
+    const auto& window = scene.window;
+    const Point middle = scene.camera.eye - Z_vcs * window.clip_near;
+    const auto corner = [&](double x, double y) { return middle + X_vcs * x + Y_vcs * y; };
+    return {corner(window.clip_left, window.clip_bottom), corner(window.clip_right, window.clip_bottom),
+            corner(window.clip_right, window.clip_top), corner(window.clip_left, window.clip_top)};
+}
+
+Line ray_from(const Point& start, const Point& V, const Frame& frame) {
+    constexpr double across_the_frame = 4;
+    return {start, start + V * (across_the_frame * frame.unit), Ink::ray, Stroke::plain};
+}
+
+Sketch given_sketch(const DoubleScene& scene, std::size_t asked_sphere, std::size_t asked_triangle) {
+    Sketch sketch;
+    const auto& camera = scene.camera;
+    sketch.dots.push_back({camera.eye, "eye", Ink::camera, Mark::dot});
+    sketch.dots.push_back({camera.lookat, "lookat", Ink::camera, Mark::ring});
+    sketch.lines.push_back({camera.eye, camera.lookat, Ink::camera, Stroke::thin});
+    const double length = distance(camera.vup, Point(0, 0, 0));
+    sketch.arrows.push_back({camera.eye, camera.vup / length, "vup", Ink::camera, Stroke::thin});
+    draw_objects(
+        scene.spheres, asked_sphere, "sphere",
+        [&](const auto& sphere, bool named) {
+            sketch.balls.push_back({sphere.center, sphere.radius});
+            if (named) sketch.dots.push_back({sphere.center, "C", Ink::sphere, Mark::ring});
+        },
+        sketch);
+    draw_objects(
+        scene.triangles, asked_triangle, "triangle",
+        [&](const auto& triangle, bool named) {
+            sketch.polygons.push_back({{triangle.A, triangle.B, triangle.C}, Ink::triangle, Stroke::plain});
+            if (!named) return;
+            sketch.dots.push_back({triangle.A, "A", Ink::triangle, Mark::dot});
+            sketch.dots.push_back({triangle.B, "B", Ink::triangle, Mark::dot});
+            sketch.dots.push_back({triangle.C, "C", Ink::triangle, Mark::dot});
+        },
+        sketch);
+    return sketch;
+}
+
+Sketch right_sketch(const RightValues& right, const AnswerKey& key, const DoubleScene& scene, const Frame& frame) {
+    Sketch sketch;
+    draw_ray(right, scene, frame, sketch);
+    if (!scene.spheres.empty()) draw_sphere_hit(right, key, sketch);
+    if (!scene.triangles.empty()) draw_triangle_hit(right, key, scene, sketch);
+    tell_first(key, sketch);
+    draw_window(right, scene, sketch);
+    for (const Dot& dot : sketch.dots) {
+        if (!frame.holds(dot.at)) sketch.notes.push_back(fmt::format("{} lies beyond the frame.", dot.name));
+    }
+    return sketch;
+}
+
+}  // namespace harness::report::picture

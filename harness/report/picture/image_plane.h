@@ -1,0 +1,27 @@
+// The image plane as the eye sees it, with the pixel.
+#pragma once
+
+#include <optional>
+
+#include "harness/report/picture/panel.h"
+
+namespace harness::report::picture {
+
+struct ImagePlane {
+    std::string svg;  ///< without the names in it
+    Box window;       ///< on the page
+    std::vector<Name> names;
+    std::vector<Box> taken;  ///< where no name may stand
+};
+
+/// Without the right P_VCS the pixel's place is shown no finer than by a raster of a few fields.
+ImagePlane draw_image_plane(const DoubleScene& scene, const std::optional<Point>& P_VCS, const Box& box);
+
+/// What a printed P_VCS adds to it: nothing but a note where it is outside of the window.
+Panel draw_printed_pixel(const DoubleScene& scene, const Point& P_VCS, bool is_right, const Box& window,
+                         std::vector<std::string>& notes);
+
+/// The names in the window.
+Names place_names_in(const ImagePlane& plane, const std::vector<Name>& names, const std::vector<Box>& taken);
+
+}  // namespace harness::report::picture

@@ -1,0 +1,113 @@
+#include "harness/report/picture/legend.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/report/markup.h"
+
+namespace harness::report::picture {
+namespace {
+
+constexpr double swatch = 20;  ///< from a line's left to its words
+constexpr double key_size = 11;
+
+/// Lines of the key, one below the other.
+class Key {
+  public:
+    explicit Key(const Spot& first) : left_(first.x), y_(first.y) {}
+
+    void colour(Ink ink, std::string_view words) {
+        strokes_.line({{left_, y_}, {left_ + swatch - 7, y_}}, ink, Stroke::plain);
+        say(words);
+    }
+    void mark(Ink ink, Mark mark, std::string_view words) {
+        if (ink == Ink::printed) {
+            strokes_.line({{left_, y_}, {left_ + swatch - 7, y_}}, ink,
+                          mark == Mark::cross ? Stroke::dashed : Stroke::plain);
+        }
+        strokes_.mark({left_ + 6, y_}, ink, mark);
+        say(words);
+    }
+    Spot next() const { return {left_, y_}; }
+    std::string svg() const { return strokes_.svg() + fmt::format("<g font-size=\"{}\">\n{}</g>\n", key_size, words_); }
+
+  private:
+    void say(std::string_view words) {
+        words_ += text_at(left_ + swatch, y_ + 4, words);
+        y_ += line_height;
+    }
+
+    double left_;
+    double y_;
+    Strokes strokes_;
+    std::string words_;
+};
+
+std::string objects(const char* one, std::size_t count) {
+    return count == 1 ? one : fmt::format("{} {}s", count, one);
+}
+
+}  // namespace
+
+KeyLines draw_key(const DoubleScene& scene, bool with_answers, const Spot& first) {
+    Key key(first);
+    key.colour(Ink::camera, "camera and image plane");
+    if (with_answers) {
+        key.colour(Ink::ray, "ray P = P_WCS + tV");
+    } else {
+        key.colour(Ink::ray, "the field with the pixel");
+    }
+    if (!scene.spheres.empty()) {
+        const bool one = scene.spheres.size() == 1;
+        key.colour(Ink::sphere, objects("sphere", scene.spheres.size()) +
+                                    (one ? fmt::format(", R = {}", figure(scene.spheres[0].radius)) : "") +
+                                    (with_answers ? ", with P_s, N" : ""));
+    }
+    if (!scene.triangles.empty()) {
+        key.colour(Ink::triangle, objects("triangle", scene.triangles.size()) + (with_answers ? ", with P_t, N" : ""));
+    }
+    if (with_answers) key.mark(Ink::camera, Mark::ring, "not hit by the ray");
+    return {key.svg(), key.next()};
+}
+
+std::string draw_printed_key(bool with_answers, const Spot& first) {
+    Key key(first);
+    key.mark(Ink::printed, Mark::cross, "printed, not right");
+    if (!with_answers) key.mark(Ink::printed, Mark::ring, "printed, right");
+    return key.svg();
+}
+
+NoteLines draw_notes(const std::vector<std::string>& notes, double width, double first_baseline) {
+    constexpr std::size_t most_lines = 24;
+    std::vector<std::string> lines;
+    for (const std::string& note : notes) {
+        std::string line;
+        std::size_t begin = 0;
+        while (begin < note.size()) {
+            const std::size_t end = std::min(note.find(' ', begin), note.size());
+            const std::string word = note.substr(begin, end - begin);
+            const std::string longer = line.empty() ? word : line + ' ' + word;
+            if (!line.empty() && text_width(longer, letter_size) > width) {
+                lines.push_back(line);
+                line = word;
+            } else {
+                line = longer;
+            }
+            begin = end + 1;
+        }
+        if (!line.empty()) lines.push_back(line);
+    }
+    if (lines.size() > most_lines) {
+        lines.resize(most_lines);
+        lines.back() = "(and more, which is left out here)";
+    }
+    NoteLines result{"", first_baseline - line_height};
+    for (const std::string& line : lines) {
+        result.bottom += line_height;
+        result.svg += text_at(4, result.bottom, line);
+    }
+    return result;
+}
+
+}  // namespace harness::report::picture

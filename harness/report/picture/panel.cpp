@@ -1,0 +1,291 @@
+#include "harness/report/picture/panel.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "harness/report/markup.h"
+#include "harness/report/picture/clip.h"
+
+namespace harness::report::picture {
+namespace {
+
+constexpr double edge = 5;  ///< of a box, for marks at its border
+
+Box inner(const Box& box, double by) {
+    return {box.left + by, box.top + by, box.right - by, box.bottom - by};
+}
+
+Region<2> region_of(const Box& box) {
+    return {{box.left, box.top}, {box.right, box.bottom}};
+}
+
+Coordinates<2> on_page(const Spot& spot) {
+    return {spot.x, spot.y};
+}
+
+std::string path_of(const std::vector<Coordinates<2>>& corners) {
+    std::string path;
+    for (const auto& corner : corners) path += (path.empty() ? "M" : "L") + coordinates({corner[0], corner[1]});
+    return path.empty() ? "" : path + "Z";
+}
+
+std::string ellipse_svg(const Ellipse& ellipse) {
+    const std::string colour(colour_of(Ink::sphere));
+    const std::string look =
+        fmt::format(" fill=\"{0}\" fill-opacity=\".13\" stroke=\"{0}\" stroke-width=\"1.6\"", colour);
+    if (ellipse.along == ellipse.across) {
+        return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"{}/>", coordinate(ellipse.middle.x),
+                           coordinate(ellipse.middle.y), coordinate(ellipse.along), look);
+    }
+    const std::string x = coordinate(ellipse.middle.x);
+    const std::string y = coordinate(ellipse.middle.y);
+    return fmt::format("<ellipse cx=\"{0}\" cy=\"{1}\" rx=\"{2}\" ry=\"{3}\" transform=\"rotate({4} {0} {1})\"{5}/>", x,
+                       y, coordinate(ellipse.along), coordinate(ellipse.across), coordinate(ellipse.angle), look);
+}
+
+/// Spots of the outline, evenly by angle.
+std::vector<Spot> spots_of(const Ellipse& ellipse, int count) {
+    std::vector<Spot> spots;
+    const double turn = ellipse.angle * std::numbers::pi / 180;
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2 * std::numbers::pi * i / count;
+        const double along = ellipse.along * std::cos(angle);
+        const double across = ellipse.across * std::sin(angle);
+        spots.push_back({ellipse.middle.x + along * std::cos(turn) - across * std::sin(turn),
+                         ellipse.middle.y + along * std::sin(turn) + across * std::cos(turn)});
+    }
+    return spots;
+}
+
+class Drawing {
+  public:
+    Drawing(const View& view, const Frame& frame) : view_(view), frame_(frame), box_(inner(view.box, edge)) {
+        space_ = {{-frame.half.x, -frame.half.y, -frame.half.z}, {frame.half.x, frame.half.y, frame.half.z}};
+    }
+
+    void draw(const Ball& ball) {
+        const Point center = frame_.inside(ball.center);
+        const double radius = ball.radius / frame_.unit;
+        const auto outline = is_finite(center) ? view_.outline(center, radius) : std::nullopt;
+        if (!outline) return;
+        const double size = std::max(outline->along, outline->across);
+        const bool is_inside = outline->middle.x - size > box_.left && outline->middle.x + size < box_.right &&
+                               outline->middle.y - size > box_.top && outline->middle.y + size < box_.bottom;
+        if (is_inside) {
+            draw_whole(*outline, center, radius);
+        } else if (view_.distance == 0) {
+            draw_cut_disc(*outline);
+        } else {
+            draw_cut_outline(*outline);
+        }
+    }
+
+    void draw(const Polygon& polygon) {
+        std::vector<Coordinates<3>> corners;
+        for (const Point& corner : polygon.corners) {
+            const Point place = frame_.inside(corner);
+            if (!is_finite(place)) return;
+            corners.push_back({place.x, place.y, place.z});
+        }
+        std::vector<Coordinates<2>> spots;
+        for (const auto& corner : clip_polygon(corners, space_)) spots.push_back(on_page(spot(corner)));
+        const std::string path = path_of(clip_polygon(spots, region_of(box_)));
+        if (!path.empty() && polygon.ink != Ink::printed) {
+            fills_ += fmt::format("<path d=\"{}\" fill=\"{}\" fill-opacity=\"{}\"/>", path, colour_of(polygon.ink),
+                                  polygon.ink == Ink::camera ? ".07" : ".22");
+        }
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            draw_edge(corners[i], corners[(i + 1) % corners.size()], polygon.ink, polygon.stroke);
+    }
+
+    void draw(const Line& line) {
+        const Point from = frame_.inside(line.from);
+        const Point to = frame_.inside(line.to);
+        draw_edge({from.x, from.y, from.z}, {to.x, to.y, to.z}, line.ink, line.stroke);
+    }
+
+    void draw(const Arrow& arrow) {
+        if (!frame_.holds(arrow.at)) return;
+        const Point from = frame_.inside(arrow.at);
+        const Point to = from + arrow.vector * (frame_.arrow / frame_.unit);
+        const Segment whole{view_.spot(from), view_.spot(to)};
+        const auto seen = clip_segment(on_page(whole.from), on_page(whole.to), region_of(box_));
+        if (!seen) return;
+        const Segment segment{{seen->first[0], seen->first[1]}, {seen->second[0], seen->second[1]}};
+        panel_.drawn.push_back(segment);
+        constexpr double end_on = 5;  // such an arrow is seen, and named, in another view
+        if (std::hypot(segment.to.x - segment.from.x, segment.to.y - segment.from.y) < end_on) return;
+        strokes_.line_to_tip(segment, arrow.ink, arrow.stroke);
+        panel_.names.push_back({segment.to, arrow.name});
+    }
+
+    void draw(const Dot& dot) {
+        if (!frame_.holds(dot.at)) return;
+        const Spot at = view_.spot(frame_.inside(dot.at));
+        if (at.x < box_.left || at.x > box_.right || at.y < box_.top || at.y > box_.bottom) return;
+        strokes_.mark(at, dot.ink, dot.mark);
+        if (!dot.name.empty()) panel_.names.push_back({at, dot.name});
+    }
+
+    Panel panel() {
+        panel_.shapes = (fills_.empty() ? "" : "<g>" + fills_ + "</g>\n") + strokes_.svg();
+        return std::move(panel_);
+    }
+
+  private:
+    Spot spot(const Coordinates<3>& place) const { return view_.spot(Point(place[0], place[1], place[2])); }
+
+    void draw_edge(const Coordinates<3>& from, const Coordinates<3>& to, Ink ink, Stroke stroke) {
+        const auto inside = clip_segment(from, to, space_);
+        if (!inside) return;
+        draw_segment({spot(inside->first), spot(inside->second)}, ink, stroke);
+    }
+
+    void draw_segment(const Segment& segment, Ink ink, Stroke stroke) {
+        const auto seen = clip_segment(on_page(segment.from), on_page(segment.to), region_of(box_));
+        if (!seen) return;
+        const Segment drawn{{seen->first[0], seen->first[1]}, {seen->second[0], seen->second[1]}};
+        constexpr double least = 0.3;
+        if (std::hypot(drawn.to.x - drawn.from.x, drawn.to.y - drawn.from.y) < least) return;
+        strokes_.line(drawn, ink, stroke);
+        panel_.drawn.push_back(drawn);
+    }
+
+    void draw_whole(const Ellipse& outline, const Point& center, double radius) {
+        fills_ += ellipse_svg(outline);
+        const std::vector<Spot> spots = spots_of(outline, 24);
+        for (std::size_t i = 0; i < spots.size(); ++i)
+            panel_.drawn.push_back({spots[i], spots[(i + 1) % spots.size()]});
+        constexpr double large_enough = 14;
+        if (view_.distance > 0 && outline.across > large_enough) draw_equator(center, radius);
+    }
+
+    /// Level with the world, so that the ball looks round.
+    void draw_equator(const Point& center, double radius) {
+        int up = 0;
+        for (int i = 1; i < 3; ++i) {
+            if (std::abs(view_.up[i]) > std::abs(view_.up[up])) up = i;
+        }
+        // Between two touching spots the curve leans on the corner where their tangents meet.
+        constexpr int count = 8;
+        const auto at = [&](double turns, double reach) {
+            Point place = center;
+            place[(up + 1) % 3] += reach * std::cos(2 * std::numbers::pi * turns);
+            place[(up + 2) % 3] += reach * std::sin(2 * std::numbers::pi * turns);
+            return coordinates(view_.spot(place));
+        };
+        std::string path = "M" + at(0, radius);
+        for (int i = 0; i < count; ++i) {
+            path += "Q" + at((i + 0.5) / count, radius / std::cos(std::numbers::pi / count)) + " " +
+                    at((i + 1.0) / count, radius);
+        }
+        strokes_.add(path + "Z", Ink::sphere, Stroke::thin);
+    }
+
+    std::string arc_to(const Spot& to, double radius, bool is_large) const {
+        constexpr double as_good_as_straight = 1e5;
+        if (radius > as_good_as_straight) return "L" + coordinates(to);
+        return fmt::format("A{0} {0} 0 {1} 1 {2}", coordinate(radius), is_large ? 1 : 0, coordinates(to));
+    }
+
+    void draw_cut_disc(const Ellipse& circle) {
+        const double radius = circle.along;
+        const DiscInBox disc = clip_disc(circle.middle, radius, box_);
+        std::string fill;
+        if (disc.fills_box) fill = path_of(clip_polygon(corners_of_box(), region_of(box_)));
+        for (std::size_t i = 0; i < disc.border.size(); ++i) {
+            const std::size_t before = (i + disc.border.size() - 1) % disc.border.size();
+            const bool on_circle = i > 0 && disc.leaves[before];
+            fill += i == 0      ? "M" + coordinates(disc.border[i])
+                    : on_circle ? arc_to(disc.border[i], radius, is_large(disc, disc.border[before]))
+                                : "L" + coordinates(disc.border[i]);
+        }
+        if (!disc.border.empty() && disc.leaves.back())
+            fill += arc_to(disc.border.front(), radius, is_large(disc, disc.border.back()));
+        if (!fill.empty()) add_fill(fill + (fill.back() == 'Z' ? "" : "Z"));
+        for (const Arc& arc : disc.arcs) {
+            strokes_.add("M" + coordinates(arc.from) + arc_to(arc.to, radius, arc.is_large), Ink::sphere,
+                         Stroke::plain);
+            panel_.drawn.push_back({arc.from, arc.to});
+        }
+    }
+
+    static bool is_large(const DiscInBox& disc, const Spot& from) {
+        return std::any_of(disc.arcs.begin(), disc.arcs.end(), [&](const Arc& arc) {
+            return arc.is_large && arc.from.x == from.x && arc.from.y == from.y;
+        });
+    }
+
+    std::vector<Coordinates<2>> corners_of_box() const {
+        return {{box_.left, box_.top}, {box_.right, box_.top}, {box_.right, box_.bottom}, {box_.left, box_.bottom}};
+    }
+
+    void draw_cut_outline(const Ellipse& outline) {
+        constexpr double step = 10;
+        constexpr double most = 5000;
+        const double around = 2 * std::numbers::pi * std::max(outline.along, outline.across);
+        const std::vector<Spot> spots = spots_of(outline, static_cast<int>(std::clamp(around / step, 48.0, most)));
+        std::vector<Coordinates<2>> corners;
+        for (const Spot& spot : spots) corners.push_back(on_page(spot));
+        const std::string fill = path_of(clip_polygon(corners, region_of(box_)));
+        if (!fill.empty()) add_fill(fill);
+        std::string path;
+        std::optional<Coordinates<2>> end;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const auto seen = clip_segment(corners[i], corners[(i + 1) % corners.size()], region_of(box_));
+            if (!seen) continue;
+            const Segment piece{{seen->first[0], seen->first[1]}, {seen->second[0], seen->second[1]}};
+            if (seen->first != end) path += "M" + coordinates(piece.from);
+            path += "L" + coordinates(piece.to);
+            end = seen->second;
+            panel_.drawn.push_back(piece);
+        }
+        if (!path.empty()) strokes_.add(path, Ink::sphere, Stroke::plain);
+    }
+
+    void add_fill(const std::string& path) {
+        fills_ += fmt::format("<path d=\"{}\" fill=\"{}\" fill-opacity=\".13\"/>", path, colour_of(Ink::sphere));
+    }
+
+    const View& view_;
+    const Frame& frame_;
+    Box box_;
+    Region<3> space_;
+    std::string fills_;
+    Strokes strokes_;
+    Panel panel_;
+};
+
+/// What is farther away comes first and shines through what is nearer.
+template <class T, class Middle>
+std::vector<const T*> far_to_near(const std::vector<T>& things, const View& view, Middle middle) {
+    std::vector<const T*> order;
+    for (const T& thing : things) order.push_back(&thing);
+    std::stable_sort(order.begin(), order.end(), [&](const T* one, const T* other) {
+        return view.nearness(middle(*one)) < view.nearness(middle(*other));
+    });
+    return order;
+}
+
+}  // namespace
+
+Panel draw_panel(const View& view, const Frame& frame, const Sketch& sketch) {
+    Drawing drawing(view, frame);
+    for (const Ball* ball :
+         far_to_near(sketch.balls, view, [&](const Ball& each) { return frame.inside(each.center); }))
+        drawing.draw(*ball);
+    for (const Polygon* polygon : far_to_near(sketch.polygons, view, [&](const Polygon& each) {
+             Point sum(0, 0, 0);
+             for (const Point& corner : each.corners) sum += frame.inside(corner);
+             return sum / static_cast<double>(each.corners.size());
+         }))
+        drawing.draw(*polygon);
+    for (const Line& line : sketch.lines) drawing.draw(line);
+    for (const Dot& dot : sketch.dots) drawing.draw(dot);
+    for (const Arrow& arrow : sketch.arrows) drawing.draw(arrow);
+    return drawing.panel();
+}
+
+}  // namespace harness::report::picture

@@ -1,0 +1,204 @@
+#include "harness/report/picture/printed_sketch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/transcript.h"
+
+namespace harness::report::picture {
+namespace {
+
+/// What the picture calls an item.
+std::string name_of(const reference::ItemSpec& spec) {
+    if (spec.question == 6 && spec.name == "hit") return "P_s";
+    if (spec.question == 8 && spec.name == "hit") return "P_t";
+    if (spec.name == "normal") return "N";
+    return std::string(spec.name);
+}
+
+std::string shortened(const std::string& printed) {
+    constexpr std::size_t longest = 48;
+    return printed.size() <= longest ? printed : printed.substr(0, longest) + "...";
+}
+
+struct Answer {
+    Point value;
+    bool is_right = false;
+
+    Mark mark() const { return is_right ? Mark::ring : Mark::cross; }
+    Stroke stroke() const { return is_right ? Stroke::plain : Stroke::dashed; }
+};
+
+/// Draws one submission's answers; the sketch grows call by call.
+class Drawing {
+  public:
+    Drawing(const Score& score, const DoubleScene& scene, const RightValues* right, const Frame& frame)
+        : score_(score), scene_(scene), right_(right), frame_(frame) {}
+
+    PrintedSketch draw() {
+        draw_P_VCS();
+        draw_basis();
+        draw_ray();
+        draw_sphere();
+        draw_triangle();
+        return std::move(result_);
+    }
+
+  private:
+    /// Empty where nothing was printed that can be drawn, which is noted, or where it is right and not to be drawn.
+    std::optional<Answer> answer(int question, std::string_view name) {
+        const ItemScore* item = find(question, name);
+        if (item == nullptr || item->printed.empty()) return std::nullopt;
+        const bool is_right = item->verdict == ItemVerdict::right;
+        if (is_right && right_ != nullptr) return std::nullopt;
+        const auto vector = printed_vector(item->printed);
+        if (vector && is_finite(*vector)) return Answer{*vector, is_right};
+        if (!is_right || vector)
+            note(item->spec, fmt::format("was printed as {}: not drawn.", shortened(item->printed)));
+        return std::nullopt;
+    }
+
+    const ItemScore* find(int question, std::string_view name) const {
+        for (const QuestionScore& each : score_.questions) {
+            for (const ItemScore& item : each.items) {
+                if (each.number == question && item.spec.name == name) return &item;
+            }
+        }
+        return nullptr;
+    }
+
+    void note(const reference::ItemSpec& spec, const std::string& what) {
+        result_.sketch.notes.push_back(fmt::format("{} (question {}) {}", name_of(spec), spec.question, what));
+    }
+
+    /// Whether it was near enough to be drawn.
+    bool draw_point(int question, std::string_view name, const Answer& answer) {
+        const reference::ItemSpec& spec = find(question, name)->spec;
+        if (!frame_.holds(answer.value)) {
+            note(spec, fmt::format("was printed as {}: beyond the frame.", shortened(find(question, name)->printed)));
+            return false;
+        }
+        result_.sketch.dots.push_back({answer.value, "printed " + name_of(spec), Ink::printed, answer.mark()});
+        return true;
+    }
+
+    void draw_vector(int question, std::string_view name, const Point& at, const Answer& answer) {
+        constexpr double longest = 2;
+        constexpr double shortest = 0.05;
+        const reference::ItemSpec& spec = find(question, name)->spec;
+        const double length = distance(answer.value, Point(0, 0, 0));
+        if (!std::isfinite(length) || !(length > 0)) {
+            note(spec, length > 0 ? "was printed with a length beyond all bounds: not drawn."
+                                  : "was printed as the zero vector: not drawn.");
+            return;
+        }
+        Point drawn = answer.value;
+        if (length > longest || length < shortest) {
+            drawn = drawn / length * (length > longest ? longest : 1.0);
+            note(spec, fmt::format("was printed with length {:.3g}; only its direction is drawn.", length));
+        }
+        result_.sketch.arrows.push_back({at, drawn, "printed " + name_of(spec), Ink::printed, answer.stroke()});
+    }
+
+    void draw_P_VCS() {
+        const auto P_VCS = answer(1, "P_VCS");
+        if (!P_VCS) return;
+        result_.P_VCS = P_VCS->value;
+        result_.is_P_VCS_right = P_VCS->is_right;
+    }
+
+    void draw_basis() {
+        std::vector<Answer> axes;
+        for (const std::string_view name : {"X_vcs", "Y_vcs", "Z_vcs"}) {
+            const auto axis = answer(2, name);
+            if (!axis) continue;
+            draw_vector(2, name, scene_.camera.eye, *axis);
+            axes.push_back(*axis);
+        }
+        if (right_ != nullptr || axes.size() != 3) return;
+        // The image plane as these axes put it; where they are no axes at all it would be anything.
+        for (const Answer& axis : axes) {
+            const double length = distance(axis.value, Point(0, 0, 0));
+            constexpr double doubled = 2;
+            if (!(length > 1 / doubled && length < doubled)) return;
+        }
+        const bool all_right = axes[0].is_right && axes[1].is_right && axes[2].is_right;
+        const auto corners = window_corners(scene_, axes[0].value, axes[1].value, axes[2].value);
+        const bool seen = std::any_of(corners.begin(), corners.end(), [&](const Point& p) { return frame_.holds(p); });
+        result_.sketch.notes.emplace_back(seen ? "The image plane is drawn as the printed axes put it."
+                                               : "The printed axes put the image plane beyond the frame.");
+        result_.sketch.polygons.push_back({corners, Ink::printed, all_right ? Stroke::plain : Stroke::dashed});
+    }
+
+    void draw_ray() {
+        const auto P_WCS = answer(4, "P_WCS");
+        const auto V = answer(5, "V");
+        const bool start_drawn = P_WCS && draw_point(4, "P_WCS", *P_WCS);
+        if (!V) return;
+        std::optional<Point> start;
+        if (start_drawn) start = P_WCS->value;
+        if (!start && right_ != nullptr) start = right_->P_WCS;
+        draw_vector(5, "V", start.value_or(scene_.camera.eye), *V);
+        const double length = distance(V->value, Point(0, 0, 0));
+        if (!start || !(length > 0) || !std::isfinite(length)) return;
+        Line ray = ray_from(*start, V->value / length, frame_);
+        ray.ink = Ink::printed;
+        ray.stroke = V->is_right && (!P_WCS || P_WCS->is_right) ? Stroke::thin : Stroke::dashed;
+        result_.sketch.lines.push_back(ray);
+    }
+
+    /// Where a printed normal stands: at the printed hit point, else at the right one.
+    Point foot(int question, const std::optional<Point>& right_hit, const Point& otherwise) {
+        const auto hit = answer(question, "hit");
+        if (hit && draw_point(question, "hit", *hit)) return hit->value;
+        if (right_ != nullptr && right_hit) return *right_hit;
+        return otherwise;
+    }
+
+    void draw_sphere() {
+        if (scene_.spheres.empty()) return;
+        const std::size_t asked = right_ == nullptr ? 0 : right_->asked_sphere;
+        const Point at = foot(6, right_ == nullptr ? std::nullopt : right_->P_s, scene_.spheres[asked].center);
+        if (const auto normal = answer(7, "normal")) draw_vector(7, "normal", at, *normal);
+    }
+
+    void draw_triangle() {
+        if (scene_.triangles.empty()) return;
+        const auto& triangle = scene_.triangles[right_ == nullptr ? 0 : right_->asked_triangle];
+        const Point middle = triangle.A / 3.0 + triangle.B / 3.0 + triangle.C / 3.0;
+        const Point at = foot(8, right_ == nullptr ? std::nullopt : right_->P_t, middle);
+        if (const auto normal = answer(9, "normal")) draw_vector(9, "normal", at, *normal);
+    }
+
+    const Score& score_;
+    const DoubleScene& scene_;
+    const RightValues* right_;
+    const Frame& frame_;
+    PrintedSketch result_;
+};
+
+}  // namespace
+
+std::optional<Point> printed_vector(const std::string& printed) {
+    std::vector<double> single;
+    for (const Section& section : read_transcript("v = " + printed).sections) {
+        for (const PrintedValue& value : section.values) {
+            const auto& numbers = value.numbers;
+            if (numbers.size() == 3 || numbers.size() == 4)
+                return Point(numbers[0].value, numbers[1].value, numbers[2].value);
+            if (numbers.size() == 1) single.push_back(numbers[0].value);
+        }
+    }
+    // One component a line, as they are joined then.
+    if (single.size() != 3 && single.size() != 4) return std::nullopt;
+    return Point(single[0], single[1], single[2]);
+}
+
+PrintedSketch printed_sketch(const Score& score, const DoubleScene& scene, const RightValues* right,
+                             const Frame& frame) {
+    return Drawing(score, scene, right, frame).draw();
+}
+
+}  // namespace harness::report::picture

@@ -1,0 +1,72 @@
+// What an explaining picture shows, in the world's coordinates, before anybody looks at it from anywhere.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reference/vector.h"
+
+namespace harness::report::picture {
+
+using Point = reference::Vec3<double>;
+
+/// What a thing belongs to; each has a colour of its own. What comes later is drawn over what comes before.
+enum class Ink { sphere, triangle, camera, ray, printed };
+
+enum class Stroke {
+    plain,
+    thin,    ///< what helps to see the rest
+    dashed,  ///< what was printed
+};
+
+enum class Mark {
+    dot,
+    ring,   ///< what the ray does not hit, or what was printed and is right
+    cross,  ///< what was printed and is not right
+};
+
+struct Dot {
+    Point at;
+    std::string name;
+    Ink ink = Ink::camera;
+    Mark mark = Mark::dot;
+};
+
+struct Line {
+    Point from;
+    Point to;
+    Ink ink = Ink::camera;
+    Stroke stroke = Stroke::plain;
+};
+
+/// A vector, drawn from `at` with `vector` times the frame's arrow.
+struct Arrow {
+    Point at;
+    Point vector;
+    std::string name;
+    Ink ink = Ink::camera;
+    Stroke stroke = Stroke::plain;
+};
+
+struct Polygon {
+    std::vector<Point> corners;
+    Ink ink = Ink::camera;
+    Stroke stroke = Stroke::plain;
+};
+
+struct Ball {
+    Point center;
+    double radius = 0;
+};
+
+/// Names are placed in this order, so that the first ones keep theirs where there is too little room.
+struct Sketch {
+    std::vector<Ball> balls;
+    std::vector<Polygon> polygons;
+    std::vector<Line> lines;
+    std::vector<Arrow> arrows;
+    std::vector<Dot> dots;
+    std::vector<std::string> notes;  ///< whole sentences, plain text
+};
+
+}  // namespace harness::report::picture

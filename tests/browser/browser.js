@@ -1,0 +1,122 @@
+// What the browser tests share: Chromium, a page that is watched for every error and every request, axe, and raygrade.
+//
+// A test file is <name>_test.js here, for node:test, its name in CMakeLists.txt; ctest sets RAYGRADE_BINARY and
+// RAYGRADE_BROWSER_FOLDER, a folder of the build to write into. By hand, after `bash tests/browser/prepare build/browser`:
+//   RAYGRADE_BINARY=$PWD/build/raygrade RAYGRADE_BROWSER_FOLDER=$PWD/build/browser node --test tests/browser/report_test.js
+// Nothing is skipped: what is missing is a failure.
+//
+//   const browser = await startBrowser();              // once a file; after(() => browser.close())
+//   const seen = await open(browser, url, { width: 400, dark: true });
+//   await seen.page.click('…');                        // Playwright's page
+//   await expectAccessible(seen.page);                 // axe, every rule
+//   await expectNoOverflow(seen.page);                 // no sideways scrolling
+//   await screenshot(seen.page, 'report-400-dark');    // <build>/browser/screenshots/report-400-dark.png
+//   await seen.close();                                // fails when the page had an error, or asked elsewhere
+import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
+import { mkdir } from 'node:fs/promises';
+import { createRequire } from 'node:module';
+import path from 'node:path';
+import { promisify } from 'node:util';
+
+/** An environment variable that ctest sets. */
+function setting(name) {
+  const value = process.env[name];
+  assert.ok(value, `${name} is not set; run these tests by ctest, or see the top of tests/browser/browser.js`);
+  return path.resolve(value);
+}
+
+/** The folder of the build that these tests may write into. */
+export const folder = setting('RAYGRADE_BROWSER_FOLDER');
+const raygradeBinary = setting('RAYGRADE_BINARY');
+
+// The packages are in the build folder, where an import does not find them from here.
+const require = createRequire(path.join(folder, 'package.json'));
+const { chromium } = require('playwright-core');
+const axe = require('axe-core');
+
+/** Debian's Chromium. Without its own sandbox, which root and containers can't have: it sees no pages but ours. */
+export function startBrowser() {
+  return chromium.launch({ executablePath: '/usr/bin/chromium-headless-shell', chromiumSandbox: false });
+}
+
+/**
+ * Opens `url`, and from then on takes note of every error, warning and violated policy, and lets no request out but to
+ * `url` itself and below `site` ("http://127.0.0.1:8000/"; without it, nowhere).
+ * options: width, height, dark, script (false: a browser without JavaScript), site, print (as on paper).
+ */
+export async function open(browser, url, options = {}) {
+  const { width = 1400, height = 1000, dark = false, script = true, site, print = false } = options;
+  const context = await browser.newContext({
+    viewport: { width, height },
+    colorScheme: dark ? 'dark' : 'light',
+    javaScriptEnabled: script,
+    reducedMotion: 'reduce',
+  });
+  const problems = [];
+  await context.route('**/*', (route) => {
+    const asked = route.request().url();
+    const allowed = asked.split('#')[0] === url.split('#')[0] || (site !== undefined && asked.startsWith(site));
+    if (allowed) return route.continue();
+    problems.push(`asked for ${asked}`);
+    return route.abort();
+  });
+  const page = await context.newPage();
+  page.on('console', (message) => {
+    if (['error', 'warning', 'assert'].includes(message.type())) problems.push(`${message.type()}: ${message.text()}`);
+  });
+  page.on('pageerror', (error) => problems.push(`uncaught: ${error.stack ?? error}`));
+  page.on('dialog', (dialog) => {
+    problems.push(`dialog: ${dialog.message()}`);
+    dialog.dismiss();
+  });
+  page.on('crash', () => problems.push('the page crashed'));
+  if (print) await page.emulateMedia({ media: 'print' });
+  await page.goto(url);
+  /** Closes it. `expected`: problems that the test has called for, such as an answer 413 to too large a file. */
+  const close = async (expected = []) => {
+    await context.close();
+    const surprises = problems.filter((problem) => !expected.some((pattern) => pattern.test(problem)));
+    assert.deepEqual(surprises, [], 'errors of the page, or requests to elsewhere');
+  };
+  return { page, problems, close };
+}
+
+/** Every rule of axe, best practices too, on the page as it is now. */
+export async function expectAccessible(page, what = page.url()) {
+  // Evaluated, not added as an element, which the page's own policy rightly refuses.
+  await page.evaluate(axe.source);
+  const result = await page.evaluate(() => globalThis.axe.run(document, { preload: false }));
+  const found = result.violations.map(
+    ({ id, help, nodes }) => `${id}: ${help}\n    ${nodes.slice(0, 3).map((node) => `${node.html} ${node.failureSummary}`).join('\n    ')}`);
+  assert.deepEqual(found, [], `${what}: what axe found`);
+  assert.ok(result.passes.length > 10, `${what}: axe has looked at next to nothing`);
+}
+
+/** The page fits its window: nothing but what scrolls by itself is wider. */
+export async function expectNoOverflow(page) {
+  const { content, shown } = await page.evaluate(() => ({
+    content: document.documentElement.scrollWidth,
+    shown: document.documentElement.clientWidth,
+  }));
+  assert.ok(content <= shown, `the page is ${content} pixels wide in a window of ${shown}`);
+}
+
+/** Into the build folder, for people to look at. `whole`: all of the page, not only what the window shows. */
+export async function screenshot(page, name, { whole = true } = {}) {
+  const screenshots = path.join(folder, 'screenshots');
+  await mkdir(screenshots, { recursive: true });
+  await page.screenshot({ path: path.join(screenshots, `${name}.png`), fullPage: whole });
+}
+
+/** Runs raygrade; what it printed, and its exit status. What it compiles is kept in the build folder for the next time. */
+export async function raygrade(...words) {
+  const environment = { ...process.env, XDG_CACHE_HOME: path.join(folder, 'cache') };
+  try {
+    const { stdout, stderr } = await promisify(execFile)(raygradeBinary, words, { env: environment, maxBuffer: 1 << 28 });
+    return { status: 0, stdout, stderr };
+  } catch (error) {
+    if (typeof error.code !== 'number') throw error;
+    return { status: error.code, stdout: error.stdout, stderr: error.stderr };
+  }
+}

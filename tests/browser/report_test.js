@@ -1,0 +1,241 @@
+// The class report that the real raygrade writes of the sample class, as an instructor uses it.
+import assert from 'node:assert/strict';
+import { cp, mkdir, mkdtemp, readdir, rm, stat, writeFile } from 'node:fs/promises';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+
+import { expectAccessible, expectNoOverflow, folder, open, raygrade, screenshot, startBrowser } from './browser.js';
+
+const project = fileURLToPath(new URL('../..', import.meta.url));
+const hostileId = '<img src=x onerror=alert(1)>';
+const hostileOutput = '</code><script>alert(2)</script>';
+
+let browser;
+let scratch;
+let report;
+
+/** The sample class, and one whose name and output are markup. */
+async function gradeClass() {
+  const names = await readdir(path.join(project, 'submissions'));
+  const students = names.filter((name) => name !== 'hostile').sort();
+  const evil = path.join(scratch, hostileId);
+  await mkdir(evil);
+  await writeFile(path.join(evil, 'ray_cast.cpp'), `#include <cstdio>
+    #warning </pre><img src=y>
+    int main() { std::puts("Question 5:\\nV = (9, 9, 9)"); std::fputs("${hostileOutput}", stderr); }`);
+  const out = path.join(scratch, 'results');
+  const paths = [...students.map((name) => path.join(project, 'submissions', name)), evil];
+  const { status, stderr } = await raygrade('grade', ...paths, '--assignment', 'a6-2021', '--out', out);
+  assert.equal(status, 0, stderr);
+  return { out, count: paths.length };
+}
+
+before(async () => {
+  browser = await startBrowser();
+  scratch = await mkdtemp(path.join(folder, 'report-'));
+  report = await gradeClass();
+  report.url = pathToFileURL(path.join(report.out, 'report.html')).href;
+});
+
+after(async () => {
+  await browser?.close();
+  if (scratch) await rm(scratch, { recursive: true });
+});
+
+const shownIds = (page) => page.locator('#class tbody tr:not([hidden]) th').allTextContents();
+const column = (page, number) => page.locator(`#class tbody tr:not([hidden]) > :nth-child(${number})`).allTextContents();
+const heading = (page, name) => page.getByRole('columnheader', { name, exact: true });
+const panel = (page) => page.locator('dialog[open]');
+
+test('every student is in the table, those with markup for a name too, as text', async () => {
+  const seen = await open(browser, report.url);
+  const ids = await shownIds(seen.page);
+  assert.equal(ids.length, report.count);
+  assert.ok(ids.includes(hostileId));
+  assert.equal(await seen.page.locator('img').count(), 0);
+  await seen.page.getByRole('link', { name: hostileId, exact: true }).first().click();
+  const sheet = await panel(seen.page).textContent();
+  assert.ok(sheet.includes(hostileOutput), 'what the program said');
+  assert.ok(sheet.includes('</pre><img src=y>'), 'what the compiler said');
+  await seen.close();
+});
+
+test('a heading sorts by its column, and once more the other way round', async () => {
+  const seen = await open(browser, report.url);
+  const points = async () => (await column(seen.page, 13)).map(Number);
+  const given = await shownIds(seen.page);
+  await heading(seen.page, 'Points').getByRole('button').click();
+  assert.equal(await heading(seen.page, 'Points').getAttribute('aria-sort'), 'ascending');
+  const ascending = await points();
+  assert.ok(new Set(ascending).size > 5);
+  assert.deepEqual(ascending, [...ascending].sort((a, b) => a - b));
+  await heading(seen.page, 'Points').getByRole('button').click();
+  assert.equal(await heading(seen.page, 'Points').getAttribute('aria-sort'), 'descending');
+  assert.deepEqual(await points(), [...ascending].reverse().sort((a, b) => b - a));
+  await heading(seen.page, 'Id').getByRole('button').click();
+  assert.equal(await heading(seen.page, 'Points').getAttribute('aria-sort'), null);
+  const ids = await shownIds(seen.page);
+  assert.deepEqual([...ids].sort(), [...given].sort(), 'nobody is lost');
+  assert.ok(ids.indexOf('s02') < ids.indexOf('s10'));
+  assert.ok(ids.indexOf('ada') < ids.indexOf('zoë'));
+  await seen.close();
+});
+
+test('the filters narrow the table, together, and say how many are left', async () => {
+  const seen = await open(browser, report.url);
+  const { page } = seen;
+  await page.getByLabel('Find').fill('ZO');
+  assert.deepEqual(await shownIds(page), ['zoë']);
+  assert.equal(await page.getByRole('status').textContent(), `1 of ${report.count} shown`);
+  await page.getByLabel('Find').fill('');
+  await page.getByLabel('Outcome').selectOption('compile_error');
+  assert.deepEqual(await shownIds(page), ['mateo', 's13']);
+  await page.getByLabel('Outcome').selectOption('');
+  await page.getByLabel('Lost points in').selectOption('5');
+  const lost = await column(page, 7);
+  assert.ok(lost.length > 2 && lost.length < report.count);
+  assert.ok(lost.every((points) => Number(points) < 10), lost.join());
+  await page.getByLabel('only flagged').check();
+  assert.deepEqual(await shownIds(page), []);
+  await page.getByLabel('only flagged').uncheck();
+  await page.getByLabel('Lost points in').selectOption('');
+  assert.equal((await shownIds(page)).length, report.count);
+  await seen.close();
+});
+
+test('a student opens in a panel: printed beside asked, the picture, and the next one', async () => {
+  const seen = await open(browser, report.url);
+  const { page } = seen;
+  await page.locator('#class').getByRole('link', { name: 'ben', exact: true }).click();
+  assert.equal(await panel(page).getByRole('heading', { level: 3 }).textContent(), 'ben');
+  const row = panel(page).locator('tr', { hasText: '3.41421' }).first();
+  assert.match(await row.textContent(), /^t3\.41421 line 230\.585786wrong0 of 1\.67$/);
+  assert.ok((await panel(page).textContent()).includes('Look at question 6 first'));
+  assert.ok(await panel(page).locator('figure svg').isVisible());
+  await page.getByRole('button', { name: 'Next' }).click();
+  assert.equal(await panel(page).getByRole('heading', { level: 3 }).textContent(), 'carla');
+  assert.equal(await panel(page).locator('article').count(), 1, 'ben is back in his place');
+  await page.getByRole('button', { name: 'Close' }).click();
+  assert.equal(await panel(page).count(), 0);
+  assert.equal(await page.locator('#each article').count(), report.count);
+  await seen.close();
+});
+
+test('all of it works by the keyboard alone', async () => {
+  const seen = await open(browser, report.url);
+  const { page } = seen;
+  const focused = () => page.evaluate(() => document.activeElement.textContent || document.activeElement.id);
+  const tabTo = async (what) => {
+    for (let i = 0; i < 400; ++i) {
+      await page.keyboard.press('Tab');
+      if ((await focused()) === what) return;
+    }
+    assert.fail(`Tab never came to ${what}`);
+  };
+  await tabTo('find');
+  await page.keyboard.type('s0');
+  assert.equal((await shownIds(page)).length, 9);
+  await tabTo('Points');
+  await page.keyboard.press('Enter');
+  assert.equal(await heading(page, 'Points').getAttribute('aria-sort'), 'ascending');
+  const [first, second] = await shownIds(page);
+  await tabTo(first);
+  await page.keyboard.press('Enter');
+  assert.equal(await panel(page).getByRole('heading', { level: 3 }).textContent(), first);
+  await tabTo('Next →');
+  await page.keyboard.press('Enter');
+  assert.equal(await panel(page).getByRole('heading', { level: 3 }).textContent(), second);
+  await page.keyboard.press('Escape');
+  assert.equal(await panel(page).count(), 0);
+  assert.equal(await focused(), second, 'back in the table where one was');
+  await seen.close();
+});
+
+test('who made the same mistake is named with it', async () => {
+  const seen = await open(browser, report.url);
+  const group = seen.page.locator('#m3 li', { hasText: 'matrix transposed' });
+  assert.ok((await group.textContent()).includes('ivan, s20'));
+  await group.getByRole('link', { name: 's20' }).click();
+  assert.equal(await panel(seen.page).getByRole('heading', { level: 3 }).textContent(), 's20');
+  await seen.close();
+});
+
+for (const dark of [false, true]) {
+  for (const width of [400, 1400]) {
+    const name = `report-${width}-${dark ? 'dark' : 'light'}`;
+    test(`${name}: accessible, and it fits`, async () => {
+      const seen = await open(browser, report.url, { width, dark });
+      await expectAccessible(seen.page);
+      await expectNoOverflow(seen.page);
+      await screenshot(seen.page, name);
+      await seen.page.locator('#class').getByRole('link', { name: 's09', exact: true }).click();
+      await expectAccessible(seen.page, `${name}, with a student open`);
+      await expectNoOverflow(seen.page);
+      await screenshot(seen.page, `${name}-student`, { whole: false });
+      await seen.close();
+    });
+  }
+}
+
+test('without its script it says the same', async () => {
+  const seen = await open(browser, report.url, { script: false });
+  const { page } = seen;
+  assert.equal(await page.locator('#class tbody tr').count(), report.count);
+  assert.equal(await page.locator('#filter').isVisible(), false, 'no controls that do nothing');
+  const ben = page.locator('#each details', { hasText: 'far root' }).first();
+  assert.equal(await ben.locator('article').isVisible(), false);
+  await ben.locator('summary').first().click();
+  assert.ok(await ben.locator('article').isVisible());
+  await expectNoOverflow(page);
+  await seen.close();
+});
+
+test('on paper the controls are gone, and those are there in full whom the table shows', async () => {
+  const seen = await open(browser, report.url, { width: 800 });
+  const { page } = seen;
+  await page.getByLabel('Find').fill('s0');
+  await page.getByRole('button', { name: 'Show these in full' }).click();
+  await page.emulateMedia({ media: 'print' });
+  assert.equal(await page.locator('#filter').isVisible(), false);
+  assert.equal(await page.locator('#each article:visible').count(), 9);
+  assert.ok(await page.locator('#class').isVisible());
+  await expectNoOverflow(page);
+  await screenshot(page, 'report-paper');
+  const pdf = await page.pdf({ format: 'A4' });
+  assert.ok((pdf.toString('latin1').match(/\/Type \/Page\b/g) ?? []).length >= 10, 'each of the nine on a page of its own');
+  await seen.close();
+});
+
+test('on paper a student who is open is all there is', async () => {
+  const seen = await open(browser, `${report.url}#s3`, { width: 800 });
+  await seen.page.emulateMedia({ media: 'print' });
+  assert.ok(await seen.page.locator('#s3').isVisible());
+  assert.equal(await seen.page.locator('main').isVisible(), false);
+  await screenshot(seen.page, 'report-paper-student');
+  await seen.close();
+});
+
+test('of a thousand it is small enough, and works', async () => {
+  // But for those that only their limits end: each takes its time.
+  const endless = ['hostile', 'oskar', 'quentin', 's07', 's19', 'nadia'];
+  const names = (await readdir(path.join(project, 'submissions'))).filter((name) => !endless.includes(name)).sort();
+  const many = path.join(scratch, 'thousand');
+  for (let i = 0; i < 1000; ++i) {
+    const name = names[i % names.length];
+    const to = path.join(many, `${name}-${i}`);
+    await mkdir(to, { recursive: true });
+    await cp(path.join(project, 'submissions', name, 'ray_cast.cpp'), path.join(to, 'ray_cast.cpp'));
+  }
+  const out = path.join(scratch, 'results-1000');
+  const { status, stderr } = await raygrade('grade', many, '--assignment', 'a6-2021', '--out', out);
+  assert.equal(status, 0, stderr);
+  const file = path.join(out, 'report.html');
+  assert.ok((await stat(file)).size < 15e6);
+  const seen = await open(browser, pathToFileURL(file).href);
+  await seen.page.getByLabel('Find').fill('-999');
+  assert.equal((await shownIds(seen.page)).length, 1);
+  await seen.page.locator('#class tbody tr:not([hidden]) a').click();
+  assert.ok(await panel(seen.page).isVisible());
+  await seen.close();
+});

@@ -1,0 +1,106 @@
+// The page a student gets, as feedback of a class and of a check of one's own.
+import assert from 'node:assert/strict';
+import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+
+import { expectAccessible, expectNoOverflow, folder, open, raygrade, screenshot, startBrowser } from './browser.js';
+
+const project = fileURLToPath(new URL('../..', import.meta.url));
+const sample = (who) => path.join(project, 'submissions', who, 'ray_cast.cpp');
+
+let browser;
+let scratch;
+
+before(async () => {
+  browser = await startBrowser();
+  scratch = await mkdtemp(path.join(folder, 'student-'));
+});
+
+after(async () => {
+  await browser?.close();
+  if (scratch) await rm(scratch, { recursive: true });
+});
+
+/** The page of a check; its address. */
+async function check(source, name) {
+  const file = path.join(scratch, `${name}.html`);
+  const { status, stderr } = await raygrade('check', source, '--assignment', 'a6-2021', '--html', file);
+  assert.equal(status, 0, stderr);
+  return pathToFileURL(file).href;
+}
+
+test('it says where to begin, and the link leads there', async () => {
+  const seen = await open(browser, await check(sample('jin'), 'jin'));
+  const { page } = seen;
+  const link = page.getByRole('link', { name: 'Look at question 1 first' });
+  await link.focus();
+  await page.keyboard.press('Enter');
+  assert.match(page.url(), /#q1$/);
+  const first = await page.locator('#q1').textContent();
+  assert.ok(first.includes('look here first') && first.includes('integer division'));
+  assert.ok((await page.locator('#q4').textContent()).includes('it follows from question 1'));
+  assert.equal(await page.locator('#q2').count(), 0, 'nothing to say of what is right');
+  assert.ok(await page.locator('figure svg').isVisible());
+  await seen.close();
+});
+
+test('what the compiler said is there by line and word for word', async () => {
+  const seen = await open(browser, await check(sample('mateo'), 'mateo'));
+  const { page } = seen;
+  assert.match(await page.locator('.lines li').first().textContent(), /^Line 19 error expected/);
+  assert.equal(await page.locator('pre').isVisible(), false);
+  await page.getByText('Word for word').click();
+  assert.match(await page.locator('pre').textContent(), /ray_cast\.cpp:19:/);
+  await seen.close();
+});
+
+test('markup that a program prints is text', async () => {
+  const source = path.join(scratch, 'ray_cast.cpp');
+  const evil = '</code><script>alert(1)</script><img src=x onerror=alert(2)>';
+  await writeFile(source, `#include <cstdio>\nint main() { std::puts("Question 5:\\nV = ${evil}"); std::fputs("${evil}", stderr); }`);
+  const seen = await open(browser, await check(source, 'evil'));
+  assert.ok((await seen.page.locator('main').textContent()).split(evil).length > 1);
+  assert.equal(await seen.page.locator('img, script').count(), 0);
+  await seen.close();
+});
+
+test('a file that is no page of ours is left alone, a page is replaced', async () => {
+  const file = path.join(scratch, 'mine.html');
+  await writeFile(file, '<!DOCTYPE html>\n<p>My own page.');
+  const refused = await raygrade('check', sample('ada'), '--assignment', 'a6-2021', '--html', file);
+  assert.equal(refused.status, 2);
+  assert.match(refused.stderr, /mine\.html: is there already and is no page of raygrade's/);
+  assert.equal(await readFile(file, 'utf8'), '<!DOCTYPE html>\n<p>My own page.');
+  const first = await readFile(fileURLToPath(await check(sample('ada'), 'again')), 'utf8');
+  const second = await readFile(fileURLToPath(await check(sample('ben'), 'again')), 'utf8');
+  assert.notEqual(first, second);
+});
+
+for (const who of ['jin', 'nadia', 'mateo', 'ada']) {
+  for (const dark of [false, true]) {
+    for (const width of [400, 1400]) {
+      const name = `student-${who}-${width}-${dark ? 'dark' : 'light'}`;
+      test(`${name}: accessible, and it fits`, async () => {
+        const seen = await open(browser, await check(sample(who), name), { width, dark });
+        await expectAccessible(seen.page);
+        await expectNoOverflow(seen.page);
+        await screenshot(seen.page, name);
+        await seen.close();
+      });
+    }
+  }
+}
+
+test('on paper it is dark on light, and fits', async () => {
+  const seen = await open(browser, await check(sample('jin'), 'paper'), { width: 800, dark: true, print: true });
+  const colours = await seen.page.evaluate(() => {
+    const { backgroundColor, color } = getComputedStyle(document.body);
+    return [backgroundColor, color];
+  });
+  assert.deepEqual(colours, ['rgb(255, 255, 255)', 'rgb(34, 34, 34)']);
+  await expectNoOverflow(seen.page);
+  await screenshot(seen.page, 'student-paper');
+  await seen.close();
+});

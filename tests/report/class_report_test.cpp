@@ -1,0 +1,133 @@
+#include "harness/report/class_report.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "tests/report/graded_samples.h"
+#include "tests/report/read_page.h"
+#include "tests/student/printout.h"
+
+namespace harness::report {
+namespace {
+
+using namespace report_samples;
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+std::string report_of(const std::vector<Graded>& graded) {
+    std::ostringstream page;
+    write_class_report(page, graded, marking(), Tier::bwrap);
+    return page.str();
+}
+
+std::string right_output() {
+    return print(student::Program(marking().assignment, {}));
+}
+
+Graded with_name(Graded graded, const std::string& name, bool late) {
+    graded.submission.lms = LmsName{};
+    graded.submission.lms->student = name;
+    graded.submission.lms->late = late;
+    return graded;
+}
+
+TEST(ClassReport, IsReadWithoutComplaint) {
+    Graded one = graded("ada", output_with_a_mistake());
+    one.build.diagnostics = "ray_cast.cpp:3:5: warning: unused variable 'x'\n";
+    one.run.errors = "oops\n";
+    one.sanitizer = {"ray_cast.cpp:7:9: runtime error: division by zero"};
+    for (const auto& graded : std::vector<std::vector<Graded>>{
+             {one, hostile(), not_graded("bob"), graded("nil", "")}, {not_graded("bob")}, {}}) {
+        const json page = read_page(report_of(graded));
+        EXPECT_THAT(page.at("problems"), IsEmpty()) << page;
+        EXPECT_EQ(page.at("sheets").size(), graded.size());
+        EXPECT_EQ(page.at("rows").size(), graded.size() + 1);
+    }
+}
+
+TEST(ClassReport, HasARowForEachWithPointsByQuestion) {
+    const Graded ada = with_name(graded("ada_7", output_with_a_mistake()), "Ada Ó Briain", true);
+    const json rows = read_page(report_of({ada, not_graded("bob")})).at("rows");
+    EXPECT_THAT(rows[0], ElementsAre("Id", "Name", "Late", "Outcome", "Q1", "Q2", "Q3", "Q4", "Q5", "Q6", "Q7", "Q8",
+                                     "Q9", "Q10", "Points", "Flags"));
+    EXPECT_THAT(rows[1], ElementsAre("ada_7", "Ada Ó Briain", "late", "graded", "10", "10", "10", "10", "10", "8.33",
+                                     "10", "10", "10", "10", "98.33", ""));
+    EXPECT_EQ(rows[2][3], "not graded");
+    EXPECT_EQ(rows[2][14], "–");
+}
+
+TEST(ClassReport, SetsWhatWasPrintedAgainstWhatWasAsked) {
+    const json page = read_page(report_of({graded("ada", wrong_everywhere())}));
+    const std::string sheet = page.at("sheets").at("s1");
+    EXPECT_THAT(sheet, HasSubstr("70.25"));
+    std::size_t found = 0;
+    const std::vector<std::string> traces = traces_of_key();
+    for (const std::string& trace : traces) found += sheet.find(trace) != std::string::npos ? 1 : 0;
+    EXPECT_GT(found, traces.size() / 2);
+    EXPECT_THAT(sheet, HasSubstr("Off by "));
+}
+
+TEST(ClassReport, ShowsTheAutomaticMarkBesideAnOverride) {
+    Graded ada = graded("ada", output_with_a_mistake());
+    ada.overrides = {{6, "t", 0.5, "half right", "prof", "2026-11-22T09:30:00Z"},
+                     {6, "t", 1, "a <good> idea", "prof", "2026-11-22T09:40:00Z"}};
+    const json page = read_page(report_of({ada}));
+    EXPECT_EQ(page.at("rows")[1][12], "99.33");
+    EXPECT_EQ(page.at("rows")[1][13], "override");
+    const std::string sheet = page.at("sheets").at("s1");
+    EXPECT_THAT(sheet, HasSubstr("Override: 1 points for question 6, t, by prof, 2026-11-22T09:40:00Z: a <good> idea"));
+    EXPECT_THAT(sheet, HasSubstr("half right (a later one counts)"));
+    EXPECT_THAT(sheet, HasSubstr("Marked automatically: 98.33 of 100 points."));
+    EXPECT_THAT(sheet, HasSubstr("wrong0 1 of 1.67"));
+}
+
+TEST(ClassReport, GathersWhoMadeTheSameMistake) {
+    const json page = read_page(report_of({graded("ada", output_with_a_mistake()), graded("bob", right_output()),
+                                           graded("cem", output_with_a_mistake()), graded("dan", wrong_everywhere())}));
+    EXPECT_THAT(page.at("text"), HasSubstr("2 students, question 6, t: far root. That is the far root"));
+    EXPECT_THAT(page.at("text"), HasSubstr("is asked for. ada, cem"));
+    EXPECT_THAT(page.at("text"), HasSubstr("Off in 2 more programs, but only because of earlier answers."));
+}
+
+TEST(ClassReport, ShowsHostileTextAsText) {
+    Graded evil = with_name(hostile(), "</td><script>alert(1)</script>", false);
+    evil.submission.id = "\"><svg onload=alert(1)>";
+    evil.flags = {{"<i>kind</i>", "</article><b>"}};
+    const json page = read_page(report_of({evil}));
+    EXPECT_THAT(page.at("problems"), IsEmpty()) << page;
+    EXPECT_EQ(page.at("rows")[1][0], "\"><svg onload=alert(1)>");
+    EXPECT_EQ(page.at("rows")[1][1], "</td><script>alert(1)</script>");
+    EXPECT_EQ(page.at("counts").at("script"), 1) << "ours";
+    EXPECT_FALSE(page.at("counts").contains("b"));
+    EXPECT_FALSE(page.at("counts").contains("i"));
+    EXPECT_THAT(page.at("sheets").at("s1"), HasSubstr("<i>kind</i>: </article><b>"));
+}
+
+TEST(ClassReport, OfAThousandIsSmallEnoughToOpen) {
+    std::vector<Graded> graded;
+    Graded one = report_samples::graded("student", wrong_everywhere());
+    one.build.diagnostics = std::string(60000, '<');
+    one.run.errors = std::string(60000, '&');
+    for (int i = 0; i < 100; ++i) graded.push_back(one);
+    for (int i = 0; i < 900; ++i) {
+        graded.push_back(
+            report_samples::graded(fmt::format("s{}", i), i % 3 == 0 ? output_with_a_mistake() : right_output()));
+    }
+    EXPECT_LT(report_of(graded).size(), 15'000'000U);
+}
+
+TEST(ClassReport, SaysThatThereWasNoSandbox) {
+    std::ostringstream page;
+    write_class_report(page, {graded("ada", right_output())}, marking(), Tier::unsafe);
+    EXPECT_THAT(read_page(page.str()).at("text"), HasSubstr("Warning. "));
+    EXPECT_THAT(read_page(report_of({graded("ada", right_output())})).at("text"), Not(HasSubstr("Warning. ")));
+}
+
+}  // namespace
+}  // namespace harness::report

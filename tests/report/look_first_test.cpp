@@ -1,0 +1,60 @@
+#include "harness/report/look_first.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace harness::report {
+namespace {
+
+constexpr auto right = ItemVerdict::right, follow = ItemVerdict::follow, wrong = ItemVerdict::wrong,
+               missing = ItemVerdict::missing, unreadable = ItemVerdict::unreadable;
+
+/// Questions 1, 2, … with these verdicts of their items.
+Graded with(const std::vector<std::vector<ItemVerdict>>& questions, Outcome outcome = Outcome::graded) {
+    Graded graded;
+    graded.outcome = outcome;
+    for (const auto& verdicts : questions) {
+        QuestionScore question;
+        question.number = static_cast<int>(graded.score.questions.size()) + 1;
+        for (const ItemVerdict verdict : verdicts) {
+            question.items.emplace_back();
+            question.items.back().verdict = verdict;
+        }
+        graded.score.questions.push_back(std::move(question));
+    }
+    return graded;
+}
+
+TEST(LookFirst, IsTheEarliestWrongQuestionAndTellsWhatFollows) {
+    EXPECT_EQ(look_first_sentence(with({{right}, {right, wrong}, {follow}, {right, follow}, {wrong}, {follow}})),
+              "Look at question 2 first: it is the earliest with a wrong answer. Questions 3, 4 and 6 only follow from "
+              "earlier answers and have no mistake of their own.");
+}
+
+TEST(LookFirst, NamesTheOneMistakeThatOthersFollowFrom) {
+    EXPECT_EQ(look_first_sentence(with({{wrong}, {follow}})),
+              "Look at question 1 first: it is the one with a wrong answer. Question 2 only follows from it and has no "
+              "mistake of its own.");
+}
+
+TEST(LookFirst, PutsAWrongAnswerBeforeOneThatIsOnlyMissing) {
+    EXPECT_EQ(look_first(with({{missing}, {right}, {unreadable}}))->question, 3);
+    EXPECT_EQ(look_first_sentence(with({{right}, {missing}, {missing}})),
+              "Look at question 2 first: it is the earliest with an answer missing.");
+}
+
+TEST(LookFirst, IsNotAQuestionThatFollowsInPartAndIsWrongInAnother) {
+    const auto look = look_first(with({{wrong}, {follow, wrong}, {follow, missing}}));
+    EXPECT_EQ(look->question, 1);
+    EXPECT_THAT(look->following, testing::IsEmpty());
+}
+
+TEST(LookFirst, SaysNothingWhereThereIsNothingToLookAt) {
+    EXPECT_EQ(look_first_sentence(with({{right}, {right}})), "");
+    for (const Outcome outcome : {Outcome::compile_error, Outcome::no_output, Outcome::not_graded})
+        EXPECT_EQ(look_first_sentence(with({{missing}}, outcome)), "");
+    EXPECT_NE(look_first_sentence(with({{missing}}, Outcome::crashed)), "");
+}
+
+}  // namespace
+}  // namespace harness::report

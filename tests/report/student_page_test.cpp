@@ -1,0 +1,139 @@
+#include "harness/report/student_page.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "harness/report/report.h"
+#include "tests/report/graded_samples.h"
+#include "tests/report/read_page.h"
+#include "tests/student/printout.h"
+
+namespace harness::report {
+namespace {
+
+using namespace report_samples;
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+std::string text_of(const Graded& one, const Marking& how = marking()) {
+    return read_page(student_page(one, how)).at("text");
+}
+
+TEST(StudentPage, IsReadWithoutComplaint) {
+    Graded one = graded("s01", output_with_a_mistake());
+    one.build.diagnostics = "ray_cast.cpp:3:5: warning: unused variable 'x' [-Wunused-variable]\n";
+    for (const Graded& each : {one, hostile(), not_graded("bob"), graded("nil", "")}) {
+        const std::string page = student_page(each, marking());
+        EXPECT_THAT(read_page(page).at("problems"), IsEmpty()) << each.submission.id;
+        EXPECT_EQ(xml_problems(page), "") << each.submission.id;
+    }
+}
+
+TEST(StudentPage, HasNoScript) {
+    const json page = read_page(student_page(hostile(), marking()));
+    EXPECT_FALSE(page.at("counts").contains("script"));
+    EXPECT_THAT(page.at("policy"), Not(HasSubstr("script-src")));
+}
+
+TEST(StudentPage, SaysVerdictsMistakeAndWhereToBegin) {
+    const std::string text = text_of(graded("s01", output_with_a_mistake()));
+    EXPECT_THAT(text, HasSubstr("98.33 of 100 points"));
+    EXPECT_THAT(text, HasSubstr("Look at question 6 first: it is the one with a wrong answer."));
+    EXPECT_THAT(text, HasSubstr("look here first"));
+    EXPECT_THAT(text, HasSubstr("far root of the quadratic; the smaller positive root is asked for. far root"));
+    EXPECT_THAT(text, HasSubstr("Nothing is wrong here by itself: it follows from question 6"));
+    EXPECT_THAT(text, HasSubstr("1✓, pixel in VCS: right, 10 of 10 points"));
+}
+
+TEST(StudentPage, OfARightProgramIsShort) {
+    const std::string text = text_of(graded("s01", print(student::Program(marking().assignment, {}))));
+    EXPECT_THAT(text, HasSubstr("100 of 100 points"));
+    EXPECT_THAT(text, HasSubstr("Every answer is right."));
+    EXPECT_THAT(text, Not(HasSubstr("You printed")));
+}
+
+TEST(StudentPage, NeverHoldsAnExpectedValue) {
+    const std::vector<std::string> traces = traces_of_key();
+    ASSERT_GT(traces.size(), 30U);
+    Graded one = graded("s01", wrong_everywhere());
+    one.flags = {{"nondeterministic", "Question 1: run 1 printed 1"}};
+    const std::string page = student_page(one, marking());
+    for (const std::string& trace : traces) EXPECT_THAT(page, Not(HasSubstr(trace)));
+    EXPECT_THAT(page, Not(HasSubstr("sphere first")));
+}
+
+TEST(StudentPage, HoldsTheExpectedValuesWhereTheRubricShowsThem) {
+    Marking open = marking();
+    open.assignment.rubric.show_expected = true;
+    const std::string page = student_page(graded("s01", wrong_everywhere()), open);
+    std::size_t found = 0;
+    const std::vector<std::string> traces = traces_of_key();
+    for (const std::string& trace : traces) found += page.find(trace) != std::string::npos ? 1 : 0;
+    EXPECT_GT(found, traces.size() / 2) << "six significant digits of the canonical value hold most traces";
+    EXPECT_THAT(page, HasSubstr("Asked for: "));
+}
+
+TEST(StudentPage, ShowsHostileTextAsText) {
+    Graded one = hostile();
+    one.submission.id = "<script>alert(1)</script>&amp;";
+    one.score.questions[5].items[4].printed = "\"><img src=x onerror=alert(1)> {{points}} {{{style}}}";
+    one.build.diagnostics = "ray_cast.cpp:1:1: error: </pre><b>x\x1b[2J\xff\n";
+    const std::string page = student_page(one, marking());
+    const json read = read_page(page);
+    EXPECT_THAT(read.at("problems"), IsEmpty());
+    EXPECT_THAT(read.at("text"), HasSubstr("<script>alert(1)</script>&amp;"));
+    EXPECT_THAT(read.at("text"), HasSubstr("\"><img src=x onerror=alert(1)> {{points}} {{{style}}}"));
+    EXPECT_THAT(read.at("text"), HasSubstr("</pre><b>x\\x1b[2J\\xff"));
+    EXPECT_FALSE(read.at("counts").contains("img"));
+    EXPECT_FALSE(read.at("counts").contains("b"));
+}
+
+TEST(StudentPage, NamesTheLinesTheCompilerComplainsOf) {
+    Graded one = graded("mateo", "");
+    one.outcome = Outcome::compile_error;
+    one.explanation = "The source does not compile.";
+    one.build.diagnostics =
+        "ray_cast.cpp:7:3: warning: unused\nray_cast.cpp: In function 'int main()':\nray_cast.cpp:19:24: error: "
+        "expected ';'\n";
+    const std::string text = text_of(one);
+    EXPECT_THAT(text, HasSubstr("The source does not compile. The compiler’s messages Line 19 error expected ';'"));
+    EXPECT_THAT(text, HasSubstr("Line 7 warning unused"));
+    EXPECT_THAT(text, Not(HasSubstr("By question")));
+}
+
+TEST(StudentPage, CountsWhatTheInstructorGaveAndWhatLatenessTakes) {
+    Graded one = graded("s01", output_with_a_mistake());
+    one.overrides = {{6, "t", 1, "a good <idea>", "prof", "2026-11-22T09:30:00Z"}};
+    one.late_share = 0.1;
+    const std::string text = text_of(one);
+    EXPECT_THAT(text, HasSubstr("89.4 of 100 points"));
+    EXPECT_THAT(text, HasSubstr("Your instructor gave 1 points for question 6, t: a good <idea>"));
+    EXPECT_THAT(text, HasSubstr("Handed in late: 9.93 points are taken off."));
+    EXPECT_THAT(text, HasSubstr("9.33 of 10 points"));
+    EXPECT_THAT(text, Not(HasSubstr("prof")));
+}
+
+TEST(StudentPage, SaysWhyThereAreNoMarksAndNotWhereTheInstructorKeepsIt) {
+    Graded bob = not_graded("bob");
+    bob.submission.file = "/home/prof/class/bob/ray_cast.cpp";
+    bob.submission.problem = "\"/home/prof/class/bob/ray_cast.cpp\" is a symbolic link.";
+    const std::string page = student_page(bob, marking());
+    EXPECT_THAT(read_page(page).at("text"), HasSubstr("Not graded. \"ray_cast.cpp\" is a symbolic link."));
+    EXPECT_THAT(page, Not(HasSubstr("prof")));
+    EXPECT_THAT(page, Not(HasSubstr("of 100 points")));
+}
+
+TEST(StudentPages, AreTheSameFromOneMakerAsFromMany) {
+    StudentPages pages(marking());
+    const Graded one = graded("s01", output_with_a_mistake());
+    const std::string first = pages.page(one);
+    pages.page(hostile());
+    EXPECT_EQ(pages.page(one), first);
+    EXPECT_EQ(student_page(one, marking()), first);
+}
+
+}  // namespace
+}  // namespace harness::report
