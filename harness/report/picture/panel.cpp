@@ -155,7 +155,7 @@ class Drawing {
 
     void draw_whole(const Ellipse& outline, const Point& center, double radius) {
         fills_ += ellipse_svg(outline);
-        const std::vector<Spot> spots = spots_of(outline, 24);
+        const std::vector<Spot> spots = spots_of(outline, 16);
         for (std::size_t i = 0; i < spots.size(); ++i)
             panel_.drawn.push_back({spots[i], spots[(i + 1) % spots.size()]});
         constexpr double large_enough = 14;
