@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <optional>
+
 #include "harness/report/markup.h"
 #include "harness/report/picture/image_plane.h"
 #include "harness/report/picture/layout.h"
@@ -63,7 +65,7 @@ struct BaseView {
     View view;
     std::string box;
     Panel panel;
-    Names names;  ///< of the panel, where nobody's answers are in the way
+    std::optional<Names> names;  ///< of the panel, where nobody's answers are in the way
 };
 
 std::string describe(const DoubleScene& scene, const std::vector<std::string>& notes) {
@@ -79,7 +81,8 @@ enum class Together { yes, no };
 
 /// All of it comes of the assignment, and of the key only where `with_answers`.
 struct ExplainingPictures::Base {
-    Base(const Marking& marking, bool answers, Room room);
+    /// With Together::yes the scene's own names are not placed yet.
+    Base(const Marking& marking, bool answers, Room room, Together names);
 
     bool with_answers;
     DoubleScene scene;
@@ -102,7 +105,7 @@ struct ExplainingPictures::Base {
     std::string whole(const Graded* graded, const std::string& id_prefix) const;
 };
 
-ExplainingPictures::Base::Base(const Marking& marking, bool answers, Room room)
+ExplainingPictures::Base::Base(const Marking& marking, bool answers, Room room, Together names)
     : with_answers(answers), scene(double_scene(marking.assignment)) {
     std::vector<Point> more;
     if (with_answers) {
@@ -128,9 +131,10 @@ ExplainingPictures::Base::Base(const Marking& marking, bool answers, Room room)
     for (View& view : parallel_views(scene, frame, {side_box, other_box})) looks.push_back(std::move(view));
     for (View& view : looks) {
         Panel panel = draw_panel(view, frame, sketch);
-        Names names = place_names(panel.names, view.box, panel.drawn, taken_by_box(view));
+        std::optional<Names> placed;
+        if (names == Together::no) placed = place_names(panel.names, view.box, panel.drawn, taken_by_box(view));
         std::string box = draw_box(view, frame);
-        views.push_back({std::move(view), std::move(box), std::move(panel), std::move(names)});
+        views.push_back({std::move(view), std::move(box), std::move(panel), std::move(placed)});
     }
     image_plane = draw_image_plane(scene, right.P_VCS, image_plane_box);
     names_in_plane = place_names_in(image_plane, image_plane.names, image_plane.taken);
@@ -186,16 +190,17 @@ std::string ExplainingPictures::Base::whole(const Graded* graded, const std::str
         names.insert(names.end(), panel.names.begin(), panel.names.end());
         std::vector<Segment> drawn = base.panel.drawn;
         drawn.insert(drawn.end(), panel.drawn.begin(), panel.drawn.end());
-        body += base.box + base.panel.shapes + panel.shapes +
-                (panel.names.empty() ? base.names.svg
-                                     : place_names(names, base.view.box, drawn, taken_by_box(base.view)).svg);
+        body +=
+            base.box + base.panel.shapes + panel.shapes +
+            (panel.names.empty() && base.names ? base.names->svg
+                                               : place_names(names, base.view.box, drawn, taken_by_box(base.view)).svg);
     }
     body += beside + beside_printed(own, Together::yes, told);
     return page(id_prefix, graded != nullptr, told, body);
 }
 
 ExplainingPictures::ExplainingPictures(const Marking& marking, bool with_answers, const std::string& id_prefix)
-    : base_(std::make_unique<const Base>(marking, with_answers, Room::for_mistakes)),
+    : base_(std::make_unique<const Base>(marking, with_answers, Room::for_mistakes, Together::no)),
       id_(escape_markup(id_prefix + "scene")) {}
 
 ExplainingPictures::~ExplainingPictures() = default;
@@ -204,7 +209,7 @@ ExplainingPictures& ExplainingPictures::operator=(ExplainingPictures&&) noexcept
 
 std::string ExplainingPictures::shared_part() const {
     std::string svg;
-    for (const BaseView& view : base_->views) svg += view.box + view.panel.shapes + view.names.svg;
+    for (const BaseView& view : base_->views) svg += view.box + view.panel.shapes + view.names->svg;
     return fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"0\" height=\"0\" aria-hidden=\"true\"><defs><g id=\"{}\">\n"
         "{}</g></defs></svg>\n",
@@ -220,7 +225,7 @@ std::string ExplainingPictures::picture(const Graded* graded, const std::string&
         const Panel own = draw_panel(base.view, base_->frame, printed.sketch);
         std::vector<Segment> drawn = base.panel.drawn;
         drawn.insert(drawn.end(), own.drawn.begin(), own.drawn.end());
-        body += own.shapes + place_names(own.names, base.view.box, drawn, base.names.taken).svg;
+        body += own.shapes + place_names(own.names, base.view.box, drawn, base.names->taken).svg;
     }
     body += base_->beside_printed(printed, Together::no, told);
     return base_->page(id_prefix, graded != nullptr, told, body);
@@ -233,7 +238,8 @@ std::string ExplainingPictures::whole_picture(const Graded* graded, const std::s
 std::string explaining_picture(const Marking& marking, const Graded* graded, bool with_answers,
                                const std::string& id_prefix) {
     const Room room = graded == nullptr ? Room::for_scene : Room::for_mistakes;
-    return ExplainingPictures::Base(marking, with_answers, room).whole(graded, id_prefix);
+    return ExplainingPictures::Base(marking, with_answers, room, graded == nullptr ? Together::no : Together::yes)
+        .whole(graded, id_prefix);
 }
 
 }  // namespace harness::report

@@ -57,6 +57,10 @@ bool contains(const Box& box, const Spot& spot) {
 }
 
 bool passes(const Segment& line, const Box& box) {
+    const bool is_beside = std::max(line.from.x, line.to.x) < box.left ||
+                           std::min(line.from.x, line.to.x) > box.right || std::max(line.from.y, line.to.y) < box.top ||
+                           std::min(line.from.y, line.to.y) > box.bottom;
+    if (is_beside) return false;
     return contains(box, line.from) || contains(box, line.to) ||
            cross(line, {{box.left, box.top}, {box.right, box.bottom}}) ||
            cross(line, {{box.left, box.bottom}, {box.right, box.top}});

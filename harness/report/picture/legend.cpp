@@ -61,12 +61,9 @@ KeyLines draw_key(const DoubleScene& scene, bool with_answers, const Spot& first
     if (!scene.spheres.empty()) {
         const bool one = scene.spheres.size() == 1;
         key.colour(Ink::sphere, objects("sphere", scene.spheres.size()) +
-                                    (one ? fmt::format(", R = {}", figure(scene.spheres[0].radius)) : "") +
-                                    (with_answers ? ", with P_s, N" : ""));
+                                    (one ? fmt::format(", R = {}", figure(scene.spheres[0].radius)) : ""));
     }
-    if (!scene.triangles.empty()) {
-        key.colour(Ink::triangle, objects("triangle", scene.triangles.size()) + (with_answers ? ", with P_t, N" : ""));
-    }
+    if (!scene.triangles.empty()) key.colour(Ink::triangle, objects("triangle", scene.triangles.size()));
     if (with_answers) key.mark(Ink::camera, Mark::ring, "not hit by the ray");
     return {key.svg(), key.next()};
 }

@@ -1,0 +1,179 @@
+#include "tests/report/drawn.h"
+
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <cstdlib>
+
+#include "harness/report/markup.h"
+
+namespace drawn {
+namespace {
+
+/// A tag, with what stands behind it up to the next one.
+struct Element {
+    std::string tag;  ///< without its angle brackets
+    std::string content;
+};
+
+std::vector<Element> elements_of(const std::string& svg) {
+    std::vector<Element> elements;
+    for (std::size_t at = svg.find('<'); at != std::string::npos;) {
+        const std::size_t end = svg.find('>', at);
+        const std::size_t next = svg.find('<', end);
+        elements.push_back({svg.substr(at + 1, end - at - 1), svg.substr(end + 1, next - end - 1)});
+        at = next;
+    }
+    return elements;
+}
+
+bool has_attribute(const std::string& tag, const std::string& name) {
+    return tag.find(' ' + name + "=\"") != std::string::npos;
+}
+
+std::string attribute(const std::string& tag, const std::string& name) {
+    const std::string start = ' ' + name + "=\"";
+    const std::size_t at = tag.find(start);
+    if (at == std::string::npos) return "";
+    return tag.substr(at + start.size(), tag.find('"', at + start.size()) - at - start.size());
+}
+
+double number(const std::string& tag, const std::string& name) {
+    return std::strtod(attribute(tag, name).c_str(), nullptr);
+}
+
+/// A number of path data ends where the next begins, also without a blank: at a minus, or at a second point.
+std::vector<double> numbers_of(const std::string& text) {
+    std::vector<double> numbers;
+    for (std::size_t at = 0; at < text.size();) {
+        if (text[at] == ' ' || text[at] == ',') {
+            ++at;
+            continue;
+        }
+        std::size_t end = at + (text[at] == '-' ? 1 : 0);
+        bool point = false;
+        for (; end < text.size(); ++end) {
+            const bool digit = std::isdigit(static_cast<unsigned char>(text[end])) != 0;
+            if (!digit && (text[end] != '.' || point)) break;
+            point = point || !digit;
+        }
+        if (end == at) {
+            ADD_FAILURE() << "no number: " << text;
+            break;
+        }
+        numbers.push_back(std::strtod(text.substr(at, end - at).c_str(), nullptr));
+        at = end;
+    }
+    return numbers;
+}
+
+class Pen {
+  public:
+    void command(char letter, const std::vector<double>& numbers) {
+        const bool relative = std::islower(static_cast<unsigned char>(letter)) != 0;
+        const char kind = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+        const std::size_t size = kind == 'A' ? 7 : kind == 'Q' ? 4 : kind == 'H' || kind == 'V' ? 1 : 2;
+        if (kind == 'Z') return;
+        if (std::string("MLHVQA").find(kind) == std::string::npos || numbers.empty() || numbers.size() % size != 0) {
+            ADD_FAILURE() << "a path with " << letter << " and " << numbers.size() << " numbers";
+            return;
+        }
+        for (std::size_t i = 0; i < numbers.size(); i += size) {
+            const Spot from = relative ? at_ : Spot{};
+            if (kind == 'Q') spots_.push_back({from.x + numbers[i], from.y + numbers[i + 1]});
+            const double x = kind == 'V' ? at_.x : from.x + numbers[i + (kind == 'Q' || kind == 'A' ? size - 2 : 0)];
+            const double y = kind == 'H' ? at_.y : from.y + numbers[i + size - 1];
+            at_ = {x, y};
+            spots_.push_back(at_);
+        }
+    }
+    const std::vector<Spot>& spots() const { return spots_; }
+
+  private:
+    Spot at_;
+    std::vector<Spot> spots_;
+};
+
+std::vector<Spot> spots_of_path(const std::string& data) {
+    Pen pen;
+    for (std::size_t at = 0; at < data.size();) {
+        std::size_t end = at + 1;
+        while (end < data.size() && std::isalpha(static_cast<unsigned char>(data[end])) == 0) ++end;
+        pen.command(data[at], numbers_of(data.substr(at + 1, end - at - 1)));
+        at = end;
+    }
+    return pen.spots();
+}
+
+}  // namespace
+
+std::vector<Text> texts_in(const std::string& svg) {
+    std::vector<std::string> groups;  // sizes and anchors are inherited from one
+    std::vector<Text> texts;
+    for (const Element& element : elements_of(svg)) {
+        if (element.tag == "g" || element.tag.starts_with("g ")) groups.push_back(element.tag);
+        if (element.tag == "/g" && !groups.empty()) groups.pop_back();
+        if (!element.tag.starts_with("text")) continue;
+        std::string looks = element.tag + (groups.empty() ? "" : groups.back());
+        const double size = has_attribute(looks, "font-size") ? number(looks, "font-size") : 12;
+        const double width = harness::report::text_width(element.content, size);
+        const std::string anchor = attribute(looks, "text-anchor");
+        const double left = number(looks, "x") - (anchor == "middle" ? 0.5 : anchor == "end" ? 1 : 0) * width;
+        const double y = number(looks, "y");
+        texts.push_back({element.content, left, y - 0.75 * size, left + width, y + 0.2 * size});
+    }
+    return texts;
+}
+
+bool has_text(const std::string& svg, const std::string& words) {
+    for (const Text& text : texts_in(svg)) {
+        if (text.words == words) return true;
+    }
+    return false;
+}
+
+bool has_name(const std::string& svg, const std::string& name) {
+    for (const Text& text : texts_in(svg)) {
+        if ((", " + text.words + ", ").find(", " + name + ", ") != std::string::npos) return true;
+    }
+    return false;
+}
+
+std::vector<Spot> spots_in(const std::string& svg) {
+    std::vector<Spot> spots;
+    for (const Element& element : elements_of(svg)) {
+        const std::string& tag = element.tag;
+        if (tag.starts_with("path ")) {
+            for (const Spot& spot : spots_of_path(attribute(tag, "d"))) spots.push_back(spot);
+        } else if (tag.starts_with("rect ")) {
+            const Spot corner{number(tag, "x"), number(tag, "y")};
+            spots.push_back(corner);
+            spots.push_back({corner.x + number(tag, "width"), corner.y + number(tag, "height")});
+        } else if (tag.starts_with("circle ") || tag.starts_with("ellipse ")) {
+            spots.push_back({number(tag, "cx"), number(tag, "cy")});
+        }
+    }
+    return spots;
+}
+
+std::vector<Spot> dots_in(const std::string& svg, const std::string& colour) {
+    std::vector<Spot> result;
+    for (const Element& element : elements_of(svg)) {
+        const std::string& tag = element.tag;
+        if (!tag.starts_with("path ") || attribute(tag, "stroke") != colour || attribute(tag, "stroke-width") != "6")
+            continue;
+        const std::vector<Spot> spots = spots_of_path(attribute(tag, "d"));
+        for (std::size_t i = 0; i < spots.size(); i += 2) result.push_back(spots[i]);
+    }
+    return result;
+}
+
+double width_of(const std::string& svg) {
+    return number(svg.substr(0, svg.find('>')), "width");
+}
+
+double height_of(const std::string& svg) {
+    return number(svg.substr(0, svg.find('>')), "height");
+}
+
+}  // namespace drawn

@@ -1,0 +1,234 @@
+// What is to be seen in an explaining picture, read from its SVG.
+#include "harness/report/explaining_picture.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "tests/report/drawn.h"
+#include "tests/report/picture_scenes.h"
+#include "tests/temporary_folder.h"
+
+namespace {
+
+using namespace harness;
+using namespace harness::report;
+using picture_scenes::hard_scenes;
+using picture_scenes::marking_of;
+using picture_scenes::Named;
+using picture_scenes::random_marking;
+using testing::HasSubstr;
+
+constexpr int random_scenes = 30;
+
+std::string picture(const Marking& marking, bool with_answers = true) {
+    return explaining_picture(marking, nullptr, with_answers, "p-");
+}
+
+std::string picture_of(const Marking& marking, const std::string& output, bool with_answers = true) {
+    const Graded graded = picture_scenes::graded(output, marking);
+    return explaining_picture(marking, &graded, with_answers, "p-");
+}
+
+struct Picture {
+    std::string name;
+    std::string svg;
+};
+
+std::vector<Picture> make_all_pictures() {
+    std::vector<Picture> pictures;
+    std::uint64_t seed = 1;
+    const auto four = [&](const Marking& marking, const std::string& name) {
+        for (const bool with_answers : {true, false}) {
+            const std::string full = name + (with_answers ? ", with answers" : ", without answers");
+            pictures.push_back({full, picture(marking, with_answers)});
+            pictures.push_back({full + ", printed",
+                                picture_of(marking, picture_scenes::random_output(++seed, marking), with_answers)});
+        }
+    };
+    for (const Named& scene : hard_scenes()) four(marking_of(scene), scene.name);
+    for (int i = 0; i < random_scenes; ++i)
+        four(random_marking(static_cast<std::uint64_t>(i)), fmt::format("seed {}", i));
+    return pictures;
+}
+
+const std::vector<Picture>& all_pictures() {
+    static const std::vector<Picture> pictures = make_all_pictures();
+    return pictures;
+}
+
+/// Calls `test` with pictures of hard scenes and random ones, with and without answers and mistakes.
+template <class Test>
+void for_all_pictures(Test test) {
+    for (const Picture& each : all_pictures()) {
+        SCOPED_TRACE(each.name);
+        test(each.svg);
+    }
+}
+
+bool has(const std::string& svg, const std::string& words) {
+    return svg.find(words) != std::string::npos;
+}
+
+bool overlap(const drawn::Text& one, const drawn::Text& other) {
+    return one.left < other.right && other.left < one.right && one.top < other.bottom && other.top < one.bottom;
+}
+
+void expect_texts_apart(const std::string& svg) {
+    const auto texts = drawn::texts_in(svg);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        EXPECT_GE(texts[i].left, 0) << texts[i].words;
+        EXPECT_LE(texts[i].right, drawn::width_of(svg)) << texts[i].words;
+        EXPECT_GE(texts[i].top, 0) << texts[i].words;
+        EXPECT_LE(texts[i].bottom, drawn::height_of(svg)) << texts[i].words;
+        for (std::size_t j = 0; j < i; ++j)
+            EXPECT_FALSE(overlap(texts[i], texts[j])) << texts[i].words << " over " << texts[j].words;
+    }
+}
+
+TEST(ExplainingPicture, KeepsWordsApartAndOnThePage) {
+    for_all_pictures(expect_texts_apart);
+}
+
+TEST(ExplainingPicture, DrawsNothingOffThePage) {
+    for_all_pictures([](const std::string& svg) {
+        const auto spots = drawn::spots_in(svg);
+        EXPECT_GT(spots.size(), 40U);
+        for (const drawn::Spot& spot : spots) {
+            EXPECT_TRUE(spot.x >= 0 && spot.x <= drawn::width_of(svg) && spot.y >= 0 && spot.y <= drawn::height_of(svg))
+                << spot.x << ' ' << spot.y;
+        }
+    });
+}
+
+// Attributes hold no other letters next to their numbers; texts may well say what was printed.
+TEST(ExplainingPicture, HoldsNoNumberThatIsNone) {
+    for_all_pictures([](std::string svg) {
+        for (std::size_t at = svg.find("<text"); at != std::string::npos; at = svg.find("<text", at))
+            svg.erase(at, svg.find("</text>", at) - at + 7);
+        svg.erase(svg.find("<desc"), svg.find("</desc>") - svg.find("<desc"));
+        for (const char* none : {"nan", "NaN", "inf", "0e", "1e", "2e", "5e"}) EXPECT_FALSE(has(svg, none)) << none;
+    });
+}
+
+TEST(ExplainingPicture, IsWellFormed) {
+    const TemporaryFolder folder;
+    int count = 0;
+    std::string files;
+    for_all_pictures(
+        [&](const std::string& svg) { files += ' ' + folder.write(fmt::format("{}.svg", ++count), svg).string(); });
+    ASSERT_GT(count, 200);
+    EXPECT_EQ(std::system(("xmllint --noout --nonet" + files).c_str()), 0);
+}
+
+TEST(ExplainingPicture, IsSafeUnderAnyPolicyAndLoadsNothing) {
+    for_all_pictures([](const std::string& svg) {
+        for (const char* word : {"style", "<script", "<image", "<foreignObject", "url(", "onload", "<a "})
+            EXPECT_FALSE(has(svg, word)) << word;
+        EXPECT_FALSE(has(svg, "href"));
+    });
+}
+
+TEST(ExplainingPicture, StaysSmall) {
+    for (const char* name : {"2021", "ones", "thousandths", "millions", "tangent", "floor", "z is up", "down"}) {
+        const Marking marking = marking_of(name);
+        EXPECT_LT(picture(marking).size(), 12U << 10U) << name;
+        EXPECT_LT(picture(marking, false).size(), 8U << 10U) << name;
+    }
+    for_all_pictures([](const std::string& svg) { EXPECT_LT(svg.size(), 20U << 10U); });
+}
+
+TEST(ExplainingPicture, NamesEverythingAsTheHandoutDoes) {
+    const std::string svg = picture(marking_of("ones"));
+    for (const char* name : {"eye", "lookat", "vup", "X_vcs", "Y_vcs", "Z_vcs", "P_VCS", "P_WCS", "V", "P_s", "P_t",
+                             "A", "B", "C", "N at P_s", "N at P_t"})
+        EXPECT_TRUE(drawn::has_name(svg, name)) << name;
+    for (const char* text : {"In perspective", "From the side", "From above", "clipLeft -2", "clipRight 2",
+                             "clipBottom -1", "clipTop 1", "P_DCS (140 90)", "W x H = 301 x 201", "ray P = P_WCS + tV"})
+        EXPECT_TRUE(drawn::has_text(svg, text)) << text;
+}
+
+TEST(ExplainingPicture, IsToldToWhoCannotSeeIt) {
+    const std::string svg = picture(marking_of("2021"));
+    EXPECT_THAT(svg, HasSubstr("role=\"img\" aria-labelledby=\"p-t p-d\""));
+    EXPECT_THAT(svg, HasSubstr("<title id=\"p-t\">The scene</title>"));
+    EXPECT_THAT(svg,
+                HasSubstr("<desc id=\"p-d\">The eye at (0 0 4) looks at (0 0 0) through an image plane at distance "
+                          "2. P_s: the ray hits the sphere, t = 0.5858. P_t: the ray starts on the triangle, t = "
+                          "0."));
+}
+
+TEST(ExplainingPicture, IsTheSameEveryTime) {
+    const Marking marking = marking_of("ones");
+    const std::string output = picture_scenes::random_output(7, marking);
+    EXPECT_EQ(picture(marking), picture(marking));
+    EXPECT_EQ(picture_of(marking, output), picture_of(marking, output));
+}
+
+/// The only dot of a colour in the side view, which stands below the perspective one.
+drawn::Spot dot_in_side_view(const std::string& svg, const std::string& colour) {
+    std::vector<drawn::Spot> found;
+    for (const drawn::Spot& spot : drawn::dots_in(svg, colour)) {
+        if (spot.x < 274 && spot.y > 318) found.push_back(spot);
+    }
+    EXPECT_EQ(found.size(), 1U) << colour;
+    return found.empty() ? drawn::Spot{} : found.front();
+}
+
+// By hand: the eye is at z = 4, P_WCS at z = 2, P_s at z = √2, all of them on the z axis.
+TEST(ExplainingPicture, PutsThePointsOf2021WhereTheyBelong) {
+    const std::string svg = picture(marking_of("2021"));
+    const drawn::Spot eye = dot_in_side_view(svg, "currentColor");
+    const drawn::Spot P_WCS = dot_in_side_view(svg, "#d0591c");
+    const drawn::Spot P_s = dot_in_side_view(svg, "#2f7fc8");
+    const double unit = (P_WCS.x - eye.x) / 2;
+    EXPECT_GT(unit, 15);
+    EXPECT_NEAR(P_s.x, eye.x + (4 - std::sqrt(2)) * unit, 0.2);
+    EXPECT_NEAR(P_s.y, eye.y, 0.11);
+    EXPECT_NEAR(P_WCS.y, eye.y, 0.11);
+}
+
+TEST(ExplainingPicture, ShowsWhatTheKeySays) {
+    const auto says = [](const char* scene, const char* sentence) {
+        EXPECT_TRUE(drawn::has_text(picture(marking_of(scene)), sentence)) << scene << ": " << sentence;
+    };
+    says("2021", "P_t: the ray starts on the triangle, t = 0.");
+    says("2021", "Which of the two is hit first depends on whether t = 0 counts as a hit.");
+    says("missed", "The ray misses the sphere.");
+    says("tangent", "P_s: the ray touches the sphere in this one point, d = 0.");
+    says("tangent", "The ray hits the sphere first.");
+    says("starts on the sphere", "The ray starts on the sphere, c = 0.");
+    says("coplanar", "The ray lies in the triangle&#39;s plane.");
+    says("beside the plane", "The ray misses the triangle: it runs beside its plane.");
+    says("behind the start", "The ray misses the triangle: P_t is behind its start, t &lt; 0.");
+    says("grazes an edge", "P_t: the ray hits the triangle, t = 2.");
+    says("eye within", "P_s lies beyond the frame.");
+    says("eye within", "The sphere reaches far beyond the frame and is cut there.");
+    says("far", "lookat is far beyond the frame.");
+    says("millions", "Unit vectors are drawn 2e+06 long.");
+    says("a crowd", "Only 6 of 40 spheres are drawn.");
+}
+
+TEST(ExplainingPicture, NeverContradictsTheKey) {
+    int missed = 0;
+    for (int seed = 0; seed < random_scenes; ++seed) {
+        const Marking marking = random_marking(static_cast<std::uint64_t>(seed));
+        SCOPED_TRACE(seed);
+        const std::string svg = picture(marking);
+        const auto& decisions = marking.key.decisions;
+        const bool sphere = decisions.sphere != "miss";
+        const bool triangle = decisions.triangle == "hit" || decisions.triangle == "boundary";
+        missed += sphere ? 0 : 1;
+        EXPECT_EQ(drawn::has_text(svg, "The ray misses the sphere."), !sphere);
+        EXPECT_EQ(!drawn::dots_in(svg, "#2f7fc8").empty(), sphere);
+        EXPECT_EQ(drawn::has_name(svg, "N of ABC"), !triangle);
+        EXPECT_EQ(drawn::has_text(svg, fmt::format("The ray hits the {} first.", decisions.first)),
+                  decisions.first != "none" && decisions.first != "tie");
+    }
+    EXPECT_GT(missed, 3);
+    EXPECT_LT(missed, random_scenes - 3);
+}
+
+}  // namespace

@@ -1,0 +1,289 @@
+// What an explaining picture shows of a student's answers, and what it keeps to itself.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "harness/report/explaining_picture.h"
+#include "harness/report/picture/layout.h"
+#include "harness/report/picture/printed_sketch.h"
+#include "harness/report/picture/view.h"
+#include "tests/report/drawn.h"
+#include "tests/report/picture_scenes.h"
+
+namespace {
+
+using namespace harness;
+using namespace harness::report;
+using picture_scenes::graded;
+using picture_scenes::hard_scenes;
+using picture_scenes::marking_of;
+using picture_scenes::Named;
+using picture_scenes::random_marking;
+using testing::HasSubstr;
+
+std::string picture_of(const Marking& marking, const std::string& output, bool with_answers = true) {
+    const Graded student = graded(output, marking);
+    return explaining_picture(marking, &student, with_answers, "p-");
+}
+
+constexpr const char* printed_colour = "#c23f9a";
+
+TEST(PrintedVectors, AreReadAsTheMarkingReadsThem) {
+    const auto is = [](const char* printed, double x, double y, double z) {
+        const auto vector = picture::printed_vector(printed);
+        ASSERT_TRUE(vector) << printed;
+        EXPECT_EQ(*vector, picture::Point(x, y, z)) << printed;
+    };
+    is("(0, -1.5, 2e3)", 0, -1.5, 2000);
+    is("vec3(0.000000, 1.000000, 0.500000)", 0, 1, 0.5);
+    is("vec4(1.000000, 2.000000, 3.000000, 1.000000)", 1, 2, 3);
+    is("1.5 2.5 3.5", 1.5, 2.5, 3.5);
+    is("1.5; 2.5; 3.5", 1.5, 2.5, 3.5);
+    EXPECT_FALSE(picture::printed_vector("none"));
+    EXPECT_FALSE(picture::printed_vector("1.5 2.5"));
+    EXPECT_FALSE(picture::printed_vector(""));
+    const auto none = picture::printed_vector("(nan, inf, 0)");
+    ASSERT_TRUE(none);
+    EXPECT_FALSE(picture::is_finite(*none));
+}
+
+TEST(PrintedAnswers, AreDrawnBesideTheRightOnesWhereTheyAreWrong) {
+    const Marking marking = marking_of("2021");
+    const std::string svg = picture_of(
+        marking, "Question 4: P_WCS: (0, 0, 6)\nQuestion 5: V: (0, 0, -1)\nQuestion 6: hit: (0, 0, -1.41421)\n");
+    EXPECT_TRUE(drawn::has_name(svg, "printed P_WCS"));
+    EXPECT_TRUE(drawn::has_name(svg, "P_WCS"));
+    EXPECT_TRUE(drawn::has_name(svg, "printed P_s"));
+    EXPECT_TRUE(drawn::has_name(svg, "P_s"));
+    EXPECT_FALSE(drawn::has_name(svg, "printed V")) << "it is right";
+    EXPECT_TRUE(drawn::has_text(svg, "printed, not right"));
+    const std::string right = picture_of(marking, to_text(marking.key));
+    EXPECT_EQ(right.find(printed_colour), std::string::npos);
+    EXPECT_FALSE(drawn::has_text(right, "printed, not right"));
+}
+
+// By hand: a cross at z = -√2, where the ray leaves the sphere; the eye is at z = 4 and P_WCS at z = 2.
+TEST(PrintedAnswers, StandWhereTheyWerePrinted) {
+    const std::string svg = picture_of(marking_of("2021"), "Question 6: hit: (0, 0, -1.41421)\n");
+    const auto in_side_view = [&](const std::string& colour) {
+        for (const drawn::Spot& spot : drawn::dots_in(svg, colour)) {
+            if (spot.x < 274 && spot.y > 318) return spot;
+        }
+        ADD_FAILURE() << colour;
+        return drawn::Spot{};
+    };
+    const drawn::Spot eye = in_side_view("currentColor");
+    const double unit = (in_side_view("#d0591c").x - eye.x) / 2;
+    const double x = eye.x + (4 + std::sqrt(2)) * unit;
+    bool found = false;
+    for (const drawn::Spot& spot : drawn::spots_in(svg))
+        found = found || (std::abs(spot.x - (x - 4)) < 0.2 && std::abs(spot.y - (eye.y - 4)) < 0.2);
+    EXPECT_TRUE(found) << "the cross's upper left end";
+}
+
+TEST(PrintedAnswers, ThatCannotBeDrawnAreNamed) {
+    const std::string svg = picture_of(marking_of("2021"),
+                                       "Question 2:\nX_vcs: (0, 0, 0)\nY_vcs: (0, 50, 0)\nZ_vcs: (nan, nan, nan)\n"
+                                       "Question 4: P_WCS: (1e30, 0, 0)\nQuestion 5: V: (inf, 0, 0)\n"
+                                       "Question 1: P_VCS: (70, 0, -2)\n");
+    for (const char* note : {"X_vcs (question 2) was printed as the zero vector: not drawn.",
+                             "Y_vcs (question 2) was printed with length 50; only its direction is drawn.",
+                             "Z_vcs (question 2) was printed as (nan, nan, nan): not drawn.",
+                             "P_WCS (question 4) was printed as (1e30, 0, 0): beyond the frame.",
+                             "V (question 5) was printed as (inf, 0, 0): not drawn.",
+                             "P_VCS (question 1) was printed outside of the image plane: not drawn."})
+        EXPECT_TRUE(drawn::has_text(svg, note)) << note;
+    for (const char* name : {"printed X_vcs", "printed Z_vcs", "printed P_WCS", "printed V", "printed P_VCS"})
+        EXPECT_FALSE(drawn::has_name(svg, name)) << name;
+    EXPECT_TRUE(drawn::has_name(svg, "printed Y_vcs"));
+}
+
+TEST(PrintedAnswers, AreEscaped) {
+    const Marking marking = marking_of("2021");
+    Graded student = graded("", marking);
+    for (QuestionScore& question : student.score.questions) {
+        for (ItemScore& item : question.items) {
+            item.printed = "</desc><script>\"'&\x1b[31m\xff\xef\xbf\xbe nan";
+            item.verdict = ItemVerdict::wrong;
+        }
+    }
+    for (const bool with_answers : {true, false}) {
+        const std::string svg = explaining_picture(marking, &student, with_answers, "p-");
+        EXPECT_EQ(svg.find("<script"), std::string::npos);
+        EXPECT_NE(svg.find("&lt;script&gt;"), std::string::npos);
+        EXPECT_EQ(svg.find('\x1b'), std::string::npos);
+        EXPECT_LT(svg.size(), 20U << 10U);
+    }
+}
+
+// Whatever the key holds: without answers the picture is the same, so nothing of it can be in it.
+TEST(WithoutAnswers, ThePictureDoesNotDependOnTheKey) {
+    const auto check = [](const Marking& marking, std::uint64_t seed) {
+        Graded student = graded(picture_scenes::random_output(seed, marking), marking);
+        const std::string before = explaining_picture(marking, nullptr, false, "p-");
+        const std::string before_printed = explaining_picture(marking, &student, false, "p-");
+        Marking other = marking;
+        for (reference::KeyQuestion& question : other.key.questions) {
+            for (reference::KeyItem& item : question.items) {
+                for (reference::Answer& answer : item.answers) {
+                    if (auto* numbers = std::get_if<reference::Numbers>(&answer.value)) {
+                        for (double& x : *numbers) x = 0.3 - 1.7 * x;
+                    } else {
+                        answer.value = reference::NoValue{};
+                    }
+                }
+            }
+        }
+        other.key.decisions = {"miss", "hit", "triangle", {"boundary"}};
+        ASSERT_NE(explaining_picture(other, nullptr, true, "p-"), explaining_picture(marking, nullptr, true, "p-"));
+        EXPECT_EQ(explaining_picture(other, nullptr, false, "p-"), before);
+        EXPECT_EQ(explaining_picture(other, &student, false, "p-"), before_printed);
+        EXPECT_EQ(ExplainingPictures(other, false, "c-").shared_part(),
+                  ExplainingPictures(marking, false, "c-").shared_part());
+    };
+    for (const Named& scene : hard_scenes()) {
+        SCOPED_TRACE(scene.name);
+        check(marking_of(scene), 5);
+    }
+    for (std::uint64_t seed = 0; seed < 8; ++seed) check(random_marking(seed), seed);
+}
+
+/// The key's points and the tips of its vectors, which the picture would show by its coordinates.
+std::vector<picture::Point> secrets(const Marking& marking, const picture::DoubleScene& scene,
+                                    const picture::Frame& frame) {
+    const picture::RightValues right = picture::right_values(marking.key, scene);
+    std::vector<picture::Point> secrets;
+    for (const auto& point : {right.P_WCS, right.P_s, right.P_t}) {
+        if (point) secrets.push_back(*point);
+    }
+    const auto tip = [&](const picture::Point& at, const std::optional<picture::Point>& vector) {
+        if (vector) secrets.push_back(at + *vector * frame.arrow);
+    };
+    tip(scene.camera.eye, right.X_vcs);
+    tip(scene.camera.eye, right.Y_vcs);
+    tip(*right.P_WCS, right.V);
+    if (right.P_s) tip(*right.P_s, right.sphere_normal);
+    const auto corners = picture::window_corners(scene, *right.X_vcs, *right.Y_vcs, *right.Z_vcs);
+    secrets.insert(secrets.end(), corners.begin(), corners.end());
+    return secrets;
+}
+
+/// How many of them some coordinate of the picture shows, to a third of a unit of the page.
+int shown(const std::string& svg, const std::vector<picture::Point>& secrets, const picture::View& view,
+          const picture::Frame& frame) {
+    int count = 0;
+    const auto spots = drawn::spots_in(svg);
+    for (const picture::Point& secret : secrets) {
+        const auto at = view.spot(frame.inside(secret));
+        for (const drawn::Spot& spot : spots) {
+            constexpr double near = 0.33;
+            if (std::abs(spot.x - at.x) > near || std::abs(spot.y - at.y) > near) continue;
+            ++count;
+            break;
+        }
+    }
+    return count;
+}
+
+TEST(WithoutAnswers, NoCoordinateShowsTheKeysPoints) {
+    int shown_with = 0;
+    int shown_without = 0;
+    int all = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const Marking marking = random_marking(seed);
+        const picture::DoubleScene scene = picture::double_scene(marking.assignment);
+        std::vector<std::string> notes;
+        const picture::Frame frame = choose_frame(scene, {}, picture::Room::for_scene, notes);
+        const auto secret = secrets(marking, scene, frame);
+        const std::string svg = explaining_picture(marking, nullptr, false, "p-");
+        const std::vector<picture::Point> no_secret{scene.camera.eye, scene.triangles[0].A, scene.triangles[0].B};
+        for (const picture::View& view : parallel_views(scene, frame, {picture::side_box, picture::other_box})) {
+            shown_without += shown(svg, secret, view, frame);
+            shown_with += shown(svg, no_secret, view, frame);
+            all += static_cast<int>(secret.size());
+        }
+    }
+    EXPECT_GT(all, 300);
+    EXPECT_GT(shown_with, 20 * 2 * 2) << "what the handout gives is found by this very search";
+    EXPECT_LE(shown_without, all / 100) << "but for accidents";
+}
+
+TEST(WithoutAnswers, NoTextShowsTheKeysNumbers) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const Marking marking = random_marking(seed);
+        const std::string svg = explaining_picture(marking, nullptr, false, "p-");
+        std::string words = svg.substr(svg.find("<desc"), svg.find("</desc>") - svg.find("<desc"));
+        for (const drawn::Text& text : drawn::texts_in(svg)) words += " " + text.words;
+        const auto has = [&](const std::string& number) { return words.find(number) != std::string::npos; };
+        for (const reference::KeyQuestion& question : marking.key.questions) {
+            for (const reference::KeyItem& item : question.items) {
+                const auto* numbers = std::get_if<reference::Numbers>(&item.answers.front().value);
+                if (numbers == nullptr) continue;
+                for (const double x : *numbers) {
+                    // One that is short, such as 0 or 1.5 or the eye's in the matrix, is in every text.
+                    if (fmt::format("{:.5g}", x) == fmt::format("{:.10g}", x)) continue;
+                    EXPECT_FALSE(has(fmt::format("{:.3f}", x))) << question.number << item.spec.name << ' ' << words;
+                    EXPECT_FALSE(has(fmt::format("{:.4g}", x))) << question.number << item.spec.name << ' ' << words;
+                }
+            }
+        }
+        for (const char* name :
+             {"X_vcs", "Y_vcs", "Z_vcs", "P_VCS", "P_WCS", "V", "P_s", "P_t", "N at P_s", "N of ABC"})
+            EXPECT_FALSE(drawn::has_name(svg, name)) << name;
+        EXPECT_EQ(words.find("the ray"), std::string::npos);
+    }
+}
+
+TEST(WithoutAnswers, AllThatWasPrintedIsDrawn) {
+    const Marking marking = marking_of("ones");
+    const std::string svg = picture_of(marking, to_text(marking.key), false);
+    for (const char* name : {"X_vcs", "Y_vcs", "Z_vcs", "P_VCS", "P_WCS", "V", "P_s", "P_t", "N"})
+        EXPECT_TRUE(drawn::has_name(svg, fmt::format("printed {}", name))) << name;
+    EXPECT_TRUE(drawn::has_text(svg, "The image plane is drawn as the printed axes put it."));
+    EXPECT_TRUE(drawn::has_text(svg, "printed, right"));
+}
+
+TEST(SharedPictures, AreTheSharedPartAndLittleMore) {
+    for (const char* name : {"2021", "ones", "z is up"}) {
+        const Marking marking = marking_of(name);
+        const ExplainingPictures pictures(marking, true, "class-");
+        const std::string shared = pictures.shared_part();
+        EXPECT_THAT(shared, HasSubstr("<g id=\"class-scene\">"));
+        EXPECT_THAT(shared, HasSubstr(">P_s"));
+        for (std::uint64_t seed = 0; seed < 20; ++seed) {
+            const Graded student = graded(picture_scenes::random_output(seed, marking), marking);
+            const std::string svg = pictures.picture(&student, fmt::format("s{}-", seed));
+            EXPECT_LT(svg.size(), 6U << 10U) << seed;
+            EXPECT_THAT(svg, HasSubstr("<use href=\"#class-scene\"/>"));
+            EXPECT_THAT(svg, HasSubstr(fmt::format("<title id=\"s{0}-t\">", seed)));
+            for (std::size_t at = svg.find(" id=\""); at != std::string::npos; at = svg.find(" id=\"", at + 1))
+                EXPECT_EQ(svg.compare(at + 5, 1, "s"), 0);
+        }
+    }
+}
+
+// As a browser shows them: the shared part in the place of its use.
+TEST(SharedPictures, KeepWordsApartFromTheSharedOnes) {
+    for (const Named& scene : hard_scenes()) {
+        const Marking marking = marking_of(scene);
+        const ExplainingPictures pictures(marking, true, "class-");
+        const std::vector<drawn::Text> shared = drawn::texts_in(pictures.shared_part());
+        for (std::uint64_t seed = 0; seed < 5; ++seed) {
+            SCOPED_TRACE(fmt::format("{}, seed {}", scene.name, seed));
+            const Graded student = graded(picture_scenes::random_output(seed, marking), marking);
+            const std::vector<drawn::Text> own = drawn::texts_in(pictures.picture(&student, "s-"));
+            for (std::size_t i = 0; i < own.size(); ++i) {
+                std::vector<drawn::Text> others = shared;
+                others.insert(others.end(), own.begin(), own.begin() + static_cast<std::ptrdiff_t>(i));
+                for (const drawn::Text& other : others) {
+                    EXPECT_FALSE(own[i].left < other.right && other.left < own[i].right && own[i].top < other.bottom &&
+                                 other.top < own[i].bottom)
+                        << own[i].words << " over " << other.words;
+                }
+            }
+        }
+    }
+}
+
+}  // namespace

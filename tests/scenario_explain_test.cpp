@@ -1,0 +1,95 @@
+// `raygrade explain` as a person runs it: what it writes, what it won't write over, and what it reads.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/scenario.h"
+
+namespace scenario {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr int usage = 2;
+
+constexpr const char* far_root = "Question 6: hit point: (0, 0, -1.41421)\n";
+
+TEST(Explain, WritesAPictureAndSaysWhere) {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "scene.svg";
+    const Result result = raygrade({"explain", "--assignment", "a6-2021", "-o", file.string()});
+    EXPECT_EQ(result.status, 0) << result.both();
+    EXPECT_THAT(result.output, HasSubstr(file.string()));
+    EXPECT_THAT(read(file), StartsWith("<svg xmlns=\"http://www.w3.org/2000/svg\""));
+    EXPECT_THAT(read(file), HasSubstr(">P_s</text>"));
+}
+
+TEST(Explain, DrawsWhatATranscriptHolds) {
+    const TemporaryFolder folder;
+    write(folder / "output.txt", far_root);
+    const Result result = raygrade({"explain", (folder / "output.txt").string(), "-o", "-"});
+    EXPECT_EQ(result.status, 0) << result.both();
+    EXPECT_THAT(result.output, StartsWith("<svg "));
+    EXPECT_THAT(result.output, HasSubstr("printed P_s"));
+    EXPECT_THAT(result.output, HasSubstr("t = 0.5858"));
+    const Result for_student = raygrade({"explain", (folder / "output.txt").string(), "--without-answers", "-o", "-"});
+    EXPECT_EQ(for_student.status, 0) << for_student.both();
+    EXPECT_THAT(for_student.output, HasSubstr("printed P_s"));
+    EXPECT_THAT(for_student.output, Not(HasSubstr("0.5858")));
+    EXPECT_THAT(for_student.output, Not(HasSubstr(">P_s")));
+}
+
+TEST(Explain, ReplacesItsEarlierPictureOnlyByForce) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "scene.svg").string();
+    ASSERT_EQ(raygrade({"explain", "-o", file}).status, 0);
+    const std::string before = read(file);
+    const Result refused = raygrade({"explain", "-a", "a6-edge", "-o", file});
+    EXPECT_EQ(refused.status, usage);
+    EXPECT_THAT(refused.voice, HasSubstr("--force"));
+    EXPECT_EQ(read(file), before);
+    EXPECT_EQ(raygrade({"explain", "-a", "a6-edge", "-o", file, "--force"}).status, 0);
+    EXPECT_NE(read(file), before);
+}
+
+TEST(Explain, NeverWritesOverAnybodyElsesFile) {
+    const TemporaryFolder folder;
+    write(folder / "thesis.svg", "<svg/>");
+    for (const char* force : {"", "--force"}) {
+        std::vector<std::string> arguments{"explain", "-o", (folder / "thesis.svg").string()};
+        if (*force != '\0') arguments.emplace_back(force);
+        const Result result = raygrade(arguments);
+        EXPECT_EQ(result.status, usage);
+        EXPECT_THAT(result.voice, HasSubstr("is no picture of raygrade"));
+        EXPECT_EQ(read(folder / "thesis.svg"), "<svg/>");
+    }
+    ASSERT_EQ(raygrade({"explain", "-o", (folder / "scene.svg").string()}).status, 0);
+    fs::create_symlink(folder / "scene.svg", folder / "link.svg");
+    EXPECT_EQ(raygrade({"explain", "-o", (folder / "link.svg").string(), "--force"}).status, usage);
+    write(folder / "other.svg.new", "mine");
+    EXPECT_EQ(raygrade({"explain", "-o", (folder / "other.svg").string()}).status, usage);
+    EXPECT_EQ(read(folder / "other.svg.new"), "mine");
+}
+
+TEST(Explain, SaysWhatIsWrongWithAPath) {
+    const TemporaryFolder folder;
+    const std::string out = (folder / "a.svg").string();
+    Result result = raygrade({"explain", (folder / "none.txt").string(), "-o", out});
+    EXPECT_EQ(result.status, usage);
+    EXPECT_THAT(result.voice, HasSubstr("none.txt"));
+    write(folder / "huge.txt", std::string((1U << 20U) + 1, '\n'));
+    result = raygrade({"explain", (folder / "huge.txt").string(), "-o", out});
+    EXPECT_EQ(result.status, usage);
+    EXPECT_THAT(result.voice, HasSubstr("1 MiB"));
+    result = raygrade({"explain", "-o", (folder / "no" / "such" / "a.svg").string()});
+    EXPECT_EQ(result.status, usage);
+    EXPECT_THAT(result.voice, HasSubstr("there is no such folder"));
+    EXPECT_FALSE(fs::exists(out));
+}
+
+}  // namespace
+}  // namespace scenario
