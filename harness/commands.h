@@ -61,6 +61,23 @@ struct CheckOptions {
 };
 int check_command(const CheckOptions& options);
 
+struct ServeOptions {
+    std::string assignment;
+    std::string host = "127.0.0.1";
+    std::uint16_t port = 8080;       ///< 0 for any free one
+    std::vector<std::string> names;  ///< DNS names by which browsers know the page
+    bool behind_proxy = false;
+    int jobs = 1;
+    std::size_t queue = 100;        ///< programs that may wait
+    double rate = 10;               ///< programs a minute of one address
+    int keep_hours = 24;            ///< results
+    int grace_seconds = 20;         ///< for the queue, when stopped
+    std::filesystem::path state{};  ///< the folder of queue and results; empty for the assignment's own
+    WorkshopOptions workshop;
+};
+/// Returns when it is stopped.
+int serve_command(const ServeOptions& options);
+
 struct ReferenceOptions {
     std::string assignment;
     std::string precision = "certified";  ///< float, double or certified

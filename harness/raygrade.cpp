@@ -20,6 +20,7 @@ constexpr const char* about =
     "  raygrade grade class/ --out results     a class: marks, reports, grades.json\n"
     "  raygrade override s05 6.t 2 --why ...   an instructor's mark in place of the automatic one\n"
     "  raygrade check ray_cast.cpp             a student's own check before handing in\n"
+    "  raygrade serve                          the same as a page for browsers\n"
     "  raygrade reference                      the canonical answers\n"
     "  raygrade cast < queries.jsonl           exact answers to any rays\n"
     "  raygrade accuracy --out accuracy        what accuracy costs in time: a page of pictures\n"
@@ -84,6 +85,66 @@ std::string limits_footer() {
         text += fmt::format("  {:<21} {:>5}  {}\n", limit.name, limit.value, limit.consequence);
     }
     return text;
+}
+
+CLI::App& add_serve(CLI::App& app, ServeOptions& serve) {
+    CLI::App& command = *app.add_subcommand(
+        "serve", "Put up a page where students check their ray_cast.cpp in a browser, as `raygrade check` does");
+    add_assignment(command, serve.assignment);
+    command.add_option("-p,--port", serve.port, "The port; 0 for any free one, which is told")
+        ->type_name("N")
+        ->capture_default_str();
+    command
+        .add_option("--host", serve.host,
+                    "The address of this machine to listen at; any but 127.0.0.1 and ::1 lets others in, 0.0.0.0 all")
+        ->type_name("ADDRESS")
+        ->capture_default_str();
+    command
+        .add_option("--name", serve.names,
+                    "A name by which browsers know the page, as in --name check.example.edu; others are refused")
+        ->allow_extra_args(false)
+        ->type_name("NAME");
+    command.add_flag("--behind-proxy", serve.behind_proxy,
+                     "Requests come from a proxy with a certificate: believe its X-Forwarded-For");
+    command.add_option("-j,--jobs", serve.jobs, "How many programs to grade at a time")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_option("--queue", serve.queue, "How many may wait; more are asked to come again")
+        ->check(CLI::Range(1, 100'000))
+        ->type_name("N")
+        ->capture_default_str();
+    command
+        .add_option("--rate", serve.rate,
+                    "How many programs one address may send a minute; more for a room behind one address")
+        ->check(CLI::Range(1, 100'000))
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_option("--keep", serve.keep_hours, "How long results are kept")
+        ->check(CLI::Range(1, 24 * 365))
+        ->type_name("HOURS")
+        ->capture_default_str();
+    command
+        .add_option("--grace", serve.grace_seconds,
+                    "How long to go on with the queue when stopped; the rest is graded after the next start")
+        ->check(CLI::Range(0, 24 * 3600))
+        ->type_name("SECONDS")
+        ->capture_default_str();
+    command
+        .add_option("--state", serve.state,
+                    "The folder for queue and results; without it, one for the assignment in $XDG_STATE_HOME/raygrade "
+                    "or ~/.local/state/raygrade")
+        ->type_name("DIR");
+    add_workshop(command, serve.workshop);
+    command.footer(
+        limits_footer() +
+        "\nStudents upload or paste a program, see their place in the queue, and get their page: verdicts and hints, "
+        "never the\nright values unless the assignment says so. Each result has an address that nobody can guess. "
+        "Nothing is handed in.\n\n"
+        "Examples: raygrade serve --assignment a6-2021                       a look at it: only on this machine\n"
+        "          raygrade serve --host 192.168.1.20 --rate 200             a lab, in plain text\n"
+        "          raygrade serve --behind-proxy --name check.example.edu    behind nginx or Caddy, see README");
+    return command;
 }
 
 int run(int argc, char** argv) {
@@ -191,6 +252,11 @@ int run(int argc, char** argv) {
     add_workshop(check_app, check.workshop);
     check_app.footer(limits_footer() + "\nExample: raygrade check ray_cast.cpp");
 
+    ServeOptions serve;
+    serve.assignment = "default";
+    serve.jobs = grade.jobs;
+    CLI::App& serve_app = add_serve(app, serve);
+
     ReferenceOptions reference_options{"default"};
     CLI::App& reference_app =
         *app.add_subcommand("reference", "Print the canonical answers, as a right program prints them or as JSON");
@@ -281,6 +347,7 @@ int run(int argc, char** argv) {
     if (grade_app.parsed()) return grade_command(grade);
     if (override_app.parsed()) return override_command(given);
     if (check_app.parsed()) return check_command(check);
+    if (serve_app.parsed()) return serve_command(serve);
     if (reference_app.parsed()) return reference_command(reference_options);
     if (cast_app.parsed()) return cast_command();
     if (accuracy_app.parsed()) return accuracy_command(accuracy);

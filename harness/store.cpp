@@ -149,6 +149,10 @@ Store::Store(fs::path folder, const StoreBounds& bounds)
 }
 
 Store::~Store() {
+    trim();
+}
+
+void Store::trim() {
     attempt<bool>([&] {
         evict();
         return true;
@@ -314,6 +318,7 @@ void Store::evict() {
     surplus.bind(2, static_cast<std::int64_t>(bounds_.bytes));
     surplus.exec();
     transaction.commit();
+    used_.clear();
 }
 
 std::vector<std::string> Store::problems() const {

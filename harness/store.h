@@ -42,7 +42,7 @@ class Store {
     /// Opens results.sqlite in `folder`, made where it is missing. A database that is corrupt or of another version is
     /// renamed to results.sqlite.set-aside (an earlier one of that name is replaced) and a new one begun.
     explicit Store(std::filesystem::path folder, const StoreBounds& bounds = {});
-    /// Notes what was used, and removes what is beyond the bounds.
+    /// As trim.
     ~Store();
     Store(const Store&) = delete;
     Store& operator=(const Store&) = delete;
@@ -52,6 +52,9 @@ class Store {
     std::optional<Execution> find(const std::string& key);
     /// Keeps it if it is worth keeping. In the database when it returns.
     void keep(const std::string& key, const Execution& execution);
+
+    /// Notes what was used, and removes what is beyond the bounds.
+    void trim();
 
     /// What the instructor should know, once each: sentences about a database set aside or a folder not to be written.
     std::vector<std::string> problems() const;

@@ -1,0 +1,135 @@
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <memory>
+
+#include "harness/commands.h"
+#include "harness/failure.h"
+#include "harness/find_submissions.h"
+#include "harness/serve/graders.h"
+#include "harness/serve/server.h"
+
+namespace harness {
+namespace {
+
+using serve::Reach;
+
+Reach reach_of(const ServeOptions& options) {
+    Reach reach;
+    reach.loopback = serve::is_loopback(options.host);
+    reach.behind_proxy = options.behind_proxy;
+    for (std::string name : options.names) {
+        std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+        if (serve::host_of(name) != name || name.empty()) {
+            throw UsageError(fmt::format("--name {}: give the name alone, as in --name check.example.edu", name));
+        }
+        reach.names.push_back(name);
+    }
+    if (reach.behind_proxy && reach.names.empty()) {
+        throw UsageError(
+            "--behind-proxy needs --name: the name by which browsers know the page, as in --name check.example.edu");
+    }
+    return reach;
+}
+
+bool is_public(const Reach& reach) {
+    return !reach.loopback || reach.behind_proxy;
+}
+
+std::filesystem::path state_of(const ServeOptions& options, const std::string& name) {
+    if (!options.state.empty()) return options.state;
+    if (const auto folder = serve::state_folder(options.assignment, name)) return *folder;
+    throw UsageError("neither XDG_STATE_HOME nor HOME is a folder; say with --state where queue and results are kept");
+}
+
+/// A connection is an open file, and grading opens some.
+serve::ServerLimits server_limits() {
+    serve::ServerLimits limits;
+    constexpr rlim_t for_grading = 200;
+    rlimit files{};
+    if (getrlimit(RLIMIT_NOFILE, &files) == 0 && files.rlim_cur != RLIM_INFINITY) {
+        const rlim_t left = files.rlim_cur > 2 * for_grading ? files.rlim_cur - for_grading : files.rlim_cur / 2;
+        limits.connections = std::min<std::size_t>(limits.connections, left);
+    }
+    return limits;
+}
+
+std::unique_ptr<serve::Server> listen(const ServeOptions& options, const Reach& reach, serve::Site& site,
+                                      serve::Desk& desk) {
+    try {
+        return std::make_unique<serve::Server>(options.host, options.port, server_limits(), reach.behind_proxy, site,
+                                               desk);
+    } catch (const serve::ListenError& error) {
+        throw UsageError(error.what());
+    }
+}
+
+std::string address_text(const std::string& host, std::uint16_t port) {
+    const bool is_v6 = host.find(':') != std::string::npos;
+    return fmt::format("http://{}{}{}:{}/", is_v6 ? "[" : "", host, is_v6 ? "]" : "", port);
+}
+
+void announce(const ServeOptions& options, const Reach& reach, std::uint16_t port) {
+    if (!reach.loopback) {
+        fmt::print(stderr,
+                   "raygrade: warning: whoever reaches {} can use this page, and what they send and read goes over the "
+                   "network in plain text. For more than a quiet room put a proxy with a certificate before it and use "
+                   "--behind-proxy; see README.\n",
+                   options.host);
+    }
+    if (reach.behind_proxy) {
+        fmt::print("Open https://{}/ once its proxy passes requests on to {}\n", reach.names.front(),
+                   address_text(options.host, port));
+    } else {
+        fmt::print("Open {}\n", address_text(options.host, port));
+    }
+    fmt::print("Ctrl-C stops it: what waits is graded, or kept for the next start.\n");
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int serve_command(const ServeOptions& options) {
+    const Reach reach = reach_of(options);
+    if (is_public(reach) && options.workshop.unsafe) {
+        throw UsageError(
+            "--unsafe is for programs you have read, and this page would run anybody's: leave out --unsafe, or --host "
+            "and --behind-proxy. `raygrade doctor` says what a sandbox takes here.");
+    }
+    const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
+    const serve::About about{assignment.title, std::chrono::hours(options.keep_hours)};
+    serve::SpoolBounds bounds;
+    bounds.age = about.keep;
+    serve::Spool spool(state_of(options, assignment.name), bounds);
+    if (!spool.problem().empty()) fmt::print(stderr, "note: {}\n", spool.problem());
+    for (const std::string& key : spool.given_up()) spool.finish(key, serve::given_up(about));
+    serve::Desk desk(spool, options.queue);
+    serve::Site site({about, reach, options.rate}, desk);
+    // Before anything that takes long, so that a port in use is told at once.
+    const auto server = listen(options, reach, site, desk);
+    const auto marking = begin_marking(assignment);
+    const Workshop workshop = open_workshop(options.workshop, assignment.limits);
+    tell_of_the_sandbox(workshop);
+    for (const std::string& note : marking.get().key.notes) fmt::print(stderr, "note: {}\n", note);
+    if (!desk.is_idle()) fmt::print(stderr, "from before: {} waiting\n", desk.queue_length());
+
+    const serve::Graders graders(desk, spool, about, workshop, marking, options.jobs);
+    server->stop_on_signals();
+    announce(options, reach, server->port());
+    server->run(std::chrono::seconds(options.grace_seconds));
+    if (!desk.is_idle()) {
+        const std::size_t left = desk.leave();
+        fmt::print(stderr, "stopped; {} not graded yet and kept for the next start\n", left);
+        std::fflush(stdout);
+        // As if killed, which ends what runs in the sandbox: a compiler may take minutes.
+        std::_Exit(all_graded);
+    }
+    tell_problems(workshop);
+    fmt::print(stderr, "stopped; nothing waits\n");
+    return all_graded;
+}
+
+}  // namespace harness

@@ -1,0 +1,161 @@
+// Every wait has a deadline that counts from the beginning of what is waited for, so a client that sends a byte a
+// second gains nothing by it. What a client still sends and nobody reads any more is drained for a moment before its
+// connection is closed: closing at once would reset it, and the client would never see why.
+#include "harness/serve/conversation.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <boost/asio/as_tuple.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <boost/asio/write.hpp>
+#include <boost/beast/core/string.hpp>
+#include <boost/beast/http/read.hpp>
+#include <boost/beast/http/serializer.hpp>
+#include <boost/beast/http/write.hpp>
+
+#include "harness/serve/http_message.h"
+
+namespace harness::serve {
+namespace {
+
+namespace asio = boost::asio;
+namespace http = boost::beast::http;
+using boost::system::error_code;
+
+constexpr auto as_awaitable = asio::as_tuple(asio::use_awaitable);
+
+/// What one connection holds of the common budget for bodies.
+class Share {
+  public:
+    explicit Share(std::size_t& total) : total_(total) {}
+    ~Share() { total_ -= bytes_; }
+    Share(const Share&) = delete;
+    Share& operator=(const Share&) = delete;
+    void set(std::size_t bytes) {
+        total_ = total_ - bytes_ + bytes;
+        bytes_ = bytes;
+    }
+
+  private:
+    std::size_t& total_;
+    std::size_t bytes_ = 0;
+};
+
+/// How reading a body ended.
+enum class Body { whole, too_large, no_room, malformed, gone };
+
+asio::awaitable<Body> read_body(Connection& connection, Common& common, Parser& parser, Share& share) {
+    const ServerLimits& limits = common.limits;
+    if (parser.content_length().value_or(0) > limits.body_bytes) co_return Body::too_large;
+    parser.body_limit(limits.body_bytes);
+    connection.stream.expires_after(limits.body_time);
+    if (boost::beast::iequals(parser.get()[http::field::expect], "100-continue")) {
+        constexpr std::string_view go_on = "HTTP/1.1 100 Continue\r\n\r\n";
+        const auto [failure, size] = co_await asio::async_write(connection.stream, asio::buffer(go_on), as_awaitable);
+        if (failure) co_return Body::gone;
+    }
+    while (!parser.is_done()) {
+        const auto [failure, size] =
+            co_await http::async_read_some(connection.stream, connection.buffer, parser, as_awaitable);
+        if (failure == http::error::body_limit) co_return Body::too_large;
+        if (failure) co_return status_of(failure) ? Body::malformed : Body::gone;
+        share.set(parser.get().body().size());
+        if (common.body_bytes > limits.all_body_bytes) co_return Body::no_room;
+    }
+    co_return Body::whole;
+}
+
+/// What the site answers; a fault of the machine's or ours is told in the log and to the client.
+template <class Ask>
+auto answer_or_fail(const Common& common, const Head& head, Ask ask) -> decltype(ask()) {
+    try {
+        return ask();
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "raygrade: {}\n", error.what());
+        return common.site.problem(head, 500);
+    }
+}
+
+struct Answer {
+    Response response;
+    bool is_whole = false;  ///< all of the request was read, so that another may follow
+};
+
+/// Empty when the client is gone.
+asio::awaitable<std::optional<Answer>> answer_program(Connection& connection, Common& common, Parser& parser,
+                                                      const Head& head) {
+    Share share(common.body_bytes);
+    switch (co_await read_body(connection, common, parser, share)) {
+        case Body::whole: break;
+        case Body::too_large: co_return Answer{common.site.problem(head, 413)};
+        case Body::no_room: co_return Answer{common.site.problem(head, 503)};
+        case Body::malformed: co_return Answer{common.site.problem(head, 400)};
+        case Body::gone: co_return std::nullopt;
+    }
+    co_return Answer{answer_or_fail(common, head, [&] { return common.site.take_in(head, parser.get().body()); }),
+                     true};
+}
+
+asio::awaitable<bool> write(Connection& connection, const ServerLimits& limits, const Message& message,
+                            bool only_head) {
+    connection.stream.expires_after(limits.answer_time);
+    http::response_serializer<http::string_body> serializer(message);
+    if (only_head) {
+        const auto [failure, size] = co_await http::async_write_header(connection.stream, serializer, as_awaitable);
+        co_return !failure;
+    }
+    const auto [failure, size] = co_await http::async_write(connection.stream, serializer, as_awaitable);
+    co_return !failure;
+}
+
+asio::awaitable<void> linger(Connection& connection, const ServerLimits& limits) {
+    error_code ignored;
+    connection.stream.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+    connection.stream.expires_after(limits.linger_time);
+    std::array<char, 16 * 1024> rest;
+    for (std::size_t drained = 0; drained < 4 * limits.body_bytes;) {
+        const auto [failure, size] = co_await connection.stream.async_read_some(asio::buffer(rest), as_awaitable);
+        if (failure) co_return;
+        drained += size;
+    }
+}
+
+/// One request and its answer. False when there will be no other.
+asio::awaitable<bool> exchange(Connection& connection, Common& common, bool is_last) {
+    Parser parser;
+    parser.header_limit(static_cast<std::uint32_t>(common.limits.head_bytes));
+    parser.body_limit(boost::none);  // which would refuse a request before there is a head to answer to
+    connection.stream.expires_after(common.limits.head_time);
+    connection.idle_since = std::chrono::steady_clock::now();
+    const auto [failure, size] =
+        co_await http::async_read_header(connection.stream, connection.buffer, parser, as_awaitable);
+    connection.idle_since.reset();
+    const Head head = head_of(parser, connection.client);
+    std::optional<Answer> answer;
+    if (failure) {
+        const auto status = status_of(failure);
+        if (!status) co_return false;
+        answer = Answer{common.site.problem(head, *status)};
+    } else if (auto early = answer_or_fail(common, head, [&] { return common.site.answer(head); })) {
+        answer = Answer{std::move(*early), parser.is_done()};
+    } else {
+        answer = co_await answer_program(connection, common, parser, head);
+        if (!answer) co_return false;
+    }
+    const bool goes_on = answer->is_whole && !is_last && !common.is_closing && parser.keep_alive();
+    const Message message = message_of(std::move(answer->response), parser.get().version(), goes_on);
+    if (!co_await write(connection, common.limits, message, head.method == Method::head)) co_return false;
+    if (!goes_on) co_await linger(connection, common.limits);
+    co_return goes_on;
+}
+
+}  // namespace
+
+asio::awaitable<void> converse(Connection& connection, Common& common) {
+    for (int i = 1; co_await exchange(connection, common, i >= common.limits.requests_of_one_connection); ++i) {
+    }
+    connection.stream.close();
+}
+
+}  // namespace harness::serve

@@ -1,0 +1,75 @@
+#include "harness/serve/http_message.h"
+
+#include <boost/beast/http/error.hpp>
+#include <boost/beast/http/field.hpp>
+#include <boost/beast/http/verb.hpp>
+
+namespace harness::serve {
+namespace {
+
+namespace http = boost::beast::http;
+
+template <class Name>
+std::string text_of(const Parser& parser, const Name& field) {
+    const auto value = parser.get()[field];
+    return {value.data(), value.size()};
+}
+
+Method method_of(http::verb verb) {
+    if (verb == http::verb::get) return Method::get;
+    if (verb == http::verb::head) return Method::head;
+    if (verb == http::verb::post) return Method::post;
+    return Method::other;
+}
+
+}  // namespace
+
+Head head_of(const Parser& parser, const std::string& client) {
+    const auto& fields = parser.get();
+    Head head;
+    head.method = method_of(fields.method());
+    const std::string target(fields.target().data(), fields.target().size());
+    head.path = target.substr(0, target.find_first_of("?#"));
+    if (fields.count(http::field::host) == 1) head.host = text_of(parser, http::field::host);
+    head.client = client;
+    const auto [first, last] = fields.equal_range("X-Forwarded-For");
+    for (auto field = first; field != last; ++field) {
+        if (field != first) head.forwarded_for += ',';
+        head.forwarded_for.append(field->value().data(), field->value().size());
+    }
+    if (fields.count(http::field::origin) > 0) head.origin = text_of(parser, http::field::origin);
+    head.fetch_site = text_of(parser, "Sec-Fetch-Site");
+    head.content_type = text_of(parser, http::field::content_type);
+    head.wants_json = text_of(parser, http::field::accept).find("application/json") != std::string::npos;
+    return head;
+}
+
+Message message_of(Response response, unsigned version, bool keep_alive) {
+    Message message;
+    message.version(version);
+    message.result(static_cast<unsigned>(response.status));
+    message.set(http::field::content_type, response.type);
+    message.set(http::field::cache_control, "no-store");
+    message.set("X-Content-Type-Options", "nosniff");
+    // Not "no-referrer", under which browsers hide from us that a form is our own.
+    message.set("Referrer-Policy", "same-origin");
+    message.set("Cross-Origin-Opener-Policy", "same-origin");
+    message.set("Cross-Origin-Resource-Policy", "same-origin");
+    // For what is no page, should a browser show it as one; pages bring their own.
+    message.set("Content-Security-Policy", "default-src 'none'; frame-ancestors 'none'");
+    for (const auto& [name, value] : response.fields) message.set(name, value);
+    message.body() = std::move(response.body);
+    message.keep_alive(keep_alive);
+    message.prepare_payload();
+    return message;
+}
+
+std::optional<int> status_of(const boost::system::error_code& error) {
+    if (error == http::error::header_limit || error == http::error::buffer_overflow) return 431;
+    if (error == http::error::body_limit) return 413;
+    const bool is_gone = error == http::error::end_of_stream || error == http::error::partial_message;
+    if (is_gone || error.category() != http::make_error_code(http::error::bad_method).category()) return {};
+    return 400;
+}
+
+}  // namespace harness::serve

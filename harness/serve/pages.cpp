@@ -1,0 +1,148 @@
+#include "harness/serve/pages.h"
+
+#include <fmt/format.h>
+#include <sodium.h>
+
+#include <array>
+#include <string_view>
+
+#include "harness/report/markup.h"
+#include "harness/report/report.h"
+
+namespace harness::serve {
+namespace {
+
+using report::escape_markup;
+using report::points_text;
+
+constexpr std::string_view nothing_else =
+    "default-src 'none'; base-uri 'none'; frame-ancestors 'none'; img-src 'self'; ";
+
+std::string page(const std::string& title, const std::string& to_top, const std::string& more_head,
+                 const std::string& body) {
+    return fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{0}</title>\n"
+        "<link rel=\"stylesheet\" href=\"{1}/style.css\">\n<link rel=\"icon\" href=\"{1}/icon.svg\">\n"
+        "<script src=\"{1}/script.js\" defer></script>\n{2}</head>\n<body>\n{3}</body>\n</html>\n",
+        title, to_top, more_head, body);
+}
+
+std::string hours_text(std::chrono::hours hours) {
+    return fmt::format("{} hour{}", hours.count(), hours.count() == 1 ? "" : "s");
+}
+
+/// A form with one field, `source`.
+std::string form(const std::string& heading, const std::string& field, const std::string& button) {
+    return fmt::format(
+        "<form action=\"check\" method=\"post\" enctype=\"multipart/form-data\">\n<h2>{}</h2>\n{}"
+        "<button type=\"submit\">{}</button>\n<p role=\"status\"></p>\n<p role=\"alert\"></p>\n</form>\n",
+        heading, field, button);
+}
+
+std::string sha256_source(std::string_view text) {
+    std::array<unsigned char, crypto_hash_sha256_BYTES> hash;
+    crypto_hash_sha256(hash.data(), reinterpret_cast<const unsigned char*>(text.data()), text.size());
+    std::array<char, sodium_base64_ENCODED_LEN(hash.size(), sodium_base64_VARIANT_ORIGINAL)> base64;
+    sodium_bin2base64(base64.data(), base64.size(), hash.data(), hash.size(), sodium_base64_VARIANT_ORIGINAL);
+    return fmt::format(" 'sha256-{}'", base64.data());
+}
+
+}  // namespace
+
+std::string front_page(const About& about) {
+    const std::string title = escape_markup(about.title);
+    const std::string upload =
+        form("Upload the file",
+             "<label for=\"file\">Your ray_cast.cpp</label>\n"
+             "<input type=\"file\" id=\"file\" name=\"source\" accept=\".cpp,.cc,.cxx\" required>\n",
+             "Check this file");
+    const std::string paste =
+        form("Or paste its text",
+             "<label for=\"text\">The text of your ray_cast.cpp</label>\n"
+             "<textarea id=\"text\" name=\"source\" rows=\"8\" spellcheck=\"false\" autocapitalize=\"off\" "
+             "autocomplete=\"off\" wrap=\"off\" required></textarea>\n",
+             "Check this text");
+    return page(
+        "Check your ray_cast.cpp: " + title, ".", "",
+        fmt::format(
+            "<header>\n<p class=\"facts\">{}</p>\n<h1>Check your ray_cast.cpp</h1>\n</header>\n<main>\n"
+            "<p>Your program is compiled and run just as it will be for its marks. Each of its answers then gets a "
+            "verdict and, where it is wrong, a hint at what may be amiss. <strong>This is a check for yourself: "
+            "nothing "
+            "is handed in.</strong></p>\n<div class=\"pair\">\n{}{}</div>\n"
+            "<p class=\"facts\">One source file of at most 1 MiB. The result has an address of its own that nobody can "
+            "guess; whoever you give it to can read the result. It is kept for {}, your program only until the result "
+            "is there.</p>\n</main>\n",
+            title, upload, paste, hours_text(about.keep)));
+}
+
+std::string sentence_of(const Standing& standing) {
+    if (const auto* waiting = std::get_if<Waiting>(&standing)) {
+        if (waiting->position == 1) return "Your program is the next one.";
+        return fmt::format("Your program is number {} of {} in the queue.", waiting->position, waiting->length);
+    }
+    if (std::holds_alternative<BeingGraded>(standing)) return "Your program is being compiled and run.";
+    if (const auto* done = std::get_if<Done>(&standing)) {
+        if (!done->points) return "Your program could not be checked.";
+        return fmt::format("{} of {} points", points_text(*done->points), points_text(done->max_points));
+    }
+    if (std::holds_alternative<Lost>(standing)) {
+        return "Your program could not be checked, as the disk of this machine is full or failing. Please tell your "
+               "instructor, and send it again later.";
+    }
+    return "There is no result at this address. It may be mistyped, or the result was kept as long as results are.";
+}
+
+std::string waiting_page(const About& about, const std::string& result_address, const Standing& standing) {
+    return page(
+        "Checking: " + escape_markup(about.title), "..",
+        // For browsers without script; those with it read out what changes, and reload nothing before there is a
+        // result.
+        "<noscript><meta http-equiv=\"refresh\" content=\"3\"></noscript>\n",
+        fmt::format(
+            "<header>\n<p class=\"facts\">{0}</p>\n<h1>Your program is being checked</h1>\n</header>\n<main>\n"
+            "<p class=\"standing\" id=\"standing\" role=\"status\" data-standing=\"{1}/standing\">{2}</p>\n"
+            "<p>The result will appear here by itself. You may also close this page and come back to its address "
+            "later, within {3}.</p>\n<p><a href=\"{1}\">Look again now</a></p>\n</main>\n",
+            escape_markup(about.title), result_address, sentence_of(standing), hours_text(about.keep)));
+}
+
+std::string message_page(const About& about, const std::string& heading, const std::string& sentence,
+                         const std::string& to_top) {
+    const std::string safe = escape_markup(heading);
+    return page(fmt::format("{}: {}", safe, escape_markup(about.title)), to_top, "",
+                fmt::format("<header>\n<p class=\"facts\">{}</p>\n<h1>{}</h1>\n</header>\n<main>\n<p>{}</p>\n"
+                            "<p><a href=\"{}/\">Back to the form</a></p>\n</main>\n",
+                            escape_markup(about.title), safe, escape_markup(sentence), to_top));
+}
+
+std::string with_way_back(std::string student_page) {
+    // All that is a student's is escaped, so the first of these is the page's own. A page may leave out its <body>.
+    const auto body = student_page.find("<body");
+    const auto place = body == std::string::npos ? student_page.find("<h1") : student_page.find('>', body) + 1;
+    constexpr std::string_view way_back =
+        "\n<nav aria-label=\"Self-check\"><a href=\"../\">Check another program</a></nav>";
+    if (place != std::string::npos) student_page.insert(place, way_back);
+    return student_page;
+}
+
+std::string own_policy() {
+    return std::string(nothing_else) +
+           "style-src 'self'; script-src 'self'; connect-src 'self'; form-action 'self'; "
+           "require-trusted-types-for 'script'";
+}
+
+std::string student_policy(const std::string& student_page) {
+    constexpr std::string_view begin = "<style>";
+    constexpr std::string_view end = "</style>";
+    std::string sources;
+    const std::string_view text = student_page;
+    for (std::size_t at = text.find(begin); at != std::string_view::npos; at = text.find(begin, at)) {
+        at += begin.size();
+        sources += sha256_source(text.substr(at, text.find(end, at) - at));
+    }
+    return std::string(nothing_else) + "form-action 'none'; style-src" + (sources.empty() ? " 'none'" : sources);
+}
+
+}  // namespace harness::serve

@@ -1,0 +1,35 @@
+#include "harness/serve/result_address.h"
+
+#include <sodium.h>
+
+#include <algorithm>
+#include <array>
+
+#include "harness/failure.h"
+#include "harness/fingerprint.h"
+
+namespace harness::serve {
+namespace {
+
+constexpr std::size_t random_bytes = 16;
+
+}  // namespace
+
+std::string new_result_address() {
+    if (sodium_init() < 0) throw HarnessError("libsodium could not be set up: no random numbers on this machine.");
+    std::array<unsigned char, random_bytes> bytes;
+    randombytes_buf(bytes.data(), bytes.size());
+    std::array<char, 2 * bytes.size() + 1> hex;
+    sodium_bin2hex(hex.data(), hex.size(), bytes.data(), bytes.size());
+    return hex.data();
+}
+
+bool is_result_address(std::string_view text) {
+    return text.size() == 2 * random_bytes && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+std::string key_of(const std::string& result_address) {
+    return Fingerprint("raygrade/result-address/1").add(result_address).hex();
+}
+
+}  // namespace harness::serve

@@ -1,0 +1,77 @@
+// Sends the forms without leaving the page, so that what was typed is still there when it is refused, and follows a
+// program through the queue. Without it everything works too: forms are posted, and the waiting page asks anew.
+'use strict';
+
+const largestSource = 1 << 20;
+const sending = new WeakSet();
+
+/** What the server says to a form: where the result will be, or why there will be none. */
+async function post(form) {
+    const answer = await fetch(form.action, {
+        method: 'POST', body: new FormData(form), headers: {Accept: 'application/json'}});
+    const said = await answer.json();
+    return answer.ok ? {result: said.result} : {error: said.error};
+}
+
+async function send(form) {
+    if (sending.has(form)) return;
+    const alert = form.querySelector('[role="alert"]');
+    const status = form.querySelector('[role="status"]');
+    const button = form.querySelector('button');
+    const file = form.querySelector('input[type="file"]');
+    alert.textContent = '';
+    if (file && file.files[0].size > largestSource) {
+        alert.textContent = 'That is larger than 1 MiB. Please send the source alone, without data or output in it.';
+        return;
+    }
+    sending.add(form);
+    status.textContent = 'Sending…';
+    // Not `disabled`, which would take the focus away.
+    button.setAttribute('aria-disabled', 'true');
+    let said;
+    try {
+        said = await post(form);
+    } catch {
+        said = {error: 'The page could not be reached, so your program was not checked. Please try again in a moment.'};
+    }
+    sending.delete(form);
+    status.textContent = '';
+    button.removeAttribute('aria-disabled');
+    if (said.result) {
+        location.assign(said.result);
+    } else {
+        alert.textContent = said.error;
+    }
+}
+
+/** Asks how the program stands until its result is there. */
+async function follow(place) {
+    let pause = 300;
+    for (;;) {
+        await new Promise((resolve) => setTimeout(resolve, pause));
+        let sentence;
+        try {
+            const said = await (await fetch(place.dataset.standing)).json();
+            if (said.standing !== 'waiting' && said.standing !== 'grading') {
+                location.reload();
+                return;
+            }
+            sentence = said.sentence;
+            pause = 1000;
+        } catch {
+            sentence = 'The page can’t be reached just now. Your program is not lost; trying again.';
+            pause = Math.min(2 * pause, 10000);
+        }
+        // What has not changed is not to be read out again.
+        if (place.textContent !== sentence) place.textContent = sentence;
+    }
+}
+
+for (const form of document.querySelectorAll('form')) {
+    form.addEventListener('submit', (event) => {
+        event.preventDefault();
+        send(form);
+    });
+}
+const standing = document.getElementById('standing');
+if (standing) follow(standing);

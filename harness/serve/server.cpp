@@ -1,0 +1,229 @@
+// Theory of operation. One thread, one io_context; each connection is a coroutine (conversation.h). Memory is bounded
+// by the number of connections and what each may hold. At that number the connection that has asked nothing for the
+// longest time makes room, so idle and slow clients can't keep others out; one address can't have them all.
+#include "harness/serve/server.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/asio/as_tuple.hpp>
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <csignal>
+#include <list>
+#include <map>
+
+#include "harness/serve/conversation.h"
+
+namespace harness::serve {
+namespace {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+using boost::system::error_code;
+using namespace std::chrono_literals;
+
+constexpr auto as_awaitable = asio::as_tuple(asio::use_awaitable);
+
+constexpr std::string_view busy =
+    "HTTP/1.1 503 Service Unavailable\r\nContent-Type: text/plain\r\nCache-Control: no-store\r\nRetry-After: 5\r\n"
+    "Connection: close\r\n\r\nThere are too many connections just now. Please try again in a moment.\n";
+
+void listen(tcp::acceptor& acceptor, const std::string& address, std::uint16_t port) {
+    error_code error;
+    const auto parsed = asio::ip::make_address(address == "localhost" ? "127.0.0.1" : address, error);
+    if (error) throw ListenError(fmt::format("{}: is no IP address; --host takes one of this machine's", address));
+    const tcp::endpoint endpoint(parsed, port);
+    acceptor.open(endpoint.protocol(), error);
+    if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
+    if (!error) acceptor.bind(endpoint, error);
+    if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+    if (error == asio::error::address_in_use) {
+        throw ListenError(fmt::format(
+            "port {} is in use; name another with --port, or let raygrade find a free one with --port 0", port));
+    }
+    if (error) throw ListenError(fmt::format("can't listen at {}, port {}: {}", address, port, error.message()));
+}
+
+}  // namespace
+
+class Server::Network {
+  public:
+    Network(const ServerLimits& limits, bool behind_proxy, Site& site, Desk& desk)
+        : limits_(limits), behind_proxy_(behind_proxy), desk_(desk), common_{site, limits_} {}
+
+    void stop();
+    void run(std::chrono::milliseconds grace);
+
+    asio::io_context io{1};
+    tcp::acceptor acceptor{io};
+    asio::signal_set signals{io};
+
+  private:
+    using Connections = std::list<Connection>;
+
+    asio::awaitable<void> wait_for_signals();
+    asio::awaitable<void> accept();
+    bool has_room_for(const std::string& client);
+    void admit(tcp::socket socket);
+    void forget(Connections::iterator connection);
+    asio::awaitable<void> wait_for_the_desk();
+    void close();
+
+    asio::steady_timer last_moment_{io};
+    const ServerLimits limits_;
+    const bool behind_proxy_;
+    Desk& desk_;
+    Common common_;
+    Connections connections_;
+    std::map<std::string, std::size_t> connections_of_;  ///< how many each address has
+    std::chrono::milliseconds grace_{0};
+    int stops_ = 0;
+};
+
+void Server::Network::run(std::chrono::milliseconds grace) {
+    grace_ = grace;
+    asio::co_spawn(io, wait_for_signals(), asio::detached);
+    asio::co_spawn(io, accept(), asio::detached);
+    io.run();
+}
+
+asio::awaitable<void> Server::Network::wait_for_signals() {
+    while (!common_.is_closing) {
+        const auto [error, signal] = co_await signals.async_wait(as_awaitable);
+        if (error) co_return;
+        stop();
+    }
+}
+
+void Server::Network::stop() {
+    asio::post(io, [this] {
+        desk_.close();
+        if (++stops_ == 1) {
+            asio::co_spawn(io, wait_for_the_desk(), asio::detached);
+        } else {
+            close();
+        }
+    });
+}
+
+/// Meanwhile students go on reading.
+asio::awaitable<void> Server::Network::wait_for_the_desk() {
+    const auto end = std::chrono::steady_clock::now() + grace_;
+    asio::steady_timer timer(io);
+    while (!common_.is_closing && !desk_.is_idle() && std::chrono::steady_clock::now() < end) {
+        timer.expires_after(20ms);
+        co_await timer.async_wait(as_awaitable);
+    }
+    close();
+}
+
+/// Answers under way are given a moment. run returns when the last coroutine has ended.
+void Server::Network::close() {
+    if (common_.is_closing) return;
+    common_.is_closing = true;
+    error_code ignored;
+    acceptor.close(ignored);
+    signals.cancel(ignored);
+    for (Connection& connection : connections_) {
+        if (connection.idle_since) connection.stream.close();
+    }
+    if (connections_.empty()) return;
+    last_moment_.expires_after(limits_.linger_time);
+    last_moment_.async_wait([this](error_code error) {
+        if (error) return;
+        for (Connection& connection : connections_) connection.stream.close();
+    });
+}
+
+asio::awaitable<void> Server::Network::accept() {
+    while (!common_.is_closing) {
+        auto [error, socket] = co_await acceptor.async_accept(as_awaitable);
+        if (common_.is_closing) co_return;
+        if (!error) {
+            admit(std::move(socket));
+            continue;
+        }
+        // No more files may be open, or the client has gone: another moment is another chance.
+        asio::steady_timer timer(io, 50ms);
+        co_await timer.async_wait(as_awaitable);
+    }
+}
+
+bool Server::Network::has_room_for(const std::string& client) {
+    const auto of_client = connections_of_.find(client);
+    if (!behind_proxy_ && of_client != connections_of_.end() &&
+        of_client->second >= limits_.connections_of_one_address) {
+        return false;
+    }
+    if (connections_.size() < limits_.connections) return true;
+    const auto longest_idle =
+        std::min_element(connections_.begin(), connections_.end(), [](const Connection& a, const Connection& b) {
+            return a.idle_since && a.stream.socket().is_open() &&
+                   (!b.idle_since || !b.stream.socket().is_open() || a.idle_since < b.idle_since);
+        });
+    if (!longest_idle->idle_since || !longest_idle->stream.socket().is_open()) return false;
+    longest_idle->stream.close();
+    return true;
+}
+
+void Server::Network::admit(tcp::socket socket) {
+    error_code error;
+    const auto peer = socket.remote_endpoint(error);
+    if (error) return;
+    const std::string client = client_of(peer.address().to_string());
+    if (!has_room_for(client)) {
+        socket.non_blocking(true, error);
+        socket.write_some(asio::buffer(busy), error);
+        return;
+    }
+    ++connections_of_[client];
+    // Room for a head and for what one read brings beyond it.
+    const std::size_t most_bytes = 2 * limits_.head_bytes;
+    const auto connection = connections_.insert(
+        connections_.end(),
+        Connection{boost::beast::tcp_stream(std::move(socket)), client, boost::beast::flat_buffer(most_bytes)});
+    asio::co_spawn(io, converse(*connection, common_), [this, connection](const std::exception_ptr& failure) {
+        if (failure) fmt::print(stderr, "raygrade: a connection was closed by a fault of raygrade\n");
+        forget(connection);
+    });
+}
+
+void Server::Network::forget(Connections::iterator connection) {
+    const auto of_client = connections_of_.find(connection->client);
+    if (--of_client->second == 0) connections_of_.erase(of_client);
+    connections_.erase(connection);
+    if (common_.is_closing && connections_.empty()) last_moment_.cancel();
+}
+
+Server::Server(const std::string& address, std::uint16_t port, const ServerLimits& limits, bool behind_proxy,
+               Site& site, Desk& desk)
+    : network_(std::make_unique<Network>(limits, behind_proxy, site, desk)) {
+    listen(network_->acceptor, address, port);
+}
+
+Server::~Server() = default;
+
+std::uint16_t Server::port() const {
+    return network_->acceptor.local_endpoint().port();
+}
+
+void Server::stop_on_signals() {
+    network_->signals.add(SIGINT);
+    network_->signals.add(SIGTERM);
+}
+
+void Server::stop() {
+    network_->stop();
+}
+
+void Server::run(std::chrono::milliseconds grace) {
+    network_->run(grace);
+}
+
+}  // namespace harness::serve

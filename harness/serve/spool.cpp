@@ -1,0 +1,268 @@
+#include "harness/serve/spool.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sqlite3.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <system_error>
+
+#include "harness/failure.h"
+#include "harness/fingerprint.h"
+#include "harness/names.h"
+
+namespace harness::serve {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Raised whenever the table or the meaning of a column changes.
+constexpr int version = 1;
+
+constexpr const char* table = R"(
+    CREATE TABLE submissions (
+        number INTEGER PRIMARY KEY AUTOINCREMENT,  -- in the order of arrival
+        key TEXT NOT NULL UNIQUE,
+        attempts INTEGER NOT NULL DEFAULT 0,       -- begun and not ended
+        source BLOB,                               -- until there is a page
+        page BLOB,
+        points REAL,
+        max_points REAL,
+        finished INTEGER);                         -- seconds since 1970
+    CREATE INDEX by_age ON submissions (finished, number);
+)";
+
+std::int64_t now() {
+    return std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch())
+        .count();
+}
+
+void bind_bytes(SQLite::Statement& statement, int place, const std::string& bytes) {
+    statement.bind(place, bytes.data(), static_cast<int>(bytes.size()));
+}
+
+std::string bytes_of(const SQLite::Column& column) {
+    const void* const data = column.getBlob();
+    return data == nullptr ? "" : std::string(static_cast<const char*>(data), static_cast<std::size_t>(column.size()));
+}
+
+FileDescriptor lock(const fs::path& folder) {
+    FileDescriptor file(::open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR));
+    if (!file) {
+        throw HarnessError(fmt::format("Could not write in {}: {}. Name another folder with --state.",
+                                       in_quotes(folder), std::generic_category().message(errno)));
+    }
+    if (flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
+        throw HarnessError(fmt::format(
+            "Another raygrade serve uses {}. Stop it first, or give this one a folder of its own with --state.",
+            in_quotes(folder)));
+    }
+    return file;
+}
+
+std::unique_ptr<SQLite::Database> opened(const fs::path& file) {
+    auto database = std::make_unique<SQLite::Database>(
+        file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_FULLMUTEX);
+    const bool is_new = !database->tableExists("submissions");
+    const int found = database->execAndGet("PRAGMA user_version").getInt();
+    if (found != (is_new ? 0 : version)) throw std::runtime_error(fmt::format("is of version {}", found));
+    database->exec("PRAGMA journal_mode = WAL");
+    // With every transaction on the disk: what a student is told to be kept is kept, also in a power cut.
+    database->exec("PRAGMA synchronous = FULL");
+    database->exec("PRAGMA secure_delete = ON");
+    database->exec("PRAGMA trusted_schema = OFF");
+    if (is_new) {
+        database->exec(table);
+        database->exec(fmt::format("PRAGMA user_version = {}", version));
+    }
+    // Also finds out whether the table has the columns it should.
+    SQLite::Statement(*database,
+                      "SELECT number, key, attempts, source, page, points, max_points, finished FROM "
+                      "submissions LIMIT 1")
+        .executeStep();
+    return database;
+}
+
+}  // namespace
+
+std::optional<fs::path> state_folder(const std::string& assignment, const std::string& name) {
+    std::string folder = name;
+    std::error_code error;
+    if (fs::is_regular_file(assignment, error)) {
+        constexpr std::size_t enough = 16;
+        const std::string path = fs::canonical(assignment, error).string();
+        folder += '-' + Fingerprint("raygrade/serve-state/1").add(path).hex().substr(0, enough);
+    }
+    for (const auto& [variable, below] :
+         {std::pair("XDG_STATE_HOME", "raygrade/serve"), {"HOME", ".local/state/raygrade/serve"}}) {
+        const char* const value = std::getenv(variable);
+        if (value != nullptr && *value == '/') return fs::path(value) / below / printable(folder);
+    }
+    return {};
+}
+
+Spool::Spool(fs::path folder, const SpoolBounds& bounds)
+    : folder_(std::move(folder)), file_(folder_ / "spool.sqlite"), bounds_(bounds) {
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (!error) fs::permissions(folder_, fs::perms::owner_all, error);
+    if (error) {
+        throw HarnessError(fmt::format("Could not make {}: {}. Name another folder with --state.", in_quotes(folder_),
+                                       error.message()));
+    }
+    lock_ = lock(folder_);
+    open();
+}
+
+Spool::~Spool() = default;
+
+/// What `work` gives; a HarnessError when the database fails.
+template <class Work>
+auto Spool::attempt(const char* what, Work work) {
+    const std::lock_guard guard(mutex_);
+    try {
+        return work();
+    } catch (const SQLite::Exception& error) {
+        throw HarnessError(fmt::format("{} can't be {}: {}. Make room on its disk and see that it can be written to.",
+                                       in_quotes(file_), what, error.what()));
+    }
+}
+
+void Spool::open() {
+    std::string why;
+    try {
+        database_ = opened(file_);
+        return;
+    } catch (const SQLite::Exception& error) {
+        const int code = error.getErrorCode();
+        if (code != SQLITE_CORRUPT && code != SQLITE_NOTADB && code != SQLITE_ERROR) {
+            throw HarnessError(
+                fmt::format("{} can't be used: {}. Make room or give permission there, or name another "
+                            "folder with --state.",
+                            in_quotes(file_), error.what()));
+        }
+        why = fmt::format("can't be read ({})", error.what());
+    } catch (const std::runtime_error& error) {
+        why = error.what();
+    }
+    const fs::path aside = file_.string() + ".set-aside";
+    std::error_code error;
+    fs::rename(file_, aside, error);
+    // A log left behind would be applied to the new database.
+    for (const char* part : {"-wal", "-shm"}) fs::remove(file_.string() + part, error);
+    problem_ = fmt::format("{} {}. It is now {}, what was handed in there is not graded, and a new one is begun.",
+                           in_quotes(file_), why, in_quotes(aside.filename()));
+    attempt("opened", [&] { database_ = opened(file_); });
+}
+
+std::vector<std::string> Spool::without_page(const char* attempts) {
+    return attempt("read", [&] {
+        std::vector<std::string> keys;
+        SQLite::Statement query(
+            *database_,
+            fmt::format("SELECT key FROM submissions WHERE page IS NULL AND attempts {} ? ORDER BY number", attempts));
+        query.bind(1, bounds_.attempts);
+        while (query.executeStep()) keys.push_back(query.getColumn(0).getString());
+        return keys;
+    });
+}
+
+std::vector<std::string> Spool::waiting() {
+    return without_page("<");
+}
+
+std::vector<std::string> Spool::given_up() {
+    return without_page(">=");
+}
+
+void Spool::add(const std::string& key, const std::string& source) {
+    attempt("written", [&] {
+        SQLite::Statement insert(*database_, "INSERT INTO submissions (key, source) VALUES (?, ?)");
+        insert.bind(1, key);
+        bind_bytes(insert, 2, source);
+        insert.exec();
+    });
+}
+
+std::string Spool::begin(const std::string& key) {
+    return attempt("read", [&]() -> std::string {
+        SQLite::Statement count(*database_, "UPDATE submissions SET attempts = attempts + 1 WHERE key = ?");
+        count.bind(1, key);
+        count.exec();
+        SQLite::Statement query(*database_, "SELECT source FROM submissions WHERE key = ?");
+        query.bind(1, key);
+        return query.executeStep() ? bytes_of(query.getColumn(0)) : "";
+    });
+}
+
+void Spool::give_back(const std::string& key) {
+    attempt("written", [&] {
+        SQLite::Statement count(*database_, "UPDATE submissions SET attempts = max(0, attempts - 1) WHERE key = ?");
+        count.bind(1, key);
+        count.exec();
+    });
+}
+
+void Spool::finish(const std::string& key, const Result& result) {
+    attempt("written", [&] {
+        SQLite::Statement update(*database_,
+                                 "UPDATE submissions SET source = NULL, page = ?, points = ?, max_points = ?, "
+                                 "finished = ? WHERE key = ?");
+        bind_bytes(update, 1, result.page);
+        if (result.points) {
+            update.bind(2, *result.points);
+        } else {
+            update.bind(2);
+        }
+        update.bind(3, result.max_points);
+        update.bind(4, now());
+        update.bind(5, key);
+        update.exec();
+    });
+}
+
+std::optional<Result> Spool::find(const std::string& key, const char* page) {
+    return attempt("read", [&]() -> std::optional<Result> {
+        SQLite::Statement query(*database_, fmt::format("SELECT points, max_points, {} FROM submissions WHERE key = ? "
+                                                        "AND page IS NOT NULL AND finished > ?",
+                                                        page));
+        query.bind(1, key);
+        query.bind(2, now() - bounds_.age.count());
+        if (!query.executeStep()) return {};
+        Result result;
+        if (!query.getColumn(0).isNull()) result.points = query.getColumn(0).getDouble();
+        result.max_points = query.getColumn(1).getDouble();
+        result.page = bytes_of(query.getColumn(2));
+        return result;
+    });
+}
+
+std::optional<Result> Spool::result(const std::string& key) {
+    return find(key, "page");
+}
+
+std::optional<Result> Spool::points(const std::string& key) {
+    return find(key, "NULL");
+}
+
+void Spool::trim() {
+    attempt("written", [&] {
+        SQLite::Statement old(*database_, "DELETE FROM submissions WHERE finished <= ?");
+        old.bind(1, now() - bounds_.age.count());
+        old.exec();
+        SQLite::Statement surplus(
+            *database_,
+            "DELETE FROM submissions WHERE number IN (SELECT number FROM (SELECT number, SUM(length(page)) OVER newest "
+            "AS bytes, COUNT(*) OVER newest AS results FROM submissions WHERE page IS NOT NULL WINDOW newest AS (ORDER "
+            "BY finished DESC, number DESC)) WHERE bytes > ? OR results > ?)");
+        surplus.bind(1, static_cast<std::int64_t>(bounds_.bytes));
+        surplus.bind(2, static_cast<std::int64_t>(bounds_.results));
+        surplus.exec();
+    });
+}
+
+}  // namespace harness::serve

@@ -1,0 +1,206 @@
+// The self-check page as it is put up: stopped, killed and started again, with hostile programs beside honest ones.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+
+#include "tests/scenario.h"
+#include "tests/serve/client.h"
+
+namespace scenario {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using harness::serve::HttpAnswer;
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr int usage = 2;
+/// For compiling a few programs on a busy machine, under the sanitisers.
+constexpr auto patience = 120s;
+
+constexpr std::string_view honest =
+    "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n";
+/// Takes a while, then is as right as the honest one.
+constexpr std::string_view slow =
+    "#include <cstdio>\n#include <unistd.h>\nint main() { sleep(3); puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, "
+    "-1.000000)\"); }\n";
+
+class Serving : public testing::Test {
+  protected:
+    Serving() {
+        fs::create_directories(folder / "run");
+        fs::permissions(folder.path(), static_cast<fs::perms>(0755));
+    }
+    ~Serving() override {
+        if (server > 0) end(SIGKILL);
+    }
+
+    Preparation prepare() const {
+        return [this] { return setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1) == 0; };
+    }
+    /// Starts raygrade serve at a free port, and waits until it says which.
+    void start(std::vector<std::string> more = {}) {
+        more.insert(more.begin(), {"serve", "--assignment", "a6-2021", "--port", "0", "--rate", "1000"});
+        fs::remove(output());
+        server = fork();
+        if (server == 0) become_raygrade(more, prepare(), output(), voice());
+        const auto late = std::chrono::steady_clock::now() + patience;
+        while (port == 0 && std::chrono::steady_clock::now() < late) {
+            std::this_thread::sleep_for(10ms);
+            const std::string said = fs::exists(output()) ? read(output()) : "";
+            constexpr std::string_view before = "Open http://127.0.0.1:";
+            const auto at = said.find(before);
+            if (at != std::string::npos && said.find("/\n", at) != std::string::npos)
+                port = static_cast<std::uint16_t>(std::stoi(said.substr(at + before.size())));
+        }
+        ASSERT_NE(port, 0) << read(voice());
+    }
+    /// Its exit status, or 128 + the signal.
+    int end(int signal) {
+        kill(server, signal);
+        int status = 0;
+        waitpid(server, &status, 0);
+        server = 0;
+        port = 0;
+        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    }
+    HttpAnswer ask(const std::string& request) const { return harness::serve::ask(port, request); }
+    /// The result's path.
+    std::string hand_in(std::string_view source) const {
+        const HttpAnswer answer = ask(harness::serve::upload(std::string(source)));
+        EXPECT_EQ(answer.status, 303) << answer.body;
+        return "/" + answer.fields.at("location");
+    }
+    json standing(const std::string& result) const {
+        return json::parse(ask(harness::serve::get(result + "/standing")).body);
+    }
+    /// How it stands when it waits and is graded no more.
+    json outcome(const std::string& result) const {
+        const auto late = std::chrono::steady_clock::now() + patience;
+        json now = standing(result);
+        while ((now.at("standing") == "waiting" || now.at("standing") == "grading") &&
+               std::chrono::steady_clock::now() < late) {
+            std::this_thread::sleep_for(50ms);
+            now = standing(result);
+        }
+        return now;
+    }
+    fs::path output() const { return folder / "run/stdout"; }
+    fs::path voice() const { return folder / "run/stderr"; }
+
+    TemporaryFolder folder;
+    pid_t server = 0;
+    std::uint16_t port = 0;
+};
+
+TEST_F(Serving, GradesAnHonestProgramBesideHostileOnes) {
+    start({"--limit", "run.cpu_seconds=0.5", "--limit", "run.wall_seconds=5"});
+    std::map<std::string, std::string> results;
+    for (const char* hostile : {"endless_loop", "fork_bomb", "kill_all", "markup_injection", "ansi_sequences"}) {
+        results[hostile] = hand_in(read(project_folder() / "submissions/hostile" / hostile / "ray_cast.cpp"));
+    }
+    results["honest"] = hand_in(honest);
+    for (const auto& [who, result] : results) EXPECT_EQ(outcome(result).at("standing"), "done") << who;
+    EXPECT_EQ(standing(results["honest"]).at("points"), 10);
+    const HttpAnswer page = ask(harness::serve::get(results["markup_injection"]));
+    EXPECT_EQ(page.status, 200);
+    EXPECT_THAT(page.body, AllOf(Not(HasSubstr("<script")), Not(HasSubstr("<img")), Not(HasSubstr("\x1b"))));
+    EXPECT_THAT(page.fields.at("content-security-policy"), Not(HasSubstr("script-src")));
+    EXPECT_THAT(page.body, HasSubstr("Check another program"));
+    const std::string told = read(voice()) + read(output());
+    EXPECT_THAT(told, HasSubstr("program 6"));
+    for (const auto& [who, result] : results)
+        EXPECT_THAT(told, Not(HasSubstr(result.substr(result.rfind('/') + 1))))
+            << "whoever reads the log reads results";
+}
+
+TEST_F(Serving, StoppedItFinishesTheQueueAndShowsTheResultsAfterTheNextStart) {
+    start({"--grace", "100"});
+    std::vector<std::string> results;
+    for (int i = 0; i < 3; ++i) results.push_back(hand_in(std::string(honest) + "// " + std::to_string(i) + "\n"));
+    EXPECT_EQ(end(SIGTERM), 0);
+    EXPECT_THAT(read(voice()), HasSubstr("nothing waits"));
+    start();
+    for (const std::string& result : results) {
+        EXPECT_EQ(standing(result).at("standing"), "done");
+        EXPECT_EQ(standing(result).at("points"), 10);
+    }
+    EXPECT_EQ(end(SIGINT), 0);
+}
+
+TEST_F(Serving, WhatItsGraceIsTooShortForIsGradedAfterTheNextStart) {
+    start({"--grace", "0", "-j", "1"});
+    std::vector<std::string> results = {hand_in(slow), hand_in(honest), hand_in(std::string(honest) + "// other\n")};
+    EXPECT_EQ(end(SIGTERM), 0);
+    EXPECT_THAT(read(voice()), HasSubstr("kept for the next start"));
+    start();
+    EXPECT_THAT(read(voice()), HasSubstr("from before: "));
+    for (const std::string& result : results) EXPECT_EQ(outcome(result).at("points"), 10) << standing(result);
+}
+
+TEST_F(Serving, AKillLosesNothing) {
+    start({"-j", "1"});
+    const std::string done = hand_in(honest);
+    EXPECT_EQ(outcome(done).at("points"), 10);
+    const std::vector<std::string> results = {hand_in(slow), hand_in(std::string(honest) + "// other\n")};
+    EXPECT_EQ(end(SIGKILL), 128 + SIGKILL);
+    start();
+    EXPECT_EQ(standing(done).at("points"), 10);
+    for (const std::string& result : results) EXPECT_EQ(outcome(result).at("points"), 10) << standing(result);
+}
+
+TEST_F(Serving, RunsNobodysProgramsForOthersWithoutASandbox) {
+    for (const std::vector<std::string>& reach :
+         {std::vector<std::string>{"--host", "0.0.0.0"}, {"--behind-proxy", "--name", "check.example.edu"}}) {
+        std::vector<std::string> words = {"serve", "--port", "0", "--unsafe"};
+        words.insert(words.end(), reach.begin(), reach.end());
+        const Result result = raygrade(words, prepare());
+        EXPECT_EQ(result.status, usage) << result.both();
+        EXPECT_THAT(result.voice, HasSubstr("leave out --unsafe"));
+        EXPECT_EQ(result.output, "");
+    }
+}
+
+TEST_F(Serving, DoesNotStartWithoutASandboxThatHolds) {
+    const Result result = raygrade({"serve", "--port", "0", "--sandbox", "bwrap"}, [this] {
+        const fs::path bin = folder / "bin";
+        fs::create_directories(bin);
+        fs::create_symlink("/usr/bin/g++", bin / "g++");
+        return prepare()() && setenv("PATH", bin.c_str(), 1) == 0;
+    });
+    EXPECT_EQ(result.status, 1) << result.both();
+    EXPECT_THAT(result.voice, HasSubstr("raygrade doctor"));
+    EXPECT_EQ(result.output, "");
+}
+
+TEST_F(Serving, SaysWhatIsWrongBeforeItStarts) {
+    start();
+    const auto voice_of = [&](std::vector<std::string> words, int status) {
+        words.insert(words.begin(), "serve");
+        const Result result = raygrade(words, prepare());
+        EXPECT_EQ(result.status, status) << result.both();
+        EXPECT_EQ(result.output, "");
+        return result.voice;
+    };
+    const std::string other = (folder / "other").string();
+    EXPECT_THAT(voice_of({"--port", "0"}, 1), HasSubstr("--state"));
+    EXPECT_THAT(voice_of({"--port", std::to_string(port), "--state", other}, usage), HasSubstr("--port 0"));
+    EXPECT_THAT(voice_of({"--host", "example.edu", "--state", other}, usage), HasSubstr("IP address"));
+    EXPECT_THAT(voice_of({"--behind-proxy", "--state", other}, usage), HasSubstr("--name"));
+    EXPECT_THAT(voice_of({"--name", "http://x/", "--state", other}, usage), HasSubstr("the name alone"));
+    EXPECT_THAT(voice_of({"--assignment", "no-such", "--state", other}, usage), HasSubstr("no-such"));
+}
+
+}  // namespace
+}  // namespace scenario

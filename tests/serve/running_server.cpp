@@ -1,0 +1,34 @@
+#include "tests/serve/running_server.h"
+
+#include <stdexcept>
+
+namespace harness::serve {
+
+RunningServer::RunningServer(const Options& options) {
+    std::string name = (std::filesystem::temp_directory_path() / "raygrade-test.XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder " + name);
+    folder_ = name;
+    spool_ = std::make_unique<Spool>(folder_);
+    desk_ = std::make_unique<Desk>(*spool_, options.queue);
+    SiteSettings settings;
+    settings.about.title = "An <assignment>";
+    settings.about.keep = std::chrono::hours(24);
+    settings.reach = options.reach;
+    settings.turns_a_minute = options.rate;
+    site_ = std::make_unique<Site>(settings, *desk_);
+    server_ = std::make_unique<Server>("127.0.0.1", static_cast<std::uint16_t>(0), options.limits,
+                                       options.reach.behind_proxy, *site_, *desk_);
+    thread_ = std::thread([this, grace = options.grace] { server_->run(grace); });
+}
+
+RunningServer::~RunningServer() {
+    if (thread_.joinable()) {
+        server_->stop();
+        server_->stop();
+        thread_.join();
+    }
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+}
+
+}  // namespace harness::serve

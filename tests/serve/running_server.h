@@ -1,0 +1,47 @@
+// A server for tests, at a free port of 127.0.0.1. Nobody grades, unless the test does.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "harness/serve/desk.h"
+#include "harness/serve/server.h"
+#include "tests/serve/client.h"
+
+namespace harness::serve {
+
+class RunningServer {
+  public:
+    struct Options {
+        ServerLimits limits{};
+        std::size_t queue = 100;
+        double rate = 100'000;
+        Reach reach{};
+        std::chrono::milliseconds grace{0};
+    };
+    RunningServer() : RunningServer(Options()) {}
+    explicit RunningServer(const Options& options);
+    ~RunningServer();
+    RunningServer(const RunningServer&) = delete;
+    RunningServer& operator=(const RunningServer&) = delete;
+
+    std::uint16_t port() const { return server_->port(); }
+    HttpAnswer ask(std::string_view request) const { return serve::ask(port(), request); }
+    Desk& desk() { return *desk_; }
+    void stop() { server_->stop(); }
+    /// Waits until the server has ended by itself.
+    void join() { thread_.join(); }
+
+  private:
+    std::filesystem::path folder_;
+    std::unique_ptr<Spool> spool_;
+    std::unique_ptr<Desk> desk_;
+    std::unique_ptr<Site> site_;
+    std::unique_ptr<Server> server_;
+    std::thread thread_;
+};
+
+}  // namespace harness::serve

@@ -1,0 +1,304 @@
+// Clients that are slow, broken, greedy or hostile, and what becomes of the others meanwhile.
+#include "harness/serve/server.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <list>
+#include <random>
+#include <thread>
+
+#include "tests/serve/running_server.h"
+
+namespace harness::serve {
+namespace {
+
+using testing::HasSubstr;
+using namespace std::chrono_literals;
+
+/// On a busy machine; what is tested is that there is an end.
+constexpr auto soon = 20s;
+
+std::string head_of_upload(const std::string& length) {
+    return "POST /check HTTP/1.1\r\nHost: localhost\r\nContent-Type: multipart/form-data; boundary=cut\r\n" + length +
+           "\r\n";
+}
+
+TEST(Server, RefusesABodyThatSaysItIsTooLarge) {
+    const RunningServer server;
+    Client client(server.port());
+    client.send(head_of_upload("Content-Length: 2000000\r\n"));
+    EXPECT_EQ(client.answer().status, 413);
+    EXPECT_TRUE(client.ends_within(soon));
+}
+
+TEST(Server, TellsAClientThatSendsItAllTheSame) {
+    const RunningServer server;
+    const HttpAnswer answer = server.ask(upload(std::string(3 << 20, 'x')));
+    EXPECT_EQ(answer.status, 413);
+    EXPECT_THAT(answer.body, HasSubstr("1 MiB"));
+}
+
+TEST(Server, RefusesABodyThatGrowsTooLargeWithoutSaying) {
+    const RunningServer server;
+    Client client(server.port());
+    client.send(head_of_upload("Transfer-Encoding: chunked\r\n"));
+    const std::string chunk = "10000\r\n" + std::string(0x10000, 'x') + "\r\n";
+    for (int i = 0; i < 20 && client.send(chunk); ++i) {
+    }
+    EXPECT_EQ(client.answer().status, 413);
+}
+
+TEST(Server, TakesTheLargestProgramThereMayBe) {
+    const RunningServer server;
+    EXPECT_EQ(server.ask(upload(std::string(1 << 20, 'x'))).status, 303);
+    EXPECT_EQ(server.ask(upload(std::string((1 << 20) + 1, 'x'))).status, 400);
+}
+
+TEST(Server, RefusesAHeadThatIsTooLarge) {
+    const RunningServer server;
+    const HttpAnswer one_field = server.ask(get("/", "X-Long: " + std::string(20'000, 'x') + "\r\n"));
+    EXPECT_EQ(one_field.status, 431);
+    std::string fields;
+    for (int i = 0; i < 2000; ++i) fields += "X-" + std::to_string(i) + ": y\r\n";
+    EXPECT_EQ(server.ask(get("/", fields)).status, 431);
+    EXPECT_EQ(server.ask("GET /" + std::string(100'000, 'x')).status, 431);
+    EXPECT_EQ(server.ask(get("/")).status, 200);
+}
+
+TEST(Server, CutsOffAHeadThatComesByteByByte) {
+    RunningServer::Options options;
+    options.limits.head_time = 500ms;
+    const RunningServer server(options);
+    Client client(server.port());
+    const auto begin = std::chrono::steady_clock::now();
+    const std::string endless = "GET / HTTP/1.1\r\nHost: localhost\r\nX-Slow: ";
+    client.send(endless);
+    while (client.send("x") && std::chrono::steady_clock::now() - begin < soon) std::this_thread::sleep_for(20ms);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, soon);
+    EXPECT_EQ(client.answer().status, 0);
+}
+
+TEST(Server, CutsOffABodyThatComesByteByByte) {
+    RunningServer::Options options;
+    options.limits.body_time = 500ms;
+    const RunningServer server(options);
+    Client client(server.port());
+    const auto begin = std::chrono::steady_clock::now();
+    client.send(head_of_upload("Content-Length: 100000\r\n"));
+    while (client.send("x") && std::chrono::steady_clock::now() - begin < soon) std::this_thread::sleep_for(20ms);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, soon);
+}
+
+TEST(Server, CutsOffWhoDoesNotReadItsAnswer) {
+    RunningServer::Options options;
+    options.limits.answer_time = 500ms;
+    RunningServer server(options);
+    const std::string result = "/" + server.ask(upload("x")).fields.at("location");
+    server.desk().finish(server.desk().next().value(), {std::string(24 << 20, 'x'), 1, 1});
+    Client client(server.port());
+    client.send(get(result));
+    std::this_thread::sleep_for(2s);
+    EXPECT_EQ(client.answer().status, 0);
+}
+
+TEST(Server, CutsOffASilentConnection) {
+    RunningServer::Options options;
+    options.limits.head_time = 200ms;
+    const RunningServer server(options);
+    Client never_asks(server.port());
+    EXPECT_TRUE(never_asks.ends_within(soon));
+    Client asks_once(server.port());
+    asks_once.send(get("/"));
+    EXPECT_EQ(asks_once.answer().status, 200);
+    EXPECT_TRUE(asks_once.ends_within(soon));
+}
+
+TEST(Server, AnswersPipelinedRequestsInTheirOrder) {
+    const RunningServer server;
+    Client client(server.port());
+    client.send(get("/style.css") + upload("int main() {}") + get("/nothing") + get("/icon.svg"));
+    EXPECT_EQ(client.answer().fields.at("content-type"), "text/css; charset=utf-8");
+    EXPECT_EQ(client.answer().status, 303);
+    EXPECT_EQ(client.answer().status, 404);
+    EXPECT_EQ(client.answer().fields.at("content-type"), "image/svg+xml");
+}
+
+TEST(Server, EndsAConnectionAfterSoManyRequests) {
+    RunningServer::Options options;
+    options.limits.requests_of_one_connection = 3;
+    const RunningServer server(options);
+    Client client(server.port());
+    for (int i = 0; i < 4; ++i) client.send(get("/icon.svg"));
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(client.answer().status, 200) << i;
+    EXPECT_EQ(client.answer().status, 0);
+}
+
+TEST(Server, SurvivesAnyBytes) {
+    const RunningServer server;
+    std::mt19937 random(11);
+    const std::string whole = upload("int main() {}") + get("/");
+    for (int i = 0; i < 300; ++i) {
+        std::string bytes = whole;
+        if (i % 3 == 0) {
+            for (char& c : bytes) c = static_cast<char>(random());
+        } else {
+            for (int k = 0; k < 5; ++k) bytes[random() % bytes.size()] = static_cast<char>(random());
+        }
+        Client client(server.port());
+        client.send(bytes.substr(0, random() % bytes.size()));
+    }
+    const std::string not_http("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03", 11);  // TLS
+    EXPECT_EQ(server.ask(not_http + std::string(100, '\0') + "\r\n\r\n").status, 400);
+    EXPECT_EQ(server.ask(get("/")).status, 200);
+}
+
+TEST(Server, IsNotMisledAboutWhereARequestEnds) {
+    const RunningServer server;
+    const std::string smuggled = get("/style.css");
+    for (const char* lengths :
+         {"Content-Length: 5\r\nTransfer-Encoding: chunked\r\n", "Content-Length: 5\r\nContent-Length: 6\r\n",
+          "Content-Length: -1\r\n", "Content-Length: 99999999999999999999\r\n"}) {
+        Client client(server.port());
+        client.send(head_of_upload(lengths) + "0\r\n\r\n" + smuggled);
+        EXPECT_EQ(client.answer().status, 400) << lengths;
+        EXPECT_EQ(client.answer().status, 0) << lengths;
+    }
+    // A body that nobody wants is not the next request.
+    Client client(server.port());
+    client.send(get("/icon.svg", "Content-Length: " + std::to_string(smuggled.size()) + "\r\n") + smuggled);
+    EXPECT_EQ(client.answer().status, 200);
+    EXPECT_EQ(client.answer().status, 0);
+}
+
+TEST(Server, AsksForABodyOnlyWhereItIsWelcome) {
+    const RunningServer server;
+    const std::string whole = upload("int main() {}", "Expect: 100-continue\r\n");
+    const std::size_t body = whole.find("\r\n\r\n") + 4;
+    Client client(server.port());
+    client.send(whole.substr(0, body));
+    EXPECT_EQ(client.answer().status, 100);
+    client.send(whole.substr(body));
+    EXPECT_EQ(client.answer().status, 303);
+    Client stranger(server.port());
+    stranger.send(upload("x", "Expect: 100-continue\r\nOrigin: http://evil.example\r\n").substr(0, 200));
+    EXPECT_EQ(stranger.answer().status, 403);
+}
+
+TEST(Server, GivesOneAddressOnlySoManyConnections) {
+    RunningServer::Options options;
+    options.limits.connections_of_one_address = 5;
+    const RunningServer server(options);
+    std::list<Client> clients;
+    for (int i = 0; i < 5; ++i) {
+        clients.emplace_back(server.port()).send(get("/icon.svg"));
+        ASSERT_EQ(clients.back().answer().status, 200);
+    }
+    const HttpAnswer refused = server.ask("");
+    EXPECT_EQ(refused.status, 503);
+    EXPECT_EQ(refused.fields.at("retry-after"), "5");
+    clients.clear();
+    int status = 0;
+    const auto end = std::chrono::steady_clock::now() + soon;
+    while (status != 200 && std::chrono::steady_clock::now() < end) status = server.ask(get("/")).status;
+    EXPECT_EQ(status, 200);
+}
+
+TEST(Server, MakesRoomByTheConnectionThatHasBeenIdleTheLongest) {
+    RunningServer::Options options;
+    options.limits.connections = 3;
+    const RunningServer server(options);
+    std::list<Client> clients;
+    for (int i = 0; i < 3; ++i) {
+        clients.emplace_back(server.port()).send(get("/icon.svg"));
+        ASSERT_EQ(clients.back().answer().status, 200);
+        std::this_thread::sleep_for(5ms);
+    }
+    EXPECT_EQ(server.ask(get("/")).status, 200);
+    EXPECT_TRUE(clients.front().ends_within(soon));
+    clients.back().send(get("/"));
+    EXPECT_EQ(clients.back().answer().status, 200);
+}
+
+TEST(Server, HoldsOnlySoMuchOfAllBodiesTogether) {
+    RunningServer::Options options;
+    options.limits.all_body_bytes = 1'000'000;
+    const RunningServer server(options);
+    const std::string whole = upload(std::string(900'000, 'x'));
+    constexpr std::size_t most = 800'000;
+    Client a(server.port()), b(server.port());
+    a.send(std::string_view(whole).substr(0, most));
+    b.send(std::string_view(whole).substr(0, most));
+    // Which of them was the one too much is chance.
+    const auto end = std::chrono::steady_clock::now() + soon;
+    while (!a.is_told_within(10ms) && !b.is_told_within(10ms) && std::chrono::steady_clock::now() < end) {
+    }
+    Client& refused = a.is_told_within(0ms) ? a : b;
+    Client& other = &refused == &a ? b : a;
+    EXPECT_EQ(refused.answer().status, 503);
+    other.send(std::string_view(whole).substr(most));
+    EXPECT_EQ(other.answer().status, 303);
+}
+
+TEST(Server, ServesOthersWhileManyAreSlow) {
+    const RunningServer server;
+    std::list<Client> slow;
+    for (int i = 0; i < 50; ++i) {
+        slow.emplace_back(server.port())
+            .send(i % 2 == 0 ? "GET / HTTP/1.1\r\nX-" : head_of_upload("Content-Length: 9\r\n"));
+    }
+    EXPECT_EQ(server.ask(upload("int main() {}")).status, 303);
+}
+
+TEST(Server, StoppedTakesNoMoreButShowsResultsUntilNothingWaits) {
+    RunningServer::Options options;
+    options.grace = 60s;
+    RunningServer server(options);
+    const std::string result = "/" + server.ask(upload("x")).fields.at("location");
+    server.stop();
+    int status = 0;
+    const auto end = std::chrono::steady_clock::now() + soon;
+    while (status != 503 && std::chrono::steady_clock::now() < end) status = server.ask(upload("y")).status;
+    EXPECT_EQ(status, 503);
+    EXPECT_EQ(server.ask(get(result)).status, 200);
+    while (const auto task = server.desk().next()) server.desk().finish(*task, {"page", 1, 1});
+    server.join();
+    EXPECT_LT(std::chrono::steady_clock::now(), end);
+}
+
+TEST(Server, EndsWhenItsGraceIsOverOrItIsStoppedAgain) {
+    RunningServer short_of_time;
+    EXPECT_EQ(short_of_time.ask(upload("x")).status, 303);
+    const Client slow(short_of_time.port());
+    short_of_time.stop();
+    short_of_time.join();
+    EXPECT_FALSE(short_of_time.desk().is_idle());
+
+    RunningServer::Options options;
+    options.grace = 1h;
+    RunningServer patient(options);
+    EXPECT_EQ(patient.ask(upload("x")).status, 303);
+    patient.stop();
+    patient.stop();
+    patient.join();
+    EXPECT_FALSE(patient.desk().is_idle());
+}
+
+TEST(Server, SaysThatAPortIsInUseAndWhatElseCouldBeDone) {
+    RunningServer first;
+    Site site({}, first.desk());
+    const auto why = [&](const std::string& address, std::uint16_t port) -> std::string {
+        try {
+            const Server second(address, port, {}, false, site, first.desk());
+            return "";
+        } catch (const ListenError& error) {
+            return error.what();
+        }
+    };
+    EXPECT_THAT(why("127.0.0.1", first.port()), HasSubstr("--port"));
+    EXPECT_THAT(why("example.edu", 0), HasSubstr("IP address"));
+    EXPECT_THAT(why("192.0.2.1", 0), HasSubstr("can't listen"));
+}
+
+}  // namespace
+}  // namespace harness::serve
