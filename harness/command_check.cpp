@@ -14,11 +14,16 @@ int check_command(const CheckOptions& options) {
         throw UsageError(fmt::format("{}: holds {} submissions; `raygrade check` takes one, `raygrade grade` a class",
                                      options.source.string(), submissions.size()));
     }
-    const Workshop workshop = open_workshop(options.workshop, assignment.limits);
+    Workshop workshop = open_workshop(options.workshop, assignment.limits);
     tell_of_the_sandbox(workshop);
     // Now that the looks at the machine are over: the key is needed only when the program has run.
     const auto marking = begin_marking(assignment);
-    const Graded graded = grade(submissions.front(), marking, workshop);
+    std::vector<Graded> all{grade(submissions.front(), marking, workshop)};
+    workshop.repetitions = 1;
+    workshop.sanitize = false;
+    Timeline timeline;
+    variants::run_variants(all, {submissions.front().source}, marking.get(), workshop, 1, options.variants, timeline);
+    const Graded& graded = all.front();
     tell_problems(workshop);
     fmt::print("{}\n\n{}", assignment.title, report::check_text(graded));
     if (graded.outcome == Outcome::not_graded) return status_of({graded});

@@ -73,6 +73,20 @@ std::vector<Graded> grade_with_progress(std::vector<Submission> submissions, con
     return graded;
 }
 
+/// What one run shows is enough there: neither repetitions nor sanitizers.
+void run_on_other_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
+                         Workshop& workshop, const GradeOptions& options) {
+    if (options.variants.count == 0) return;
+    workshop.repetitions = 1;
+    workshop.sanitize = false;
+    Timeline timeline;
+    {
+        const Progress progress(timeline, graded.size() * static_cast<std::size_t>(options.variants.count));
+        variants::run_variants(graded, sources, marking, workshop, options.jobs, options.variants, timeline);
+    }
+    fmt::print(stderr, "other scenes: {}\n", closing_line(timeline));
+}
+
 }  // namespace
 
 void tell_problems(const Workshop& workshop) {
@@ -119,12 +133,17 @@ int grade_command(const GradeOptions& options) {
     std::vector<Submission> submissions = find_submissions(options.paths);
     prepare_results(options.out, "grades.json", options.force ? Replace::yes : Replace::no, "feedback");
     if (!options.trace.empty()) check_trace(options.trace);
-    const Workshop workshop = open_workshop(options.workshop, assignment.limits);
+    Workshop workshop = open_workshop(options.workshop, assignment.limits);
     tell_of_the_sandbox(workshop);
     // A mistake of the assignment is to be told before a class is compiled.
     for (const std::string& note : marking.get().key.notes) fmt::print(stderr, "note: {}\n", note);
-    const std::vector<Graded> graded =
+    std::vector<std::string> sources;  // for the other scenes, as grading gives them back
+    if (options.variants.count > 0) {
+        for (const Submission& submission : submissions) sources.push_back(submission.source);
+    }
+    std::vector<Graded> graded =
         grade_with_progress(std::move(submissions), marking, workshop, options.jobs, options.trace);
+    run_on_other_scenes(graded, sources, marking.get(), workshop, options);
     fmt::print("{}", report::class_table(graded));
     std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
     for (const Graded& one : graded) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "harness/grade.h"
+#include "harness/variants/run_variants.h"
 #include "reference/answer_key.h"
 
 namespace harness {
@@ -30,6 +31,7 @@ struct GradeOptions {
     std::string canvas_column;            ///< the assignment's in it; empty for the only one
     std::filesystem::path trace;          ///< where to write a trace of the run; empty for none
     WorkshopOptions workshop;
+    variants::VariantOptions variants{};
 };
 int grade_command(const GradeOptions& options);
 
@@ -38,6 +40,7 @@ struct CheckOptions {
     std::string assignment;
     std::optional<double> fail_under;  ///< percent of the points
     WorkshopOptions workshop;
+    variants::VariantOptions variants{};
 };
 int check_command(const CheckOptions& options);
 

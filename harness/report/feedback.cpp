@@ -4,6 +4,7 @@
 
 #include "harness/clean_text.h"
 #include "harness/report/report.h"
+#include "harness/variants/variant_sentences.h"
 
 namespace harness::report {
 namespace {
@@ -86,7 +87,18 @@ std::string why_not_graded(const Submission& submission) {
 
 /// What a flag says, for a person.
 std::string flag_title(const Flag& flag) {
-    return flag.kind == "nondeterministic" ? "The program does not answer the same each time" : flag.kind;
+    if (flag.kind == "nondeterministic") return "The program does not answer the same each time";
+    if (flag.kind == "hard_coded") return "The printed numbers do not change when the scene in the source does";
+    return flag.kind;
+}
+
+/// What the other scenes showed, a line each behind `bullet`; empty when none was tried.
+std::string other_scenes_text(const Graded& graded, std::string_view bullet) {
+    std::string text;
+    if (!graded.other_scenes) return text;
+    for (const std::string& sentence : variants::variant_sentences(*graded.other_scenes))
+        text += fmt::format("{}{}\n", bullet, escape_control(sentence));
+    return text;
 }
 
 }  // namespace
@@ -115,6 +127,8 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
         text += "\n## For a person to look at\n\n";
         for (const Flag& flag : graded.flags) text += fmt::format("- {}: {}\n", flag_title(flag), code(flag.evidence));
     }
+    if (const std::string other_scenes = other_scenes_text(graded, "- "); !other_scenes.empty())
+        text += "\n## On other scenes\n\nThis costs no points.\n\n" + other_scenes;
     if (!graded.sanitizer.empty()) {
         text += "\n## What the sanitizers found\n\nThis costs no points, but the program may do anything there.\n\n";
         for (const std::string& finding : graded.sanitizer) text += "- " + code(finding) + "\n";
@@ -142,6 +156,7 @@ std::string check_text(const Graded& graded) {
     if (!graded.build.diagnostics.empty())
         text += "\nThe compiler's messages:\n" + escape_control(graded.build.diagnostics) + "\n";
     for (const Flag& flag : graded.flags) text += flag_title(flag) + ": " + escape_control(flag.evidence) + "\n";
+    text += other_scenes_text(graded, "");
     for (const std::string& finding : graded.sanitizer)
         text += "Found by the sanitizers: " + escape_control(finding) + "\n";
     if (graded.outcome == Outcome::compile_error || graded.outcome == Outcome::not_graded) return text;
