@@ -48,10 +48,10 @@ Limits sanitizer_limits(Limits limits) {
 
 class Batch {
   public:
-    Batch(std::vector<Submission> submissions, const std::shared_future<Marking>& marking, const Workshop& workshop,
-          int jobs, Timeline& timeline)
+    Batch(std::vector<Submission> submissions, std::vector<std::shared_future<Marking>> markings,
+          const Workshop& workshop, int jobs, Timeline& timeline)
         : submissions_(std::move(submissions)),
-          marking_(marking),
+          markings_(std::move(markings)),
           workshop_(workshop),
           jobs_(static_cast<std::size_t>(jobs)),
           timeline_(timeline),
@@ -69,7 +69,7 @@ class Batch {
                 teams.emplace_back([this] { run_all(); });
             }
         }
-        marking_.get();
+        for (const auto& marking : markings_) marking.get();
         return std::move(results_);
     }
 
@@ -94,13 +94,14 @@ class Batch {
     /// Now and then. The results come from the arenas of other threads than the sources did, whose room they don't
     /// take.
     void give_memory_back();
-    bool marking_is_made() const;
+    const Marking& marking_of(std::size_t index) const { return markings_[index].get(); }
+    bool marking_is_made(std::size_t index) const;
     /// Calls `work`, and makes the submission not graded when it fails. False then.
     template <class Work>
     bool or_not_graded(std::size_t index, Work work);
 
-    std::vector<Submission> submissions_;  ///< the source of each until it is graded
-    const std::shared_future<Marking>& marking_;
+    std::vector<Submission> submissions_;                      ///< the source of each until it is graded
+    const std::vector<std::shared_future<Marking>> markings_;  ///< of each submission
     const Workshop& workshop_;
     const std::size_t jobs_;
     Timeline& timeline_;
@@ -264,7 +265,7 @@ void Batch::run_all() {
 
 Graded Batch::finish(Built built) {
     const Submission& submission = submissions_[built.index];
-    if (submission.problem) return ungraded(submission, *submission.problem, marking_.get(), workshop_);
+    if (submission.problem) return ungraded(submission, *submission.problem, marking_of(built.index), workshop_);
     if (built.from_store) {
         ++timeline_.from_store;
     } else {
@@ -277,7 +278,7 @@ Graded Batch::finish(Built built) {
         findings = sanitizer_findings(built.executions.back().run.errors);
         built.executions.pop_back();
     }
-    Graded graded = mark(submission, std::move(built.executions), marking_.get(), workshop_, timeline_);
+    Graded graded = mark(submission, std::move(built.executions), marking_of(built.index), workshop_, timeline_);
     graded.sanitizer = std::move(findings);
     return graded;
 }
@@ -301,9 +302,9 @@ void Batch::give_memory_back() {
     if (++released_ % seldom == 0) malloc_trim(0);
 }
 
-bool Batch::marking_is_made() const {
+bool Batch::marking_is_made(std::size_t index) const {
     try {
-        marking_.get();
+        markings_[index].get();
         return true;
     } catch (const std::exception&) {
         return false;  // whose cause grade() tells
@@ -314,7 +315,7 @@ template <class Work>
 bool Batch::or_not_graded(std::size_t index, Work work) {
     const Submission& submission = submissions_[index];
     const auto fail = [&](const std::string& why) {
-        if (marking_is_made()) results_[index] = ungraded(submission, why, marking_.get(), workshop_);
+        if (marking_is_made(index)) results_[index] = ungraded(submission, why, marking_of(index), workshop_);
         ++timeline_.finished;
         return false;
     };
@@ -334,7 +335,15 @@ bool Batch::or_not_graded(std::size_t index, Work work) {
 
 std::vector<Graded> grade_all(std::vector<Submission> submissions, const std::shared_future<Marking>& marking,
                               const Workshop& workshop, int jobs, Timeline& timeline) {
-    return Batch(std::move(submissions), marking, workshop, jobs, timeline).grade();
+    std::vector<std::shared_future<Marking>> markings(submissions.size(), marking);
+    std::vector<Graded> graded = grade_each(std::move(submissions), std::move(markings), workshop, jobs, timeline);
+    marking.get();
+    return graded;
+}
+
+std::vector<Graded> grade_each(std::vector<Submission> submissions, std::vector<std::shared_future<Marking>> markings,
+                               const Workshop& workshop, int jobs, Timeline& timeline) {
+    return Batch(std::move(submissions), std::move(markings), workshop, jobs, timeline).grade();
 }
 
 Graded grade(const Submission& submission, const std::shared_future<Marking>& marking, const Workshop& workshop) {

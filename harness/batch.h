@@ -15,6 +15,10 @@ namespace harness {
 std::vector<Graded> grade_all(std::vector<Submission> submissions, const std::shared_future<Marking>& marking,
                               const Workshop& workshop, int jobs, Timeline& timeline);
 
+/// The same, each submission held to a marking of its own; as many markings as submissions.
+std::vector<Graded> grade_each(std::vector<Submission> submissions, std::vector<std::shared_future<Marking>> markings,
+                               const Workshop& workshop, int jobs, Timeline& timeline);
+
 /// Grades one submission.
 Graded grade(const Submission& submission, const std::shared_future<Marking>& marking, const Workshop& workshop);
 

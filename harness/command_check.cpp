@@ -19,11 +19,16 @@ int check_command(const CheckOptions& options) {
     }
     const CheckFiles files(options);
     if (!options.html.empty()) require_place_for_page(options.html, "--html");
-    const Workshop workshop = open_workshop(options.workshop, assignment.limits);
+    Workshop workshop = open_workshop(options.workshop, assignment.limits);
     tell_of_the_sandbox(workshop);
     // Now that the looks at the machine are over: the key is needed only when the program has run.
     const auto marking = begin_marking(assignment);
-    const Graded graded = grade(submissions.front(), marking, workshop);
+    std::vector<Graded> all{grade(submissions.front(), marking, workshop)};
+    workshop.repetitions = 1;
+    workshop.sanitize = false;
+    Timeline timeline;
+    variants::run_variants(all, {submissions.front().source}, marking.get(), workshop, 1, options.variants, timeline);
+    const Graded& graded = all.front();
     tell_problems(workshop);
     fmt::print("{}\n\n{}", assignment.title, report::check_text(graded));
     files.write(graded, marking.get());

@@ -49,6 +49,20 @@ std::vector<Graded> grade_with_progress(std::vector<Submission> submissions, con
     return graded;
 }
 
+/// What one run shows is enough there: neither repetitions nor sanitizers.
+void run_on_other_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
+                         Workshop& workshop, const GradeOptions& options) {
+    if (options.variants.count == 0) return;
+    workshop.repetitions = 1;
+    workshop.sanitize = false;
+    Timeline timeline;
+    {
+        const Progress progress(timeline, graded.size() * static_cast<std::size_t>(options.variants.count));
+        variants::run_variants(graded, sources, marking, workshop, options.jobs, options.variants, timeline);
+    }
+    fmt::print(stderr, "other scenes: {}\n", closing_line(timeline));
+}
+
 }  // namespace
 
 void tell_problems(const Workshop& workshop) {
@@ -182,12 +196,17 @@ int grade_command(const GradeOptions& options) {
     const auto worksheet = find_worksheet(worksheet_given, desk.gradebook, options);
     if (!options.trace.empty()) check_trace(options.trace);
     prepare_report_file(options.junit, "--junit", ".xml");
-    const Workshop workshop = open_workshop(options.workshop, assignment.limits);
+    Workshop workshop = open_workshop(options.workshop, assignment.limits);
     tell_of_the_sandbox(workshop);
     // A mistake of the assignment is to be told before a class is compiled.
     for (const std::string& note : marking.get().key.notes) fmt::print(stderr, "note: {}\n", note);
+    std::vector<std::string> sources;  // for the other scenes, as grading gives them back
+    if (options.variants.count > 0) {
+        for (const Submission& submission : submissions) sources.push_back(submission.source);
+    }
     std::vector<Graded> graded =
         grade_with_progress(std::move(submissions), marking, workshop, options.jobs, options.trace);
+    run_on_other_scenes(graded, sources, marking.get(), workshop, options);
     const auto without_place = attach(desk.gradebook.overrides(), graded);
     const auto comparison = desk.gradebook.compare(graded);
     if (desk.writes || desk.of_an_older_raygrade) fmt::print("{}", report::class_table(graded));

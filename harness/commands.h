@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "harness/grade.h"
+#include "harness/variants/run_variants.h"
 #include "reference/answer_key.h"
 
 namespace harness {
@@ -33,6 +34,7 @@ struct GradeOptions {
     std::filesystem::path moodle_worksheet = {};   ///< a grading worksheet downloaded from Moodle; empty for none
     std::vector<std::string> moodle_columns = {};  ///< "grade=Bewertung": its columns that can't be told
     std::filesystem::path junit = {};              ///< where to write JUnit XML; empty for nowhere
+    variants::VariantOptions variants{};
 };
 int grade_command(const GradeOptions& options);
 
@@ -58,6 +60,7 @@ struct CheckOptions {
     std::filesystem::path classroom50 = {};  ///< result.json
     std::filesystem::path junit = {};        ///< JUnit XML
     std::filesystem::path html = {};         ///< where to write the student's page; empty for nowhere
+    variants::VariantOptions variants{};
 };
 int check_command(const CheckOptions& options);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <future>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "harness/score.h"
 #include "harness/submission.h"
 #include "harness/timeline.h"
+#include "harness/variants/variant_report.h"
 #include "harness/workshop.h"
 #include "reference/answer_key.h"
 
@@ -38,7 +40,7 @@ std::string_view limit_name(Ended ended);
 
 /// Something a person should look at; it decides nothing.
 struct Flag {
-    std::string kind;      ///< "nondeterministic"
+    std::string kind;      ///< "nondeterministic" or "hard_coded"
     std::string evidence;  ///< a sentence
 };
 
@@ -51,10 +53,11 @@ struct Graded {
     Build build;
     ProcessResult run;  ///< without the output, which has been read
     std::vector<Flag> flags;
-    std::vector<std::string> sanitizer;  ///< what a build under the sanitizers found; costs nothing
-    Score score;                         ///< all missing when nothing was printed
-    double late_share = 0;               ///< of its points, lost because it was late; 0 when it was not
-    std::vector<Override> overrides;     ///< the instructor's, oldest first; what counts is final_mark's to say
+    std::vector<std::string> sanitizer;                   ///< what a build under the sanitizers found; costs nothing
+    std::optional<variants::VariantReport> other_scenes;  ///< under --variants; empty when it was not tried
+    Score score;                                          ///< all missing when nothing was printed
+    double late_share = 0;            ///< of its points, lost because it was late; 0 when it was not
+    std::vector<Override> overrides;  ///< the instructor's, oldest first; what counts is final_mark's to say
 };
 
 /// What every submission is held to.

@@ -15,6 +15,9 @@ using nlohmann::json;
 
 constexpr Outcome outcomes[] = {Outcome::graded,       Outcome::compile_error, Outcome::crashed,   Outcome::timed_out,
                                 Outcome::output_limit, Outcome::memory_limit,  Outcome::no_output, Outcome::not_graded};
+constexpr variants::VariantVerdict variant_verdicts[] = {
+    variants::VariantVerdict::computes, variants::VariantVerdict::breaks, variants::VariantVerdict::does_not_move,
+    variants::VariantVerdict::not_found};
 constexpr ItemVerdict verdicts[] = {ItemVerdict::right, ItemVerdict::follow, ItemVerdict::wrong, ItemVerdict::missing,
                                     ItemVerdict::unreadable};
 constexpr Tier tiers[] = {Tier::bwrap, Tier::landlock, Tier::unsafe};
@@ -129,7 +132,7 @@ json lms_record(const LmsName& name) {
 
 LmsName lms_from(const json& record) {
     const auto system = std::find(systems.begin(), systems.end(), take<std::string>(record, "system"));
-    if (system == systems.end()) throw std::out_of_range("a record of an unknown system");
+    if (system == systems.end()) throw std::invalid_argument("a record of an unknown system");
     LmsName name;
     name.system = static_cast<Lms>(system - systems.begin());
     name.student = take<std::string>(record, "student");
@@ -211,6 +214,49 @@ ProcessResult run_from(const json& record) {
     return run;
 }
 
+json items_record(const std::vector<variants::ItemOnVariant>& items) {
+    json record = json::array();
+    for (const variants::ItemOnVariant& item : items)
+        record.push_back(json::array({item.question, item.item, item.run, item.before, item.after, item.diagnosis}));
+    return record;
+}
+
+std::vector<variants::ItemOnVariant> items_from(const json& record) {
+    std::vector<variants::ItemOnVariant> items;
+    for (const json& item : record)
+        items.push_back({item.at(0), item.at(1), item.at(2), item.at(3), item.at(4), item.at(5)});
+    return items;
+}
+
+/// Without the scores of its runs, which a report does not have any more.
+json other_scenes_record(const variants::VariantReport& report) {
+    json runs = json::array();
+    for (const variants::VariantRun& run : report.runs)
+        runs.push_back(json::array({run.name, run.changes, run.before, run.ended_well}));
+    return {{"verdict", to_string(report.verdict)},
+            {"not_found", report.not_found},
+            {"runs", std::move(runs)},
+            {"moved", report.moved},
+            {"broken", items_record(report.broken)},
+            {"unmoved", items_record(report.unmoved)}};
+}
+
+variants::VariantReport other_scenes_from(const json& record) {
+    variants::VariantReport report;
+    report.verdict = called<variants::VariantVerdict>(take<std::string>(record, "verdict"), variant_verdicts);
+    report.not_found = take<std::vector<std::string>>(record, "not_found");
+    for (const json& run : record.at("runs")) report.runs.push_back({run.at(0), run.at(1), run.at(2), run.at(3), {}});
+    report.moved = take<int>(record, "moved");
+    report.broken = items_from(record.at("broken"));
+    report.unmoved = items_from(record.at("unmoved"));
+    for (const auto* items : {&report.broken, &report.unmoved}) {
+        for (const variants::ItemOnVariant& item : *items) {
+            if (item.run >= report.runs.size()) throw std::invalid_argument("a run that is not there");
+        }
+    }
+    return report;
+}
+
 Graded graded_from(const json& record) {
     Graded graded;
     graded.submission = submission_from(record.at("submission"));
@@ -226,6 +272,7 @@ Graded graded_from(const json& record) {
     graded.sanitizer = take<std::vector<std::string>>(record, "sanitizer");
     graded.score = score_from(record.at("score"));
     graded.late_share = take<double>(record, "late_share");
+    if (record.contains("other_scenes")) graded.other_scenes = other_scenes_from(record.at("other_scenes"));
     return graded;
 }
 
@@ -242,6 +289,7 @@ std::vector<std::uint8_t> to_record(const Graded& graded) {
     put(record, "explanation", graded.explanation);
     put(record, "sanitizer", graded.sanitizer);
     put(record, "late_share", graded.late_share);
+    if (graded.other_scenes) record["other_scenes"] = other_scenes_record(*graded.other_scenes);
     for (const Flag& flag : graded.flags) record["flags"].push_back(json::array({flag.kind, flag.evidence}));
     return json::to_cbor(record);
 }

@@ -78,6 +78,21 @@ void add_workshop(CLI::App& command, WorkshopOptions& workshop) {
                      "what you can");
 }
 
+void add_variants(CLI::App& command, variants::VariantOptions& options) {
+    command
+        .add_option("--variants", options.count,
+                    "Also run each program on N other scenes, written into its source, and say which answers move with "
+                    "the scene; costs no points")
+        ->check(CLI::Range(0, 16))
+        ->type_name("N")
+        ->capture_default_str();
+    command
+        .add_option("--variant-seed", options.seed,
+                    "Where the other scenes are drawn from; the same seed gives the same scenes")
+        ->type_name("N")
+        ->capture_default_str();
+}
+
 /// The table of limits below the help of a command.
 std::string limits_footer() {
     std::string text = "Limits, with their defaults:\n";
@@ -205,6 +220,7 @@ int run(int argc, char** argv) {
         .add_option("--trace", grade.trace,
                     "Write a trace of build, run, read and score of each submission here, for ui.perfetto.dev")
         ->type_name("FILE");
+    add_variants(grade_app, grade.variants);
     add_workshop(grade_app, grade.workshop);
     grade_app.footer(limits_footer() +
                      "\nExample: raygrade grade submissions/ --assignment a6-2021 --out results -j 4");
@@ -249,6 +265,7 @@ int run(int argc, char** argv) {
         .add_option("--html", check.html,
                     "Also write the verdicts as a page for a browser; replaces only an earlier page of raygrade's")
         ->type_name("FILE");
+    add_variants(check_app, check.variants);
     add_workshop(check_app, check.workshop);
     check_app.footer(limits_footer() + "\nExample: raygrade check ray_cast.cpp");
 

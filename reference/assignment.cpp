@@ -12,6 +12,7 @@
 #include "reference/rubric_reader.h"
 #include "reference/scene_reader.h"
 #include "reference/toml_table.h"
+#include "reference/variant_reader.h"
 
 namespace reference {
 namespace {
@@ -65,13 +66,14 @@ std::optional<double> Rubric::tolerance_of(int question, const std::string& item
 Assignment parse_assignment(std::string_view toml, const std::filesystem::path& path) {
     const TomlDocument document(toml, path);
     const TomlTable root = document.root();
-    root.allow_only({"title", "camera", "window", "sphere", "triangle", "rubric", "limits"});
+    root.allow_only({"title", "camera", "window", "sphere", "triangle", "rubric", "limits", "variant"});
     Assignment assignment;
     assignment.name = path.stem().string();
     assignment.title = root.has("title") ? root.string("title") : assignment.name;
     assignment.scene = read_scene(root, assignment.notes);
     if (root.has("rubric")) assignment.rubric = read_rubric(root.table("rubric"));
     if (root.has("limits")) assignment.limits = read_limits(root.table("limits"));
+    assignment.variants = read_variants(root, assignment.scene, path);
     return assignment;
 }
 

@@ -60,12 +60,19 @@ struct LimitEntry {
     std::string place;  ///< for messages: file, line and key
 };
 
+/// Another scene for the same program, which tells a computed answer from a printed one.
+struct SceneVariant {
+    std::string name;  ///< for people
+    Scene<Decimal> scene;
+};
+
 struct Assignment {
     std::string name;   ///< the file's name without ".toml"
     std::string title;  ///< for people
     Scene<Decimal> scene;
     Rubric rubric;
-    std::vector<LimitEntry> limits;  ///< in the file's order
+    std::vector<LimitEntry> limits;      ///< in the file's order
+    std::vector<SceneVariant> variants;  ///< in the file's order; each with what it leaves as it is
     /// What is allowed in the scene and worth saying: a mirrored window. Whole sentences.
     std::vector<std::string> notes;
 };

@@ -29,6 +29,13 @@ std::vector<Graded> a_class() {
     late.late_share = 0.1;
     late.flags = {{"nondeterministic", "run 1 printed \x1b 2"}};
     late.sanitizer = {"line 8: heap-buffer-overflow", "line 9: \xff"};
+    late.other_scenes = variants::VariantReport{variants::VariantVerdict::does_not_move,
+                                                {"C"},
+                                                {{"scene 1", "eye = (3, -2, 5)", "eye = (0, 0, 4)", true, {}},
+                                                 {"scene 2", "radius = 3", "radius = 2", false, {}}},
+                                                4,
+                                                {{8, "t", 1, "0.5\x1b", "", "far root"}},
+                                                {{6, "t", 0, "3.41", "3.41", ""}}};
     late.build.wall = 1234ms;
     late.run.cpu = 7ms;
     late.run.wall = 9ms;

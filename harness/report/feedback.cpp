@@ -7,6 +7,7 @@
 #include "harness/override_place.h"
 #include "harness/report/look_first.h"
 #include "harness/report/report.h"
+#include "harness/variants/variant_sentences.h"
 
 namespace harness::report {
 namespace {
@@ -103,6 +104,15 @@ std::string items_worth_saying(const Graded& graded) {
     return text;
 }
 
+/// What the other scenes showed, a line each behind `bullet`; empty when none was tried.
+std::string other_scenes_text(const Graded& graded, std::string_view bullet) {
+    std::string text;
+    if (!graded.other_scenes) return text;
+    for (const std::string& sentence : variants::variant_sentences(*graded.other_scenes))
+        text += fmt::format("{}{}\n", bullet, escape_control(sentence));
+    return text;
+}
+
 }  // namespace
 
 std::string feedback_markdown(const Graded& graded, const Marking& marking) {
@@ -132,6 +142,8 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
         text += "\n## For a person to look at\n\n";
         for (const Flag& flag : graded.flags) text += fmt::format("- {}: {}\n", flag_title(flag), code(flag.evidence));
     }
+    if (const std::string other_scenes = other_scenes_text(graded, "- "); !other_scenes.empty())
+        text += "\n## On other scenes\n\nThis costs no points.\n\n" + other_scenes;
     if (!graded.sanitizer.empty()) {
         text += "\n## What the sanitizers found\n\nThis costs no points, but the program may do anything there.\n\n";
         for (const std::string& finding : graded.sanitizer) text += "- " + code(finding) + "\n";
@@ -159,6 +171,7 @@ std::string check_text(const Graded& graded) {
     if (!graded.build.diagnostics.empty())
         text += "\nThe compiler's messages:\n" + escape_control(graded.build.diagnostics) + "\n";
     for (const Flag& flag : graded.flags) text += flag_title(flag) + ": " + escape_control(flag.evidence) + "\n";
+    text += other_scenes_text(graded, "");
     for (const std::string& finding : graded.sanitizer)
         text += "Found by the sanitizers: " + escape_control(finding) + "\n";
     if (graded.outcome == Outcome::compile_error || graded.outcome == Outcome::not_graded) return text;

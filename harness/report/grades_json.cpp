@@ -103,6 +103,32 @@ ordered_json student_json(const std::optional<LmsName>& name) {
     return {{"name", or_null(name->student)}, {"lms_user_id", or_null(name->id)}, {"late", name->late}};
 }
 
+/// What the program did on other scenes; null when it was not tried.
+ordered_json variants_json(const std::optional<variants::VariantReport>& report) {
+    if (!report) return nullptr;
+    ordered_json runs = ordered_json::array();
+    for (const variants::VariantRun& run : report->runs)
+        runs.push_back({{"name", run.name}, {"changes", run.changes}, {"ended_well", run.ended_well}});
+    const auto items_json = [&](const std::vector<variants::ItemOnVariant>& items) {
+        ordered_json array = ordered_json::array();
+        for (const variants::ItemOnVariant& item : items) {
+            array.push_back({{"question", item.question},
+                             {"item", item.item},
+                             {"run", report->runs.at(item.run).name},
+                             {"before", escape_control(item.before)},
+                             {"after", escape_control(item.after)},
+                             {"diagnosis", or_null(item.diagnosis)}});
+        }
+        return array;
+    };
+    return {{"verdict", to_string(report->verdict)},
+            {"not_found", report->not_found},
+            {"runs", runs},
+            {"moved", report->moved},
+            {"unmoved", items_json(report->unmoved)},
+            {"broken", items_json(report->broken)}};
+}
+
 ordered_json submission_json(const Graded& graded, const Expected& expected) {
     const bool marked = graded.outcome != Outcome::not_graded;
     const auto mark = final_mark(graded);
@@ -135,7 +161,8 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
         {"flags", flags},
         {"automatic_points", marked ? ordered_json(tidy(graded.score.points)) : ordered_json(nullptr)},
         {"late_deduction", mark ? ordered_json(tidy(mark->late_deduction)) : ordered_json(nullptr)},
-        {"overrides", overrides_json(graded)}};
+        {"overrides", overrides_json(graded)},
+        {"variants", variants_json(graded.other_scenes)}};
 }
 
 }  // namespace

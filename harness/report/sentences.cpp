@@ -62,7 +62,9 @@ std::string reason_for_student(const Submission& submission) {
 }
 
 std::string flag_title(const Flag& flag) {
-    return flag.kind == "nondeterministic" ? "The program does not answer the same each time" : flag.kind;
+    if (flag.kind == "nondeterministic") return "The program does not answer the same each time";
+    if (flag.kind == "hard_coded") return "The printed numbers do not change when the scene in the source does";
+    return flag.kind;
 }
 
 std::string item_sentence(const ItemScore& item, Outcome outcome) {

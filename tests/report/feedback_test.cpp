@@ -91,6 +91,21 @@ TEST(Feedback, TellsOfFlagsAndSanitizersAndTakesNoMarksForThem) {
     EXPECT_EQ(text.substr(0, text.find("## ")), before.substr(0, before.find("## ")));
 }
 
+TEST(Feedback, TellsOfOtherScenesInNeutralWords) {
+    Graded one = graded("zoe", output_with_a_mistake());
+    EXPECT_THAT(feedback_markdown(one, marking()), Not(HasSubstr("## On other scenes")));
+    one.flags = {{"hard_coded", "Question 6, t: the program prints 0.5"}};
+    one.other_scenes = variants::VariantReport{
+        variants::VariantVerdict::does_not_move, {}, {{"aside", "eye = (1, 2, 3)", "eye = (0, 0, 4)", true, {}}}, 1, {},
+        {{6, "t", 0, "0.5", "0.5", ""}}};
+    const std::string text = feedback_markdown(one, marking());
+    EXPECT_THAT(text, HasSubstr("## On other scenes\n\nThis costs no points."));
+    EXPECT_THAT(text,
+                HasSubstr("- The printed numbers do not change when the scene in the source does: `Question 6, t"));
+    EXPECT_THAT(text, HasSubstr("- The printed numbers of 6.t do not change when the scene in the source does.\n"));
+    EXPECT_THAT(check_text(one), HasSubstr("\nThe printed numbers of 6.t do not change"));
+}
+
 TEST(Feedback, SaysWhyASubmissionHasNoMarksAndNotWhereTheInstructorKeepsIt) {
     Graded bob = not_graded("bob");
     bob.submission.file = "/home/prof/class/bob/ray_cast.cpp";

@@ -77,6 +77,31 @@ TEST(GradesJson, HasFlagsAndWhatTheSanitizersFound) {
     EXPECT_EQ(submission.at("sanitizer"), json({"line 8: heap-buffer-overflow"}));
 }
 
+TEST(GradesJson, HasWhatTheOtherScenesShowed) {
+    Graded one = graded("zoe", output_with_a_mistake());
+    EXPECT_TRUE(grades({one}).at("submissions").at(0).at("variants").is_null());
+    one.other_scenes = variants::VariantReport{variants::VariantVerdict::does_not_move,
+                                               {"vup"},
+                                               {{"aside", "eye = (1, 2, 3)", "eye = (0, 0, 4)", false, {}}},
+                                               7,
+                                               {},
+                                               {{6, "t", 0, "0.5\x1b", "0.5", ""}}};
+    const json report = grades({one}).at("submissions").at(0).at("variants");
+    EXPECT_EQ(report.at("verdict"), "does_not_move");
+    EXPECT_EQ(report.at("not_found"), json({"vup"}));
+    const json& run = report.at("runs").at(0);
+    EXPECT_EQ(run.at("name"), "aside");
+    EXPECT_EQ(run.at("changes"), "eye = (1, 2, 3)");
+    EXPECT_EQ(run.at("ended_well"), false);
+    EXPECT_EQ(report.at("moved"), 7);
+    EXPECT_EQ(report.at("broken"), json::array());
+    const json& unmoved = report.at("unmoved").at(0);
+    EXPECT_EQ(unmoved.at("run"), "aside");
+    EXPECT_EQ(unmoved.at("after"), "0.5");
+    EXPECT_TRUE(unmoved.at("diagnosis").is_null());
+    EXPECT_EQ(unmoved.at("before").get<std::string>().find('\x1b'), std::string::npos);
+}
+
 TEST(GradesJson, IsIndentedAsOneValueHoweverManySubmissions) {
     for (const std::size_t count : {0U, 1U, 3U}) {
         const std::vector<Graded> all(count, graded("zoe", output_with_a_mistake()));

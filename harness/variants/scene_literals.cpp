@@ -1,0 +1,266 @@
+#include "harness/variants/scene_literals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "harness/variants/part_name.h"
+#include "harness/variants/stated_numbers.h"
+
+namespace harness::variants {
+namespace {
+
+constexpr std::array vector_parts{ScenePart::eye, ScenePart::lookat, ScenePart::vup, ScenePart::center,
+                                  ScenePart::A,   ScenePart::B,      ScenePart::C};
+
+/// Values that stand in any program: the zero vector, a unit vector along an axis, (1, 1, 1).
+bool is_common(const std::array<double, 3>& value) {
+    const auto is = [&](double x) { return std::count(value.begin(), value.end(), x); };
+    if (is(0) == 3 || is(1) == 3) return true;
+    return is(0) == 2 && is(1) + is(-1) == 1;
+}
+
+/// Whether a single argument surely becomes all three components.
+bool is_of_vec3(const StatedVector& vector) {
+    return vector.callee.find("vec3") != std::string_view::npos;
+}
+
+class Locator {
+  public:
+    Locator(std::string_view source, const DecimalScene& scene)
+        : scene_(scene), numbers_(stated_numbers(words_of(source))) {
+        for (const ScenePart part : all_parts) {
+            if (has_part(scene, part)) value_[part] = value_of(scene, part);
+        }
+    }
+
+    SceneLiterals locate() {
+        placed_.resize(numbers_.vectors.size());
+        place_by_neighbours();
+        for (std::size_t i = 0; i < numbers_.vectors.size(); ++i) place(i);
+        find_radius();
+        find_pixel();
+        keep_triangle_whole();
+        return finish();
+    }
+
+  private:
+    bool is_value(const StatedVector& vector, ScenePart part) const {
+        const auto found = value_.find(part);
+        return found != value_.end() && found->second == vector.value;
+    }
+
+    void doubt(ScenePart part) { doubtful_.insert(part); }
+
+    void take(const StatedNumber& number, ScenePart part, std::size_t component, bool splat = false,
+              double offset = 0) {
+        if (!number.certain) doubt(part);
+        literals_.push_back(
+            {number.begin, number.end, part, component, splat, offset, number.constant, number.in_define});
+    }
+
+    // Vectors
+
+    /// Those whose neighbours say what they are: lookAt(eye, at, up) and the like, the vertices in a row, a center
+    /// before its radius.
+    void place_by_neighbours() {
+        for (const StatedList& list : numbers_.lists) {
+            place_in_a_row(list, {ScenePart::eye, ScenePart::lookat, ScenePart::vup});
+            place_in_a_row(list, {ScenePart::A, ScenePart::B, ScenePart::C});
+            if (list.callee == "lookAt" && list.elements.size() == 3) {
+                constexpr std::array order{ScenePart::eye, ScenePart::lookat, ScenePart::vup};
+                for (std::size_t k = 0; k < 3; ++k) place_element(list.elements[k], order.at(k));
+            }
+            for (std::size_t i = 0; i + 1 < list.elements.size(); ++i)
+                place_sphere(list.elements[i], list.elements[i + 1]);
+        }
+    }
+
+    void place_in_a_row(const StatedList& list, const std::array<ScenePart, 3>& parts) {
+        for (std::size_t i = 0; i + 3 <= list.elements.size(); ++i) {
+            bool all = true;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto& vector = list.elements[i + k].vector;
+                all = all && vector && is_value(numbers_.vectors[*vector], parts.at(k));
+            }
+            if (!all) continue;
+            for (std::size_t k = 0; k < 3; ++k) place_element(list.elements[i + k], parts.at(k));
+        }
+    }
+
+    void place_element(const ListElement& element, ScenePart part) {
+        if (element.vector && is_value(numbers_.vectors[*element.vector], part)) placed_[*element.vector] = part;
+    }
+
+    void place_sphere(const ListElement& center, const ListElement& radius) {
+        if (!center.vector || !radius.number || !value_.contains(ScenePart::radius)) return;
+        if (!is_value(numbers_.vectors[*center.vector], ScenePart::center)) return;
+        if (radius.number->constant.value != value_.at(ScenePart::radius)[0]) return;
+        placed_[*center.vector] = ScenePart::center;
+        take(*radius.number, ScenePart::radius, 0);
+    }
+
+    void place(std::size_t index) {
+        const StatedVector& vector = numbers_.vectors[index];
+        const bool splat = vector.numbers.size() == 1;
+        std::vector<ScenePart> with_value;
+        std::vector<ScenePart> with_name;
+        for (const ScenePart part : vector_parts) {
+            if (!is_value(vector, part)) continue;
+            with_value.push_back(part);
+            if (!vector.name.empty() && may_name(vector.name, part)) with_name.push_back(part);
+        }
+        if (with_value.empty() || (splat && !is_of_vec3(vector) && with_name.empty())) return;
+        std::optional<ScenePart> part = placed_[index];
+        if (!part && with_name.size() == 1) part = with_name.front();
+        const bool unmistakable = with_value.size() == 1 && !is_common(vector.value);
+        if (!part && unmistakable) part = with_value.front();
+        if (part) {
+            take_vector(vector, *part);
+            return;
+        }
+        // Something else has this value: that has a name of its own, or is part of a longer list such as a matrix.
+        const bool something_else =
+            with_name.empty() && is_common(vector.value) && (!vector.name.empty() || vector.weak);
+        if (something_else) return;
+        for (const ScenePart doubted : with_value) doubt(doubted);
+    }
+
+    void take_vector(const StatedVector& vector, ScenePart part) {
+        if (vector.numbers.size() == 1) {
+            take(vector.numbers[0], part, 0, true);
+            return;
+        }
+        for (std::size_t k = 0; k < 3; ++k) take(vector.numbers[k], part, k);
+        if (part != ScenePart::center || !vector.following || !value_.contains(ScenePart::radius)) return;
+        // Sphere(1, 1, 0, 2); the fourth of a homogeneous point is 1.
+        const double radius = value_.at(ScenePart::radius)[0];
+        if (vector.following->constant.value == radius && radius != 1) take(*vector.following, ScenePart::radius, 0);
+    }
+
+    // Numbers
+
+    void find_radius() {
+        if (!value_.contains(ScenePart::radius)) return;
+        for (const NamedNumber& named : numbers_.named) {
+            if (!may_name(named.name, ScenePart::radius)) continue;
+            if (named.number.constant.value == value_.at(ScenePart::radius)[0]) {
+                take(named.number, ScenePart::radius, 0);
+            } else {
+                doubt(ScenePart::radius);
+            }
+        }
+    }
+
+    /// The pixel is two numbers that no formula holds by itself, each time the one and then, soon, the other.
+    void find_pixel() {
+        const std::array<double, 3> pixel = value_.at(ScenePart::pixel);
+        constexpr double smallest = 10;
+        const double width = scene_.window.width;
+        const double height = scene_.window.height;
+        const auto is_of_window = [&](double x) {
+            return x == width || x == height || x == width - 1 || x == height - 1;
+        };
+        if (pixel[0] == pixel[1] || std::min(pixel[0], pixel[1]) < smallest || is_of_window(pixel[0]) ||
+            is_of_window(pixel[1])) {
+            return;
+        }
+        std::vector<SceneLiteral> places;
+        for (const StatedNumber& number : numbers_.literals) {
+            for (std::size_t k = 0; k < 2; ++k) {
+                const double offset = number.constant.value - pixel.at(k);
+                if (offset != 0 && offset != 0.5) continue;
+                if (places.size() % 2 != k || !number.certain) return;
+                places.push_back(
+                    {number.begin, number.end, ScenePart::pixel, k, false, offset, number.constant, number.in_define});
+            }
+        }
+        if (places.size() % 2 == 0) literals_.insert(literals_.end(), places.begin(), places.end());
+    }
+
+    // All together
+
+    bool is_located(ScenePart part) const {
+        return !doubtful_.contains(part) &&
+               std::any_of(literals_.begin(), literals_.end(),
+                           [&](const SceneLiteral& literal) { return literal.part == part; });
+    }
+
+    void keep_triangle_whole() {
+        constexpr std::array vertices{ScenePart::A, ScenePart::B, ScenePart::C};
+        const bool whole =
+            std::all_of(vertices.begin(), vertices.end(), [&](ScenePart part) { return is_located(part); });
+        if (whole) return;
+        for (const ScenePart part : vertices) doubt(part);
+    }
+
+    SceneLiterals finish() {
+        std::sort(literals_.begin(), literals_.end(), [](const SceneLiteral& a, const SceneLiteral& b) {
+            return std::pair(a.begin, a.end) < std::pair(b.begin, b.end);
+        });
+        for (std::size_t i = 0; i + 1 < literals_.size(); ++i) {
+            const SceneLiteral& one = literals_[i];
+            const SceneLiteral& next = literals_[i + 1];
+            const bool same = one.begin == next.begin && one.end == next.end && one.part == next.part &&
+                              one.component == next.component && one.splat == next.splat;
+            if (next.begin >= one.end || same) continue;
+            doubt(one.part);
+            doubt(next.part);
+        }
+        keep_triangle_whole();
+        SceneLiterals result;
+        for (const SceneLiteral& literal : literals_) {
+            const bool twice = !result.literals.empty() && result.literals.back().begin == literal.begin;
+            if (doubtful_.contains(literal.part) || twice) continue;
+            result.literals.push_back(literal);
+            result.located.insert(literal.part);
+        }
+        return result;
+    }
+
+    const DecimalScene& scene_;
+    SourceNumbers numbers_;
+    std::map<ScenePart, std::array<double, 3>> value_;  ///< of the parts that the scene has
+    std::vector<std::optional<ScenePart>> placed_;      ///< by vector, what its neighbours say it is
+    std::vector<SceneLiteral> literals_;
+    PartSet doubtful_;
+};
+
+std::optional<std::string> spell_in_place(double value, const SceneLiteral& literal) {
+    std::optional<std::string> text = spell(value, literal.constant);
+    if (text && literal.in_define && text->starts_with('-')) *text = "(" + *text + ")";
+    return text;
+}
+
+std::optional<std::string> replacement(const SceneLiteral& literal, const std::array<double, 3>& value) {
+    if (!literal.splat) return spell_in_place(value.at(literal.component) + literal.offset, literal);
+    std::string all;
+    for (const double x : value) {
+        const auto text = spell_in_place(x, literal);
+        if (!text) return {};
+        all += (all.empty() ? "" : ", ") + *text;
+    }
+    return all;
+}
+
+}  // namespace
+
+SceneLiterals find_scene(std::string_view source, const DecimalScene& scene) {
+    return Locator(source, scene).locate();
+}
+
+std::optional<std::string> with_scene(std::string_view source, const SceneLiterals& found,
+                                      const DecimalScene& variant) {
+    std::string text;
+    std::size_t at = 0;
+    for (const SceneLiteral& literal : found.literals) {
+        const auto number = replacement(literal, value_of(variant, literal.part));
+        if (!number) return {};
+        text.append(source.substr(at, literal.begin - at)).append(*number);
+        at = literal.end;
+    }
+    return text.append(source.substr(at));
+}
+
+}  // namespace harness::variants

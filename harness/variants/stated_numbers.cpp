@@ -1,0 +1,339 @@
+#include "harness/variants/stated_numbers.h"
+
+#include <algorithm>
+#include <map>
+
+namespace harness::variants {
+namespace {
+
+/// A range of words, without its end.
+struct Range {
+    std::size_t begin, end;
+};
+
+bool is_name(const Word& word) {
+    return word.kind == TokenKind::name;
+}
+
+/// A word that can stand before a bracket or a name without giving it a type.
+bool is_keyword(std::string_view name) {
+    for (const std::string_view keyword :
+         {"return", "new", "throw", "else", "case", "if", "while", "for", "switch", "sizeof"}) {
+        if (name == keyword) return true;
+    }
+    return false;
+}
+
+class Finder {
+  public:
+    explicit Finder(const std::vector<Word>& words) : words_(words) {}
+
+    SourceNumbers find() {
+        note_blocks();
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            if (words_[i].kind == TokenKind::number) {
+                if (const auto number = constant({i, i + 1})) found_.literals.push_back(*number);
+            } else if (is(i, "=")) {
+                assignment(i);
+            } else if (is_opening(i)) {
+                list(i);
+            } else if (words_[i].kind == TokenKind::directive) {
+                define(i);
+            }
+        }
+        for (const std::size_t open : lists_) list_of_vectors(open);
+        vectors_by_component();
+        return std::move(found_);
+    }
+
+  private:
+    bool is(std::size_t at, std::string_view text) const {
+        return at < words_.size() && words_[at].kind == TokenKind::symbol && words_[at].text == text;
+    }
+    /// Of a list: a bracket ( or { that has its end.
+    bool is_opening(std::size_t at) const { return (is(at, "(") || is(at, "{")) && words_[at].partner != nowhere; }
+
+    /// Which brackets hold statements rather than a list.
+    void note_blocks() {
+        is_block_.assign(words_.size(), false);
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            if (is(i, ";") && words_[i].parent != nowhere) is_block_[words_[i].parent] = true;
+        }
+    }
+    bool in_block(std::size_t at) const { return words_[at].parent == nowhere || is_block_[words_[at].parent]; }
+
+    std::optional<StatedNumber> constant(Range range) const {
+        if (range.begin >= range.end) return {};
+        const auto value = evaluate(std::span(words_).subspan(range.begin, range.end - range.begin));
+        if (!value) return {};
+        const Word& last = words_[range.end - 1];
+        const auto certain = [&](const Word& word) { return word.certain; };
+        return StatedNumber{*value, words_[range.begin].begin, last.begin + last.text.size(), last.in_define,
+                            certain(words_[range.begin]) && certain(last)};
+    }
+
+    /// From `begin` on to the next comma outside of brackets, or to `end`.
+    std::size_t element_end(std::size_t begin, std::size_t end) const {
+        std::size_t at = begin;
+        while (at < end && !is(at, ",") && !is(at, ";")) {
+            const bool skips = (is(at, "(") || is(at, "{") || is(at, "[")) && words_[at].partner != nowhere;
+            at = skips ? words_[at].partner + 1 : at + 1;
+        }
+        return std::min(at, end);
+    }
+
+    std::vector<Range> elements(std::size_t begin, std::size_t end) const {
+        std::vector<Range> ranges;
+        for (std::size_t at = begin; at < end;) {
+            const std::size_t stop = element_end(at, end);
+            ranges.push_back({at, stop});
+            at = stop + 1;
+        }
+        return ranges;
+    }
+
+    // Names
+
+    /// The place before an index such as [3] that ends at `at`; `at` itself where there is none.
+    std::size_t before_index(std::size_t at) const {
+        while (at != nowhere && at < words_.size() && is(at, "]") && words_[at].partner != nowhere &&
+               words_[at].partner > 0)
+            at = words_[at].partner - 1;
+        return at;
+    }
+
+    /// The name on the left of '=' at `equals`: "eye", "eye.x", "eye[0]".
+    std::string name_left_of(std::size_t equals) const {
+        if (equals == 0) return {};
+        const std::size_t at = before_index(equals - 1);
+        if (at >= words_.size() || !is_name(words_[at])) return {};
+        std::string name(words_[at].text);
+        if (at >= 2 && (is(at - 1, ".") || is(at - 1, "->")) && is_name(words_[at - 2]))
+            name = std::string(words_[at - 2].text) + "." + name;
+        if (at + 4 == equals && words_[at + 2].kind == TokenKind::number)
+            name += "[" + std::string(words_[at + 2].text) + "]";
+        return name;
+    }
+
+    /// Whether the name at `at`, before a bracket, is declared there: after its type, or in a list of declarations or
+    /// of a constructor's members.
+    bool is_declared(std::size_t at) const {
+        if (at == 0) return false;
+        const Word& before = words_[at - 1];
+        if (is_name(before)) return !is_keyword(before.text);
+        for (const std::string_view symbol : {">", "&", "*"}) {
+            if (is(at - 1, symbol)) return true;
+        }
+        return (is(at - 1, ",") || is(at - 1, ":")) && in_block(at);
+    }
+
+    struct Naming {
+        std::string name;
+        std::string_view callee;
+    };
+
+    /// What the list that `open` begins initialises, and the type or function before it.
+    Naming naming(std::size_t open) const {
+        Naming result;
+        if (open == 0) return result;
+        std::size_t at = before_index(open - 1);
+        if (at >= words_.size()) return result;
+        if (is_name(words_[at])) {
+            if (at == open - 1) result.callee = words_[at].text;
+            std::size_t first = at;
+            while (first >= 2 && is(first - 1, "::") && is_name(words_[first - 2])) first -= 2;
+            if (first > 0 && is(first - 1, "=")) {
+                result.name = name_left_of(first - 1);
+            } else if (first > 0 && words_[first - 1].kind == TokenKind::name && first >= 2 &&
+                       words_[first - 2].kind == TokenKind::directive) {
+                result.name = {};
+            } else if (is_declared(first)) {
+                result.name = words_[at].text;
+            }
+        } else if (is(at, "=")) {
+            result.name = name_left_of(at);
+        } else if (is(at, "{") || is(at, "(")) {
+            // eye{{0, 0, 4}}, eye({0, 0, 4}), which mean what one bracket does
+            if (words_[at].partner == words_[open].partner + 1) return naming_once(at);
+        }
+        return result;
+    }
+
+    /// The same, one bracket further out and no further.
+    Naming naming_once(std::size_t open) const {
+        if (open == 0) return {};
+        const std::size_t at = before_index(open - 1);
+        if (at >= words_.size()) return {};
+        if (is(at, "=")) return {name_left_of(at), {}};
+        if (is_name(words_[at]) && is_declared(at)) return {std::string(words_[at].text), {}};
+        return {};
+    }
+
+    // What is found
+
+    void assignment(std::size_t equals) {
+        const std::string name = name_left_of(equals);
+        if (name.empty()) return;
+        const std::size_t parent = words_[equals].parent;
+        std::size_t limit = parent == nowhere ? words_.size() : words_[parent].partner;
+        limit = std::min(limit == nowhere ? words_.size() : limit, equals + 64);
+        const std::size_t end = element_end(equals + 1, limit);
+        if (const auto number = constant({equals + 1, end})) found_.named.push_back({name, *number});
+    }
+
+    void define(std::size_t hash) {
+        std::size_t end = hash;
+        while (end < words_.size() && words_[end].kind != TokenKind::line_end) ++end;
+        if (end - hash < 3 || !is_name(words_[hash + 1])) return;
+        const std::string name(words_[hash + 1].text);
+        const Range body{hash + 2, end};
+        // A macro with parameters has its bracket right behind its name.
+        if (is(body.begin, "(") && words_[body.begin].begin == words_[hash + 1].begin + name.size()) return;
+        if (const auto number = constant(body)) {
+            found_.named.push_back({name, *number});
+            return;
+        }
+        const std::vector<Range> parts = elements(body.begin, body.end);
+        if (parts.size() == 3) add_vectors(parts, {name, {}});
+        const bool one_list = is(body.end - 1, ")") || is(body.end - 1, "}");
+        if (one_list && words_[body.end - 1].partner != nowhere && parts.size() == 1)
+            name_of_define_[words_[body.end - 1].partner] = name;
+    }
+
+    void list(std::size_t open) {
+        const std::size_t close = words_[open].partner;
+        if (is_block_[open]) return;
+        const std::vector<Range> parts = elements(open + 1, close);
+        if (parts.empty()) return;
+        Naming naming_of_list = naming(open);
+        if (const auto found = name_of_define_.find(open); found != name_of_define_.end())
+            naming_of_list.name = found->second;
+        const bool vectors = add_vectors(parts, naming_of_list, open);
+        if (!vectors && parts.size() > 1) lists_.push_back(open);
+    }
+
+    /// Whether the list itself holds the numbers of one vector or more.
+    bool add_vectors(const std::vector<Range>& parts, const Naming& naming_of_list, std::size_t open = nowhere) {
+        constexpr std::size_t longest = 48;
+        std::vector<StatedNumber> numbers;  // those the list begins with
+        for (const Range& part : parts) {
+            if (numbers.size() > longest) break;
+            const auto number = constant(part);
+            if (!number) break;
+            numbers.push_back(*number);
+        }
+        if (numbers.size() == 1 && parts.size() == 1) {
+            if (!naming_of_list.name.empty()) found_.named.push_back({naming_of_list.name, numbers[0]});
+            const double x = numbers[0].constant.value;
+            add({{x, x, x}, numbers, {}, naming_of_list.name, naming_of_list.callee, false}, open);
+            return false;
+        }
+        if (numbers.size() < 3) return false;
+        const bool chunks = numbers.size() == parts.size() && parts.size() % 3 == 0 && parts.size() > 3;
+        StatedList chunked{naming_of_list.callee, {}};
+        for (std::size_t i = 0; i + 3 <= (chunks ? numbers.size() : 3); i += 3) {
+            StatedVector vector;
+            for (std::size_t k = 0; k < 3; ++k) {
+                vector.value.at(k) = numbers[i + k].constant.value;
+                vector.numbers.push_back(numbers[i + k]);
+            }
+            if (!chunks && numbers.size() > 3) vector.following = numbers[3];
+            vector.name = naming_of_list.name;
+            vector.callee = naming_of_list.callee;
+            vector.weak = parts.size() != 3;
+            if (chunks) chunked.elements.push_back({found_.vectors.size(), {}});
+            add(std::move(vector), open);
+        }
+        if (chunks) found_.lists.push_back(std::move(chunked));
+        return true;
+    }
+
+    void add(StatedVector vector, std::size_t open) {
+        if (open != nowhere) vector_at_.try_emplace(open, found_.vectors.size());
+        found_.vectors.push_back(std::move(vector));
+    }
+
+    /// The list with those of its elements that are vectors, as in Camera({0, 0, 4}, vec3(0), up).
+    void list_of_vectors(std::size_t open) {
+        StatedList result{naming(open).callee, {}};
+        bool any = false;
+        for (const Range& part : elements(open + 1, words_[open].partner)) {
+            ListElement element;
+            element.number = constant(part);
+            const std::size_t last = part.end - 1;
+            if (part.end > part.begin && words_[last].partner != nowhere && words_[last].partner >= part.begin &&
+                words_[last].partner - part.begin <= 4) {
+                if (const auto found = vector_at_.find(words_[last].partner); found != vector_at_.end()) {
+                    element.vector = found->second;
+                    any = true;
+                }
+            }
+            result.elements.push_back(std::move(element));
+        }
+        if (any) found_.lists.push_back(std::move(result));
+    }
+
+    /// "eyeX", "eye_x", "eye.x", "eye[0]" without what says which component it is, and that component.
+    static std::optional<std::pair<std::string, std::size_t>> component_of(const std::string& name) {
+        std::string stem = name;
+        char axis = stem.back();
+        if (axis == ']' && stem.size() > 3) {
+            axis = stem[stem.size() - 2];
+            stem.resize(stem.size() - 3);
+            if (axis < '0' || axis > '2') return {};
+        } else {
+            stem.pop_back();
+        }
+        while (!stem.empty() && (stem.back() == '_' || stem.back() == '.')) stem.pop_back();
+        if (stem.empty()) return {};
+        switch (axis) {
+            case 'x':
+            case 'X':
+            case '0': return {{stem, 0}};
+            case 'y':
+            case 'Y':
+            case '1': return {{stem, 1}};
+            case 'z':
+            case 'Z':
+            case '2': return {{stem, 2}};
+            default: return {};
+        }
+    }
+
+    /// Vectors stated component by component, each of them once.
+    void vectors_by_component() {
+        std::map<std::string, std::array<std::vector<std::size_t>, 3>> stems;
+        for (std::size_t i = 0; i < found_.named.size(); ++i) {
+            if (const auto component = component_of(found_.named[i].name))
+                stems[component->first].at(component->second).push_back(i);
+        }
+        for (const auto& [stem, places] : stems) {
+            const bool each_once =
+                std::all_of(places.begin(), places.end(), [](const auto& p) { return p.size() == 1; });
+            if (!each_once) continue;
+            StatedVector vector;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const StatedNumber& number = found_.named[places.at(k).front()].number;
+                vector.value.at(k) = number.constant.value;
+                vector.numbers.push_back(number);
+            }
+            vector.name = stem;
+            found_.vectors.push_back(std::move(vector));
+        }
+    }
+
+    const std::vector<Word>& words_;
+    SourceNumbers found_;
+    std::vector<bool> is_block_;
+    std::vector<std::size_t> lists_;                     ///< the opening brackets of those that may hold vectors
+    std::map<std::size_t, std::size_t> vector_at_;       ///< by opening bracket
+    std::map<std::size_t, std::string> name_of_define_;  ///< #define EYE vec3(0, 0, 4), by opening bracket
+};
+
+}  // namespace
+
+SourceNumbers stated_numbers(const std::vector<Word>& words) {
+    return Finder(words).find();
+}
+
+}  // namespace harness::variants

@@ -1,0 +1,117 @@
+#include "harness/variants/variant_report.h"
+
+#include <algorithm>
+#include <array>
+
+namespace harness::variants {
+namespace {
+
+/// The numbers that were printed, without what is around them: blanks say nothing.
+std::string without_blanks(const std::string& text) {
+    std::string plain;
+    for (const char c : text) {
+        if (c != ' ' && c != '\t' && c != '\n') plain += c;
+    }
+    return plain;
+}
+
+/// Whether there is no such value where the ray misses.
+bool may_be_none(const reference::ItemSpec& spec) {
+    constexpr std::array<std::string_view, 4> of_hits{"t", "hit", "u", "v"};
+    return spec.question == 7 || std::find(of_hits.begin(), of_hits.end(), spec.name) != of_hits.end();
+}
+
+/// Whether the same print again says something. The sentence of question 10 is one of a few, "none" is what a program
+/// prints that never hits, and 0 is what a variable holds that nobody set.
+bool is_telling(const ItemScore& item) {
+    if (item.spec.shape == reference::Shape::verdict || (may_be_none(item.spec) && !item.error)) return false;
+    return item.printed.find_first_of("123456789") != std::string::npos;
+}
+
+class Comparison {
+  public:
+    Comparison(const Score& base, VariantReport& report) : base_(base), report_(report) {}
+
+    void compare() {
+        for (std::size_t q = 0; q < base_.questions.size(); ++q) {
+            for (std::size_t i = 0; i < base_.questions[q].items.size(); ++i) compare_item(q, i);
+        }
+        std::stable_sort(report_.broken.begin(), report_.broken.end(),
+                         [](const ItemOnVariant& a, const ItemOnVariant& b) { return a.run < b.run; });
+    }
+
+  private:
+    const ItemScore& item_of(const Score& score, std::size_t q, std::size_t i) const {
+        return score.questions.at(q).items.at(i);
+    }
+
+    ItemOnVariant finding(std::size_t q, std::size_t i, std::size_t run) const {
+        const ItemScore& before = item_of(base_, q, i);
+        const ItemScore& after = item_of(report_.runs[run].score, q, i);
+        return {base_.questions[q].number,
+                std::string(before.spec.name),
+                run,
+                before.printed,
+                after.printed,
+                after.diagnosis};
+    }
+
+    void compare_item(std::size_t q, std::size_t i) {
+        const ItemScore& before = item_of(base_, q, i);
+        if (before.verdict != ItemVerdict::right || before.printed.empty()) return;
+        const std::string printed = without_blanks(before.printed);
+        bool moves = false;
+        std::vector<std::size_t> same_and_wrong;
+        std::vector<ItemOnVariant> broken;
+        for (std::size_t run = 0; run < report_.runs.size(); ++run) {
+            const ItemScore& after = item_of(report_.runs[run].score, q, i);
+            const bool same = without_blanks(after.printed) == printed;
+            moves = moves || !same;
+            if (same && after.verdict != ItemVerdict::right) same_and_wrong.push_back(run);
+            // Larger numbers need more digits, which is no fault of the computation.
+            const bool fair = after.verdict == ItemVerdict::follow || after.diagnosis == "too few decimals";
+            if (after.verdict != ItemVerdict::right && !fair) broken.push_back(finding(q, i, run));
+        }
+        if (moves) ++report_.moved;
+        const std::size_t enough = std::min<std::size_t>(2, report_.runs.size());
+        const bool unmoved = !moves && same_and_wrong.size() >= enough && is_telling(before);
+        if (unmoved) {
+            report_.unmoved.push_back(finding(q, i, same_and_wrong.front()));
+        } else {
+            report_.broken.insert(report_.broken.end(), broken.begin(), broken.end());
+        }
+    }
+
+    const Score& base_;
+    VariantReport& report_;
+};
+
+VariantVerdict verdict_of(const VariantReport& report) {
+    if (!report.unmoved.empty()) return VariantVerdict::does_not_move;
+    if (!report.broken.empty()) return VariantVerdict::breaks;
+    return report.moved > 0 ? VariantVerdict::computes : VariantVerdict::not_found;
+}
+
+}  // namespace
+
+std::string_view to_string(VariantVerdict verdict) {
+    switch (verdict) {
+        case VariantVerdict::computes: return "computes";
+        case VariantVerdict::breaks: return "breaks";
+        case VariantVerdict::does_not_move: return "does_not_move";
+        case VariantVerdict::not_found: return "not_found";
+    }
+    return "";
+}
+
+VariantReport compare(const Score& base, std::vector<VariantRun> runs, std::vector<std::string> not_found) {
+    VariantReport report;
+    report.runs = std::move(runs);
+    report.not_found = std::move(not_found);
+    if (!report.runs.empty()) Comparison(base, report).compare();
+    report.verdict = verdict_of(report);
+    for (VariantRun& run : report.runs) run.score = {};
+    return report;
+}
+
+}  // namespace harness::variants

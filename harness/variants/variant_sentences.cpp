@@ -1,0 +1,93 @@
+#include "harness/variants/variant_sentences.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace harness::variants {
+namespace {
+
+std::string name_of(const ItemOnVariant& item) {
+    return fmt::format("{}.{}", item.question, item.item);
+}
+
+template <class Items>
+std::string names_of(const Items& items) {
+    std::vector<std::string> names;
+    for (const auto& item : items) names.push_back(fmt::format("{}.{}", item.question, item.item));
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string plural(std::size_t count, std::string_view one) {
+    return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
+
+/// The broken items of one run, each with its mistake where that is known.
+std::string broken_on(const VariantReport& report, std::size_t run) {
+    std::string text;
+    for (const ItemOnVariant& item : report.broken) {
+        if (item.run != run) continue;
+        text += (text.empty() ? "" : ", ") + name_of(item);
+        if (item.after.empty()) {
+            text += " (nothing printed)";
+        } else if (!item.diagnosis.empty()) {
+            text += fmt::format(" ({})", item.diagnosis);
+        }
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string unmoved_evidence(const VariantReport& report) {
+    // A number with decimals shows more than a 0 does.
+    const auto telling = [](const ItemOnVariant& item) { return item.before.find('.') != std::string::npos; };
+    auto shown = std::find_if(report.unmoved.begin(), report.unmoved.end(), telling);
+    if (shown == report.unmoved.end()) shown = report.unmoved.begin();
+    const VariantRun& run = report.runs.at(shown->run);
+    std::string text = fmt::format("Question {}, {}: the program prints {} with {}, and {} with {} in its source.",
+                                   shown->question, shown->item, shown->before, run.before, shown->after, run.changes);
+    std::vector<ItemOnVariant> others;
+    std::copy_if(report.unmoved.begin(), report.unmoved.end(), std::back_inserter(others),
+                 [&](const ItemOnVariant& item) { return name_of(item) != name_of(*shown); });
+    if (!others.empty()) text += fmt::format(" The same holds for {}.", names_of(others));
+    if (report.moved == 0) return text + " No other answer changes.";
+    return text + fmt::format(" {} that {} right {} otherwise there.",
+                              plural(static_cast<std::size_t>(report.moved), "answer"),
+                              report.moved == 1 ? "was" : "were", report.moved == 1 ? "reads" : "read");
+}
+
+std::string written_evidence(const std::vector<WrittenAnswer>& written) {
+    std::vector<std::string> places;
+    for (const WrittenAnswer& answer : written)
+        places.push_back(fmt::format("{}.{}: {} in line {}", answer.question, answer.item, answer.number, answer.line));
+    return fmt::format("Printed answers stand in the source as they are printed: {}.", fmt::join(places, ", "));
+}
+
+std::vector<std::string> variant_sentences(const VariantReport& report) {
+    std::vector<std::string> sentences;
+    if (report.runs.empty()) return sentences;
+    sentences.push_back(fmt::format(
+        "The program was also run on {}, with other numbers for the scene in its source{}.",
+        plural(report.runs.size(), "other scene"),
+        report.not_found.empty()
+            ? ""
+            : fmt::format(" (not found there, and left as they are: {})", fmt::join(report.not_found, ", "))));
+    if (report.verdict == VariantVerdict::computes)
+        sentences.emplace_back("Every answer that was right is right there, too.");
+    if (!report.unmoved.empty()) {
+        sentences.push_back(fmt::format("The printed numbers of {} do not change when the scene in the source does.",
+                                        names_of(report.unmoved)));
+    }
+    for (std::size_t run = 0; run < report.runs.size(); ++run) {
+        const std::string broken = broken_on(report, run);
+        if (broken.empty()) continue;
+        sentences.push_back(
+            fmt::format("With {} ({}) no longer right: {}.", report.runs[run].changes, report.runs[run].name, broken));
+    }
+    return sentences;
+}
+
+}  // namespace harness::variants

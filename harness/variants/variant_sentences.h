@@ -1,0 +1,22 @@
+// What the other scenes showed, in neutral words: no right value, and no word about anybody's intentions.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/variants/variant_report.h"
+#include "harness/variants/written_answers.h"
+
+namespace harness::variants {
+
+/// For the flag: the first unmoved number on both scenes side by side with what changed, and the names of the others.
+std::string unmoved_evidence(const VariantReport& report);
+
+/// For the flag where the scene was not found: the printed numbers that stand in the source, with their lines.
+std::string written_evidence(const std::vector<WrittenAnswer>& written);
+
+/// For the student, a sentence each: what was tried, what moved, what did not, what broke and where. Text that a
+/// program printed is in them as it is, so the caller escapes them. Empty when nothing was tried.
+std::vector<std::string> variant_sentences(const VariantReport& report);
+
+}  // namespace harness::variants

@@ -1,0 +1,85 @@
+#include "harness/variants/written_answers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "harness/variants/cpp_lexer.h"
+
+namespace harness::variants {
+namespace {
+
+constexpr std::string_view of_numbers = "0123456789.";
+
+/// The numbers in a text, without their signs, each with where it begins.
+std::vector<std::string_view> numbers_in(std::string_view text) {
+    std::vector<std::string_view> numbers;
+    for (std::size_t at = text.find_first_of(of_numbers); at != std::string_view::npos;) {
+        const std::size_t end = std::min(text.find_first_not_of(of_numbers, at), text.size());
+        numbers.push_back(text.substr(at, end - at));
+        at = text.find_first_of(of_numbers, end);
+    }
+    return numbers;
+}
+
+/// Without zeros that say nothing, so that 0.5857860 and 0.585786 are one number.
+std::string plain(std::string_view number) {
+    std::string text(number);
+    if (text.find('.') != std::string::npos) {
+        while (text.back() == '0') text.pop_back();
+        if (text.back() == '.') text.pop_back();
+    }
+    while (text.size() > 1 && text.front() == '0' && text[1] != '.') text.erase(0, 1);
+    return text;
+}
+
+bool is_telling(const std::string& number) {
+    constexpr std::size_t fewest = 4;
+    const std::size_t first = number.find_first_of("123456789");
+    if (number.find('.') == std::string::npos || first == std::string::npos) return false;
+    return number.size() - first - (number.find('.') > first ? 1 : 0) >= fewest;
+}
+
+/// The telling numbers of the source's strings and literals, each with its first line.
+std::map<std::string, std::size_t> numbers_of(std::string_view source) {
+    std::map<std::string, std::size_t> lines;
+    std::size_t line = 1;
+    for (const Token& token : lex_cpp(source)) {
+        const std::string_view text = source.substr(token.begin, token.end - token.begin);
+        if (token.kind == TokenKind::text || token.kind == TokenKind::number) {
+            for (const std::string_view number : numbers_in(text)) {
+                const std::string known = plain(number);
+                if (is_telling(known)) lines.try_emplace(known, line);
+            }
+        }
+        line += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    }
+    return lines;
+}
+
+}  // namespace
+
+std::vector<WrittenAnswer> written_answers(std::string_view source, const Score& score, const DecimalScene& scene) {
+    std::map<std::string, std::size_t> lines = numbers_of(source);
+    for (const ScenePart part : all_parts) {
+        if (!has_part(scene, part)) continue;
+        for (const double number : value_of(scene, part)) lines.erase(plain(fmt::format("{}", std::abs(number))));
+    }
+    std::vector<WrittenAnswer> written;
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (item.verdict != ItemVerdict::right) continue;
+            for (const std::string_view number : numbers_in(item.printed)) {
+                const auto found = lines.find(plain(number));
+                if (found == lines.end()) continue;
+                written.push_back({question.number, std::string(item.spec.name), std::string(number), found->second});
+                break;
+            }
+        }
+    }
+    return written;
+}
+
+}  // namespace harness::variants

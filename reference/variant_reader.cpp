@@ -1,0 +1,75 @@
+#include "reference/variant_reader.h"
+
+#include <fmt/format.h>
+
+#include "reference/scene_toml.h"
+
+namespace reference {
+namespace {
+
+Vec3<Decimal> vector_from(const std::vector<Decimal>& numbers) {
+    return {numbers[0], numbers[1], numbers[2]};
+}
+
+void change_camera(const TomlTable& table, Camera<Decimal>& camera) {
+    table.allow_only({"eye", "lookat", "vup"});
+    if (table.has("eye")) camera.eye = vector_from(table.decimals("eye", 3));
+    if (table.has("lookat")) camera.lookat = vector_from(table.decimals("lookat", 3));
+    if (table.has("vup")) camera.vup = vector_from(table.decimals("vup", 3));
+}
+
+void change_pixel(const TomlTable& table, Scene<Decimal>& scene) {
+    table.allow_only({"pixel"});
+    if (!table.has("pixel")) return;
+    const std::vector<Decimal> pixel = table.decimals("pixel", 2);
+    const auto whole = [&](const Decimal& number, int count) {
+        const double index = number.to_double();
+        if (index >= 0 && index < count && index == static_cast<int>(index)) return static_cast<int>(index);
+        table.fail("pixel", fmt::format("{} is not a pixel of the window: write a whole number from 0 to {}",
+                                        number.text(), count - 1));
+    };
+    scene.pixel = {whole(pixel[0], scene.window.width), whole(pixel[1], scene.window.height)};
+}
+
+void change_sphere(const TomlTable& variant, Scene<Decimal>& scene) {
+    if (scene.spheres.empty()) variant.fail("sphere", "is none of this scene's, which has no sphere to change");
+    const TomlTable table = variant.table("sphere");
+    table.allow_only({"center", "radius"});
+    if (table.has("center")) scene.spheres.front().center = vector_from(table.decimals("center", 3));
+    if (table.has("radius")) scene.spheres.front().radius = table.decimal("radius");
+}
+
+void change_triangle(const TomlTable& variant, Scene<Decimal>& scene) {
+    if (scene.triangles.empty()) variant.fail("triangle", "is none of this scene's, which has no triangle to change");
+    const TomlTable table = variant.table("triangle");
+    table.allow_only({"vertices"});
+    if (!table.has("vertices")) return;
+    const auto rows = table.decimal_rows("vertices", 3, 3);
+    scene.triangles.front() = {vector_from(rows[0]), vector_from(rows[1]), vector_from(rows[2])};
+}
+
+}  // namespace
+
+std::vector<SceneVariant> read_variants(const TomlTable& root, const Scene<Decimal>& scene,
+                                        const std::filesystem::path& path) {
+    std::vector<SceneVariant> variants;
+    for (const TomlTable& table : root.tables("variant")) {
+        table.allow_only({"name", "camera", "window", "sphere", "triangle"});
+        SceneVariant variant{fmt::format("variant {}", variants.size() + 1), scene};
+        if (table.has("name")) variant.name = table.string("name");
+        if (table.has("camera")) change_camera(table.table("camera"), variant.scene.camera);
+        if (table.has("window")) change_pixel(table.table("window"), variant.scene);
+        if (table.has("sphere")) change_sphere(table, variant.scene);
+        if (table.has("triangle")) change_triangle(table, variant.scene);
+        if (scene_toml(variant.scene) == scene_toml(scene)) {
+            table.fail("name", fmt::format("\"{}\" changes nothing of the scene; state a camera.eye, sphere.center, "
+                                           "triangle.vertices, … that differs",
+                                           variant.name));
+        }
+        check_scene(variant.scene, fmt::format("{}, \"{}\" as a scene", path.string(), variant.name));
+        variants.push_back(std::move(variant));
+    }
+    return variants;
+}
+
+}  // namespace reference

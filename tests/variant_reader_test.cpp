@@ -1,0 +1,90 @@
+#include "reference/variant_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "reference/scene_toml.h"
+
+namespace reference {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+const std::string scene = R"(
+[camera]
+eye = [0, 0, 4]
+lookat = [0, 0, 0]
+vup = [0, 1, 0]
+[window]
+clip_left = -2
+clip_right = 2
+clip_bottom = -1
+clip_top = 1
+clip_near = 2
+width = 301
+height = 201
+pixel = [150, 100]
+[[sphere]]
+center = [1, 1, 0]
+radius = 2.50
+)";
+
+std::string error_of(const std::string& variant) {
+    try {
+        parse_assignment(scene + variant, "a.toml");
+    } catch (const AssignmentError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(ReadVariants, OverridesTheKeysThatAreThere) {
+    const Assignment assignment =
+        parse_assignment(scene +
+                             "[[variant]]\nname = \"aside\"\ncamera.eye = [1, 2, 3.50]\nsphere.radius = "
+                             "3\n[[variant]]\nwindow.pixel = [0, 200]\n",
+                         "a.toml");
+    ASSERT_THAT(assignment.variants, SizeIs(2));
+    const SceneVariant& aside = assignment.variants[0];
+    EXPECT_EQ(aside.name, "aside");
+    EXPECT_EQ(aside.scene.camera.eye.z.text(), "3.50");
+    EXPECT_EQ(aside.scene.camera.vup.y.text(), "1");
+    EXPECT_EQ(aside.scene.spheres.front().radius.text(), "3");
+    EXPECT_EQ(assignment.variants[1].name, "variant 2");
+    EXPECT_EQ(assignment.variants[1].scene.pixel.y, 200);
+    EXPECT_EQ(assignment.scene.camera.eye.z.text(), "4");
+}
+
+TEST(ReadVariants, IsEmptyWithoutOne) {
+    EXPECT_THAT(parse_assignment(scene, "a.toml").variants, IsEmpty());
+}
+
+TEST(ReadVariants, RefusesWhatIsNoVariantOfThisScene) {
+    EXPECT_THAT(error_of("[[variant]]\ncamera.eyes = [1, 2, 3]\n"), AllOf(HasSubstr("a.toml"), HasSubstr("eyes")));
+    EXPECT_THAT(error_of("[[variant]]\nwindow.width = 3\n"), HasSubstr("width"));
+    EXPECT_THAT(error_of("[[variant]]\nwindow.pixel = [301, 0]\n"), HasSubstr("301 is not a pixel"));
+    EXPECT_THAT(error_of("[[variant]]\nwindow.pixel = [1.5, 0]\n"), HasSubstr("1.5 is not a pixel"));
+    EXPECT_THAT(error_of("[[variant]]\nname = \"same\"\nsphere.radius = 2.50\n"),
+                HasSubstr("\"same\" changes nothing"));
+    EXPECT_THAT(error_of("[[variant]]\ntriangle.vertices = [[0,0,0],[1,0,0],[0,1,0]]\n"), HasSubstr("no triangle"));
+}
+
+TEST(ReadVariants, RefusesASceneThatCantBeMarked) {
+    EXPECT_THAT(error_of("[[variant]]\nname = \"blind\"\ncamera.eye = [0, 0, 0]\n"),
+                AllOf(HasSubstr("a.toml"), HasSubstr("\"blind\""), HasSubstr("lookat")));
+    EXPECT_THAT(error_of("[[variant]]\nsphere.radius = -1\n"), HasSubstr("radius"));
+}
+
+TEST(SceneToml, ReadsBackAsTheSameScene) {
+    const Assignment assignment = parse_assignment(scene, "a.toml");
+    EXPECT_EQ(scene_toml(parse_assignment(scene_toml(assignment.scene), "b.toml").scene), scene_toml(assignment.scene));
+    EXPECT_THAT(scene_toml(assignment.scene), HasSubstr("radius = 2.50"));
+}
+
+}  // namespace
+}  // namespace reference

@@ -1,0 +1,170 @@
+#include "harness/variants/variant_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "harness/variants/variant_sentences.h"
+
+namespace harness::variants {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::SizeIs;
+using enum ItemVerdict;
+
+struct Answered {
+    std::string printed;
+    ItemVerdict verdict;
+};
+
+/// t and u of question 8 and the verdict of question 10.
+Score answered(const Answered& t, const Answered& u, const Answered& verdict = {"sphere", right}) {
+    Score score;
+    for (const int number : {8, 10}) {
+        score.questions.emplace_back();
+        score.questions.back().number = number;
+    }
+    const auto add = [](QuestionScore& question, std::string_view name, reference::Shape shape,
+                        const Answered& answer) {
+        ItemScore item;
+        item.spec = {question.number, name, shape, reference::Subject::triangle, ""};
+        item.printed = answer.printed;
+        item.verdict = answer.verdict;
+        if (shape != reference::Shape::verdict && answer.printed != "none") item.error = 0;
+        question.items.push_back(item);
+    };
+    add(score.questions[0], "t", reference::Shape::scalar, t);
+    add(score.questions[0], "u", reference::Shape::scalar, u);
+    add(score.questions[1], "verdict", reference::Shape::verdict, verdict);
+    return score;
+}
+
+VariantReport compared(const Score& base, const std::vector<Score>& scores) {
+    std::vector<VariantRun> runs;
+    for (const Score& score : scores)
+        runs.push_back({"scene " + std::to_string(runs.size() + 1), "eye = (1, 2, 3)", "eye = (0, 0, 4)", true, score});
+    return compare(base, std::move(runs), {"vup"});
+}
+
+std::vector<std::string> names(const std::vector<ItemOnVariant>& items) {
+    std::vector<std::string> result;
+    for (const ItemOnVariant& item : items) result.push_back(std::to_string(item.question) + "." + item.item);
+    return result;
+}
+
+TEST(CompareVariants, ComputesWhereAllStaysRight) {
+    const VariantReport report =
+        compared(answered({"1", right}, {"0.5", right}),
+                 {answered({"2", right}, {"0.5", right}), answered({"3", right}, {"0.25", right})});
+    EXPECT_EQ(report.verdict, VariantVerdict::computes);
+    EXPECT_EQ(report.moved, 2);
+    EXPECT_THAT(report.not_found, ElementsAre("vup"));
+}
+
+TEST(CompareVariants, BreaksWhereARightAnswerMovesToAWrongOne) {
+    const VariantReport report =
+        compared(answered({"1", right}, {"0.5", right}),
+                 {answered({"2", wrong}, {"0.5", right}), answered({"", missing}, {"0.1", right})});
+    EXPECT_EQ(report.verdict, VariantVerdict::breaks);
+    EXPECT_THAT(names(report.broken), ElementsAre("8.t", "8.t"));
+    EXPECT_THAT(report.unmoved, IsEmpty());
+    EXPECT_EQ(report.broken[1].run, 1U);
+}
+
+TEST(CompareVariants, DoesNotMoveWhereTheSameNumberIsWrongTwice) {
+    const VariantReport report =
+        compared(answered({"1", right}, {"0.50", right}),
+                 {answered({"2", right}, {"0.50", wrong}), answered({"3", right}, {"0.50", follow})});
+    EXPECT_EQ(report.verdict, VariantVerdict::does_not_move);
+    EXPECT_THAT(names(report.unmoved), ElementsAre("8.u"));
+    EXPECT_EQ(report.moved, 1);
+    EXPECT_THAT(report.broken, IsEmpty()) << "it is told once";
+}
+
+TEST(CompareVariants, BelievesOneRunWhereThereIsNoOther) {
+    EXPECT_EQ(compared(answered({"1", right}, {"0.5", right}), {answered({"2", right}, {"0.5", wrong})}).verdict,
+              VariantVerdict::does_not_move);
+}
+
+TEST(CompareVariants, IsNotSureAfterOneCoincidenceOfTwo) {
+    const VariantReport report =
+        compared(answered({"0", right}, {"0.5", right}),
+                 {answered({"0", wrong}, {"0.1", right}), answered({"0", right}, {"0.2", right})});
+    EXPECT_EQ(report.verdict, VariantVerdict::breaks);
+    EXPECT_THAT(report.unmoved, IsEmpty());
+}
+
+TEST(CompareVariants, MovesWithAnyOtherPrint) {
+    const VariantReport report =
+        compared(answered({"1", right}, {"0.5", right}),
+                 {answered({"1", wrong}, {"0.1", right}), answered({"1.5", wrong}, {"0.2", right}),
+                  answered({"1", wrong}, {"0.3", right})});
+    EXPECT_THAT(report.unmoved, IsEmpty());
+    EXPECT_EQ(report.verdict, VariantVerdict::breaks);
+}
+
+TEST(CompareVariants, SaysNothingOfTheSentenceOfQuestion10) {
+    const VariantReport report =
+        compared(answered({"1", right}, {"0.5", right}), {answered({"2", right}, {"0.1", right}, {"sphere", wrong}),
+                                                          answered({"3", right}, {"0.2", right}, {"sphere", wrong})});
+    EXPECT_EQ(report.verdict, VariantVerdict::breaks);
+    EXPECT_THAT(report.unmoved, IsEmpty());
+}
+
+TEST(CompareVariants, SaysNothingOfNoneAndZero) {
+    for (const std::string print : {"none", "0.000", "-0"}) {
+        const VariantReport report =
+            compared(answered({print, right}, {"0.5", right}),
+                     {answered({print, wrong}, {"0.1", right}), answered({print, wrong}, {"0.2", right})});
+        EXPECT_EQ(report.verdict, VariantVerdict::breaks) << print;
+        EXPECT_THAT(report.unmoved, IsEmpty());
+    }
+}
+
+TEST(CompareVariants, SaysNothingOfTooFewDecimals) {
+    Score coarse = answered({"2.1", wrong}, {"0.1", right});
+    coarse.questions[0].items[0].diagnosis = "too few decimals";
+    EXPECT_EQ(compared(answered({"1", right}, {"0.5", right}), {coarse}).verdict, VariantVerdict::computes);
+}
+
+TEST(CompareVariants, SaysNothingOfWhatWasWrongBefore) {
+    const VariantReport report =
+        compared(answered({"1", wrong}, {"0.5", right}),
+                 {answered({"1", wrong}, {"0.1", right}), answered({"1", wrong}, {"0.2", right})});
+    EXPECT_EQ(report.verdict, VariantVerdict::computes);
+}
+
+TEST(CompareVariants, FindsNothingWithoutARun) {
+    EXPECT_EQ(compared(answered({"1", right}, {"0.5", right}), {}).verdict, VariantVerdict::not_found);
+    EXPECT_THAT(variant_sentences(compared(answered({"1", right}, {"0.5", right}), {})), IsEmpty());
+}
+
+TEST(VariantSentences, PutTheEvidenceSideBySide) {
+    const VariantReport report =
+        compared(answered({"1", right}, {"0.50", right}),
+                 {answered({"1", wrong}, {"0.50", wrong}), answered({"1", wrong}, {"0.50", wrong})});
+    EXPECT_EQ(
+        unmoved_evidence(report),
+        "Question 8, u: the program prints 0.50 with eye = (0, 0, 4), and 0.50 with eye = (1, 2, 3) in its source. "
+        "The same holds for 8.t. No other answer changes.");
+    EXPECT_THAT(variant_sentences(report),
+                ElementsAre(HasSubstr("2 other scenes"),
+                            "The printed numbers of 8.t, 8.u do not change when the scene in the source does."));
+}
+
+TEST(VariantSentences, NameWhatBreaksWithItsScene) {
+    Score score = answered({"2", wrong}, {"", missing});
+    score.questions[0].items[0].diagnosis = "far root";
+    const auto sentences = variant_sentences(compared(answered({"1", right}, {"0.5", right}), {score}));
+    ASSERT_THAT(sentences, SizeIs(2));
+    EXPECT_EQ(sentences[1], "With eye = (1, 2, 3) (scene 1) no longer right: 8.t (far root), 8.u (nothing printed).");
+}
+
+}  // namespace
+}  // namespace harness::variants

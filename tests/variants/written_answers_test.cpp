@@ -1,0 +1,53 @@
+#include "harness/variants/written_answers.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reference/assignment.h"
+
+namespace harness::variants {
+namespace {
+
+using testing::IsEmpty;
+using testing::SizeIs;
+
+Score printed(const std::string& text, ItemVerdict verdict = ItemVerdict::right) {
+    Score score;
+    score.questions.emplace_back();
+    score.questions.back().number = 6;
+    ItemScore item;
+    item.spec = {6, "t", reference::Shape::scalar, reference::Subject::sphere, "t"};
+    item.printed = text;
+    item.verdict = verdict;
+    score.questions.back().items = {item};
+    return score;
+}
+
+const DecimalScene& scene() {
+    static const DecimalScene a6 = reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS).scene;
+    return a6;
+}
+
+TEST(WrittenAnswers, AreFoundInStringsAndLiteralsWithTheirLine) {
+    const auto found = written_answers("int x;\n\nputs(\"t = 0.585786\");", printed("0.5857860"), scene());
+    ASSERT_THAT(found, SizeIs(1));
+    EXPECT_EQ(found[0].line, 3U);
+    EXPECT_EQ(found[0].number, "0.5857860");
+    EXPECT_THAT(written_answers("float t = -3.41421f;", printed("(0, -3.41421)"), scene()), SizeIs(1));
+}
+
+TEST(WrittenAnswers, AreNeitherShortNorInCommentsNorWrong) {
+    EXPECT_THAT(written_answers("puts(\"0.25 4 1.0000 200 150.000\");", printed("0.25 4 1.0000 200 150.000"), scene()),
+                IsEmpty());
+    EXPECT_THAT(written_answers("// 0.585786\n", printed("0.585786"), scene()), IsEmpty());
+    EXPECT_THAT(written_answers("puts(\"0.585786\");", printed("0.585786", ItemVerdict::wrong), scene()), IsEmpty());
+}
+
+TEST(WrittenAnswers, AreNoNumbersOfTheScene) {
+    DecimalScene other = scene();
+    other.camera.eye.x = reference::Decimal::parse("-3.1250").value();
+    EXPECT_THAT(written_answers("vec3 eye(-3.125, 0, 4);", printed("3.125000"), other), IsEmpty());
+}
+
+}  // namespace
+}  // namespace harness::variants
