@@ -22,6 +22,7 @@ constexpr const char* about =
     "  raygrade reference                      the canonical answers\n"
     "  raygrade cast < queries.jsonl           exact answers to any rays\n"
     "  raygrade accuracy --out accuracy        what accuracy costs in time: a page of pictures\n"
+    "  raygrade render -o scene.png            the scene as its camera sees it\n"
     "  raygrade doctor                         what this machine has and lacks";
 
 constexpr const char* footer =
@@ -66,6 +67,32 @@ void add_workshop(CLI::App& command, WorkshopOptions& workshop) {
     command.add_flag("--unsafe", workshop.unsafe,
                      "Where no sandbox holds, run strangers' programs with limits alone: they can read and change "
                      "what you can");
+}
+
+void add_render(CLI::App& command, RenderOptions& render) {
+    render.assignment = "default";
+    render.out = "image.png";
+    render.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    add_assignment(command, render.assignment);
+    command.add_option("--scene", render.scene, "A scene file instead: an assignment without questions, see README")
+        ->type_name("FILE")
+        ->excludes("--assignment");
+    command.add_option("-o,--out", render.out, "The PNG file to write; an earlier picture there is replaced")
+        ->type_name("FILE")
+        ->capture_default_str();
+    command.add_option("--size", render.size, "Pixels across and up; default: the window's")->type_name("WxH");
+    command.add_option("-j,--jobs", render.jobs, "How many threads to use; changes nothing but the time")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_flag("--explain", render.explain,
+                     "Say which effects the scene calls for and why each other one is off, the rays by kind and the "
+                     "time by effect");
+    command.add_flag("--all-effects", render.all_effects,
+                     "Simulate every effect, called for or not: the same picture, later");
+    command.footer(
+        "Examples: raygrade render --assignment a6-2021 -o 2021.png --explain\n"
+        "          raygrade render --scene reference/scenes/glass.toml --size 1280x720 -j 4");
 }
 
 /// The table of limits below the help of a command.
@@ -196,6 +223,11 @@ int run(int argc, char** argv) {
         "          raygrade accuracy --out accuracy            the pictures, for a browser, a printer or a slide\n"
         "          raygrade accuracy --assignment a6-2021      is float enough for this scene?");
 
+    RenderOptions render;
+    CLI::App& render_app =
+        *app.add_subcommand("render", "Draw the scene as its camera sees it, and simulate only what it calls for");
+    add_render(render_app, render);
+
     CLI::App& doctor_app = *app.add_subcommand("doctor", "Say what this machine has and lacks for grading");
 
     try {
@@ -208,6 +240,7 @@ int run(int argc, char** argv) {
     if (reference_app.parsed()) return reference_command(reference_options);
     if (cast_app.parsed()) return cast_command();
     if (accuracy_app.parsed()) return accuracy_command(accuracy);
+    if (render_app.parsed()) return render_command(render);
     return doctor_app.parsed() ? doctor_command() : usage;
 }
 

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "reference/look_reader.h"
 #include "reference/rubric_reader.h"
 #include "reference/scene_reader.h"
 #include "reference/toml_table.h"
@@ -40,6 +41,34 @@ std::vector<LimitEntry> read_limits(const TomlTable& stages) {
     return limits;
 }
 
+Assignment parse(std::string_view toml, const std::filesystem::path& path, PixelKey pixel) {
+    const TomlDocument document(toml, path);
+    const TomlTable root = document.root();
+    root.allow_only(
+        {"title", "camera", "window", "sphere", "triangle", "rubric", "limits", "light", "material", "mesh", "render"});
+    Assignment assignment;
+    assignment.name = path.stem().string();
+    assignment.title = root.has("title") ? root.string("title") : assignment.name;
+    assignment.scene = read_scene(root, assignment.notes, pixel);
+    if (root.has("rubric")) assignment.rubric = read_rubric(root.table("rubric"));
+    if (root.has("limits")) assignment.limits = read_limits(root.table("limits"));
+    assignment.look = read_look(root, path);
+    return assignment;
+}
+
+std::string read_text(const std::filesystem::path& path) {
+    constexpr std::uintmax_t largest_file = 1 << 20;
+    std::error_code error;
+    if (std::filesystem::file_size(path, error) > largest_file) {
+        throw AssignmentError(fmt::format("{}: larger than 1 MiB; that is no assignment", path.string()));
+    }
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    if (!file) throw AssignmentError(fmt::format("{}: can't be read; check its permissions", path.string()));
+    return text.str();
+}
+
 }  // namespace
 
 double Rubric::points_of(int question) const {
@@ -62,16 +91,7 @@ std::optional<double> Rubric::tolerance_of(int question, const std::string& item
 }
 
 Assignment parse_assignment(std::string_view toml, const std::filesystem::path& path) {
-    const TomlDocument document(toml, path);
-    const TomlTable root = document.root();
-    root.allow_only({"title", "camera", "window", "sphere", "triangle", "rubric", "limits"});
-    Assignment assignment;
-    assignment.name = path.stem().string();
-    assignment.title = root.has("title") ? root.string("title") : assignment.name;
-    assignment.scene = read_scene(root, assignment.notes);
-    if (root.has("rubric")) assignment.rubric = read_rubric(root.table("rubric"));
-    if (root.has("limits")) assignment.limits = read_limits(root.table("limits"));
-    return assignment;
+    return parse(toml, path, PixelKey::required);
 }
 
 Assignment load_assignment(const std::string& name_or_file, const std::filesystem::path& directory) {
@@ -87,15 +107,15 @@ Assignment load_assignment(const std::string& name_or_file, const std::filesyste
                                           name_or_file, names_in(directory), directory.string()));
     }
     path = fs::canonical(path, error);
-    constexpr std::uintmax_t largest_file = 1 << 20;
-    if (fs::file_size(path, error) > largest_file) {
-        throw AssignmentError(fmt::format("{}: larger than 1 MiB; that is no assignment", path.string()));
+    return parse_assignment(read_text(path), path);
+}
+
+Assignment load_scene(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) {
+        throw AssignmentError(fmt::format("{}: no such file; name a scene's .toml file", file.string()));
     }
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file) throw AssignmentError(fmt::format("{}: can't be read; check its permissions", path.string()));
-    return parse_assignment(text.str(), path);
+    return parse(read_text(file), file, PixelKey::optional);
 }
 
 }  // namespace reference
