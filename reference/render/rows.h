@@ -14,7 +14,7 @@ struct RayCounts {
     std::uint64_t shadow = 0;
     std::uint64_t mirrored = 0;
     std::uint64_t refracted = 0;
-    std::uint64_t reflected_in_glass = 0;
+    std::uint64_t reflected_in_glass = 0;  ///< where the glass is no mirror as well
 
     RayCounts& operator+=(const RayCounts& other);
 };
@@ -28,8 +28,8 @@ using RenderRow = void (*)(const PreparedScene& scene, int y, std::span<Color> c
 RenderRow row_renderer(const PreparedScene& scene, const Effects& effects);
 
 /// No ray is sent on that had been sent on so often, nor one whose share in its sample is below this. What it would
-/// have brought is missing: it is the more, the longer light goes round in glass, and stays below what eight bits show.
-constexpr int most_bounces = 32;
+/// have brought is missing: most at the rim of glass, where light goes round for long, and there below 1 in 100.
+constexpr int most_bounces = 256;
 constexpr double least_share = 0x1p-16;
 
 }  // namespace reference::render

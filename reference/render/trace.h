@@ -72,14 +72,33 @@ class Tracer {
         if constexpr (E.illumination) {
             if (surface.is_lit) color = illuminated(surface.material, place);
         }
-        if constexpr (sends_on) color = scaled(color, surface.own_share);
-        if constexpr (E.mirrors) {
-            const double share = surface.material.reflectivity;
-            if (share > 0) color += scaled(color_of_mirror(place, path, share, counts_.mirrored), share);
-        }
+        if constexpr (sends_on) color = scaled(color, surface.own_share) + passed_on(surface.material, place, path);
+        return color;
+    }
+
+    /// What a mirror and glass send along the mirrored ray is one ray's.
+    Color passed_on(const Material& material, const Place& place, const Path& path) {
+        Color color(0, 0, 0);
+        double reflected = 0;
+        if constexpr (E.mirrors) reflected = material.reflectivity;
         if constexpr (E.refraction) {
-            const double share = surface.material.transparency;
-            if (share > 0) color += scaled(color_of_glass(surface.material, place, path, share), share);
+            if (material.transparency > 0) {
+                const double from = place.is_inside ? material.refractive_index : 1;
+                const double into = place.is_inside ? 1 : material.refractive_index;
+                const double cos_incident = std::clamp(-dot(place.V, place.normal), 0.0, 1.0);
+                const Fresnel split = fresnel(cos_incident, from, into);
+                reflected += material.transparency * split.reflected;
+                const double through = material.transparency * (1 - split.reflected);
+                const Vec3<double> V = refracted(place.V, place.normal, cos_incident, split.cos_refracted, from / into);
+                Start start = place.start;
+                start.is_inside = !place.is_inside;
+                if (!split.is_total) color += color_on({{start.point, V}, start}, path, through, counts_.refracted);
+            }
+        }
+        if (reflected > 0) {
+            const SurfaceRay ray{{place.start.point, mirrored(place.V, place.normal)}, place.start};
+            const bool by_mirror = material.reflectivity > 0;
+            color += color_on(ray, path, reflected, by_mirror ? counts_.mirrored : counts_.reflected_in_glass);
         }
         return color;
     }
@@ -113,40 +132,13 @@ class Tracer {
         return light * color;
     }
 
-    Color color_of_mirror(const Place& place, const Path& path, double share, std::uint64_t& count) {
+    /// Of a ray that a surface sends on, which makes `share` of what came there; counted, if it is worth being shot.
+    [[gnu::noinline]] Color color_on(const SurfaceRay& ray, const Path& path, double share, std::uint64_t& count) {
         const Path next{path.share * share, path.bounces + 1};
-        if (!is_worthwhile(next)) return {0, 0, 0};
+        if (next.share < least_share || next.bounces > most_bounces) return {0, 0, 0};
         ++count;
-        return color_on({{place.start.point, mirrored(place.V, place.normal)}, place.start}, next);
-    }
-
-    Color color_of_glass(const Material& material, const Place& place, const Path& path, double share) {
-        const double from = place.is_inside ? material.refractive_index : 1;
-        const double into = place.is_inside ? 1 : material.refractive_index;
-        const double cos_incident = std::clamp(-dot(place.V, place.normal), 0.0, 1.0);
-        const Fresnel split = fresnel(cos_incident, from, into);
-        Color color(0, 0, 0);
-        if (split.reflected > 0) {
-            color += scaled(color_of_mirror(place, path, share * split.reflected, counts_.reflected_in_glass),
-                            split.reflected);
-        }
-        const double through = 1 - split.reflected;
-        const Path next{path.share * share * through, path.bounces + 1};
-        if (split.is_total || !is_worthwhile(next)) return color;
-        ++counts_.refracted;
-        Start start = place.start;
-        start.is_inside = !place.is_inside;
-        const Vec3<double> V = refracted(place.V, place.normal, cos_incident, split.cos_refracted, from / into);
-        return color + scaled(color_on({{start.point, V}, start}, next), through);
-    }
-
-    static bool is_worthwhile(const Path& path) { return path.share >= least_share && path.bounces <= most_bounces; }
-
-    /// Of a ray that a surface sent on.
-    [[gnu::noinline]] Color color_on(const SurfaceRay& ray, const Path& path) {
         const Nearest nearest = Objects::first_hit(scene_, ray);
-        if (!nearest.is_hit()) return scene_.background;
-        return color_at(ray.ray, nearest, path);
+        return scaled(nearest.is_hit() ? color_at(ray.ray, nearest, next) : scene_.background, share);
     }
 
     const PreparedScene& scene_;

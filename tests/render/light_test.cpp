@@ -226,7 +226,7 @@ TEST(Energy, IsNeitherMadeNorLost) {
                                                          material("m", properties) + sphere("[0.2, 0, 0]", "1", "m")));
         for (const Color& color : colors_of(scene, all_effects)) {
             EXPECT_LE(color.x, 1 + 1e-12);
-            // Where light grazes glass it goes round inside for long; what is cut off is little there too.
+            // Where light grazes glass, what is cut off is the most.
             EXPECT_GE(color.x, 0.99);
         }
     }
