@@ -113,6 +113,17 @@ struct ExplainOptions {
 };
 int explain_command(const ExplainOptions& options);
 
+struct RenderOptions {
+    std::string assignment;
+    std::filesystem::path scene;  ///< a scene file in place of the assignment; empty for none
+    std::filesystem::path out;    ///< the PNG file; an earlier picture there is replaced
+    std::string size;             ///< in pixels, "640x480"; empty for the window's
+    int jobs = 1;
+    bool explain = false;      ///< also print effects, rays and times
+    bool all_effects = false;  ///< simulate also what the scene does not call for
+};
+int render_command(const RenderOptions& options);
+
 int doctor_command();
 
 /// our_fault, some_not_graded or all_graded.

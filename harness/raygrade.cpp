@@ -25,6 +25,7 @@ constexpr const char* about =
     "  raygrade cast < queries.jsonl           exact answers to any rays\n"
     "  raygrade accuracy --out accuracy        what accuracy costs in time: a page of pictures\n"
     "  raygrade explain output.txt             a picture of the scene and of what a program printed\n"
+    "  raygrade render -o scene.png            the scene as its camera sees it\n"
     "  raygrade doctor                         what this machine has and lacks";
 
 constexpr const char* footer =
@@ -91,6 +92,32 @@ void add_variants(CLI::App& command, variants::VariantOptions& options) {
                     "Where the other scenes are drawn from; the same seed gives the same scenes")
         ->type_name("N")
         ->capture_default_str();
+}
+
+void add_render(CLI::App& command, RenderOptions& render) {
+    render.assignment = "default";
+    render.out = "image.png";
+    render.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    add_assignment(command, render.assignment);
+    command.add_option("--scene", render.scene, "A scene file instead: an assignment without questions, see README")
+        ->type_name("FILE")
+        ->excludes("--assignment");
+    command.add_option("-o,--out", render.out, "The PNG file to write; an earlier picture there is replaced")
+        ->type_name("FILE")
+        ->capture_default_str();
+    command.add_option("--size", render.size, "Pixels across and up; default: the window's")->type_name("WxH");
+    command.add_option("-j,--jobs", render.jobs, "How many threads to use; changes nothing but the time")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_flag("--explain", render.explain,
+                     "Say which effects the scene calls for and why each other one is off, the rays by kind and the "
+                     "time by effect");
+    command.add_flag("--all-effects", render.all_effects,
+                     "Simulate every effect, called for or not: the same picture, later");
+    command.footer(
+        "Examples: raygrade render --assignment a6-2021 -o 2021.png --explain\n"
+        "          raygrade render --scene reference/scenes/glass.toml --size 1280x720 -j 4");
 }
 
 /// The table of limits below the help of a command.
@@ -354,6 +381,11 @@ int run(int argc, char** argv) {
                          "For a student: draw what the handout gives and what was printed, and nothing of the key");
     explain_app.footer("Example: ./ray_cast > output.txt; raygrade explain output.txt -o explain.svg");
 
+    RenderOptions render;
+    CLI::App& render_app =
+        *app.add_subcommand("render", "Draw the scene as its camera sees it, and simulate only what it calls for");
+    add_render(render_app, render);
+
     CLI::App& doctor_app = *app.add_subcommand("doctor", "Say what this machine has and lacks for grading");
 
     try {
@@ -369,6 +401,7 @@ int run(int argc, char** argv) {
     if (cast_app.parsed()) return cast_command();
     if (accuracy_app.parsed()) return accuracy_command(accuracy);
     if (explain_app.parsed()) return explain_command(explain);
+    if (render_app.parsed()) return render_command(render);
     return doctor_app.parsed() ? doctor_command() : usage;
 }
 

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "reference/assignment_file.h"
+#include "reference/look_reader.h"
 #include "reference/rubric_reader.h"
 #include "reference/scene_reader.h"
 #include "reference/toml_table.h"
@@ -42,6 +43,35 @@ std::vector<LimitEntry> read_limits(const TomlTable& stages) {
     return limits;
 }
 
+Assignment parse(std::string_view toml, const std::filesystem::path& path, PixelKey pixel) {
+    const TomlDocument document(toml, path);
+    const TomlTable root = document.root();
+    root.allow_only({"title", "camera", "window", "sphere", "triangle", "rubric", "limits", "light", "material", "mesh",
+                     "render", "variant"});
+    Assignment assignment;
+    assignment.name = path.stem().string();
+    assignment.title = root.has("title") ? root.string("title") : assignment.name;
+    assignment.scene = read_scene(root, assignment.notes, pixel);
+    if (root.has("rubric")) assignment.rubric = read_rubric(root.table("rubric"));
+    if (root.has("limits")) assignment.limits = read_limits(root.table("limits"));
+    assignment.variants = read_variants(root, assignment.scene, path);
+    assignment.look = read_look(root, path);
+    return assignment;
+}
+
+std::string read_text(const std::filesystem::path& path) {
+    constexpr std::uintmax_t largest_file = 1 << 20;
+    std::error_code error;
+    if (std::filesystem::file_size(path, error) > largest_file) {
+        throw AssignmentError(fmt::format("{}: larger than 1 MiB; that is no assignment", path.string()));
+    }
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    if (!file) throw AssignmentError(fmt::format("{}: can't be read; check its permissions", path.string()));
+    return text.str();
+}
+
 }  // namespace
 
 double Rubric::points_of(int question) const {
@@ -64,17 +94,7 @@ std::optional<double> Rubric::tolerance_of(int question, const std::string& item
 }
 
 Assignment parse_assignment(std::string_view toml, const std::filesystem::path& path) {
-    const TomlDocument document(toml, path);
-    const TomlTable root = document.root();
-    root.allow_only({"title", "camera", "window", "sphere", "triangle", "rubric", "limits", "variant"});
-    Assignment assignment;
-    assignment.name = path.stem().string();
-    assignment.title = root.has("title") ? root.string("title") : assignment.name;
-    assignment.scene = read_scene(root, assignment.notes);
-    if (root.has("rubric")) assignment.rubric = read_rubric(root.table("rubric"));
-    if (root.has("limits")) assignment.limits = read_limits(root.table("limits"));
-    assignment.variants = read_variants(root, assignment.scene, path);
-    return assignment;
+    return parse(toml, path, PixelKey::required);
 }
 
 AssignmentFile read_assignment_file(const std::string& name_or_file, const std::filesystem::path& directory) {
@@ -90,20 +110,20 @@ AssignmentFile read_assignment_file(const std::string& name_or_file, const std::
                                           name_or_file, names_in(directory), directory.string()));
     }
     path = fs::canonical(path, error);
-    constexpr std::uintmax_t largest_file = 1 << 20;
-    if (fs::file_size(path, error) > largest_file) {
-        throw AssignmentError(fmt::format("{}: larger than 1 MiB; that is no assignment", path.string()));
-    }
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (!file) throw AssignmentError(fmt::format("{}: can't be read; check its permissions", path.string()));
-    return {path, text.str()};
+    return {path, read_text(path)};
 }
 
 Assignment load_assignment(const std::string& name_or_file, const std::filesystem::path& directory) {
     const AssignmentFile file = read_assignment_file(name_or_file, directory);
     return parse_assignment(file.toml, file.path);
+}
+
+Assignment load_scene(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) {
+        throw AssignmentError(fmt::format("{}: no such file; name a scene's .toml file", file.string()));
+    }
+    return parse(read_text(file), file, PixelKey::optional);
 }
 
 }  // namespace reference

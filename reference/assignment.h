@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "reference/decimal.h"
+#include "reference/look.h"
 #include "reference/scene.h"
 #include "reference/stages/camera.h"
 
@@ -75,6 +76,7 @@ struct Assignment {
     std::vector<SceneVariant> variants;  ///< in the file's order; each with what it leaves as it is
     /// What is allowed in the scene and worth saying: a mirrored window. Whole sentences.
     std::vector<std::string> notes;
+    Look look;  ///< for pictures; nothing in marking reads it
 };
 
 /// What a tolerance is relative to: the largest component of the key's value, or 1 where that is below 1.
@@ -92,5 +94,9 @@ Assignment parse_assignment(std::string_view toml, const std::filesystem::path& 
 /// Finds and reads an assignment: an existing file, or else the name of one in `directory` (with or without ".toml").
 /// Throws AssignmentError, which lists the names there are when this one isn't among them.
 Assignment load_assignment(const std::string& name_or_file, const std::filesystem::path& directory);
+
+/// Reads a scene file: an assignment that may leave out window.pixel, since nothing is asked about it; its pixel is
+/// then the middle one. Throws AssignmentError.
+Assignment load_scene(const std::filesystem::path& file);
 
 }  // namespace reference

@@ -104,14 +104,14 @@ Pixel read_pixel(const TomlTable& table, const Window<Decimal>& window) {
 }
 
 Sphere<Decimal> read_sphere(const TomlTable& table) {
-    table.allow_only({"center", "radius"});
+    table.allow_only({"center", "radius", "material"});
     const Vec3<Decimal> center = read_vector(table, "center");
     exact(table, "center", center);
     return {center, read_positive(table, "radius", "a sphere has points on it")};
 }
 
 Triangle<Decimal> read_triangle(const TomlTable& table) {
-    table.allow_only({"vertices"});
+    table.allow_only({"vertices", "material"});
     const std::vector<std::vector<Decimal>> rows = table.decimal_rows("vertices", 3, 3);
     const auto vertex = [&](std::size_t i) { return Vec3<Decimal>(rows[i][0], rows[i][1], rows[i][2]); };
     const Triangle<Decimal> triangle{vertex(0), vertex(1), vertex(2)};
@@ -126,10 +126,12 @@ Triangle<Decimal> read_triangle(const TomlTable& table) {
 
 }  // namespace
 
-Scene<Decimal> read_scene(const TomlTable& root, std::vector<std::string>& notes) {
+Scene<Decimal> read_scene(const TomlTable& root, std::vector<std::string>& notes, PixelKey pixel) {
     const TomlTable window = root.table("window");
     Scene<Decimal> scene{read_camera(root.table("camera")), read_window(window, notes), {}, {}, {}};
-    scene.pixel = read_pixel(window, scene.window);
+    const bool reads_pixel = pixel == PixelKey::required || window.has("pixel");
+    scene.pixel =
+        reads_pixel ? read_pixel(window, scene.window) : Pixel{scene.window.width / 2, scene.window.height / 2};
     for (const TomlTable& sphere : root.tables("sphere")) scene.spheres.push_back(read_sphere(sphere));
     for (const TomlTable& triangle : root.tables("triangle")) scene.triangles.push_back(read_triangle(triangle));
     return scene;

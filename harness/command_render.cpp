@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <fstream>
+
+#include "harness/commands.h"
+#include "harness/failure.h"
+#include "harness/find_submissions.h"
+#include "harness/results_folder.h"
+#include "reference/render/explanation.h"
+
+namespace harness {
+namespace {
+
+namespace fs = std::filesystem;
+namespace render = reference::render;
+
+constexpr int most_pixels_per_side = 1 << 20;
+
+/// "640x480".
+std::optional<render::PictureSize> size_of(const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    render::PictureSize size{};
+    const char* const end = text.data() + text.size();
+    const auto [after_width, width_error] = std::from_chars(text.data(), end, size.width);
+    const bool has_cross = width_error == std::errc() && after_width != end && *after_width == 'x';
+    const auto [after_height, height_error] = std::from_chars(has_cross ? after_width + 1 : end, end, size.height);
+    const auto in_range = [](int side) { return 1 <= side && side <= most_pixels_per_side; };
+    if (has_cross && height_error == std::errc() && after_height == end && in_range(size.width) &&
+        in_range(size.height)) {
+        return size;
+    }
+    throw UsageError(fmt::format("--size {}: is not two whole numbers of pixels from 1 to {}, as in 640x480", text,
+                                 most_pixels_per_side));
+}
+
+/// Only a picture is replaced: -o ray_cast.cpp would be a pity.
+void refuse_to_replace(const fs::path& out) {
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(out, error))) return;
+    std::string start(8, '\0');
+    std::ifstream file(out, std::ios::binary);
+    file.read(start.data(), static_cast<std::streamsize>(start.size()));
+    if (fs::is_regular_file(out, error) && file && start == "\x89PNG\r\n\x1a\n") return;
+    throw UsageError(
+        fmt::format("{}: is there and is no PNG picture; name another file with --out, or remove it", out.string()));
+}
+
+}  // namespace
+
+int render_command(const RenderOptions& options) {
+    const std::optional<render::PictureSize> size = size_of(options.size);
+    refuse_to_replace(options.out);
+    const reference::Assignment assignment = options.scene.empty()
+                                                 ? reference::load_assignment(options.assignment, assignments_folder())
+                                                 : reference::load_scene(options.scene);
+    const render::PreparedScene scene = render::prepare_scene(assignment, size);
+    const std::vector<render::Decision> decisions = render::decide_effects(scene);
+    const render::Effects called_for = render::effects_of(decisions);
+    const render::Effects effects = options.all_effects ? render::all_effects : called_for;
+    const render::Rendering rendering = render::render(scene, effects, options.jobs);
+    write_file(options.out, render::to_png(rendering.picture));
+    for (const std::string& note : assignment.notes) fmt::print(stderr, "note: {}\n", note);
+    for (const std::string& note : scene.notes) fmt::print(stderr, "note: {}\n", note);
+    if (options.explain) {
+        const auto times = render::time_by_effect(scene, effects, options.jobs);
+        fmt::print("{}", render::explanation(decisions, rendering, times));
+    }
+    fmt::print(stderr, "picture: {}\n", options.out.string());
+    return all_graded;
+}
+
+}  // namespace harness

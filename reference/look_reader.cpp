@@ -1,0 +1,132 @@
+#include "reference/look_reader.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace reference {
+namespace {
+
+constexpr double largest_length = 1e30;
+constexpr double brightest_light = 1e6;
+constexpr int most_samples_per_side = 16;
+
+double read_number(const TomlTable& table, std::string_view key, double least, double most) {
+    const double x = table.decimal(key).to_double();
+    if (!(least <= x && x <= most)) table.fail(key, fmt::format("must be a number from {} to {}", least, most));
+    return x;
+}
+
+Vec3<double> read_numbers(const TomlTable& table, std::string_view key, double least, double most) {
+    Vec3<double> result;
+    const std::vector<Decimal> numbers = table.decimals(key, 3);
+    for (int i = 0; i < 3; ++i) {
+        const double x = numbers[static_cast<std::size_t>(i)].to_double();
+        if (!(least <= x && x <= most)) {
+            table.fail(key, fmt::format("must be three numbers from {} to {}", least, most));
+        }
+        result[i] = x;
+    }
+    return result;
+}
+
+Vec3<double> read_place(const TomlTable& table, std::string_view key) {
+    return read_numbers(table, key, -largest_length, largest_length);
+}
+
+void read_light(const TomlTable& table, Look& look) {
+    table.allow_only({"position", "direction", "color"});
+    if (table.has("position") == table.has("direction")) {
+        table.fail("position", "or direction, one of the two, says where the light comes from");
+    }
+    const Color color = read_numbers(table, "color", 0, brightest_light);
+    if (table.has("position")) {
+        look.point_lights.push_back({read_place(table, "position"), color});
+        return;
+    }
+    const Vec3<double> direction = read_place(table, "direction");
+    if (std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)}) < 1 / largest_length) {
+        table.fail("direction", "is zero; write the direction in which the light travels, such as [0, -1, 0]");
+    }
+    look.directional_lights.push_back({direction, color});
+}
+
+Material read_material(const TomlTable& table) {
+    table.allow_only(
+        {"name", "ambient", "diffuse", "specular", "shininess", "reflectivity", "transparency", "refractive_index"});
+    Material material;
+    if (table.has("ambient")) material.ambient = read_numbers(table, "ambient", 0, 1);
+    if (table.has("diffuse")) material.diffuse = read_numbers(table, "diffuse", 0, 1);
+    if (table.has("specular")) material.specular = read_numbers(table, "specular", 0, 1);
+    if (table.has("shininess")) material.shininess = table.integer("shininess", 1, 100000);
+    if (table.has("reflectivity")) material.reflectivity = read_number(table, "reflectivity", 0, 1);
+    if (table.has("transparency")) material.transparency = read_number(table, "transparency", 0, 1);
+    if (table.has("refractive_index")) material.refractive_index = read_number(table, "refractive_index", 0.01, 100);
+    if (material.reflectivity + material.transparency > 1) {
+        table.fail("reflectivity", "and transparency are shares of the same light; together they may be 1 at the most");
+    }
+    return material;
+}
+
+/// The materials' names, in the order of Look::materials.
+std::vector<std::string> read_materials(const TomlTable& root, Look& look) {
+    std::vector<std::string> names;
+    for (const TomlTable& table : root.tables("material")) {
+        const std::string name = table.string("name");
+        if (std::find(names.begin(), names.end(), name) != names.end()) {
+            table.fail("name", fmt::format("\"{}\" is another material's already", name));
+        }
+        names.push_back(name);
+        look.materials.push_back(read_material(table));
+    }
+    return names;
+}
+
+std::optional<std::size_t> read_choice(const TomlTable& table, const std::vector<std::string>& names) {
+    if (!table.has("material")) return std::nullopt;
+    const std::string name = table.string("material");
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) {
+        table.fail("material", names.empty() ? fmt::format("\"{}\" is nowhere; add it as a [[material]]", name)
+                                             : fmt::format("\"{}\" is none of {}", name, fmt::join(names, ", ")));
+    }
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+int read_samples(const TomlTable& table) {
+    constexpr int most = most_samples_per_side * most_samples_per_side;
+    const int samples = table.integer("samples_per_pixel", 1, most);
+    const auto side = static_cast<int>(std::lround(std::sqrt(samples)));
+    if (side * side != samples) {
+        table.fail("samples_per_pixel",
+                   fmt::format("must be a square, as they are a grid: 1, 4, 9, 16 up to {}", most));
+    }
+    return samples;
+}
+
+}  // namespace
+
+Look read_look(const TomlTable& root, const std::filesystem::path& path) {
+    Look look;
+    for (const TomlTable& light : root.tables("light")) read_light(light, look);
+    const std::vector<std::string> names = read_materials(root, look);
+    for (const TomlTable& sphere : root.tables("sphere")) look.sphere_materials.push_back(read_choice(sphere, names));
+    for (const TomlTable& triangle : root.tables("triangle")) {
+        look.triangle_materials.push_back(read_choice(triangle, names));
+    }
+    for (const TomlTable& mesh : root.tables("mesh")) {
+        mesh.allow_only({"file", "material"});
+        look.meshes.push_back({path.parent_path() / mesh.string("file"), read_choice(mesh, names), mesh.place("file")});
+    }
+    if (!root.has("render")) return look;
+    const TomlTable render = root.table("render");
+    render.allow_only({"ambient_light", "background", "samples_per_pixel"});
+    if (render.has("ambient_light")) look.ambient_light = read_numbers(render, "ambient_light", 0, brightest_light);
+    if (render.has("background")) look.background = read_numbers(render, "background", 0, 1);
+    if (render.has("samples_per_pixel")) look.samples_per_pixel = read_samples(render);
+    return look;
+}
+
+}  // namespace reference

@@ -1,0 +1,56 @@
+// Exact numbers made from doubles by sums and products: a whole number times a power of two. The stages run over it;
+// and no fraction is ever reduced, which takes longer than all else.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <utility>
+
+namespace reference::render {
+
+class Dyadic {
+  public:
+    Dyadic() = default;
+    explicit Dyadic(int x) : mantissa_(x) {}
+    /// x is finite.
+    explicit Dyadic(double x) {
+        int exponent = 0;
+        mantissa_ = std::ldexp(std::frexp(x, &exponent), 53);
+        exponent_ = exponent - 53;
+    }
+
+    /// Off by less than one unit in the last place; infinite or 0 beyond the doubles.
+    double as_double() const {
+        signed long exponent = 0;
+        const double fraction = mpz_get_d_2exp(&exponent, mantissa_.get_mpz_t());
+        return std::ldexp(fraction, static_cast<int>(std::clamp(exponent + exponent_, -3000L, 3000L)));
+    }
+
+    Dyadic operator-() const { return {mpz_class(-mantissa_), exponent_}; }
+    friend Dyadic operator*(const Dyadic& x, const Dyadic& y) {
+        return {mpz_class(x.mantissa_ * y.mantissa_), x.exponent_ + y.exponent_};
+    }
+    friend Dyadic operator+(const Dyadic& x, const Dyadic& y) {
+        const long exponent = std::min(x.exponent_, y.exponent_);
+        return {mpz_class(x.mantissa_at(exponent) + y.mantissa_at(exponent)), exponent};
+    }
+    friend Dyadic operator-(const Dyadic& x, const Dyadic& y) { return x + -y; }
+
+    friend std::partial_ordering sign_of(const Dyadic& x) { return sgn(x.mantissa_) <=> 0; }
+
+  private:
+    Dyadic(mpz_class mantissa, long exponent) : mantissa_(std::move(mantissa)), exponent_(exponent) {}
+
+    /// exponent <= exponent_
+    mpz_class mantissa_at(long exponent) const {
+        return mpz_class(mantissa_ << static_cast<mp_bitcnt_t>(exponent_ - exponent));
+    }
+
+    mpz_class mantissa_ = 0;
+    long exponent_ = 0;
+};
+
+}  // namespace reference::render

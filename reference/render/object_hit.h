@@ -1,0 +1,100 @@
+// Whether a ray of either kind hits an object, without a wrong decision: the kernel's filters here and inline, exact
+// numbers for the few rays that they leave open.
+#pragma once
+
+#include "reference/kernel/sphere.h"
+#include "reference/render/prepared_scene.h"
+#include "reference/render/start.h"
+
+namespace reference::render {
+
+/// The first hit with an object. t is known to a relative error of 2^-26.
+struct ObjectHit {
+    bool is_hit = false;
+    bool from_inside = false;  ///< of a sphere: the ray starts inside
+    double t = 0;
+};
+
+/// A ray of the camera. A hit at t = 0 counts as the scene's boundary says.
+struct CameraRay {
+    kernel::Ray<double> ray;
+};
+
+ObjectHit exact_hit(const PreparedScene& scene, const CameraRay& ray, std::uint32_t object);
+ObjectHit exact_hit(const PreparedScene& scene, const SurfaceRay& ray, std::uint32_t object);
+/// The order of the t's of two objects that are hit.
+std::partial_ordering order_exactly(const PreparedScene& scene, const CameraRay& ray, std::uint32_t one,
+                                    std::uint32_t other);
+std::partial_ordering order_exactly(const PreparedScene& scene, const SurfaceRay& ray, std::uint32_t one,
+                                    std::uint32_t other);
+/// Whether an object that is hit is hit at t < 1.
+bool is_hit_before_end(const PreparedScene& scene, const SurfaceRay& ray, std::uint32_t object);
+
+inline double uncertainty_of(const CameraRay&) {
+    return 0;
+}
+inline double uncertainty_of(const SurfaceRay& ray) {
+    return ray.start.uncertainty;
+}
+
+/// A start that is off by `by` in all its coordinates together changes c by at most (2|f|₁ + by) by and D by 2a of
+/// that: more than that, at the filter's unit of 2^-48, is added to m.
+KERNEL_INLINE void allow_for_start(kernel::SphereFilter& filter, const SurfaceRay& ray, const Sphere<double>& sphere) {
+    const double by = ray.start.uncertainty;
+    if (by == 0) return;
+    const double f = kernel::PreparedTriangle<double>::norm(ray.ray.origin - sphere.center);
+    const double more = 1 + 0x1p48 * (4 * f + 2 * by) * by * (1 + 0x1p-40) / filter.m;
+    filter.m *= more;
+    filter.am *= more;
+}
+KERNEL_INLINE void allow_for_start(kernel::SphereFilter& /*filter*/, const CameraRay& /*ray*/,
+                                   const Sphere<double>& /*sphere*/) {}
+
+/// It changes u, v and w times det by at most by |V|₁e, and t times det by e².
+KERNEL_INLINE void allow_for_start(kernel::TriangleFilter& filter, const SurfaceRay& ray, double edges) {
+    const double by = ray.start.uncertainty * edges * (1 + 0x1p-40);
+    filter.error += by * kernel::PreparedTriangle<double>::norm(ray.ray.direction);
+    filter.t_error += by * edges;
+}
+KERNEL_INLINE void allow_for_start(kernel::TriangleFilter& /*filter*/, const CameraRay& /*ray*/, double /*edges*/) {}
+
+template <class AnyRay>
+KERNEL_INLINE ObjectHit hit_sphere(const PreparedScene& scene, const AnyRay& ray, const Sphere<double>& sphere,
+                                   std::uint32_t object) {
+    kernel::SphereFilter filter(ray.ray, sphere);
+    allow_for_start(filter, ray, sphere);
+    if (!filter.is_known(kernel::SphereFilter::margin_for_t)) [[unlikely]]
+        return exact_hit(scene, ray, object);
+    if (!filter.is_hit()) return {};
+    return {true, filter.c < 0, filter.root()};
+}
+
+template <class AnyRay>
+KERNEL_INLINE ObjectHit hit_triangle(const PreparedScene& scene, const AnyRay& ray,
+                                     const kernel::PreparedTriangle<double>& triangle, std::uint32_t object) {
+    kernel::TriangleFilter filter(ray.ray, triangle);
+    allow_for_start(filter, ray, triangle.edges);
+    if (!filter.is_known_with_t()) [[unlikely]] {
+        if (filter.det > filter.error && filter.inside < -filter.error) return {};
+        return exact_hit(scene, ray, object);
+    }
+    if (!filter.is_hit()) return {};
+    return {true, false, filter.t()};
+}
+
+template <class AnyRay>
+KERNEL_INLINE ObjectHit hit_object(const PreparedScene& scene, const AnyRay& ray, std::uint32_t object) {
+    return object < scene.sphere_count ? hit_sphere(scene, ray, scene.spheres[object], object)
+                                       : hit_triangle(scene, ray, scene.triangles[object - scene.sphere_count], object);
+}
+
+/// Whether a ray meets the object it starts on again: only a sphere, from inside.
+inline ObjectHit hit_own(const PreparedScene& scene, const SurfaceRay& ray) {
+    if (!ray.start.is_inside) return {};
+    const Vec3<double>& d = ray.ray.direction;
+    const double h = dot(d, Vec3<double>(ray.ray.origin - scene.spheres[ray.start.object].center));
+    // At the horizon rounding may send it outside: it then leaves where it is.
+    return {true, true, h < 0 ? -2 * h / dot(d, d) : 0};
+}
+
+}  // namespace reference::render

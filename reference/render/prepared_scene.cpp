@@ -1,0 +1,212 @@
+#include "reference/render/prepared_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "reference/exact/rational.h"
+#include "reference/pipeline.h"
+#include "reference/render/mesh_reader.h"
+
+namespace reference::render {
+namespace {
+
+constexpr double largest = 1e30;
+constexpr std::int64_t most_samples = std::int64_t{1} << 28U;
+
+/// The scene in doubles, within the sizes that rendering takes.
+Scene<double> scene_in_doubles(const Assignment& assignment) {
+    const auto convert = [&](const Decimal& number) {
+        const double x = number.to_double();
+        if (std::abs(x) <= largest && (x == 0 || std::abs(x) >= 1 / largest)) return x;
+        throw AssignmentError(fmt::format(
+            "{}: {} can't be rendered: numbers of a picture are 0 or from 1e-30 to 1e30 in size; scale the scene",
+            assignment.name, number.text()));
+    };
+    return convert_scene<double>(assignment.scene, convert);
+}
+
+/// Where in the window the samples of one axis lie: along_window() of a pixel, and for n samples a pixel in place of
+/// its point n, evenly within one pixel's width around it.
+std::vector<double> sample_coordinates(double from, double to, int pixels, int samples_per_side,
+                                       PixelConvention convention) {
+    std::vector<double> result;
+    const int n = samples_per_side;
+    const bool on_grid = convention == PixelConvention::grid && pixels > 1;
+    const bool in_middle =
+        convention == PixelConvention::centre || (convention == PixelConvention::grid && pixels == 1);
+    const int steps = on_grid ? pixels - 1 : pixels;
+    for (int i = 0; i < pixels * n; ++i) {
+        // Twice the numerator and denominator, as there.
+        const int numerator = 2 * i + 1 - (in_middle ? 0 : n);
+        result.push_back(from + (to - from) * static_cast<double>(numerator) / static_cast<double>(2 * n * steps));
+    }
+    return result;
+}
+
+Eye eye_of(const Scene<double>& scene, PixelConvention convention, int samples_per_side) {
+    const Window<double>& window = scene.window;
+    const Basis<double> basis = view_basis(scene.camera);
+    const Mat4<double> M = vcs_to_wcs(basis, scene.camera.eye);
+    const auto corner = [&](double x, double y) { return pixel_to_wcs(M, Vec3<double>(x, y, -window.clip_near)); };
+    const auto across = [&](int samples) {
+        return sample_coordinates(window.clip_left, window.clip_right, window.width, samples, convention);
+    };
+    const auto up = [&](int samples) {
+        return sample_coordinates(window.clip_bottom, window.clip_top, window.height, samples, convention);
+    };
+    return {basis,
+            scene.camera.eye,
+            across(1),
+            up(1),
+            across(samples_per_side),
+            up(samples_per_side),
+            -window.clip_near,
+            {corner(window.clip_left, window.clip_bottom), corner(window.clip_right, window.clip_bottom),
+             corner(window.clip_left, window.clip_top), corner(window.clip_right, window.clip_top)}};
+}
+
+Vec3<double> unit(const Vec3<double>& p) {
+    const double size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    return normalized(scaled(p, 1 / size));
+}
+
+/// Of unit length; empty where the doubles' triangle has no area. Exact where rounding leaves little of it.
+std::optional<Vec3<double>> normal_of(const kernel::PreparedTriangle<double>& triangle) {
+    const double size = triangle.norm(triangle.normal);
+    if (size > 0x1p-30 * triangle.edges * triangle.edges) return unit(triangle.normal);
+    const auto exact = [](const Vec3<double>& p) {
+        return Vec3<Rational>(Rational(p.x), Rational(p.y), Rational(p.z));
+    };
+    const auto edge = [&](const Vec3<double>& to) {
+        const Vec3<Rational> from = exact(triangle.triangle.A);
+        const Vec3<Rational> end = exact(to);
+        return Vec3<Rational>(Rational(end.x - from.x), Rational(end.y - from.y), Rational(end.z - from.z));
+    };
+    const Vec3<Rational> p = edge(triangle.triangle.B);
+    const Vec3<Rational> q = edge(triangle.triangle.C);
+    const Vec3<Rational> n(Rational(p.y * q.z - p.z * q.y), Rational(p.z * q.x - p.x * q.z),
+                           Rational(p.x * q.y - p.y * q.x));
+    const Rational most = std::max({Rational(abs(n.x)), Rational(abs(n.y)), Rational(abs(n.z))});
+    if (most == 0) return std::nullopt;
+    const auto share = [&](const Rational& x) { return Rational(x / most).get_d(); };
+    return normalized(Vec3<double>(share(n.x), share(n.y), share(n.z)));
+}
+
+/// The number of a material among the scene's surfaces, the first of which is of no material.
+std::uint32_t surface_index(const std::optional<std::size_t>& material) {
+    return material ? static_cast<std::uint32_t>(*material + 1) : 0;
+}
+
+/// Objects beyond the list's end have no material.
+std::uint32_t surface_index(const std::vector<std::optional<std::size_t>>& materials, std::size_t i) {
+    return i < materials.size() ? surface_index(materials[i]) : 0;
+}
+
+std::vector<Surface> surfaces_of(const Look& look) {
+    std::vector<Surface> surfaces(1);
+    const bool has_light =
+        !look.point_lights.empty() || !look.directional_lights.empty() || look.ambient_light != Color(0, 0, 0);
+    for (const Material& material : look.materials) {
+        surfaces.push_back({material, has_light, 1 - material.reflectivity - material.transparency});
+    }
+    return surfaces;
+}
+
+bool is_twin(const Sphere<double>& one, const Sphere<double>& other) {
+    return one.center == other.center && one.radius == other.radius;
+}
+
+void add_spheres(const Scene<double>& scene, const Look& look, PreparedScene& prepared) {
+    std::size_t twins = 0;
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+        const Sphere<double>& sphere = scene.spheres[i];
+        const auto known = [&](const Sphere<double>& other) { return is_twin(sphere, other); };
+        if (std::any_of(prepared.spheres.begin(), prepared.spheres.end(), known)) {
+            ++twins;
+            continue;
+        }
+        prepared.spheres.push_back(sphere);
+        prepared.surface_of.push_back(surface_index(look.sphere_materials, i));
+    }
+    if (twins > 0) {
+        prepared.notes.push_back(fmt::format("{} {} left out: there is the same one before.", twins,
+                                             twins == 1 ? "sphere is" : "spheres are"));
+    }
+}
+
+void add_triangles(const std::vector<Triangle<double>>& triangles, const std::string& of, PreparedScene& prepared,
+                   const auto& surface_of) {
+    std::size_t flat = 0;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const kernel::PreparedTriangle<double> triangle(triangles[i]);
+        const std::optional<Vec3<double>> normal = normal_of(triangle);
+        if (!normal) {
+            ++flat;
+            continue;
+        }
+        prepared.triangles.push_back(triangle);
+        prepared.triangle_normals.push_back(*normal);
+        prepared.surface_of.push_back(surface_of(i));
+    }
+    if (flat > 0) {
+        prepared.notes.push_back(
+            fmt::format("{} of {} triangles {} left out: they have no area.", flat, triangles.size(), of));
+    }
+}
+
+void check_size(const Assignment& assignment, const PreparedScene& prepared) {
+    const auto per_pixel = std::int64_t{prepared.samples_per_side} * prepared.samples_per_side;
+    const std::int64_t samples = std::int64_t{prepared.width} * prepared.height * per_pixel;
+    if (prepared.width <= 1 << 20 && prepared.height <= 1 << 20 && samples <= most_samples) return;
+    throw AssignmentError(
+        fmt::format("{}: a picture of {} x {} pixels with {} samples each is too large: {} million samples are the "
+                    "most; say --size WxH",
+                    assignment.name, prepared.width, prepared.height, per_pixel, most_samples / 1'000'000));
+}
+
+}  // namespace
+
+PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureSize> size) {
+    const Look& look = assignment.look;
+    Scene<double> scene = scene_in_doubles(assignment);
+    if (size) std::tie(scene.window.width, scene.window.height) = std::tuple(size->width, size->height);
+    const auto side = static_cast<int>(std::lround(std::sqrt(look.samples_per_pixel)));
+    PreparedScene prepared{};
+    prepared.width = scene.window.width;
+    prepared.height = scene.window.height;
+    prepared.samples_per_side = side;
+    check_size(assignment, prepared);
+    prepared.eye = eye_of(scene, assignment.rubric.pixel_conventions.front(), side);
+    prepared.boundary =
+        assignment.rubric.boundary == BoundaryPolicy::positive ? Boundary::positive : Boundary::nonnegative;
+    add_spheres(scene, look, prepared);
+    add_triangles(scene.triangles, "of the scene", prepared,
+                  [&](std::size_t i) { return surface_index(look.triangle_materials, i); });
+    for (const MeshFile& mesh : look.meshes) {
+        add_triangles(load_mesh(mesh), "of " + mesh.path.filename().string(), prepared,
+                      [&](std::size_t) { return surface_index(mesh.material); });
+        if (prepared.triangles.size() > most_triangles) {
+            throw AssignmentError(fmt::format("{}: with this mesh the scene has more than {} triangles; simplify it",
+                                              mesh.place, most_triangles));
+        }
+    }
+    prepared.sphere_count = static_cast<std::uint32_t>(prepared.spheres.size());
+    prepared.object_count = prepared.sphere_count + static_cast<std::uint32_t>(prepared.triangles.size());
+    prepared.surfaces = surfaces_of(look);
+    prepared.point_lights = look.point_lights;
+    prepared.directional_lights = look.directional_lights;
+    for (DirectionalLight& light : prepared.directional_lights) light.direction = unit(light.direction);
+    prepared.ambient_light = look.ambient_light;
+    prepared.background = look.background;
+    if (prepared.object_count <= most_objects_without_tree) return prepared;
+    std::vector<Box> boxes;
+    for (const Sphere<double>& sphere : prepared.spheres) boxes.push_back(box_of(sphere));
+    for (const auto& triangle : prepared.triangles) boxes.push_back(box_of(triangle.triangle));
+    prepared.tree = build_tree(boxes);
+    return prepared;
+}
+
+}  // namespace reference::render

@@ -1,0 +1,7 @@
+#include "reference/render/row_table.h"
+
+namespace reference::render {
+
+template RenderRow row_renderer_over<ObjectList>(const Effects& effects);
+
+}  // namespace reference::render

@@ -1,0 +1,7 @@
+#include "reference/render/row_table.h"
+
+namespace reference::render {
+
+template RenderRow row_renderer_over<ObjectTree>(const Effects& effects);
+
+}  // namespace reference::render

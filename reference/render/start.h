@@ -1,0 +1,62 @@
+// Where a ray starts that a surface sends on: a shadow ray, a reflected or a refracted one.
+//
+// Such a ray must neither hit the surface it leaves nor slip through what touches it there, and no offset is added for
+// that. Its start is a point that is exactly on the surface:
+// - On a triangle the point A + u(B-A) + v(C-A) with u and v multiples of 2^-52, u, v >= 0 and u + v <= 1. It lies in
+//   the triangle as exact geometry, whatever its coordinates round to; the ray is the one from there, and every
+//   decision about it is exact. It can't hit its own triangle, nor one in the same plane; and whether it starts before
+//   or behind a neighbour is told by the two triangles alone.
+// - A point of a sphere has no such form. It is the point with rounded coordinates, for all objects but its own sphere.
+//   To that the ray starts on it by definition, and whether it goes outside or inside is known from what it is: what is
+//   mirrored or goes to a light stays on the side that the earlier ray came from, what is refracted changes it.
+//   Outside, it never meets the sphere again; inside, at the far root of a quadratic with c = 0, which is -2h/a.
+#pragma once
+
+#include <cstdint>
+
+#include "reference/kernel/triangle.h"
+
+namespace reference::render {
+
+struct Start {
+    std::uint32_t object;  ///< the one it is on
+    Vec3<double> point;    ///< rounded
+    /// Of the coordinates together, on a triangle; 0 on a sphere, where the rounded point is the start.
+    double uncertainty;
+    bool is_inside;  ///< on a sphere: whether the ray goes through its inside
+    double u;        ///< on a triangle
+    double v;        ///< on a triangle
+};
+
+struct SurfaceRay {
+    kernel::Ray<double> ray;  ///< from the rounded point
+    Start start;
+};
+
+/// The point of the triangle nearest to `near` in its plane, as a start.
+inline Start start_on(const kernel::PreparedTriangle<double>& triangle, std::uint32_t object,
+                      const Vec3<double>& near) {
+    using Filter = kernel::PreparedTriangle<double>;
+    const Vec3<double> s = near - triangle.A;
+    const Vec3<double>& n = triangle.normal;
+    const double area = dot(n, n);
+    // From 0 to 1, and so that of a number that is none becomes 0; then a multiple of 2^-52.
+    const auto share = [&](double numerator) {
+        const double x = numerator / area;
+        const double clamped = x > 0 ? (x < 1 ? x : 1) : 0;
+        return (clamped + 1) - 1;
+    };
+    const double u = share(dot(cross(s, triangle.q), n));
+    double v = share(dot(cross(triangle.p, s), n));
+    if (u + v > 1) v = 1 - u;
+    const Vec3<double> point = triangle.A + scaled(triangle.p, u) + scaled(triangle.q, v);
+    // B - A, its product and the two sums lose at most 5 * 2^-53 of the sizes they add.
+    return {object, point, 0x1p-50 * (Filter::norm(triangle.A) + triangle.edges) + 0x1p-1000, false, u, v};
+}
+
+/// The point of the sphere in the direction of its unit normal.
+inline Start start_on(const Sphere<double>& sphere, std::uint32_t object, const Vec3<double>& normal, bool is_inside) {
+    return {object, sphere.center + scaled(normal, sphere.radius), 0, is_inside, 0, 0};
+}
+
+}  // namespace reference::render

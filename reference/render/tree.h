@@ -1,0 +1,86 @@
+// A tree of boxes around the objects of a scene, so that a ray tries few of them. No hit is lost by rounding: a box
+// holds its objects as exact geometry, and whether a ray passes it by is judged with the rounding of that judgement
+// allowed for.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "reference/kernel/ray.h"
+
+namespace reference::render {
+
+struct Box {
+    Vec3<double> low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+    Vec3<double> high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+
+    void cover(const Box& other);
+    double half_area() const;
+};
+
+/// Of a sphere the bounds are rounded outward; a triangle's are coordinates of its vertices.
+Box box_of(const Sphere<double>& sphere);
+Box box_of(const Triangle<double>& triangle);
+
+struct Node {
+    Box box;
+    std::uint32_t first;  ///< of an inner node its second child, the first being the next node; of a leaf its objects
+    std::uint32_t count;  ///< of a leaf's objects; 0 for an inner node
+    std::uint32_t axis;   ///< of an inner node: the one along which its children lie
+};
+
+struct Tree {
+    std::vector<Node> nodes;             ///< the root first
+    std::vector<std::uint32_t> objects;  ///< in the leaves' order
+};
+
+/// At least one box; object i has boxes[i]. The same tree on every machine.
+Tree build_tree(std::span<const Box> boxes);
+
+/// The deepest tree: a stack for the way through it needs no more.
+constexpr std::size_t deepest_tree = 64;
+
+/// A ray as boxes see it. The ray may start anywhere within `uncertainty` of its origin in every coordinate.
+class BoxRay {
+  public:
+    BoxRay(const kernel::Ray<double>& ray, double uncertainty) {
+        for (int i = 0; i < 3; ++i) {
+            const double d = ray.direction[i];
+            // Below this the quotient may overflow, where the product with it is no bound: not a number passes all
+            // boxes.
+            inverse_[i] = std::abs(d) < 0x1p-900 && d != 0 ? NAN : 1 / d;
+            backward_[i] = std::signbit(d);
+            const double towards = backward_[i] ? -uncertainty : uncertainty;
+            const double slack = std::abs(ray.origin[i]) * (uncertainty > 0 ? 0x1p-52 : 0);
+            near_origin_[i] = ray.origin[i] + towards + (backward_[i] ? -slack : slack);
+            far_origin_[i] = ray.origin[i] - towards - (backward_[i] ? -slack : slack);
+        }
+    }
+
+    bool goes_backward(std::uint32_t axis) const { return backward_[axis]; }
+
+    /// Whether the ray may meet the box at a t from 0 to `until`. Each bound of t is off by 3u of itself at most, and
+    /// by less than 2^-1000 where it underflows. A comparison with not-a-number, as where a ray runs within a box's
+    /// side, leaves the bounds as they are.
+    bool may_meet(const Box& box, double until) const {
+        double from = 0;
+        double to = until;
+        for (int i = 0; i < 3; ++i) {
+            const double near = ((backward_[i] ? box.high[i] : box.low[i]) - near_origin_[i]) * inverse_[i];
+            const double far = ((backward_[i] ? box.low[i] : box.high[i]) - far_origin_[i]) * inverse_[i];
+            from = near > from ? near : from;
+            to = far < to ? far : to;
+        }
+        return !(from > to * (1 + 0x1p-48) + 0x1p-1000);
+    }
+
+  private:
+    double inverse_[3];
+    double near_origin_[3];
+    double far_origin_[3];
+    bool backward_[3];
+};
+
+}  // namespace reference::render

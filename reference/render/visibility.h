@@ -1,0 +1,141 @@
+// The first object on a ray's way, and whether there is any before a light: over a scene's objects one after the other,
+// or over its tree. Where two are hit at t's too close for doubles, exact arithmetic orders them; of two at the very
+// same t the one counts that the file names first.
+#pragma once
+
+#include <array>
+
+#include "reference/render/object_hit.h"
+
+namespace reference::render {
+
+struct Nearest {
+    double t = HUGE_VAL;  ///< infinite for none
+    std::uint32_t object = 0;
+    bool from_inside = false;
+
+    bool is_hit() const { return t < HUGE_VAL; }
+};
+
+/// With both t's known to 2^-26, a difference of 2^-24 of them decides. No t but 0 is anywhere near the least double:
+/// the scene's numbers are not.
+template <class AnyRay>
+KERNEL_INLINE void take_nearer(const PreparedScene& scene, const AnyRay& ray, const ObjectHit& hit,
+                               std::uint32_t object, Nearest& nearest) {
+    if (!hit.is_hit) return;
+    const double difference = hit.t - nearest.t;
+    if (!(std::abs(difference) > 0x1p-24 * hit.t)) [[unlikely]] {
+        const auto order = order_exactly(scene, ray, object, nearest.object);
+        if (order > 0 || (order == 0 && object > nearest.object)) return;
+    } else if (difference > 0) {
+        return;
+    }
+    nearest = {hit.t, object, hit.from_inside};
+}
+
+inline bool starts_on(const CameraRay& /*ray*/, std::uint32_t /*object*/) {
+    return false;
+}
+inline bool starts_on(const SurfaceRay& ray, std::uint32_t object) {
+    return ray.start.object == object;
+}
+inline Nearest own_hit(const PreparedScene& /*scene*/, const CameraRay& /*ray*/) {
+    return {};
+}
+inline Nearest own_hit(const PreparedScene& scene, const SurfaceRay& ray) {
+    const ObjectHit hit = hit_own(scene, ray);
+    return {hit.is_hit ? hit.t : HUGE_VAL, ray.start.object, hit.from_inside};
+}
+
+/// t ends where the light is, at 1; or nowhere, for a light at infinity.
+KERNEL_INLINE bool is_before_end(const PreparedScene& scene, const SurfaceRay& ray, const ObjectHit& hit,
+                                 std::uint32_t object, double end) {
+    if (!hit.is_hit) return false;
+    if (hit.t < end * (1 - 0x1p-24)) return true;
+    return hit.t <= end * (1 + 0x1p-24) && is_hit_before_end(scene, ray, object);
+}
+
+/// All objects, one after the other.
+struct ObjectList {
+    template <class AnyRay>
+    KERNEL_INLINE static Nearest first_hit(const PreparedScene& scene, const AnyRay& ray) {
+        Nearest nearest = own_hit(scene, ray);
+        std::uint32_t object = 0;
+        for (const Sphere<double>& sphere : scene.spheres) {
+            if (!starts_on(ray, object)) {
+                take_nearer(scene, ray, hit_sphere(scene, ray, sphere, object), object, nearest);
+            }
+            ++object;
+        }
+        for (const kernel::PreparedTriangle<double>& triangle : scene.triangles) {
+            if (!starts_on(ray, object)) {
+                take_nearer(scene, ray, hit_triangle(scene, ray, triangle, object), object, nearest);
+            }
+            ++object;
+        }
+        return nearest;
+    }
+
+    static bool is_blocked(const PreparedScene& scene, const SurfaceRay& ray, double end) {
+        if (is_before_end(scene, ray, hit_own(scene, ray), ray.start.object, end)) return true;
+        for (std::uint32_t i = 0; i < scene.object_count; ++i) {
+            if (!starts_on(ray, i) && is_before_end(scene, ray, hit_object(scene, ray, i), i, end)) return true;
+        }
+        return false;
+    }
+};
+
+/// Only those in boxes that the ray may meet.
+struct ObjectTree {
+    template <class AnyRay>
+    static Nearest first_hit(const PreparedScene& scene, const AnyRay& ray) {
+        Nearest nearest = own_hit(scene, ray);
+        visit(scene, ray, reach(nearest.t), [&](std::uint32_t i, double& until) {
+            take_nearer(scene, ray, hit_object(scene, ray, i), i, nearest);
+            until = reach(nearest.t);
+            return false;
+        });
+        return nearest;
+    }
+
+    static bool is_blocked(const PreparedScene& scene, const SurfaceRay& ray, double end) {
+        if (is_before_end(scene, ray, hit_own(scene, ray), ray.start.object, end)) return true;
+        return visit(scene, ray, reach(end), [&](std::uint32_t i, double& /*until*/) {
+            return is_before_end(scene, ray, hit_object(scene, ray, i), i, end);
+        });
+    }
+
+  private:
+    /// How far something may still be hit that has to be compared with a hit at t.
+    static double reach(double t) { return t * (1 + 0x1p-22) + 0x1p-900; }
+
+    /// Calls visit(object, until) for the objects in boxes that the ray may meet before `until`, nearer boxes first as
+    /// far as the tree knows, until it returns true; whether it did.
+    template <class AnyRay, class Visit>
+    static bool visit(const PreparedScene& scene, const AnyRay& ray, double until, Visit visit) {
+        const Tree& tree = *scene.tree;
+        const BoxRay box_ray(ray.ray, uncertainty_of(ray));
+        std::array<std::uint32_t, deepest_tree> open{};
+        std::size_t open_count = 0;
+        std::uint32_t here = 0;
+        while (true) {
+            const Node& node = tree.nodes[here];
+            if (box_ray.may_meet(node.box, until)) {
+                if (node.count == 0) {
+                    const bool backward = box_ray.goes_backward(node.axis);
+                    open[open_count++] = backward ? here + 1 : node.first;
+                    here = backward ? node.first : here + 1;
+                    continue;
+                }
+                for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+                    const std::uint32_t object = tree.objects[i];
+                    if (!starts_on(ray, object) && visit(object, until)) return true;
+                }
+            }
+            if (open_count == 0) return false;
+            here = open[--open_count];
+        }
+    }
+};
+
+}  // namespace reference::render

@@ -1,0 +1,52 @@
+// render_bench ROUNDS WIDTH HEIGHT: five scenes with the effects they call for and with all of them, in turn, on one
+// core. Prints a line of CSV a scene: name and the medians of the processor time in seconds. See tests/bench/render.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "reference/render/picture.h"
+
+using namespace reference;
+using namespace reference::render;
+
+namespace {
+
+double median(std::vector<double> seconds) {
+    std::sort(seconds.begin(), seconds.end());
+    return (seconds[(seconds.size() - 1) / 2] + seconds[seconds.size() / 2]) / 2;
+}
+
+Assignment load(const std::string& name) {
+    const std::string folder = RAYGRADE_REFERENCE;
+    return name == "2021" ? load_assignment("a6-2021", folder + "/assignments")
+                          : load_scene(folder + "/scenes/" + name + ".toml");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 4) {
+        fmt::print(stderr, "render_bench ROUNDS WIDTH HEIGHT\n");
+        return 2;
+    }
+    const int rounds = std::atoi(argv[1]);
+    const PictureSize size{std::atoi(argv[2]), std::atoi(argv[3])};
+    for (const std::string name : {"2021", "lit", "shadowed", "mirrors", "glass"}) {
+        const PreparedScene scene = prepare_scene(load(name), size);
+        const Effects called_for = effects_of(decide_effects(scene));
+        std::vector<double> own;
+        std::vector<double> all;
+        for (int round = 0; round < rounds; ++round) {
+            const Rendering one = render::render(scene, called_for, 1);
+            const Rendering other = render::render(scene, all_effects, 1);
+            if (one.picture.bytes != other.picture.bytes) {
+                fmt::print(stderr, "render_bench: {}: two pictures\n", name);
+                return 1;
+            }
+            own.push_back(one.processor_time.count());
+            all.push_back(other.processor_time.count());
+        }
+        fmt::print("{},{:.6f},{:.6f}\n", name, median(own), median(all));
+    }
+}

@@ -1,0 +1,96 @@
+// The picture shows what the assignment's key says: through its pixel, the ray of the handout and the object it hits
+// first.
+#include <gtest/gtest.h>
+
+#include "reference/answer_key.h"
+#include "reference/pipeline.h"
+#include "reference/render/visibility.h"
+#include "tests/random_scene.h"
+#include "tests/render/scenes.h"
+
+namespace {
+
+using namespace reference;
+using namespace reference::render;
+
+Nearest through_the_pixel(const PreparedScene& scene, const Pixel& pixel) {
+    const RowOfRays row = scene.eye.row(scene.eye.rows.at(static_cast<std::size_t>(pixel.y)));
+    const CameraRay ray{row.ray(scene.eye.columns.at(static_cast<std::size_t>(pixel.x)))};
+    return ObjectList::first_hit(scene, ray);
+}
+
+double value_of(const AnswerKey& key, int question, std::string_view item) {
+    for (const KeyQuestion& q : key.questions) {
+        for (const KeyItem& i : q.items) {
+            if (q.number == question && i.spec.name == item) return std::get<Numbers>(i.answers.front().value).front();
+        }
+    }
+    throw std::logic_error("no such item");
+}
+
+/// Compares with the certified key; whether there is a hit to be compared.
+bool expect_agreement(const Assignment& assignment) {
+    const PreparedScene scene = prepare_scene(assignment, {});
+    const AnswerKey key = make_key(assignment, Precision::certified);
+    const Nearest nearest = through_the_pixel(scene, assignment.scene.pixel);
+    const std::string& first = key.decisions.first;
+    EXPECT_EQ(nearest.is_hit(), first != "none");
+    if (!nearest.is_hit() || first == "none" || first == "tie") return false;
+    const bool is_sphere = nearest.object < scene.spheres.size();
+    EXPECT_EQ(is_sphere ? "sphere" : "triangle", first);
+    const double t = value_of(key, is_sphere ? 6 : 8, "t");
+    EXPECT_NEAR(nearest.t, t, 1e-7 * std::max(1.0, t));
+    return true;
+}
+
+TEST(Agreement, WithTheKeyOfEachAssignment) {
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(RAYGRADE_ASSIGNMENTS)) {
+        SCOPED_TRACE(entry.path());
+        count += expect_agreement(load_assignment(entry.path().string(), "")) ? 1 : 0;
+    }
+    EXPECT_GE(count, 2);
+}
+
+TEST(Agreement, WithTheKeyOfRandomScenes) {
+    int hits = 0;
+    for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+        SCOPED_TRACE(seed);
+        hits += expect_agreement(random_assignment(seed)) ? 1 : 0;
+    }
+    EXPECT_GT(hits, 20);
+}
+
+/// In 2021 the rays start on the triangle, at t = 0: by the rubric that is a hit or is none.
+TEST(Agreement, WithWhatTheRubricSaysOfTheStart) {
+    Assignment assignment = load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS);
+    const Pixel pixel = assignment.scene.pixel;
+    EXPECT_EQ(through_the_pixel(prepare_scene(assignment, {}), pixel).object, 1U);
+    assignment.rubric.boundary = BoundaryPolicy::positive;
+    EXPECT_EQ(through_the_pixel(prepare_scene(assignment, {}), pixel).object, 0U);
+    EXPECT_TRUE(expect_agreement(assignment));
+}
+
+/// To the last bit, in each convention, as questions 4 and 5 have it in doubles.
+TEST(Agreement, OfEveryRayWithTheStages) {
+    for (const PixelConvention convention : {PixelConvention::centre, PixelConvention::grid, PixelConvention::corner}) {
+        Assignment assignment = load_assignment("a6-edge", RAYGRADE_ASSIGNMENTS);
+        assignment.rubric.pixel_conventions = {convention};
+        const PreparedScene prepared = prepare_scene(assignment, PictureSize{23, 17});
+        Scene<double> scene = convert_scene<double>(assignment.scene, [](const Decimal& x) { return x.to_double(); });
+        scene.window.width = 23;
+        scene.window.height = 17;
+        for (int y = 0; y < 17; ++y) {
+            for (int x = 0; x < 23; ++x) {
+                scene.pixel = {x, y};
+                const CameraAnswers<double> answers = answer_camera(scene, convention);
+                const auto ray = prepared.eye.row(prepared.eye.rows[static_cast<std::size_t>(y)])
+                                     .ray(prepared.eye.columns[static_cast<std::size_t>(x)]);
+                ASSERT_EQ(ray.origin, answers.P_WCS) << x << ", " << y;
+                ASSERT_EQ(ray.direction, answers.V) << x << ", " << y;
+            }
+        }
+    }
+}
+
+}  // namespace

@@ -1,0 +1,156 @@
+// Only what the scene calls for, and nothing missing for it: the picture of its own effects is that of all, to the bit.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+
+#include "reference/render/picture.h"
+#include "tests/render/scenes.h"
+
+namespace {
+
+using namespace reference;
+using namespace reference::render;
+using scenes::colors_of;
+using scenes::material;
+using scenes::prepared;
+using scenes::sphere;
+using scenes::triangle;
+using scenes::Wishes;
+using scenes::with_camera;
+using testing::HasSubstr;
+
+Effects called_for(const PreparedScene& scene) {
+    return effects_of(decide_effects(scene));
+}
+
+std::vector<std::uint64_t> bits(const std::vector<Color>& colors) {
+    std::vector<std::uint64_t> result;
+    for (const Color& color : colors) {
+        for (int i = 0; i < 3; ++i) result.push_back(std::bit_cast<std::uint64_t>(color[i]));
+    }
+    return result;
+}
+
+void expect_same_as_all_effects(const PreparedScene& scene) {
+    EXPECT_EQ(bits(colors_of(scene, called_for(scene))), bits(colors_of(scene, all_effects)));
+}
+
+class SubsetOfEffects : public testing::TestWithParam<int> {
+  protected:
+    Wishes wishes() const {
+        const auto bit = [&](int i) { return (GetParam() >> i & 1) != 0; };
+        return {bit(0), bit(1), bit(2), bit(3), bit(4)};
+    }
+};
+
+TEST_P(SubsetOfEffects, IsWhatItsSceneCallsFor) {
+    const auto [light, mirror, glass, samples, many] = wishes();
+    EXPECT_EQ(called_for(prepared(scenes::room(wishes()))), (Effects{light, light, mirror, glass, samples}));
+}
+
+TEST_P(SubsetOfEffects, GivesThePictureOfAllEffectsToTheBit) {
+    expect_same_as_all_effects(prepared(scenes::room(wishes())));
+}
+
+/// Leaving out one that is called for is seen, so that the test above means something.
+TEST_P(SubsetOfEffects, WithoutOneOfThemIsAnotherPicture) {
+    const PreparedScene scene = prepared(scenes::room(wishes()));
+    const Effects effects = called_for(scene);
+    const auto whole = bits(colors_of(scene, effects));
+    for (bool Effects::*const effect : {&Effects::illumination, &Effects::shadows, &Effects::mirrors,
+                                        &Effects::refraction, &Effects::supersampling}) {
+        if (!(effects.*effect)) continue;
+        Effects fewer = effects;
+        fewer.*effect = false;
+        EXPECT_NE(bits(colors_of(scene, fewer)), whole);
+    }
+}
+
+TEST_P(SubsetOfEffects, ShootsNoRaysOfTheOthers) {
+    const auto [light, mirror, glass, samples, many] = wishes();
+    const PreparedScene scene = prepared(scenes::room(wishes()));
+    const Rendering own = render::render(scene, called_for(scene), 1);
+    EXPECT_EQ(own.camera_rays, 40U * 30U * (samples ? 4U : 1U));
+    EXPECT_EQ(own.rays.shadow > 0, light);
+    EXPECT_EQ(own.rays.mirrored > 0, mirror);
+    EXPECT_EQ(own.rays.refracted > 0, glass);
+    EXPECT_EQ(own.rays.reflected_in_glass > 0, glass);
+    const Rendering all = render::render(scene, all_effects, 1);
+    EXPECT_EQ(all.rays.shadow, own.rays.shadow);
+    EXPECT_EQ(all.rays.mirrored, own.rays.mirrored);
+    EXPECT_EQ(all.rays.refracted, own.rays.refracted);
+    EXPECT_EQ(all.picture.bytes, own.picture.bytes);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SubsetOfEffects, testing::Range(0, 32));
+
+std::string reason_for(const std::string& toml, std::string_view effect) {
+    for (const Decision& decision : decide_effects(prepared(toml))) {
+        if (decision.effect == effect) return (decision.on ? "on: " : "off: ") + decision.reason;
+    }
+    return "no such effect";
+}
+
+const std::string lamp = "[[light]]\nposition = [2, 3, 3]\ncolor = [1, 1, 1]\n";
+const std::string sun = "[[light]]\ndirection = [1, 0, -1]\ncolor = [1, 1, 1]\n";
+const std::string clay = material("clay", "diffuse = [1, 1, 1]");
+
+TEST(Effects, OfTheSceneOf2021AreNone) {
+    const PreparedScene scene = scenes::prepared_assignment("a6-2021");
+    EXPECT_EQ(called_for(scene), Effects{});
+    const Rendering rendering = render::render(scene, called_for(scene), 1);
+    EXPECT_EQ(rendering.camera_rays, 301U * 201U);
+    EXPECT_EQ(
+        rendering.rays.shadow + rendering.rays.mirrored + rendering.rays.refracted + rendering.rays.reflected_in_glass,
+        0U);
+    expect_same_as_all_effects(scene);
+}
+
+TEST(Effects, AreGivenWithTheirReasons) {
+    const std::string ball = sphere("[0, 0, 0]", "1", "clay");
+    EXPECT_EQ(reason_for(with_camera(clay + ball), "illumination"), "off: no light: no shading, no shadow rays");
+    EXPECT_EQ(reason_for(with_camera(clay + ball), "shadows"), "off: no light: no shading, no shadow rays");
+    EXPECT_EQ(reason_for(with_camera(lamp + clay + ball), "shadows"),
+              "off: one convex object: nothing can cast a shadow on another");
+    EXPECT_EQ(reason_for(with_camera(lamp + clay + ball), "mirrors"), "off: no reflectivity above 0: no mirrored rays");
+    EXPECT_THAT(reason_for(with_camera(lamp + sphere("[0, 0, 0]", "1")), "illumination"), HasSubstr("no object has"));
+    EXPECT_THAT(reason_for(with_camera("[render]\nambient_light = [1, 1, 1]\n" + clay + ball), "shadows"),
+                HasSubstr("off: ambient light alone"));
+    const std::string dull = material("clay", "ambient = [1, 1, 1]");
+    EXPECT_THAT(reason_for(with_camera(lamp + dull + ball), "shadows"), HasSubstr("off: no material is diffuse"));
+}
+
+TEST(Effects, AMaterialThatNoObjectHasCallsForNothing) {
+    const std::string glass = material("glass", "transparency = 1\nreflectivity = 0");
+    EXPECT_EQ(called_for(prepared(with_camera(lamp + glass + sphere("[0, 0, 0]", "1")))), Effects{});
+}
+
+TEST(Effects, OneObjectIsLitWithoutShadowRays) {
+    for (const std::string& light : {lamp, sun}) {
+        for (const std::string& object :
+             {sphere("[0.2, 0.1, 0]", "1", "clay"), triangle("[[-1, -1, 0.5], [1, -1, -2], [0, 1, -1]]", "clay")}) {
+            const PreparedScene scene = prepared(with_camera(light + clay + object));
+            EXPECT_EQ(called_for(scene), (Effects{true, false, false, false, false}));
+            expect_same_as_all_effects(scene);
+        }
+    }
+}
+
+/// A camera in a ball, with a light outside: all of the inside is in the ball's own shade.
+TEST(Effects, ASphereSeenFromInsideIsItsOwnShade) {
+    const PreparedScene scene = prepared(with_camera(sun + clay + sphere("[0, 0, 0]", "9", "clay")));
+    EXPECT_TRUE(called_for(scene).shadows);
+    for (const Color& color : colors_of(scene, called_for(scene))) EXPECT_EQ(color, Color(0, 0, 0));
+    const auto lit = colors_of(scene, {true, false, false, false, false});
+    EXPECT_TRUE(std::any_of(lit.begin(), lit.end(), [](const Color& color) { return color.x > 0; }));
+}
+
+/// The window cuts the ball in two: some rays start inside.
+TEST(Effects, AWindowThroughASphereIsNotOutside) {
+    const PreparedScene scene = prepared(with_camera(sun + clay + sphere("[0, 0, 2]", "1", "clay")));
+    EXPECT_TRUE(called_for(scene).shadows);
+    expect_same_as_all_effects(scene);
+}
+
+}  // namespace

@@ -1,0 +1,253 @@
+// Light against formulas of its own: Fresnel and Snell by angles, shadows by distances, mirrors by mirrored scenes.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reference/render/fresnel.h"
+#include "reference/render/picture.h"
+#include "tests/render/scenes.h"
+
+namespace {
+
+using namespace reference;
+using namespace reference::render;
+using scenes::colors_of;
+using scenes::material;
+using scenes::prepared;
+using scenes::sphere;
+using scenes::triangle;
+using scenes::with_camera;
+using Point = Vec3<double>;
+
+constexpr Effects with_shadows{true, true, false, false, false};
+
+/// The window of with_camera(): where pixel (x, y) starts, at z = 2.
+Point on_window(std::size_t x, std::size_t y) {
+    return {-2 + 4 * (static_cast<double>(x) + 0.5) / 40, -1.5 + 3 * (static_cast<double>(y) + 0.5) / 30, 2};
+}
+
+template <class Check>
+void for_each_pixel(const std::vector<Color>& colors, Check check) {
+    for (std::size_t y = 0; y < 30; ++y) {
+        for (std::size_t x = 0; x < 40; ++x) {
+            SCOPED_TRACE(fmt::format("pixel {}, {}", x, y));
+            check(on_window(x, y), colors[y * 40 + x]);
+        }
+    }
+}
+
+void expect_near(const Color& one, const Color& other, double distance) {
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(one[i], other[i], distance);
+}
+
+/// By sines and tangents of the two angles, in long doubles.
+long double reflected_share(long double incident, long double from, long double into) {
+    const long double bent = std::asin(std::sin(incident) * from / into);
+    const long double across = std::sin(incident - bent) / std::sin(incident + bent);
+    const long double along = std::tan(incident - bent) / std::tan(incident + bent);
+    return (across * across + along * along) / 2;
+}
+
+TEST(Fresnel, IsWhatTheAnglesSay) {
+    for (const auto& [from, into] :
+         {std::pair(1.0, 1.5), std::pair(1.5, 1.0), std::pair(1.0, 2.4), std::pair(2.0, 0.7)}) {
+        for (double angle = 0.01; angle < 1.57; angle += 0.01) {
+            if (std::sin(angle) * from / into >= 1) continue;
+            EXPECT_NEAR(fresnel(std::cos(angle), from, into).reflected,
+                        static_cast<double>(reflected_share(angle, from, into)), 1e-12)
+                << angle << " from " << from << " into " << into;
+        }
+    }
+}
+
+TEST(Fresnel, StraightAheadIsTheSquareOfTheIndicesRatio) {
+    EXPECT_DOUBLE_EQ(fresnel(1, 1, 1.5).reflected, 0.04);
+    EXPECT_DOUBLE_EQ(fresnel(1, 1.5, 1).reflected, 0.04);
+}
+
+TEST(Fresnel, ReflectsAllBeyondTheCriticalAngleAlone) {
+    const double critical = std::asin(1 / 1.5);
+    EXPECT_TRUE(fresnel(std::cos(critical + 1e-9), 1.5, 1).is_total);
+    EXPECT_FALSE(fresnel(std::cos(critical - 1e-9), 1.5, 1).is_total);
+    EXPECT_EQ(fresnel(std::cos(critical + 1e-9), 1.5, 1).reflected, 1);
+    EXPECT_FALSE(fresnel(0.001, 1, 1.5).is_total) << "nothing is totally reflected by what is denser";
+}
+
+TEST(Fresnel, OfEqualIndicesThereIsNone) {
+    for (const double cosine : {0.0, 0.3, 1.0}) EXPECT_EQ(fresnel(cosine, 1.3, 1.3).reflected, 0);
+}
+
+TEST(Refraction, KeepsSnellsLawInThePlaneOfIncidence) {
+    const Point N(0, 1, 0);
+    for (double angle = 0; angle < 1.57; angle += 0.01) {
+        const Point V(std::sin(angle) * 0.6, -std::cos(angle), std::sin(angle) * 0.8);
+        const Fresnel split = fresnel(std::cos(angle), 1, 1.5);
+        const Point bent = refracted(V, N, std::cos(angle), split.cos_refracted, 1 / 1.5);
+        EXPECT_NEAR(length(bent), 1, 1e-14);
+        EXPECT_NEAR(std::hypot(bent.x, bent.z) * 1.5, std::sin(angle), 1e-14);
+        EXPECT_NEAR(dot(cross(V, N), bent), 0, 1e-15);
+        EXPECT_LT(bent.y, 0);
+    }
+}
+
+/// Under water: from below the surface, y = 5, light comes in through Snell's window, and beyond it there is but the
+/// bottom's mirror image. The water's vertices run counter-clockwise seen from above.
+TEST(Refraction, ThroughAWatersSurfaceEndsAtTheCriticalAngle) {
+    const PreparedScene scene = prepared(with_camera(
+        "[render]\nbackground = [1, 1, 1]\n" + material("water", "transparency = 1\nrefractive_index = 1.1") +
+        triangle("[[-900, 5, 900], [900, 5, 900], [0, 5, -900]]", "water") +
+        triangle("[[-9000, -30, 9000], [9000, -30, 9000], [0, -30, -9000]]")));
+    int inside = 0;
+    int outside = 0;
+    for_each_pixel(colors_of(scene, all_effects), [&](const Point& start, const Color& color) {
+        const Point V = start - Point(0, 0, 4);
+        if (V.y <= 0.3) return;  // too far away
+        const double sine = std::hypot(V.x, V.z) / length(V);
+        if (1.1 * sine > 1) {
+            ++outside;
+            EXPECT_EQ(color, Color(0.5, 1, 0.5)) << "the bottom, mirrored";
+        } else {
+            ++inside;
+            EXPECT_GT(color.x, 0.5);
+        }
+    });
+    EXPECT_GT(inside, 0);
+    EXPECT_GT(outside, 0);
+}
+
+/// A ball of air in air is invisible.
+TEST(Refraction, ByAnIndexOfOneBendsNothing) {
+    const std::string behind = sphere("[0.3, 0.1, -2]", "1.2") + triangle("[[-9, -2, 3], [9, -2, 3], [0, -2, -30]]");
+    const auto without = colors_of(prepared(with_camera(behind)), all_effects);
+    const auto with = colors_of(
+        prepared(with_camera(material("air", "transparency = 1") + sphere("[-0.2, 0, 0]", "1.1", "air") + behind)),
+        all_effects);
+    for (std::size_t i = 0; i < with.size(); ++i) expect_near(with[i], without[i], 1e-9);
+}
+
+/// In a mirror at z = -4 there is the ball that stands behind the camera's window.
+TEST(Mirrors, ShowTheMirroredScene) {
+    const std::string mirror =
+        material("mirror", "reflectivity = 1") + triangle("[[-99, -99, -4], [99, -99, -4], [0, 99, -4]]", "mirror");
+    const auto in_mirror = colors_of(prepared(with_camera(mirror + sphere("[0.5, 3, 0.25]", "1.5"))), all_effects);
+    const auto mirrored = colors_of(prepared(with_camera(sphere("[0.5, 3, -8.25]", "1.5"))), {});
+    const auto direct = colors_of(prepared(with_camera(sphere("[0.5, 3, 0.25]", "1.5"))), {});
+    int seen = 0;
+    for (std::size_t i = 0; i < in_mirror.size(); ++i) {
+        SCOPED_TRACE(i);
+        if (direct[i] != Color(0, 0, 0)) continue;
+        if (mirrored[i] == Color(0, 0, 0)) {
+            EXPECT_EQ(in_mirror[i], Color(0, 0, 0));
+            continue;
+        }
+        ++seen;
+        expect_near(in_mirror[i], Color(mirrored[i].x, mirrored[i].y, 1 - mirrored[i].z), 1e-9);
+    }
+    EXPECT_GT(seen, 10);
+}
+
+/// Dark is what the ball hides from the sun: where a line against its rays passes the middle more closely than the
+/// radius.
+TEST(Shadows, OfABallInTheSunAreWhereItHidesTheSun) {
+    const Point against_rays(-1, 0.5, 2);
+    const Point middle(0.3, 0.2, -2);
+    const PreparedScene scene = prepared(with_camera(
+        "[[light]]\ndirection = [1, -0.5, -2]\ncolor = [1, 1, 1]\n" + material("clay", "diffuse = [1, 1, 1]") +
+        sphere("[0.3, 0.2, -2]", "0.75", "clay") + triangle("[[-99, -99, -4], [99, -99, -4], [0, 99, -4]]", "clay")));
+    int dark = 0;
+    for_each_pixel(colors_of(scene, with_shadows), [&](const Point& start, const Color& color) {
+        const Point V = start - Point(0, 0, 4);
+        if (length(cross(Point(middle - Point(0, 0, 4)), V)) / length(V) < 0.75) return;  // the ball itself
+        const Point P(start.x * 4, start.y * 4, -4);
+        const double distance = length(cross(Point(middle - P), against_rays)) / length(against_rays);
+        dark += distance < 0.75 ? 1 : 0;
+        const double lambert = 2 / length(against_rays);
+        expect_near(color, distance < 0.75 ? Color(0, 0, 0) : Color(lambert, lambert, lambert), 1e-12);
+    });
+    EXPECT_GT(dark, 5);
+}
+
+/// Dark is what the ball hides from the lamp: where the line between them passes its middle more closely than its
+/// radius.
+TEST(Shadows, OfABallAtALampAreWhereItHidesTheLamp) {
+    const Point lamp(3, 2.5, 1);
+    const Point middle(0.6, 0.5, -2);
+    const PreparedScene scene = prepared(with_camera(
+        "[[light]]\nposition = [3, 2.5, 1]\ncolor = [1, 1, 1]\n" + material("clay", "diffuse = [1, 1, 1]") +
+        sphere("[0.6, 0.5, -2]", "0.75", "clay") + triangle("[[-99, -99, -4], [99, -99, -4], [0, 99, -4]]", "clay")));
+    int dark = 0;
+    for_each_pixel(colors_of(scene, with_shadows), [&](const Point& start, const Color& color) {
+        const Point V = start - Point(0, 0, 4);
+        if (length(cross(Point(middle - Point(0, 0, 4)), V)) / length(V) < 0.75) return;  // the ball itself
+        const Point P(start.x * 4, start.y * 4, -4);
+        const Point way = lamp - P;
+        const bool is_dark = length(cross(Point(middle - P), way)) / length(way) < 0.75;
+        dark += is_dark ? 1 : 0;
+        const double lambert = way.z / length(way);
+        expect_near(color, is_dark ? Color(0, 0, 0) : Color(lambert, lambert, lambert), 1e-12);
+    });
+    EXPECT_GT(dark, 20);
+}
+
+/// What stands behind the lamp darkens nothing, and a lamp within a ball lights nothing outside.
+TEST(Shadows, EndAtTheLamp) {
+    const std::string scene = "[[light]]\nposition = [0, 0, 1]\ncolor = [1, 1, 1]\n" +
+                              material("clay", "diffuse = [1, 1, 1]") +
+                              triangle("[[-99, -99, -4], [99, -99, -4], [0, 99, -4]]", "clay");
+    const auto alone = colors_of(prepared(with_camera(scene)), with_shadows);
+    EXPECT_EQ(colors_of(prepared(with_camera(scene + sphere("[0, 0, 9]", "6.5"))), with_shadows), alone);
+    const auto enclosed = colors_of(prepared(with_camera(scene + sphere("[0, 0, 1]", "0.001"))), with_shadows);
+    for (const Color& color : enclosed) EXPECT_EQ(color, Color(0, 0, 0));
+}
+
+/// Phong's sum, by hand, at the middle of a wall: light from above the camera by an angle whose sine is 0.6.
+TEST(Illumination, IsPhongs) {
+    const PreparedScene scene = prepared(with_camera(
+        "[render]\nambient_light = [0.5, 0.25, 0]\n[[light]]\ndirection = [0, -3, -4]\ncolor = [1, 0.5, 1]\n" +
+        material("m", "ambient = [0.2, 0.4, 1]\ndiffuse = [0.5, 1, 0]\nspecular = [0.25, 1, 1]\nshininess = 3") +
+        triangle("[[-99, -99, 0], [99, -99, 0], [0, 99, 0]]", "m")));
+    for_each_pixel(colors_of(scene, {true, false, false, false, false}), [&](const Point& start, const Color& color) {
+        const Point V = scaled(start - Point(0, 0, 4), 1 / length(Point(start - Point(0, 0, 4))));
+        const double diffuse = 0.8;
+        const Point R(V.x, V.y, -V.z);
+        const double towards = std::pow(std::max(0.0, R.y * 0.6 + R.z * 0.8), 3);
+        expect_near(color,
+                    Color(0.5 * 0.2 + 0.5 * diffuse + 0.25 * towards, 0.25 * 0.4 + 0.5 * (diffuse + towards), towards),
+                    1e-12);
+    });
+}
+
+/// In a world that is white all around, what passes light on and keeps none is white as well.
+TEST(Energy, IsNeitherMadeNorLost) {
+    for (const std::string& properties :
+         {std::string("reflectivity = 1"), std::string("transparency = 1\nrefractive_index = 1.5"),
+          std::string("reflectivity = 0.5\ntransparency = 0.5\nrefractive_index = 2")}) {
+        const PreparedScene scene = prepared(with_camera("[render]\nbackground = [1, 1, 1]\n" +
+                                                         material("m", properties) + sphere("[0.2, 0, 0]", "1", "m")));
+        for (const Color& color : colors_of(scene, all_effects)) {
+            EXPECT_LE(color.x, 1 + 1e-12);
+            // Where light grazes glass, what is cut off is the most.
+            EXPECT_GE(color.x, 0.99);
+        }
+    }
+}
+
+TEST(Supersampling, IsTheMeanOfALargerPicture) {
+    Assignment assignment = parse_assignment(scenes::room({true, true, true, false, false}), "scene.toml");
+    const auto coarse = colors_of(prepare_scene(assignment, {}), all_effects);
+    const auto fine = colors_of(prepare_scene(assignment, PictureSize{120, 90}), all_effects);
+    assignment.look.samples_per_pixel = 9;
+    const auto means = colors_of(prepare_scene(assignment, {}), all_effects);
+    int differing = 0;
+    for (std::size_t y = 0; y < 30; ++y) {
+        for (std::size_t x = 0; x < 40; ++x) {
+            Color sum(0, 0, 0);
+            for (std::size_t i = 0; i < 9; ++i) sum += fine[(3 * y + i / 3) * 120 + 3 * x + i % 3];
+            expect_near(means[y * 40 + x], scaled(sum, 1.0 / 9), 1e-12);
+            differing += means[y * 40 + x] == coarse[y * 40 + x] ? 0 : 1;
+        }
+    }
+    EXPECT_GT(differing, 0);
+}
+
+}  // namespace

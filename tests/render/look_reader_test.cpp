@@ -1,0 +1,110 @@
+// The optional tables: what they say, what is wrong with them, and that they change no marks.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reference/answer_key.h"
+#include "tests/render/scenes.h"
+
+namespace {
+
+using namespace reference;
+using scenes::material;
+using scenes::sphere;
+using scenes::triangle;
+using testing::AllOf;
+using testing::HasSubstr;
+
+Look read(const std::string& rest) {
+    return parse_assignment(scenes::with_camera(rest), "folder/scene.toml").look;
+}
+
+std::string complaint(const std::string& rest) {
+    try {
+        read(rest);
+    } catch (const AssignmentError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(LookReader, OfASceneThatMentionsNothingHasNothing) {
+    const Look look = parse_assignment(scenes::with_camera(sphere("[0, 0, 0]", "1")), "scene.toml").look;
+    EXPECT_TRUE(look.point_lights.empty());
+    EXPECT_TRUE(look.directional_lights.empty());
+    EXPECT_TRUE(look.materials.empty());
+    EXPECT_TRUE(look.meshes.empty());
+    EXPECT_EQ(look.ambient_light, Color(0, 0, 0));
+    EXPECT_EQ(look.background, Color(0, 0, 0));
+    EXPECT_EQ(look.samples_per_pixel, 1);
+    EXPECT_EQ(look.sphere_materials.at(0), std::nullopt);
+}
+
+TEST(LookReader, ReadsEveryTable) {
+    const Look look = read(
+        "[render]\nambient_light = [0.1, 0.2, 0.3]\nbackground = [0.4, 0.5, 0.6]\nsamples_per_pixel = 9\n"
+        "[[light]]\nposition = [1, 2, 3]\ncolor = [4, 5, 6]\n[[light]]\ndirection = [0, -1, 0]\ncolor = [1, 1, 1]\n" +
+        material("clay", "diffuse = [1, 0, 0.5]") +
+        material("glass",
+                 "ambient = [0.1, 0, 0]\nspecular = [1, 1, 1]\nshininess = 40\nreflectivity = 0.25\n"
+                 "transparency = 0.75\nrefractive_index = 1.5") +
+        sphere("[0, 0, 0]", "1", "glass") + triangle("[[0, 0, 0], [1, 0, 0], [0, 1, 0]]", "clay") +
+        "[[mesh]]\nfile = \"bunny.obj\"\nmaterial = \"clay\"\n");
+    EXPECT_EQ(look.ambient_light, Color(0.1, 0.2, 0.3));
+    EXPECT_EQ(look.background, Color(0.4, 0.5, 0.6));
+    EXPECT_EQ(look.samples_per_pixel, 9);
+    EXPECT_EQ(look.point_lights.at(0).position, Vec3<double>(1, 2, 3));
+    EXPECT_EQ(look.point_lights.at(0).color, Color(4, 5, 6));
+    EXPECT_EQ(look.directional_lights.at(0).direction, Vec3<double>(0, -1, 0));
+    EXPECT_EQ(look.materials.at(0).diffuse, Color(1, 0, 0.5));
+    EXPECT_EQ(look.materials.at(1).shininess, 40);
+    EXPECT_EQ(look.materials.at(1).refractive_index, 1.5);
+    EXPECT_EQ(look.materials.at(1).reflectivity, 0.25);
+    EXPECT_EQ(look.materials.at(1).transparency, 0.75);
+    EXPECT_EQ(look.sphere_materials.at(0), 1U);
+    EXPECT_EQ(look.triangle_materials.at(0), 0U);
+    EXPECT_EQ(look.meshes.at(0).path, "folder/bunny.obj");
+    EXPECT_EQ(look.meshes.at(0).material, 0U);
+}
+
+TEST(LookReader, NamesLineKeyAndCure) {
+    const auto says = [](const std::string& key, const std::string& what) {
+        return AllOf(HasSubstr("folder/scene.toml:"), HasSubstr(key), HasSubstr(what));
+    };
+    const std::string white = "color = [1, 1, 1]\n";
+    EXPECT_THAT(complaint("[[light]]\n" + white), says("light[1].position", "one of the two"));
+    EXPECT_THAT(complaint("[[light]]\nposition = [0, 0, 0]\ndirection = [0, 0, 1]\n" + white),
+                says("light[1]", "one of"));
+    EXPECT_THAT(complaint("[[light]]\ndirection = [0, 0, 0]\n" + white), says("light[1].direction", "is zero"));
+    EXPECT_THAT(complaint("[[light]]\nposition = [0, 0, 0]\n"), says("light[1].color", "is missing"));
+    EXPECT_THAT(complaint("[[light]]\nposition = [0, 0, 0]\ncolor = [-1, 0, 0]\n"), says("color", "from 0 to"));
+    EXPECT_THAT(complaint("[[light]]\nplace = [0, 0, 0]\n" + white), says("light[1].place", "is not a key"));
+    EXPECT_THAT(complaint(material("m", "diffuse = [1, 2, 0]")), says("material[1].diffuse", "from 0 to 1"));
+    EXPECT_THAT(complaint(material("m", "shininess = 0")), says("shininess", "whole number from 1"));
+    EXPECT_THAT(complaint(material("m", "reflectivity = 0.5\ntransparency = 0.6")), says("reflectivity", "together"));
+    EXPECT_THAT(complaint(material("m", "refractive_index = 0")), says("refractive_index", "0.01"));
+    EXPECT_THAT(complaint("[[material]]\ndiffuse = [1, 1, 1]\n"), says("material[1].name", "is missing"));
+    EXPECT_THAT(complaint(material("m", "") + material("m", "")), says("material[2].name", "another material's"));
+    EXPECT_THAT(complaint(sphere("[0, 0, 0]", "1", "gold")), says("sphere[1].material", "is nowhere"));
+    EXPECT_THAT(complaint(material("tin", "") + sphere("[0, 0, 0]", "1", "gold")),
+                says("sphere[1].material", "none of tin"));
+    EXPECT_THAT(complaint("[render]\nsamples_per_pixel = 5\n"), says("render.samples_per_pixel", "a square"));
+    EXPECT_THAT(complaint("[render]\nsamples_per_pixel = 289\n"), says("render.samples_per_pixel", "256"));
+    EXPECT_THAT(complaint("[render]\nfog = 1\n"), says("render.fog", "is not a key"));
+    EXPECT_THAT(complaint("[[mesh]]\nmaterial = \"m\"\n"), says("mesh[1].file", "is missing"));
+}
+
+/// All of it in an assignment changes nothing of its key; the mesh is not even opened.
+TEST(LookReader, LeavesTheKeyAsItIs) {
+    const std::string objects =
+        sphere("[0.4, 0.3, 0.1]", "1.1") + triangle("[[-2, -1, 0.7], [2, -1, -0.4], [0, 1.7, 0.3]]");
+    const std::string looks = "[render]\nsamples_per_pixel = 4\n[[light]]\nposition = [1, 2, 3]\ncolor = [1, 1, 1]\n" +
+                              material("glass", "transparency = 1") + "[[mesh]]\nfile = \"nowhere.obj\"\n";
+    const auto key = [](const std::string& rest) {
+        return to_json(make_key(parse_assignment(scenes::with_camera(rest), "scene.toml"), Precision::certified));
+    };
+    const std::string with_materials =
+        sphere("[0.4, 0.3, 0.1]", "1.1", "glass") + triangle("[[-2, -1, 0.7], [2, -1, -0.4], [0, 1.7, 0.3]]", "glass");
+    EXPECT_EQ(key(looks + with_materials), key(objects));
+}
+
+}  // namespace

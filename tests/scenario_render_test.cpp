@@ -1,0 +1,120 @@
+// `raygrade render` as a person runs it: the picture, the explanation, and what it won't write over.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/scenario.h"
+
+namespace scenario {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+constexpr int usage = 2;
+constexpr const char* png = "\x89PNG\r\n\x1a\n";
+
+std::string scene_file(const std::string& name) {
+    return (project_folder() / "reference/scenes" / name).string();
+}
+
+TEST(Render, DrawsAnAssignmentAndExplainsIt) {
+    const TemporaryFolder folder;
+    const std::string out = (folder / "2021.png").string();
+    const Result result = raygrade({"render", "--assignment", "a6-2021", "-o", out, "--size", "60x40", "--explain"});
+    ASSERT_EQ(result.status, 0) << result.both();
+    EXPECT_THAT(read(out), StartsWith(png));
+    EXPECT_THAT(result.output, HasSubstr("shadows              off  no light: no shading, no shadow rays\n"));
+    EXPECT_THAT(result.output, HasSubstr("camera                     2400\n"));
+    EXPECT_THAT(result.output, HasSubstr("mirrored                      0\n"));
+    EXPECT_THAT(result.output, HasSubstr("processor time"));
+    EXPECT_THAT(result.voice, HasSubstr(out));
+}
+
+TEST(Render, PrintsNothingUnasked) {
+    const TemporaryFolder folder;
+    const Result result = raygrade({"render", "-o", (folder / "a.png").string(), "--size", "4x3"});
+    EXPECT_EQ(result.status, 0) << result.both();
+    EXPECT_THAT(result.output, IsEmpty());
+}
+
+TEST(Render, GivesTheSameFileForAnyNumberOfJobsAndWithAllEffects) {
+    const TemporaryFolder folder;
+    const auto file_of = [&](const std::vector<std::string>& more) {
+        const std::string out = (folder / "picture.png").string();
+        std::vector<std::string> arguments{"render", "--scene", scene_file("mirrors.toml"), "--size", "80x45",
+                                           "-o",     out};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Result result = raygrade(arguments);
+        EXPECT_EQ(result.status, 0) << result.both();
+        return read(out);
+    };
+    const std::string one = file_of({"-j", "1"});
+    EXPECT_THAT(one, StartsWith(png));
+    EXPECT_EQ(file_of({"-j", "5"}), one);
+    EXPECT_EQ(file_of({"--all-effects"}), one);
+}
+
+TEST(Render, DrawsTheMeshBesideItsScene) {
+    const TemporaryFolder folder;
+    const std::string scene = read(scene_file("lit.toml"));
+    const std::string without_ball = scene.substr(0, scene.find("[[sphere]]"));
+    write(folder / "scenes/mesh.toml", without_ball + "[[mesh]]\nfile = \"flat.obj\"\nmaterial = \"red\"\n");
+    write(folder / "scenes/flat.obj", "v -1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0.5 0\nf 1 2 3\nf 3 3 4\n");
+    const std::string out = (folder / "a.png").string();
+    const Result result = raygrade({"render", "--scene", (folder / "scenes/mesh.toml").string(), "-o", out});
+    EXPECT_EQ(result.status, 0) << result.both();
+    EXPECT_THAT(result.voice, HasSubstr("1 of 2 triangles of flat.obj left out: they have no area."));
+    fs::remove(folder / "scenes/flat.obj");
+    const Result missing = raygrade({"render", "--scene", (folder / "scenes/mesh.toml").string(), "-o", out});
+    EXPECT_EQ(missing.status, usage);
+    EXPECT_THAT(missing.voice, HasSubstr("mesh[1].file"));
+    EXPECT_THAT(missing.voice, HasSubstr("flat.obj: no such file"));
+}
+
+TEST(Render, ReplacesAPictureAndNothingElse) {
+    const TemporaryFolder folder;
+    write(folder / "ray_cast.cpp", "int main() {}\n");
+    const Result refused = raygrade({"render", "-o", (folder / "ray_cast.cpp").string()});
+    EXPECT_EQ(refused.status, usage);
+    EXPECT_THAT(refused.voice, HasSubstr("is no PNG picture"));
+    EXPECT_EQ(read(folder / "ray_cast.cpp"), "int main() {}\n");
+    write(folder / "old.png", std::string(png) + "an earlier one");
+    EXPECT_EQ(raygrade({"render", "-o", (folder / "old.png").string(), "--size", "4x3"}).status, 0);
+    EXPECT_EQ(read(folder / "old.png").find("an earlier one"), std::string::npos);
+}
+
+TEST(Render, TellsAFolderThatIsNotThere) {
+    const TemporaryFolder folder;
+    const Result result = raygrade({"render", "--size", "4x3", "-o", (folder / "none/a.png").string()});
+    EXPECT_NE(result.status, 0);
+    EXPECT_THAT(result.voice, HasSubstr("none/a.png"));
+}
+
+TEST(Render, TellsASizeThatIsNone) {
+    for (const std::string& size :
+         {"640", "640x", "x480", "0x4", "4x0", "640x480x2", "-4x3", "4 x3", "99999999999x1"}) {
+        const Result result = raygrade({"render", "--size", size, "-o", "/dev/null/a.png"});
+        EXPECT_EQ(result.status, usage) << size;
+        EXPECT_THAT(result.voice, HasSubstr("640x480")) << size;
+    }
+}
+
+TEST(Render, TakesASceneWithoutAPixelOnlyAsAScene) {
+    const TemporaryFolder folder;
+    const std::string out = (folder / "a.png").string();
+    EXPECT_EQ(raygrade({"render", "--scene", scene_file("lit.toml"), "--size", "4x3", "-o", out}).status, 0);
+    const Result result = raygrade({"render", "--assignment", scene_file("lit.toml"), "--size", "4x3", "-o", out});
+    EXPECT_EQ(result.status, usage);
+    EXPECT_THAT(result.voice, HasSubstr("window.pixel"));
+    EXPECT_EQ(raygrade({"render", "--scene", scene_file("lit.toml"), "--assignment", "a6-2021", "-o", out}).status,
+              usage);
+    EXPECT_THAT(raygrade({"render", "--scene", "nowhere.toml", "-o", out}).voice,
+                HasSubstr("nowhere.toml: no such file"));
+}
+
+}  // namespace
+}  // namespace scenario
