@@ -30,7 +30,7 @@ std::string beginning_of(const fs::path& file, std::size_t bytes) {
 }
 
 /// Throws UsageError unless there is nothing at `out` or an earlier picture that may be replaced.
-void check_out(const fs::path& out, Replace replace) {
+void check_out(const fs::path& out, bool may_replace) {
     std::error_code error;
     const fs::path folder = out.has_parent_path() ? out.parent_path() : ".";
     if (!fs::is_directory(folder, error)) {
@@ -49,7 +49,7 @@ void check_out(const fs::path& out, Replace replace) {
         throw UsageError(
             fmt::format("{}: is there already and is no picture of raygrade; name another file with -o", out.string()));
     }
-    if (replace == Replace::no) {
+    if (!may_replace) {
         throw UsageError(fmt::format(
             "{}: holds an earlier picture; replace it with --force, or name another file with -o", out.string()));
     }
@@ -74,7 +74,7 @@ std::string read_output(const fs::path& file) {
 
 int explain_command(const ExplainOptions& options) {
     const bool writes_file = options.out != to_stdout;
-    if (writes_file) check_out(options.out, options.force ? Replace::yes : Replace::no);
+    if (writes_file) check_out(options.out, options.force);
     Graded graded;
     const bool has_transcript = !options.transcript.empty();
     if (has_transcript) graded.run.output = read_output(options.transcript);

@@ -37,7 +37,7 @@ std::string scene_toml(const Scene<Decimal>& scene) {
 Scene<Decimal> check_scene(const Scene<Decimal>& scene, const std::filesystem::path& path) {
     const TomlDocument document(scene_toml(scene), path);
     std::vector<std::string> notes;
-    return read_scene(document.root(), notes);
+    return read_scene(document.root(), notes, PixelKey::required);
 }
 
 }  // namespace reference

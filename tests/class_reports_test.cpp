@@ -48,7 +48,8 @@ class ClassReports : public testing::Test {
     fs::path write(const std::string& name, const std::vector<Graded>& all, std::optional<std::size_t> only = {}) {
         const fs::path out = folder.path() / name;
         make_results_folder(out, "feedback");
-        write_class_reports({all, marking(), Tier::bwrap, report::read_canvas_roster(exported, "")}, out, only);
+        write_class_reports({all, marking(), Tier::bwrap, report::read_canvas_roster(exported, ""), std::nullopt}, out,
+                            only);
         return out;
     }
     TemporaryFolder folder;
@@ -74,7 +75,7 @@ TEST_F(ClassReports, FromTheGradebookAreThoseOfTheFreshClassByteForByte) {
 TEST_F(ClassReports, RemoveTheFeedbackOfWhoIsGoneAndAnImportWithoutItsRoster) {
     const fs::path out = write("out", a_class());
     folder.write("out/feedback/mine.txt", "mine");
-    write_class_reports({{}, marking(), Tier::bwrap, std::nullopt}, out);
+    write_class_reports({{}, marking(), Tier::bwrap, std::nullopt, std::nullopt}, out);
     EXPECT_FALSE(fs::exists(out / "feedback/ada.md"));
     EXPECT_TRUE(fs::exists(out / "feedback/mine.txt"));
     EXPECT_FALSE(fs::exists(out / "grades-canvas.csv"));
@@ -92,8 +93,9 @@ TEST_F(ClassReports, OfOneChangedSubmissionLeaveTheOthersFeedbackAlone) {
 }
 
 TEST_F(ClassReports, TellOfAFolderThatCannotBeWritten) {
-    EXPECT_THROW(write_class_reports({a_class(), marking(), Tier::bwrap, std::nullopt}, folder.path() / "nowhere"),
-                 HarnessError);
+    EXPECT_THROW(
+        write_class_reports({a_class(), marking(), Tier::bwrap, std::nullopt, std::nullopt}, folder.path() / "nowhere"),
+        HarnessError);
 }
 
 TEST(FeedbackName, HasNoSlashAndFitsAFileName) {

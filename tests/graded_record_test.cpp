@@ -72,7 +72,7 @@ TEST(GradedRecord, GivesBackWhatNoReportShows) {
     one.our_fault = true;
     one.submission.problem = "unreadable \xff";
     one.submission.notes = {"older: a.cpp", ""};
-    one.submission.lms = LmsName{"Zoe", "17", "4", "a b.cpp", false, false};
+    one.submission.lms = LmsName{Lms::moodle, "Zoe", "17", "4", "a b.cpp", false, false};
     one.build.tried = one.build.compiled = one.build.reached_limit = true;
     one.run.error = 8;
     one.run.errors_truncated = true;
@@ -82,6 +82,7 @@ TEST(GradedRecord, GivesBackWhatNoReportShows) {
     EXPECT_EQ(restored.submission.problem, "unreadable \xff");
     EXPECT_THAT(restored.submission.notes, ElementsAre("older: a.cpp", ""));
     ASSERT_TRUE(restored.submission.lms);
+    EXPECT_EQ(restored.submission.lms->system, Lms::moodle);
     EXPECT_EQ(restored.submission.lms->attachment, "4");
     EXPECT_EQ(restored.submission.lms->file, "a b.cpp");
     EXPECT_FALSE(restored.submission.lms->is_file);

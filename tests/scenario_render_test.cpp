@@ -95,8 +95,7 @@ TEST(Render, TellsAFolderThatIsNotThere) {
 }
 
 TEST(Render, TellsASizeThatIsNone) {
-    for (const std::string& size :
-         {"640", "640x", "x480", "0x4", "4x0", "640x480x2", "-4x3", "4 x3", "99999999999x1"}) {
+    for (const char* size : {"640", "640x", "x480", "0x4", "4x0", "640x480x2", "-4x3", "4 x3", "99999999999x1"}) {
         const Result result = raygrade({"render", "--size", size, "-o", "/dev/null/a.png"});
         EXPECT_EQ(result.status, usage) << size;
         EXPECT_THAT(result.voice, HasSubstr("640x480")) << size;

@@ -120,7 +120,7 @@ TEST(OtherScenes, FindTheModelSolutionComputing) {
 TEST(OtherScenes, AreCompiledOnce) {
     const TemporaryFolder folder;
     const std::vector<std::string> arguments = {
-        "grade", sample("ada").string(),   "--assignment", "a6-2021", "--variants", "2", "--force",
+        "grade", sample("ada").string(),   "--assignment", "a6-2021", "--variants", "2", "--apply",
         "--out", (folder / "out").string()};
     const auto with_one_cache = [&] { return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0; };
     EXPECT_THAT(raygrade(arguments, with_one_cache).voice, HasSubstr("0 of 2 from earlier runs"));

@@ -37,7 +37,7 @@ std::string numbers_text(const Numbers& numbers, Shape shape) {
     return text + ")";
 }
 
-std::string value_text(const reference::Value& value, Shape shape) {
+std::string expected_text(const reference::Value& value, Shape shape) {
     if (const auto* numbers = std::get_if<Numbers>(&value)) return numbers_text(*numbers, shape);
     if (const auto* verdict = std::get_if<reference::Verdict>(&value))
         return std::string(reference::sentence(*verdict));
@@ -50,7 +50,7 @@ std::map<reference::ItemId, std::string> expected_texts(const reference::AnswerK
     std::map<reference::ItemId, std::string> texts;
     for (const reference::KeyQuestion& question : key.questions) {
         for (const reference::KeyItem& item : question.items)
-            texts[{item.spec.question, item.spec.name}] = value_text(item.answers.front().value, item.spec.shape);
+            texts[{item.spec.question, item.spec.name}] = expected_text(item.answers.front().value, item.spec.shape);
     }
     return texts;
 }
