@@ -66,7 +66,7 @@ TEST_F(ClassReports, FromTheGradebookAreThoseOfTheFreshClassByteForByte) {
     attach(Gradebook(book).overrides(), restored);
     const auto files = files_of(write("fresh", fresh));
     EXPECT_EQ(files_of(write("restored", restored)), files);
-    EXPECT_EQ(files.size(), 3U + 3U);
+    EXPECT_EQ(files.size(), 4U + 2 * 3U);
     EXPECT_THAT(files.at("grades-canvas.csv"), HasSubstr("\"Ada\",\"ada\",\"74.88\"\r\n"))
         << "(98.33 + 1.5) less a quarter";
     EXPECT_THAT(files.at("grades-canvas.csv"), HasSubstr("\"Bob\",\"bob\",\"40.00\"\r\n"));

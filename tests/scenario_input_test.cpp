@@ -144,7 +144,7 @@ TEST_F(BadInput, NamesWithSpacesQuotesAndUnicodeAreGraded) {
     }
     std::size_t feedback = 0;
     for (const auto& entry : fs::directory_iterator(out() / "feedback")) feedback += entry.is_regular_file() ? 1U : 0U;
-    EXPECT_EQ(feedback, names.size() + 1);
+    EXPECT_EQ(feedback, 2 * (names.size() + 1));
     const std::string csv = read(out() / "grades.csv");
     EXPECT_THAT(csv, HasSubstr("\"say \"\"hi\"\"\"")) << "RFC 4180: quotes are doubled";
     EXPECT_THAT(csv, HasSubstr("\"a,b;c\""));

@@ -67,7 +67,10 @@ bool passes(const Segment& line, const Box& box) {
 }
 
 double distance(const Spot& one, const Spot& other) {
-    return std::hypot(one.x - other.x, one.y - other.y);
+    // Not hypot, which need not be rounded alike everywhere, and takes longer.
+    const double x = one.x - other.x;
+    const double y = one.y - other.y;
+    return std::sqrt(x * x + y * y);
 }
 
 double distance(const Segment& line, const Spot& spot) {
@@ -88,7 +91,8 @@ Box mark_of(const Label& label) {
 
 struct Place {
     Box box;
-    double price;
+    double price;                       ///< by where it is; then
+    std::optional<double> hiding = {};  ///< by what it hides but other labels, once that has been asked
 };
 
 std::vector<Place> places_for(const Label& label, const Box& area, double most) {
@@ -102,27 +106,65 @@ std::vector<Place> places_for(const Label& label, const Box& area, double most) 
             const Box box{x - label.width / 2, y - label.height / 2, x + label.width / 2, y + label.height / 2};
             if (box.left < area.left || box.right > area.right || box.top < area.top || box.bottom > area.bottom)
                 continue;
-            places.push_back({box, price_of_place(radius, angle)});
+            places.push_back({box, price_of_place(radius, angle), std::nullopt});
         }
     }
     return places;
 }
 
+/// The places of all labels and what each costs apart from the other labels. Most are never asked for, as a near one
+/// that hides nothing is cheaper.
+class Places {
+  public:
+    Places(const std::vector<Label>& labels, const Box& area, const std::vector<Segment>& drawn,
+           const PlaceSearch& search)
+        : labels_(labels), drawn_(drawn), search_(search) {
+        for (const Label& label : labels) places_.push_back(places_for(label, area, search.farthest));
+    }
+
+    std::vector<Place>& of(std::size_t i) { return places_[i]; }
+
+    /// Of one of label i's places.
+    double price(std::size_t i, Place& place) {
+        if (!place.hiding) place.hiding = price_of_hiding(labels_[i], place.box);
+        return place.price + *place.hiding;
+    }
+
+    bool is_taken(const Box& place) const {
+        return std::any_of(search_.taken.begin(), search_.taken.end(),
+                           [&](const Box& box) { return overlap(place, box, 0); });
+    }
+
+  private:
+    double price_of_hiding(const Label& label, const Box& place) const {
+        const Segment leader{label.point, nearest_on(place, label.point)};
+        const double away = distance(leader.from, leader.to);
+        double price = is_taken(place) ? price_of_label : 0;
+        for (const Box& box : search_.taken) {
+            if (passes(leader, box) && !contains(box, label.point)) price += price_of_leader_over_label;
+        }
+        for (const Label& other : labels_) {
+            if (overlap(place, mark_of(other), 0)) price += price_of_mark;
+            if (distance(other.point, label.point) <= mark_radius) continue;
+            if (distance(leader, other.point) < mark_radius) price += price_of_leader_over_mark;
+            if (distance(nearest_on(place, other.point), other.point) < std::min(away, 24.0)) price += price_of_doubt;
+        }
+        for (const Segment& line : drawn_) {
+            if (passes(line, place)) price += search_.price_of_drawn;
+        }
+        return price;
+    }
+
+    const std::vector<Label>& labels_;
+    const std::vector<Segment>& drawn_;
+    const PlaceSearch& search_;
+    std::vector<std::vector<Place>> places_;
+};
+
 class Desk {
   public:
-    Desk(const std::vector<Label>& labels, const Box& area, const std::vector<Segment>& drawn,
-         const PlaceSearch& search)
-        : labels_(labels),
-          drawn_(drawn),
-          taken_(search.taken),
-          price_of_drawn_(search.price_of_drawn),
-          chosen_(labels.size()),
-          prices_(labels.size()) {
-        for (const Label& label : labels) {
-            places_.push_back(places_for(label, area, search.farthest));
-            for (Place& place : places_.back()) place.price += price_of_hiding(label, place.box);
-        }
-    }
+    Desk(const std::vector<Label>& labels, Places& places)
+        : labels_(&labels), places_(&places), chosen_(labels.size()), prices_(labels.size()) {}
 
     /// Whether any label moved.
     bool pass(const std::vector<std::size_t>& order) {
@@ -130,13 +172,15 @@ class Desk {
         for (const std::size_t i : order) {
             std::optional<Box> best;
             double least = std::numeric_limits<double>::infinity();
-            for (const Place& place : places_[i]) {
+            for (Place& place : places_->of(i)) {
                 if (place.price >= least) continue;
-                const double price = place.price + price_among_others(i, place.box, least);
+                const double own = places_->price(i, place);
+                if (own >= least) continue;
+                const double price = own + price_among_others(i, place.box, least);
                 if (price >= least) continue;
                 least = price;
                 best = place.box;
-                prices_[i] = place.price;
+                prices_[i] = own;
             }
             moved = moved || !best || !chosen_[i] || best->left != chosen_[i]->left || best->top != chosen_[i]->top;
             chosen_[i] = best;
@@ -156,50 +200,27 @@ class Desk {
 
     Placement placement() const {
         Placement placement{{}, true};
-        for (std::size_t i = 0; i < labels_.size(); ++i) {
+        for (std::size_t i = 0; i < labels_->size(); ++i) {
             placement.is_clear = placement.is_clear && chosen_[i];
-            placement.boxes.push_back(chosen_[i].value_or(mark_of(labels_[i])));
+            placement.boxes.push_back(chosen_[i].value_or(mark_of((*labels_)[i])));
         }
-        for (std::size_t i = 0; i < labels_.size(); ++i) {
-            for (std::size_t j = 0; j < labels_.size(); ++j) {
+        for (std::size_t i = 0; i < labels_->size(); ++i) {
+            for (std::size_t j = 0; j < labels_->size(); ++j) {
                 if (j < i && overlap(placement.boxes[i], placement.boxes[j], gap)) placement.is_clear = false;
-                if (overlap(placement.boxes[i], mark_of(labels_[j]), 0)) placement.is_clear = false;
+                if (overlap(placement.boxes[i], mark_of((*labels_)[j]), 0)) placement.is_clear = false;
             }
-            if (is_taken(placement.boxes[i])) placement.is_clear = false;
+            if (places_->is_taken(placement.boxes[i])) placement.is_clear = false;
         }
         return placement;
     }
 
   private:
-    bool is_taken(const Box& place) const {
-        return std::any_of(taken_.begin(), taken_.end(), [&](const Box& box) { return overlap(place, box, 0); });
-    }
-
-    double price_of_hiding(const Label& label, const Box& place) const {
-        const Segment leader{label.point, nearest_on(place, label.point)};
-        const double away = distance(leader.from, leader.to);
-        double price = is_taken(place) ? price_of_label : 0;
-        for (const Box& box : taken_) {
-            if (passes(leader, box) && !contains(box, label.point)) price += price_of_leader_over_label;
-        }
-        for (const Label& other : labels_) {
-            if (overlap(place, mark_of(other), 0)) price += price_of_mark;
-            if (distance(other.point, label.point) <= mark_radius) continue;
-            if (distance(leader, other.point) < mark_radius) price += price_of_leader_over_mark;
-            if (distance(nearest_on(place, other.point), other.point) < std::min(away, 24.0)) price += price_of_doubt;
-        }
-        for (const Segment& line : drawn_) {
-            if (passes(line, place)) price += price_of_drawn_;
-        }
-        return price;
-    }
-
     double price_among_others(std::size_t i, const Box& place, double enough) const {
-        const Segment leader{labels_[i].point, nearest_on(place, labels_[i].point)};
+        const Segment leader{(*labels_)[i].point, nearest_on(place, (*labels_)[i].point)};
         double price = 0;
-        for (std::size_t j = 0; j < labels_.size() && price < enough; ++j) {
+        for (std::size_t j = 0; j < labels_->size() && price < enough; ++j) {
             if (j == i || !chosen_[j]) continue;
-            const Segment other{labels_[j].point, nearest_on(*chosen_[j], labels_[j].point)};
+            const Segment other{(*labels_)[j].point, nearest_on(*chosen_[j], (*labels_)[j].point)};
             if (overlap(place, *chosen_[j], gap)) price += price_of_label;
             if (passes(leader, *chosen_[j])) price += price_of_leader_over_label;
             if (passes(other, place)) price += price_of_leader_over_label;
@@ -208,11 +229,8 @@ class Desk {
         return price;
     }
 
-    std::vector<Label> labels_;
-    std::vector<Segment> drawn_;
-    std::vector<Box> taken_;
-    double price_of_drawn_;
-    std::vector<std::vector<Place>> places_;
+    const std::vector<Label>* labels_;
+    Places* places_;
     std::vector<std::optional<Box>> chosen_;
     std::vector<double> prices_;  ///< of each label's place, the others left out
 };
@@ -248,10 +266,10 @@ Spot nearest_on(const Box& box, const Spot& point) {
 
 Placement place_labels(const std::vector<Label>& labels, const Box& area, const std::vector<Segment>& drawn,
                        const PlaceSearch& search) {
-    const Desk empty(labels, area, drawn, search);
+    Places places(labels, area, drawn, search);
     std::optional<Desk> best;
     for (const std::vector<std::size_t>& order : orders_of(labels, search.shuffled)) {
-        Desk desk = empty;
+        Desk desk(labels, places);
         for (int i = 0; i < most_passes && desk.pass(order); ++i) {
         }
         if (!best || desk.price() < best->price()) best = std::move(desk);
