@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <map>
+#include <mutex>
 #include <optional>
 
 #include "harness/report/markup.h"
@@ -102,7 +104,7 @@ struct ExplainingPictures::Base {
     PrintedSketch printed(const Graded& graded, std::vector<std::string>& told) const;
     /// Beside the views: the printed pixel, and what the marks mean.
     std::string beside_printed(const PrintedSketch& printed, Together together, std::vector<std::string>& told) const;
-    std::string whole(const Graded* graded, const std::string& id_prefix) const;
+    std::string whole(const Graded* graded, std::vector<std::string>& told) const;
 };
 
 ExplainingPictures::Base::Base(const Marking& marking, bool answers, Room room, Together names)
@@ -179,8 +181,7 @@ std::string ExplainingPictures::Base::beside_printed(const PrintedSketch& printe
 }
 
 // Names that give way to those of this student's answers.
-std::string ExplainingPictures::Base::whole(const Graded* graded, const std::string& id_prefix) const {
-    std::vector<std::string> told = notes;
+std::string ExplainingPictures::Base::whole(const Graded* graded, std::vector<std::string>& told) const {
     PrintedSketch own;
     if (graded != nullptr) own = printed(*graded, told);
     std::string body;
@@ -195,12 +196,51 @@ std::string ExplainingPictures::Base::whole(const Graded* graded, const std::str
             (panel.names.empty() && base.names ? base.names->svg
                                                : place_names(names, base.view.box, drawn, taken_by_box(base.view)).svg);
     }
-    body += beside + beside_printed(own, Together::yes, told);
-    return page(id_prefix, graded != nullptr, told, body);
+    return body + beside + beside_printed(own, Together::yes, told);
 }
+
+/// What was drawn before, by what it depends on. Students of one course often make the same mistake with the same
+/// digits, and names take their time to find a place.
+struct ExplainingPictures::Drawings {
+    struct Drawing {
+        std::string body;
+        std::vector<std::string> told;
+    };
+    static constexpr std::size_t most = 256;  ///< some 4 MiB
+    std::mutex mutex;
+    std::map<std::string, Drawing> known;
+
+    /// The points and vectors, as they were printed, and which are right: all that a picture shows of a student.
+    static std::string key_of(const Graded* graded) {
+        std::string key;
+        if (graded == nullptr) return key;
+        for (const QuestionScore& question : graded->score.questions) {
+            for (const ItemScore& item : question.items) {
+                if (item.spec.shape != reference::Shape::vector) continue;
+                key += fmt::format("{}.{} {} {}:{}", question.number, item.spec.name, to_string(item.verdict),
+                                   item.printed.size(), item.printed);
+            }
+        }
+        return key;
+    }
+
+    /// What `draw` gives for `key`, which tells the kind of picture too.
+    template <class Draw>
+    Drawing find_or(const std::string& key, Draw draw) {
+        {
+            const std::lock_guard lock(mutex);
+            if (const auto found = known.find(key); found != known.end()) return found->second;
+        }
+        Drawing drawing = draw();
+        const std::lock_guard lock(mutex);
+        if (known.size() < most) known.emplace(key, drawing);
+        return drawing;
+    }
+};
 
 ExplainingPictures::ExplainingPictures(const Marking& marking, bool with_answers, const std::string& id_prefix)
     : base_(std::make_unique<const Base>(marking, with_answers, Room::for_mistakes, Together::no)),
+      drawings_(std::make_unique<Drawings>()),
       id_(escape_markup(id_prefix + "scene")) {}
 
 ExplainingPictures::~ExplainingPictures() = default;
@@ -217,29 +257,39 @@ std::string ExplainingPictures::shared_part() const {
 }
 
 std::string ExplainingPictures::picture(const Graded* graded, const std::string& id_prefix) const {
-    std::vector<std::string> told = base_->notes;
-    PrintedSketch printed;
-    if (graded != nullptr) printed = base_->printed(*graded, told);
-    std::string body = fmt::format("<use href=\"#{}\"/>\n", id_);
-    for (const BaseView& base : base_->views) {
-        const Panel own = draw_panel(base.view, base_->frame, printed.sketch);
-        std::vector<Segment> drawn = base.panel.drawn;
-        drawn.insert(drawn.end(), own.drawn.begin(), own.drawn.end());
-        body += own.shapes + place_names(own.names, base.view.box, drawn, base.names->taken).svg;
-    }
-    body += base_->beside_printed(printed, Together::no, told);
-    return base_->page(id_prefix, graded != nullptr, told, body);
+    const auto drawing = drawings_->find_or("own " + Drawings::key_of(graded), [&] {
+        std::vector<std::string> told = base_->notes;
+        PrintedSketch printed;
+        if (graded != nullptr) printed = base_->printed(*graded, told);
+        std::string body = fmt::format("<use href=\"#{}\"/>\n", id_);
+        for (const BaseView& base : base_->views) {
+            const Panel own = draw_panel(base.view, base_->frame, printed.sketch);
+            std::vector<Segment> drawn = base.panel.drawn;
+            drawn.insert(drawn.end(), own.drawn.begin(), own.drawn.end());
+            body += own.shapes + place_names(own.names, base.view.box, drawn, base.names->taken).svg;
+        }
+        body += base_->beside_printed(printed, Together::no, told);
+        return Drawings::Drawing{std::move(body), std::move(told)};
+    });
+    return base_->page(id_prefix, graded != nullptr, drawing.told, drawing.body);
 }
 
 std::string ExplainingPictures::whole_picture(const Graded* graded, const std::string& id_prefix) const {
-    return base_->whole(graded, id_prefix);
+    const auto drawing = drawings_->find_or("whole " + Drawings::key_of(graded), [&] {
+        std::vector<std::string> told = base_->notes;
+        std::string body = base_->whole(graded, told);
+        return Drawings::Drawing{std::move(body), std::move(told)};
+    });
+    return base_->page(id_prefix, graded != nullptr, drawing.told, drawing.body);
 }
 
 std::string explaining_picture(const Marking& marking, const Graded* graded, bool with_answers,
                                const std::string& id_prefix) {
     const Room room = graded == nullptr ? Room::for_scene : Room::for_mistakes;
-    return ExplainingPictures::Base(marking, with_answers, room, graded == nullptr ? Together::no : Together::yes)
-        .whole(graded, id_prefix);
+    const ExplainingPictures::Base base(marking, with_answers, room, graded == nullptr ? Together::no : Together::yes);
+    std::vector<std::string> told = base.notes;
+    const std::string body = base.whole(graded, told);
+    return base.page(id_prefix, graded != nullptr, told, body);
 }
 
 }  // namespace harness::report

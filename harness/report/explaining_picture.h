@@ -34,8 +34,10 @@ class ExplainingPictures {
 
   private:
     struct Base;
+    struct Drawings;
     std::unique_ptr<const Base> base_;
-    std::string id_;  ///< of the shared part
+    std::unique_ptr<Drawings> drawings_;  ///< of students who printed the same
+    std::string id_;                      ///< of the shared part
     friend std::string explaining_picture(const Marking&, const Graded*, bool, const std::string&);
 };
 

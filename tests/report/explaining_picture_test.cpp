@@ -167,6 +167,25 @@ TEST(ExplainingPicture, IsTheSameEveryTime) {
     EXPECT_EQ(picture_of(marking, output), picture_of(marking, output));
 }
 
+TEST(ExplainingPicture, OfOneStudentIsTheSameWhoeverWasDrawnBefore) {
+    const Marking marking = marking_of("ones");
+    const ExplainingPictures shared(marking, true, "x-");
+    for (int round = 0; round < 2; ++round) {
+        for (std::uint64_t seed = 0; seed < 12; ++seed) {
+            const Graded one = picture_scenes::graded(picture_scenes::random_output(seed, marking), marking);
+            const ExplainingPictures fresh(marking, true, "x-");
+            EXPECT_EQ(shared.picture(&one, "a-"), fresh.picture(&one, "a-")) << seed;
+            EXPECT_EQ(shared.whole_picture(&one, "b-"), fresh.whole_picture(&one, "b-")) << seed;
+        }
+    }
+    Graded near = picture_scenes::graded(picture_scenes::random_output(1, marking), marking);
+    const std::string before = shared.whole_picture(&near, "c-");
+    for (QuestionScore& question : near.score.questions) {
+        for (ItemScore& item : question.items) item.verdict = ItemVerdict::right;
+    }
+    EXPECT_NE(shared.whole_picture(&near, "c-"), before) << "right answers are not drawn beside the right ones";
+}
+
 /// The only dot of a colour in the side view, which stands below the perspective one.
 drawn::Spot dot_in_side_view(const std::string& svg, const std::string& colour) {
     std::vector<drawn::Spot> found;
