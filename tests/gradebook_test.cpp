@@ -359,7 +359,12 @@ std::vector<Graded> class_of_run(int n) {
 /// The seed is fixed: 25 moments of saving one run after the other.
 TEST(Gradebook, IsAsBeforeOrAsAfterwardsWhenItsWriterIsKilled) {
     const TemporaryFolder folder;
+    // Killed at any time within some three saves, however long this build takes for one.
+    const auto begun = std::chrono::steady_clock::now();
     save(folder.path(), class_of_run(1));
+    const auto one_save =
+        std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - begun);
+    const auto longest = static_cast<std::uint64_t>(3 * one_save.count() + 1000);
     std::mt19937 random(17);
     int saved = 1;
     for (int round = 0; round < 25; ++round) {
@@ -372,7 +377,7 @@ TEST(Gradebook, IsAsBeforeOrAsAfterwardsWhenItsWriterIsKilled) {
                 _exit(1);
             }
         }
-        std::this_thread::sleep_for(std::chrono::microseconds(random() % 60000));
+        std::this_thread::sleep_for(std::chrono::microseconds(random() % longest));
         kill(child, SIGKILL);
         int status = 0;
         waitpid(child, &status, 0);
