@@ -1,5 +1,8 @@
 #include "reference/exact/ball.h"
 
+#include <flint/flint.h>
+#include <unistd.h>
+
 namespace reference {
 namespace {
 
@@ -17,6 +20,18 @@ std::pair<double, double> ends(const arb_t& x, arf_rnd_t below, arf_rnd_t above)
 }
 
 }  // namespace
+
+void Ball::tidy_up_with_this_thread() {
+    // The first thread's goes with the process, after whatever still holds a Ball.
+    struct Tidying {
+        bool is_first = gettid() == getpid();
+        ~Tidying() {
+            if (!is_first) flint_cleanup();
+        }
+    };
+    thread_local const Tidying tidying;
+    static_cast<void>(tidying.is_first);
+}
 
 Ball::Ball(const Rational& x, Bits bits) : Ball() {
     fmpq_t fraction;

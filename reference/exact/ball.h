@@ -17,7 +17,10 @@ inline constexpr Bits most_bits = 4096;
 
 class Ball {
   public:
-    Ball() { arb_init(value_); }
+    Ball() {
+        tidy_up_with_this_thread();
+        arb_init(value_);
+    }
     /// The fraction, rounded to `bits` with its error in the radius.
     Ball(const Rational& x, Bits bits);
     Ball(const Ball& other) : Ball() { arb_set(value_, other.value_); }
@@ -44,6 +47,8 @@ class Ball {
     bool settles_a_double() const;
 
   private:
+    /// FLINT keeps what a thread has freed until that thread tells it that it ends.
+    static void tidy_up_with_this_thread();
     arb_t value_;
 };
 
