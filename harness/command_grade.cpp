@@ -89,25 +89,14 @@ std::optional<KeptInput> read_roster_file(const GradeOptions& options) {
     return KeptInput{canvas_roster_input, options.canvas_column, text};
 }
 
-/// The roster given, or the one kept from an earlier run.
-std::optional<report::CanvasRoster> find_roster(const std::optional<KeptInput>& given, const Gradebook& gradebook,
-                                                const GradeOptions& options) {
+/// What `read` makes of the input given in `file`, or of the one of that name kept from an earlier run.
+template <class Read>
+auto read_given_or_kept(const std::optional<KeptInput>& given, const fs::path& file, const char* name,
+                        const Gradebook& gradebook, const fs::path& results, Read read) {
     try {
-        return read_roster(given ? given : gradebook.input(canvas_roster_input));
+        return read(given ? given : gradebook.input(name));
     } catch (const report::RosterError& error) {
-        const fs::path file = given ? options.canvas_roster : options.out / gradebook_name;
-        throw UsageError(fmt::format("{} {}", file.string(), error.what()));
-    }
-}
-
-/// The worksheet given, or the one kept from an earlier run.
-std::optional<report::MoodleWorksheet> find_worksheet(const std::optional<KeptInput>& given, const Gradebook& gradebook,
-                                                      const GradeOptions& options) {
-    try {
-        return read_worksheet(given ? given : gradebook.input(moodle_worksheet_input));
-    } catch (const report::RosterError& error) {
-        const fs::path file = given ? options.moodle_worksheet : options.out / gradebook_name;
-        throw UsageError(fmt::format("{} {}", file.string(), error.what()));
+        throw UsageError(fmt::format("{} {}", (given ? file : results / gradebook_name).string(), error.what()));
     }
 }
 
@@ -170,17 +159,6 @@ void tell_notes(const std::vector<Graded>& graded) {
 
 }  // namespace
 
-void tell_canvas(const report::CanvasImport& import, const fs::path& file) {
-    const auto list = [](const char* what, const std::vector<std::string>& names) {
-        for (const std::string& name : names) fmt::print("  {}: {}\n", what, escape_control(name));
-    };
-    fmt::print("for Canvas: {}, {} matched\n", file.string(), import.matched);
-    list("ambiguous, left out", import.ambiguous);
-    list("not in the gradebook, left out", import.unmatched);
-    list("not graded, left out", import.not_graded);
-    list("nothing handed in, left as it is", import.without);
-}
-
 int grade_command(const GradeOptions& options) {
     const auto roster_given = read_roster_file(options);
     const auto worksheet_given = read_worksheet_file(options);
@@ -192,8 +170,10 @@ int grade_command(const GradeOptions& options) {
     if (holds == Holds::nothing || options.apply) make_results_folder(options.out, "feedback");
     const FolderLock lock(options.out);
     Desk desk = open_desk(options, holds);
-    const auto roster = find_roster(roster_given, desk.gradebook, options);
-    const auto worksheet = find_worksheet(worksheet_given, desk.gradebook, options);
+    const auto roster = read_given_or_kept(roster_given, options.canvas_roster, canvas_roster_input, desk.gradebook,
+                                           options.out, read_roster);
+    const auto worksheet = read_given_or_kept(worksheet_given, options.moodle_worksheet, moodle_worksheet_input,
+                                              desk.gradebook, options.out, read_worksheet);
     if (!options.trace.empty()) check_trace(options.trace);
     prepare_report_file(options.junit, "--junit", ".xml");
     Workshop workshop = open_workshop(options.workshop, assignment.limits);

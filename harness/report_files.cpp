@@ -110,6 +110,14 @@ void write_junit_file(const GradeOptions& options, const std::vector<Graded>& gr
     write_file(options.junit, [&](std::ostream& stream) { report::write_junit(stream, graded, marking); });
 }
 
+void tell_canvas(const report::CanvasImport& import, const fs::path& file) {
+    fmt::print("for Canvas: {}, {} matched\n", file.string(), import.matched);
+    list("ambiguous, left out", import.ambiguous);
+    list("not in the gradebook, left out", import.unmatched);
+    list("not graded, left out", import.not_graded);
+    list("nothing handed in, left as it is", import.without);
+}
+
 void tell_moodle(const report::MoodleImport& import, const fs::path& file) {
     fmt::print("for Moodle: {}, {} filled in\n", file.string(), import.matched);
     if (import.other_maximum) {

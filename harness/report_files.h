@@ -8,6 +8,7 @@
 
 #include "harness/class_reports.h"
 #include "harness/commands.h"
+#include "harness/report/canvas.h"
 #include "harness/report/classroom50.h"
 
 namespace harness {
@@ -24,6 +25,7 @@ std::optional<KeptInput> read_worksheet_file(const GradeOptions& options);
 void write_junit_file(const GradeOptions& options, const std::vector<Graded>& graded, const Marking& marking);
 
 /// On stdout who is left out.
+void tell_canvas(const report::CanvasImport& import, const std::filesystem::path& file);
 void tell_moodle(const report::MoodleImport& import, const std::filesystem::path& file);
 void tell_feedback(const report::FeedbackZip& zip, const std::filesystem::path& file);
 
