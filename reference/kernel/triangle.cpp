@@ -55,11 +55,17 @@ double exact_quotient(const Integer& numerator, const Integer& det, long exponen
     return enclose(x).nearest;
 }
 
-TriangleHit solve(const Ray<double>& ray, const Triangle<double>& triangle) {
+struct Decision {
+    TriangleResult result;
+    bool is_at_start;  ///< a hit whose t is 0, as where a picture's plane lies in the triangle's
+};
+
+TriangleHit solve(const Ray<double>& ray, const Triangle<double>& triangle, bool is_at_start) {
     const Level level(ray, triangle);
     const CramerSolution<DoubleDouble>& solution = level.solution;
     if (level.in_range) {
-        const auto t = quotient(solution.t_numerator, solution.det, level.t_error, level.error);
+        const auto t =
+            is_at_start ? std::optional(0.0) : quotient(solution.t_numerator, solution.det, level.t_error, level.error);
         const auto u = quotient(solution.u_numerator, solution.det, level.error, level.error);
         const auto v = quotient(solution.v_numerator, solution.det, level.error, level.error);
         if (t && u && v) return {TriangleResult::hit, *t, *u, *v};
@@ -73,43 +79,55 @@ TriangleHit solve(const Ray<double>& ray, const Triangle<double>& triangle) {
 }
 
 template <class N, class E>
-TriangleResult result_of(const Determinants<N, E>& exact) {
+Decision decision_of(const Determinants<N, E>& exact) {
+    constexpr Decision miss{TriangleResult::miss, false};
     const auto det = exact.det();
     const auto det_sign = sign_of(det);
     if (det_sign == 0) {
         const auto normal = exact.normal();
         if (sign_of(normal.x) == 0 && sign_of(normal.y) == 0 && sign_of(normal.z) == 0) {
-            return TriangleResult::degenerate;
+            return {TriangleResult::degenerate, false};
         }
-        return sign_of(exact.t()) == 0 ? TriangleResult::coplanar : TriangleResult::miss;
+        return {sign_of(exact.t()) == 0 ? TriangleResult::coplanar : TriangleResult::miss, false};
     }
     const auto is_negative = [&](const auto& x) { return det_sign > 0 ? sign_of(x) < 0 : sign_of(x) > 0; };
     const auto u = exact.u();
-    if (is_negative(u)) return TriangleResult::miss;
+    if (is_negative(u)) return miss;
     const auto v = exact.v();
-    if (is_negative(v) || is_negative(det - u - v) || is_negative(exact.t())) return TriangleResult::miss;
-    return TriangleResult::hit;
+    if (is_negative(v) || is_negative(det - u - v)) return miss;
+    const auto t = exact.t();
+    if (is_negative(t)) return miss;
+    return {TriangleResult::hit, sign_of(t) == 0};
+}
+
+/// What the filter left open.
+Decision decide_open(const Ray<double>& ray, const Triangle<double>& triangle) {
+    if (!is_valid(ray) || !is_finite(triangle.A) || !is_finite(triangle.B) || !is_finite(triangle.C)) {
+        return {TriangleResult::invalid, false};
+    }
+    const Scales scales(ray, triangle);
+    if (!scales.are_near_one()) {
+        const TriangleFilter filter(scales.to_one(ray), PreparedTriangle(scales.to_one(triangle)));
+        if (filter.is_known()) return {filter.is_hit() ? TriangleResult::hit : TriangleResult::miss, false};
+    }
+    return in_whole_numbers(scales,
+                            [&](const auto& whole) { return decision_of(determinants_of(whole, ray, triangle)); });
 }
 
 }  // namespace
 
 TriangleResult decide_exactly(const Ray<double>& ray, const Triangle<double>& triangle) {
-    if (!is_valid(ray) || !is_finite(triangle.A) || !is_finite(triangle.B) || !is_finite(triangle.C)) {
-        return TriangleResult::invalid;
-    }
-    const Scales scales(ray, triangle);
-    if (!scales.are_near_one()) {
-        const TriangleFilter filter(scales.to_one(ray), PreparedTriangle(scales.to_one(triangle)));
-        if (filter.is_known()) return filter.is_hit() ? TriangleResult::hit : TriangleResult::miss;
-    }
-    return in_whole_numbers(scales,
-                            [&](const auto& whole) { return result_of(determinants_of(whole, ray, triangle)); });
+    return decide_open(ray, triangle).result;
 }
 
 TriangleHit intersect(const Ray<double>& ray, const Triangle<double>& triangle) {
-    const TriangleResult result = decide(ray, triangle);
+    const TriangleFilter filter(ray, PreparedTriangle(triangle));
+    if (filter.is_known()) {
+        return filter.is_hit() ? solve(ray, triangle, false) : TriangleHit{TriangleResult::miss, 0, 0, 0};
+    }
+    const auto [result, is_at_start] = decide_open(ray, triangle);
     if (result != TriangleResult::hit) return {result, 0, 0, 0};
-    return solve(ray, triangle);
+    return solve(ray, triangle, is_at_start);
 }
 
 TriangleResult decide_exactly(const Ray<float>& ray, const Triangle<float>& triangle) {
