@@ -1,5 +1,7 @@
-// render_bench ROUNDS WIDTH HEIGHT: five scenes with the effects they call for and with all of them, in turn, on one
-// core. Prints a line of CSV a scene: name and the medians of the processor time in seconds. See tests/bench/render.
+// render_bench ROUNDS WIDTH HEIGHT: five scenes, in turn, on one core: with the effects they call for; through the loop
+// that holds all effects, none of which the scene asks for anew; and with every effect given to the scene, as a
+// renderer with defaults would. Prints a line of CSV a scene: name and the medians of the processor time in seconds.
+// See tests/bench/render.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,6 +25,28 @@ Assignment load(const std::string& name) {
                           : load_scene(folder + "/scenes/" + name + ".toml");
 }
 
+/// A light, and surfaces that mirror and let through a part, where the scene has none; and four samples a pixel.
+PreparedScene with_every_effect(Assignment assignment, PictureSize size) {
+    Look& look = assignment.look;
+    look.samples_per_pixel = std::max(look.samples_per_pixel, 4);
+    if (look.point_lights.empty() && look.directional_lights.empty()) {
+        look.directional_lights.push_back({{1, -3, -1}, {0.7, 0.7, 0.7}});
+    }
+    PreparedScene scene = prepare_scene(assignment, size);
+    for (Surface& surface : scene.surfaces) {
+        Material& material = surface.material;
+        if (!surface.is_lit) material.diffuse = {0.8, 0.8, 0.8};
+        surface.is_lit = true;
+        if (material.reflectivity == 0) material.reflectivity = 0.1;
+        if (material.transparency == 0 && material.reflectivity <= 0.9) {
+            material.transparency = 0.1;
+            material.refractive_index = 1.5;
+        }
+        surface.own_share = 1 - material.reflectivity - material.transparency;
+    }
+    return scene;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -34,9 +58,11 @@ int main(int argc, char** argv) {
     const PictureSize size{std::atoi(argv[2]), std::atoi(argv[3])};
     for (const std::string name : {"2021", "lit", "shadowed", "mirrors", "glass"}) {
         const PreparedScene scene = prepare_scene(load(name), size);
+        const PreparedScene full = with_every_effect(load(name), size);
         const Effects called_for = effects_of(decide_effects(scene));
         std::vector<double> own;
         std::vector<double> all;
+        std::vector<double> every;
         for (int round = 0; round < rounds; ++round) {
             const Rendering one = render::render(scene, called_for, 1);
             const Rendering other = render::render(scene, all_effects, 1);
@@ -46,7 +72,8 @@ int main(int argc, char** argv) {
             }
             own.push_back(one.processor_time.count());
             all.push_back(other.processor_time.count());
+            every.push_back(render::render(full, all_effects, 1).processor_time.count());
         }
-        fmt::print("{},{:.6f},{:.6f}\n", name, median(own), median(all));
+        fmt::print("{},{:.6f},{:.6f},{:.6f}\n", name, median(own), median(all), median(every));
     }
 }
