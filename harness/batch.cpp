@@ -22,6 +22,7 @@
 #include "harness/failure.h"
 #include "harness/header_plan.h"
 #include "harness/include_block.h"
+#include "harness/known_scores.h"
 #include "harness/run.h"
 #include "harness/sanitizer.h"
 
@@ -105,6 +106,7 @@ class Batch {
     const Workshop& workshop_;
     const std::size_t jobs_;
     Timeline& timeline_;
+    KnownScores scores_;
     std::vector<Graded> results_;
     /// In the store, for each submission: of its first run, its repetitions, and the one under the sanitizers.
     std::vector<std::vector<std::string>> keys_;
@@ -278,7 +280,8 @@ Graded Batch::finish(Built built) {
         findings = sanitizer_findings(built.executions.back().run.errors);
         built.executions.pop_back();
     }
-    Graded graded = mark(submission, std::move(built.executions), marking_of(built.index), workshop_, timeline_);
+    Graded graded =
+        mark(submission, std::move(built.executions), marking_of(built.index), workshop_, scores_, timeline_);
     graded.sanitizer = std::move(findings);
     return graded;
 }

@@ -152,9 +152,13 @@ void empty_folder(const std::filesystem::path& folder) {
 
 }  // namespace
 
+std::filesystem::path find_compiler() {
+    return find_on_path("g++");
+}
+
 BuildSettings default_build_settings(const Limits& limits) {
     BuildSettings settings;
-    settings.compiler = find_on_path("g++");
+    settings.compiler = find_compiler();
     // -O0, as students compile themselves: what they saw is what is marked, and behind a precompiled header it takes
     // a sixth less time than -O1. It warns of a scalar that was never set, but no longer of each such vector.
     // Without link-time optimisation: sections for it, written in asm, would set another compiler on a submission's

@@ -21,7 +21,10 @@ struct BuildSettings {
     Limits limits;
 };
 
-/// g++ as found on PATH with the course's flags, and the fastest linker beside it.
+/// g++ as found on PATH; empty when there is none.
+std::filesystem::path find_compiler();
+
+/// That g++ with the course's flags, and the fastest linker beside it.
 BuildSettings default_build_settings(const Limits& limits);
 
 /// A precompiled header that stands for the beginning of a source.

@@ -123,4 +123,23 @@ HandedBack write_class_reports(const ClassResults& results, const fs::path& fold
     }
 }
 
+bool class_reports_are_as_left(const ClassResults& results, const fs::path& folder) {
+    if (results.canvas || results.moodle || report::is_from_lms(results.graded)) return false;
+    std::error_code error;
+    const auto saved = fs::last_write_time(folder / gradebook_name, error);
+    const auto is_as_left = [&](const fs::path& file) {
+        const auto written = fs::last_write_time(file, error);
+        return !error && written <= saved;
+    };
+    if (error || !is_as_left(folder / "grades.csv") || !is_as_left(folder / "grades.json") ||
+        !is_as_left(folder / "report.html")) {
+        return false;
+    }
+    for (std::size_t i = 0; i < results.graded.size(); ++i) {
+        const fs::path page = folder / "feedback" / feedback_name(results.graded[i].submission.id, i);
+        if (!is_as_left(page.string() + ".md") || !is_as_left(page.string() + ".html")) return false;
+    }
+    return true;
+}
+
 }  // namespace harness

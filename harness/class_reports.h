@@ -54,4 +54,9 @@ struct HandedBack {
 HandedBack write_class_reports(const ClassResults& results, const std::filesystem::path& folder,
                                std::optional<std::size_t> only = {});
 
+/// Whether `folder` holds every one of these reports as it was written when the gradebook was last saved: none is gone,
+/// and none has been touched since. False where something goes back to another system, as whom it leaves out is to be
+/// told each time.
+bool class_reports_are_as_left(const ClassResults& results, const std::filesystem::path& folder);
+
 }  // namespace harness

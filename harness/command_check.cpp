@@ -11,6 +11,7 @@
 namespace harness {
 
 int check_command(const CheckOptions& options) {
+    auto toolchain = begin_look_at_compiler(options.workshop);
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
     const std::vector<Submission> submissions = find_submissions({options.source});
     if (submissions.size() != 1) {
@@ -19,7 +20,7 @@ int check_command(const CheckOptions& options) {
     }
     const CheckFiles files(options);
     if (!options.html.empty()) require_place_for_page(options.html, "--html");
-    Workshop workshop = open_workshop(options.workshop, assignment.limits);
+    Workshop workshop = open_workshop(options.workshop, assignment.limits, std::move(toolchain));
     tell_of_the_sandbox(workshop);
     // Now that the looks at the machine are over: the key is needed only when the program has run.
     const auto marking = begin_marking(assignment);

@@ -121,6 +121,16 @@ bool is_unchanged(const Desk& desk, const ClassChanges& changes) {
            changes.fresh.empty() && changes.gone.empty() && desk.gradebook.reports_are_written();
 }
 
+/// Whether writing the run would change no file and nothing in the gradebook but the number of runs.
+bool is_all_there(const Desk& desk, const Gradebook::Comparison& comparison, const Run& run,
+                  const ClassResults& results, const fs::path& out) {
+    if (!desk.last_run || !comparison.is_as_saved() || !desk.gradebook.reports_are_written()) return false;
+    const Run& last = *desk.last_run;
+    return last.toml == run.toml && last.raygrade == run.raygrade && last.assignment == run.assignment &&
+           last.assignment_file == run.assignment_file && last.tier == run.tier &&
+           class_reports_are_as_left(results, out);
+}
+
 /// Who rises, who falls and why.
 void tell_changes(const Desk& desk, const Gradebook::Comparison& comparison, const reference::AssignmentFile& file,
                   const Marking& marking, const fs::path& out) {
@@ -157,9 +167,15 @@ void tell_notes(const std::vector<Graded>& graded) {
     }
 }
 
+void tell_where_results_are(const fs::path& out) {
+    fmt::print("\nresults: {}\nreport: {}\nfeedback: {}\n", (out / "grades.json").string(),
+               (out / "report.html").string(), (out / "feedback").string());
+}
+
 }  // namespace
 
 int grade_command(const GradeOptions& options) {
+    auto toolchain = begin_look_at_compiler(options.workshop);
     const auto roster_given = read_roster_file(options);
     const auto worksheet_given = read_worksheet_file(options);
     const reference::AssignmentFile file = reference::read_assignment_file(options.assignment, assignments_folder());
@@ -176,7 +192,7 @@ int grade_command(const GradeOptions& options) {
                                               desk.gradebook, options.out, read_worksheet);
     if (!options.trace.empty()) check_trace(options.trace);
     prepare_report_file(options.junit, "--junit", ".xml");
-    Workshop workshop = open_workshop(options.workshop, assignment.limits);
+    Workshop workshop = open_workshop(options.workshop, assignment.limits, std::move(toolchain));
     tell_of_the_sandbox(workshop);
     // A mistake of the assignment is to be told before a class is compiled.
     for (const std::string& note : marking.get().key.notes) fmt::print(stderr, "note: {}\n", note);
@@ -201,18 +217,23 @@ int grade_command(const GradeOptions& options) {
     }
     const Tier tier = workshop.sandbox->tier();
     const Run run{0, author_now(), RAYGRADE_VERSION, assignment.name, file.path, file.toml, tier};
+    const ClassResults results{graded, marking.get(), tier, roster, worksheet};
+    write_junit_file(options, graded, marking.get());
+    if (is_all_there(desk, comparison, run, results, options.out)) {
+        fmt::print("Nothing has changed, and nothing was written.\n");
+        tell_where_results_are(options.out);
+        return status_of(graded);
+    }
     std::vector<KeptInput> inputs;
     if (roster_given) inputs.push_back(*roster_given);
     if (worksheet_given) inputs.push_back(*worksheet_given);
     desk.gradebook.save(run, graded, comparison, inputs);
-    const HandedBack handed_back = write_class_reports({graded, marking.get(), tier, roster, worksheet}, options.out);
+    const HandedBack handed_back = write_class_reports(results, options.out);
     desk.gradebook.note_reports_written();
-    write_junit_file(options, graded, marking.get());
     if (handed_back.canvas) tell_canvas(*handed_back.canvas, options.out / canvas_import_name);
     if (handed_back.moodle) tell_moodle(*handed_back.moodle, options.out / moodle_import_name);
     if (handed_back.feedback) tell_feedback(*handed_back.feedback, options.out / feedback_zip_name);
-    fmt::print("\nresults: {}\nreport: {}\nfeedback: {}\n", (options.out / "grades.json").string(),
-               (options.out / "report.html").string(), (options.out / "feedback").string());
+    tell_where_results_are(options.out);
     return status_of(graded);
 }
 

@@ -3,20 +3,25 @@
 #include <sodium.h>
 
 #include <array>
+#include <charconv>
 
 #include "harness/failure.h"
 
 namespace harness {
 
 Fingerprint& Fingerprint::add(std::string_view field) {
-    fields_ += std::to_string(field.size());
-    fields_ += ':';
+    std::array<char, 24> size{};
+    char* end = std::to_chars(size.data(), size.data() + size.size(), field.size()).ptr;
+    *end++ = ':';
+    fields_.append(size.data(), end);
     fields_ += field;
     return *this;
 }
 
 Fingerprint& Fingerprint::add(std::int64_t field) {
-    return add(std::to_string(field));
+    std::array<char, 24> digits{};
+    const char* end = std::to_chars(digits.data(), digits.data() + digits.size(), field).ptr;
+    return add(std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data())));
 }
 
 std::string Fingerprint::hex() const {

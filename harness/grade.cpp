@@ -6,8 +6,8 @@
 #include <cstring>
 #include <system_error>
 
+#include "harness/known_scores.h"
 #include "harness/repetition.h"
-#include "harness/transcript.h"
 
 namespace harness {
 namespace {
@@ -140,20 +140,14 @@ std::string_view limit_name(Ended ended) {
 }
 
 Graded mark(const Submission& submission, std::vector<Execution> executions, const Marking& marking,
-            const Workshop& workshop, Timeline& timeline) {
+            const Workshop& workshop, KnownScores& scores, Timeline& timeline) {
     Graded graded = begun(submission, marking, workshop);
     Execution& execution = executions.front();
     graded.outcome = outcome_of(execution.run);
     graded.explanation = explain(execution.build, execution.run, workshop.run);
     std::vector<Repetition> runs;
     for (Execution& each : executions) {
-        Transcript transcript;
-        {
-            const Timeline::Span span(timeline, Stage::read, submission.id);
-            transcript = read_transcript(each.run.output);
-        }
-        const Timeline::Span span(timeline, Stage::score, submission.id);
-        runs.push_back({each.run.ended, score(transcript, marking.key, marking.assignment)});
+        runs.push_back({each.run.ended, scores.score(each.run.output, marking, timeline, submission.id)});
         release(each.run.output);  // up to a mebibyte; the score holds what counts
     }
     if (const auto evidence = difference(runs)) graded.flags.push_back({"nondeterministic", *evidence});

@@ -69,9 +69,11 @@ struct Marking {
 /// Makes the certified key of `assignment` while the caller does something else. get() throws what make_key throws.
 std::shared_future<Marking> begin_marking(reference::Assignment assignment);
 
+class KnownScores;
+
 /// Marks what a submission printed, the first time of `executions`, at least one. Those after it are its repetitions.
 Graded mark(const Submission& submission, std::vector<Execution> executions, const Marking& marking,
-            const Workshop& workshop, Timeline& timeline);
+            const Workshop& workshop, KnownScores& scores, Timeline& timeline);
 
 /// A submission without marks, because of a problem of its own, the machine or raygrade.
 Graded ungraded(const Submission& submission, const std::string& why, const Marking& marking, const Workshop& workshop);

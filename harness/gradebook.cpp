@@ -126,6 +126,11 @@ std::optional<KeptInput> Gradebook::input(const std::string& name) const {
     });
 }
 
+bool Gradebook::Comparison::is_as_saved() const {
+    return is_in_order && changes.gone.empty() &&
+           std::all_of(records.begin(), records.end(), [](Record record) { return record == Record::same; });
+}
+
 void Gradebook::compare_one(const std::vector<std::uint8_t>& record, const Graded& after, std::size_t index,
                             Comparison& comparison) const {
     if (record == to_record(after)) {
@@ -156,8 +161,9 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
         // One view of the database, whatever another program does meanwhile.
         const SQLite::Transaction view(*database_);
         comparison.run = database_->execAndGet(last_run_number).getInt64();
-        Statement find(*database_, "SELECT record FROM submissions WHERE id = ?");
+        Statement find(*database_, "SELECT record, place FROM submissions WHERE id = ?");
         std::unordered_set<std::string> present;
+        std::int64_t last_place = -1;
         for (std::size_t i = 0; i < graded.size(); ++i) {
             const std::string& id = graded[i].submission.id;
             present.insert(id);
@@ -165,6 +171,9 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
             find.bind(1, id);
             if (find.executeStep()) {
                 compare_one(bytes(find.getColumn(0)), graded[i], i, comparison);
+                const std::int64_t place = find.getColumn(1).getInt64();
+                if (place <= last_place) comparison.is_in_order = false;
+                last_place = place;
             } else {
                 add_fresh(graded[i]);
             }

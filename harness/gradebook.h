@@ -71,6 +71,10 @@ class Gradebook {
         ClassChanges changes;
         std::vector<Record> records;  ///< by submission of the new grading
         std::int64_t run = 0;         ///< that it was compared with
+        bool is_in_order = true;      ///< the submissions that are in both follow each other as before
+
+        /// Saving it would change nothing of any submission.
+        bool is_as_saved() const;
     };
     /// `graded` with its overrides. One submission of the gradebook at a time is in memory.
     Comparison compare(const std::vector<Graded>& graded) const;

@@ -11,9 +11,12 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cerrno>
+#include <condition_variable>
+#include <deque>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -117,21 +120,36 @@ void add_file(Fingerprint& fingerprint, const std::string& file) {
     if (stat(file.c_str(), &info) == 0 && S_ISREG(info.st_mode)) add_stat(fingerprint, file, info);
 }
 
-/// One folder of headers.
-struct Listing {
-    std::optional<std::pair<dev_t, ino_t>> self;  ///< none where there is no such folder
-    std::string fingerprint;                      ///< of its entries
-    std::vector<std::string> folders;             ///< in it, by name
+using FolderId = std::pair<dev_t, ino_t>;
+
+struct Folder {
+    std::string name;
+    FolderId id;
 };
+
+/// What is in one folder of headers.
+struct Listing {
+    std::string fingerprint;      ///< of its entries
+    std::vector<Folder> folders;  ///< in it, by name
+
+    /// With their paths, where `path` is this one's.
+    std::vector<Folder> folders_in(const std::string& path) const {
+        std::vector<Folder> below = folders;
+        for (Folder& folder : below) folder.name.insert(0, path + '/');
+        return below;
+    }
+};
+
+std::optional<FolderId> id_of(const std::string& folder) {
+    struct stat info {};
+    if (stat(folder.c_str(), &info) != 0 || !S_ISDIR(info.st_mode)) return std::nullopt;
+    return FolderId(info.st_dev, info.st_ino);
+}
 
 Listing list(const std::string& folder) {
     Listing listing;
-    const int opened = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (opened < 0) return listing;
-    const std::unique_ptr<DIR, int (*)(DIR*)> entries(fdopendir(opened), closedir);
-    struct stat self {};
-    if (!entries || fstat(opened, &self) != 0) return listing;
-    listing.self.emplace(self.st_dev, self.st_ino);
+    const std::unique_ptr<DIR, int (*)(DIR*)> entries(opendir(folder.c_str()), closedir);
+    if (!entries) return listing;
     std::vector<std::string> names;
     while (const dirent* entry = readdir(entries.get())) {
         if (entry->d_name[0] != '.') names.emplace_back(entry->d_name);
@@ -140,41 +158,74 @@ Listing list(const std::string& folder) {
     Fingerprint fingerprint("raygrade/headers/1");
     for (const std::string& name : names) {
         struct stat info {};
-        if (fstatat(opened, name.c_str(), &info, 0) != 0) continue;
+        if (fstatat(dirfd(entries.get()), name.c_str(), &info, 0) != 0) continue;
         add_stat(fingerprint, name, info);
-        if (S_ISDIR(info.st_mode)) listing.folders.push_back(folder + '/' + name);
+        if (S_ISDIR(info.st_mode)) listing.folders.push_back({name, {info.st_dev, info.st_ino}});
     }
     listing.fingerprint = fingerprint.hex();
     return listing;
 }
 
-/// In as many threads as help: a look at 25,000 headers is 40 ms of the kernel's.
-std::vector<Listing> list_all(const std::vector<std::string>& folders) {
-    std::vector<Listing> listings(folders.size());
-    std::atomic<std::size_t> next{0};
-    const auto work = [&] {
-        for (std::size_t i = next++; i < folders.size(); i = next++) listings[i] = list(folders[i]);
-    };
-    const std::size_t most = std::clamp(std::thread::hardware_concurrency(), 1U, 4U);
-    std::vector<std::jthread> helpers;
-    while (helpers.size() + 1 < std::min(most, folders.size())) helpers.emplace_back(work);
-    work();
-    helpers.clear();
-    return listings;
-}
+/// Everything below some folders, through links too; each folder once, so that it ends. In as many threads as help: a
+/// look at 25,000 headers is 40 ms of the kernel's.
+class HeaderTree {
+  public:
+    explicit HeaderTree(const std::vector<Folder>& roots) {
+        find(roots);
+        const unsigned most = std::clamp(std::thread::hardware_concurrency(), 1U, 4U);
+        std::vector<std::jthread> helpers;
+        for (unsigned i = 1; i < most; ++i) helpers.emplace_back([this] { work(); });
+        work();
+    }
 
-/// Everything below `folders`, by name, through links too; each folder once, so that it ends.
-void add_folders(Fingerprint& fingerprint, std::vector<std::string> folders) {
-    std::set<std::pair<dev_t, ino_t>> visited;
-    while (!folders.empty()) {
-        const std::vector<Listing> listings = list_all(folders);
-        std::vector<std::string> below;
-        for (std::size_t i = 0; i < folders.size(); ++i) {
-            if (!listings[i].self || !visited.insert(*listings[i].self).second) continue;
-            fingerprint.add(folders[i]).add(listings[i].fingerprint);
-            below.insert(below.end(), listings[i].folders.begin(), listings[i].folders.end());
+    const Listing& operator[](const FolderId& id) const { return listings_.at(id); }
+
+  private:
+    void find(const std::vector<Folder>& folders) {
+        for (const Folder& folder : folders) {
+            if (listings_.try_emplace(folder.id).second) open_.push_back(folder);
         }
-        folders = std::move(below);
+    }
+
+    void work() {
+        std::unique_lock lock(mutex_);
+        while (true) {
+            changed_.wait(lock, [this] { return !open_.empty() || busy_ == 0; });
+            if (open_.empty()) return;
+            const Folder folder = std::move(open_.back());
+            open_.pop_back();
+            ++busy_;
+            lock.unlock();
+            Listing listing = list(folder.name);
+            lock.lock();
+            --busy_;
+            find(listing.folders_in(folder.name));
+            listings_[folder.id] = std::move(listing);
+            if (!open_.empty() || busy_ == 0) changed_.notify_all();
+        }
+    }
+
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::map<FolderId, Listing> listings_;
+    std::vector<Folder> open_;  ///< by path
+    int busy_ = 0;
+};
+
+/// By the first path that leads to each, whichever thread was first there.
+void add_folders(Fingerprint& fingerprint, const std::vector<std::string>& roots) {
+    std::deque<Folder> folders;
+    for (const std::string& root : roots) {
+        if (const auto id = id_of(root)) folders.push_back({root, *id});
+    }
+    const HeaderTree tree({folders.begin(), folders.end()});
+    std::set<FolderId> visited;
+    for (; !folders.empty(); folders.pop_front()) {
+        const Folder& folder = folders.front();
+        if (!visited.insert(folder.id).second) continue;
+        const Listing& listing = tree[folder.id];
+        fingerprint.add(folder.name).add(listing.fingerprint);
+        for (Folder& below : listing.folders_in(folder.name)) folders.push_back(std::move(below));
     }
 }
 

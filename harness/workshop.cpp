@@ -33,16 +33,6 @@ void add_limits(Fingerprint& fingerprint, const Limits& limits) {
     fingerprint.add(limits.processes).add(limits.open_files);
 }
 
-/// None without a compiler, or with one that can't say what it is; then nothing is kept, and building says why.
-std::future<std::string> begin_fingerprint(const std::filesystem::path& compiler) {
-    if (compiler.empty()) return {};
-    try {
-        return begin_toolchain_fingerprint(compiler);
-    } catch (const HarnessError&) {
-        return {};
-    }
-}
-
 std::string failures(const std::vector<CanaryReport>& reports) {
     std::string text;
     for (const CanaryReport& report : reports) {
@@ -62,12 +52,21 @@ void open_cache(Workshop& workshop, const std::filesystem::path& folder, std::fu
 
 }  // namespace
 
-Workshop open_workshop(const WorkshopOptions& options, const std::vector<reference::LimitEntry>& limits) {
+std::future<std::string> begin_look_at_compiler(const WorkshopOptions& options) {
+    const std::filesystem::path compiler = find_compiler();
+    if (!options.cache || compiler.empty()) return {};
+    try {
+        return begin_toolchain_fingerprint(compiler);
+    } catch (const HarnessError&) {
+        return {};  // and building says why
+    }
+}
+
+Workshop open_workshop(const WorkshopOptions& options, const std::vector<reference::LimitEntry>& limits,
+                       std::future<std::string> toolchain) {
     const StageLimits stages = read_limits(limits, options.limits);
     const auto without = options.unsafe ? WithoutSandbox::run_unsafe : WithoutSandbox::refuse;
     BuildSettings build = default_build_settings(stages.compile);
-    std::future<std::string> toolchain;  // looks at some ten thousand headers while the sandbox is tried
-    if (options.cache) toolchain = begin_fingerprint(build.compiler);
     Choice choice = choose_sandbox(wanted_tier(options.sandbox), without);
     Workshop workshop{std::move(choice.sandbox), failures(choice.reports), std::move(build), stages.run};
     workshop.repetitions = options.repetitions;
@@ -75,6 +74,10 @@ Workshop open_workshop(const WorkshopOptions& options, const std::vector<referen
     workshop.fresh = options.fresh;
     if (toolchain.valid()) open_cache(workshop, *options.cache, std::move(toolchain));
     return workshop;
+}
+
+Workshop open_workshop(const WorkshopOptions& options, const std::vector<reference::LimitEntry>& limits) {
+    return open_workshop(options, limits, begin_look_at_compiler(options));
 }
 
 std::string execution_key(const std::string& source, const Workshop& workshop, const std::string& variant) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,7 +39,13 @@ struct WorkshopOptions {
     bool fresh = false;  ///< run everything anew
 };
 
+/// The toolchain_fingerprint of the compiler for open_workshop: some ten thousand headers are looked at, which is worth
+/// to begin before anything else. Nothing where nothing is kept, or no compiler can say what it is.
+std::future<std::string> begin_look_at_compiler(const WorkshopOptions& options);
+
 /// Tries which sandbox this machine holds and reads the limits. Throws HarnessError, AssignmentError and LimitError.
+Workshop open_workshop(const WorkshopOptions& options, const std::vector<reference::LimitEntry>& limits,
+                       std::future<std::string> toolchain);
 Workshop open_workshop(const WorkshopOptions& options, const std::vector<reference::LimitEntry>& limits);
 
 /// Under what the store keeps a run of this source: a fingerprint of everything that decides what is printed, and of

@@ -92,6 +92,42 @@ TEST_F(ClassReports, OfOneChangedSubmissionLeaveTheOthersFeedbackAlone) {
     EXPECT_THAT(text_of(out / "grades.json"), HasSubstr("right idea"));
 }
 
+TEST_F(ClassReports, AreAsLeftUntilOneIsGoneOrTouched) {
+    const std::vector<Graded> all = {graded("ada", output_with_a_mistake()), not_graded("bob")};
+    const ClassResults results{all, marking(), Tier::bwrap, std::nullopt, std::nullopt};
+    const fs::path out = folder.make_folder("out");
+    make_results_folder(out, "feedback");
+    EXPECT_FALSE(class_reports_are_as_left(results, out));
+    std::vector<fs::path> files;
+    const auto write_again = [&] {
+        write_class_reports(results, out);
+        folder.write("out/gradebook.sqlite", "");
+        files.clear();
+        for (const auto& entry : fs::recursive_directory_iterator(out)) {
+            if (entry.is_regular_file() && entry.path().filename() != gradebook_name) files.push_back(entry.path());
+        }
+    };
+    write_again();
+    ASSERT_EQ(files.size(), 3U + 2 * 2U);
+    for (const fs::path& file : std::vector(files)) {
+        write_again();
+        EXPECT_TRUE(class_reports_are_as_left(results, out));
+        fs::last_write_time(file, fs::last_write_time(out / gradebook_name) + std::chrono::seconds(1));
+        EXPECT_FALSE(class_reports_are_as_left(results, out)) << file << " was touched";
+        fs::remove(file);
+        EXPECT_FALSE(class_reports_are_as_left(results, out)) << file << " is gone";
+    }
+}
+
+TEST_F(ClassReports, ForAnotherSystemAreNeverAsLeft) {
+    const std::vector<Graded> all = a_class();
+    const fs::path out = write("out", all);
+    folder.write("out/gradebook.sqlite", "");
+    const auto roster = report::read_canvas_roster(exported, "");
+    EXPECT_TRUE(class_reports_are_as_left({all, marking(), Tier::bwrap, std::nullopt, std::nullopt}, out));
+    EXPECT_FALSE(class_reports_are_as_left({all, marking(), Tier::bwrap, roster, std::nullopt}, out));
+}
+
 TEST_F(ClassReports, TellOfAFolderThatCannotBeWritten) {
     EXPECT_THROW(
         write_class_reports({a_class(), marking(), Tier::bwrap, std::nullopt, std::nullopt}, folder.path() / "nowhere"),

@@ -165,6 +165,24 @@ TEST(Gradebook, WritesOnlyWhatHasChanged) {
     EXPECT_EQ(Gradebook(folder.path()).restore().at(1).build.wall, 5ms);
 }
 
+TEST(Gradebook, KnowsWhetherAClassIsAsSaved) {
+    const TemporaryFolder folder;
+    const auto is_as_saved = [&](const std::vector<Graded>& all) {
+        return Gradebook(folder.path()).compare(all).is_as_saved();
+    };
+    EXPECT_FALSE(is_as_saved(three()));
+    save(folder.path(), three());
+    EXPECT_TRUE(is_as_saved(three()));
+    EXPECT_FALSE(is_as_saved({three()[0], three()[1]})) << "one is gone";
+    EXPECT_FALSE(is_as_saved({three()[1], three()[0], three()[2]})) << "in another order";
+    std::vector<Graded> other = three();
+    other[1].build.wall = 5ms;
+    EXPECT_FALSE(is_as_saved(other));
+    other = three();
+    other.push_back(graded("dan", "Question 5:\n"));
+    EXPECT_FALSE(is_as_saved(other)) << "one is new";
+}
+
 TEST(Gradebook, RemembersTheMarksOfWhoIsGone) {
     const TemporaryFolder folder;
     save(folder.path(), three());

@@ -121,6 +121,27 @@ TEST_F(RealDay, ARegradeWithoutChangesSaysSo) {
     EXPECT_THAT(again.output, Not(HasSubstr("ada")));
 }
 
+TEST_F(RealDay, ApplyingNoChangeWritesOnlyWhatIsMissing) {
+    ASSERT_EQ(grade().status, 0);
+    const auto all = files();
+    const auto written = fs::last_write_time(out() / "grades.json");
+    const Result again = grade({"--apply", "--junit", (folder / "j.xml").string()});
+    EXPECT_EQ(again.status, 0);
+    EXPECT_THAT(again.output,
+                AllOf(HasSubstr("2 stay as they are."), HasSubstr("nothing was written."), HasSubstr("report.html")));
+    EXPECT_EQ(files(), all);
+    EXPECT_EQ(fs::last_write_time(out() / "grades.json"), written);
+    EXPECT_TRUE(fs::exists(folder / "j.xml")) << "what was asked for is made";
+
+    write(out() / "report.html", "edited");
+    fs::remove(out() / "feedback/ben.md");
+    EXPECT_THAT(grade({"--apply"}).output, Not(HasSubstr("nothing was written")));
+    auto mended = files();
+    mended[gradebook()] = all.at(gradebook());
+    EXPECT_EQ(mended, all);
+    EXPECT_EQ(count("SELECT COUNT(*) FROM runs"), 2);
+}
+
 TEST_F(RealDay, AnOverrideStandsInEveryReportAndSurvivesARegrade) {
     ASSERT_EQ(grade().status, 0);
     const std::string feedback_of_ada = read(out() / "feedback/ada.md");

@@ -85,6 +85,17 @@ TEST(ToolchainFingerprint, EndsWhereFoldersAreLinkedInACircle) {
     EXPECT_EQ(machine.fingerprint(), machine.fingerprint());
 }
 
+TEST(ToolchainFingerprint, IsTheSameWhicheverThreadFindsAFolderFirst) {
+    const Machine machine;
+    machine.folder.write("elsewhere/deeper/y.hpp", "");
+    for (const std::string folder : {"a", "b", "c", "d", "e", "f"}) {
+        for (int i = 0; i < 50; ++i) machine.folder.write("headers/" + folder + "/x" + std::to_string(i) + ".hpp", "");
+        std::filesystem::create_directory_symlink("../../elsewhere", machine.folder.path() / "headers" / folder / "to");
+    }
+    const std::string first = machine.fingerprint();
+    for (int i = 0; i < 50; ++i) ASSERT_EQ(machine.fingerprint(), first);
+}
+
 TEST(ToolchainFingerprint, LooksBehindALinkToAFolder) {
     const Machine machine;
     machine.folder.write("elsewhere/linked.hpp", "a");

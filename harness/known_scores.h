@@ -1,0 +1,29 @@
+// What outputs are worth, for a class where many print the same: each output is read and scored once.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+
+#include "harness/grade.h"
+
+namespace harness {
+
+/// Remembers the scores of the last outputs that differ. For many threads. A Marking must outlive it.
+class KnownScores {
+  public:
+    /// As reading `output` and scoring it for `marking` gives; `of` names the submission in the timeline.
+    Score score(const std::string& output, const Marking& marking, Timeline& timeline, const std::string& of);
+
+    /// How many are remembered: some 20 KB each.
+    static constexpr std::size_t most = 512;
+
+  private:
+    std::mutex mutex_;
+    std::unordered_map<std::string, std::shared_ptr<const Score>> scores_;  ///< by fingerprint
+    std::deque<std::string> order_;                                         ///< the oldest first
+};
+
+}  // namespace harness
