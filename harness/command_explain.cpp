@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "harness/commands.h"
-#include "harness/failure.h"
 #include "harness/find_submissions.h"
 #include "harness/report/explaining_picture.h"
 #include "harness/results_folder.h"
@@ -95,11 +94,7 @@ int draw_explanation(const ExplainOptions& options) {
         fmt::print("{}", picture);
         return all_graded;
     }
-    try {
-        write_file(options.out, picture);
-    } catch (const fs::filesystem_error& error) {
-        throw HarnessError(fmt::format("{}: can't be written: {}", options.out, error.code().message()));
-    }
+    write_file(options.out, picture);
     fmt::print("picture: {}\n", options.out);
     return all_graded;
 }
