@@ -19,9 +19,8 @@
 #include <optional>
 #include <thread>
 
+#include "harness/batch_plan.h"
 #include "harness/failure.h"
-#include "harness/header_plan.h"
-#include "harness/include_block.h"
 #include "harness/known_scores.h"
 #include "harness/run.h"
 #include "harness/sanitizer.h"
@@ -57,12 +56,13 @@ class Batch {
           jobs_(static_cast<std::size_t>(jobs)),
           timeline_(timeline),
           results_(submissions_.size()),
-          keys_(submissions_.size()),
-          is_kept_(submissions_.size(), false),
+          plan_(plan_batch(submissions_, workshop)),
+          waiting_(plan_.with_header),
+          ready_(plan_.at_once.begin(), plan_.at_once.end()),
+          made_(submissions_.size()),
           builders_(jobs_) {}
 
     std::vector<Graded> grade() {
-        plan();
         {
             std::vector<std::jthread> teams;
             for (std::size_t i = 0; i < jobs_; ++i) {
@@ -80,9 +80,6 @@ class Batch {
         std::size_t index;  ///< of the header in the plan, or of the submission
     };
 
-    /// The runs of each submission.
-    std::vector<std::string> variants() const;
-    void plan();
     std::optional<Task> next_task();
     void build_all();
     void make_header(std::size_t header);
@@ -108,13 +105,10 @@ class Batch {
     Timeline& timeline_;
     KnownScores scores_;
     std::vector<Graded> results_;
-    /// In the store, for each submission: of its first run, its repetitions, and the one under the sanitizers.
-    std::vector<std::vector<std::string>> keys_;
-    std::vector<bool> is_kept_;
+    const BatchPlan plan_;
     std::atomic<int> released_{0};
 
     std::mutex mutex_;  ///< over all that follows
-    std::vector<HeaderLines> headers_;
     std::size_t next_header_ = 0;
     std::vector<std::vector<std::size_t>> waiting_;  ///< for each header, the submissions to be compiled with it
     std::deque<std::size_t> ready_;
@@ -124,50 +118,9 @@ class Batch {
     std::condition_variable queue_grew_, queue_shrank_;
 };
 
-std::vector<std::string> Batch::variants() const {
-    std::vector<std::string> variants{"first"};
-    for (int i = 2; i <= workshop_.repetitions; ++i) variants.push_back("repetition " + std::to_string(i));
-    if (workshop_.sanitize) variants.emplace_back("sanitized");
-    return variants;
-}
-
-void Batch::plan() {
-    made_.resize(submissions_.size());
-    std::vector<std::size_t> to_compile;
-    std::vector<HeaderLines> blocks;
-    for (std::size_t i = 0; i < submissions_.size(); ++i) {
-        const Submission& submission = submissions_[i];
-        if (workshop_.store && !submission.problem) {
-            for (const std::string& variant : variants())
-                keys_[i].push_back(execution_key(submission.source, workshop_, variant));
-            is_kept_[i] =
-                !workshop_.fresh && std::all_of(keys_[i].begin(), keys_[i].end(),
-                                                [&](const std::string& key) { return workshop_.store->contains(key); });
-        }
-        if (is_kept_[i] || submission.problem || !workshop_.headers) {
-            ready_.push_back(i);
-            continue;
-        }
-        to_compile.push_back(i);
-        blocks.emplace_back();
-        for (const Directive& directive : include_block(submission.source)) blocks.back().push_back(directive.text);
-    }
-    if (to_compile.empty()) return;
-    HeaderPlan plan = plan_headers(blocks, workshop_.headers->made());
-    headers_ = std::move(plan.headers);
-    waiting_.resize(headers_.size());
-    for (std::size_t i = 0; i < to_compile.size(); ++i) {
-        if (plan.header_of[i]) {
-            waiting_[*plan.header_of[i]].push_back(to_compile[i]);
-        } else {
-            ready_.push_back(to_compile[i]);
-        }
-    }
-}
-
 std::optional<Batch::Task> Batch::next_task() {
     const std::lock_guard guard(mutex_);
-    if (next_header_ < headers_.size()) return Task{Task::Kind::make_header, next_header_++};
+    if (next_header_ < plan_.headers.size()) return Task{Task::Kind::make_header, next_header_++};
     if (!ready_.empty()) {
         const std::size_t index = ready_.front();
         ready_.pop_front();
@@ -199,8 +152,8 @@ void Batch::build_all() {
 void Batch::make_header(std::size_t header) {
     std::optional<PrecompiledHeader> made;
     try {
-        const Timeline::Span span(timeline_, Stage::header, headers_[header].back());
-        made = workshop_.headers->get(headers_[header]);
+        const Timeline::Span span(timeline_, Stage::header, plan_.headers[header].back());
+        made = workshop_.headers->get(plan_.headers[header]);
     } catch (const HarnessError&) {
         made.reset();
     }
@@ -217,11 +170,11 @@ Built Batch::build_one(std::size_t index) {
     built.index = index;
     const Submission& submission = submissions_[index];
     if (submission.problem) return built;
-    if (is_kept_[index]) {
-        for (const std::string& key : keys_[index]) {
+    if (plan_.is_kept[index]) {
+        for (const std::string& key : plan_.keys[index]) {
             if (auto kept = workshop_.store->find(key)) built.executions.push_back(std::move(*kept));
         }
-        built.from_store = built.executions.size() == keys_[index].size();
+        built.from_store = built.executions.size() == plan_.keys[index].size();
         if (built.from_store) return built;
         built.executions.clear();
     }
@@ -297,7 +250,7 @@ void Batch::run_each(Built& built) {
     }
     if (!workshop_.store) return;
     for (std::size_t i = 0; i < built.executions.size(); ++i)
-        workshop_.store->keep(keys_[built.index].at(i), built.executions[i]);
+        workshop_.store->keep(plan_.keys[built.index].at(i), built.executions[i]);
 }
 
 void Batch::give_memory_back() {

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <memory>
 #include <stdexcept>
 
 #include "harness/commands.h"
@@ -7,9 +9,21 @@
 #include "harness/progress.h"
 #include "harness/report/accuracy_report.h"
 #include "harness/results_folder.h"
+#include "harness/shared_options.h"
 
 namespace harness {
 namespace {
+
+struct AccuracyOptions {
+    std::vector<std::string> kernels;  ///< parts of the names of the methods to measure; all when empty
+    std::uint64_t rays = 0;            ///< of each distribution; 0 for what fits the time
+    std::uint64_t seed = 1;
+    bool quick = false;
+    std::string assignment;       ///< also tell of this one's scene; empty for none
+    std::filesystem::path out;    ///< where to write page, picture and figures; empty for nowhere
+    bool force = false;           ///< replace the results of an earlier run
+    std::string format = "text";  ///< text, json or csv
+};
 
 namespace fs = std::filesystem;
 
@@ -47,9 +61,8 @@ void prepare_folder(const fs::path& out, bool replace) {
     make_results_folder(out);
 }
 
-}  // namespace
-
-int accuracy_command(const AccuracyOptions& options) {
+/// With an assignment and nowhere to write to, only the assignment is examined: that takes a moment.
+int show_accuracy(const AccuracyOptions& options) {
     const bool measures = options.assignment.empty() || !options.out.empty();
     if (!measures && options.format == "csv") {
         throw UsageError(
@@ -69,6 +82,54 @@ int accuracy_command(const AccuracyOptions& options) {
     fmt::print(stderr, "page: {}\npicture: {}\n", (options.out / "accuracy.html").string(),
                (options.out / "accuracy.svg").string());
     return all_graded;
+}
+
+void add_options(CLI::App& command, AccuracyOptions& options) {
+    command
+        .add_option("-k,--kernel", options.kernels,
+                    "Measure only the methods whose names hold one of these words, e.g. half-b or \"certified\"")
+        ->type_name("NAME");
+    command.add_option("-n,--rays", options.rays, "Rays of each distribution; 0 for as many as fit the time")
+        ->type_name("N");
+    command.add_option("-s,--seed", options.seed, "Where the random rays begin; the same seed gives the same rays")
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_flag("--quick", options.quick, "Fewer rays: below ten seconds rather than below a minute");
+    command
+        .add_option("-a,--assignment", options.assignment,
+                    "Tell of this assignment's scene: each answer's error in float, double and long double, which "
+                    "decisions hang on rounding, what the certified answers cost. Alone it measures nothing else")
+        ->type_name("NAME|FILE");
+    command
+        .add_option("-o,--out", options.out,
+                    "The folder for accuracy.html, accuracy.svg, accuracy.json and accuracy.csv; without it nothing is "
+                    "written")
+        ->type_name("DIR");
+    command.add_flag("--force", options.force, "Replace the results of an earlier run in the output folder");
+    command
+        .add_option("-f,--format", options.format,
+                    "What to print: a table to read, everything as JSON, or the rows as CSV")
+        ->check(CLI::IsMember({"text", "json", "csv"}))
+        ->capture_default_str();
+    command.footer(
+        "Every method gets the same rays in one run, in turn, so that a busy machine slows all alike; every answer is\n"
+        "judged by exact arithmetic. Benign rays are a usual picture's; hard ones aim at what rounding gets wrong. A "
+        "`*`\n"
+        "marks the frontier: no method is at once faster and less often wrong. Times depend on the machine, wrong\n"
+        "decisions on the seed and the compiler's flags, which the reports name.\n\n"
+        "Examples: raygrade accuracy --quick\n"
+        "          raygrade accuracy --out accuracy            the pictures, for a browser, a printer or a slide\n"
+        "          raygrade accuracy --assignment a6-2021      is float enough for this scene?");
+}
+
+}  // namespace
+
+Subcommand accuracy_command(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand(
+        "accuracy", "Show what accuracy costs in time: every method on the same rays, timed and judged");
+    const auto options = std::make_shared<AccuracyOptions>();
+    add_options(command, *options);
+    return {&command, [options] { return show_accuracy(*options); }};
 }
 
 }  // namespace harness

@@ -1,14 +1,30 @@
+#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "harness/commands.h"
 #include "reference/cast.h"
 
 namespace harness {
+namespace {
 
-int cast_command() {
+/// some_not_graded when a line was no query.
+int answer_queries() {
     std::ios::sync_with_stdio(false);
     std::cin.tie(nullptr);
     return reference::cast(std::cin, std::cout) == 0 ? all_graded : some_not_graded;
+}
+
+}  // namespace
+
+Subcommand cast_command(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand(
+        "cast", "Answer rays exactly: one JSON query a line on stdin, one JSON answer a line on stdout");
+    command.footer(
+        "A query: "
+        "{\"origin\":[0,0,2],\"direction\":[0,0,-1],\"spheres\":[{\"center\":[1,1,0],\"radius\":2}],\"triangles\":[]}\n"
+        "Numbers are JSON numbers or hex floats in quotes. t >= 0, edges and vertices are hits, a tangent is one in "
+        "the order.");
+    return {&command, answer_queries};
 }
 
 }  // namespace harness

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <memory>
+
 #include "harness/batch.h"
 #include "harness/commands.h"
 #include "harness/find_submissions.h"
@@ -7,10 +10,12 @@
 #include "harness/report/report.h"
 #include "harness/report/student_page.h"
 #include "harness/report_files.h"
+#include "harness/shared_options.h"
 
 namespace harness {
+namespace {
 
-int check_command(const CheckOptions& options) {
+int check_source(const CheckOptions& options) {
     auto toolchain = begin_look_at_compiler(options.workshop);
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
     const std::vector<Submission> submissions = find_submissions({options.source});
@@ -38,6 +43,41 @@ int check_command(const CheckOptions& options) {
     const bool too_few =
         options.fail_under && graded.score.points < *options.fail_under / 100 * graded.score.max_points;
     return too_few ? some_not_graded : all_graded;
+}
+
+void add_options(CLI::App& command, CheckOptions& options) {
+    command.add_option("source", options.source, "The source, e.g. ray_cast.cpp")->required()->type_name("FILE");
+    add_assignment(command, options.assignment);
+    command.add_option("--fail-under", options.fail_under, "Exit with status 1 below this share of the points")
+        ->check(CLI::Range(0.0, 100.0))
+        ->type_name("PERCENT");
+    command
+        .add_option("--gradescope", options.gradescope,
+                    "Also write Gradescope's results.json, as an autograder must: see README, For an autograder")
+        ->type_name("FILE.json");
+    command
+        .add_option("--classroom50", options.classroom50,
+                    "Also write Classroom 50's result.json, by the environment of its runner; not where there are no "
+                    "marks")
+        ->type_name("FILE.json");
+    add_junit(command, options.junit);
+    command
+        .add_option("--html", options.html,
+                    "Also write the verdicts as a page for a browser; replaces only an earlier page of raygrade's")
+        ->type_name("FILE");
+    add_variants(command, options.variants);
+    add_workshop(command, options.workshop);
+    command.footer(limits_footer() + "\nExample: raygrade check ray_cast.cpp");
+}
+
+}  // namespace
+
+Subcommand check_command(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand(
+        "check", "Check one ray_cast.cpp before handing it in: a verdict for each answer, never the answer");
+    const auto options = std::make_shared<CheckOptions>();
+    add_options(command, *options);
+    return {&command, [options] { return check_source(*options); }};
 }
 
 }  // namespace harness

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "harness/commands.h"
@@ -24,9 +25,7 @@ std::string indented(const std::string& text) {
     return result;
 }
 
-}  // namespace
-
-int doctor_command() {
+int tell_findings() {
     const std::vector<Finding> findings = examine_machine();
     for (const Finding& finding : findings) {
         fmt::print("{:<8} {}: {}\n", mark(finding.level), finding.what, indented(finding.detail));
@@ -36,6 +35,13 @@ int doctor_command() {
         std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.level == Finding::Level::bad; });
     fmt::print("{}\n", bad ? "This machine can't grade yet." : "This machine is ready to grade.");
     return bad ? some_not_graded : all_graded;
+}
+
+}  // namespace
+
+Subcommand doctor_command(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand("doctor", "Say what this machine has and lacks for grading");
+    return {&command, tell_findings};
 }
 
 }  // namespace harness

@@ -1,15 +1,25 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <fstream>
+#include <memory>
 
 #include "harness/commands.h"
-#include "harness/failure.h"
 #include "harness/find_submissions.h"
 #include "harness/report/explaining_picture.h"
 #include "harness/results_folder.h"
+#include "harness/shared_options.h"
 
 namespace harness {
 namespace {
+
+struct ExplainOptions {
+    std::filesystem::path transcript;  ///< what a program printed; empty for the scene alone
+    std::string assignment;
+    std::string out = "explain.svg";  ///< "-" for stdout
+    bool force = false;               ///< replace an earlier picture
+    bool without_answers = false;     ///< draw nothing that only the key tells
+};
 
 namespace fs = std::filesystem;
 
@@ -70,9 +80,7 @@ std::string read_output(const fs::path& file) {
     return output;
 }
 
-}  // namespace
-
-int explain_command(const ExplainOptions& options) {
+int draw_explanation(const ExplainOptions& options) {
     const bool writes_file = options.out != to_stdout;
     if (writes_file) check_out(options.out, options.force);
     Graded graded;
@@ -86,13 +94,34 @@ int explain_command(const ExplainOptions& options) {
         fmt::print("{}", picture);
         return all_graded;
     }
-    try {
-        write_file(options.out, picture);
-    } catch (const fs::filesystem_error& error) {
-        throw HarnessError(fmt::format("{}: can't be written: {}", options.out, error.code().message()));
-    }
+    write_file(options.out, picture);
     fmt::print("picture: {}\n", options.out);
     return all_graded;
+}
+
+void add_options(CLI::App& command, ExplainOptions& options) {
+    command
+        .add_option("transcript", options.transcript,
+                    "What a program printed: its wrong points and vectors are drawn beside the right ones")
+        ->type_name("TRANSCRIPT");
+    add_assignment(command, options.assignment);
+    command.add_option("-o,--out", options.out, "Where to write the picture; - for stdout")
+        ->type_name("FILE")
+        ->capture_default_str();
+    command.add_flag("--force", options.force, "Replace an earlier picture");
+    command.add_flag("--without-answers", options.without_answers,
+                     "For a student: draw what the handout gives and what was printed, and nothing of the key");
+    command.footer("Example: ./ray_cast > output.txt; raygrade explain output.txt -o explain.svg");
+}
+
+}  // namespace
+
+Subcommand explain_command(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand(
+        "explain", "Draw the assignment as SVG: camera, image plane, ray, objects, hit points, by the handout's names");
+    const auto options = std::make_shared<ExplainOptions>();
+    add_options(command, *options);
+    return {&command, [options] { return draw_explanation(*options); }};
 }
 
 }  // namespace harness

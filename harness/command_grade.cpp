@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <optional>
 
 #include "harness/batch.h"
@@ -18,6 +20,7 @@
 #include "harness/report/report.h"
 #include "harness/report_files.h"
 #include "harness/results_folder.h"
+#include "harness/shared_options.h"
 #include "reference/assignment_file.h"
 
 namespace harness {
@@ -172,9 +175,7 @@ void tell_where_results_are(const fs::path& out) {
                (out / "report.html").string(), (out / "feedback").string());
 }
 
-}  // namespace
-
-int grade_command(const GradeOptions& options) {
+int grade_class(const GradeOptions& options) {
     auto toolchain = begin_look_at_compiler(options.workshop);
     const auto roster_given = read_roster_file(options);
     const auto worksheet_given = read_worksheet_file(options);
@@ -235,6 +236,69 @@ int grade_command(const GradeOptions& options) {
     if (handed_back.feedback) tell_feedback(*handed_back.feedback, options.out / feedback_zip_name);
     tell_where_results_are(options.out);
     return status_of(graded);
+}
+
+/// The lists of other systems, and what goes back to them.
+void add_rosters(CLI::App& command, GradeOptions& options) {
+    command
+        .add_option("--canvas-roster", options.canvas_roster,
+                    "A gradebook exported from Canvas: also write grades-canvas.csv, which Canvas imports, and say who "
+                    "could not be matched")
+        ->type_name("FILE");
+    command
+        .add_option("--canvas-column", options.canvas_column,
+                    "The assignment's column in it, with its number or without; needed where there are several")
+        ->type_name("TITLE");
+    command
+        .add_option(
+            "--moodle-worksheet", options.moodle_worksheet,
+            "A grading worksheet downloaded from Moodle: also write grades-moodle.csv, the same with the grades "
+            "filled in, and say who could not be matched")
+        ->type_name("FILE");
+    command
+        .add_option("--moodle-column", options.moodle_columns,
+                    "What a column of it is for, where raygrade can't tell: identifier, name, grade, maximum or "
+                    "changeable, as in --moodle-column grade=Bewertung")
+        ->allow_extra_args(false)
+        ->type_name("WHAT=HEADING");
+}
+
+void add_options(CLI::App& command, GradeOptions& options) {
+    command
+        .add_option("paths", options.paths, "What to grade: files, folders and archives, in the order of the report")
+        ->required()
+        ->type_name("PATH...");
+    add_assignment(command, options.assignment);
+    command
+        .add_option(
+            "-o,--out", options.out,
+            "The folder for report.html, gradebook.sqlite, grades.json, grades.csv and feedback/<id>.html and .md")
+        ->type_name("DIR")
+        ->capture_default_str();
+    add_jobs(command, options.jobs, "How many submissions to grade at a time; changes nothing but the time");
+    command.add_flag("--apply", options.apply,
+                     "Write the new marks over those of an earlier run in the output folder; without it a regrade "
+                     "only shows who rises, who falls and why");
+    add_rosters(command, options);
+    add_junit(command, options.junit);
+    command
+        .add_option("--trace", options.trace,
+                    "Write a trace of build, run, read and score of each submission here, for ui.perfetto.dev")
+        ->type_name("FILE");
+    add_variants(command, options.variants);
+    add_workshop(command, options.workshop);
+    command.footer(limits_footer() + "\nExample: raygrade grade submissions/ --assignment a6-2021 --out results -j 4");
+}
+
+}  // namespace
+
+Subcommand grade_command(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand("grade",
+                                            "Grade a class: a source, a folder of student folders or of sources, or "
+                                            "the zip of Canvas, Moodle or Gradescope");
+    const auto options = std::make_shared<GradeOptions>();
+    add_options(command, *options);
+    return {&command, [options] { return grade_class(*options); }};
 }
 
 }  // namespace harness

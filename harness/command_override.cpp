@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 
 #include "harness/class_reports.h"
 #include "harness/clean_text.h"
@@ -13,6 +15,17 @@
 
 namespace harness {
 namespace {
+
+struct OverrideOptions {
+    std::string id;      ///< of the submission
+    std::string item;    ///< "6.t", "6" or "total"
+    std::string points;  ///< as written; empty with remove
+    std::optional<std::string> why;
+    std::string by;  ///< empty for the account that runs raygrade
+    std::filesystem::path results = "results";
+    bool remove = false;
+    bool list = false;  ///< show the overrides there are and do nothing else
+};
 
 namespace fs = std::filesystem;
 using report::points_text;
@@ -153,9 +166,7 @@ void check(const OverrideOptions& options) {
     if (!options.why) throw UsageError("override takes a reason: --why \"right but for a sign\"");
 }
 
-}  // namespace
-
-int override_command(const OverrideOptions& options) {
+int override_points(const OverrideOptions& options) {
     if (!options.list) check(options);
     const FolderLock lock(options.results);
     Gradebook gradebook(options.results);
@@ -175,6 +186,31 @@ int override_command(const OverrideOptions& options) {
     }
     rewrite_reports(gradebook, kept, all, changed, options.results);
     return all_graded;
+}
+
+void add_options(CLI::App& command, OverrideOptions& options) {
+    command.add_option("id", options.id, "The submission, as the reports name it")->type_name("ID");
+    command.add_option("item", options.item, "An item such as 6.t, a question such as 6, or total")->type_name("ITEM");
+    command.add_option("points", options.points, "What it gets instead, 0 or more")->type_name("POINTS");
+    command.add_option("--why", options.why, "The reason, which the student reads too")->type_name("TEXT");
+    command.add_option("--by", options.by, "Who decides; by default the account that runs raygrade")->type_name("NAME");
+    command.add_option("--results", options.results, "The folder that `raygrade grade` wrote its results to")
+        ->type_name("DIR")
+        ->capture_default_str();
+    command.add_flag("--remove", options.remove, "Take an override back: the automatic points count again");
+    command.add_flag("--list", options.list, "Show the overrides there are");
+    command.footer(
+        "The reports are written again at once. Example: raygrade override s05 6.t 1.5 --why \"right but for a sign\"");
+}
+
+}  // namespace
+
+Subcommand override_command(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand(
+        "override", "Give points in place of the automatic ones: they stay through every regrade, with the reason");
+    const auto options = std::make_shared<OverrideOptions>();
+    add_options(command, *options);
+    return {&command, [options] { return override_points(*options); }};
 }
 
 }  // namespace harness

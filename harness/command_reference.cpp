@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <memory>
 #include <stdexcept>
 
 #include "harness/commands.h"
+#include "harness/shared_options.h"
 
 namespace harness {
 
@@ -12,6 +15,12 @@ std::filesystem::path assignments_folder() {
 
 namespace {
 
+struct ReferenceOptions {
+    std::string assignment;
+    std::string precision = "certified";  ///< float, double or certified
+    std::string format = "text";          ///< text or json
+};
+
 reference::Precision precision_of(const std::string& name) {
     for (const auto precision :
          {reference::Precision::float_, reference::Precision::double_, reference::Precision::certified}) {
@@ -20,9 +29,7 @@ reference::Precision precision_of(const std::string& name) {
     throw std::logic_error("a precision the command line let through: " + name);
 }
 
-}  // namespace
-
-int reference_command(const ReferenceOptions& options) {
+int print_reference(const ReferenceOptions& options) {
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
     const reference::AnswerKey key = reference::make_key(assignment, precision_of(options.precision));
     fmt::print("{}", options.format == "json" ? reference::to_json(key) : reference::to_text(key));
@@ -37,6 +44,29 @@ int reference_command(const ReferenceOptions& options) {
         }
     }
     return all_graded;
+}
+
+void add_options(CLI::App& command, ReferenceOptions& options) {
+    add_assignment(command, options.assignment);
+    command
+        .add_option("-p,--precision", options.precision,
+                    "The arithmetic; certified encloses every true value and decides exactly")
+        ->check(CLI::IsMember({"float", "double", "certified"}))
+        ->capture_default_str();
+    command.add_option("-f,--format", options.format, "text in the handout's own format, or json (raygrade/key/1)")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str();
+    command.footer("Example: raygrade reference --assignment a6-edge --format json");
+}
+
+}  // namespace
+
+Subcommand reference_command(CLI::App& app) {
+    CLI::App& command =
+        *app.add_subcommand("reference", "Print the canonical answers, as a right program prints them or as JSON");
+    const auto options = std::make_shared<ReferenceOptions>();
+    add_options(command, *options);
+    return {&command, [options] { return print_reference(*options); }};
 }
 
 }  // namespace harness

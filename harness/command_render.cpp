@@ -1,16 +1,29 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <charconv>
 #include <fstream>
+#include <memory>
 
 #include "harness/commands.h"
 #include "harness/failure.h"
 #include "harness/find_submissions.h"
 #include "harness/results_folder.h"
+#include "harness/shared_options.h"
 #include "reference/render/explanation.h"
 
 namespace harness {
 namespace {
+
+struct RenderOptions {
+    std::string assignment;
+    std::filesystem::path scene;              ///< a scene file in place of the assignment; empty for none
+    std::filesystem::path out = "image.png";  ///< the PNG file; an earlier picture there is replaced
+    std::string size;                         ///< in pixels, "640x480"; empty for the window's
+    int jobs = 1;
+    bool explain = false;      ///< also print effects, rays and times
+    bool all_effects = false;  ///< simulate also what the scene does not call for
+};
 
 namespace fs = std::filesystem;
 namespace render = reference::render;
@@ -46,9 +59,7 @@ void refuse_to_replace(const fs::path& out) {
         fmt::format("{}: is there and is no PNG picture; name another file with --out, or remove it", out.string()));
 }
 
-}  // namespace
-
-int render_command(const RenderOptions& options) {
+int render_scene(const RenderOptions& options) {
     const std::optional<render::PictureSize> size = size_of(options.size);
     refuse_to_replace(options.out);
     const reference::Assignment assignment = options.scene.empty()
@@ -68,6 +79,36 @@ int render_command(const RenderOptions& options) {
     }
     fmt::print(stderr, "picture: {}\n", options.out.string());
     return all_graded;
+}
+
+void add_options(CLI::App& command, RenderOptions& options) {
+    add_assignment(command, options.assignment);
+    command.add_option("--scene", options.scene, "A scene file instead: an assignment without questions, see README")
+        ->type_name("FILE")
+        ->excludes("--assignment");
+    command.add_option("-o,--out", options.out, "The PNG file to write; an earlier picture there is replaced")
+        ->type_name("FILE")
+        ->capture_default_str();
+    command.add_option("--size", options.size, "Pixels across and up; default: the window's")->type_name("WxH");
+    add_jobs(command, options.jobs, "How many threads to use; changes nothing but the time");
+    command.add_flag("--explain", options.explain,
+                     "Say which effects the scene calls for and why each other one is off, the rays by kind and the "
+                     "time by effect");
+    command.add_flag("--all-effects", options.all_effects,
+                     "Simulate every effect, called for or not: the same picture, later");
+    command.footer(
+        "Examples: raygrade render --assignment a6-2021 -o 2021.png --explain\n"
+        "          raygrade render --scene reference/scenes/glass.toml --size 1280x720 -j 4");
+}
+
+}  // namespace
+
+Subcommand render_command(CLI::App& app) {
+    CLI::App& command =
+        *app.add_subcommand("render", "Draw the scene as its camera sees it, and simulate only what it calls for");
+    const auto options = std::make_shared<RenderOptions>();
+    add_options(command, *options);
+    return {&command, [options] { return render_scene(*options); }};
 }
 
 }  // namespace harness

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
@@ -11,9 +12,25 @@
 #include "harness/find_submissions.h"
 #include "harness/serve/graders.h"
 #include "harness/serve/server.h"
+#include "harness/shared_options.h"
 
 namespace harness {
 namespace {
+
+struct ServeOptions {
+    std::string assignment;
+    std::string host = "127.0.0.1";
+    std::uint16_t port = 8080;       ///< 0 for any free one
+    std::vector<std::string> names;  ///< DNS names by which browsers know the page
+    bool behind_proxy = false;
+    int jobs = 1;
+    std::size_t queue = 100;        ///< programs that may wait
+    double rate = 10;               ///< programs a minute of one address
+    int keep_hours = 24;            ///< results
+    int grace_seconds = 20;         ///< for the queue, when stopped
+    std::filesystem::path state{};  ///< the folder of queue and results; empty for the assignment's own
+    WorkshopOptions workshop;
+};
 
 using serve::Reach;
 
@@ -90,9 +107,8 @@ void announce(const ServeOptions& options, const Reach& reach, std::uint16_t por
     std::fflush(stdout);
 }
 
-}  // namespace
-
-int serve_command(const ServeOptions& options) {
+/// Returns when it is stopped.
+int serve_pages(const ServeOptions& options) {
     const Reach reach = reach_of(options);
     if (is_public(reach) && options.workshop.unsafe) {
         throw UsageError(
@@ -130,6 +146,70 @@ int serve_command(const ServeOptions& options) {
     tell_problems(workshop);
     fmt::print(stderr, "stopped; nothing waits\n");
     return all_graded;
+}
+
+void add_options(CLI::App& command, ServeOptions& options) {
+    add_assignment(command, options.assignment);
+    command.add_option("-p,--port", options.port, "The port; 0 for any free one, which is told")
+        ->type_name("N")
+        ->capture_default_str();
+    command
+        .add_option("--host", options.host,
+                    "The address of this machine to listen at; any but 127.0.0.1 and ::1 lets others in, 0.0.0.0 all")
+        ->type_name("ADDRESS")
+        ->capture_default_str();
+    command
+        .add_option("--name", options.names,
+                    "A name by which browsers know the page, as in --name check.example.edu; others are refused")
+        ->allow_extra_args(false)
+        ->type_name("NAME");
+    command.add_flag("--behind-proxy", options.behind_proxy,
+                     "Requests come from a proxy with a certificate: believe its X-Forwarded-For");
+    add_jobs(command, options.jobs, "How many programs to grade at a time");
+    command.add_option("--queue", options.queue, "How many may wait; more are asked to come again")
+        ->check(CLI::Range(1, 100'000))
+        ->type_name("N")
+        ->capture_default_str();
+    command
+        .add_option("--rate", options.rate,
+                    "How many programs one address may send a minute; more for a room behind one address")
+        ->check(CLI::Range(1, 100'000))
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_option("--keep", options.keep_hours, "How long results are kept")
+        ->check(CLI::Range(1, 24 * 365))
+        ->type_name("HOURS")
+        ->capture_default_str();
+    command
+        .add_option("--grace", options.grace_seconds,
+                    "How long to go on with the queue when stopped; the rest is graded after the next start")
+        ->check(CLI::Range(0, 24 * 3600))
+        ->type_name("SECONDS")
+        ->capture_default_str();
+    command
+        .add_option("--state", options.state,
+                    "The folder for queue and results; without it, one for the assignment in $XDG_STATE_HOME/raygrade "
+                    "or ~/.local/state/raygrade")
+        ->type_name("DIR");
+    add_workshop(command, options.workshop);
+    command.footer(
+        limits_footer() +
+        "\nStudents upload or paste a program, see their place in the queue, and get their page: verdicts and hints, "
+        "never the\nright values unless the assignment says so. Each result has an address that nobody can guess. "
+        "Nothing is handed in.\n\n"
+        "Examples: raygrade serve --assignment a6-2021                       a look at it: only on this machine\n"
+        "          raygrade serve --host 192.168.1.20 --rate 200             a lab, in plain text\n"
+        "          raygrade serve --behind-proxy --name check.example.edu    behind nginx or Caddy, see README");
+}
+
+}  // namespace
+
+Subcommand serve_command(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand(
+        "serve", "Put up a page where students check their ray_cast.cpp in a browser, as `raygrade check` does");
+    const auto options = std::make_shared<ServeOptions>();
+    add_options(command, *options);
+    return {&command, [options] { return serve_pages(*options); }};
 }
 
 }  // namespace harness

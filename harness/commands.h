@@ -1,8 +1,8 @@
-// The subcommands of raygrade. Each writes results to stdout, its own voice to stderr, and returns the exit status.
+// The subcommands of raygrade. Each writes results to stdout, its own voice to stderr, and gives the exit status.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +10,10 @@
 #include "harness/grade.h"
 #include "harness/variants/run_variants.h"
 #include "reference/answer_key.h"
+
+namespace CLI {
+class App;
+}
 
 namespace harness {
 
@@ -21,10 +25,28 @@ enum ExitStatus : int {
     our_fault = 3,
 };
 
+/// A subcommand on the command line. Once that has been parsed, `run` does what its options ask for.
+struct Subcommand {
+    CLI::App* app = nullptr;
+    std::function<int()> run;
+};
+
+// Each adds its subcommand, with its options, to `app`.
+Subcommand grade_command(CLI::App& app);
+Subcommand override_command(CLI::App& app);
+Subcommand check_command(CLI::App& app);
+Subcommand serve_command(CLI::App& app);
+Subcommand reference_command(CLI::App& app);
+Subcommand cast_command(CLI::App& app);
+Subcommand accuracy_command(CLI::App& app);
+Subcommand explain_command(CLI::App& app);
+Subcommand render_command(CLI::App& app);
+Subcommand doctor_command(CLI::App& app);
+
 struct GradeOptions {
     std::vector<std::filesystem::path> paths;
     std::string assignment;
-    std::filesystem::path out;
+    std::filesystem::path out = "results";
     int jobs = 1;
     bool apply = false;  ///< write, also over the results of an earlier run; else show what would change
     std::filesystem::path canvas_roster;  ///< a gradebook exported from Canvas; empty for none
@@ -36,19 +58,6 @@ struct GradeOptions {
     std::filesystem::path junit = {};              ///< where to write JUnit XML; empty for nowhere
     variants::VariantOptions variants{};
 };
-int grade_command(const GradeOptions& options);
-
-struct OverrideOptions {
-    std::string id;      ///< of the submission
-    std::string item;    ///< "6.t", "6" or "total"
-    std::string points;  ///< as written; empty with remove
-    std::optional<std::string> why;
-    std::string by;  ///< empty for the account that runs raygrade
-    std::filesystem::path results = "results";
-    bool remove = false;
-    bool list = false;  ///< show the overrides there are and do nothing else
-};
-int override_command(const OverrideOptions& options);
 
 struct CheckOptions {
     std::filesystem::path source;
@@ -62,69 +71,6 @@ struct CheckOptions {
     std::filesystem::path html = {};         ///< where to write the student's page; empty for nowhere
     variants::VariantOptions variants{};
 };
-int check_command(const CheckOptions& options);
-
-struct ServeOptions {
-    std::string assignment;
-    std::string host = "127.0.0.1";
-    std::uint16_t port = 8080;       ///< 0 for any free one
-    std::vector<std::string> names;  ///< DNS names by which browsers know the page
-    bool behind_proxy = false;
-    int jobs = 1;
-    std::size_t queue = 100;        ///< programs that may wait
-    double rate = 10;               ///< programs a minute of one address
-    int keep_hours = 24;            ///< results
-    int grace_seconds = 20;         ///< for the queue, when stopped
-    std::filesystem::path state{};  ///< the folder of queue and results; empty for the assignment's own
-    WorkshopOptions workshop;
-};
-/// Returns when it is stopped.
-int serve_command(const ServeOptions& options);
-
-struct ReferenceOptions {
-    std::string assignment;
-    std::string precision = "certified";  ///< float, double or certified
-    std::string format = "text";          ///< text or json
-};
-int reference_command(const ReferenceOptions& options);
-
-/// Answers the queries on stdin; some_not_graded when a line was none.
-int cast_command();
-
-struct AccuracyOptions {
-    std::vector<std::string> kernels;  ///< parts of the names of the methods to measure; all when empty
-    std::uint64_t rays = 0;            ///< of each distribution; 0 for what fits the time
-    std::uint64_t seed = 1;
-    bool quick = false;
-    std::string assignment;       ///< also tell of this one's scene; empty for none
-    std::filesystem::path out;    ///< where to write page, picture and figures; empty for nowhere
-    bool force = false;           ///< replace the results of an earlier run
-    std::string format = "text";  ///< text, json or csv
-};
-/// With an assignment and nowhere to write to, only the assignment is examined: that takes a moment.
-int accuracy_command(const AccuracyOptions& options);
-
-struct ExplainOptions {
-    std::filesystem::path transcript;  ///< what a program printed; empty for the scene alone
-    std::string assignment;
-    std::string out = "explain.svg";  ///< "-" for stdout
-    bool force = false;               ///< replace an earlier picture
-    bool without_answers = false;     ///< draw nothing that only the key tells
-};
-int explain_command(const ExplainOptions& options);
-
-struct RenderOptions {
-    std::string assignment;
-    std::filesystem::path scene;  ///< a scene file in place of the assignment; empty for none
-    std::filesystem::path out;    ///< the PNG file; an earlier picture there is replaced
-    std::string size;             ///< in pixels, "640x480"; empty for the window's
-    int jobs = 1;
-    bool explain = false;      ///< also print effects, rays and times
-    bool all_effects = false;  ///< simulate also what the scene does not call for
-};
-int render_command(const RenderOptions& options);
-
-int doctor_command();
 
 /// our_fault, some_not_graded or all_graded.
 int status_of(const std::vector<Graded>& graded);

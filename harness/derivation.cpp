@@ -1,11 +1,9 @@
 #include "harness/derivation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "harness/own_verdict.h"
-#include "reference/scene_answers.h"
 
 namespace harness {
 namespace {
@@ -284,40 +282,6 @@ const std::vector<Derivation>& derivations() {
 }
 
 }  // namespace
-
-namespace {
-
-double size_of(const reference::Scene<double>& scene) {
-    double size = 1;
-    const auto reach = [&](const Vec3<double>& p) {
-        size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    };
-    reach(scene.camera.eye);
-    for (const auto& sphere : scene.spheres) {
-        reach(sphere.center);
-        size = std::max(size, sphere.radius);
-    }
-    for (const auto& triangle : scene.triangles) {
-        for (const Vec3<double>& vertex : {triangle.A, triangle.B, triangle.C}) reach(vertex);
-    }
-    return size;
-}
-
-}  // namespace
-
-RealScene real_scene(const reference::Assignment& assignment, const reference::Reading& reading) {
-    const auto scene =
-        reference::convert_scene<double>(assignment.scene, [](const reference::Decimal& x) { return x.to_double(); });
-    const auto answers = reference::answer_scene(scene, reading.convention, reading.boundary);
-    RealScene real{reference::convert_scene<Real>(scene, [](double x) { return Real(x); }), {}};
-    if (!real.spheres.empty()) std::swap(real.spheres.front(), real.spheres[answers.sphere_index]);
-    if (!real.triangles.empty()) std::swap(real.triangles.front(), real.triangles[answers.triangle_index]);
-    real.size = size_of(scene);
-    using reference::BoundaryPolicy;
-    if (assignment.rubric.boundary != BoundaryPolicy::positive) real.boundaries.push_back(Boundary::nonnegative);
-    if (assignment.rubric.boundary != BoundaryPolicy::nonnegative) real.boundaries.push_back(Boundary::positive);
-    return real;
-}
 
 std::span<const Derivation> all_derivations() {
     return derivations();

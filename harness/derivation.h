@@ -5,18 +5,9 @@
 #include <vector>
 
 #include "harness/known.h"
-#include "reference/scene.h"
+#include "harness/real_scene.h"
 
 namespace harness {
-
-/// The scene's numbers as the nearest doubles. Where it holds several spheres or triangles, the one that the questions
-/// are about comes first.
-struct RealScene : reference::Scene<Real> {
-    std::vector<reference::Boundary> boundaries;  ///< how the rubric lets a hit at t = 0 exactly count
-    double size = 1;                              ///< its largest coordinate, at least 1
-};
-
-RealScene real_scene(const reference::Assignment& assignment, const reference::Reading& reading);
 
 /// Whether the student's coefficients are those of a t^2 + 2 b' t + c = 0, with d' = b'^2 - ac.
 enum class QuadraticForm { full, half_b };

@@ -9,6 +9,8 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <future>
 #include <thread>
 
 #include "harness/failure.h"
@@ -106,8 +108,7 @@ Workshop any_workshop() {
     return open_workshop({.sandbox = "auto", .unsafe = true, .limits = {}}, {});
 }
 
-Finding examine_compiler() {
-    const Workshop workshop = any_workshop();
+Finding examine_compiler(const Workshop& workshop) {
     const BuildSettings& settings = workshop.build;
     if (settings.compiler.empty()) return {"compiler", Level::bad, "no g++ in a folder of PATH", "apt install g++"};
     const Scratch scratch(workshop.sandbox->workspace());
@@ -127,13 +128,12 @@ Finding examine_compiler() {
 }
 
 /// The whole chain on the smallest program that needs what every submission needs.
-Finding examine_chain() {
+Finding examine_chain(const Workshop& workshop) {
     Submission submission;
     submission.id = "doctor";
     submission.source =
         "#include <iostream>\n#include <glm/glm.hpp>\n#include <glm/gtx/string_cast.hpp>\n"
         "int main() { std::cout << glm::to_string(glm::cross(glm::vec3(1, 0, 0), glm::vec3(0, 1, 0))); }\n";
-    const Workshop workshop = any_workshop();
     const Scratch scratch(workshop.sandbox->workspace());
     const Build built = build(submission, workshop.build, *workshop.sandbox, scratch);
     const std::string what = "compiling and running with GLM";
@@ -190,16 +190,21 @@ Finding examine_kernel() {
 
 struct Examination {
     const char* what;
-    Finding (*examine)();
+    std::function<Finding()> examine;
 };
 
 }  // namespace
 
 std::vector<Finding> examine_machine() {
+    // Without one, each that needs it tells why.
+    const std::shared_future<Workshop> workshop = std::async(std::launch::deferred, any_workshop);
     const Examination examinations[] = {
-        {"compiler", examine_compiler},      {"compiling and running with GLM", examine_chain},
-        {"scratch folder", examine_scratch}, {"cores", examine_cores},
-        {"memory", examine_memory},          {"kernel", examine_kernel},
+        {"compiler", [&] { return examine_compiler(workshop.get()); }},
+        {"compiling and running with GLM", [&] { return examine_chain(workshop.get()); }},
+        {"scratch folder", examine_scratch},
+        {"cores", examine_cores},
+        {"memory", examine_memory},
+        {"kernel", examine_kernel},
     };
     std::vector<Finding> findings;
     for (const auto& examination : examinations) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "harness/linear_form.h"
+#include "harness/number_group.h"
 
 namespace harness {
 namespace {
@@ -14,19 +15,6 @@ using Kind = Token::Kind;
 
 constexpr std::size_t longest_label = 200;
 constexpr std::size_t longest_printed = 200;
-/// A 4 x 4 matrix has 16 numbers in brackets two deep. Beyond these a bracket is no value; they keep reading linear in
-/// the line's length whatever the brackets.
-constexpr std::size_t deepest = 4;
-constexpr std::size_t most_tokens_in_bracket = 128;
-
-/// "vec3", "dvec4", "glm::mat4x4", "highp_vec3": the type names that glm::to_string and students print before a
-/// bracket.
-bool is_type_name(std::string_view word) {
-    static const RE2 pattern(
-        R"((?i)(?:glm::)?(?:(?:low|medium|high)p_)?(?:t?[fdiub]?\d{0,2}(?:vec|mat)[1234]?(?:x[234])?|vector[34]?|point[34]?|matrix[34]?))");
-    return RE2::FullMatch(re2::StringPiece(word.data(), word.size()), pattern);
-}
-
 /// One line of a system written out: "| 0 2 -2 | * | t | = | 1.5 |".
 const RE2& system_row_pattern() {
     static const RE2 pattern(
@@ -36,7 +24,7 @@ const RE2& system_row_pattern() {
 
 class Reader {
   public:
-    explicit Reader(std::string_view line) : line_(line), tokens_(tokenize(line)) { match_brackets(); }
+    explicit Reader(std::string_view line) : line_(line), tokens_(line) {}
 
     LineReading run() {
         if (auto values = read_linear_form(line_)) return {std::move(*values), true};
@@ -50,32 +38,8 @@ class Reader {
     }
 
   private:
-    /// A value found, by its tokens [first, last).
-    struct Found {
-        std::vector<PrintedNumber> numbers;
-        int groups = 1;
-        int bar_after = 0;
-        std::size_t first;
-        std::size_t last;
-    };
-
-    bool is(std::size_t i, Kind kind) const { return i < tokens_.size() && tokens_[i].kind == kind; }
-    std::string_view text(std::size_t i) const {
-        return line_.substr(tokens_[i].begin, tokens_[i].end - tokens_[i].begin);
-    }
-
-    /// Finds every opening bracket's partner once, so that unbalanced brackets cost no repeated search.
-    void match_brackets() {
-        partner_.assign(tokens_.size(), tokens_.size());
-        std::vector<std::size_t> open;
-        for (std::size_t i = 0; i < tokens_.size(); ++i) {
-            if (is(i, Kind::open)) open.push_back(i);
-            if (is(i, Kind::close) && !open.empty()) {
-                partner_[open.back()] = i;
-                open.pop_back();
-            }
-        }
-    }
+    bool is(std::size_t i, Kind kind) const { return tokens_.is(i, kind); }
+    std::string_view text(std::size_t i) const { return tokens_.text(i); }
 
     /// Joins the matrix's row and the right-hand side's number of a system written out.
     void join_system_row() {
@@ -94,11 +58,11 @@ class Reader {
     /// Brackets that hold no value: "0.333 (= 1/3)", "1.0 (unit vector, so 1)", "2 [2 = 6 - R^2]".
     bool is_remark(std::size_t open) const {
         if (is(open + 1, Kind::equals)) return true;
-        if (reading_.values.empty() || partner_[open] - open > most_tokens_in_bracket) return false;
+        if (reading_.values.empty() || tokens_.partner(open) - open > most_tokens_in_bracket) return false;
         bool words = false;
         bool equals = false;
-        for (std::size_t i = open + 1; i < partner_[open]; ++i) {
-            words = words || (is(i, Kind::word) && !is_inner_type(i));
+        for (std::size_t i = open + 1; i < tokens_.partner(open); ++i) {
+            words = words || (is(i, Kind::word) && !tokens_.is_type(i));
             equals = equals || is(i, Kind::equals);
         }
         return words && (!equals || is(open + 1, Kind::number));
@@ -134,23 +98,21 @@ class Reader {
     void step() {
         if (is(at_, Kind::word)) {
             if (is_no_value(at_)) emit_no_value();
-            if (!(is_type_name(text(at_)) && is(at_ + 1, Kind::open))) {
-                reading_.has_words = true;
-            }
+            if (!tokens_.is_type(at_)) reading_.has_words = true;
             ++at_;
             return;
         }
-        if (is(at_, Kind::open) && partner_[at_] < tokens_.size() && is_remark(at_)) {
-            at_ = partner_[at_] + 1;  // a remark: "0.333 (= 1/3)"
+        if (is(at_, Kind::open) && tokens_.partner(at_) < tokens_.size() && is_remark(at_)) {
+            at_ = tokens_.partner(at_) + 1;  // a remark: "0.333 (= 1/3)"
             return;
         }
-        if (is(at_, Kind::open) && partner_[at_] < tokens_.size() && is_call(at_)) {
-            at_ = partner_[at_] + 1;
+        if (is(at_, Kind::open) && tokens_.partner(at_) < tokens_.size() && is_call(at_)) {
+            at_ = tokens_.partner(at_) + 1;
             return;
         }
-        std::optional<Found> found;
-        if (is(at_, Kind::open)) found = read_bracket(at_);
-        if (is(at_, Kind::number) && !is_index(at_)) found = read_run(at_);
+        std::optional<NumberGroup> found;
+        if (is(at_, Kind::open)) found = read_bracket(tokens_, at_);
+        if (is(at_, Kind::number) && !is_index(tokens_, at_)) found = read_row(tokens_, at_);
         if (!found) {
             ++at_;
             return;
@@ -164,14 +126,14 @@ class Reader {
         emit(*found);
     }
 
-    void emit(const Found& found) {
+    void emit(const NumberGroup& found) {
         PrintedValue value;
         value.numbers = found.numbers;
         value.groups = found.groups;
         value.bar_after = found.bar_after;
         std::size_t begin = tokens_[found.first].begin;
         std::size_t before = found.first;  // past the brackets of a matrix that goes on over the next lines
-        while (before > 0 && found.first - before < deepest && is(before - 1, Kind::open)) --before;
+        while (before > 0 && found.first - before < deepest_bracket && is(before - 1, Kind::open)) --before;
         if (before > 0 && is(before - 1, Kind::word) && is_type_name(text(before - 1))) {
             begin = tokens_[before - 1].begin;
             value.typed = true;
@@ -249,7 +211,7 @@ class Reader {
     }
 
     /// A lone whole number within a sentence: "if there are 2 positive roots".
-    bool is_prose(const PrintedValue& value, const Found& found) const {
+    bool is_prose(const PrintedValue& value, const NumberGroup& found) const {
         if (value.numbers.size() != 1 || value.numbers[0].decimals != 0 || found.first == 0) return false;
         static const RE2 counted(R"((?i)of|to|by|than|for|from|question|step|part)");
         const std::string_view before = text(found.first - 1);
@@ -266,152 +228,11 @@ class Reader {
         return zero && value.label.find('+') != std::string::npos;
     }
 
-    /// "row 1", "column 0": the number is part of the label.
-    bool is_index(std::size_t i) const {
-        static const RE2 counted(R"((?i)rows?|col(?:umn)?s?|line|eq(?:uation)?|root)");
-        const bool whole =
-            tokens_[i].number.decimals == 0 && tokens_[i].number.value >= 0 && tokens_[i].number.value < 10;
-        if (!whole || i == 0 || !is(i - 1, Kind::word)) return false;
-        const std::string_view word = text(i - 1);
-        return RE2::FullMatch(re2::StringPiece(word.data(), word.size()), counted);
-    }
-
-    /// Whether number token `i`, a fraction up to `end`, is a term of a formula or of a comparison.
-    bool is_term(std::size_t i, std::size_t end) const {
-        const bool compared = is(end, Kind::compare) && !(i > 0 && is(i - 1, Kind::equals));  // not "t = 0.9 > 0"
-        if (is(end, Kind::op) || compared) return true;
-        if (i == 0) return false;
-        const bool glued = tokens_.size() == 3 && is(0, Kind::word) && i == 2 && tokens_[0].end == tokens_[1].begin;
-        if (glued && text(1) == "-" && tokens_[1].end == tokens_[2].begin) return false;  // "b-3.5"
-        if (is(i - 1, Kind::compare)) return true;
-        // A '-' after '=', ',' or a bracket is a sign that stands apart, and one at the line's start is a bullet.
-        return is(i - 1, Kind::op) && i >= 2 && !is(i - 2, Kind::equals) && !is(i - 2, Kind::open) &&
-               !is(i - 2, Kind::comma);
-    }
-
-    struct Number {
-        PrintedNumber number;
-        std::size_t next;
-    };
-
-    /// One number, or a fraction of two whole numbers.
-    Number read_number(std::size_t i) const {
-        PrintedNumber number = tokens_[i].number;
-        if (is(i + 1, Kind::op) && text(i + 1) == "/" && is(i + 2, Kind::number) && number.decimals == 0 &&
-            tokens_[i + 2].number.decimals == 0 && tokens_[i + 2].number.value != 0) {
-            number.value /= tokens_[i + 2].number.value;
-            number.exact = true;
-            return {number, i + 3};
-        }
-        return {number, i + 1};
-    }
-
-    double sign_apart(std::size_t i) const {
-        return i > 0 && is(i - 1, Kind::op) && text(i - 1) == "-" && i >= 2 ? -1.0 : 1.0;
-    }
-
-    /// "col 1 (t): 0 0 -1": a number that is a label's index.
-    bool is_named_index(std::size_t next) const {
-        return is(next, Kind::open) && is(next + 1, Kind::word) && is(next + 2, Kind::close) &&
-               is(next + 3, Kind::equals);
-    }
-
-    /// "0.9, 0.2 and 0.3".
-    bool joins_last(std::size_t i, std::size_t count) const {
-        return count >= 2 && is(i, Kind::word) && text(i) == "and" && is(i + 1, Kind::number);
-    }
-
-    /// Numbers in a row without words between: "1 -4 2", "0, 0, -2", "0 2 -2 | 0".
-    std::optional<Found> read_run(std::size_t begin) {
-        Found found{{}, 1, 0, begin, begin};
-        std::size_t i = begin;
-        while (is(i, Kind::number)) {
-            const Number number = read_number(i);
-            if (is_term(i, number.next)) {
-                if (found.numbers.empty()) return std::nullopt;
-                break;
-            }
-            if (is_named_index(number.next)) return std::nullopt;
-            // "Root 1 = 3.41", "row 0: 1 0 0": here too.
-            if (!found.numbers.empty() && is(number.next, Kind::equals)) break;
-            found.numbers.push_back(number.number);
-            found.numbers.back().value *= found.numbers.size() == 1 ? sign_apart(i) : 1.0;
-            i = number.next;
-            found.last = i;
-            while (is(i, Kind::comma) || is(i, Kind::bar) || joins_last(i, found.numbers.size())) {
-                if (is(i, Kind::bar) && is(i + 1, Kind::number))
-                    found.bar_after = static_cast<int>(found.numbers.size());
-                ++i;
-            }
-        }
-        if (found.numbers.empty()) return std::nullopt;
-        return found;
-    }
-
-    /// "(0, 0, -2)" or "((1, 0), (0, 1))": a bracket that holds numbers only.
-    std::optional<Found> read_bracket(std::size_t begin) const {
-        const std::size_t end = partner_[begin];
-        if (end == tokens_.size() || end - begin > most_tokens_in_bracket) return std::nullopt;
-        Found found{{}, 0, 0, begin, end + 1};
-        std::size_t depth = 0;
-        std::size_t group_begin = 0;
-        int group_size = 0;
-        int rows = 1;
-        for (std::size_t i = begin; i <= end;) {
-            if (is(i, Kind::number)) {
-                const Number number = read_number(i);
-                if (is_term(i, number.next)) return std::nullopt;
-                found.numbers.push_back(number.number);
-                found.numbers.back().value *= sign_apart(i);
-                i = number.next;
-                continue;
-            }
-            const bool apart = is(i, Kind::op) && text(i) == "-" && is(i + 1, Kind::number) && !is(i - 1, Kind::number);
-            if (is(i, Kind::open) && is(i + 1, Kind::equals)) {  // a remark: "( 0.5 (= 1/2), … )"
-                i = std::min(partner_[i], end) + 1;
-                continue;
-            }
-            if (is(i, Kind::open)) {
-                if (++depth > deepest) return std::nullopt;
-                group_begin = found.numbers.size();
-            } else if (is(i, Kind::close)) {
-                --depth;
-                const int size = static_cast<int>(found.numbers.size() - group_begin);
-                if (size > 0) {
-                    if (group_size != 0 && size != group_size) return std::nullopt;
-                    group_size = size;
-                    ++found.groups;
-                }
-                group_begin = found.numbers.size();
-            } else if (is(i, Kind::bar)) {
-                if (!found.numbers.empty() && i + 1 < end)
-                    found.bar_after = static_cast<int>(found.numbers.size() - group_begin);
-            } else if (is(i, Kind::comma) && text(i) == ";" && depth == 1 && found.groups == 0 &&
-                       group_begin < found.numbers.size()) {
-                ++rows;
-            } else if (!is(i, Kind::comma) && !apart && !is_inner_type(i)) {
-                return std::nullopt;
-            }
-            ++i;
-        }
-        if (found.numbers.empty() || depth != 0) return std::nullopt;
-        // "[0 2 -2; 0 4 4; 1 0 0]": rows divided by semicolons, as "[1; 2; 3]" is not.
-        const bool in_rows = found.groups == 1 && rows > 1 && static_cast<int>(found.numbers.size()) % rows == 0;
-        if (in_rows && static_cast<int>(found.numbers.size()) > rows) found.groups = rows;
-        return found;
-    }
-
-    /// "mat3(vec3(…), vec3(…))".
-    bool is_inner_type(std::size_t i) const {
-        return is(i, Kind::word) && is(i + 1, Kind::open) && is_type_name(text(i));
-    }
-
     std::string_view line_;
-    std::vector<Token> tokens_;
-    std::vector<std::size_t> partner_;
+    LineTokens tokens_;
     std::size_t at_ = 0;
     std::size_t label_begin_ = 0;
-    std::optional<Found> before_equals_;
+    std::optional<NumberGroup> before_equals_;
     LineReading reading_;
 };
 

@@ -1,14 +1,10 @@
 #include "harness/store.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
-#include <sys/file.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <system_error>
@@ -17,39 +13,12 @@
 #include "harness/failure.h"
 #include "harness/fingerprint.h"
 #include "harness/names.h"
-#include "harness/sandbox/file_descriptor.h"
+#include "harness/results_database.h"
 
 namespace harness {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Raised whenever the table or the meaning of a column changes.
-constexpr int version = 1;
-constexpr int patience_ms = 10000;
-
-constexpr const char* table = R"(
-    CREATE TABLE IF NOT EXISTS results (
-        key TEXT PRIMARY KEY,
-        used INTEGER NOT NULL,     -- seconds since 1970
-        bytes INTEGER NOT NULL,
-        seal TEXT NOT NULL,        -- fingerprint of the rest: what the disk garbled is not believed
-        reached_limit INTEGER NOT NULL,
-        compiled INTEGER NOT NULL,
-        build_ms INTEGER NOT NULL,
-        ended TEXT NOT NULL,
-        exit_code INTEGER NOT NULL,
-        signal INTEGER NOT NULL,
-        error INTEGER NOT NULL,
-        cpu_ms INTEGER NOT NULL,
-        wall_ms INTEGER NOT NULL,
-        peak_memory_bytes INTEGER NOT NULL,
-        errors_truncated INTEGER NOT NULL,
-        diagnostics BLOB NOT NULL,
-        output BLOB NOT NULL,
-        errors BLOB NOT NULL);
-    CREATE INDEX IF NOT EXISTS by_use ON results (used, bytes);
-)";
 
 std::string seal(const std::string& key, const Execution& execution) {
     const Build& build = execution.build;
@@ -73,48 +42,6 @@ std::string bytes(const SQLite::Column& column) {
 std::int64_t now() {
     using namespace std::chrono;
     return duration_cast<seconds>(system_clock::now().time_since_epoch()).count();
-}
-
-bool is_corrupt(const SQLite::Exception& error) {
-    return error.getErrorCode() == SQLITE_CORRUPT || error.getErrorCode() == SQLITE_NOTADB;
-}
-
-/// Held while a database is opened or set aside, so that two runs don't set aside each other's new one.
-class FolderLock {
-  public:
-    explicit FolderLock(const fs::path& folder)
-        : lock_(::open((folder / "results.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
-        if (!lock_) throw std::system_error(errno, std::generic_category());
-        while (flock(lock_.get(), LOCK_EX) != 0 && errno == EINTR) {
-        }
-    }
-
-  private:
-    FileDescriptor lock_;
-};
-
-/// For a database of another kind than ours, which SQLite itself has nothing against.
-class OfAnotherVersion : public std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-std::unique_ptr<SQLite::Database> opened(const fs::path& file) {
-    auto database = std::make_unique<SQLite::Database>(
-        file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_FULLMUTEX, patience_ms);
-    const bool is_new = !database->tableExists("results");
-    const int found = database->execAndGet("PRAGMA user_version").getInt();
-    if (found != (is_new ? 0 : version)) throw OfAnotherVersion(fmt::format("is of version {}", found));
-    database->exec("PRAGMA journal_mode = WAL");
-    database->exec("PRAGMA synchronous = NORMAL");
-    database->exec("PRAGMA trusted_schema = OFF");
-    if (is_new) {
-        database->exec(table);
-        database->exec(fmt::format("PRAGMA user_version = {}", version));
-    }
-    // Also finds out whether the table has the columns it should.
-    SQLite::Statement(*database, "SELECT seal, used, bytes, output, errors_truncated FROM results LIMIT 1")
-        .executeStep();
-    return database;
 }
 
 }  // namespace
@@ -160,9 +87,9 @@ void Store::trim() {
 }
 
 void Store::open() {
-    const FolderLock lock(folder_);
+    const ResultsLock lock(folder_);
     try {
-        database_ = opened(file_);
+        database_ = open_results(file_);
     } catch (const OfAnotherVersion& error) {
         rebuild(error.what());
     } catch (const SQLite::Exception& error) {
@@ -174,17 +101,11 @@ void Store::open() {
 /// With the folder's lock held.
 void Store::rebuild(const std::string& why) {
     database_.reset();
-    const fs::path aside = file_.string() + ".set-aside";
-    fs::rename(file_, aside);
-    // A log left behind would be applied to the new database.
-    for (const char* part : {"-wal", "-shm"}) {
-        std::error_code ignored;
-        fs::remove(file_.string() + part, ignored);
-    }
+    const fs::path aside = set_results_aside(file_);
     problems_.push_back(
         fmt::format("The kept results in {} are not used: the file {}. It is now {}, and a new one is begun.",
                     in_quotes(file_), why, in_quotes(aside.filename())));
-    database_ = opened(file_);
+    database_ = open_results(file_);
 }
 
 void Store::give_up(const std::string& why) {
@@ -206,7 +127,7 @@ Result Store::attempt(Work work) {
         if (error.getErrorCode() == SQLITE_BUSY) return Result();  // another run is slow; this one result is not kept
         try {
             if (!is_corrupt(error)) throw;
-            const FolderLock lock(folder_);
+            const ResultsLock lock(folder_);
             rebuild(fmt::format("is damaged ({})", error.what()));
         } catch (const std::exception& failure) {
             give_up(failure.what());

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "harness/variants/source_names.h"
+
 namespace harness::variants {
 namespace {
 
@@ -11,25 +13,11 @@ struct Range {
     std::size_t begin, end;
 };
 
-bool is_name(const Word& word) {
-    return word.kind == TokenKind::name;
-}
-
-/// A word that can stand before a bracket or a name without giving it a type.
-bool is_keyword(std::string_view name) {
-    for (const std::string_view keyword :
-         {"return", "new", "throw", "else", "case", "if", "while", "for", "switch", "sizeof"}) {
-        if (name == keyword) return true;
-    }
-    return false;
-}
-
 class Finder {
   public:
-    explicit Finder(const std::vector<Word>& words) : words_(words) {}
+    explicit Finder(const std::vector<Word>& words) : words_(words), names_(words) {}
 
     SourceNumbers find() {
-        note_blocks();
         for (std::size_t i = 0; i < words_.size(); ++i) {
             if (words_[i].kind == TokenKind::number) {
                 if (const auto number = constant({i, i + 1})) found_.literals.push_back(*number);
@@ -47,20 +35,9 @@ class Finder {
     }
 
   private:
-    bool is(std::size_t at, std::string_view text) const {
-        return at < words_.size() && words_[at].kind == TokenKind::symbol && words_[at].text == text;
-    }
+    bool is(std::size_t at, std::string_view text) const { return is_symbol(words_, at, text); }
     /// Of a list: a bracket ( or { that has its end.
     bool is_opening(std::size_t at) const { return (is(at, "(") || is(at, "{")) && words_[at].partner != nowhere; }
-
-    /// Which brackets hold statements rather than a list.
-    void note_blocks() {
-        is_block_.assign(words_.size(), false);
-        for (std::size_t i = 0; i < words_.size(); ++i) {
-            if (is(i, ";") && words_[i].parent != nowhere) is_block_[words_[i].parent] = true;
-        }
-    }
-    bool in_block(std::size_t at) const { return words_[at].parent == nowhere || is_block_[words_[at].parent]; }
 
     std::optional<StatedNumber> constant(Range range) const {
         if (range.begin >= range.end) return {};
@@ -92,87 +69,8 @@ class Finder {
         return ranges;
     }
 
-    // Names
-
-    /// The place before an index such as [3] that ends at `at`; `at` itself where there is none.
-    std::size_t before_index(std::size_t at) const {
-        while (at != nowhere && at < words_.size() && is(at, "]") && words_[at].partner != nowhere &&
-               words_[at].partner > 0)
-            at = words_[at].partner - 1;
-        return at;
-    }
-
-    /// The name on the left of '=' at `equals`: "eye", "eye.x", "eye[0]".
-    std::string name_left_of(std::size_t equals) const {
-        if (equals == 0) return {};
-        const std::size_t at = before_index(equals - 1);
-        if (at >= words_.size() || !is_name(words_[at])) return {};
-        std::string name(words_[at].text);
-        if (at >= 2 && (is(at - 1, ".") || is(at - 1, "->")) && is_name(words_[at - 2]))
-            name = std::string(words_[at - 2].text) + "." + name;
-        if (at + 4 == equals && words_[at + 2].kind == TokenKind::number)
-            name += "[" + std::string(words_[at + 2].text) + "]";
-        return name;
-    }
-
-    /// Whether the name at `at`, before a bracket, is declared there: after its type, or in a list of declarations or
-    /// of a constructor's members.
-    bool is_declared(std::size_t at) const {
-        if (at == 0) return false;
-        const Word& before = words_[at - 1];
-        if (is_name(before)) return !is_keyword(before.text);
-        for (const std::string_view symbol : {">", "&", "*"}) {
-            if (is(at - 1, symbol)) return true;
-        }
-        return (is(at - 1, ",") || is(at - 1, ":")) && in_block(at);
-    }
-
-    struct Naming {
-        std::string name;
-        std::string_view callee;
-    };
-
-    /// What the list that `open` begins initialises, and the type or function before it.
-    Naming naming(std::size_t open) const {
-        Naming result;
-        if (open == 0) return result;
-        std::size_t at = before_index(open - 1);
-        if (at >= words_.size()) return result;
-        if (is_name(words_[at])) {
-            if (at == open - 1) result.callee = words_[at].text;
-            std::size_t first = at;
-            while (first >= 2 && is(first - 1, "::") && is_name(words_[first - 2])) first -= 2;
-            if (first > 0 && is(first - 1, "=")) {
-                result.name = name_left_of(first - 1);
-            } else if (first > 0 && words_[first - 1].kind == TokenKind::name && first >= 2 &&
-                       words_[first - 2].kind == TokenKind::directive) {
-                result.name = {};
-            } else if (is_declared(first)) {
-                result.name = words_[at].text;
-            }
-        } else if (is(at, "=")) {
-            result.name = name_left_of(at);
-        } else if (is(at, "{") || is(at, "(")) {
-            // eye{{0, 0, 4}}, eye({0, 0, 4}), which mean what one bracket does
-            if (words_[at].partner == words_[open].partner + 1) return naming_once(at);
-        }
-        return result;
-    }
-
-    /// The same, one bracket further out and no further.
-    Naming naming_once(std::size_t open) const {
-        if (open == 0) return {};
-        const std::size_t at = before_index(open - 1);
-        if (at >= words_.size()) return {};
-        if (is(at, "=")) return {name_left_of(at), {}};
-        if (is_name(words_[at]) && is_declared(at)) return {std::string(words_[at].text), {}};
-        return {};
-    }
-
-    // What is found
-
     void assignment(std::size_t equals) {
-        const std::string name = name_left_of(equals);
+        const std::string name = names_.left_of(equals);
         if (name.empty()) return;
         const std::size_t parent = words_[equals].parent;
         std::size_t limit = parent == nowhere ? words_.size() : words_[parent].partner;
@@ -202,10 +100,10 @@ class Finder {
 
     void list(std::size_t open) {
         const std::size_t close = words_[open].partner;
-        if (is_block_[open]) return;
+        if (names_.is_block(open)) return;
         const std::vector<Range> parts = elements(open + 1, close);
         if (parts.empty()) return;
-        Naming naming_of_list = naming(open);
+        Naming naming_of_list = names_.of_list(open);
         if (const auto found = name_of_define_.find(open); found != name_of_define_.end())
             naming_of_list.name = found->second;
         const bool vectors = add_vectors(parts, naming_of_list, open);
@@ -255,7 +153,7 @@ class Finder {
 
     /// The list with those of its elements that are vectors, as in Camera({0, 0, 4}, vec3(0), up).
     void list_of_vectors(std::size_t open) {
-        StatedList result{naming(open).callee, {}};
+        StatedList result{names_.of_list(open).callee, {}};
         bool any = false;
         for (const Range& part : elements(open + 1, words_[open].partner)) {
             ListElement element;
@@ -323,8 +221,8 @@ class Finder {
     }
 
     const std::vector<Word>& words_;
+    SourceNames names_;
     SourceNumbers found_;
-    std::vector<bool> is_block_;
     std::vector<std::size_t> lists_;                     ///< the opening brackets of those that may hold vectors
     std::map<std::size_t, std::size_t> vector_at_;       ///< by opening bracket
     std::map<std::size_t, std::string> name_of_define_;  ///< #define EYE vec3(0, 0, 4), by opening bracket

@@ -137,4 +137,12 @@ std::vector<Word> words_of(std::string_view source) {
     return Reader(source).read();
 }
 
+bool is_name(const Word& word) {
+    return word.kind == TokenKind::name;
+}
+
+bool is_symbol(const std::vector<Word>& words, std::size_t at, std::string_view text) {
+    return at < words.size() && words[at].kind == TokenKind::symbol && words[at].text == text;
+}
+
 }  // namespace harness::variants

@@ -27,4 +27,8 @@ struct Word {
 /// Brackets match within a #define or within what is none. The words refer to `source`.
 std::vector<Word> words_of(std::string_view source);
 
+bool is_name(const Word& word);
+/// Whether there is a word at `at`, this symbol.
+bool is_symbol(const std::vector<Word>& words, std::size_t at, std::string_view text);
+
 }  // namespace harness::variants

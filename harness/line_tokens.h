@@ -1,0 +1,43 @@
+// The tokens of one line of output, each bracket with its partner.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "harness/token.h"
+
+namespace harness {
+
+/// A 4 x 4 matrix has 16 numbers in brackets two deep. Beyond these a bracket is no value; they keep reading linear in
+/// the line's length whatever the brackets.
+constexpr std::size_t deepest_bracket = 4;
+constexpr std::size_t most_tokens_in_bracket = 128;
+
+class LineTokens {
+  public:
+    /// `line` must outlive it.
+    explicit LineTokens(std::string_view line);
+
+    std::size_t size() const { return tokens_.size(); }
+    const Token& operator[](std::size_t i) const { return tokens_[i]; }
+    /// Whether there is an i-th token, of this kind.
+    bool is(std::size_t i, Token::Kind kind) const { return i < tokens_.size() && tokens_[i].kind == kind; }
+    std::string_view text(std::size_t i) const {
+        return line_.substr(tokens_[i].begin, tokens_[i].end - tokens_[i].begin);
+    }
+    /// The bracket that closes the i-th token; size() when that is no opening bracket or never closed.
+    std::size_t partner(std::size_t i) const { return partner_[i]; }
+    /// A name such as "glm::vec3" or "dmat4" before a bracket: "mat3(vec3(…), vec3(…))".
+    bool is_type(std::size_t i) const;
+
+  private:
+    std::string_view line_;
+    std::vector<Token> tokens_;
+    std::vector<std::size_t> partner_;
+};
+
+/// "vec3", "dvec4", "glm::mat4x4", "highp_vec3": the type names that glm::to_string and students print before a
+/// bracket.
+bool is_type_name(std::string_view word);
+
+}  // namespace harness

@@ -1,0 +1,86 @@
+#include "harness/shared_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <thread>
+
+namespace harness {
+
+void add_assignment(CLI::App& command, std::string& assignment) {
+    assignment = "default";
+    command
+        .add_option("-a,--assignment", assignment,
+                    "The name of an assignment that comes with raygrade, or a .toml file")
+        ->type_name("NAME|FILE")
+        ->capture_default_str();
+}
+
+void add_jobs(CLI::App& command, int& jobs, const char* meaning) {
+    jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    command.add_option("-j,--jobs", jobs, meaning)->check(CLI::Range(1, 1024))->type_name("N")->capture_default_str();
+}
+
+void add_junit(CLI::App& command, std::filesystem::path& junit) {
+    command
+        .add_option("--junit", junit,
+                    "Also write JUnit XML, for continuous integration: a testsuite a submission, a testcase an answer")
+        ->type_name("FILE.xml");
+}
+
+void add_workshop(CLI::App& command, WorkshopOptions& workshop) {
+    command
+        .add_option("--limit", workshop.limits,
+                    "What a program or the compiler may use, instead of the default or the assignment's: "
+                    "--limit run.cpu_seconds=4, see below")
+        ->allow_extra_args(false)
+        ->type_name("NAME=VALUE");
+    command
+        .add_option("--sandbox", workshop.sandbox,
+                    "Which sandbox programs run in; auto takes the strongest that holds on this machine")
+        ->check(CLI::IsMember({"auto", "bwrap", "landlock"}))
+        ->capture_default_str();
+    command
+        .add_option(
+            "--repeat", workshop.repetitions,
+            "Run each program so often and flag one whose answers differ, as of memory never set; costs no points")
+        ->check(CLI::Range(1, 100))
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_flag(
+        "--sanitize", workshop.sanitize,
+        "Also build and run under AddressSanitizer and UndefinedBehaviorSanitizer, and say what they find; "
+        "costs no points, and ten times as long");
+    workshop.cache = cache_folder();
+    command.add_flag("--fresh", workshop.fresh,
+                     "Compile and run everything anew, also what was before; see README, What is kept");
+    command.add_flag("--unsafe", workshop.unsafe,
+                     "Where no sandbox holds, run strangers' programs with limits alone: they can read and change "
+                     "what you can");
+}
+
+void add_variants(CLI::App& command, variants::VariantOptions& options) {
+    command
+        .add_option("--variants", options.count,
+                    "Also run each program on N other scenes, written into its source, and say which answers move with "
+                    "the scene; costs no points")
+        ->check(CLI::Range(0, 16))
+        ->type_name("N")
+        ->capture_default_str();
+    command
+        .add_option("--variant-seed", options.seed,
+                    "Where the other scenes are drawn from; the same seed gives the same scenes")
+        ->type_name("N")
+        ->capture_default_str();
+}
+
+std::string limits_footer() {
+    std::string text = "Limits, with their defaults:\n";
+    for (const LimitDescription& limit : describe_limits()) {
+        text += fmt::format("  {:<21} {:>5}  {}\n", limit.name, limit.value, limit.consequence);
+    }
+    return text;
+}
+
+}  // namespace harness
