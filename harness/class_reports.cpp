@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "harness/failure.h"
+#include "harness/folder_writer.h"
 #include "harness/report/class_report.h"
 #include "harness/report/report.h"
 #include "harness/report/student_page.h"
@@ -16,25 +17,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void remove_feedback(const fs::path& feedback) {
-    for (const auto& entry : fs::directory_iterator(feedback)) {
-        const fs::path ending = entry.path().extension();
-        if (ending == ".md" || ending == ".html") fs::remove(entry.path());
-    }
-}
-
 void write_feedback(const ClassResults& results, std::size_t index, report::StudentPages& pages,
-                    const fs::path& feedback) {
+                    FolderWriter& feedback) {
     const Graded& one = results.graded[index];
     const std::string name = feedback_name(one.submission.id, index);
-    write_file(feedback / (name + ".md"), report::feedback_markdown(one, results.marking));
-    write_file(feedback / (name + ".html"), pages.page(one));
+    feedback.write(name + ".md", report::feedback_markdown(one, results.marking));
+    feedback.write(name + ".html", pages.page(one));
 }
 
-void write_all_feedback(const ClassResults& results, const fs::path& feedback) {
-    remove_feedback(feedback);
+void write_all_feedback(const ClassResults& results, FolderWriter& feedback) {
     report::StudentPages pages(results.marking);
     for (std::size_t i = 0; i < results.graded.size(); ++i) write_feedback(results, i, pages, feedback);
+    feedback.remove_others({".md", ".html"});
 }
 
 std::optional<report::CanvasImport> write_canvas(const ClassResults& results, const fs::path& file) {
@@ -98,11 +92,12 @@ std::optional<report::MoodleWorksheet> read_worksheet(const std::optional<KeptIn
 HandedBack write_class_reports(const ClassResults& results, const fs::path& folder, std::optional<std::size_t> only) {
     try {
         std::future<void> written = std::async(std::launch::async, [&] {
+            FolderWriter feedback(folder / "feedback");
             if (only) {
                 report::StudentPages pages(results.marking);
-                write_feedback(results, *only, pages, folder / "feedback");
+                write_feedback(results, *only, pages, feedback);
             } else {
-                write_all_feedback(results, folder / "feedback");
+                write_all_feedback(results, feedback);
             }
         });
         HandedBack handed_back;

@@ -62,22 +62,26 @@ FolderLock::FolderLock(const fs::path& folder) : folder_(::open(folder.c_str(), 
         fmt::format("{}: another raygrade is at work on it; run this again when that has ended", folder.string()));
 }
 
+void fail_to_write(const fs::path& file, int error) {
+    throw HarnessError(fmt::format("{}: can't be written: {}; free some space or name another folder with --out",
+                                   file.string(), error == 0 ? "writing failed" : std::strerror(error)));
+}
+
 void write_file(const fs::path& file, const std::function<void(std::ostream&)>& write) {
     const fs::path fresh = file.string() + ".new";
-    const auto fail = [&](const std::string& why) {
+    const auto fail = [&](int why) {
         std::error_code ignored;
         fs::remove(fresh, ignored);
-        throw HarnessError(fmt::format("{}: can't be written: {}; free some space or name another folder with --out",
-                                       file.string(), why));
+        fail_to_write(file, why);
     };
     errno = 0;
     std::ofstream stream(fresh, std::ios::binary);
     write(stream);
     stream.close();
-    if (!stream) fail(errno == 0 ? "writing failed" : std::strerror(errno));
+    if (!stream) fail(errno);
     std::error_code error;
     fs::rename(fresh, file, error);
-    if (error) fail(error.message());
+    if (error) fail(error.value());
 }
 
 void write_file(const fs::path& file, const std::string& text) {

@@ -33,6 +33,9 @@ class FolderLock {
     FileDescriptor folder_;
 };
 
+/// Throws the HarnessError that tells that a file of results can't be written; `error` is errno's, 0 for unknown.
+[[noreturn]] void fail_to_write(const std::filesystem::path& file, int error);
+
 /// Writes a whole file or throws HarnessError; what was there before stays until the new one is complete.
 void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 void write_file(const std::filesystem::path& file, const std::string& text);

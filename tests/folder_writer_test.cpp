@@ -1,0 +1,113 @@
+#include "harness/folder_writer.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "harness/failure.h"
+#include "tests/temporary_folder.h"
+
+namespace harness {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::Pair;
+
+class FolderWriting : public testing::Test {
+  protected:
+    std::map<std::string, std::string> files() const {
+        std::map<std::string, std::string> files;
+        for (const auto& entry : fs::directory_iterator(out)) {
+            if (!entry.is_regular_file()) continue;
+            std::ifstream stream(entry.path(), std::ios::binary);
+            files[entry.path().filename().string()] = {std::istreambuf_iterator<char>(stream), {}};
+        }
+        return files;
+    }
+    struct stat look(const std::string& name) const {
+        struct stat info {};
+        EXPECT_EQ(lstat((out / name).c_str(), &info), 0) << name;
+        return info;
+    }
+    /// Writes each of these files, one after the other, with the text behind its name.
+    void write(const std::vector<std::pair<std::string, std::string>>& texts) const {
+        FolderWriter writer(out);
+        for (const auto& [name, text] : texts) writer.write(name, text);
+    }
+
+    TemporaryFolder folder;
+    const fs::path out = folder.make_folder("out");
+};
+
+TEST_F(FolderWriting, LeavesWhatWasWrittenAndNothingElse) {
+    write({{"a.md", "first"}, {"b.md", ""}});
+    EXPECT_THAT(files(), ElementsAre(Pair("a.md", "first"), Pair("b.md", "")));
+    write({{"b.md", std::string(100'000, 'b')}, {"a.md", "a"}, {"c.md", "c"}, {"b.md", "b"}});
+    EXPECT_THAT(files(), ElementsAre(Pair("a.md", "a"), Pair("b.md", "b"), Pair("c.md", "c")));
+}
+
+TEST_F(FolderWriting, MakesNoFileWhereOneIsThere) {
+    write({{"a.md", "a"}, {"b.md", "b"}, {"c.md", "c"}});
+    const auto a = look("a.md").st_ino, b = look("b.md").st_ino;
+    write({{"a.md", "A"}, {"b.md", "B"}, {"c.md", "C"}});
+    EXPECT_EQ(look("b.md").st_ino, a) << "the old file of a is the new one of b";
+    EXPECT_EQ(look("c.md").st_ino, b);
+}
+
+TEST_F(FolderWriting, RemovesTheOthersWithTheSameEndings) {
+    write({{"a.md", "a"}, {"b.md", "b"}, {"b.txt", "mine"}});
+    FolderWriter writer(out);
+    writer.write("a.md", "A");
+    writer.remove_others({".md", ".html"});
+    EXPECT_EQ(files().count("b.md"), 0U);
+    EXPECT_EQ(files().at("a.md"), "A");
+    EXPECT_EQ(files().at("b.txt"), "mine");
+}
+
+TEST_F(FolderWriting, LeavesTheCopyThatALinkMadeAlone) {
+    write({{"a.md", "a"}, {"b.md", "b"}});
+    fs::create_hard_link(out / "a.md", folder.path() / "copy.md");
+    write({{"a.md", "A"}, {"b.md", "B"}});
+    std::ifstream copy(folder.path() / "copy.md");
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(copy), {}), "a");
+    EXPECT_THAT(files(), ElementsAre(Pair("a.md", "A"), Pair("b.md", "B")));
+}
+
+TEST_F(FolderWriting, GivesNoFileTheRightsOfAnother) {
+    write({{"a.md", "a"}, {"b.md", "b"}});
+    const auto usual = look("b.md").st_mode;
+    fs::permissions(out / "a.md", fs::perms::owner_all);
+    ASSERT_NE(look("a.md").st_mode, usual);
+    write({{"a.md", "A"}, {"b.md", "B"}});
+    EXPECT_EQ(look("a.md").st_mode, usual);
+    EXPECT_EQ(look("b.md").st_mode, usual);
+}
+
+TEST_F(FolderWriting, ReplacesALinkAndNotWhatItLeadsTo) {
+    const fs::path target = folder.write("target.md", "target");
+    for (const char* link : {"a.md", "b.md", ".new"}) fs::create_symlink(target, out / link);
+    write({{"a.md", "A"}, {"b.md", "B"}});
+    std::ifstream kept(target);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(kept), {}), "target");
+    EXPECT_TRUE(S_ISREG(look("a.md").st_mode));
+    EXPECT_THAT(files(), ElementsAre(Pair("a.md", "A"), Pair("b.md", "B")));
+}
+
+TEST_F(FolderWriting, TellsWhatCannotBeWritten) {
+    EXPECT_THROW(FolderWriter(folder.path() / "nowhere").write("a.md", "a"), HarnessError);
+    write({{"b.md", "b"}});
+    fs::create_directory(out / "a.md");
+    folder.write("out/a.md/inside", "");
+    EXPECT_THROW(write({{"b.md", "B"}, {"a.md", "A"}}), HarnessError);
+    EXPECT_TRUE(fs::exists(out / "a.md/inside"));
+    EXPECT_EQ(files().at("b.md"), "B");
+    EXPECT_EQ(files().count(".new"), 0U);
+}
+
+}  // namespace
+}  // namespace harness
