@@ -5,6 +5,7 @@
 
 #include "harness/report/class_changes.h"
 #include "tests/report/graded_samples.h"
+#include "tests/student/scenes.h"
 
 namespace harness {
 namespace {
@@ -135,24 +136,7 @@ TEST(ClassChanges, NameSixReasonsAndHowManyMore) {
 }
 
 TEST(AssignmentChange, SaysWhetherTheKeyIsAnother) {
-    const std::string then = R"(
-[camera]
-eye = [0, 0, 4]
-lookat = [0, 0, 0]
-vup = [0, 1, 0]
-[window]
-clip_left = -2
-clip_right = 2
-clip_bottom = -1
-clip_top = 1
-clip_near = 2
-width = 301
-height = 201
-pixel = [150, 100]
-[[sphere]]
-center = [1, 1, 0]
-radius = 2
-)";
+    const std::string then = student::camera_on_the_axis(4) + "[[sphere]]\ncenter = [1, 1, 0]\nradius = 2\n";
     const auto change = [&](const std::string& toml, const std::string& name = "a6") {
         const reference::Assignment now = reference::parse_assignment(toml, name + ".toml");
         return assignment_change({"a6", then}, {name, toml},

@@ -6,6 +6,7 @@
 #include "harness/failure.h"
 #include "harness/find_submissions.h"
 #include "harness/results_folder.h"
+#include "tests/bytes_of.h"
 #include "tests/report/graded_samples.h"
 #include "tests/temporary_folder.h"
 
@@ -17,17 +18,11 @@ using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
-std::string text_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    EXPECT_TRUE(stream) << file;
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 /// Every file below a folder by its name.
 std::map<std::string, std::string> files_of(const fs::path& folder) {
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-        if (entry.is_regular_file()) files[fs::relative(entry.path(), folder).string()] = text_of(entry.path());
+        if (entry.is_regular_file()) files[fs::relative(entry.path(), folder).string()] = bytes_of(entry.path());
     }
     return files;
 }
@@ -87,9 +82,9 @@ TEST_F(ClassReports, OfOneChangedSubmissionLeaveTheOthersFeedbackAlone) {
     folder.write("out/feedback/bob.md", "as it was");
     attach(overrides, all);
     write("out", all, 0);
-    EXPECT_EQ(text_of(out / "feedback/bob.md"), "as it was");
-    EXPECT_THAT(text_of(out / "feedback/ada.md"), HasSubstr("right idea"));
-    EXPECT_THAT(text_of(out / "grades.json"), HasSubstr("right idea"));
+    EXPECT_EQ(bytes_of(out / "feedback/bob.md"), "as it was");
+    EXPECT_THAT(bytes_of(out / "feedback/ada.md"), HasSubstr("right idea"));
+    EXPECT_THAT(bytes_of(out / "grades.json"), HasSubstr("right idea"));
 }
 
 TEST_F(ClassReports, AreAsLeftUntilOneIsGoneOrTouched) {

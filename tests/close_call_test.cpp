@@ -5,6 +5,7 @@
 
 #include "tests/printed_values.h"
 #include "tests/student/printout.h"
+#include "tests/student/scenes.h"
 
 namespace harness {
 namespace {
@@ -65,20 +66,7 @@ TEST(CloseCall, LeavesTheHitPointOfAMissToTheStudent) {
 }
 
 TEST(CloseCall, HoldsTheRubricsPolicyWhereTIsZeroExactly) {
-    const std::string toml = R"(
-[camera]
-eye = [0, 0, 4]
-lookat = [0, 0, 0]
-vup = [0, 1, 0]
-[window]
-clip_left = -2
-clip_right = 2
-clip_bottom = -1
-clip_top = 1
-clip_near = 2
-width = 301
-height = 201
-pixel = [150, 100]
+    const std::string toml = student::camera_on_the_axis(4) + R"(
 [[sphere]]
 center = [1, 1, 0]
 radius = 2

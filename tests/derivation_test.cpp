@@ -7,6 +7,7 @@
 
 #include "harness/tolerance.h"
 #include "tests/printed_values.h"
+#include "tests/student/scenes.h"
 
 namespace harness {
 namespace {
@@ -184,20 +185,7 @@ TEST_F(Derivations, TakeAMatrixWithAnotherLastRowBothWays) {
 }
 
 TEST(RealScene, HasTheObjectAskedAboutFirst) {
-    const student::Marking marking = student::marking_of(R"(
-[camera]
-eye = [0, 0, 8]
-lookat = [0, 0, 0]
-vup = [0, 1, 0]
-[window]
-clip_left = -2
-clip_right = 2
-clip_bottom = -1
-clip_top = 1
-clip_near = 2
-width = 301
-height = 201
-pixel = [150, 100]
+    const student::Marking marking = student::marking_of(student::camera_on_the_axis(8) + R"(
 [[sphere]]
 center = [0, 0, -9]
 radius = 1

@@ -3,25 +3,21 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
-#include <chrono>
 #include <nlohmann/json.hpp>
-#include <random>
-#include <thread>
 
 #include "harness/failure.h"
 #include "harness/find_submissions.h"
+#include "tests/bytes_of.h"
 #include "tests/report/graded_samples.h"
+#include "tests/saved_class.h"
 #include "tests/temporary_folder.h"
 
 namespace harness {
 namespace {
 
 using namespace report_samples;
+using namespace saved_class;
 using namespace std::chrono_literals;
 using nlohmann::json;
 using testing::AllOf;
@@ -32,52 +28,8 @@ using testing::SizeIs;
 
 using Record = Gradebook::Comparison::Record;
 
-Run a_run(const std::string& when = "2026-11-22T09:30:00Z") {
-    return {0, {"ada", when}, "0.7.0", "a6-2021", "/a6-2021.toml", "title = \"x\"\n", Tier::landlock};
-}
-
-/// Compares and saves, as a command does.
-Gradebook::Comparison save(const std::filesystem::path& folder, std::vector<Graded> all,
-                           const std::vector<KeptInput>& inputs = {}) {
-    Gradebook gradebook(folder);
-    attach(gradebook.overrides(), all);
-    auto comparison = gradebook.compare(all);
-    gradebook.save(a_run(), all, comparison, inputs);
-    return comparison;
-}
-
-std::vector<Graded> three() {
-    return {graded("ada", output_with_a_mistake()), graded("ben", ""), not_graded("cy")};
-}
-
-std::filesystem::path file_in(const TemporaryFolder& folder) {
-    return folder.path() / gradebook_name;
-}
-
 void alter(const TemporaryFolder& folder, const std::string& sql) {
     SQLite::Database(file_in(folder).string(), SQLite::OPEN_READWRITE).exec(sql);
-}
-
-std::string text_of(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// The rows of a query as python3 reads them, which knows nothing of ours.
-json rows(const TemporaryFolder& folder, const std::string& query) {
-    const auto script = folder.write("rows.py",
-                                     "import json, sqlite3, sys\n"
-                                     "book = sqlite3.connect(sys.argv[1])\n"
-                                     "assert book.execute('PRAGMA integrity_check').fetchone()[0] == 'ok'\n"
-                                     "print(json.dumps([list(row) for row in book.execute(sys.argv[2])]))\n");
-    const std::string command =
-        "python3 '" + script.string() + "' '" + file_in(folder).string() + "' \"" + query + "\"";
-    FILE* pipe = popen(command.c_str(), "r");
-    std::string text;
-    std::array<char, 4096> buffer{};
-    while (const std::size_t got = fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), got);
-    EXPECT_EQ(pclose(pipe), 0) << "python3 can't read it";
-    return json::parse(text);
 }
 
 std::string refusal(const TemporaryFolder& folder) {
@@ -270,19 +222,19 @@ TEST(Gradebook, IsRefusedAndLeftAsItIsWhenItIsOfAnotherVersion) {
     const TemporaryFolder folder;
     save(folder.path(), three());
     alter(folder, "PRAGMA user_version = 2");
-    const std::string before = text_of(file_in(folder));
+    const std::string before = bytes_of(file_in(folder));
     EXPECT_THAT(refusal(folder),
                 AllOf(HasSubstr(file_in(folder).string()), HasSubstr("version 2"), HasSubstr("another raygrade")));
-    EXPECT_EQ(text_of(file_in(folder)), before);
+    EXPECT_EQ(bytes_of(file_in(folder)), before);
 }
 
 TEST(Gradebook, IsRefusedAndLeftAsItIsWhenItIsAnotherProgramsDatabase) {
     const TemporaryFolder folder;
     SQLite::Database(file_in(folder).string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
         .exec("CREATE TABLE photos (name TEXT)");
-    const std::string before = text_of(file_in(folder));
+    const std::string before = bytes_of(file_in(folder));
     EXPECT_THAT(refusal(folder), HasSubstr("another program's database"));
-    EXPECT_EQ(text_of(file_in(folder)), before);
+    EXPECT_EQ(bytes_of(file_in(folder)), before);
 }
 
 TEST(Gradebook, IsRefusedAndLeftAsItIsWhenItIsDamaged) {
@@ -292,7 +244,7 @@ TEST(Gradebook, IsRefusedAndLeftAsItIsWhenItIsDamaged) {
                                     std::string("short")}) {
         folder.write(gradebook_name, text);
         EXPECT_THAT(refusal(folder), AllOf(HasSubstr("is damaged"), HasSubstr("backup"), HasSubstr("move it away")));
-        EXPECT_EQ(text_of(file_in(folder)), text);
+        EXPECT_EQ(bytes_of(file_in(folder)), text);
     }
     std::filesystem::remove(file_in(folder));
     save(folder.path(), three());
@@ -334,86 +286,6 @@ TEST(Gradebook, RefusesARunThatWasComparedWithAnOlderOne) {
     EXPECT_THROW(slow.save(a_run(), three(), comparison, {}), HarnessError);
     EXPECT_EQ(rows(folder, "SELECT id FROM submissions"), json::parse(R"([["ada"]])"));
     EXPECT_EQ(rows(folder, "SELECT COUNT(*) FROM runs"), json::parse("[[2]]"));
-}
-
-TEST(Gradebook, TakesTheOverridesOfTwoProcessesAtOnce) {
-    const TemporaryFolder folder;
-    save(folder.path(), three());
-    constexpr int each = 20;
-    std::vector<pid_t> children;
-    for (const int question : {6, 8}) {
-        children.push_back(fork());
-        ASSERT_GE(children.back(), 0);
-        if (children.back() != 0) continue;
-        try {
-            Gradebook gradebook(folder.path());
-            for (int i = 0; i < each; ++i) {
-                gradebook.put_override({"s" + std::to_string(i), {question, "", 1, "why", "me", "now"}}, 0, {});
-            }
-        } catch (const std::exception&) {
-            _exit(1);
-        }
-        _exit(0);
-    }
-    for (const pid_t child : children) {
-        int status = 0;
-        waitpid(child, &status, 0);
-        EXPECT_EQ(status, 0);
-    }
-    EXPECT_THAT(Gradebook(folder.path()).overrides(), SizeIs(2 * each));
-    EXPECT_EQ(rows(folder, "SELECT COUNT(*) FROM audit"), json::parse("[[41]]"));
-}
-
-/// Which of two classes a gradebook holds: every mark of run n is n, and so is how many there are.
-std::vector<Graded> class_of_run(int n) {
-    std::vector<Graded> all;
-    for (int i = 0; i < 20 + n % 2; ++i) {
-        all.push_back(graded("s" + std::to_string(i), ""));
-        all.back().score.points = n;
-    }
-    return all;
-}
-
-/// The seed is fixed: 25 moments of saving one run after the other.
-TEST(Gradebook, IsAsBeforeOrAsAfterwardsWhenItsWriterIsKilled) {
-    const TemporaryFolder folder;
-    // Killed at any time within some three saves, however long this build takes for one.
-    const auto begun = std::chrono::steady_clock::now();
-    save(folder.path(), class_of_run(1));
-    const auto one_save =
-        std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - begun);
-    const auto longest = static_cast<std::uint64_t>(3 * one_save.count() + 1000);
-    std::mt19937 random(17);
-    int saved = 1;
-    for (int round = 0; round < 25; ++round) {
-        const pid_t child = fork();
-        ASSERT_GE(child, 0);
-        if (child == 0) {
-            try {
-                for (int n = saved + 1;; ++n) save(folder.path(), class_of_run(n));
-            } catch (const std::exception&) {
-                _exit(1);
-            }
-        }
-        std::this_thread::sleep_for(std::chrono::microseconds(random() % longest));
-        kill(child, SIGKILL);
-        int status = 0;
-        waitpid(child, &status, 0);
-        ASSERT_TRUE(WIFSIGNALED(status)) << "it was still writing";
-        const Gradebook gradebook(folder.path());
-        const auto run = gradebook.last_run();
-        ASSERT_TRUE(run);
-        ASSERT_GE(run->number, saved) << "what was saved stays saved";
-        saved = static_cast<int>(run->number);
-        const std::vector<Graded> all = gradebook.restore();
-        ASSERT_EQ(all.size(), class_of_run(saved).size());
-        for (const Graded& one : all) ASSERT_EQ(one.score.points, saved) << one.submission.id;
-    }
-    EXPECT_GT(saved, 1) << "something was saved between two kills";
-    EXPECT_EQ(rows(folder, "SELECT DISTINCT final_points FROM submissions"), json::array({json::array({saved})}));
-    EXPECT_EQ(rows(folder, "SELECT COUNT(DISTINCT run), MAX(run) FROM history"),
-              json::array({json::array({saved, saved})}))
-        << "no run without its marks";
 }
 
 }  // namespace

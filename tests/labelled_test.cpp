@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -13,6 +12,7 @@
 #include "harness/score.h"
 #include "harness/transcript.h"
 #include "reference/answer_key.h"
+#include "tests/bytes_of.h"
 
 namespace {
 
@@ -20,11 +20,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 const fs::path classes = fs::path(RAYGRADE_PROJECT) / "tests/labelled";
-
-std::string read(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// Every submission as "class/id".
 std::vector<std::string> labelled() {
@@ -44,8 +39,8 @@ TEST_P(Labelled, AgreesWithTheMarkerOnEveryItem) {
     const auto assignment = reference::load_assignment((folder.parent_path() / "assignment.toml").string(), classes);
     const auto key = reference::make_key(assignment, reference::Precision::certified);
     const harness::Score score =
-        harness::score(harness::read_transcript(read(folder / "expected_stdout.txt")), key, assignment);
-    const json label = json::parse(read(folder / "label.json"));
+        harness::score(harness::read_transcript(bytes_of(folder / "expected_stdout.txt")), key, assignment);
+    const json label = json::parse(bytes_of(folder / "label.json"));
     std::size_t items = 0;
     for (const harness::QuestionScore& question : score.questions) {
         const json& labelled = label.at("questions").at(std::to_string(question.number));

@@ -2,8 +2,9 @@
 
 #include <gmock/gmock.h>
 
-#include <fstream>
 #include <sstream>
+
+#include "tests/bytes_of.h"
 
 namespace {
 
@@ -99,8 +100,7 @@ TEST(ReadLimits, KnowsALimitWithoutItsStageOrOfTheWrongOne) {
 }
 
 TEST(DescribeLimits, IsWhatTheReadmeSays) {
-    std::ifstream file(RAYGRADE_PROJECT "/README.md");
-    const std::string readme{std::istreambuf_iterator<char>(file), {}};
+    const std::string readme = bytes_of(RAYGRADE_PROJECT "/README.md");
     for (const LimitDescription& limit : describe_limits()) {
         EXPECT_THAT(readme, HasSubstr("| `" + limit.name + "` | " + limit.value + " | " + limit.consequence + " |"));
     }

@@ -4,6 +4,7 @@
 
 #include "harness/failure.h"
 #include "temporary_folder.h"
+#include "tests/bytes_of.h"
 
 namespace harness {
 namespace {
@@ -11,11 +12,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
-
-std::string text_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 std::string failure_of_writing(const fs::path& file) {
     try {
@@ -30,7 +26,7 @@ TEST(WriteFile, ReplacesWhatWasThere) {
     const TemporaryFolder folder;
     const fs::path file = folder.write("grades.csv", "earlier");
     write_file(file, "later");
-    EXPECT_EQ(text_of(file), "later");
+    EXPECT_EQ(bytes_of(file), "later");
     EXPECT_FALSE(fs::exists(folder.path() / "grades.csv.new"));
 }
 

@@ -15,8 +15,6 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr int usage = 2;
-
 Result accuracy(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"accuracy", "--quick", "--rays", "256"});
     return raygrade(arguments);

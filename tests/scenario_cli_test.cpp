@@ -16,8 +16,6 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr int usage = 2;
-
 TEST(CommandLine, HelpNamesEverySubcommand) {
     const Result result = raygrade({"--help"});
     EXPECT_EQ(result.status, 0);

@@ -17,13 +17,6 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr int some_not_graded = 1;
-constexpr int usage = 2;
-
-/// Prints the answer to question 5 alone, 10 of 100 points: quick to compile.
-constexpr std::string_view small_program =
-    "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n";
-
 class Exchange : public testing::Test {
   protected:
     Exchange() { write(source(), small_program); }

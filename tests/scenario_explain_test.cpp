@@ -14,8 +14,6 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-constexpr int usage = 2;
-
 constexpr const char* far_root = "Question 6: hit point: (0, 0, -1.41421)\n";
 
 TEST(Explain, WritesAPictureAndSaysWhere) {

@@ -25,8 +25,6 @@ using namespace std::chrono_literals;
 using nlohmann::json;
 using testing::HasSubstr;
 
-constexpr int some_not_graded = 1;
-
 constexpr std::string_view honest =
     "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n";
 /// Does all it can not to be ended, for some seconds.

@@ -22,9 +22,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr int some_not_graded = 1;
-constexpr int usage = 2;
-
 /// Prints the answer to question 5 alone, which is right: 10 of 100 points.
 constexpr std::string_view right =
     "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n";

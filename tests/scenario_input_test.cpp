@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/packed.h"
 #include "tests/scenario.h"
 
 namespace scenario {
@@ -21,13 +20,6 @@ using nlohmann::json;
 using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
-
-constexpr int some_not_graded = 1;
-constexpr int usage = 2;
-
-/// Prints the answer to question 5 alone: quick to compile.
-constexpr std::string_view small_program =
-    "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n";
 
 /// A class with one good submission, "good", and whatever a test adds.
 class BadInput : public testing::Test {
@@ -150,31 +142,6 @@ TEST_F(BadInput, NamesWithSpacesQuotesAndUnicodeAreGraded) {
     EXPECT_THAT(csv, HasSubstr("\"a,b;c\""));
     EXPECT_THAT("\n" + csv, Not(HasSubstr("\n=cmd"))) << "a spreadsheet would run it as a formula";
     EXPECT_THAT("\n" + csv, Not(HasSubstr("\n\"=cmd"))) << "a spreadsheet would run it as a formula";
-}
-
-/// A class as it comes out of Canvas, with one of everything.
-TEST_F(BadInput, ACanvasDownloadIsGradedAndLosesNobody) {
-    const std::string right = read(project_folder() / "submissions/ada/ray_cast.cpp");
-    const fs::path zip = pack(folder / "submissions.zip", {{"doejane_11_101_ray_cast.cpp", right},
-                                                           {"roe_LATE_12_102_ray_cast-1.cpp", right},
-                                                           {"roe_12_99_ray_cast.cpp", "not even C++"},
-                                                           {"poe_13_103_essay.pdf", "%PDF-1.4"}});
-    const Result result = raygrade({"grade", zip.string(), "--out", out().string()});
-    EXPECT_EQ(result.status, some_not_graded) << result.both();
-    EXPECT_EQ(graded("doejane").at("points"), 100);
-    EXPECT_EQ(graded("doejane").at("student").at("lms_user_id"), "11");
-    EXPECT_EQ(graded("roe").at("points"), 100) << "the newest counts";
-    EXPECT_EQ(graded("roe").at("student").at("late"), true);
-    EXPECT_EQ(graded("poe").at("outcome"), "not_graded");
-    EXPECT_THAT(result.both(), HasSubstr("essay.pdf"));
-}
-
-TEST_F(BadInput, AHostileArchiveIsRefusedByName) {
-    const fs::path zip = pack(folder / "class.zip", {{"a.cpp", ""}, {"../../evil.cpp", "e"}});
-    const Result result = raygrade({"grade", zip.string(), "--out", out().string()});
-    EXPECT_EQ(result.status, usage) << result.both();
-    EXPECT_THAT(result.voice, HasSubstr("../../evil.cpp"));
-    EXPECT_FALSE(fs::exists(out()));
 }
 
 TEST_F(BadInput, NoCompilerOnPath) {

@@ -14,7 +14,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-constexpr int usage = 2;
 constexpr const char* png = "\x89PNG\r\n\x1a\n";
 
 std::string scene_file(const std::string& name) {

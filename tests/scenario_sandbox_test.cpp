@@ -16,9 +16,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr int some_not_graded = 1;
-constexpr int usage = 2;
-
 class Sandboxed : public testing::Test {
   protected:
     Sandboxed() {

@@ -25,7 +25,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr int usage = 2;
 /// For compiling a few programs on a busy machine, under the sanitisers.
 constexpr auto patience = 120s;
 

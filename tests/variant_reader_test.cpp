@@ -6,6 +6,7 @@
 #include <string>
 
 #include "reference/scene_toml.h"
+#include "tests/student/scenes.h"
 
 namespace reference {
 namespace {
@@ -15,24 +16,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-const std::string scene = R"(
-[camera]
-eye = [0, 0, 4]
-lookat = [0, 0, 0]
-vup = [0, 1, 0]
-[window]
-clip_left = -2
-clip_right = 2
-clip_bottom = -1
-clip_top = 1
-clip_near = 2
-width = 301
-height = 201
-pixel = [150, 100]
-[[sphere]]
-center = [1, 1, 0]
-radius = 2.50
-)";
+const std::string scene = student::camera_on_the_axis(4) + "[[sphere]]\ncenter = [1, 1, 0]\nradius = 2.50\n";
 
 std::string error_of(const std::string& variant) {
     try {

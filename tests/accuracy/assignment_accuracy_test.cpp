@@ -5,8 +5,9 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
+
+#include "tests/bytes_of.h"
 
 namespace {
 
@@ -21,8 +22,7 @@ Assignment assignment_2021() {
 
 /// The 2021 assignment with some of its text replaced.
 Assignment changed(const std::vector<std::pair<std::string, std::string>>& changes) {
-    std::ifstream file(std::string(RAYGRADE_ASSIGNMENTS) + "/a6-2021.toml");
-    std::string text{std::istreambuf_iterator<char>(file), {}};
+    std::string text = bytes_of(std::string(RAYGRADE_ASSIGNMENTS) + "/a6-2021.toml");
     for (const auto& [from, to] : changes) {
         const std::size_t at = text.find(from);
         if (at == std::string::npos) throw std::logic_error("not in the assignment: " + from);

@@ -4,23 +4,17 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "tests/bytes_of.h"
 #include "tests/fuzz/transcript_properties.h"
 
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string bytes_of(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    EXPECT_TRUE(in) << file;
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// The corpus in the order of its paths, so that a seed means the same everywhere.
 std::vector<fs::path> corpus() {

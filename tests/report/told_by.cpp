@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <iterator>
 
+#include "tests/bytes_of.h"
 #include "tests/temporary_folder.h"
 
 std::string told_by(const std::string& command, const std::string& content) {
@@ -15,8 +15,7 @@ std::string told_by(const std::string& command, const std::string& content) {
     const auto told = folder.path() / "told";
     const std::string run = "bash " + script.string() + " " + file.string() + " > " + told.string() + " 2>&1";
     const int status = std::system(run.c_str());
-    std::ifstream stream(told);
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    std::string text = bytes_of(told);
     EXPECT_EQ(status, 0) << text;
     return text;
 }

@@ -100,15 +100,19 @@ const std::map<std::string_view, std::string>& scenes() {
                              triangle("[[4.622966677, -1.627549067, 0.934909329], [1.622966677, -0.627549067, "
                                       "1.034909329], [4.622966677, 3.372450933, 0.234909329]]")},
         // On the axes, where float is exact: the sphere's nearest point lies in the triangle.
-        {"tie",
-         "[camera]\neye = [0, 0, 8]\nlookat = [0, 0, 0]\nvup = [0, 1, 0]\n[window]\nclip_left = -2\nclip_right = 2\n"
-         "clip_bottom = -1\nclip_top = 1\nclip_near = 2\nwidth = 301\nheight = 201\npixel = [150, 100]\n" +
-             sphere("[0, 0, 0]", "2") + triangle("[[-4, -4, 2], [4, -4, 2], [0, 8, 2]]")},
+        {"tie", camera_on_the_axis(8) + sphere("[0, 0, 0]", "2") + triangle("[[-4, -4, 2], [4, -4, 2], [0, 8, 2]]")},
     };
     return table;
 }
 
 }  // namespace
+
+std::string camera_on_the_axis(int eye_z) {
+    return "[camera]\neye = [0, 0, " + std::to_string(eye_z) +
+           "]\nlookat = [0, 0, 0]\nvup = [0, 1, 0]\n"
+           "[window]\nclip_left = -2\nclip_right = 2\nclip_bottom = -1\nclip_top = 1\nclip_near = 2\n"
+           "width = 301\nheight = 201\npixel = [150, 100]\n";
+}
 
 Marking marking_of(std::string_view toml, std::string_view name) {
     Marking marking{reference::parse_assignment(toml, std::string(name) + ".toml"), {}};

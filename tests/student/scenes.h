@@ -1,6 +1,7 @@
 // Scenes to be marked in tests, each with what is hard about it.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,6 +30,10 @@ Marking scene_named(std::string_view name);
 /// "small" (about 1e-3), "tie" (of equal floats); and "barely hit", "barely missed", "barely inside", "barely outside"
 /// (of the triangle), "almost a tie", where float cannot tell.
 const std::vector<std::string_view>& scene_names();
+
+/// The beginning of a scene's text: a camera at (0, 0, eye_z) that looks down the axis, and the pixel in the middle of
+/// its window.
+std::string camera_on_the_axis(int eye_z);
 
 /// `toml`'s scene and rubric.
 Marking marking_of(std::string_view toml, std::string_view name);

@@ -5,12 +5,13 @@
 
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <ostream>
 #include <random>
 #include <string>
 #include <vector>
+
+#include "tests/bytes_of.h"
 
 namespace harness::variants {
 
@@ -155,9 +156,7 @@ TEST(CppLexer, LosesNoByteOfRandomSources) {
 }
 
 TEST(CppLexer, LosesNoByteOfASubmissionCutAnywhere) {
-    const std::filesystem::path file = std::filesystem::path(RAYGRADE_PROJECT) / "submissions/s06/ray_cast.cpp";
-    std::ifstream stream(file, std::ios::binary);
-    const std::string source{std::istreambuf_iterator<char>(stream), {}};
+    const std::string source = bytes_of(RAYGRADE_PROJECT "/submissions/s06/ray_cast.cpp");
     ASSERT_GT(source.size(), 1000U);
     for (std::size_t length = 0; length <= source.size(); length += 7) ASSERT_EQ(gap_in(source.substr(0, length)), "");
 }

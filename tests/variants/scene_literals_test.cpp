@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "reference/assignment.h"
+#include "tests/bytes_of.h"
 
 namespace harness::variants {
 namespace {
@@ -179,16 +179,11 @@ TEST(FindScene, TakesNoHoursForNastySources) {
 
 // The sample class
 
-std::string read(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 /// Whether the submission compiles, by what stands beside it; none of hostile/ is asked.
 bool compiles(const fs::path& folder) {
     for (const char* name : {"label.json", "expected.json"}) {
         if (fs::exists(folder / name))
-            return nlohmann::json::parse(read(folder / name)).at("outcome") != "compile_error";
+            return nlohmann::json::parse(bytes_of(folder / name)).at("outcome") != "compile_error";
     }
     return false;
 }
@@ -199,7 +194,7 @@ TEST(FindScene, FindsTheSceneOfNineTenthsOfTheSampleClass) {
     for (const auto& entry : fs::directory_iterator(fs::path(RAYGRADE_PROJECT) / "submissions")) {
         if (!compiles(entry.path())) continue;
         ++all;
-        const SceneLiterals scene = find_scene(read(entry.path() / "ray_cast.cpp"), assignment().scene);
+        const SceneLiterals scene = find_scene(bytes_of(entry.path() / "ray_cast.cpp"), assignment().scene);
         bool whole = true;
         for (const ScenePart part : {ScenePart::eye, ScenePart::center, ScenePart::A, ScenePart::B, ScenePart::C})
             whole = whole && scene.located.contains(part);

@@ -1,0 +1,50 @@
+// A class in an archive: graded as it comes from a learning management system, or refused.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/packed.h"
+#include "tests/scenario.h"
+
+namespace scenario {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// A class as it comes out of Canvas, with one of everything.
+TEST(Archive, OfCanvasIsGradedAndLosesNobody) {
+    const TemporaryFolder folder;
+    const fs::path out = folder / "out";
+    const std::string right = read(project_folder() / "submissions/ada/ray_cast.cpp");
+    const fs::path zip = pack(folder / "submissions.zip", {{"doejane_11_101_ray_cast.cpp", right},
+                                                           {"roe_LATE_12_102_ray_cast-1.cpp", right},
+                                                           {"roe_12_99_ray_cast.cpp", "not even C++"},
+                                                           {"poe_13_103_essay.pdf", "%PDF-1.4"}});
+    const Result result = raygrade({"grade", zip.string(), "--out", out.string()});
+    EXPECT_EQ(result.status, some_not_graded) << result.both();
+    const json grades = read_json(out / "grades.json");
+    const auto graded = [&](const char* id) { return submission_in(grades, id); };
+    EXPECT_EQ(graded("doejane").at("points"), 100);
+    EXPECT_EQ(graded("doejane").at("student").at("lms_user_id"), "11");
+    EXPECT_EQ(graded("roe").at("points"), 100) << "the newest counts";
+    EXPECT_EQ(graded("roe").at("student").at("late"), true);
+    EXPECT_EQ(graded("poe").at("outcome"), "not_graded");
+    EXPECT_THAT(result.both(), HasSubstr("essay.pdf"));
+}
+
+TEST(Archive, WithAWayOutIsRefusedByName) {
+    const TemporaryFolder folder;
+    const fs::path out = folder / "out";
+    const fs::path zip = pack(folder / "class.zip", {{"a.cpp", ""}, {"../../evil.cpp", "e"}});
+    const Result result = raygrade({"grade", zip.string(), "--out", out.string()});
+    EXPECT_EQ(result.status, usage) << result.both();
+    EXPECT_THAT(result.voice, HasSubstr("../../evil.cpp"));
+    EXPECT_FALSE(fs::exists(out));
+}
+
+}  // namespace
+}  // namespace scenario
