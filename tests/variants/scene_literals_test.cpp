@@ -72,6 +72,14 @@ TEST(FindScene, ReadsTheEyeInEverySpelling) {
     EXPECT_EQ(rewritten("vec4 p(0, 0, 4, 1);"), "vec4 p(11, 12, 13, 1);");
 }
 
+TEST(FindScene, ReadsConstantsAsTheCompilerDoes) {
+    EXPECT_EQ(rewritten("int px = 0226, py = 0144;"), "int px = 41, py = 42;");
+    EXPECT_EQ(rewritten("int px = 1'50, py = 0b110'0100;"), "int px = 41, py = 42;");
+    EXPECT_EQ(rewritten("vec3 eye(0, 0, 9 / 2);"), "vec3 eye(11, 12, 13);");
+    EXPECT_EQ(rewritten("vec3 eye(0, 0, 9 / 2.0);"), "vec3 eye(0, 0, 9 / 2.0);") << "that is 4.5";
+    EXPECT_EQ(rewritten("vec3 eye(2 - 2, 0, 6 - 1 * 2);"), "vec3 eye(11, 12, 13);");
+}
+
 TEST(FindScene, BracketsANegativeNumberInAMacro) {
     const std::string unknown = "#define N_X 0\n#define N_Y 0\n#define N_Z 0\n";
     EXPECT_EQ(rewritten(unknown), unknown);
