@@ -146,9 +146,9 @@ TEST(CompareVariants, MovesWithAnyOtherPrint) {
 }
 
 TEST(CompareVariants, SaysNothingOfTheSentenceOfQuestion10) {
-    const VariantReport report =
-        compared(answered({"1", right}, {"0.5", right}, {"1 of 2: sphere", right}), {answered({"2", right}, {"0.1", right}, {"1 of 2: sphere", wrong}),
-                                                          answered({"3", right}, {"0.2", right}, {"1 of 2: sphere", wrong})});
+    const VariantReport report = compared(answered({"1", right}, {"0.5", right}, {"1 of 2: sphere", right}),
+                                          {answered({"2", right}, {"0.1", right}, {"1 of 2: sphere", wrong}),
+                                           answered({"3", right}, {"0.2", right}, {"1 of 2: sphere", wrong})});
     EXPECT_EQ(report.verdict, VariantVerdict::breaks);
     EXPECT_THAT(report.unmoved, IsEmpty());
 }
@@ -195,7 +195,9 @@ TEST(VariantSentences, PutTheEvidenceSideBySide) {
 }
 
 TEST(VariantSentences, CountWhatReadsOtherwise) {
-    const auto evidence = [](const Score& base, const Score& other) { return unmoved_evidence(compared(base, {other})); };
+    const auto evidence = [](const Score& base, const Score& other) {
+        return unmoved_evidence(compared(base, {other}));
+    };
     EXPECT_THAT(evidence(answered({"1", right}, {"0.5", right}), answered({"2", right}, {"0.5", wrong})),
                 HasSubstr("in its source. 1 answer that was right reads otherwise there."));
     EXPECT_THAT(evidence(answered({"1", right}, {"0.5", right}, {"sphere", right}),
@@ -204,9 +206,9 @@ TEST(VariantSentences, CountWhatReadsOtherwise) {
 }
 
 TEST(VariantSentences, NameWhatWasNotFoundAndEachScenesOwn) {
-    const auto sentences = variant_sentences(
-        compared(answered({"1", right}, {"0.5", right}),
-                 {answered({"2", wrong}, {"0.1", right}), answered({"3", right}, {"0.2", wrong})}));
+    const auto sentences =
+        variant_sentences(compared(answered({"1", right}, {"0.5", right}),
+                                   {answered({"2", wrong}, {"0.1", right}), answered({"3", right}, {"0.2", wrong})}));
     EXPECT_THAT(sentences,
                 ElementsAre("The program was also run on 2 other scenes, with other numbers for the scene in its "
                             "source (not found there, and left as they are: vup).",
