@@ -262,6 +262,8 @@ void Spool::trim() {
         surplus.bind(1, static_cast<std::int64_t>(bounds_.bytes));
         surplus.bind(2, static_cast<std::int64_t>(bounds_.results));
         surplus.exec();
+        // The log holds earlier pages as they were, and in them sources that have been deleted.
+        database_->exec("PRAGMA wal_checkpoint(TRUNCATE)");
     });
 }
 

@@ -66,7 +66,7 @@ class Spool {
     std::optional<Result> result(const std::string& key);
     /// The same without the page, which is left empty.
     std::optional<Result> points(const std::string& key);
-    /// Removes results beyond the bounds.
+    /// Removes results beyond the bounds, and from the files whatever has been deleted.
     void trim();
 
     /// What the instructor should know: a sentence about a database set aside; empty for nothing.

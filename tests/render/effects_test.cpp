@@ -113,6 +113,8 @@ TEST(Effects, AreGivenWithTheirReasons) {
     EXPECT_EQ(reason_for(with_camera(clay + ball), "shadows"), "off: no light: no shading, no shadow rays");
     EXPECT_EQ(reason_for(with_camera(lamp + clay + ball), "shadows"),
               "off: one convex object: nothing can cast a shadow on another");
+    EXPECT_EQ(reason_for(with_camera(lamp + clay + ball + sphere("[0, 3, 0]", "1", "clay")), "shadows"),
+              "on: objects may stand between a light and each other");
     EXPECT_EQ(reason_for(with_camera(lamp + clay + ball), "mirrors"), "off: no reflectivity above 0: no mirrored rays");
     EXPECT_THAT(reason_for(with_camera(lamp + sphere("[0, 0, 0]", "1")), "illumination"), HasSubstr("no object has"));
     EXPECT_THAT(reason_for(with_camera("[render]\nambient_light = [1, 1, 1]\n" + clay + ball), "shadows"),
@@ -148,9 +150,11 @@ TEST(Effects, ASphereSeenFromInsideIsItsOwnShade) {
 
 /// The window cuts the ball in two: some rays start inside.
 TEST(Effects, AWindowThroughASphereIsNotOutside) {
-    const PreparedScene scene = prepared(with_camera(sun + clay + sphere("[0, 0, 2]", "1", "clay")));
-    EXPECT_TRUE(called_for(scene).shadows);
-    expect_same_as_all_effects(scene);
+    for (const char* middle : {"[0, 0, 2]", "[1.5, 0, 2.1]"}) {
+        const PreparedScene scene = prepared(with_camera(sun + clay + sphere(middle, "1", "clay")));
+        EXPECT_TRUE(called_for(scene).shadows) << middle;
+        expect_same_as_all_effects(scene);
+    }
 }
 
 }  // namespace

@@ -200,21 +200,30 @@ TEST(Shadows, EndAtTheLamp) {
     for (const Color& color : enclosed) EXPECT_EQ(color, Color(0, 0, 0));
 }
 
-/// Phong's sum, by hand, at the middle of a wall: light from above the camera by an angle whose sine is 0.6.
+/// Phong's sum, by hand, all over a wall: light from above the camera by an angle whose sine is 0.6, and light so low
+/// that what the wall's lower part mirrors goes away from it.
 TEST(Illumination, IsPhongs) {
-    const PreparedScene scene = prepared(with_camera(
-        "[render]\nambient_light = [0.5, 0.25, 0]\n[[light]]\ndirection = [0, -3, -4]\ncolor = [1, 0.5, 1]\n" +
-        material("m", "ambient = [0.2, 0.4, 1]\ndiffuse = [0.5, 1, 0]\nspecular = [0.25, 1, 1]\nshininess = 3") +
-        triangle("[[-99, -99, 0], [99, -99, 0], [0, 99, 0]]", "m")));
-    for_each_pixel(colors_of(scene, {true, false, false, false, false}), [&](const Point& start, const Color& color) {
-        const Point V = scaled(start - Point(0, 0, 4), 1 / length(Point(start - Point(0, 0, 4))));
-        const double diffuse = 0.8;
-        const Point R(V.x, V.y, -V.z);
-        const double towards = std::pow(std::max(0.0, R.y * 0.6 + R.z * 0.8), 3);
-        expect_near(color,
-                    Color(0.5 * 0.2 + 0.5 * diffuse + 0.25 * towards, 0.25 * 0.4 + 0.5 * (diffuse + towards), towards),
-                    1e-12);
-    });
+    for (const auto& [direction, sine, cosine] :
+         {std::tuple("[0, -3, -4]", 0.6, 0.8), std::tuple("[0, -24, -7]", 0.96, 0.28)}) {
+        const PreparedScene scene = prepared(with_camera(
+            fmt::format("[render]\nambient_light = [0.5, 0.25, 0]\n[[light]]\ndirection = {}\ncolor = [1, 0.5, 1]\n",
+                        direction) +
+            material("m", "ambient = [0.2, 0.4, 1]\ndiffuse = [0.5, 1, 0]\nspecular = [0.25, 1, 1]\nshininess = 3") +
+            triangle("[[-99, -99, 0], [99, -99, 0], [0, 99, 0]]", "m")));
+        int away = 0;
+        for_each_pixel(colors_of(scene, {true, false, false, false, false}), [&](const Point& start,
+                                                                                 const Color& color) {
+            const Point V = scaled(start - Point(0, 0, 4), 1 / length(Point(start - Point(0, 0, 4))));
+            const Point R(V.x, V.y, -V.z);
+            const double along = R.y * sine + R.z * cosine;
+            away += along < 0 ? 1 : 0;
+            const double towards = along > 0 ? along * along * along : 0;
+            expect_near(
+                color, Color(0.5 * 0.2 + 0.5 * cosine + 0.25 * towards, 0.25 * 0.4 + 0.5 * (cosine + towards), towards),
+                1e-12);
+        });
+        EXPECT_EQ(away > 0, sine > 0.9);
+    }
 }
 
 /// In a world that is white all around, what passes light on and keeps none is white as well.
@@ -248,6 +257,26 @@ TEST(Supersampling, IsTheMeanOfALargerPicture) {
         }
     }
     EXPECT_GT(differing, 0);
+}
+
+/// Around the pixel's point of each convention, within one pixel's width.
+TEST(Supersampling, IsEvenAroundThePixelsPoint) {
+    for (const PixelConvention convention : {PixelConvention::centre, PixelConvention::grid, PixelConvention::corner}) {
+        Assignment assignment =
+            parse_assignment(with_camera("[render]\nsamples_per_pixel = 9\n" + sphere("[0, 0, 0]", "1")), "scene.toml");
+        assignment.rubric.pixel_conventions = {convention};
+        const Eye eye = prepare_scene(assignment, {}).eye;
+        for (const auto& [points, samples] :
+             {std::pair(eye.columns, eye.sample_columns), std::pair(eye.rows, eye.sample_rows)}) {
+            ASSERT_EQ(samples.size(), 3 * points.size());
+            const double third = (points[1] - points[0]) / 3;
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                EXPECT_NEAR(samples[3 * i], points[i] - third, 1e-12) << i;
+                EXPECT_NEAR(samples[3 * i + 1], points[i], 1e-12) << i;
+                EXPECT_NEAR(samples[3 * i + 2], points[i] + third, 1e-12) << i;
+            }
+        }
+    }
 }
 
 }  // namespace

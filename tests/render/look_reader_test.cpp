@@ -56,6 +56,9 @@ TEST(LookReader, ReadsEveryTable) {
     EXPECT_EQ(look.point_lights.at(0).color, Color(4, 5, 6));
     EXPECT_EQ(look.directional_lights.at(0).direction, Vec3<double>(0, -1, 0));
     EXPECT_EQ(look.materials.at(0).diffuse, Color(1, 0, 0.5));
+    EXPECT_EQ(look.materials.at(1).ambient, Color(0.1, 0, 0));
+    EXPECT_EQ(look.materials.at(1).diffuse, Color(0, 0, 0));
+    EXPECT_EQ(look.materials.at(1).specular, Color(1, 1, 1));
     EXPECT_EQ(look.materials.at(1).shininess, 40);
     EXPECT_EQ(look.materials.at(1).refractive_index, 1.5);
     EXPECT_EQ(look.materials.at(1).reflectivity, 0.25);
@@ -79,6 +82,12 @@ TEST(LookReader, NamesLineKeyAndCure) {
     EXPECT_THAT(complaint("[[light]]\nposition = [0, 0, 0]\ncolor = [-1, 0, 0]\n"), says("color", "from 0 to"));
     EXPECT_THAT(complaint("[[light]]\nplace = [0, 0, 0]\n" + white), says("light[1].place", "is not a key"));
     EXPECT_THAT(complaint(material("m", "diffuse = [1, 2, 0]")), says("material[1].diffuse", "from 0 to 1"));
+    EXPECT_THAT(complaint(material("m", "ambient = [0, 0, 1.5]")), says("material[1].ambient", "from 0 to 1"));
+    EXPECT_THAT(complaint(material("m", "specular = [1.5, 0, 0]")), says("material[1].specular", "from 0 to 1"));
+    EXPECT_THAT(complaint(material("m", "reflectivity = 1.5")), says("material[1].reflectivity", "from 0 to 1"));
+    EXPECT_THAT(complaint(material("m", "gloss = 1")), says("material[1].gloss", "is not a key"));
+    EXPECT_THAT(complaint("[render]\nbackground = [0, 2, 0]\n"), says("render.background", "from 0 to 1"));
+    EXPECT_THAT(complaint("[[mesh]]\nfile = \"a.obj\"\nscale = 2\n"), says("mesh[1].scale", "is not a key"));
     EXPECT_THAT(complaint(material("m", "shininess = 0")), says("shininess", "whole number from 1"));
     EXPECT_THAT(complaint(material("m", "reflectivity = 0.5\ntransparency = 0.6")), says("reflectivity", "together"));
     EXPECT_THAT(complaint(material("m", "refractive_index = 0")), says("refractive_index", "0.01"));

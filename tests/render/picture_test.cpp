@@ -68,6 +68,8 @@ TEST(Png, IsReadBackAsItWas) {
     std::vector<std::uint8_t> bytes(PNG_IMAGE_SIZE(image));
     ASSERT_NE(png_image_finish_read(&image, nullptr, bytes.data(), 0, nullptr), 0) << image.message;
     EXPECT_EQ(bytes, picture.bytes);
+    const std::string end("\0\0\0\0IEND\xae\x42\x60\x82", 12);  // the last chunk, by the standard
+    EXPECT_EQ(file.find(end), file.size() - end.size()) << "nothing comes after its end";
 }
 
 std::string digest(const std::vector<std::uint8_t>& bytes) {
@@ -108,12 +110,14 @@ TEST(PreparedScene, RefusesNumbersWhoseProductsLeaveTheDoubles) {
 
 /// Not in a line as written, but in doubles.
 TEST(PreparedScene, LeavesOutWhatHasNoArea) {
-    const PreparedScene scene = scenes::prepared(scenes::with_camera(
-        scenes::triangle("[[0, 0, 0], [1, 1, 1], [2, 2, 2.00000000000000000000000001]]") +
-        scenes::triangle("[[0, 0, 0], [1e20, 1e20, 1e20], [1e20, 1e20, 100000000000000016384.0]]")));
-    EXPECT_EQ(scene.triangles.size(), 1U);
+    const PreparedScene scene = scenes::prepared(
+        scenes::with_camera(scenes::triangle("[[0, 0, 0], [1, 1, 1], [2, 2, 2.00000000000000000000000001]]") +
+                            scenes::triangle("[[0, 0, 0], [1e20, 1e20, 1e20], [1e20, 1e20, 100000000000000016384.0]]") +
+                            scenes::triangle("[[0, 0, 0], [1, 1, 1], [1, 1, 1.0000000000000002220446049250313]]")));
+    EXPECT_EQ(scene.triangles.size(), 2U);
     ASSERT_EQ(scene.notes.size(), 1U);
-    EXPECT_NEAR(length(scene.triangle_normals.front()), 1, 1e-15) << "the thinnest has a normal of unit length";
+    for (const Vec3<double>& normal : scene.triangle_normals)
+        EXPECT_NEAR(length(normal), 1, 1e-15) << "the thinnest has a normal of unit length";
 }
 
 TEST(PreparedScene, HasASphereThatIsThereTwiceOnce) {

@@ -1,7 +1,8 @@
-// primary_loop minimal | own | EFFECT: renders a scene that calls for primary visibility alone, by the minimal loop, by
-// the loop for its own effects, or with one effect forced on: illumination, shadows (with illumination), mirrors,
-// refraction. For callgrind, which counts between its toggles; prints a sum of the picture, which is the
-// same for all.
+// primary_loop SCENE minimal | own | EFFECT: renders a scene that calls for primary visibility alone, by the minimal
+// loop, by the loop for its own effects, or with one effect forced on: illumination, shadows (with illumination),
+// mirrors, refraction, supersampling. The scene is `objects`, or `background`: nothing but that, so that a pixel costs
+// the least it can. For callgrind, which counts between its toggles; prints a sum of the picture, which is the same for
+// all of one scene.
 #include <fmt/format.h>
 #include <valgrind/callgrind.h>
 
@@ -22,16 +23,22 @@ Effects effects_for(const std::string& way) {
     if (way == "shadows") return {true, true, false, false, false};
     if (way == "mirrors") return {false, false, true, false, false};
     if (way == "refraction") return {false, false, false, true, false};
+    if (way == "supersampling") return {false, false, false, false, true};
     throw std::invalid_argument("no way to render: " + way);
+}
+
+std::string scene_named(const std::string& name) {
+    if (name == "background") return scenes::with_camera("[render]\nbackground = [0.5, 0.25, 0.125]\n");
+    if (name != "objects") throw std::invalid_argument("no scene: " + name);
+    return scenes::with_camera(scenes::sphere("[0.4, 0.3, 0.1]", "1.1") +
+                               scenes::triangle("[[-2.3, -1.4, 0.7], [1.9, -1.1, -0.4], [-0.2, 1.7, 0.3]]"));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::string way = argc == 2 ? argv[1] : "";
-    const PreparedScene scene = scenes::prepared(
-        scenes::with_camera(scenes::sphere("[0.4, 0.3, 0.1]", "1.1") +
-                            scenes::triangle("[[-2.3, -1.4, 0.7], [1.9, -1.1, -0.4], [-0.2, 1.7, 0.3]]")));
+    const std::string way = argc == 3 ? argv[2] : "";
+    const PreparedScene scene = scenes::prepared(scene_named(argc == 3 ? argv[1] : ""));
     if (effects_of(decide_effects(scene)) != Effects{}) throw std::logic_error("the scene calls for more");
     std::vector<Color> colors(static_cast<std::size_t>(scene.width));
     RayCounts counts;

@@ -109,6 +109,23 @@ TEST(ClassReport, ShowsHostileTextAsText) {
     EXPECT_THAT(page.at("sheets").at("s1"), HasSubstr("<i>kind</i>: </article><b>"));
 }
 
+TEST(ClassReport, ShowsAllMarkupAsText) {
+    Marking titled = marking();
+    titled.assignment.title = markup(0);
+    titled.assignment.name = markup(last_markup + 1);
+    Graded ungraded = not_graded("bob");
+    ungraded.explanation = markup(last_markup + 2);
+    std::ostringstream out;
+    write_class_report(out, {markup_everywhere(), markup_everywhere(), ungraded}, titled, Tier::bwrap);
+    const json page = read_page(out.str());
+    EXPECT_THAT(page.at("problems"), IsEmpty()) << page.at("problems");
+    EXPECT_FALSE(page.at("counts").contains("b")) << page.at("counts");
+    for (int n = 0; n <= last_markup + 2; ++n) {
+        const bool is_name = n == 3;  // without the slash that no file's name holds
+        EXPECT_THAT(page.at("text"), HasSubstr(is_name ? "<b>mark 3<" : markup(n))) << n;
+    }
+}
+
 TEST(ClassReport, OfAThousandIsSmallEnoughToOpen) {
     std::vector<Graded> graded;
     Graded one = report_samples::graded("student", wrong_everywhere());

@@ -54,6 +54,34 @@ Graded hostile() {
     return result;
 }
 
+std::string markup(int n) {
+    return fmt::format("\"'><b>mark {}</b>&amp;", n);
+}
+
+Graded markup_everywhere() {
+    Graded result = graded(markup(1), wrong_everywhere());
+    result.submission.lms = LmsName{};
+    result.submission.lms->student = markup(2);
+    result.submission.file = "ray_cast " + markup(3).substr(0, markup(3).find('/')) + ".cpp";
+    result.explanation = markup(4);
+    ItemScore& item = result.score.questions[5].items[4];
+    item.printed = markup(5);
+    item.verdict = ItemVerdict::wrong;
+    item.diagnosis = markup(6);
+    result.build.diagnostics = "ray_cast.cpp:3:5: error: " + markup(7) + "\n";
+    result.run.errors = markup(8);
+    result.flags = {{markup(9), markup(10)}};
+    result.sanitizer = {markup(11)};
+    result.submission.notes = {markup(12)};
+    result.other_scenes = variants::VariantReport{};
+    variants::VariantReport& other_scenes = *result.other_scenes;
+    other_scenes.verdict = variants::VariantVerdict::breaks;
+    other_scenes.runs.push_back({markup(13), markup(14), "", true, {}});
+    other_scenes.broken.push_back({6, "t", 0, "1", "2", "far root"});
+    result.overrides = {{6, "b", 1, markup(15), markup(16), markup(17)}};
+    return result;
+}
+
 Graded not_graded(const std::string& id) {
     Graded result = graded(id, "");
     result.outcome = Outcome::not_graded;

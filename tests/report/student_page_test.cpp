@@ -91,6 +91,27 @@ TEST(StudentPage, ShowsHostileTextAsText) {
     EXPECT_FALSE(read.at("counts").contains("b"));
 }
 
+TEST(StudentPage, ShowsAllMarkupAsText) {
+    Marking titled = marking();
+    titled.assignment.title = markup(0);
+    Graded ungraded = not_graded("bob");
+    ungraded.submission.problem = markup(last_markup + 1);
+    const std::string page = student_page(markup_everywhere(), titled);
+    const std::string of_ungraded = student_page(ungraded, titled);
+    EXPECT_EQ(xml_problems(page), "");
+    for (const json& read : {read_page(page), read_page(of_ungraded)}) {
+        EXPECT_THAT(read.at("problems"), IsEmpty()) << read.at("problems");
+        EXPECT_FALSE(read.at("counts").contains("b")) << read.at("counts");
+    }
+    const std::string text = read_page(page).at("text");
+    for (int n = 0; n < first_for_instructor; ++n) {
+        const bool is_name = n == 3;  // without the slash that no file's name holds
+        EXPECT_THAT(text, HasSubstr(is_name ? "<b>mark 3<" : markup(n))) << n;
+    }
+    for (int n = first_for_instructor; n <= last_markup; ++n) EXPECT_THAT(text, Not(HasSubstr(markup(n)))) << n;
+    EXPECT_THAT(read_page(of_ungraded).at("text"), HasSubstr(markup(last_markup + 1)));
+}
+
 TEST(StudentPage, NamesTheLinesTheCompilerComplainsOf) {
     Graded one = graded("mateo", "");
     one.outcome = Outcome::compile_error;

@@ -209,11 +209,17 @@ TEST_F(DeskTest, AGraderWaitsForAProgramAndForTheEnd) {
 TEST_F(DeskTest, NoSourceIsKeptBesideItsResult) {
     Spool spool(folder);
     Desk desk(spool, 10);
-    hand_in(desk, "int secret;");
+    hand_in(desk, "int secret;" + std::string(500, ' '));
     desk.finish(desk.next().value(), {"page", 1, 1});
     SQLite::Database database((folder / "spool.sqlite").string(), SQLite::OPEN_READONLY);
     EXPECT_EQ(database.execAndGet("SELECT count(*) FROM submissions").getInt(), 1);
     EXPECT_EQ(database.execAndGet("SELECT count(*) FROM submissions WHERE source IS NOT NULL").getInt(), 0);
+    spool.trim();
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        std::ifstream file(entry.path(), std::ios::binary);
+        const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+        EXPECT_EQ(bytes.find("int secret;"), std::string::npos) << entry.path();
+    }
 }
 
 TEST_F(DeskTest, ResultsAreBoundedInNumberAndBytesTheOldestGoFirst) {

@@ -31,6 +31,8 @@ class RunningServer {
     std::uint16_t port() const { return server_->port(); }
     HttpAnswer ask(std::string_view request) const { return serve::ask(port(), request); }
     Desk& desk() { return *desk_; }
+    /// Of the spool.
+    const std::filesystem::path& folder() const { return folder_; }
     void stop() { server_->stop(); }
     /// Waits until the server has ended by itself.
     void join() { thread_.join(); }

@@ -207,6 +207,7 @@ TEST(Server, GivesOneAddressOnlySoManyConnections) {
 TEST(Server, MakesRoomByTheConnectionThatHasBeenIdleTheLongest) {
     RunningServer::Options options;
     options.limits.connections = 3;
+    options.limits.head_time = 5min;  // so that none goes of itself
     const RunningServer server(options);
     std::list<Client> clients;
     for (int i = 0; i < 3; ++i) {
@@ -238,6 +239,7 @@ TEST(Server, HoldsOnlySoMuchOfAllBodiesTogether) {
     EXPECT_EQ(refused.answer().status, 503);
     other.send(std::string_view(whole).substr(most));
     EXPECT_EQ(other.answer().status, 303);
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(server.ask(whole).status, 303) << "what was held is held no more";
 }
 
 TEST(Server, ServesOthersWhileManyAreSlow) {

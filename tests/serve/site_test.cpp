@@ -1,6 +1,7 @@
 // What the page answers, over real sockets.
 #include "harness/serve/site.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -37,6 +38,7 @@ void expect_guarded(const HttpAnswer& answer, const std::string& of) {
     EXPECT_EQ(field("cache-control"), "no-store") << of;
     EXPECT_EQ(field("x-content-type-options"), "nosniff") << of;
     EXPECT_EQ(field("referrer-policy"), "same-origin") << of;
+    EXPECT_EQ(field("cross-origin-opener-policy"), "same-origin") << of;
     EXPECT_EQ(field("cross-origin-resource-policy"), "same-origin") << of;
     EXPECT_THAT(field("content-security-policy"),
                 AllOf(HasSubstr("default-src 'none'"), HasSubstr("frame-ancestors 'none'"), Not(HasSubstr("unsafe")),
@@ -119,6 +121,16 @@ TEST(Site, HasNothingAtOtherPaths) {
     EXPECT_EQ(server.ask("GET * HTTP/1.1\r\nHost: localhost\r\n\r\n").status, 400);
 }
 
+/// Also from a path of several folders, and below whatever path a proxy puts the page.
+TEST(Site, LeadsBackToTheFormFromAnywhere) {
+    const RunningServer server;
+    for (const auto& [path, top] : {std::pair("/a", "."), {"/a/", ".."}, {"/a/b", ".."}, {"/a/b/c", "../.."}}) {
+        const std::string page = server.ask(get(path)).body;
+        EXPECT_THAT(page, HasSubstr("href=\"" + std::string(top) + "/\"")) << path;
+        EXPECT_THAT(page, HasSubstr("href=\"" + std::string(top) + "/style.css\"")) << path;
+    }
+}
+
 TEST(Site, TakesNoOtherMethods) {
     const RunningServer server;
     for (const char* method : {"POST", "PUT", "DELETE", "OPTIONS", "TRACE", "PATCH", "BREW"}) {
@@ -191,6 +203,24 @@ TEST(Site, SlowsAClientDownThatSendsTooMuch) {
     EXPECT_EQ(server.ask(get("/")).status, 200);
 }
 
+/// Both are welcome by their heads; by the time of the second body its client has had its turn.
+TEST(Site, CountsWhatComesAtTheSameTime) {
+    RunningServer::Options options;
+    options.rate = 1;
+    const RunningServer server(options);
+    const std::string whole = upload("x");
+    const std::size_t head = whole.find("\r\n\r\n") + 8;  // and some of the body
+    Client one(server.port()), other(server.port());
+    one.send(std::string_view(whole).substr(0, head));
+    other.send(std::string_view(whole).substr(0, head));
+    EXPECT_FALSE(one.is_told_within(std::chrono::milliseconds(200)));
+    EXPECT_FALSE(other.is_told_within(std::chrono::milliseconds(200)));
+    one.send(std::string_view(whole).substr(head));
+    EXPECT_EQ(one.answer().status, 303);
+    other.send(std::string_view(whole).substr(head));
+    EXPECT_EQ(other.answer().status, 429);
+}
+
 TEST(Site, CountsTheClientsOfAProxyEachByItself) {
     RunningServer::Options options;
     options.rate = 1;
@@ -223,6 +253,21 @@ TEST(Site, AsksToComeAgainWhenTheQueueIsFull) {
     EXPECT_EQ(standing(server, waiting).at("position"), 1);
     server.desk().next();
     EXPECT_EQ(server.ask(upload("y")).status, 303);
+}
+
+TEST(Site, SaysThatADiskLostAResult) {
+    RunningServer server;
+    const std::string result = result_of(server, "x");
+    const Task task = server.desk().next().value();
+    {
+        SQLite::Database other((server.folder() / "spool.sqlite").string(), SQLite::OPEN_READWRITE);
+        other.exec("BEGIN EXCLUSIVE");
+        server.desk().finish(task, {"page", 1, 1});
+    }
+    const HttpAnswer page = server.ask(get(result));
+    EXPECT_EQ(page.status, 500);
+    EXPECT_THAT(page.body, HasSubstr("disk"));
+    EXPECT_EQ(standing(server, result).at("standing"), "lost");
 }
 
 }  // namespace

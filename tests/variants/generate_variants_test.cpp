@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
@@ -36,20 +37,43 @@ reference::AnswerKey key_of(const SceneVariant& variant) {
     return reference::make_key(other, reference::Precision::certified);
 }
 
+/// The first number of an item of question 6 or 8 in the key.
+double number_of(const reference::AnswerKey& key, int question, std::string_view name) {
+    for (const auto& item : key.questions.at(static_cast<std::size_t>(question - 1)).items) {
+        if (item.spec.name == name) return std::get<reference::Numbers>(item.answers.front().value).at(0);
+    }
+    throw std::logic_error("no such item");
+}
+
+/// V has length 1, so that d = 4 (R^2 - distance^2) tells how far from the sphere's middle the ray passes.
 TEST(VariantsFor, HasTheFourKindsWithTheirProperties) {
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        SCOPED_TRACE(seed);
         const auto variants = variants_for(assignment(), every_part(), 4, seed);
-        ASSERT_THAT(variants, SizeIs(4)) << "seed " << seed;
-        EXPECT_EQ(key_of(variants[0]).decisions.sphere, "hit");
-        EXPECT_EQ(key_of(variants[0]).decisions.triangle, "hit");
-        EXPECT_EQ(key_of(variants[1]).decisions.first, "triangle");
-        EXPECT_EQ(key_of(variants[1]).decisions.sphere, "hit");
-        EXPECT_EQ(key_of(variants[2]).decisions.sphere, "miss");
-        EXPECT_EQ(key_of(variants[3]).decisions.sphere, "hit");
-        const auto d =
-            std::get<reference::Numbers>(key_of(variants[3]).questions.at(5).items.at(3).answers.front().value);
-        const double radius = value_of(variants[3].scene, ScenePart::radius)[0];
-        EXPECT_LT(d.at(0), 0.5 * radius * radius) << "grazed: of the diameter less than 0.36 is within the sphere";
+        ASSERT_THAT(variants, SizeIs(4));
+        std::vector<reference::AnswerKey> keys;
+        std::vector<double> shares;
+        for (const SceneVariant& variant : variants) {
+            keys.push_back(key_of(variant));
+            const double radius = value_of(variant.scene, ScenePart::radius)[0];
+            shares.push_back(number_of(keys.back(), 6, "d") / (4 * radius * radius));
+            EXPECT_EQ(keys.back().decisions.triangle, "hit");
+        }
+        const auto lead = [&](std::size_t i) { return number_of(keys[i], 6, "t") - number_of(keys[i], 8, "t"); };
+        EXPECT_GT(shares[0], 0.2);
+        EXPECT_GT(std::abs(lead(0)), 0.3) << "no float mistakes the order";
+        EXPECT_GT(shares[1], 0.2);
+        EXPECT_GT(lead(1), 0.3) << "the triangle is in front";
+        EXPECT_EQ(keys[1].decisions.first, "triangle");
+        EXPECT_LT(shares[2], -0.2);
+        EXPECT_EQ(keys[2].decisions.sphere, "miss");
+        EXPECT_GT(shares[3], 0.005) << "grazed, but hit";
+        EXPECT_LT(shares[3], 0.12);
+        EXPECT_EQ(keys[3].decisions.sphere, "hit");
+        for (const reference::AnswerKey& key : keys) {
+            const double u = number_of(key, 8, "u"), v = number_of(key, 8, "v");
+            EXPECT_GT(std::min({u, v, 1 - u - v}), 0.05) << "not at an edge";
+        }
     }
 }
 
@@ -72,14 +96,17 @@ TEST(VariantsFor, DiffersInEveryItemThatCanDiffer) {
 }
 
 TEST(VariantsFor, ChangesOnlyWhatWasLocated) {
-    PartSet located;
-    for (const ScenePart part : {ScenePart::eye, ScenePart::center}) located.insert(part);
-    const auto variants = variants_for(assignment(), located, 4, 1);
-    ASSERT_THAT(variants, SizeIs(4));
-    for (const SceneVariant& variant : variants) {
-        for (const ScenePart part : all_parts) {
-            const bool changed = value_of(variant.scene, part) != value_of(assignment().scene, part);
-            EXPECT_EQ(changed, located.contains(part)) << variant.name << ": " << to_string(part);
+    for (const std::vector<ScenePart>& parts :
+         {std::vector{ScenePart::eye, ScenePart::center}, {ScenePart::radius, ScenePart::lookat}, {ScenePart::vup}}) {
+        PartSet located;
+        for (const ScenePart part : parts) located.insert(part);
+        const auto variants = variants_for(assignment(), located, 4, 1);
+        ASSERT_THAT(variants, SizeIs(4));
+        for (const SceneVariant& variant : variants) {
+            for (const ScenePart part : all_parts) {
+                const bool changed = value_of(variant.scene, part) != value_of(assignment().scene, part);
+                EXPECT_EQ(changed, located.contains(part)) << variant.name << ": " << to_string(part);
+            }
         }
     }
 }
@@ -128,11 +155,13 @@ TEST(VariantsFor, TakesTheAssignmentsOwnFirst) {
     own.variants.push_back({"into the eye", own.scene});
     own.variants.back().scene.camera.lookat = own.scene.camera.eye;
     own.variants.back().scene.camera.eye = own.scene.camera.lookat;
+    own.variants.insert(own.variants.begin(), {"another radius", assignment().scene});
+    own.variants.front().scene.spheres.front().radius = reference::Decimal::parse("3").value();
     PartSet located;
     located.insert(ScenePart::eye);
     const auto variants = variants_for(own, located, 2, 1);
     ASSERT_THAT(variants, SizeIs(2));
-    EXPECT_EQ(variants[0].name, "mine");
+    EXPECT_EQ(variants[0].name, "mine") << "with the eye alone the first would be the assignment's own scene";
     // With the eye alone moved it would lie in lookat.
     EXPECT_NE(variants[1].name, "into the eye");
 }

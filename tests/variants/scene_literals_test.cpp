@@ -72,6 +72,14 @@ TEST(FindScene, ReadsTheEyeInEverySpelling) {
     EXPECT_EQ(rewritten("vec4 p(0, 0, 4, 1);"), "vec4 p(11, 12, 13, 1);");
 }
 
+TEST(FindScene, ReadsConstantsAsTheCompilerDoes) {
+    EXPECT_EQ(rewritten("int px = 0226, py = 0144;"), "int px = 41, py = 42;");
+    EXPECT_EQ(rewritten("int px = 1'50, py = 0b110'0100;"), "int px = 41, py = 42;");
+    EXPECT_EQ(rewritten("vec3 eye(0, 0, 9 / 2);"), "vec3 eye(11, 12, 13);");
+    EXPECT_EQ(rewritten("vec3 eye(0, 0, 9 / 2.0);"), "vec3 eye(0, 0, 9 / 2.0);") << "that is 4.5";
+    EXPECT_EQ(rewritten("vec3 eye(2 - 2, 0, 6 - 1 * 2);"), "vec3 eye(11, 12, 13);");
+}
+
 TEST(FindScene, BracketsANegativeNumberInAMacro) {
     const std::string unknown = "#define N_X 0\n#define N_Y 0\n#define N_Z 0\n";
     EXPECT_EQ(rewritten(unknown), unknown);
@@ -84,6 +92,8 @@ TEST(FindScene, ReadsSphereAndTriangle) {
               "add(new Sphere(vec3(21, -22, 23), 24)); float R = 24.0f;");
     EXPECT_EQ(rewritten("Sphere s(1, 1, 0, 2);"), "Sphere s(21, -22, 23, 24);");
     EXPECT_EQ(rewritten("vec3 A(0, -2, 2), B(2), C(-2, 2, 2);"), "vec3 A(31, 32, 33), B(34, 35, 36), C(37, 38, 39);");
+    EXPECT_EQ(rewritten("vec3 A(0, -2, 2), B(2), C(-2, 2, 2); f(2);"),
+              "vec3 A(31, 32, 33), B(34, 35, 36), C(37, 38, 39); f(2);");
     EXPECT_EQ(rewritten("vec3 t[] = {vec3(0, -2, 2), vec3(2.f), vec3(-2, 2, 2)};"),
               "vec3 t[] = {vec3(31, 32, 33), vec3(34.0f, 35.0f, 36.0f), vec3(37, 38, 39)};");
     EXPECT_EQ(rewritten("float tri[] = {0, -2, 2, 2, 2, 2, -2, 2, 2};"),
@@ -105,6 +115,10 @@ TEST(FindScene, ConcludesNothingWhereAPlaceIsInDoubt) {
     EXPECT_THAT(located("#ifdef OTHER\nvec3 eye(0, 0, 4);\n#endif"), IsEmpty());
     EXPECT_THAT(located("#ifdef OTHER\nvec3 eye(0, 0, 4);\n#else\nvec3 eye(0, 0, 4);\n#endif"), IsEmpty());
     EXPECT_THAT(located("p = vec2(150, 100); q = 100;"), IsEmpty());
+    EXPECT_THAT(located("p = vec2(150, 100); q = 150;"), IsEmpty());
+    EXPECT_THAT(located("eyeX = 0; eyeY = 0; eyeZ = 4; eyeX = 9;"), IsEmpty());
+    EXPECT_THAT(located("vec3 vup(0, 1, 0); return f(0, 1, 0);"), IsEmpty());
+    EXPECT_THAT(located("vec3 vup(0, 1, 0); use(0, 1, 0, 7);"), UnorderedElementsAre("vup")) << "that is no vector";
 }
 
 TEST(FindScene, LooksAtWhatIsCompiledOnly) {
@@ -129,6 +143,12 @@ TEST(FindScene, KeepsThePixelsHalf) {
     EXPECT_EQ(rewritten("x = -2 + 4 * 150.5f / 301; y = -1 + 2 * 100.5 / 201;"),
               "x = -2 + 4 * 41.5f / 301; y = -1 + 2 * 42.5 / 201;");
     EXPECT_EQ(rewritten("int px = 150, py = 100;"), "int px = 41, py = 42;");
+}
+
+TEST(FindScene, TakesNoPixelOfNumbersThatStandAnywhere) {
+    DecimalScene scene = assignment().scene;
+    scene.pixel = {4, 2};
+    EXPECT_FALSE(find_scene("f(4, 2); g(4); h(2);", scene).located.contains(ScenePart::pixel));
 }
 
 TEST(WithScene, WritesNoFractionWhereTheSourceHasAnInteger) {

@@ -36,7 +36,7 @@ Score answered(const Answered& t, const Answered& u, const Answered& verdict = {
         item.spec = {question.number, name, shape, reference::Subject::triangle, ""};
         item.printed = answer.printed;
         item.verdict = answer.verdict;
-        if (shape != reference::Shape::verdict && answer.printed != "none") item.error = 0;
+        if (shape != reference::Shape::verdict && !answer.printed.starts_with("none")) item.error = 0;
         question.items.push_back(item);
     };
     add(score.questions[0], "t", reference::Shape::scalar, t);
@@ -65,6 +65,20 @@ TEST(CompareVariants, ComputesWhereAllStaysRight) {
     EXPECT_EQ(report.verdict, VariantVerdict::computes);
     EXPECT_EQ(report.moved, 2);
     EXPECT_THAT(report.not_found, ElementsAre("vup"));
+    for (const VariantRun& run : report.runs) EXPECT_THAT(run.score.questions, IsEmpty());
+}
+
+TEST(CompareVariants, ComputesWhatStaysAsItIsBecauseThatIsRight) {
+    const VariantReport report =
+        compared(answered({"1", right}, {"0.5", right}),
+                 {answered({"2", right}, {"0.5", right}), answered({"3", right}, {"0.5", right})});
+    EXPECT_EQ(report.verdict, VariantVerdict::computes);
+    EXPECT_EQ(report.moved, 1);
+}
+
+TEST(CompareVariants, ComputesWhatFollowsFromAnEarlierMistake) {
+    EXPECT_EQ(compared(answered({"1", right}, {"0.5", right}), {answered({"2", right}, {"0.7", follow})}).verdict,
+              VariantVerdict::computes);
 }
 
 TEST(CompareVariants, BreaksWhereARightAnswerMovesToAWrongOne) {
@@ -77,6 +91,12 @@ TEST(CompareVariants, BreaksWhereARightAnswerMovesToAWrongOne) {
     EXPECT_EQ(report.broken[1].run, 1U);
 }
 
+TEST(CompareVariants, NamesWhatBreaksRunByRun) {
+    const Score broken = answered({"2", wrong}, {"0.1", wrong});
+    EXPECT_THAT(names(compared(answered({"1", right}, {"0.5", right}), {broken, broken}).broken),
+                ElementsAre("8.t", "8.u", "8.t", "8.u"));
+}
+
 TEST(CompareVariants, DoesNotMoveWhereTheSameNumberIsWrongTwice) {
     const VariantReport report =
         compared(answered({"1", right}, {"0.50", right}),
@@ -87,6 +107,22 @@ TEST(CompareVariants, DoesNotMoveWhereTheSameNumberIsWrongTwice) {
     EXPECT_THAT(report.broken, IsEmpty()) << "it is told once";
 }
 
+TEST(CompareVariants, DoesNotMoveEvenWhereOtherAnswersBreak) {
+    const VariantReport report =
+        compared(answered({"1", right}, {"0.5", right}),
+                 {answered({"2", wrong}, {"0.5", wrong}), answered({"3", wrong}, {"0.5", wrong})});
+    EXPECT_EQ(report.verdict, VariantVerdict::does_not_move);
+    EXPECT_THAT(names(report.unmoved), ElementsAre("8.u"));
+    EXPECT_THAT(names(report.broken), ElementsAre("8.t", "8.t"));
+}
+
+TEST(CompareVariants, LooksAtTheNumbersAndNotAtTheBlanks) {
+    const VariantReport report =
+        compared(answered({"(1, 2)", right}, {"0.5", right}),
+                 {answered({"(1,  2)", wrong}, {"0.1", right}), answered({"(1,\t2)\n", wrong}, {"0.2", right})});
+    EXPECT_EQ(report.verdict, VariantVerdict::does_not_move);
+}
+
 TEST(CompareVariants, BelievesOneRunWhereThereIsNoOther) {
     EXPECT_EQ(compared(answered({"1", right}, {"0.5", right}), {answered({"2", right}, {"0.5", wrong})}).verdict,
               VariantVerdict::does_not_move);
@@ -94,8 +130,8 @@ TEST(CompareVariants, BelievesOneRunWhereThereIsNoOther) {
 
 TEST(CompareVariants, IsNotSureAfterOneCoincidenceOfTwo) {
     const VariantReport report =
-        compared(answered({"0", right}, {"0.5", right}),
-                 {answered({"0", wrong}, {"0.1", right}), answered({"0", right}, {"0.2", right})});
+        compared(answered({"7", right}, {"0.5", right}),
+                 {answered({"7", wrong}, {"0.1", right}), answered({"7", right}, {"0.2", right})});
     EXPECT_EQ(report.verdict, VariantVerdict::breaks);
     EXPECT_THAT(report.unmoved, IsEmpty());
 }
@@ -110,15 +146,15 @@ TEST(CompareVariants, MovesWithAnyOtherPrint) {
 }
 
 TEST(CompareVariants, SaysNothingOfTheSentenceOfQuestion10) {
-    const VariantReport report =
-        compared(answered({"1", right}, {"0.5", right}), {answered({"2", right}, {"0.1", right}, {"sphere", wrong}),
-                                                          answered({"3", right}, {"0.2", right}, {"sphere", wrong})});
+    const VariantReport report = compared(answered({"1", right}, {"0.5", right}, {"1 of 2: sphere", right}),
+                                          {answered({"2", right}, {"0.1", right}, {"1 of 2: sphere", wrong}),
+                                           answered({"3", right}, {"0.2", right}, {"1 of 2: sphere", wrong})});
     EXPECT_EQ(report.verdict, VariantVerdict::breaks);
     EXPECT_THAT(report.unmoved, IsEmpty());
 }
 
 TEST(CompareVariants, SaysNothingOfNoneAndZero) {
-    for (const std::string print : {"none", "0.000", "-0"}) {
+    for (const std::string print : {"none", "none, as d = -12", "0.000", "-0"}) {
         const VariantReport report =
             compared(answered({print, right}, {"0.5", right}),
                      {answered({print, wrong}, {"0.1", right}), answered({print, wrong}, {"0.2", right})});
@@ -158,11 +194,34 @@ TEST(VariantSentences, PutTheEvidenceSideBySide) {
                             "The printed numbers of 8.t, 8.u do not change when the scene in the source does."));
 }
 
+TEST(VariantSentences, CountWhatReadsOtherwise) {
+    const auto evidence = [](const Score& base, const Score& other) {
+        return unmoved_evidence(compared(base, {other}));
+    };
+    EXPECT_THAT(evidence(answered({"1", right}, {"0.5", right}), answered({"2", right}, {"0.5", wrong})),
+                HasSubstr("in its source. 1 answer that was right reads otherwise there."));
+    EXPECT_THAT(evidence(answered({"1", right}, {"0.5", right}, {"sphere", right}),
+                         answered({"2", right}, {"0.5", wrong}, {"triangle", right})),
+                HasSubstr("in its source. 2 answers that were right read otherwise there."));
+}
+
+TEST(VariantSentences, NameWhatWasNotFoundAndEachScenesOwn) {
+    const auto sentences =
+        variant_sentences(compared(answered({"1", right}, {"0.5", right}),
+                                   {answered({"2", wrong}, {"0.1", right}), answered({"3", right}, {"0.2", wrong})}));
+    EXPECT_THAT(sentences,
+                ElementsAre("The program was also run on 2 other scenes, with other numbers for the scene in its "
+                            "source (not found there, and left as they are: vup).",
+                            "With eye = (1, 2, 3) (scene 1) no longer right: 8.t.",
+                            "With eye = (1, 2, 3) (scene 2) no longer right: 8.u."));
+}
+
 TEST(VariantSentences, NameWhatBreaksWithItsScene) {
     Score score = answered({"2", wrong}, {"", missing});
     score.questions[0].items[0].diagnosis = "far root";
     const auto sentences = variant_sentences(compared(answered({"1", right}, {"0.5", right}), {score}));
     ASSERT_THAT(sentences, SizeIs(2));
+    EXPECT_THAT(sentences[0], HasSubstr("on 1 other scene, with"));
     EXPECT_EQ(sentences[1], "With eye = (1, 2, 3) (scene 1) no longer right: 8.t (far root), 8.u (nothing printed).");
 }
 

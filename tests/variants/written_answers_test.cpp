@@ -33,12 +33,16 @@ TEST(WrittenAnswers, AreFoundInStringsAndLiteralsWithTheirLine) {
     ASSERT_THAT(found, SizeIs(1));
     EXPECT_EQ(found[0].line, 3U);
     EXPECT_EQ(found[0].number, "0.5857860");
+    EXPECT_THAT(written_answers("puts(\"00.585786\");", printed("0.585786"), scene()), SizeIs(1));
+    EXPECT_THAT(written_answers("puts(\"0.585786 3.41421\");", printed("(0.585786, 3.41421)"), scene()), SizeIs(1))
+        << "one answer";
     EXPECT_THAT(written_answers("float t = -3.41421f;", printed("(0, -3.41421)"), scene()), SizeIs(1));
 }
 
 TEST(WrittenAnswers, AreNeitherShortNorInCommentsNorWrong) {
     EXPECT_THAT(written_answers("puts(\"0.25 4 1.0000 200 150.000\");", printed("0.25 4 1.0000 200 150.000"), scene()),
                 IsEmpty());
+    EXPECT_THAT(written_answers("puts(\"12345\");", printed("12345"), scene()), IsEmpty());
     EXPECT_THAT(written_answers("// 0.585786\n", printed("0.585786"), scene()), IsEmpty());
     EXPECT_THAT(written_answers("puts(\"0.585786\");", printed("0.585786", ItemVerdict::wrong), scene()), IsEmpty());
 }

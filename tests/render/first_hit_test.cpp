@@ -1,0 +1,132 @@
+// Hits too near for doubles, and the starts on a triangle: as exact geometry has them.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "reference/accuracy/random_numbers.h"
+#include "reference/exact/rational.h"
+#include "reference/render/visibility.h"
+#include "tests/render/scenes.h"
+
+namespace {
+
+using namespace reference;
+using namespace reference::render;
+using accuracy::Random;
+using Point = Vec3<double>;
+
+constexpr std::uint64_t seed = 20211101;
+
+/// Wherever it is asked for, also beside the triangle: as start.h says it.
+TEST(StartOn, IsExactlyOnItsTriangle) {
+    Random random(seed);
+    int off = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const Triangle<double> corners{random.point(2), random.point(2), random.point(2)};
+        const kernel::PreparedTriangle<double> triangle(corners);
+        const Start start = start_on(triangle, 0, random.point(3));
+        EXPECT_TRUE(start.u >= 0 && start.v >= 0 && start.u + start.v <= 1) << start.u << ' ' << start.v;
+        EXPECT_EQ(start.u * 0x1p52, std::trunc(start.u * 0x1p52));
+        EXPECT_EQ(start.v * 0x1p52, std::trunc(start.v * 0x1p52));
+        Rational distance = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto exact = [&](const Point& p) { return Rational(p[axis]); };
+            const Rational A = exact(corners.A);
+            const Rational on =
+                A + Rational(start.u) * (exact(corners.B) - A) + Rational(start.v) * (exact(corners.C) - A);
+            distance += abs(on - exact(start.point));
+        }
+        EXPECT_LE(distance, Rational(start.uncertainty));
+        off += distance > 0 ? 1 : 0;
+    }
+    EXPECT_GT(off, 500) << "without uncertainty it would be wrong";
+}
+
+/// The other triangle is around the one the rays start on, in the plane 3x + 5y + 7z = 0.
+TEST(FirstHit, FromATriangleIsNothingInItsPlane) {
+    Random random(seed);
+    const PreparedScene scene =
+        scenes::prepared(scenes::with_camera(scenes::triangle("[[0, 0, 0], [7, 0, -3], [0, 7, -5]]") +
+                                             scenes::triangle("[[-63, -63, 72], [140, 0, -60], [0, 140, -100]]")));
+    for (int i = 0; i < 2000; ++i) {
+        const Point near(random.between(0, 7), random.between(0, 7), 0);
+        const Start start = start_on(scene.triangles[0], 0, near);
+        const SurfaceRay ray{{start.point, random.point(1)}, start};
+        EXPECT_FALSE(ObjectList::first_hit(scene, ray).is_hit()) << i;
+    }
+}
+
+const std::string start_at_5 = scenes::triangle("[[-9, -9, 5], [9, -9, 5], [0, 9, 5]]");
+const Point above(0.125, 0.25, 5);
+
+std::string level_at(const std::string& z) {
+    return scenes::triangle(fmt::format("[[-9, -9, {0}], [9, -9, {0}], [0, 9, {0}]]", z));
+}
+std::string ball_at(const std::string& z, const std::string& radius = "1") {
+    return scenes::sphere(fmt::format("[0.125, 0.25, {}]", z), radius);
+}
+
+/// So many triangles elsewhere that there is a tree.
+std::string far_beside() {
+    std::string text;
+    for (int i = 0; i < 40; ++i)
+        text += scenes::triangle(fmt::format("[[{0}, 50, 0], [{0}.5, 50, 0], [{0}, 50.5, 0]]", i));
+    return text;
+}
+
+/// The first hits straight down from z = 4 and, from a triangle, from z = 5.
+std::pair<std::uint32_t, std::uint32_t> first_below(const std::string& objects) {
+    const PreparedScene scene = scenes::prepared(scenes::with_camera(objects + far_beside() + start_at_5));
+    const CameraRay from_camera{{above - Point(0, 0, 1), Point(0, 0, -1)}};
+    const Start start = start_on(scene.triangles.back(), scene.object_count - 1, above);
+    const SurfaceRay from_surface{{start.point, Point(0, 0, -1)}, start};
+    const Nearest of_camera = ObjectTree::first_hit(scene, from_camera);
+    const Nearest of_surface = ObjectTree::first_hit(scene, from_surface);
+    EXPECT_TRUE(of_camera.is_hit() && of_surface.is_hit());
+    EXPECT_EQ(ObjectList::first_hit(scene, from_camera).object, of_camera.object);
+    EXPECT_EQ(ObjectList::first_hit(scene, from_surface).object, of_surface.object);
+    return {of_camera.object, of_surface.object};
+}
+
+TEST(FirstHit, OfTwoTooNearForDoublesIsTheNearer) {
+    const auto object = [](std::uint32_t i) { return std::pair(i, i); };
+    EXPECT_EQ(first_below(level_at("1e-10") + level_at("0")), object(0));
+    EXPECT_EQ(first_below(level_at("0") + level_at("1e-10")), object(1));
+    EXPECT_EQ(first_below(ball_at("1e-10") + ball_at("0")), object(0));
+    EXPECT_EQ(first_below(ball_at("0") + ball_at("1e-10")), object(1));
+    EXPECT_EQ(first_below(ball_at("0") + level_at("0.9999999999")), object(0));
+    EXPECT_EQ(first_below(ball_at("0") + level_at("1.0000000001")), object(1));
+}
+
+TEST(FirstHit, OfTwoAtTheSameTIsTheOneNamedFirst) {
+    const std::string one = scenes::triangle("[[-9, -9, 1], [9, -9, 1], [0, 9, 1]]");
+    const std::string other = scenes::triangle("[[-8, -8, 1], [8, -8, 1], [0, 8, 1]]");
+    EXPECT_EQ(first_below(one + other), std::pair(0U, 0U));
+    EXPECT_EQ(first_below(other + one + one), std::pair(0U, 0U));
+    EXPECT_EQ(first_below(ball_at("0") + one).first, 0U);
+}
+
+/// The lamp at z = 1: what is 1e-10 before it darkens, what is 1e-10 behind it does not.
+TEST(Shadows, EndExactlyAtTheLamp) {
+    const auto is_dark = [](const std::string& object) {
+        const PreparedScene scene = scenes::prepared(scenes::with_camera(object + start_at_5));
+        const Start start = start_on(scene.triangles.back(), scene.object_count - 1, above);
+        const SurfaceRay ray{{start.point, Point(0, 0, -4)}, start};
+        return ObjectList::is_blocked(scene, ray, 1);
+    };
+    const auto turned_level_at = [](const std::string& z) {
+        return scenes::triangle(fmt::format("[[9, -9, {0}], [-9, -9, {0}], [0, 9, {0}]]", z));
+    };
+    EXPECT_TRUE(is_dark(level_at("1.0000000001")));
+    EXPECT_FALSE(is_dark(level_at("0.9999999999")));
+    EXPECT_TRUE(is_dark(turned_level_at("1.0000000001")));
+    EXPECT_FALSE(is_dark(turned_level_at("0.9999999999")));
+    EXPECT_TRUE(is_dark(ball_at("0.0000000001")));
+    EXPECT_FALSE(is_dark(ball_at("-0.0000000001")));
+    // With its start in the ball, at the far side.
+    EXPECT_TRUE(is_dark(ball_at("5", "3.9999999999")));
+    EXPECT_FALSE(is_dark(ball_at("5", "4.0000000001")));
+}
+
+}  // namespace
