@@ -87,6 +87,31 @@ TEST(ClassReport, ShowsTheAutomaticMarkBesideAnOverride) {
     EXPECT_THAT(sheet, HasSubstr("wrong0 1 of 1.67"));
 }
 
+TEST(ClassReport, TellsOfEachWhatCountsAndWhatToLookAt) {
+    Graded ada = graded("ada", output_with_a_mistake());
+    ada.flags = {{"nondeterministic", "Question 1: run 1 printed 1"}};
+    ada.sanitizer = {"ray_cast.cpp:7:9: runtime error: division by zero"};
+    ada.overrides = {{6, "t", 1, "a good idea", "prof", "2026-11-22T09:30:00Z"}};
+    ada.late_share = 0.1;
+    const json page = read_page(report_of({ada}));
+    EXPECT_EQ(page.at("rows")[1][7], "9.33") << "question 6 with the override";
+    EXPECT_EQ(page.at("rows")[1][12], "89.4");
+    EXPECT_EQ(page.at("rows")[1][13], "nondeterministic sanitizer override");
+    const std::string sheet = page.at("sheets").at("s1");
+    EXPECT_THAT(sheet, HasSubstr("89.4 of 100 points"));
+    EXPECT_THAT(sheet, HasSubstr("Late: 9.93 points are taken off."));
+    EXPECT_THAT(sheet, HasSubstr("Look at question 6 first"));
+}
+
+TEST(ClassReport, ListsManyInOnePlaceAndSaysWhereThereAreNone) {
+    std::vector<Graded> many(13, graded("ada", output_with_a_mistake()));
+    const std::string text = read_page(report_of(many)).at("text");
+    EXPECT_THAT(text, HasSubstr("13 students"));
+    EXPECT_THAT(text, HasSubstr("all others"));
+    EXPECT_THAT(text, Not(HasSubstr("There are none.")));
+    EXPECT_THAT(read_page(report_of({graded("bob", right_output())})).at("text"), HasSubstr("There are none."));
+}
+
 TEST(ClassReport, GathersWhoMadeTheSameMistake) {
     const json page = read_page(report_of({graded("ada", output_with_a_mistake()), graded("bob", right_output()),
                                            graded("cem", output_with_a_mistake()), graded("dan", wrong_everywhere())}));
