@@ -2,8 +2,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 #include "harness/batch.h"
@@ -78,16 +76,6 @@ int status_of(const std::vector<Graded>& graded) {
 }
 
 namespace {
-
-std::optional<KeptInput> read_roster_file(const GradeOptions& options) {
-    if (options.canvas_roster.empty()) return std::nullopt;
-    std::ifstream file(options.canvas_roster, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (!file) {
-        throw UsageError(fmt::format("{}: can't be read: {}", options.canvas_roster.string(), std::strerror(errno)));
-    }
-    return KeptInput{canvas_roster_input, options.canvas_column, text};
-}
 
 /// What `read` makes of the input given in `file`, or of the one of that name kept from an earlier run.
 template <class Read>
@@ -175,7 +163,11 @@ int grade_command(const GradeOptions& options) {
     const auto worksheet = read_given_or_kept(worksheet_given, options.moodle_worksheet, moodle_worksheet_input,
                                               desk.gradebook, options.out, read_worksheet);
     if (!options.trace.empty()) check_trace(options.trace);
-    prepare_report_file(options.junit, "--junit", ".xml");
+    if (desk.writes) {
+        prepare_report_file(options.junit, "--junit", ".xml");
+    } else {
+        require_place_for_report_file(options.junit, "--junit", ".xml");
+    }
     Workshop workshop = open_workshop(options.workshop, assignment.limits);
     tell_of_the_sandbox(workshop);
     // A mistake of the assignment is to be told before a class is compiled.
@@ -197,6 +189,7 @@ int grade_command(const GradeOptions& options) {
     if (!desk.writes) {
         fmt::print("{}", is_unchanged(desk, comparison.changes) ? "Nothing has changed, and nothing was written.\n"
                                                                 : "Nothing was written; --apply writes it.\n");
+        if (!options.junit.empty()) fmt::print("{} was not written either and is as it was.\n", options.junit.string());
         return status_of(graded);
     }
     const Tier tier = workshop.sandbox->tier();
