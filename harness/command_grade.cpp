@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "harness/batch.h"
@@ -138,10 +139,21 @@ void tell_without_place(const std::vector<KeptOverride>& overrides) {
     }
 }
 
+/// What is noted of every submission of a class is told once.
 void tell_notes(const std::vector<Graded>& graded) {
+    std::map<std::string_view, std::size_t> times;
     for (const Graded& one : graded) {
-        for (const std::string& note : one.submission.notes)
-            fmt::print(stderr, "note: {}: {}\n", one.submission.id, note);
+        for (const std::string& note : one.submission.notes) ++times[note];
+    }
+    const auto is_of_all = [&](const std::string& note) { return graded.size() > 1 && times[note] == graded.size(); };
+    for (const Graded& one : graded) {
+        for (const std::string& note : one.submission.notes) {
+            if (!is_of_all(note)) {
+                fmt::print(stderr, "note: {}: {}\n", one.submission.id, note);
+            } else if (&one == &graded.front()) {
+                fmt::print(stderr, "note: all {} submissions: {}\n", graded.size(), note);
+            }
+        }
     }
 }
 

@@ -89,7 +89,7 @@ void release(std::string& text) {
 /// Without the source, which nobody needs any more.
 Graded begun(const Submission& submission, const Marking& marking, const Workshop& workshop) {
     Graded graded;
-    if (submission.lms && submission.lms->late) graded.late_share = marking.assignment.rubric.late_deduction;
+    if (submission.lms && submission.lms->late == true) graded.late_share = marking.assignment.rubric.late_deduction;
     graded.submission = submission;
     release(graded.submission.source);
     graded.tier = workshop.sandbox->tier();
