@@ -181,7 +181,7 @@ int grade_command(const GradeOptions& options) {
         require_place_for_report_file(options.junit, "--junit", ".xml");
     }
     Workshop workshop = open_workshop(options.workshop, assignment.limits);
-    tell_of_the_sandbox(workshop);
+    tell_of_the_sandbox(workshop, options.workshop);
     // A mistake of the assignment is to be told before a class is compiled.
     for (const std::string& note : marking.get().key.notes) fmt::print(stderr, "note: {}\n", note);
     std::vector<std::string> sources;  // for the other scenes, as grading gives them back
