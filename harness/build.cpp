@@ -1,11 +1,13 @@
 #include "harness/build.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <system_error>
 
 #include "harness/failure.h"
@@ -97,19 +99,30 @@ std::vector<std::string> fastest_linker(const std::filesystem::path& compiler) {
     return {};
 }
 
-bool is_limit(Ended ended) {
+/// The limit at which the compiler was stopped, as it is set; empty when it ended by itself.
+std::string reached_limit(Ended ended, const Limits& limits) {
+    using seconds = std::chrono::duration<double>;
     switch (ended) {
         case Ended::not_started:
         case Ended::exited:
         case Ended::signalled:
-        case Ended::refused: return false;
-        case Ended::cpu_limit:
-        case Ended::wall_limit:
-        case Ended::memory_limit:
-        case Ended::process_limit:
-        case Ended::output_limit: return true;
+        case Ended::refused: return "";
+        case Ended::cpu_limit: return fmt::format("compile.cpu_seconds={:g}", seconds(limits.cpu).count());
+        case Ended::wall_limit: return fmt::format("compile.wall_seconds={:g}", seconds(limits.wall).count());
+        case Ended::memory_limit: return fmt::format("compile.memory_mib={}", limits.memory_bytes / mebibyte);
+        case Ended::process_limit: return fmt::format("compile.processes={}", limits.processes);
+        case Ended::output_limit: return fmt::format("compile.output_kib={}", limits.output_bytes >> 10U);
     }
-    return false;
+    return "";
+}
+
+/// The compiler's messages, and below them why there are no more.
+std::string messages(const ProcessResult& result, const Limits& limits) {
+    const std::string limit = reached_limit(result.ended, limits);
+    if (limit.empty()) return result.errors;
+    const bool is_within_a_line = !result.errors.empty() && !result.errors.ends_with('\n');
+    return result.errors + (is_within_a_line ? "\n" : "") +
+           fmt::format("raygrade: the compiler was stopped at the limit {}\n", limit);
 }
 
 /// The compiler with the course's flags, to be run in `scratch`.
@@ -201,9 +214,9 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
     }
     const ProcessResult result = compile(submission.source, settings, sandbox, scratch, {});
     const bool broke_down = result.ended == Ended::exited && result.exit_code == broken_down;
-    build.reached_limit = is_limit(result.ended) || broke_down;
+    build.reached_limit = !reached_limit(result.ended, settings.limits).empty() || broke_down;
     build.depends_on_load = result.ended == Ended::wall_limit || result.ended == Ended::signalled || broke_down;
-    build.diagnostics = result.errors;
+    build.diagnostics = messages(result, settings.limits);
     build.wall += result.wall;
     if (result.ended == Ended::exited && result.exit_code == 0 && std::filesystem::is_regular_file(program)) {
         succeed();

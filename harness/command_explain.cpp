@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <memory>
 
+#include "harness/bounded_file.h"
 #include "harness/commands.h"
 #include "harness/find_submissions.h"
 #include "harness/report/explaining_picture.h"
@@ -31,14 +31,6 @@ constexpr std::string_view mark_of_ours = "<title id=\"raygrade-t\">";
 /// As much as a program may print by default.
 constexpr std::size_t most_bytes = std::size_t{1} << 20U;
 
-std::string beginning_of(const fs::path& file, std::size_t bytes) {
-    std::ifstream stream(file, std::ios::binary);
-    std::string text(bytes, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(bytes));
-    text.resize(static_cast<std::size_t>(stream.gcount()));
-    return text;
-}
-
 /// Throws UsageError unless there is nothing at `out` or an earlier picture that may be replaced.
 void check_out(const fs::path& out, bool may_replace) {
     std::error_code error;
@@ -54,7 +46,7 @@ void check_out(const fs::path& out, bool may_replace) {
     const fs::file_status status = fs::symlink_status(out, error);
     if (!fs::exists(status)) return;
     constexpr std::size_t enough = 1000;
-    const bool ours = fs::is_regular_file(status) && beginning_of(out, enough).find(mark_of_ours) != std::string::npos;
+    const bool ours = read_bounded(out, enough, Links::refuse).bytes.find(mark_of_ours) != std::string::npos;
     if (!ours) {
         throw UsageError(
             fmt::format("{}: is there already and is no picture of raygrade; name another file with -o", out.string()));
@@ -66,18 +58,12 @@ void check_out(const fs::path& out, bool may_replace) {
 }
 
 std::string read_output(const fs::path& file) {
-    std::error_code error;
-    if (!fs::is_regular_file(file, error)) {
-        throw UsageError(fmt::format("{}: is no file; give one with what a program printed", file.string()));
+    BoundedFile output = read_bounded(file, most_bytes, Links::follow);
+    if (!output.is_whole()) {
+        throw UsageError(fmt::format("{}: can't be read: {}; give a file with what a program printed", file.string(),
+                                     why_not_whole(output, most_bytes)));
     }
-    std::string output = beginning_of(file, most_bytes + 1);
-    if (output.size() > most_bytes) {
-        throw UsageError(fmt::format("{}: larger than 1 MiB, which is more than a program may print", file.string()));
-    }
-    if (output.empty() && fs::file_size(file, error) != 0) {
-        throw UsageError(fmt::format("{}: can't be read; check its permissions", file.string()));
-    }
-    return output;
+    return std::move(output.bytes);
 }
 
 int draw_explanation(const ExplainOptions& options) {

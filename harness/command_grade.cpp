@@ -3,8 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -82,16 +81,6 @@ int status_of(const std::vector<Graded>& graded) {
 
 namespace {
 
-std::optional<KeptInput> read_roster_file(const GradeOptions& options) {
-    if (options.canvas_roster.empty()) return std::nullopt;
-    std::ifstream file(options.canvas_roster, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (!file) {
-        throw UsageError(fmt::format("{}: can't be read: {}", options.canvas_roster.string(), std::strerror(errno)));
-    }
-    return KeptInput{canvas_roster_input, options.canvas_column, text};
-}
-
 /// What `read` makes of the input given in `file`, or of the one of that name kept from an earlier run.
 template <class Read>
 auto read_given_or_kept(const std::optional<KeptInput>& given, const fs::path& file, const char* name,
@@ -163,10 +152,21 @@ void tell_without_place(const std::vector<KeptOverride>& overrides) {
     }
 }
 
+/// What is noted of every submission of a class is told once.
 void tell_notes(const std::vector<Graded>& graded) {
+    std::map<std::string_view, std::size_t> times;
     for (const Graded& one : graded) {
-        for (const std::string& note : one.submission.notes)
-            fmt::print(stderr, "note: {}: {}\n", one.submission.id, note);
+        for (const std::string& note : one.submission.notes) ++times[note];
+    }
+    const auto is_of_all = [&](const std::string& note) { return graded.size() > 1 && times[note] == graded.size(); };
+    for (const Graded& one : graded) {
+        for (const std::string& note : one.submission.notes) {
+            if (!is_of_all(note)) {
+                fmt::print(stderr, "note: {}: {}\n", one.submission.id, note);
+            } else if (&one == &graded.front()) {
+                fmt::print(stderr, "note: all {} submissions: {}\n", graded.size(), note);
+            }
+        }
     }
 }
 
@@ -192,9 +192,13 @@ int grade_class(const GradeOptions& options) {
     const auto worksheet = read_given_or_kept(worksheet_given, options.moodle_worksheet, moodle_worksheet_input,
                                               desk.gradebook, options.out, read_worksheet);
     if (!options.trace.empty()) check_trace(options.trace);
-    prepare_report_file(options.junit, "--junit", ".xml");
+    if (desk.writes) {
+        prepare_report_file(options.junit, "--junit", ".xml");
+    } else {
+        require_place_for_report_file(options.junit, "--junit", ".xml");
+    }
     Workshop workshop = open_workshop(options.workshop, assignment.limits, std::move(toolchain));
-    tell_of_the_sandbox(workshop);
+    tell_of_the_sandbox(workshop, options.workshop);
     // A mistake of the assignment is to be told before a class is compiled.
     for (const std::string& note : marking.get().key.notes) fmt::print(stderr, "note: {}\n", note);
     std::vector<std::string> sources;  // for the other scenes, as grading gives them back
@@ -214,6 +218,7 @@ int grade_class(const GradeOptions& options) {
     if (!desk.writes) {
         fmt::print("{}", is_unchanged(desk, comparison.changes) ? "Nothing has changed, and nothing was written.\n"
                                                                 : "Nothing was written; --apply writes it.\n");
+        if (!options.junit.empty()) fmt::print("{} was not written either and is as it was.\n", options.junit.string());
         return status_of(graded);
     }
     const Tier tier = workshop.sandbox->tier();

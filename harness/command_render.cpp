@@ -2,9 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
-#include <fstream>
 #include <memory>
+#include <string_view>
 
+#include "harness/bounded_file.h"
 #include "harness/commands.h"
 #include "harness/failure.h"
 #include "harness/find_submissions.h"
@@ -51,10 +52,8 @@ std::optional<render::PictureSize> size_of(const std::string& text) {
 void refuse_to_replace(const fs::path& out) {
     std::error_code error;
     if (!fs::exists(fs::symlink_status(out, error))) return;
-    std::string start(8, '\0');
-    std::ifstream file(out, std::ios::binary);
-    file.read(start.data(), static_cast<std::streamsize>(start.size()));
-    if (fs::is_regular_file(out, error) && file && start == "\x89PNG\r\n\x1a\n") return;
+    constexpr std::string_view beginning_of_png = "\x89PNG\r\n\x1a\n";
+    if (read_bounded(out, beginning_of_png.size(), Links::follow).bytes == beginning_of_png) return;
     throw UsageError(
         fmt::format("{}: is there and is no PNG picture; name another file with --out, or remove it", out.string()));
 }

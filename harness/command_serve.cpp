@@ -128,7 +128,7 @@ int serve_pages(const ServeOptions& options) {
     const auto server = listen(options, reach, site, desk);
     const auto marking = begin_marking(assignment);
     const Workshop workshop = open_workshop(options.workshop, assignment.limits);
-    tell_of_the_sandbox(workshop);
+    tell_of_the_sandbox(workshop, options.workshop);
     for (const std::string& note : marking.get().key.notes) fmt::print(stderr, "note: {}\n", note);
     if (!desk.is_idle()) fmt::print(stderr, "from before: {} waiting\n", desk.queue_length());
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "harness/archive.h"
+#include "harness/gradescope_metadata.h"
 #include "harness/intake.h"
 #include "harness/names.h"
 
@@ -20,6 +21,7 @@ constexpr std::uint64_t largest_inner_archive = std::uint64_t{16} << 20U;
 
 std::uint64_t wanted_of_a_class(std::string_view file) {
     if (is_source_name(file)) return largest_source_bytes;
+    if (path(file).filename() == gradescope_metadata_name) return largest_gradescope_metadata;
     return is_archive_name(file) ? largest_inner_archive : 0;
 }
 
@@ -85,6 +87,11 @@ class ArchiveTree final : public FileTree {
         set_source(submission, file.bytes, file.too_large);
     }
 
+    BoundedFile read(const path& file, std::uintmax_t most) const override {
+        const ArchiveFile& found = files_.at(file);
+        return {found.bytes.substr(0, most), found.too_large || found.bytes.size() > most};
+    }
+
     std::unique_ptr<FileTree> open(const path& archive) const override {
         const ArchiveFile& file = files_.at(archive);
         if (file.too_large) {
@@ -126,6 +133,10 @@ Contents DiskTree::list(const path& folder) const {
 
 void DiskTree::read(Submission& submission, Links links) const {
     read_source(submission, links);
+}
+
+BoundedFile DiskTree::read(const path& file, std::uintmax_t most) const {
+    return read_bounded(file, most, Links::refuse);
 }
 
 std::unique_ptr<FileTree> DiskTree::open(const path& archive) const {

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <vector>
 
+#include "harness/bounded_file.h"
 #include "harness/source_file.h"
 #include "harness/submission.h"
 
@@ -31,6 +32,8 @@ class FileTree {
     virtual Contents list(const std::filesystem::path& folder) const = 0;
     /// Fills in source and source_sha256 from `submission.file`, or problem.
     virtual void read(Submission& submission, Links links) const = 0;
+    /// Any other file that intake has a use for, of at most `most` bytes.
+    virtual BoundedFile read(const std::filesystem::path& file, std::uintmax_t most) const = 0;
     /// The tree of an archive in this one; its paths begin with `archive`. Throws ArchiveError.
     virtual std::unique_ptr<FileTree> open(const std::filesystem::path& archive) const = 0;
 };
@@ -40,6 +43,7 @@ class DiskTree final : public FileTree {
   public:
     Contents list(const std::filesystem::path& folder) const override;
     void read(Submission& submission, Links links) const override;
+    BoundedFile read(const std::filesystem::path& file, std::uintmax_t most) const override;
     std::unique_ptr<FileTree> open(const std::filesystem::path& archive) const override;
 };
 

@@ -47,8 +47,9 @@ std::string explain(const Build& build, const ProcessResult& run, const Limits& 
     constexpr std::string_view still_marked = " What it printed before is marked.";
     switch (run.ended) {
         case Ended::not_started:
-            return build.reached_limit ? "The compiler ran out of time or memory on this source."
-                                       : "The source does not compile.";
+            return build.reached_limit
+                       ? "The compiler ran out of time or memory on this source; its messages say of what."
+                       : "The source does not compile.";
         case Ended::exited:
             if (run.output.empty())
                 return fmt::format("The program ended with exit code {} and printed nothing.", run.exit_code);
@@ -89,7 +90,7 @@ void release(std::string& text) {
 /// Without the source, which nobody needs any more.
 Graded begun(const Submission& submission, const Marking& marking, const Workshop& workshop) {
     Graded graded;
-    if (submission.lms && submission.lms->late) graded.late_share = marking.assignment.rubric.late_deduction;
+    if (submission.lms && submission.lms->late == true) graded.late_share = marking.assignment.rubric.late_deduction;
     graded.submission = submission;
     release(graded.submission.source);
     graded.tier = workshop.sandbox->tier();

@@ -34,7 +34,7 @@ constexpr const char* tables = R"(
         run INTEGER NOT NULL,           -- in which its record last changed
         student TEXT,                   -- as the learning management system names it
         lms_id TEXT,
-        late INTEGER NOT NULL,
+        late INTEGER NOT NULL,          -- 1 where that system says so
         outcome TEXT NOT NULL,
         automatic_points REAL,          -- NULL when not graded
         final_points REAL,              -- with overrides and what is taken off for lateness

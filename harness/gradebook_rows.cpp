@@ -90,7 +90,7 @@ void SubmissionRows::write(const Graded& graded, std::size_t place) {
     submission_.bind(3, run_);
     bind(submission_, 4, submission.lms ? or_null(submission.lms->student) : std::nullopt);
     bind(submission_, 5, submission.lms ? or_null(submission.lms->id) : std::nullopt);
-    submission_.bind(6, submission.lms && submission.lms->late ? 1 : 0);
+    submission_.bind(6, submission.lms && submission.lms->late == true ? 1 : 0);
     submission_.bind(7, std::string(to_string(graded.outcome)));
     bind(submission_, 8, automatic_points(graded));
     bind(submission_, 9, points_that_count(graded));

@@ -125,8 +125,9 @@ json lms_record(const LmsName& name) {
     put(record, "id", name.id);
     put(record, "attachment", name.attachment);
     put(record, "file", name.file);
-    put(record, "late", name.late);
+    put(record, "late", name.late == true);
     record["is_file"] = name.is_file;
+    for (const Submitter& one : name.submitters) record["submitters"].push_back({one.name, one.sid, one.email});
     return record;
 }
 
@@ -139,8 +140,13 @@ LmsName lms_from(const json& record) {
     name.id = take<std::string>(record, "id");
     name.attachment = take<std::string>(record, "attachment");
     name.file = take<std::string>(record, "file");
-    name.late = take<bool>(record, "late");
+    if (name.system == Lms::canvas) name.late = take<bool>(record, "late");
     name.is_file = take<bool>(record, "is_file");
+    if (!record.contains("submitters")) return name;
+    for (const json& one : record.at("submitters")) {
+        const auto part = [&](std::size_t i) { return one.at(i).get<std::string>(); };
+        name.submitters.push_back({part(0), part(1), part(2)});
+    }
     return name;
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "harness/archive.h"
+#include "harness/gradescope_metadata.h"
 #include "harness/names.h"
 
 namespace harness {
@@ -104,10 +105,14 @@ std::vector<path> files_of(const Contents& contents) {
     return files;
 }
 
+bool is_gradescope_metadata(const path& file) {
+    return file.filename() == gradescope_metadata_name;
+}
+
 bool is_of(Lms lms, const Contents& contents) {
     std::vector<path> files = files_of(contents);
     // What a system's export says about itself is no student's.
-    std::erase_if(files, [](const path& file) { return file.filename() == "submission_metadata.yml"; });
+    std::erase_if(files, is_gradescope_metadata);
     if (!contents.linked.empty() || (files.empty() && contents.folders.empty())) return false;
     return std::all_of(files.begin(), files.end(), [&](const path& file) { return read_name(lms, file, false); }) &&
            std::all_of(contents.folders.begin(), contents.folders.end(),
@@ -126,6 +131,7 @@ struct Student {
     LmsName name;  ///< of the first file or folder, late if any is
     HandIn hand_in;
     std::vector<std::string> no_files;  ///< text entries and links
+    std::vector<std::string> notes{};
 };
 
 void add_file(Student& student, const LmsName& name, const path& file) {
@@ -145,7 +151,7 @@ std::map<std::string, Student> students_of(Lms lms, const FileTree& tree, const 
     std::map<std::string, Student> students;
     const auto student_of = [&](const LmsName& name) -> Student& {
         Student& student = students.try_emplace(name.id, Student{name, {}, {}}).first->second;
-        student.name.late = student.name.late || name.late;
+        if (name.late == true) student.name.late = true;
         return student;
     };
     for (const path& file : files_of(contents)) {
@@ -164,6 +170,32 @@ std::map<std::string, Student> students_of(Lms lms, const FileTree& tree, const 
     return students;
 }
 
+/// What the export says of who handed in; a problem where it has nothing to say it, which raygrade can read.
+GradescopeMetadata metadata_of(const FileTree& tree, const Contents& contents) {
+    const auto file = std::find_if(contents.others.begin(), contents.others.end(), is_gradescope_metadata);
+    if (file == contents.others.end()) return {{}, {}, "is not there"};
+    const BoundedFile read = tree.read(*file, largest_gradescope_metadata);
+    if (!read.is_whole()) return {{}, {}, "can't be read: " + why_not_whole(read, largest_gradescope_metadata)};
+    return read_gradescope_metadata(read.bytes);
+}
+
+/// Gives a Gradescope submission the names of its submitters, or says why it has none.
+void give_names(Student& student, const GradescopeMetadata& metadata) {
+    const std::string folder = "submission_" + student.name.id;
+    const auto found = metadata.submitters.find(folder);
+    if (found != metadata.submitters.end()) {
+        student.name.submitters = found->second;
+        student.name.student = names_of(found->second);
+        return;
+    }
+    const auto problem = metadata.problems.find(folder);
+    const std::string why = metadata.problem                     ? *metadata.problem
+                            : problem != metadata.problems.end() ? problem->second
+                                                                 : "has nothing of it";
+    student.notes.push_back("Named by its folder, not by who handed it in: submission_metadata.yml " + why +
+                            ". Export the submissions from Gradescope anew.");
+}
+
 Submission from_student(const FileTree& tree, const Student& student, const std::string& id) {
     std::vector<std::string> others = student.no_files;
     for (const path& file : student.hand_in.others) others.push_back(file.filename());
@@ -175,7 +207,8 @@ Submission from_student(const FileTree& tree, const Student& student, const std:
     } else {
         submission = take(tree, student.hand_in, id, "The hand-in");
     }
-    if (student.name.late) submission.notes.insert(submission.notes.begin(), "Handed in late.");
+    if (student.name.late == true) submission.notes.insert(submission.notes.begin(), "Handed in late.");
+    submission.notes.insert(submission.notes.end(), student.notes.begin(), student.notes.end());
     submission.lms = student.name;
     return submission;
 }
@@ -237,15 +270,18 @@ bool is_of_lms(const Contents& contents) {
 std::optional<std::vector<Submission>> from_lms_download(const FileTree& tree, const Contents& contents) {
     const auto lms = lms_of(contents);
     if (!lms) return std::nullopt;
-    const auto students = students_of(*lms, tree, contents);
+    auto students = students_of(*lms, tree, contents);
+    if (*lms == Lms::gradescope) {
+        const GradescopeMetadata metadata = metadata_of(tree, contents);
+        for (auto& [id, student] : students) give_names(student, metadata);
+    }
     std::map<std::string, int> named;
     for (const auto& [id, student] : students) ++named[student.name.student];
     std::vector<Submission> submissions;
     for (const auto& [number, student] : students) {
         const std::string& name = student.name.student;
-        std::string id = name.empty() ? number : name;
+        std::string id = !name.empty() ? name : *lms == Lms::gradescope ? "submission_" + number : number;
         if (!name.empty() && named[name] > 1) id += '_' + number;
-        if (*lms == Lms::gradescope) id = "submission_" + number;
         submissions.push_back(from_student(tree, student, printable(id)));
     }
     return submissions;

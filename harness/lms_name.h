@@ -4,20 +4,27 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace harness {
 
 enum class Lms { canvas, moodle, gradescope };
 
+/// One of those who handed in together, as Gradescope names them; each part may be empty.
+struct Submitter {
+    std::string name, sid, email;
+};
+
 /// Who handed a file in, when and as what, as far as its name in the system's download tells.
 struct LmsName {
     Lms system = Lms::canvas;  ///< whose number `id` is
-    std::string student;     ///< the name as the system writes it: "doejane", "Jane Doe", a group's; empty if anonymous
-    std::string id;          ///< the system's number of the user, participant or submission
-    std::string attachment;  ///< Canvas's number of the file, higher for a later one; empty elsewhere
-    std::string file;        ///< the name of the student's own file; empty for a folder of them
-    bool late = false;
-    bool is_file = true;  ///< false for a text entry or a link, which hold no source
+    std::string student;       ///< the name as the system writes it: "doejane", "Jane Doe", a group's; empty if unknown
+    std::string id;            ///< the system's number of the user, participant or submission
+    std::string attachment;    ///< Canvas's number of the file, higher for a later one; empty elsewhere
+    std::string file;          ///< the name of the student's own file; empty for a folder of them
+    std::optional<bool> late;  ///< Canvas alone tells; empty elsewhere
+    bool is_file = true;       ///< false for a text entry or a link, which hold no source
+    std::vector<Submitter> submitters{};  ///< those of a Gradescope submission whose names are known; empty elsewhere
 };
 
 /// A file of Canvas's "Download Submissions": `<name>[_LATE]_<user>_<attachment>_<file>`, or anonymous

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "harness/bounded_file.h"
 #include "harness/failure.h"
 #include "harness/find_submissions.h"
 #include "harness/report/page_template.h"
@@ -19,10 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_page_of_ours(const fs::path& file) {
-    std::string beginning(report::page_beginning.size(), '\0');
-    std::ifstream stream(file, std::ios::binary);
-    stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-    return stream && beginning == report::page_beginning;
+    return read_bounded(file, report::page_beginning.size(), Links::refuse).bytes == report::page_beginning;
 }
 
 std::string why(const fs::path& file) {

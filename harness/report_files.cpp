@@ -8,8 +8,8 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 
+#include "harness/bounded_file.h"
 #include "harness/clean_text.h"
 #include "harness/final_mark.h"
 #include "harness/find_submissions.h"
@@ -60,9 +60,20 @@ report::Classroom50Submission read_classroom50() {
     return submission;
 }
 
+/// Throws UsageError, which names the file and the limit.
+std::string read_roster_text(const fs::path& file) {
+    constexpr std::uintmax_t longest = std::uintmax_t{64} << 20U;
+    BoundedFile roster = read_bounded(file, longest, Links::follow);
+    if (!roster.is_whole()) {
+        throw UsageError(fmt::format("{}: can't be read: {}; give it as it was exported", file.string(),
+                                     why_not_whole(roster, longest)));
+    }
+    return std::move(roster.bytes);
+}
+
 }  // namespace
 
-void prepare_report_file(const fs::path& file, std::string_view option, std::string_view ending) {
+void require_place_for_report_file(const fs::path& file, std::string_view option, std::string_view ending) {
     if (file.empty()) return;
     const auto fail = [&](const std::string& why) {
         throw UsageError(fmt::format("{}: {}; name another file with {}", file.string(), why, option));
@@ -73,10 +84,24 @@ void prepare_report_file(const fs::path& file, std::string_view option, std::str
     if (fs::exists(status) && !fs::is_regular_file(status)) fail("is no file");
     const fs::path folder = fs::absolute(file).parent_path();
     if (access(folder.c_str(), W_OK | X_OK) != 0) fail(fmt::format("can't be written: {}", std::strerror(errno)));
+}
+
+void prepare_report_file(const fs::path& file, std::string_view option, std::string_view ending) {
+    if (file.empty()) return;
+    require_place_for_report_file(file, option, ending);
     for (const fs::path& earlier : {file, fs::path(file.string() + ".new")}) {
+        std::error_code error;
         fs::remove(earlier, error);
-        if (error) fail(fmt::format("can't be replaced: {}", error.message()));
+        if (error) {
+            throw UsageError(fmt::format("{}: can't be replaced: {}; name another file with {}", file.string(),
+                                         error.message(), option));
+        }
     }
+}
+
+std::optional<KeptInput> read_roster_file(const GradeOptions& options) {
+    if (options.canvas_roster.empty()) return std::nullopt;
+    return KeptInput{canvas_roster_input, options.canvas_column, read_roster_text(options.canvas_roster)};
 }
 
 std::optional<KeptInput> read_worksheet_file(const GradeOptions& options) {
@@ -84,23 +109,13 @@ std::optional<KeptInput> read_worksheet_file(const GradeOptions& options) {
         if (options.moodle_columns.empty()) return std::nullopt;
         throw UsageError("--moodle-column: names a column of no worksheet; give it with --moodle-worksheet");
     }
-    constexpr std::size_t longest = std::size_t{64} << 20U;
-    const std::string name = options.moodle_worksheet.string();
-    std::ifstream file(options.moodle_worksheet, std::ios::binary);
-    std::string text(longest + 1, '\0');
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(file.gcount()));
-    if (file.bad() || !file.eof()) {
-        throw UsageError(fmt::format("{}: can't be read: {}", name,
-                                     text.size() > longest ? "it is larger than 64 MiB" : std::strerror(errno)));
-    }
     std::string columns;
     for (const std::string& column : options.moodle_columns) columns += column + '\n';
-    KeptInput input{moodle_worksheet_input, columns, text};
+    KeptInput input{moodle_worksheet_input, columns, read_roster_text(options.moodle_worksheet)};
     try {
         read_worksheet(input);
     } catch (const report::RosterError& error) {
-        throw UsageError(fmt::format("{} {}", name, error.what()));
+        throw UsageError(fmt::format("{} {}", options.moodle_worksheet.string(), error.what()));
     }
     return input;
 }

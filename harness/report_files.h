@@ -13,10 +13,16 @@
 
 namespace harness {
 
-/// Sees that a report can be written to `file` when it is made, and that no earlier one stands there if it never is. It
-/// must end in `ending`, so that nobody's source is written over. A link is removed, not followed: the folder may be a
-/// student's. Nothing when the path is empty. Throws UsageError, which names the option.
+/// Sees that a report can be written to `file`. It must end in `ending`, so that nobody's source is written over.
+/// Nothing when the path is empty. Throws UsageError, which names the option.
+void require_place_for_report_file(const std::filesystem::path& file, std::string_view option, std::string_view ending);
+
+/// The same, and sees that no earlier one stands there if the new one is never made. A link is removed, not followed:
+/// the folder may be a student's.
 void prepare_report_file(const std::filesystem::path& file, std::string_view option, std::string_view ending);
+
+/// The gradebook that --canvas-roster names, to be kept in ours; empty without one. Throws UsageError.
+std::optional<KeptInput> read_roster_file(const GradeOptions& options);
 
 /// The worksheet that --moodle-worksheet names, to be kept in the gradebook; empty without one. Throws UsageError.
 std::optional<KeptInput> read_worksheet_file(const GradeOptions& options);

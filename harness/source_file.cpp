@@ -1,9 +1,6 @@
 #include "harness/source_file.h"
 
-#include <fcntl.h>
 #include <sodium.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -14,7 +11,6 @@
 #include "harness/failure.h"
 #include "harness/intake.h"
 #include "harness/names.h"
-#include "harness/sandbox/file_descriptor.h"
 
 namespace harness {
 namespace {
@@ -60,40 +56,15 @@ void set_source(Submission& submission, std::string bytes, bool is_too_large) {
 
 void read_source(Submission& submission, Links links) {
     const auto& path = submission.file;
-    // Without O_NONBLOCK, opening a FIFO waits for its writer.
-    const int flags = O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY | (links == Links::refuse ? O_NOFOLLOW : 0);
-    const FileDescriptor file(open(path.c_str(), flags));
-    struct stat info {};
-    if (!file || fstat(file.get(), &info) != 0) {
-        submission.problem = problem_of(errno, path);
-        return;
-    }
-    if (!S_ISREG(info.st_mode)) {
+    BoundedFile file = read_bounded(path, largest_source_bytes, links);
+    if (file.error != 0) {
+        submission.problem = problem_of(file.error, path);
+    } else if (file.is_special) {
         submission.problem =
             in_quotes(path) + " is not a file but a folder, pipe or device. Put the source itself there.";
-        return;
+    } else {
+        set_source(submission, std::move(file.bytes), file.has_more);
     }
-    if (static_cast<std::uintmax_t>(info.st_size) > largest_source_bytes) {
-        submission.problem = too_large(path);
-        return;
-    }
-    // One more than there should be, to see the end; a file that grows meanwhile is read on.
-    std::string bytes(static_cast<std::size_t>(info.st_size) + 1, '\0');
-    std::size_t size = 0;
-    while (size <= largest_source_bytes) {
-        if (size == bytes.size()) bytes.resize(std::min(2 * size, largest_source_bytes + 1));
-        const ssize_t got = read(file.get(), bytes.data() + size, bytes.size() - size);
-        if (got == 0) break;
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) {
-            submission.problem = problem_of(errno, path);
-            return;
-        }
-        size += static_cast<std::size_t>(got);
-    }
-    bytes.resize(size);
-    bytes.shrink_to_fit();
-    set_source(submission, std::move(bytes), size > largest_source_bytes);
 }
 
 }  // namespace harness

@@ -97,7 +97,11 @@ std::string sandbox_warning(Tier tier) {
            "graded may, these reports and the answer key among it.";
 }
 
-void tell_of_the_sandbox(const Workshop& workshop) {
+void tell_of_the_sandbox(const Workshop& workshop, const WorkshopOptions& options) {
+    if (options.unsafe && workshop.sandbox->tier() != Tier::unsafe) {
+        fmt::print(stderr, "note: --unsafe changes nothing here: this machine holds {}, and programs run in it\n",
+                   to_string(workshop.sandbox->tier()));
+    }
     if (!workshop.why_no_stronger.empty()) {
         fmt::print(stderr, "note: programs run in {}, as {}; see `raygrade doctor`\n",
                    to_string(workshop.sandbox->tier()), workshop.why_no_stronger);

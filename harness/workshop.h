@@ -56,6 +56,6 @@ std::string execution_key(const std::string& source, const Workshop& workshop, c
 std::string sandbox_warning(Tier tier);
 
 /// The same on stderr, before the first submission, and why a stronger sandbox than the one in use does not hold.
-void tell_of_the_sandbox(const Workshop& workshop);
+void tell_of_the_sandbox(const Workshop& workshop, const WorkshopOptions& options);
 
 }  // namespace harness

@@ -125,6 +125,11 @@ TEST(Build, TellsThatTheCompilerRanOutOfTime) {
     const Build built = folder.build(with_source("#include <bits/stdc++.h>\nint main() {}\n"), settings);
     EXPECT_TRUE(built.reached_limit);
     EXPECT_FALSE(built.program);
+    EXPECT_EQ(built.diagnostics, "raygrade: the compiler was stopped at the limit compile.cpu_seconds=0.1\n");
+    settings.limits.cpu = 20s;
+    settings.limits.wall = 50ms;
+    EXPECT_THAT(Folder().build(with_source("#include <bits/stdc++.h>\nint main() {}\n"), settings).diagnostics,
+                HasSubstr("compile.wall_seconds=0.05"));
 }
 
 TEST(Build, TellsThatTheCompilersFileBecameTooLarge) {

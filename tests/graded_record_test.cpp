@@ -72,7 +72,8 @@ TEST(GradedRecord, GivesBackWhatNoReportShows) {
     one.our_fault = true;
     one.submission.problem = "unreadable \xff";
     one.submission.notes = {"older: a.cpp", ""};
-    one.submission.lms = LmsName{Lms::moodle, "Zoe", "17", "4", "a b.cpp", false, false};
+    one.submission.lms =
+        LmsName{Lms::moodle, "Zoe", "17", "4", "a b.cpp", {}, false, {{"Zoe", "s1", "z@x"}, {"Max", "", ""}}};
     one.build.tried = one.build.compiled = one.build.reached_limit = true;
     one.run.error = 8;
     one.run.errors_truncated = true;
@@ -86,6 +87,14 @@ TEST(GradedRecord, GivesBackWhatNoReportShows) {
     EXPECT_EQ(restored.submission.lms->attachment, "4");
     EXPECT_EQ(restored.submission.lms->file, "a b.cpp");
     EXPECT_FALSE(restored.submission.lms->is_file);
+    EXPECT_EQ(restored.submission.lms->late, std::nullopt);
+    ASSERT_EQ(restored.submission.lms->submitters.size(), 2U);
+    EXPECT_EQ(restored.submission.lms->submitters[0].email, "z@x");
+    EXPECT_EQ(restored.submission.lms->submitters[1].name, "Max");
+    for (const bool late : {false, true}) {
+        one.submission.lms.emplace().late = late;
+        EXPECT_EQ(again(one).submission.lms->late, late);
+    }
     EXPECT_TRUE(restored.build.tried && restored.build.compiled && restored.build.reached_limit);
     EXPECT_EQ(restored.run.error, 8);
     EXPECT_TRUE(restored.run.errors_truncated);

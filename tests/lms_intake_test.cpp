@@ -143,6 +143,51 @@ TEST_P(LmsDownload, OfGradescopeHasAFolderForEachSubmission) {
     EXPECT_EQ(taken.at("submission_902").source, "b");
     EXPECT_EQ(taken.at("submission_902").lms->id, "902");
 }
+
+TEST_P(LmsDownload, OfGradescopeIsNamedByItsMetadata) {
+    const auto taken = take_in({{"submission_901/ray_cast.cpp", "a"},
+                                {"submission_902/main.cpp", "b"},
+                                {"submission_903/main.cpp", "c"},
+                                {"submission_904/readme.txt", "no source"},
+                                {"submission_metadata.yml",
+                                 "submission_901:\n  :submitters:\n  - :name: Jane Doe\n    :sid: s1\n"
+                                 "submission_902:\n  :submitters:\n  - :name: Jane Doe\n"
+                                 "submission_903:\n  :submitters:\n  - :name: Ann/Lee\n  - :name: Żan Roe\n"
+                                 "submission_904:\n  :submitters:\n  - :name: Pat Poe\n"}});
+    EXPECT_THAT(ids(taken), ElementsAre("Ann/Lee, Żan Roe", "Jane Doe_901", "Jane Doe_902", "Pat Poe"));
+    const Submission& jane = taken.at("Jane Doe_901");
+    EXPECT_EQ(jane.source, "a");
+    EXPECT_EQ(jane.lms->student, "Jane Doe");
+    EXPECT_EQ(jane.lms->id, "901");
+    EXPECT_EQ(jane.lms->submitters.at(0).sid, "s1");
+    EXPECT_EQ(jane.lms->late, std::nullopt) << "Gradescope does not tell";
+    EXPECT_THAT(jane.notes, IsEmpty());
+    EXPECT_EQ(taken.at("Ann/Lee, Żan Roe").lms->submitters.size(), 2U);
+    EXPECT_THAT(*taken.at("Pat Poe").problem, HasSubstr("no C++ source"));
+}
+
+TEST_P(LmsDownload, OfGradescopeIsNamedByItsFoldersWhereTheMetadataAreOfNoUse) {
+    const auto with = [&](const std::string& yaml) {
+        return take_in({{"submission_901/ray_cast.cpp", "a"},
+                        {"submission_902/main.cpp", "b"},
+                        {"submission_metadata.yml", yaml}});
+    };
+    const auto broken = with("submission_901:\n  :submitters:\n  - :name: \"Jane");
+    EXPECT_THAT(ids(broken), ElementsAre("submission_901", "submission_902"));
+    EXPECT_THAT(broken.at("submission_902").notes,
+                ElementsAre(AllOf(HasSubstr("submission_metadata.yml is no YAML from line 3 on"),
+                                  HasSubstr("Export the submissions from Gradescope anew"))));
+    const auto one = with("submission_901:\n  :submitters:\n  - :name: Jane Doe\n");
+    EXPECT_THAT(ids(one), ElementsAre("Jane Doe", "submission_902"));
+    EXPECT_THAT(one.at("submission_902").notes, ElementsAre(HasSubstr("submission_metadata.yml has nothing of it")));
+    const std::string huge((std::size_t{64} << 20U) + 1, '#');
+    EXPECT_THAT(with(huge).at("submission_901").notes, ElementsAre(HasSubstr("it is larger than 64 MiB")));
+    const TemporaryFolder other;
+    other.write("class/submission_901/ray_cast.cpp", "a");
+    const auto none = take(other.path() / "class");
+    EXPECT_THAT(none.at("submission_901").notes, ElementsAre(HasSubstr("submission_metadata.yml is not there")));
+}
+
 INSTANTIATE_TEST_SUITE_P(, LmsDownload, testing::Bool(),
                          [](const auto& tested) { return tested.param ? "packed" : "unpacked"; });
 
@@ -195,11 +240,11 @@ TEST(CanvasName, IsReadInEightShapes) {
     EXPECT_EQ(plain->id, "123");
     EXPECT_EQ(plain->attachment, "456");
     EXPECT_EQ(plain->file, "ray_cast.cpp");
-    EXPECT_FALSE(plain->late);
-    EXPECT_TRUE(read_canvas_name("doejane_LATE_123_456_ray_cast.cpp")->late);
+    EXPECT_EQ(plain->late, false);
+    EXPECT_EQ(read_canvas_name("doejane_LATE_123_456_ray_cast.cpp")->late, true);
     EXPECT_EQ(read_canvas_name("doejane_123_456_1_2_3.cpp")->file, "1_2_3.cpp") << "digits in the file's name";
     EXPECT_EQ(read_canvas_name("anon_9_456_ray_cast.cpp")->id, "anon_9");
-    EXPECT_TRUE(read_canvas_name("LATE_anon_9_456_ray_cast.cpp")->late);
+    EXPECT_EQ(read_canvas_name("LATE_anon_9_456_ray_cast.cpp")->late, true);
     EXPECT_FALSE(read_canvas_name("doejane_123_text.html")->is_file);
     EXPECT_FALSE(read_canvas_name("anon_9_link.html")->is_file);
     EXPECT_EQ(read_canvas_name("группа_LATE_7_8_a b.cpp")->student, "группа");

@@ -90,6 +90,15 @@ TEST_F(Sandboxed, WithoutASandboxNothingIsRunUnlessTold) {
     EXPECT_FALSE(fs::exists(out() / "grades.json"));
 }
 
+TEST_F(Sandboxed, UnsafeChangesNothingWhereASandboxHoldsAndIsToldSo) {
+    if (!holds_bwrap()) GTEST_SKIP() << "no sandbox here";
+    const Result result = grade({"--unsafe"});
+    EXPECT_EQ(result.status, 0) << result.both();
+    EXPECT_THAT(result.voice, HasSubstr("--unsafe changes nothing here: this machine holds bwrap+shim"));
+    EXPECT_EQ(grades().at("sandbox"), "bwrap+shim");
+    EXPECT_THAT(grade({"--apply"}).voice, Not(HasSubstr("--unsafe")));
+}
+
 TEST_F(Sandboxed, EveryReportOfMarksMadeWithoutASandboxSaysSo) {
     const Result result = grade({"--sandbox", "bwrap", "--unsafe"}, without_bwrap());
     EXPECT_EQ(result.status, 0) << result.both();

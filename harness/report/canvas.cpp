@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -62,21 +63,31 @@ class Index {
         }
     }
 
-    std::set<std::size_t> find(const Submission& submission) const {
+    /// The rows of each who handed it in.
+    std::vector<std::set<std::size_t>> find(const Submission& submission) const {
+        if (submission.lms && !submission.lms->submitters.empty()) {
+            std::vector<std::set<std::size_t>> rows;
+            for (const Submitter& one : submission.lms->submitters)
+                rows.push_back(rows_of({"", one.sid, one.email, name_key(one.name)}));
+            return rows;
+        }
         // Another system's number of a student may be Canvas's of somebody else.
         const bool of_another = submission.lms && submission.lms->system != Lms::canvas;
         const std::string number = of_another ? "" : submission.lms ? submission.lms->id : submission.id;
         const std::string name = submission.lms ? submission.lms->student : submission.id;
-        const std::string values[] = {number, submission.id, submission.id, name_key(name)};
-        for (std::size_t key = 0; key < std::size(keys_); ++key) {
+        return {rows_of({number, submission.id, submission.id, name_key(name)})};
+    }
+
+  private:
+    std::set<std::size_t> rows_of(const std::array<std::string, 4>& values) const {
+        for (std::size_t key = 0; key < values.size(); ++key) {
             const auto found = keys_[key].find(values[key]);
             if (found != keys_[key].end()) return found->second;
         }
         return {};
     }
 
-  private:
-    std::map<std::string, std::set<std::size_t>> keys_[4];
+    std::array<std::map<std::string, std::set<std::size_t>>, 4> keys_;
 };
 
 std::string line_of(const Row& cells) {
@@ -131,13 +142,16 @@ CanvasImport canvas_import(const CanvasRoster& roster, const std::vector<Graded>
         return cell_of(roster.students[row], column_of(roster.header, "Student"));
     };
     for (const Graded& one : graded) {
-        const std::set<std::size_t> rows = index.find(one.submission);
-        if (rows.empty()) import.unmatched.push_back(one.submission.id);
-        if (rows.size() == 1) of_row[*rows.begin()].push_back(&one);
-        if (rows.size() < 2) continue;
-        std::string names;
-        for (const std::size_t row : rows) names += (names.empty() ? "" : "; ") + name_of(row);
-        import.ambiguous.push_back(one.submission.id + ": " + names);
+        const auto people = index.find(one.submission);
+        for (std::size_t i = 0; i < people.size(); ++i) {
+            const std::set<std::size_t>& rows = people[i];
+            if (rows.empty()) import.unmatched.push_back(called_in(one.submission, i));
+            if (rows.size() == 1) of_row[*rows.begin()].push_back(&one);
+            if (rows.size() < 2) continue;
+            std::string names;
+            for (const std::size_t row : rows) names += (names.empty() ? "" : "; ") + name_of(row);
+            import.ambiguous.push_back(called_in(one.submission, i) + ": " + names);
+        }
     }
     for (std::size_t row = 0; row < roster.students.size(); ++row) {
         const auto found = of_row.find(row);

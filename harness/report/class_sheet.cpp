@@ -24,7 +24,7 @@ constexpr std::size_t most_text_bytes = 4 << 10U;
 constexpr std::size_t most_picture_bytes = 6 << 20U;
 
 std::string late_text(const Graded& graded) {
-    return graded.submission.lms && graded.submission.lms->late ? "late" : "";
+    return graded.submission.lms && graded.submission.lms->late == true ? "late" : "";
 }
 
 /// Points by question, one cell each; coloured by what is lost.

@@ -98,7 +98,7 @@ ClassStatistics class_statistics(const std::vector<Graded>& graded) {
     for (std::size_t i = 0; i < graded.size(); ++i) {
         const Graded& one = graded[i];
         outcomes[one.outcome].push_back(i);
-        statistics.late += one.submission.lms && one.submission.lms->late ? 1 : 0;
+        statistics.late += one.submission.lms && one.submission.lms->late == true ? 1 : 0;
         statistics.flagged += is_flagged(one) ? 1 : 0;
         statistics.overridden += one.overrides.empty() ? 0 : 1;
         statistics.printed += has_answers(one) ? 1 : 0;

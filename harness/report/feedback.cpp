@@ -136,6 +136,9 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
                             reference::question_title(question.number), verdict_of(question),
                             points_text(final_points(graded, question)), points_text(question.max_points));
     }
+    const bool has_follow = std::any_of(score.questions.begin(), score.questions.end(),
+                                        [](const QuestionScore& q) { return q.verdict == ItemVerdict::follow; });
+    if (has_follow) text += "\n`follow`: wrong, but computed correctly from your own earlier answers.\n";
     const std::string items = graded.outcome == Outcome::compile_error ? "" : items_worth_saying(graded);
     if (!items.empty()) text += "\n## Answers to look at\n\n" + items;
     if (!graded.flags.empty()) {

@@ -59,7 +59,7 @@ std::string in_canvas(const LmsName& lms, const std::string& attachment) {
     std::replace(name.begin(), name.end(), ' ', '-');
     if (is_number(name)) name = "student-" + name;
     if (!name.empty()) name += '_';
-    return name + (lms.late ? "LATE_" : "") + lms.id + '_' + attachment + '_' + page_name;
+    return name + (lms.late == true ? "LATE_" : "") + lms.id + '_' + attachment + '_' + page_name;
 }
 
 std::string in_moodle(const LmsName& lms) {

@@ -100,7 +100,9 @@ ordered_json run_json(const ProcessResult& run) {
 /// Null is what nothing is known of.
 ordered_json student_json(const std::optional<LmsName>& name) {
     if (!name) return {{"name", nullptr}, {"lms_user_id", nullptr}, {"late", nullptr}};
-    return {{"name", or_null(name->student)}, {"lms_user_id", or_null(name->id)}, {"late", name->late}};
+    return {{"name", or_null(name->student)},
+            {"lms_user_id", or_null(name->id)},
+            {"late", name->late ? ordered_json(*name->late) : ordered_json(nullptr)}};
 }
 
 /// What the program did on other scenes; null when it was not tried.

@@ -51,7 +51,7 @@ std::string gradescope_results(const Graded& graded, const Marking& marking) {
     json["stdout_visibility"] = "hidden";
     json["extra_data"] = {{"outcome", to_string(graded.outcome)}};
     const auto& lms = graded.submission.lms;
-    if (lms && lms->system == Lms::canvas) json["extra_data"]["late"] = lms->late;
+    if (lms && lms->late) json["extra_data"]["late"] = *lms->late;
     if (mark && graded.outcome != Outcome::not_graded) {
         json["tests"] = ordered_json::array();
         for (const QuestionScore& question : graded.score.questions)

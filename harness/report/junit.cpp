@@ -153,9 +153,8 @@ void add_properties(pugi::xml_node suite, const Graded& graded) {
     if (const auto mark = final_mark(graded)) add("points", fmt::format("{:.2f}", mark->points));
     add("max_points", fmt::format("{:.2f}", graded.score.max_points));
     add("outcome", std::string(to_string(graded.outcome)));
-    // Canvas alone says so.
     const auto& lms = graded.submission.lms;
-    if (lms && lms->system == Lms::canvas) add("late", lms->late ? "true" : "false");
+    if (lms && lms->late) add("late", *lms->late ? "true" : "false");
 }
 
 }  // namespace

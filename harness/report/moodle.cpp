@@ -42,12 +42,14 @@ class Participants {
         }
     }
 
-    std::set<std::size_t> find(const Submission& submission) const {
-        const bool numbered = submission.lms && submission.lms->system == Lms::moodle;
-        const std::string name = submission.lms ? submission.lms->student : submission.id;
-        const auto& keys = numbered ? by_number_ : by_name_;
-        const auto found = keys.find(numbered ? submission.lms->id : name_key(name));
-        return found == keys.end() ? std::set<std::size_t>{} : found->second;
+    /// The rows of each who handed it in.
+    std::vector<std::set<std::size_t>> find(const Submission& submission) const {
+        const auto& lms = submission.lms;
+        if (lms && lms->system == Lms::moodle) return {find(by_number_, lms->id)};
+        if (!lms || lms->submitters.empty()) return {find(by_name_, name_key(lms ? lms->student : submission.id))};
+        std::vector<std::set<std::size_t>> rows;
+        for (const Submitter& one : lms->submitters) rows.push_back(find(by_name_, name_key(one.name)));
+        return rows;
     }
 
     /// A download may put the group before the name, a worksheet a mark behind it, and a name is "Participant" while
@@ -68,8 +70,15 @@ class Participants {
     }
 
   private:
+    using Rows = std::map<std::string, std::set<std::size_t>>;
+
+    static std::set<std::size_t> find(const Rows& keys, const std::string& key) {
+        const auto found = keys.find(key);
+        return found == keys.end() ? std::set<std::size_t>{} : found->second;
+    }
+
     const MoodleWorksheet& worksheet_;
-    std::map<std::string, std::set<std::size_t>> by_number_, by_name_;
+    Rows by_number_, by_name_;
 };
 
 /// Fills in the grade of one row, or says why not.
@@ -123,13 +132,16 @@ MoodleImport moodle_import(const MoodleWorksheet& worksheet, const std::vector<G
     const Participants participants(worksheet);
     std::map<std::size_t, std::vector<const Graded*>> of_row;
     for (const Graded& one : graded) {
-        const std::set<std::size_t> rows = participants.find(one.submission);
-        if (rows.empty()) import.unmatched.push_back(one.submission.id);
-        if (rows.size() == 1) of_row[*rows.begin()].push_back(&one);
-        if (rows.size() < 2) continue;
-        std::string names;
-        for (const std::size_t row : rows) names += (names.empty() ? "" : "; ") + participants.called(row);
-        import.ambiguous.push_back(one.submission.id + ": " + names);
+        const auto people = participants.find(one.submission);
+        for (std::size_t i = 0; i < people.size(); ++i) {
+            const std::set<std::size_t>& rows = people[i];
+            if (rows.empty()) import.unmatched.push_back(called_in(one.submission, i));
+            if (rows.size() == 1) of_row[*rows.begin()].push_back(&one);
+            if (rows.size() < 2) continue;
+            std::string names;
+            for (const std::size_t row : rows) names += (names.empty() ? "" : "; ") + participants.called(row);
+            import.ambiguous.push_back(called_in(one.submission, i) + ": " + names);
+        }
     }
     std::vector<Row> rows = worksheet.rows;
     for (std::size_t row = 0; row < rows.size(); ++row) {

@@ -71,4 +71,9 @@ std::string name_key(std::string_view name) {
     return result;
 }
 
+std::string called_in(const Submission& submission, std::size_t submitter) {
+    if (!submission.lms || submission.lms->submitters.size() < 2) return submission.id;
+    return submission.id + " (" + submission.lms->submitters[submitter].name + ")";
+}
+
 }  // namespace harness::report

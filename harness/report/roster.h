@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/submission.h"
+
 namespace harness::report {
 
 /// The roster can't be used: what() says why and the way out, to be read after the file's name.
@@ -33,5 +35,8 @@ std::string cell_of(const Row& row, std::optional<std::size_t> column);
 /// and '_'. "Doe, Jane" is "doejane". Empty for what is no UTF-8: such a name finds nobody. Letters are those of the
 /// locale, which raygrade sets to C.UTF-8.
 std::string name_key(std::string_view name);
+
+/// Whom a list of those left out names: the submission's id, with the name behind it of the one of a group.
+std::string called_in(const Submission& submission, std::size_t submitter);
 
 }  // namespace harness::report

@@ -124,6 +124,22 @@ TEST(CanvasImport, TakesNoOtherSystemsNumberForCanvass) {
     EXPECT_EQ(rows_of(import_of({of_moodle}).csv)[2][0], "Poe, Pat") << "by name";
 }
 
+TEST(CanvasImport, GivesEachOfAGroupItsPoints) {
+    Graded group = handed_in("Rick Roe, Pat Poe, Ann Lee, Jane Doe");
+    LmsName& name = group.submission.lms.emplace();
+    name.system = Lms::gradescope;
+    name.id = "14";
+    name.submitters = {
+        {"Rick Roe", "s14", ""}, {"Pat Poe", "", "ppoe"}, {"Ann Lee", "s99", "alee"}, {"Doe Jane", "", ""}};
+    const CanvasImport import = import_of({group});
+    const auto rows = rows_of(import.csv);
+    ASSERT_EQ(rows.size(), 4U);
+    EXPECT_EQ(rows[2][0], "Roe, \"Rick\"") << "by SIS User ID";
+    EXPECT_EQ(rows[3][0], "Poe, Pat") << "by SIS Login ID";
+    EXPECT_THAT(import.unmatched, ElementsAre("Rick Roe, Pat Poe, Ann Lee, Jane Doe (Ann Lee)"));
+    EXPECT_THAT(import.ambiguous, ElementsAre("Rick Roe, Pat Poe, Ann Lee, Jane Doe (Doe Jane): Doe, Jane; Doe, Jane"));
+}
+
 TEST(CanvasImport, GivesThePointsThatCount) {
     Graded late = handed_in("14");
     late.late_share = 0.5;

@@ -48,6 +48,7 @@ TEST(Feedback, SaysQuestionLineWhatWasPrintedAndWhatIsWrong) {
                           "6, t \\(line [0-9]+ of your output\\): you printed `[0-9.]+`"));
     EXPECT_THAT(text, HasSubstr("far root"));
     EXPECT_THAT(text, HasSubstr("it follows correctly from an earlier mistake"));
+    EXPECT_THAT(text, HasSubstr("\n`follow`: wrong, but computed correctly from your own earlier answers.\n"));
 }
 
 TEST(Feedback, SaysWhichQuestionToLookAtFirst) {

@@ -122,6 +122,18 @@ TEST_F(MoodleImportTest, MatchesOthersByFullNameAndNeverByAnothersNumber) {
               json::parse(R"([[4, "Grade", "", "40.00"], [5, "Grade", "55.00", "60.00"]])"));
 }
 
+TEST_F(MoodleImportTest, GivesEachOfAGroupItsPoints) {
+    Graded group = worth(graded("Rick Roe, Pat Poe, Ann Lee", output_with_a_mistake()), 70);
+    LmsName& name = group.submission.lms.emplace();
+    name.system = Lms::gradescope;
+    name.id = "11";
+    name.submitters = {{"Rick Roe", "", ""}, {"Pat Poe", "", ""}, {"Ann Lee", "", ""}};
+    const MoodleImport import = import_of(english, {group});
+    EXPECT_EQ(changes(english, import.csv),
+              json::parse(R"([[4, "Grade", "", "70.00"], [5, "Grade", "55.00", "70.00"]])"));
+    EXPECT_THAT(import.unmatched, ElementsAre("Rick Roe, Pat Poe, Ann Lee (Ann Lee)"));
+}
+
 TEST_F(MoodleImportTest, NeverGuesses) {
     const MoodleImport import = import_of(
         english, {worth(graded("Jane Doe", output_with_a_mistake()), 50),
