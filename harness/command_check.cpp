@@ -7,11 +7,13 @@
 #include "harness/report/report.h"
 #include "harness/report/student_page.h"
 #include "harness/report_files.h"
+#include "harness/variants/variant_points.h"
 
 namespace harness {
 
 int check_command(const CheckOptions& options) {
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
+    variants::require_variants(assignment, options.variants.count);
     const std::vector<Submission> submissions = find_submissions({options.source});
     if (submissions.size() != 1) {
         throw UsageError(fmt::format("{}: holds {} submissions; `raygrade check` takes one, `raygrade grade` a class",
@@ -28,6 +30,7 @@ int check_command(const CheckOptions& options) {
     workshop.sanitize = false;
     Timeline timeline;
     variants::run_variants(all, {submissions.front().source}, marking.get(), workshop, 1, options.variants, timeline);
+    variants::award_variant_points(all, assignment.rubric);
     const Graded& graded = all.front();
     tell_problems(workshop);
     fmt::print("{}\n\n{}", assignment.title, report::check_text(graded));

@@ -35,6 +35,7 @@ struct GradeOptions {
     std::vector<std::string> moodle_columns = {};  ///< "grade=Bewertung": its columns that can't be told
     std::filesystem::path junit = {};              ///< where to write JUnit XML; empty for nowhere
     variants::VariantOptions variants{};
+    bool stress = false;  ///< also on the hard scenes
 };
 int grade_command(const GradeOptions& options);
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <thread>
 
+#include "harness/command_stress.h"
 #include "harness/commands.h"
 #include "harness/failure.h"
 #include "harness/find_submissions.h"
@@ -20,6 +21,7 @@ constexpr const char* about =
     "  raygrade grade class/ --out results     a class: marks, reports, grades.json\n"
     "  raygrade override s05 6.t 2 --why ...   an instructor's mark in place of the automatic one\n"
     "  raygrade check ray_cast.cpp             a student's own check before handing in\n"
+    "  raygrade stress ray_cast.cpp            which hard scenes a method survives, and what would do better\n"
     "  raygrade serve                          the same as a page for browsers\n"
     "  raygrade reference                      the canonical answers\n"
     "  raygrade cast < queries.jsonl           exact answers to any rays\n"
@@ -83,7 +85,7 @@ void add_variants(CLI::App& command, variants::VariantOptions& options) {
     command
         .add_option("--variants", options.count,
                     "Also run each program on N other scenes, written into its source, and say which answers move with "
-                    "the scene; costs no points")
+                    "the scene; costs no points of its own, and gives some where the rubric says so (variant_points)")
         ->check(CLI::Range(0, 16))
         ->type_name("N")
         ->capture_default_str();
@@ -248,6 +250,9 @@ int run(int argc, char** argv) {
                     "Write a trace of build, run, read and score of each submission here, for ui.perfetto.dev")
         ->type_name("FILE");
     add_variants(grade_app, grade.variants);
+    grade_app.add_flag("--stress", grade.stress,
+                       "Also run each program on the hard scenes of `raygrade stress` and put what it loses there "
+                       "into the feedback; costs no points, and some fifteen runs of each program");
     add_workshop(grade_app, grade.workshop);
     grade_app.footer(limits_footer() +
                      "\nExample: raygrade grade submissions/ --assignment a6-2021 --out results -j 4");
@@ -295,6 +300,13 @@ int run(int argc, char** argv) {
     add_variants(check_app, check.variants);
     add_workshop(check_app, check.workshop);
     check_app.footer(limits_footer() + "\nExample: raygrade check ray_cast.cpp");
+
+    StressOptions stress;
+    CLI::App& stress_app = *app.add_subcommand(
+        "stress", "Run one ray_cast.cpp on hard scenes: what its method survives, and which formula would do better");
+    add_stress_options(stress_app, stress);
+    add_assignment(stress_app, stress.assignment);
+    add_workshop(stress_app, stress.workshop);
 
     ServeOptions serve;
     serve.assignment = "default";
@@ -396,6 +408,7 @@ int run(int argc, char** argv) {
     if (grade_app.parsed()) return grade_command(grade);
     if (override_app.parsed()) return override_command(given);
     if (check_app.parsed()) return check_command(check);
+    if (stress_app.parsed()) return stress_command(stress);
     if (serve_app.parsed()) return serve_command(serve);
     if (reference_app.parsed()) return reference_command(reference_options);
     if (cast_app.parsed()) return cast_command();
