@@ -70,10 +70,12 @@ int stress_command(const StressOptions& options) {
                         "a class",
                         options.source.string(), submissions.size()));
     }
-    const Workshop workshop = open_workshop(options.workshop, assignment.limits);
+    Workshop workshop = open_workshop(options.workshop, assignment.limits);
     tell_of_the_sandbox(workshop);
     const auto marking = begin_marking(assignment);
     std::vector<Graded> all{grade(submissions.front(), marking, workshop)};
+    workshop.repetitions = 1;
+    workshop.sanitize = false;
     Timeline timeline;
     stress::run_stress(all, {submissions.front().source}, marking.get(), workshop, options.jobs, timeline);
     const Graded& graded = all.front();
