@@ -74,6 +74,12 @@ void add_items(std::vector<std::string>& reasons, const Graded& before, const Gr
     }
 }
 
+void add_scenes(std::vector<std::string>& reasons, const Score& before, const Score& after) {
+    const double then = before.other_scenes ? before.other_scenes->points : 0;
+    const double now = after.other_scenes ? after.other_scenes->points : 0;
+    if (!is_same_mark(then, now)) reasons.push_back(fmt::format("other scenes ({})", signed_points(now - then)));
+}
+
 }  // namespace
 
 bool is_same_mark(const std::optional<double>& one, const std::optional<double>& other) {
@@ -98,7 +104,10 @@ MarkChange change_between(const Graded& before, const Graded& after) {
             fmt::format("late: loses {:g} %, {:g} % before", after.late_share * 100, before.late_share * 100));
     }
     const bool both_marked = before.outcome != Outcome::not_graded && after.outcome != Outcome::not_graded;
-    if (both_marked) add_items(change.reasons, before, after);
+    if (both_marked) {
+        add_items(change.reasons, before, after);
+        add_scenes(change.reasons, before.score, after.score);
+    }
     return change;
 }
 

@@ -11,6 +11,7 @@
 #include "harness/report/student_page.h"
 #include "harness/report_files.h"
 #include "harness/shared_options.h"
+#include "harness/variants/variant_points.h"
 
 namespace harness {
 namespace {
@@ -18,6 +19,7 @@ namespace {
 int check_source(const CheckOptions& options) {
     auto toolchain = begin_look_at_compiler(options.workshop);
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
+    variants::require_variants(assignment, options.variants.count);
     const std::vector<Submission> submissions = find_submissions({options.source});
     if (submissions.size() != 1) {
         throw UsageError(fmt::format("{}: holds {} submissions; `raygrade check` takes one, `raygrade grade` a class",
@@ -34,6 +36,7 @@ int check_source(const CheckOptions& options) {
     workshop.sanitize = false;
     Timeline timeline;
     variants::run_variants(all, {submissions.front().source}, marking.get(), workshop, 1, options.variants, timeline);
+    variants::award_variant_points(all, assignment.rubric);
     const Graded& graded = all.front();
     tell_problems(workshop);
     fmt::print("{}\n\n{}", assignment.title, report::check_text(graded));

@@ -20,6 +20,9 @@
 #include "harness/report_files.h"
 #include "harness/results_folder.h"
 #include "harness/shared_options.h"
+#include "harness/stress/hard_scenes.h"
+#include "harness/stress/run_stress.h"
+#include "harness/variants/variant_points.h"
 #include "reference/assignment_file.h"
 
 namespace harness {
@@ -51,18 +54,27 @@ std::vector<Graded> grade_with_progress(std::vector<Submission> submissions, con
     return graded;
 }
 
-/// What one run shows is enough there: neither repetitions nor sanitizers.
+/// On scenes beside the assignment's. What one run shows is enough there: neither repetitions nor sanitizers.
 void run_on_other_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
                          Workshop& workshop, const GradeOptions& options) {
-    if (options.variants.count == 0) return;
     workshop.repetitions = 1;
     workshop.sanitize = false;
-    Timeline timeline;
-    {
-        const Progress progress(timeline, graded.size() * static_cast<std::size_t>(options.variants.count));
-        variants::run_variants(graded, sources, marking, workshop, options.jobs, options.variants, timeline);
+    if (options.variants.count > 0) {
+        Timeline timeline;
+        {
+            const Progress progress(timeline, graded.size() * static_cast<std::size_t>(options.variants.count));
+            variants::run_variants(graded, sources, marking, workshop, options.jobs, options.variants, timeline);
+        }
+        fmt::print(stderr, "other scenes: {}\n", closing_line(timeline));
     }
-    fmt::print(stderr, "other scenes: {}\n", closing_line(timeline));
+    if (options.stress) {
+        Timeline timeline;
+        {
+            const Progress progress(timeline, graded.size() * stress::most_hard_scenes());
+            stress::run_stress(graded, sources, marking, workshop, options.jobs, timeline);
+        }
+        fmt::print(stderr, "hard scenes: {}\n", closing_line(timeline));
+    }
 }
 
 }  // namespace
@@ -181,6 +193,7 @@ int grade_class(const GradeOptions& options) {
     const auto worksheet_given = read_worksheet_file(options);
     const reference::AssignmentFile file = reference::read_assignment_file(options.assignment, assignments_folder());
     const reference::Assignment assignment = reference::parse_assignment(file.toml, file.path);
+    variants::require_variants(assignment, options.variants.count);
     const auto marking = begin_marking(assignment);
     std::vector<Submission> submissions = find_submissions(options.paths);
     const Holds holds = look_into(options.out, marks_of_results(), "feedback");
@@ -201,13 +214,14 @@ int grade_class(const GradeOptions& options) {
     tell_of_the_sandbox(workshop, options.workshop);
     // A mistake of the assignment is to be told before a class is compiled.
     for (const std::string& note : marking.get().key.notes) fmt::print(stderr, "note: {}\n", note);
-    std::vector<std::string> sources;  // for the other scenes, as grading gives them back
-    if (options.variants.count > 0) {
+    std::vector<std::string> sources;  // for the scenes beside this one, as grading gives them back
+    if (options.variants.count > 0 || options.stress) {
         for (const Submission& submission : submissions) sources.push_back(submission.source);
     }
     std::vector<Graded> graded =
         grade_with_progress(std::move(submissions), marking, workshop, options.jobs, options.trace);
     run_on_other_scenes(graded, sources, marking.get(), workshop, options);
+    variants::award_variant_points(graded, assignment.rubric);
     const auto without_place = attach(desk.gradebook.overrides(), graded);
     const auto comparison = desk.gradebook.compare(graded);
     if (desk.writes || desk.of_an_older_raygrade) fmt::print("{}", report::class_table(graded));
@@ -291,6 +305,9 @@ void add_options(CLI::App& command, GradeOptions& options) {
                     "Write a trace of build, run, read and score of each submission here, for ui.perfetto.dev")
         ->type_name("FILE");
     add_variants(command, options.variants);
+    command.add_flag("--stress", options.stress,
+                     "Also run each program on the hard scenes of `raygrade stress` and put what it loses there "
+                     "into the feedback; costs no points, and some fifteen runs of each program");
     add_workshop(command, options.workshop);
     command.footer(limits_footer() + "\nExample: raygrade grade submissions/ --assignment a6-2021 --out results -j 4");
 }

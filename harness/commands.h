@@ -35,6 +35,7 @@ struct Subcommand {
 Subcommand grade_command(CLI::App& app);
 Subcommand override_command(CLI::App& app);
 Subcommand check_command(CLI::App& app);
+Subcommand stress_command(CLI::App& app);
 Subcommand serve_command(CLI::App& app);
 Subcommand reference_command(CLI::App& app);
 Subcommand cast_command(CLI::App& app);
@@ -57,6 +58,7 @@ struct GradeOptions {
     std::vector<std::string> moodle_columns = {};  ///< "grade=Bewertung": its columns that can't be told
     std::filesystem::path junit = {};              ///< where to write JUnit XML; empty for nowhere
     variants::VariantOptions variants{};
+    bool stress = false;  ///< also on the hard scenes
 };
 
 struct CheckOptions {

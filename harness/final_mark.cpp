@@ -8,13 +8,13 @@ namespace {
 /// Whether an override replaces something within the submission, so that the automatic sum is no longer right.
 bool any_within(const Graded& graded) {
     return std::any_of(graded.overrides.begin(), graded.overrides.end(),
-                       [](const Override& each) { return each.question != 0; });
+                       [](const Override& each) { return each.question != 0 || !each.item.empty(); });
 }
 
 /// The automatic sum as it was made where nothing replaces a part of it: summed again it could round differently.
 double before_late(const Graded& graded) {
     if (!any_within(graded)) return graded.score.points;
-    double sum = 0;
+    double sum = final_scenes_points(graded);
     for (const QuestionScore& question : graded.score.questions) sum += final_points(graded, question);
     return sum;
 }
@@ -41,6 +41,12 @@ double final_points(const Graded& graded, const QuestionScore& question) {
     double sum = 0;
     for (const ItemScore& item : question.items) sum += final_points(graded, question, item);
     return sum;
+}
+
+double final_scenes_points(const Graded& graded) {
+    if (!graded.score.other_scenes) return 0;
+    const Override* own = find_override(graded, 0, std::string(other_scenes_place));
+    return own == nullptr ? graded.score.other_scenes->points : own->points;
 }
 
 std::optional<FinalMark> final_mark(const Graded& graded) {

@@ -8,8 +8,8 @@
 
 namespace harness {
 
-/// The override of just this item, question (`item` empty) or submission (`question` 0, `item` empty); the last one
-/// counts. Null when there is none.
+/// The override of just this item, question (`item` empty), submission (`question` 0, `item` empty) or what there is
+/// for other scenes (`question` 0, `item` other_scenes_place); the last one counts. Null when there is none.
 const Override* find_override(const Graded& graded, int question, const std::string& item);
 
 /// Points of an item: its override's, else the automatic ones.
@@ -18,13 +18,17 @@ double final_points(const Graded& graded, const QuestionScore& question, const I
 /// Points of a question: its own override's, else the sum of its items'.
 double final_points(const Graded& graded, const QuestionScore& question);
 
+/// Points for answers on other scenes: an override's, else the automatic ones; 0 where the rubric gives none for them.
+double final_scenes_points(const Graded& graded);
+
 struct FinalMark {
     double points = 0;
     double late_deduction = 0;  ///< in points, taken off already
 };
 
-/// Points of a submission: an override of the whole stands as it is; else the sum of its questions, less the rubric's
-/// share for a late hand-in. Empty when it was not graded and the instructor has not given it points as a whole.
+/// Points of a submission: an override of the whole stands as it is; else the sum of its questions and other scenes,
+/// less the rubric's share for a late hand-in. Empty when it was not graded and the instructor has not given it points
+/// as a whole.
 std::optional<FinalMark> final_mark(const Graded& graded);
 
 /// Its points alone.

@@ -9,6 +9,7 @@
 #include "harness/execution.h"
 #include "harness/override.h"
 #include "harness/score.h"
+#include "harness/stress/stress_report.h"
 #include "harness/submission.h"
 #include "harness/timeline.h"
 #include "harness/variants/variant_report.h"
@@ -40,7 +41,7 @@ std::string_view limit_name(Ended ended);
 
 /// Something a person should look at; it decides nothing.
 struct Flag {
-    std::string kind;      ///< "nondeterministic" or "hard_coded"
+    std::string kind;      ///< "nondeterministic", "hard_coded" or "variants_not_tried"
     std::string evidence;  ///< a sentence
 };
 
@@ -55,6 +56,7 @@ struct Graded {
     std::vector<Flag> flags;
     std::vector<std::string> sanitizer;                   ///< what a build under the sanitizers found; costs nothing
     std::optional<variants::VariantReport> other_scenes;  ///< under --variants; empty when it was not tried
+    std::optional<stress::StressReport> hard_scenes;      ///< under --stress; empty when it was not tried
     Score score;                                          ///< all missing when nothing was printed
     double late_share = 0;            ///< of its points, lost because it was late; 0 when it was not
     std::vector<Override> overrides;  ///< the instructor's, oldest first; what counts is final_mark's to say

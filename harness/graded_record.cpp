@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "harness/ended_words.h"
+#include "harness/stress/stress_json.h"
 
 namespace harness {
 namespace {
@@ -95,6 +96,8 @@ json score_record(const Score& score) {
     json record{{"questions", std::move(questions)}};
     put(record, "points", score.points);
     put(record, "max_points", score.max_points);
+    if (score.other_scenes)
+        record["other_scenes"] = json::array({score.other_scenes->points, score.other_scenes->max_points});
     if (score.follow_cap) record["follow_cap"] = *score.follow_cap;
     return record;
 }
@@ -103,6 +106,8 @@ Score score_from(const json& record) {
     Score score;
     score.points = take<double>(record, "points");
     score.max_points = take<double>(record, "max_points");
+    if (record.contains("other_scenes"))
+        score.other_scenes = ScenesScore{record.at("other_scenes").at(0), record.at("other_scenes").at(1)};
     if (record.contains("follow_cap")) score.follow_cap = take<double>(record, "follow_cap");
     for (const json& each : record.at("questions")) {
         QuestionScore question;
@@ -238,7 +243,7 @@ std::vector<variants::ItemOnVariant> items_from(const json& record) {
 json other_scenes_record(const variants::VariantReport& report) {
     json runs = json::array();
     for (const variants::VariantRun& run : report.runs)
-        runs.push_back(json::array({run.name, run.changes, run.before, run.ended_well}));
+        runs.push_back(json::array({run.name, run.changes, run.before, run.ended_well, run.share}));
     return {{"verdict", to_string(report.verdict)},
             {"not_found", report.not_found},
             {"runs", std::move(runs)},
@@ -251,7 +256,10 @@ variants::VariantReport other_scenes_from(const json& record) {
     variants::VariantReport report;
     report.verdict = called<variants::VariantVerdict>(take<std::string>(record, "verdict"), variant_verdicts);
     report.not_found = take<std::vector<std::string>>(record, "not_found");
-    for (const json& run : record.at("runs")) report.runs.push_back({run.at(0), run.at(1), run.at(2), run.at(3), {}});
+    for (const json& run : record.at("runs")) {
+        report.runs.push_back({run.at(0), run.at(1), run.at(2), run.at(3), {}});
+        if (run.size() > 4) report.runs.back().share = run.at(4);  // which older records lack
+    }
     report.moved = take<int>(record, "moved");
     report.broken = items_from(record.at("broken"));
     report.unmoved = items_from(record.at("unmoved"));
@@ -279,6 +287,7 @@ Graded graded_from(const json& record) {
     graded.score = score_from(record.at("score"));
     graded.late_share = take<double>(record, "late_share");
     if (record.contains("other_scenes")) graded.other_scenes = other_scenes_from(record.at("other_scenes"));
+    if (record.contains("stress")) graded.hard_scenes = stress::stress_from_json(record.at("stress"));
     return graded;
 }
 
@@ -296,6 +305,7 @@ std::vector<std::uint8_t> to_record(const Graded& graded) {
     put(record, "sanitizer", graded.sanitizer);
     put(record, "late_share", graded.late_share);
     if (graded.other_scenes) record["other_scenes"] = other_scenes_record(*graded.other_scenes);
+    if (graded.hard_scenes) record["stress"] = stress::stress_json(*graded.hard_scenes);
     for (const Flag& flag : graded.flags) record["flags"].push_back(json::array({flag.kind, flag.evidence}));
     return json::to_cbor(record);
 }

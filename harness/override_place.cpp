@@ -23,6 +23,7 @@ std::vector<std::string> places_of(const Score& score) {
         for (const ItemScore& item : question.items)
             places.push_back(fmt::format("{}.{}", question.number, item.spec.name));
     }
+    if (score.other_scenes) places.emplace_back(other_scenes_place);
     places.emplace_back(whole);
     return places;
 }
@@ -30,7 +31,7 @@ std::vector<std::string> places_of(const Score& score) {
 }  // namespace
 
 std::string to_string(const OverridePlace& place) {
-    if (place.question == 0) return std::string(whole);
+    if (place.question == 0) return place.item.empty() ? std::string(whole) : place.item;
     return place.item.empty() ? std::to_string(place.question) : fmt::format("{}.{}", place.question, place.item);
 }
 
@@ -39,13 +40,18 @@ std::string place_of(const Override& given) {
 }
 
 std::string place_in_words(const Override& given) {
-    if (given.question == 0) return "the whole";
+    if (given.question == 0) return given.item.empty() ? "the whole" : "the other scenes";
     return given.item.empty() ? fmt::format("question {}", given.question)
                               : fmt::format("question {}, {}", given.question, given.item);
 }
 
 std::optional<PlacePoints> points_at(const Score& score, const Override& given) {
-    if (given.question == 0) return PlacePoints{score.points, score.max_points};
+    if (given.question == 0 && given.item.empty()) return PlacePoints{score.points, score.max_points};
+    if (given.question == 0) {
+        const bool known = given.item == other_scenes_place && score.other_scenes;
+        return known ? std::optional(PlacePoints{score.other_scenes->points, score.other_scenes->max_points})
+                     : std::nullopt;
+    }
     for (const QuestionScore& question : score.questions) {
         if (question.number != given.question) continue;
         if (given.item.empty()) return PlacePoints{question.points, question.max_points};
@@ -86,6 +92,7 @@ OverridePlace read_place(std::string_view text, const Graded& graded) {
         throw UsageError(fmt::format("{}: was not graded, so it has no items; give its points as a whole: total",
                                      graded.submission.id));
     }
+    if (text == other_scenes_place) return {0, std::string(text)};
     const std::size_t dot = text.find('.');
     OverridePlace place;
     std::from_chars(text.data(), text.data() + text.size(), place.question);

@@ -1,4 +1,4 @@
-// Which marks an override replaces, as people write it: "6.t", "6" or "total".
+// Which marks an override replaces, as people write it: "6.t", "6", "variants" or "total".
 #pragma once
 
 #include <optional>
@@ -11,15 +11,15 @@
 namespace harness {
 
 struct OverridePlace {
-    int question = 0;  ///< 0 for the whole submission
+    int question = 0;  ///< 0 for the whole submission, or for other_scenes_place
     std::string item;  ///< empty for the whole question
 };
 
-/// "6.t", "6" or "total".
+/// "6.t", "6", "variants" or "total".
 std::string to_string(const OverridePlace& place);
 std::string place_of(const Override& given);
 
-/// "question 6, t", "question 6" or "the whole", for a sentence.
+/// "question 6, t", "question 6", "the other scenes" or "the whole", for a sentence.
 std::string place_in_words(const Override& given);
 
 /// The points there, as they were given automatically and at the most. Empty when the score has no such place.

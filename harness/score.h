@@ -44,11 +44,18 @@ struct QuestionScore {
     std::vector<ItemScore> items;
 };
 
+/// What the rubric gives for answers on other scenes, as a part of a score.
+struct ScenesScore {
+    double points = 0;
+    double max_points = 0;
+};
+
 struct Score {
     double points = 0;
     double max_points = 0;
-    std::optional<double> follow_cap;      ///< the rubric's cap on follow-through, in points, where it has cut some
-    std::vector<QuestionScore> questions;  ///< in the handout's order
+    std::optional<ScenesScore> other_scenes;  ///< in both of these; empty where the rubric gives nothing for them
+    std::optional<double> follow_cap;         ///< the rubric's cap on follow-through, in points, where it has cut some
+    std::vector<QuestionScore> questions;     ///< in the handout's order
 };
 
 /// Marks a transcript. `key` must be the assignment's.

@@ -64,7 +64,7 @@ void add_variants(CLI::App& command, variants::VariantOptions& options) {
     command
         .add_option("--variants", options.count,
                     "Also run each program on N other scenes, written into its source, and say which answers move with "
-                    "the scene; costs no points")
+                    "the scene; costs no points of its own, and gives some where the rubric says so (variant_points)")
         ->check(CLI::Range(0, 16))
         ->type_name("N")
         ->capture_default_str();

@@ -31,6 +31,8 @@ struct Rubric {
     double follow_through_cap = 1.0;
     /// The share of its points that a late hand-in loses, 0 to 1.
     double late_deduction = 0;
+    /// Points for answers on other scenes (`grade --variants`), beside those of the questions; 0 for none.
+    double variant_points = 0;
     /// Whether a student may see the right values beside what was printed.
     bool show_expected = false;
     /// An answer is never held to fewer printed decimals than this: half a unit of its last decimal is forgiven,

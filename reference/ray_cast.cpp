@@ -8,12 +8,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtx/string_cast.hpp>
 #include <iostream>
-#include <limits>
+#include <optional>
 
 namespace {
-
-// What a ray that misses an object has for its t: no hit is nearer than this.
-constexpr float no_hit = std::numeric_limits<float>::infinity();
 
 struct Camera {
     glm::vec3 eye;
@@ -51,14 +48,15 @@ struct Quadratic {
 
     float discriminant() const { return b * b - 4.0f * a * c; }
 
-    // The smaller positive root, or no_hit.
-    float smallestPositiveRoot() const {
+    // None where the ray misses.
+    std::optional<float> smallestPositiveRoot() const {
         const float d = discriminant();
-        if (d < 0.0f) return no_hit;
+        if (d < 0.0f) return std::nullopt;
         const float near = (-b - std::sqrt(d)) / (2.0f * a);
         const float far = (-b + std::sqrt(d)) / (2.0f * a);
         if (near > 0.0f) return near;
-        return far > 0.0f ? far : no_hit;
+        if (far > 0.0f) return far;
+        return std::nullopt;
     }
 };
 
@@ -82,6 +80,16 @@ void print(const char* label, const glm::vec3& value) {
 
 void print(const char* label, float value) {
     std::cout << label << ": " << value << "\n";
+}
+
+// What there is only where the ray hits.
+template <class T>
+void print(const char* label, const std::optional<T>& value) {
+    if (value) {
+        print(label, *value);
+    } else {
+        std::cout << label << ": none\n";
+    }
 }
 
 }  // namespace
@@ -120,8 +128,12 @@ int main() {
     std::cout << "Question 6:\n";
     const Ray ray{P_WCS, V};
     const Quadratic quadratic = intersect(ray, sphere);
-    const float t_s = quadratic.smallestPositiveRoot();
-    const glm::vec3 P_s = ray.at(t_s);
+    const std::optional<float> t_s = quadratic.smallestPositiveRoot();
+    std::optional<glm::vec3> P_s, N_s;
+    if (t_s) {
+        P_s = ray.at(*t_s);
+        N_s = glm::normalize(*P_s - sphere.C);
+    }
     print("a", quadratic.a);
     print("b", quadratic.b);
     print("c", quadratic.c);
@@ -130,7 +142,6 @@ int main() {
     print("Hit point P_s", P_s);
 
     std::cout << "Question 7:\n";
-    const glm::vec3 N_s = glm::normalize(P_s - sphere.C);
     print("Sphere normal", N_s);
 
     // A + u(B-A) + v(C-A) = S + tV, so  t(-V) + u(B-A) + v(C-A) = S - A.
@@ -139,11 +150,16 @@ int main() {
     const glm::vec3 AC = triangle.C - triangle.A;
     const glm::mat3 A(-ray.V, AB, AC);  // by columns: t, u, v
     const glm::vec3 rhs = ray.S - triangle.A;
-    const glm::vec3 solution = glm::inverse(A) * rhs;
-    const float t = solution[0];
-    const float u = solution[1];
-    const float v = solution[2];
-    const glm::vec3 P_t = ray.at(t);
+    const bool has_solution = glm::determinant(A) != 0.0f;  // the ray is not parallel to the triangle's plane
+    std::optional<float> t, u, v;
+    std::optional<glm::vec3> P_t;
+    if (has_solution) {
+        const glm::vec3 solution = glm::inverse(A) * rhs;
+        t = solution[0];
+        u = solution[1];
+        v = solution[2];
+        P_t = ray.at(*t);
+    }
     std::cout << "Matrix A: " << glm::to_string(A) << "\n";
     print("Right-hand side", rhs);
     print("t", t);
@@ -157,11 +173,10 @@ int main() {
 
     // In this scene the ray starts on the triangle, at t = 0. That point is on the ray, so it counts as hit.
     std::cout << "Question 10:\n";
-    const bool in_triangle = u >= 0.0f && v >= 0.0f && u + v <= 1.0f;
-    const float t_t = in_triangle && t >= 0.0f ? t : no_hit;
-    if (t_t == no_hit && t_s == no_hit) {
+    const bool hits_triangle = has_solution && *t >= 0.0f && *u >= 0.0f && *v >= 0.0f && *u + *v <= 1.0f;
+    if (!hits_triangle && !t_s) {
         std::cout << "ray hits nothing\n";
-    } else if (t_t < t_s) {
+    } else if (hits_triangle && (!t_s || *t < *t_s)) {
         print("Position", P_t);
         print("Normal", N_t);
         std::cout << "ray hits triangle first\n";

@@ -9,6 +9,8 @@
 namespace reference {
 namespace {
 
+constexpr double most_points = 1e6;
+
 int read_question_number(const TomlTable& table, const std::string& key) {
     const bool is_number =
         key.size() <= 2 && std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; });
@@ -40,7 +42,6 @@ void check_item(const TomlTable& items, int question, const std::string& item) {
 }
 
 void read_points(const TomlTable& table, Rubric& rubric) {
-    constexpr double most_points = 1e6;
     for (const std::string& key : table.keys()) {
         const int question = read_question_number(table, key);
         if (!table.is_table(key)) {
@@ -80,7 +81,7 @@ void read_tolerance(const TomlTable& table, Rubric& rubric) {
 
 Rubric read_rubric(const TomlTable& table) {
     table.allow_only({"pixel_conventions", "boundary", "follow_through", "follow_through_cap", "late_deduction",
-                      "min_decimals", "points", "show_expected", "tolerance"});
+                      "min_decimals", "points", "show_expected", "tolerance", "variant_points"});
     Rubric rubric;
     if (table.has("pixel_conventions")) {
         rubric.pixel_conventions.clear();
@@ -101,6 +102,7 @@ Rubric read_rubric(const TomlTable& table) {
     if (table.has("follow_through")) rubric.follow_through = read_amount(table, "follow_through", 0, 1);
     if (table.has("follow_through_cap")) rubric.follow_through_cap = read_amount(table, "follow_through_cap", 0, 1);
     if (table.has("late_deduction")) rubric.late_deduction = read_amount(table, "late_deduction", 0, 1);
+    if (table.has("variant_points")) rubric.variant_points = read_amount(table, "variant_points", 0, most_points);
     if (table.has("min_decimals")) rubric.min_decimals = table.integer("min_decimals", 0, 9);
     if (table.has("show_expected")) rubric.show_expected = table.boolean("show_expected");
     if (table.has("points")) read_points(table.table("points"), rubric);

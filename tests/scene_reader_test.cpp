@@ -204,4 +204,11 @@ TEST(Rubric, TakesNothingOffForBeingLateAndShowsNoAnswersUnlessItSaysSo) {
                 says("20: rubric.show_expected", "must be true or false"));
 }
 
+TEST(Rubric, GivesNothingForOtherScenesUnlessItSaysSo) {
+    EXPECT_EQ(read(scene).rubric.variant_points, 0);
+    EXPECT_EQ(read(scene + "variant_points = 7.5\n").rubric.variant_points, 7.5);
+    EXPECT_THAT(complaint("[rubric]\n", "[rubric]\nvariant_points = -1\n"),
+                says("20: rubric.variant_points", "must be 0 or more"));
+}
+
 }  // namespace

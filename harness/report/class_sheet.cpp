@@ -6,6 +6,7 @@
 #include <set>
 
 #include "harness/final_mark.h"
+#include "harness/override_place.h"
 #include "harness/report/class_statistics.h"
 #include "harness/report/expected_text.h"
 #include "harness/report/look_first.h"
@@ -90,12 +91,9 @@ bool lost_geometry(const Graded& graded) {
 }
 
 std::string override_text(const Graded& graded, const Override& each) {
-    std::string place = "the whole";
-    if (each.question != 0)
-        place = fmt::format("question {}{}", each.question, each.item.empty() ? "" : ", " + each.item);
     const bool counts = find_override(graded, each.question, each.item) == &each;
-    return fmt::format("Override: {} points for {}, by {}, {}: {}{}", points_text(each.points), place, each.by,
-                       each.when, each.why, counts ? "" : " (a later one counts)");
+    return fmt::format("Override: {} points for {}, by {}, {}: {}{}", points_text(each.points), place_in_words(each),
+                       each.by, each.when, each.why, counts ? "" : " (a later one counts)");
 }
 
 PageData changes_of(const Graded& graded, const std::optional<FinalMark>& mark) {
@@ -105,6 +103,7 @@ PageData changes_of(const Graded& graded, const std::optional<FinalMark>& mark) 
         change["text"] = text;
         changes.push_back(change);
     };
+    if (graded.score.other_scenes && graded.outcome != Outcome::not_graded) add(scenes_sentence(graded));
     for (const Override& each : graded.overrides) add(override_text(graded, each));
     if (mark && mark->late_deduction > 0)
         add(fmt::format("Late: {} points are taken off.", points_text(mark->late_deduction)));

@@ -62,6 +62,17 @@ void count(Tally& tally, const Graded& graded, const QuestionScore& question) {
     }
 }
 
+/// A line like a question's; empty where the rubric gives nothing for other scenes.
+std::string scenes_summary(const std::vector<Graded>& graded) {
+    double points = 0, most = 0;
+    for (const Graded& one : graded) {
+        if (one.outcome == Outcome::not_graded || !one.score.other_scenes) continue;
+        points += final_scenes_points(one);
+        most += one.score.other_scenes->max_points;
+    }
+    return most > 0 ? fmt::format("    {:<22} {:>5.0f} %\n", "other scenes", 100 * points / most) : "";
+}
+
 std::string summary(const std::vector<Graded>& graded) {
     std::map<int, Tally> tallies;
     for (const Graded& one : graded) {
@@ -76,7 +87,7 @@ std::string summary(const std::vector<Graded>& graded) {
                             reference::question_title(number), share, tally.right, tally.follow, tally.wrong,
                             tally.missing, tally.unreadable);
     }
-    return text;
+    return text + scenes_summary(graded);
 }
 
 }  // namespace

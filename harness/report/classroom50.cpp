@@ -21,27 +21,42 @@ long whole(double points) {
     return std::max(0L, std::lround(points + 1e-9));
 }
 
-/// The questions' whole points: each what the sum so far grows by when it is rounded, so that nothing is lost or won.
+/// The tests' whole points: each what the sum so far grows by when it is rounded, so that nothing is lost or won.
+class Tests {
+  public:
+    void add(const std::string& name, double own, double own_most, bool passed, const std::string& output) {
+        const long score = whole(points_ + own) - whole(points_);
+        const long max_score = whole(most_ + own_most) - whole(most_);
+        points_ += own;
+        most_ += own_most;
+        json_.push_back({{"test-name", name},
+                         {"passed", passed},
+                         {"score", std::min(score, max_score)},
+                         {"max-score", max_score},
+                         {"points", std::round(own * 100) / 100},
+                         {"output", bounded(output, longest_output)}});
+    }
+    const ordered_json& json() const { return json_; }
+
+  private:
+    ordered_json json_ = ordered_json::array();
+    double points_ = 0, most_ = 0;
+};
+
 ordered_json tests_json(const Graded& graded, const Marking& marking) {
-    ordered_json tests = ordered_json::array();
-    double points = 0, most = 0;
+    Tests tests;
     for (const QuestionScore& question : graded.score.questions) {
         const double own = final_points(graded, question);
-        const long score = whole(points + own) - whole(points);
-        const long max_score = whole(most + question.max_points) - whole(most);
         std::string output;
         for (const ItemScore& item : question.items) output += item_text(graded, question, item, marking);
-        points += own;
-        most += question.max_points;
-        tests.push_back(
-            {{"test-name", fmt::format("Question {}: {}", question.number, reference::question_title(question.number))},
-             {"passed", is_passed(own, question.max_points, question.verdict)},
-             {"score", std::min(score, max_score)},
-             {"max-score", max_score},
-             {"points", std::round(own * 100) / 100},
-             {"output", bounded(output, longest_output)}});
+        tests.add(fmt::format("Question {}: {}", question.number, reference::question_title(question.number)), own,
+                  question.max_points, is_passed(own, question.max_points, question.verdict), output);
     }
-    return tests;
+    if (graded.score.other_scenes) {
+        const double own = final_scenes_points(graded), most = graded.score.other_scenes->max_points;
+        tests.add("Other scenes", own, most, is_passed(own, most, ItemVerdict::wrong), scenes_text(graded));
+    }
+    return tests.json();
 }
 
 }  // namespace

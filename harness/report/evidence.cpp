@@ -3,6 +3,7 @@
 #include "harness/report/compiler_messages.h"
 #include "harness/report/pages/pages.h"
 #include "harness/report/report.h"
+#include "harness/stress/stress_sentences.h"
 #include "harness/variants/variant_sentences.h"
 
 namespace harness::report {
@@ -45,7 +46,7 @@ std::string Evidence::compiler(const Graded& graded) {
 std::string Evidence::others(const Graded& graded) {
     const std::vector<std::string>& notes = graded.submission.notes;
     const bool none = graded.flags.empty() && graded.sanitizer.empty() && notes.empty() && graded.run.errors.empty();
-    if (none && !graded.other_scenes) return "";
+    if (none && !graded.other_scenes && !graded.hard_scenes) return "";
     PageData data;
     data["level"] = heading_;
     PageData flags(PageData::type::list);
@@ -61,8 +62,13 @@ std::string Evidence::others(const Graded& graded) {
     data["findings"] = list_of(graded.sanitizer, most_bytes_);
     std::vector<std::string> other_scenes;
     if (graded.other_scenes) other_scenes = variants::variant_sentences(*graded.other_scenes);
+    data["scenes_worth"] = graded.score.other_scenes ? scenes_sentence(graded) : "This costs no points.";
     data["has_other_scenes"] = !other_scenes.empty();
     data["other_scenes"] = list_of(other_scenes, most_bytes_);
+    std::vector<std::string> hard_scenes;
+    if (graded.hard_scenes) hard_scenes = stress::stress_sentences(*graded.hard_scenes);
+    data["has_hard_scenes"] = !hard_scenes.empty();
+    data["hard_scenes"] = list_of(hard_scenes, most_bytes_);
     data["has_notes"] = !notes.empty();
     data["notes"] = list_of(notes, most_bytes_);
     set_text(data, "errors", beginning_of(graded.run.errors, most_bytes_));

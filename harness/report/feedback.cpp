@@ -7,6 +7,7 @@
 #include "harness/override_place.h"
 #include "harness/report/look_first.h"
 #include "harness/report/report.h"
+#include "harness/stress/stress_sentences.h"
 #include "harness/variants/variant_sentences.h"
 
 namespace harness::report {
@@ -104,13 +105,21 @@ std::string items_worth_saying(const Graded& graded) {
     return text;
 }
 
-/// What the other scenes showed, a line each behind `bullet`; empty when none was tried.
-std::string other_scenes_text(const Graded& graded, std::string_view bullet) {
+/// A line each behind `bullet`.
+std::string lines_of(const std::vector<std::string>& sentences, std::string_view bullet) {
     std::string text;
-    if (!graded.other_scenes) return text;
-    for (const std::string& sentence : variants::variant_sentences(*graded.other_scenes))
-        text += fmt::format("{}{}\n", bullet, escape_control(sentence));
+    for (const std::string& sentence : sentences) text += fmt::format("{}{}\n", bullet, escape_control(sentence));
     return text;
+}
+
+/// What the other scenes showed; empty when none was tried.
+std::string other_scenes_text(const Graded& graded, std::string_view bullet) {
+    return graded.other_scenes ? lines_of(variants::variant_sentences(*graded.other_scenes), bullet) : "";
+}
+
+/// What the hard scenes showed, likewise.
+std::string hard_scenes_text(const Graded& graded, std::string_view bullet) {
+    return graded.hard_scenes ? lines_of(stress::stress_sentences(*graded.hard_scenes), bullet) : "";
 }
 
 }  // namespace
@@ -136,6 +145,10 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
                             reference::question_title(question.number), verdict_of(question),
                             points_text(final_points(graded, question)), points_text(question.max_points));
     }
+    if (score.other_scenes) {
+        text += fmt::format("| | other scenes | | {} of {} |\n", points_text(final_scenes_points(graded)),
+                            points_text(score.other_scenes->max_points));
+    }
     const bool has_follow = std::any_of(score.questions.begin(), score.questions.end(),
                                         [](const QuestionScore& q) { return q.verdict == ItemVerdict::follow; });
     if (has_follow) text += "\n`follow`: wrong, but computed correctly from your own earlier answers.\n";
@@ -146,7 +159,10 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
         for (const Flag& flag : graded.flags) text += fmt::format("- {}: {}\n", flag_title(flag), code(flag.evidence));
     }
     if (const std::string other_scenes = other_scenes_text(graded, "- "); !other_scenes.empty())
-        text += "\n## On other scenes\n\nThis costs no points.\n\n" + other_scenes;
+        text += fmt::format("\n## On other scenes\n\n{}\n\n{}",
+                            score.other_scenes ? scenes_sentence(graded) : "This costs no points.", other_scenes);
+    if (const std::string hard_scenes = hard_scenes_text(graded, "- "); !hard_scenes.empty())
+        text += "\n## On hard scenes\n\nThis costs no points.\n\n" + hard_scenes;
     if (!graded.sanitizer.empty()) {
         text += "\n## What the sanitizers found\n\nThis costs no points, but the program may do anything there.\n\n";
         for (const std::string& finding : graded.sanitizer) text += "- " + code(finding) + "\n";
@@ -192,6 +208,7 @@ std::string check_text(const Graded& graded) {
         }
     }
     if (const std::string look = look_first_sentence(graded); !look.empty()) text += "\n" + look + "\n";
+    if (graded.score.other_scenes) text += "\n" + scenes_sentence(graded) + "\n";
     if (graded.score.follow_cap) text += "\n" + cap_sentence(*graded.score.follow_cap) + "\n";
     return text +
            fmt::format("\n{} of {} points\n", points_text(graded.score.points), points_text(graded.score.max_points));

@@ -24,7 +24,9 @@ std::string grades_csv(const std::vector<Graded>& graded) {
         for (const QuestionScore& question : graded.front().score.questions)
             text += fmt::format(",Q{}", question.number);
     }
-    text += ",explanation,sandbox,automatic_points,late_deduction,overridden\r\n";
+    const bool has_scenes = !graded.empty() && graded.front().score.other_scenes;
+    text += fmt::format(",explanation,sandbox,automatic_points,late_deduction,overridden{}\r\n",
+                        has_scenes ? ",other_scenes" : "");
     for (const Graded& one : graded) {
         const bool marked = one.outcome != Outcome::not_graded;
         const auto mark = final_mark(one);
@@ -32,9 +34,11 @@ std::string grades_csv(const std::vector<Graded>& graded) {
                             mark ? points_text(mark->points) : "", points_text(one.score.max_points));
         for (const QuestionScore& question : one.score.questions)
             text += "," + (marked ? points_text(final_points(one, question)) : "");
-        text += fmt::format(",{},{},{},{},{}\r\n", csv_cell(one.explanation), to_string(one.tier),
+        text += fmt::format(",{},{},{},{},{}", csv_cell(one.explanation), to_string(one.tier),
                             marked ? points_text(one.score.points) : "", mark ? points_text(mark->late_deduction) : "",
                             csv_cell(overridden(one)));
+        if (has_scenes) text += "," + (marked ? points_text(final_scenes_points(one)) : "");
+        text += "\r\n";
     }
     return text;
 }

@@ -7,6 +7,7 @@
 #include "harness/clean_text.h"
 #include "harness/final_mark.h"
 #include "harness/report/report.h"
+#include "harness/stress/stress_json.h"
 #include "reference/value_json.h"
 
 namespace harness::report {
@@ -110,7 +111,8 @@ ordered_json variants_json(const std::optional<variants::VariantReport>& report)
     if (!report) return nullptr;
     ordered_json runs = ordered_json::array();
     for (const variants::VariantRun& run : report->runs)
-        runs.push_back({{"name", run.name}, {"changes", run.changes}, {"ended_well", run.ended_well}});
+        runs.push_back(
+            {{"name", run.name}, {"changes", run.changes}, {"ended_well", run.ended_well}, {"share", run.share}});
     const auto items_json = [&](const std::vector<variants::ItemOnVariant>& items) {
         ordered_json array = ordered_json::array();
         for (const variants::ItemOnVariant& item : items) {
@@ -129,6 +131,14 @@ ordered_json variants_json(const std::optional<variants::VariantReport>& report)
             {"moved", report->moved},
             {"unmoved", items_json(report->unmoved)},
             {"broken", items_json(report->broken)}};
+}
+
+/// What the rubric gives for answers on other scenes; null where it gives nothing, or nothing was graded.
+ordered_json scenes_json(const Graded& graded) {
+    if (!graded.score.other_scenes || graded.outcome == Outcome::not_graded) return nullptr;
+    return {{"points", tidy(final_scenes_points(graded))},
+            {"max_points", tidy(graded.score.other_scenes->max_points)},
+            {"automatic_points", tidy(graded.score.other_scenes->points)}};
 }
 
 ordered_json submission_json(const Graded& graded, const Expected& expected) {
@@ -164,7 +174,9 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
         {"automatic_points", marked ? ordered_json(tidy(graded.score.points)) : ordered_json(nullptr)},
         {"late_deduction", mark ? ordered_json(tidy(mark->late_deduction)) : ordered_json(nullptr)},
         {"overrides", overrides_json(graded)},
-        {"variants", variants_json(graded.other_scenes)}};
+        {"variants", variants_json(graded.other_scenes)},
+        {"other_scenes", scenes_json(graded)},
+        {"stress", graded.hard_scenes ? stress::stress_json(*graded.hard_scenes) : ordered_json(nullptr)}};
 }
 
 }  // namespace

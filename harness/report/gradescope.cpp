@@ -36,6 +36,17 @@ ordered_json test_json(const Graded& graded, const QuestionScore& question, cons
             {"visibility", "visible"}};
 }
 
+ordered_json scenes_json(const Graded& graded) {
+    const double points = final_scenes_points(graded), most = graded.score.other_scenes->max_points;
+    return {{"name", "Other scenes"},
+            {"score", two_decimals(points)},
+            {"max_score", two_decimals(most)},
+            {"status", is_passed(points, most, ItemVerdict::wrong) ? "passed" : "failed"},
+            {"output", bounded(scenes_text(graded), longest_of_a_question)},
+            {"output_format", "text"},
+            {"visibility", "visible"}};
+}
+
 }  // namespace
 
 std::string gradescope_results(const Graded& graded, const Marking& marking) {
@@ -56,6 +67,7 @@ std::string gradescope_results(const Graded& graded, const Marking& marking) {
         json["tests"] = ordered_json::array();
         for (const QuestionScore& question : graded.score.questions)
             json["tests"].push_back(test_json(graded, question, marking));
+        if (graded.score.other_scenes) json["tests"].push_back(scenes_json(graded));
     }
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

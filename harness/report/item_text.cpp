@@ -7,6 +7,7 @@
 #include "harness/clean_text.h"
 #include "harness/final_mark.h"
 #include "harness/report/report.h"
+#include "harness/variants/variant_sentences.h"
 
 namespace harness::report {
 namespace {
@@ -49,6 +50,15 @@ std::string item_text(const Graded& graded, const QuestionScore& question, const
     if (is_shown) text += "  Right is " + right_value(item, marking) + "\n";
     const std::string word = override_text(find_override(graded, question.number, std::string(item.spec.name)));
     return text + (word.empty() ? "" : "  " + word);
+}
+
+std::string scenes_text(const Graded& graded) {
+    std::string text;
+    if (graded.other_scenes) {
+        for (const std::string& sentence : variants::variant_sentences(*graded.other_scenes))
+            text += escape_control(sentence) + "\n";
+    }
+    return text + override_text(find_override(graded, 0, std::string(other_scenes_place)));
 }
 
 std::string submission_text(const Graded& graded) {

@@ -18,6 +18,9 @@ std::string override_text(const Override* override_);
 std::string item_text(const Graded& graded, const QuestionScore& question, const ItemScore& item,
                       const Marking& marking);
 
+/// What the program did on other scenes and what the instructor says of it, lines, each ended.
+std::string scenes_text(const Graded& graded);
+
 /// What concerns the submission as a whole: points, a late hand-in, how it ended, notes, the compiler's messages.
 std::string submission_text(const Graded& graded);
 

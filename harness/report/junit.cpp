@@ -62,6 +62,20 @@ Case answer_case(const Graded& graded, const QuestionScore& question, const Item
     return one;
 }
 
+/// What the rubric gives for answers on other scenes.
+Case scenes_case(const Graded& graded) {
+    Case one{graded.submission.id, "other scenes"};
+    if (graded.outcome == Outcome::compile_error) {
+        one.result = Result::skipped;
+        one.message = does_not_compile;
+    } else if (!is_passed(final_scenes_points(graded), graded.score.other_scenes->max_points, ItemVerdict::wrong)) {
+        one.result = Result::failed;
+        one.message = scenes_sentence(graded);
+        one.text = scenes_text(graded);
+    }
+    return one;
+}
+
 std::vector<Case> cases_of(const Graded& graded, const Marking& marking) {
     const std::string& id = graded.submission.id;
     if (graded.outcome == Outcome::not_graded) {
@@ -90,6 +104,7 @@ std::vector<Case> cases_of(const Graded& graded, const Marking& marking) {
     for (const QuestionScore& question : graded.score.questions) {
         for (const ItemScore& item : question.items) cases.push_back(answer_case(graded, question, item, marking));
     }
+    if (graded.score.other_scenes) cases.push_back(scenes_case(graded));
     return cases;
 }
 

@@ -22,8 +22,9 @@ void write_grades_json(std::ostream& out, const std::vector<Graded>& graded, con
 std::string grades_json(const std::vector<Graded>& graded, const Marking& marking, Tier tier);
 
 /// One row a submission, RFC 4180 with a header: id, outcome, points, max_points, the points by question, the
-/// explanation, the sandbox, the automatic points, what is taken off for lateness and where marks are overridden. A
-/// cell that a spreadsheet would take for a formula begins with an apostrophe.
+/// explanation, the sandbox, the automatic points, what is taken off for lateness and where marks are overridden, and
+/// what other scenes give where the rubric gives points for them. A cell that a spreadsheet would take for a formula
+/// begins with an apostrophe.
 std::string grades_csv(const std::vector<Graded>& graded);
 
 /// A student's feedback as Markdown: points and, for each lost mark, question, line, what was printed and what is wrong
@@ -39,6 +40,9 @@ std::string points_text(double points);
 
 /// Why an item lost its mark or was accepted in another form, as sentences; empty for a plainly right one.
 std::string item_sentence(const ItemScore& item, Outcome outcome);
+
+/// What the rubric gives for answers on other scenes: "Other scenes: 4 of 5 points." It must give some.
+std::string scenes_sentence(const Graded& graded);
 
 /// That the rubric's cap on follow-through, in points, has cut some.
 std::string cap_sentence(double cap);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "harness/final_mark.h"
 #include "harness/report/report.h"
 
 namespace harness::report {
@@ -47,6 +48,11 @@ std::string points_text(double points) {
     return text == "-0" ? "0" : text;
 }
 
+std::string scenes_sentence(const Graded& graded) {
+    return fmt::format("Other scenes: {} of {} points.", points_text(final_scenes_points(graded)),
+                       points_text(graded.score.other_scenes->max_points));
+}
+
 std::string cap_sentence(double cap) {
     return fmt::format("Answers that follow from an earlier mistake earn at most {} points in all.", points_text(cap));
 }
@@ -64,6 +70,7 @@ std::string reason_for_student(const Submission& submission) {
 std::string flag_title(const Flag& flag) {
     if (flag.kind == "nondeterministic") return "The program does not answer the same each time";
     if (flag.kind == "hard_coded") return "The printed numbers do not change when the scene in the source does";
+    if (flag.kind == "variants_not_tried") return "The program could not be run on other scenes";
     return flag.kind;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "harness/final_mark.h"
+#include "harness/override_place.h"
 #include "harness/report/expected_text.h"
 #include "harness/report/look_first.h"
 #include "harness/report/pages/pages.h"
@@ -43,12 +44,6 @@ std::string who_of(const Submission& submission) {
     return file.empty() ? who : who + ", " + file;
 }
 
-/// "question 6, t", "question 6" or "the whole".
-std::string place_of(const Override& given) {
-    if (given.question == 0) return "the whole";
-    return fmt::format("question {}{}", given.question, given.item.empty() ? "" : ", " + given.item);
-}
-
 /// What makes the points other than the sum of the automatic ones.
 PageData list_of_changes(const Graded& graded, const std::optional<FinalMark>& mark) {
     PageData list(PageData::type::list);
@@ -57,10 +52,11 @@ PageData list_of_changes(const Graded& graded, const std::optional<FinalMark>& m
         change["text"] = text;
         list.push_back(change);
     };
+    if (graded.score.other_scenes && has_marks(graded)) add(scenes_sentence(graded));
     if (graded.score.follow_cap && has_marks(graded)) add(cap_sentence(*graded.score.follow_cap));
     for (const Override& given : graded.overrides) {
         if (find_override(graded, given.question, given.item) != &given) continue;
-        add(fmt::format("Your instructor gave {} points for {}: {}", points_text(given.points), place_of(given),
+        add(fmt::format("Your instructor gave {} points for {}: {}", points_text(given.points), place_in_words(given),
                         given.why));
     }
     if (mark && mark->late_deduction > 0)

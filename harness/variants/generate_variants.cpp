@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "harness/variants/drawing.h"
 #include "reference/item_values.h"
 #include "reference/scene_toml.h"
 
@@ -31,52 +32,8 @@ std::string_view to_string(Kind kind) {
     return "";
 }
 
-/// splitmix64 (Steele, Lea and Flood 2014): the standard library's distributions differ between machines.
-class Draw {
-  public:
-    explicit Draw(std::uint64_t seed) : state_(seed) {}
-
-    /// Whole, in [least, most].
-    int whole(int least, int most) {
-        return least + static_cast<int>(next() % static_cast<std::uint64_t>(most - least + 1));
-    }
-    double between(double least, double most) {
-        return least + (most - least) * static_cast<double>(next() >> 11U) * 0x1p-53;
-    }
-    Vec3<double> vector(int size) {
-        const double x = whole(-size, size);
-        const double y = whole(-size, size);
-        const double z = whole(-size, size);
-        return {x, y, z};
-    }
-
-  private:
-    std::uint64_t next() {
-        state_ += 0x9E3779B97F4A7C15U;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-        z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-        return z ^ (z >> 31U);
-    }
-
-    std::uint64_t state_;
-};
-
-Vec3<double> rounded(const Vec3<double>& p) {
-    return {std::round(p.x) + 0.0, std::round(p.y) + 0.0, std::round(p.z) + 0.0};
-}
-
 bool is_zero(const Vec3<double>& p) {
     return p.x == 0 && p.y == 0 && p.z == 0;
-}
-
-Scene<double> in_double(const DecimalScene& scene) {
-    return reference::convert_scene<double>(scene, [](const Decimal& x) { return x.to_double(); });
-}
-
-DecimalScene in_decimal(const Scene<double>& scene) {
-    return reference::convert_scene<Decimal>(scene,
-                                             [](double x) { return Decimal::parse(fmt::format("{}", x)).value(); });
 }
 
 /// Draws scenes of one kind. Lengths grow with how far away the kind's objects are.

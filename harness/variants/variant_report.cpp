@@ -110,7 +110,10 @@ VariantReport compare(const Score& base, std::vector<VariantRun> runs, std::vect
     report.not_found = std::move(not_found);
     if (!report.runs.empty()) Comparison(base, report).compare();
     report.verdict = verdict_of(report);
-    for (VariantRun& run : report.runs) run.score = {};
+    for (VariantRun& run : report.runs) {
+        if (run.score.max_points > 0) run.share = run.score.points / run.score.max_points;
+        run.score = {};
+    }
     return report;
 }
 

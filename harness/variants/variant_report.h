@@ -36,6 +36,7 @@ struct VariantRun {
     std::string before;      ///< what it stated, in the same form
     bool ended_well = true;  ///< by itself, with something printed
     Score score;
+    double share = 0;  ///< of the points of its answers there, 0 to 1
 };
 
 struct VariantReport {

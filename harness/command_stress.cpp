@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+#include "harness/batch.h"
+#include "harness/clean_text.h"
+#include "harness/commands.h"
+#include "harness/find_submissions.h"
+#include "harness/report/report.h"
+#include "harness/shared_options.h"
+#include "harness/stress/run_stress.h"
+#include "harness/stress/stress_json.h"
+#include "harness/stress/stress_sentences.h"
+
+namespace harness {
+namespace {
+
+struct StressOptions {
+    std::filesystem::path source;
+    std::string assignment = "default";
+    int jobs = 1;  ///< scenes compiled and run at a time
+    bool json = false;
+    WorkshopOptions workshop;
+};
+
+/// Why no hard scene was tried, a sentence.
+std::string why_nothing(const Graded& graded) {
+    if (!graded.explanation.empty()) return escape_control(graded.explanation);
+    if (!graded.hard_scenes)
+        return "No answer is right on the assignment's own scene; `raygrade check` says what to look at first.";
+    return "The scene was not found in the source: state its numbers by themselves, not within formulas.";
+}
+
+nlohmann::ordered_json report_json(const StressOptions& options, const Graded& graded, const Marking& marking) {
+    nlohmann::ordered_json json{{"schema", "raygrade/stress/1"},
+                                {"assignment", marking.assignment.name},
+                                {"file", escape_control(options.source.string())},
+                                {"outcome", to_string(graded.outcome)},
+                                {"stress", nullptr}};
+    if (graded.hard_scenes) json["stress"] = stress::stress_json(*graded.hard_scenes);
+    return json;
+}
+
+/// all_graded when the scenes were tried, whatever came of them; some_not_graded when none could be.
+int stress_source(const StressOptions& options) {
+    auto toolchain = begin_look_at_compiler(options.workshop);
+    const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
+    const std::vector<Submission> submissions = find_submissions({options.source});
+    if (submissions.size() != 1) {
+        throw UsageError(
+            fmt::format("{}: holds {} submissions; `raygrade stress` takes one, `raygrade grade --stress` "
+                        "a class",
+                        options.source.string(), submissions.size()));
+    }
+    Workshop workshop = open_workshop(options.workshop, assignment.limits, std::move(toolchain));
+    tell_of_the_sandbox(workshop, options.workshop);
+    const auto marking = begin_marking(assignment);
+    std::vector<Graded> all{grade(submissions.front(), marking, workshop)};
+    workshop.repetitions = 1;
+    workshop.sanitize = false;
+    Timeline timeline;
+    stress::run_stress(all, {submissions.front().source}, marking.get(), workshop, options.jobs, timeline);
+    const Graded& graded = all.front();
+    tell_problems(workshop);
+    const bool tried = graded.hard_scenes && graded.hard_scenes->tried() > 0;
+    if (options.json) {
+        fmt::print("{}\n", report_json(options, graded, marking.get())
+                               .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    } else {
+        fmt::print("{}\n\n", assignment.title);
+        if (graded.hard_scenes) fmt::print("{}", escape_control(stress::stress_text(*graded.hard_scenes)));
+        if (!tried) fmt::print("{}\n", why_nothing(graded));
+    }
+    return tried ? all_graded : some_not_graded;
+}
+
+void add_options(CLI::App& command, StressOptions& options) {
+    options.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    command.add_option("source", options.source, "The source, e.g. ray_cast.cpp")->required()->type_name("FILE");
+    add_assignment(command, options.assignment);
+    command.add_option("-j,--jobs", options.jobs, "How many scenes to run at a time; changes nothing but the time")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_flag("--json", options.json, "Print raygrade/stress/1, for programs, instead of text");
+    add_workshop(command, options.workshop);
+    command.footer(
+        "A method that is right on one scene may be wrong on another: b² and 4ac may cancel, a determinant may be 0,\n"
+        "float has some seven digits. raygrade finds where the source states the scene, writes hard scenes there, "
+        "runs\n"
+        "each, and compares with its certified key. Only answers that are right on the assignment's scene are looked\n"
+        "at. A scene\n"
+        "  survives  when every answer is right and says rightly what the ray hits; digits may be lost on the way,\n"
+        "  breaks    when an answer is wrong, nan or inf, or a hit is told as a miss or a miss as a hit,\n"
+        "  is left out where the source was not found to state the part of the scene that it needs.\n"
+        "\"6.t (2 of 6 digits)\" says how many of the printed digits are right, at most float's 6. What keeps more "
+        "there\n"
+        "is named as in `raygrade accuracy`, which shows what each method costs. No marks, and no right values.\n\n"
+        "Example: raygrade stress ray_cast.cpp --assignment a6-2021");
+}
+
+}  // namespace
+
+Subcommand stress_command(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand(
+        "stress", "Run one ray_cast.cpp on hard scenes: what its method survives, and which formula would do better");
+    const auto options = std::make_shared<StressOptions>();
+    add_options(command, *options);
+    return {&command, [options] { return stress_source(*options); }};
+}
+
+}  // namespace harness

@@ -1,0 +1,182 @@
+#include "harness/stress/better_formula.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "harness/variants/drawing.h"
+#include "reference/accuracy/assignment_accuracy.h"
+#include "reference/accuracy/method.h"
+
+namespace harness::stress {
+namespace {
+
+using reference::ItemId;
+using reference::accuracy::Method;
+using reference::accuracy::SphereProblem;
+using reference::accuracy::TriangleProblem;
+
+const reference::Value* value_of(const reference::AnswerKey& key, const ItemId& id) {
+    for (const reference::KeyQuestion& question : key.questions) {
+        for (const reference::KeyItem& item : question.items) {
+            if (question.number == id.first && item.spec.name == id.second) return &item.answers.front().value;
+        }
+    }
+    return nullptr;
+}
+
+reference::Vec3<double> point(const reference::AnswerKey& key, const ItemId& id) {
+    const auto& numbers = std::get<reference::Numbers>(*value_of(key, id));
+    return {numbers.at(0), numbers.at(1), numbers.at(2)};
+}
+
+reference::accuracy::Ray<double> ray_of(const reference::AnswerKey& key) {
+    return {point(key, {4, "P_WCS"}), point(key, {5, "V"})};
+}
+
+int whole_digits(double scale, double error) {
+    if (error == 0) return DBL_DIG;
+    return static_cast<int>(std::clamp(std::floor(std::log10(scale / error)), 0.0, double{DBL_DIG}));
+}
+
+/// How many digits of t a method keeps; none where it decides otherwise.
+std::optional<int> kept(const reference::accuracy::Answer& answer, const std::optional<double>& t) {
+    const bool hit = answer.outcome != reference::accuracy::Outcome::miss;
+    if (hit != t.has_value()) return {};
+    if (!t || *t == 0) return DBL_DIG;
+    return whole_digits(std::abs(*t), std::abs(answer.t - *t + answer.t_rest));
+}
+
+std::string told(const std::string& name, const std::optional<int>& digits, const std::optional<double>& t) {
+    if (!digits) return name + " decides otherwise";
+    return t && *t != 0 ? fmt::format("{} keeps {} digits of t", name, *digits) : name + " decides right";
+}
+
+/// The textbook's own way of this scalar, and the first after it that keeps as many digits as float holds. Formulas
+/// only: wider numbers and the certified kernel are no student's.
+template <template <class> class Problem>
+void tell_scalar(std::vector<std::string>& sentences, const std::vector<Method<Problem>>& methods,
+                 const std::string& scalar, const Problem<double>& problem, const std::optional<double>& t) {
+    const reference::accuracy::Rays<Problem> rays{{as_floats(problem)}, {problem}};
+    bool first = true;
+    for (const Method<Problem>& method : methods) {
+        const std::string_view formula = formula_of(method.kernel);
+        if (method.scalar != scalar || formula.empty()) continue;
+        const auto digits = kept(method.judge(rays, 1).front(), t);
+        const bool is_good = digits && *digits >= FLT_DIG - 1;
+        if (!first && !is_good) continue;
+        sentences.push_back(told(method.name(), digits, t) + (first ? "" : fmt::format(" ({})", formula)));
+        if (is_good) return;
+        first = false;
+    }
+    sentences.push_back(fmt::format("no method in {} keeps {}", scalar, FLT_DIG - 1));
+}
+
+/// `t` is that of the hit; none for a miss.
+template <template <class> class Problem>
+std::string tell_ladder(const std::vector<Method<Problem>>& methods, const Problem<double>& problem,
+                        const std::optional<double>& t) {
+    std::vector<std::string> told;
+    for (const char* scalar : {"float", "double"}) tell_scalar(told, methods, scalar, problem, t);
+    return fmt::format("Of the methods of `raygrade accuracy`, {}.", fmt::join(told, "; "));
+}
+
+std::optional<double> number(const reference::AnswerKey& key, const ItemId& id) {
+    const auto* numbers = std::get_if<reference::Numbers>(value_of(key, id));
+    return numbers == nullptr ? std::nullopt : std::optional(numbers->front());
+}
+
+/// The system's solution is a t for rays beside the triangle, too.
+std::optional<double> t_of_triangle(const reference::AnswerKey& key) {
+    const bool is_hit = key.decisions.triangle == "hit" || key.decisions.triangle == "boundary";
+    return is_hit ? number(key, {8, "t"}) : std::nullopt;
+}
+
+/// Whether the ladder of the sphere (6 but for the coefficients, 7) or of the triangle (8 but for the system) is about
+/// this item.
+int ladder_of(const HardItem& item) {
+    const bool is_given =
+        item.item == "a" || item.item == "b" || item.item == "c" || item.item == "matrix" || item.item == "rhs";
+    if (is_given) return 0;
+    if (item.question == 6 || item.question == 7) return 6;
+    return item.question == 8 ? 8 : 0;
+}
+
+/// Where the ray itself lost digits, no formula for what it hits brings them back.
+bool concerns(const std::vector<HardItem>& lost, int ladder) {
+    const bool ray = std::any_of(lost.begin(), lost.end(), [](const HardItem& item) { return item.question <= 5; });
+    return !ray &&
+           std::any_of(lost.begin(), lost.end(), [&](const HardItem& item) { return ladder_of(item) == ladder; });
+}
+
+/// The handout's own steps for what no ladder is about; of many items the first few.
+std::string tell_steps(const std::vector<HardItem>& lost, const Marking& marking) {
+    constexpr std::size_t most = 3;
+    std::vector<std::string> told;
+    for (const auto& item : reference::accuracy::item_accuracies(marking.assignment, marking.key)) {
+        const auto found = std::find_if(lost.begin(), lost.end(), [&](const HardItem& one) {
+            return one.question == item.spec.question && one.item == item.spec.name && ladder_of(one) == 0;
+        });
+        const auto* numbers =
+            std::get_if<reference::Numbers>(value_of(marking.key, {item.spec.question, item.spec.name}));
+        if (found == lost.end() || numbers == nullptr || told.size() == most) continue;
+        double scale = 0;
+        for (const double x : *numbers) scale = std::max(scale, std::abs(x));
+        std::vector<std::string> scalars;
+        for (const auto& error : item.errors) {
+            if (error.scalar == "float" || error.scalar == "double")
+                scalars.push_back(fmt::format("{} digits in {}", whole_digits(scale, error.absolute), error.scalar));
+        }
+        told.push_back(fmt::format("{}.{} keeps {}", item.spec.question, item.spec.name, fmt::join(scalars, ", ")));
+    }
+    return told.empty() ? "" : fmt::format("Computed by the handout's steps, {}.", fmt::join(told, "; "));
+}
+
+}  // namespace
+
+std::string_view formula_of(std::string_view kernel) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 13> formulas = {{
+        {"naive quadratic", "d = b² - 4ac, t = (-b ∓ √d) / 2a"},
+        {"half-b", "b' = b/2, t = (-b' ∓ √(b'² - ac)) / a"},
+        {"stable", "q = -(b + sign(b) √d) / 2, t = q/a or c/q"},
+        {"Kahan FMA", "b² - ac by two fused multiply-adds, then q/a or c/q"},
+        {"Haines", "d from the distance of the center to the ray, then q/a or c/q"},
+        {"Lagrange", "b² - ac as aR² - |f × V|² with f = S - C, then q/a or c/q"},
+        {"GLM", "glm's own"},
+        {"3x3 inverse", "the inverse of the matrix times the right-hand side"},
+        {"Cramer", "quotients of determinants"},
+        {"Möller-Trumbore", "Cramer's rule by two cross products, from A on"},
+        {"Möller-Trumbore branch-free", "Cramer's rule by two cross products, from A on"},
+        {"Baldwin-Weber", "the map that takes the triangle to (0, 0), (1, 0), (0, 1)"},
+        {"Woop watertight", "the triangle sheared into the ray's own coordinates"},
+    }};
+    const auto found =
+        std::find_if(formulas.begin(), formulas.end(), [&](const auto& each) { return each.first == kernel; });
+    return found == formulas.end() ? "" : found->second;
+}
+
+std::vector<std::string> better_formulas(const std::vector<HardItem>& lost, const Marking& marking) {
+    std::vector<std::string> sentences;
+    const auto& scene = marking.assignment.scene;
+    const reference::Scene<double> in_double = variants::in_double(scene);
+    if (concerns(lost, 6) && scene.spheres.size() == 1) {
+        sentences.push_back(tell_ladder<SphereProblem>(reference::accuracy::sphere_methods(),
+                                                       {ray_of(marking.key), in_double.spheres.front()},
+                                                       number(marking.key, {6, "t"})));
+    }
+    if (concerns(lost, 8) && scene.triangles.size() == 1) {
+        sentences.push_back(tell_ladder<TriangleProblem>(reference::accuracy::triangle_methods(),
+                                                         {ray_of(marking.key), in_double.triangles.front()},
+                                                         t_of_triangle(marking.key)));
+    }
+    if (const std::string steps = tell_steps(lost, marking); !steps.empty()) sentences.push_back(steps);
+    return sentences;
+}
+
+}  // namespace harness::stress

@@ -1,0 +1,119 @@
+#include "harness/stress/hard_scenes.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "harness/stress/hard_recipe.h"
+#include "reference/certified_scene.h"
+#include "reference/scene_toml.h"
+
+namespace harness::stress {
+namespace {
+
+using reference::Assignment;
+using variants::ScenePart;
+
+/// The fewest digits that give the double are its very value.
+bool is_short(double x) {
+    constexpr double largest = 1e6, parts = 256;
+    return std::abs(x) < largest && x * parts == std::round(x * parts);
+}
+bool is_short(const Point& p) {
+    return is_short(p.x) && is_short(p.y) && is_short(p.z);
+}
+
+Stage stage_of(const Assignment& assignment, reference::PixelConvention convention, const variants::PartSet& located) {
+    Stage stage{variants::in_double(assignment.scene), convention, {}, {}, false};
+    for (const ScenePart part : variants::all_parts) {
+        if (located.contains(part) && has_part(assignment.scene, part)) stage.located.insert(part);
+    }
+    stage.ray = reference::answer_camera(stage.scene, convention);
+    const auto exact =
+        reference::answer_camera(reference::certified_scene(reference::rational_scene(assignment.scene)), convention);
+    const reference::Enclosure S[] = {exact.P_WCS.x.enclosure(), exact.P_WCS.y.enclosure(), exact.P_WCS.z.enclosure()};
+    stage.ray.P_WCS = {S[0].nearest, S[1].nearest, S[2].nearest};
+    const bool is_double = std::all_of(std::begin(S), std::end(S), [](const auto& x) { return x.lo == x.hi; });
+    stage.is_exact = is_double && is_short(stage.ray.P_WCS) && is_short(stage.scene.camera.eye);
+    return stage;
+}
+
+bool has_all(const Scene& scene, const std::vector<ScenePart>& parts) {
+    return std::all_of(parts.begin(), parts.end(), [&](ScenePart part) {
+        const bool of_sphere = part == ScenePart::center || part == ScenePart::radius;
+        const bool of_triangle = part == ScenePart::A || part == ScenePart::B || part == ScenePart::C;
+        return !(of_sphere && scene.spheres.empty()) && !(of_triangle && scene.triangles.empty());
+    });
+}
+
+/// Empty where they all were.
+std::string missing_parts(const HardRecipe& recipe, const variants::PartSet& located) {
+    std::vector<std::string_view> names;
+    for (const ScenePart part : recipe.needs) {
+        if (!located.contains(part)) names.push_back(to_string(part));
+    }
+    return names.empty() ? "" : fmt::format("the source was not found to state {}", fmt::join(names, ", "));
+}
+
+std::optional<variants::DecimalScene> drawn(const HardRecipe& recipe, const Stage& stage, std::uint64_t seed) {
+    variants::Draw draw(seed);
+    std::optional<Scene> best;
+    double most = 0;
+    for (int i = 0; i < recipe.attempts; ++i) {
+        Scene scene = recipe.draw(stage, draw);
+        const double worth =
+            recipe.worth(reference::answer_scene(scene, stage.convention, reference::Boundary::nonnegative), scene);
+        if (!(worth > most)) continue;
+        most = worth;
+        best = std::move(scene);
+    }
+    if (!best) return {};
+    try {
+        return reference::check_scene(variants::in_decimal(*best), "a hard scene");
+    } catch (const reference::AssignmentError&) {
+        return {};
+    }
+}
+
+}  // namespace
+
+Point across(const Stage& stage, variants::Draw& draw) {
+    return reference::normalized(
+        reference::cross(stage.ray.V, Point(draw.between(-1, 1), draw.between(-1, 1), draw.between(-1, 1))));
+}
+
+void put_sphere_away(Scene& scene, const Stage& stage) {
+    if (scene.spheres.empty() || !stage.located.contains(ScenePart::center)) return;
+    reference::Sphere<double>& sphere = scene.spheres.front();
+    sphere.center = variants::rounded(stage.ray.P_WCS - (2 * sphere.radius + 5) * stage.ray.V);
+}
+
+std::vector<HardScene> hard_scenes(const Assignment& assignment, reference::PixelConvention convention,
+                                   const variants::PartSet& located) {
+    const Stage stage = stage_of(assignment, convention, located);
+    std::vector<HardScene> scenes;
+    std::uint64_t seed = 0;
+    for (const auto& recipes : {sphere_recipes(), triangle_recipes(), camera_recipes()}) {
+        for (const HardRecipe& recipe : recipes) {
+            ++seed;
+            if (!has_all(stage.scene, recipe.needs)) continue;
+            HardScene hard{std::string(recipe.name), recipe.asks};
+            hard.why_not = missing_parts(recipe, located);
+            if (hard.why_not.empty() && recipe.needs_exact && !stage.is_exact)
+                hard.why_not = "no point of this ray can be written exactly in decimals";
+            if (hard.why_not.empty()) hard.scene = drawn(recipe, stage, seed);
+            if (!hard.scene && hard.why_not.empty()) hard.why_not = "this assignment's ray and window do not allow it";
+            scenes.push_back(std::move(hard));
+        }
+    }
+    return scenes;
+}
+
+std::size_t most_hard_scenes() {
+    return sphere_recipes().size() + triangle_recipes().size() + camera_recipes().size();
+}
+
+}  // namespace harness::stress

@@ -1,0 +1,144 @@
+#include "harness/stress/losses.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <optional>
+
+#include "harness/token.h"
+
+namespace harness::stress {
+namespace {
+
+using reference::KeyItem;
+
+/// As far as an item score holds what was printed, without a last number that may be cut.
+std::vector<PrintedNumber> printed_numbers(const std::string& printed) {
+    constexpr std::size_t cut_at = 190;
+    std::vector<PrintedNumber> numbers;
+    for (const Token& token : tokenize(printed)) {
+        if (token.kind == Token::Kind::number) numbers.push_back(token.number);
+    }
+    if (printed.size() > cut_at && numbers.size() > 1) numbers.pop_back();
+    return numbers;
+}
+
+/// log10(scale / error), as a number of digits; none where nothing is to be counted.
+std::optional<double> digits(double scale, double error) {
+    if (!(scale > 0) || !std::isfinite(error)) return {};
+    return error > 0 ? std::log10(scale / error) : HUGE_VAL;
+}
+
+/// What the digits of an item count from: its largest component, for u and v 1, the whole edge.
+double scale_of(const KeyItem& item) {
+    if (item.spec.name == "u" || item.spec.name == "v") return 1;
+    double size = 0;
+    if (const auto* numbers = std::get_if<reference::Numbers>(&item.answers.front().value)) {
+        for (const double x : *numbers) size = std::max(size, std::abs(x));
+    }
+    return size;
+}
+
+bool is_none(const reference::Answer& answer) {
+    return std::holds_alternative<reference::NoValue>(answer.value);
+}
+
+const ItemScore* find(const Score& score, const reference::ItemSpec& spec) {
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (item.spec.question == spec.question && item.spec.name == spec.name) return &item;
+        }
+    }
+    return nullptr;
+}
+
+/// Whether the verdict was accepted for another reason than that the key holds it.
+bool is_forgiven(const ItemScore& item, const KeyItem& key_item, const reference::AnswerKey& key) {
+    return std::none_of(key_item.answers.begin(), key_item.answers.end(), [&](const reference::Answer& answer) {
+        return reference::reason(answer, key) == item.accepted_as;
+    });
+}
+
+/// The answers that the key takes all have a value, or none does: it can be told who is right about that.
+std::optional<Loss> wrong_decision(const std::vector<PrintedNumber>& numbers, const KeyItem& key_item) {
+    const auto& answers = key_item.answers;
+    if (numbers.empty() && std::none_of(answers.begin(), answers.end(), is_none)) return Loss::hit_missed;
+    if (!numbers.empty() && std::all_of(answers.begin(), answers.end(), is_none)) return Loss::miss_hit;
+    return {};
+}
+
+void count_digits(HardItem& lost, const ItemScore& item, const std::vector<PrintedNumber>& numbers,
+                  const KeyItem& key_item) {
+    const double scale = scale_of(key_item);
+    double half_unit = 0;
+    for (const PrintedNumber& number : numbers) {
+        if (!number.exact) half_unit = std::max(half_unit, 0.5 * std::pow(10.0, -number.decimals));
+    }
+    const auto printed = digits(scale, 2 * half_unit);
+    if (!item.error || !printed || *printed < 1) return;
+    const auto count = [](double x) { return static_cast<int>(std::clamp(std::floor(x), 0.0, double{FLT_DIG})); };
+    lost.digits_printed = count(*printed);
+    lost.digits_kept = std::min(lost.digits_printed, count(digits(scale, *item.error).value_or(0)));
+}
+
+/// None when nothing is lost.
+std::optional<HardItem> loss_of(const ItemScore& item, const KeyItem& key_item, const reference::AnswerKey& key) {
+    constexpr int of_rounding = 1;  // one digit either way is what rounding does anywhere
+    HardItem lost{key_item.spec.question, std::string(key_item.spec.name), Loss::wrong, 0, 0, item.diagnosis};
+    const bool right = item.verdict == ItemVerdict::right;
+    if (item.verdict == ItemVerdict::follow) return {};
+    if (item.printed.empty() || item.verdict == ItemVerdict::unreadable) {
+        lost.loss = Loss::missing;
+        return lost;
+    }
+    if (key_item.spec.shape == reference::Shape::verdict) {
+        lost.loss = Loss::other_first;
+        return right && !is_forgiven(item, key_item, key) ? std::nullopt : std::optional(lost);
+    }
+    const std::vector<PrintedNumber> numbers = printed_numbers(item.printed);
+    if (std::any_of(numbers.begin(), numbers.end(), [](const auto& x) { return !std::isfinite(x.value); })) {
+        lost.loss = Loss::not_a_number;
+        return lost;
+    }
+    if (const auto decision = wrong_decision(numbers, key_item)) {
+        lost.loss = *decision;
+        return lost;
+    }
+    count_digits(lost, item, numbers, key_item);
+    if (!right && item.diagnosis != "too few decimals") return lost;
+    lost.loss = Loss::digits;
+    return lost.digits_printed - lost.digits_kept > of_rounding ? std::optional(lost) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<HardItem> losses(const Score& base, const Score& score, const Marking& marking) {
+    std::vector<HardItem> lost;
+    for (const reference::KeyQuestion& question : marking.key.questions) {
+        for (const KeyItem& key_item : question.items) {
+            const ItemScore* before = find(base, key_item.spec);
+            const ItemScore* after = find(score, key_item.spec);
+            const bool was_right =
+                before != nullptr && before->verdict == ItemVerdict::right && !before->printed.empty();
+            if (!was_right || after == nullptr) continue;
+            if (auto item = loss_of(*after, key_item, marking.key)) lost.push_back(std::move(*item));
+        }
+    }
+    return lost;
+}
+
+reference::PixelConvention own_convention(const Score& base, const reference::AnswerKey& key) {
+    for (const reference::KeyQuestion& question : key.questions) {
+        for (const KeyItem& key_item : question.items) {
+            const ItemScore* item = find(base, key_item.spec);
+            if (item == nullptr || item->verdict != ItemVerdict::right || item->accepted_as.empty()) continue;
+            for (const reference::Answer& answer : key_item.answers) {
+                const bool another = answer.reading.convention != key.canonical.convention;
+                if (another && reference::reason(answer, key) == item->accepted_as) return answer.reading.convention;
+            }
+        }
+    }
+    return key.canonical.convention;
+}
+
+}  // namespace harness::stress

@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <cmath>
+
+#include "harness/stress/hard_recipe.h"
+
+namespace harness::stress {
+namespace {
+
+using variants::Draw;
+using variants::rounded;
+using variants::ScenePart;
+
+/// How far inside its nearest edge the triangle is hit, as a barycentric coordinate; nothing when the system has no
+/// solution or the hit lies behind the start.
+std::optional<double> margin(const Answers& answers) {
+    const reference::TriangleAnswers<double>& triangle = *answers.triangle;
+    if (!triangle.t || *triangle.t < 0.5) return {};
+    return std::min({*triangle.u, *triangle.v, 1 - *triangle.u - *triangle.v});
+}
+
+double well_inside(const Answers& answers, const Scene& /*scene*/) {
+    return margin(answers).value_or(not_wanted) > 0.05 ? 1 : not_wanted;
+}
+
+double just_inside(const Answers& answers, const Scene& /*scene*/) {
+    const double inside = margin(answers).value_or(not_wanted);
+    return inside > 0 ? 1 / inside : not_wanted;
+}
+
+double just_outside(const Answers& answers, const Scene& /*scene*/) {
+    const double inside = margin(answers).value_or(1);
+    return inside < 0 ? -1 / inside : not_wanted;
+}
+
+double always(const Answers& /*answers*/, const Scene& /*scene*/) {
+    return 1;
+}
+
+/// `p` and `q` are across the ray and each other.
+struct Frame {
+    Point p, q;
+};
+Frame frame(const Stage& stage, Draw& draw) {
+    const Point p = across(stage, draw);
+    return {p, reference::cross(stage.ray.V, p)};
+}
+
+Scene with_triangle(const Stage& stage, const Point& A, const Point& B, const Point& C) {
+    Scene scene = stage.scene;
+    put_sphere_away(scene, stage);
+    scene.triangles.front() = {A, B, C};
+    return scene;
+}
+
+Scene draw_edge(const Stage& stage, Draw& draw) {
+    const auto [p, q] = frame(stage, draw);
+    const auto at = [&](double along, double beside, double above) {
+        return rounded(stage.ray.P_WCS + along * stage.ray.V + beside * p + above * q);
+    };
+    return with_triangle(stage, at(draw.between(60, 90), draw.between(300, 900), 0),
+                         at(draw.between(60, 90), -draw.between(300, 900), 0),
+                         at(draw.between(60, 90), draw.between(-90, 90), draw.between(500, 900)));
+}
+
+Scene draw_grazed(const Stage& stage, Draw& draw) {
+    const auto [p, q] = frame(stage, draw);
+    const Point begin = stage.ray.P_WCS + 10.0 * stage.ray.V - 4.0 * p;
+    return with_triangle(stage, rounded(begin - 30.0 * q), rounded(begin + 30.0 * q),
+                         rounded(stage.ray.P_WCS + 30'000.0 * stage.ray.V + 8.0 * p));
+}
+
+Scene draw_sliver(const Stage& stage, Draw& draw) {
+    const auto [p, q] = frame(stage, draw);
+    const Point middle = stage.ray.P_WCS + 40.0 * stage.ray.V;
+    return with_triangle(stage, rounded(middle - 20'000.0 * p - 2.0 * q), rounded(middle + 20'000.0 * p - 2.0 * q),
+                         rounded(middle + 3.0 * q + 5.0 * stage.ray.V));
+}
+
+/// The edges behind the vertex lie on both sides of the ray, so that it is the vertex that is met.
+Scene draw_vertex(const Stage& stage, Draw& draw) {
+    const auto [p, q] = frame(stage, draw);
+    const Point A = stage.on_ray(5);
+    return with_triangle(stage, A, A + rounded(7.0 * p + 5.0 * q + 2.0 * stage.ray.V),
+                         A + rounded(-7.0 * p + 6.0 * q - stage.ray.V));
+}
+
+/// One edge runs along the ray, so that det is 0 exactly.
+Scene draw_parallel(const Stage& stage, Draw& draw) {
+    const auto [p, q] = frame(stage, draw);
+    const Point A = stage.on_ray(3) + rounded(2.0 * p + 2.0 * q);
+    return with_triangle(stage, A, A + (stage.on_ray(7) - stage.on_ray(3)), A + rounded(9.0 * p - 4.0 * q));
+}
+
+/// The start is the middle of the triangle: its corners sum up to three times the start.
+Scene draw_at_start(const Stage& stage, Draw& draw) {
+    const auto [p, q] = frame(stage, draw);
+    const Point a = rounded(7.0 * p + 3.0 * stage.ray.V), b = rounded(-4.0 * p + 6.0 * q + 2.0 * stage.ray.V);
+    const Point& S = stage.ray.P_WCS;
+    return with_triangle(stage, S + a, S + b, S - a - b);
+}
+
+}  // namespace
+
+std::vector<HardRecipe> triangle_recipes() {
+    const std::vector<ScenePart> triangle = {ScenePart::A, ScenePart::B, ScenePart::C};
+    return {
+        {"triangle, just inside an edge", "a barycentric coordinate is above 0 by little", triangle, 3000, false,
+         draw_edge, just_inside},
+        {"triangle, just outside an edge", "a barycentric coordinate is below 0 by little", triangle, 3000, false,
+         draw_edge, just_outside},
+        {"triangle, through a vertex", "u and v are 0 exactly, which counts as a hit", triangle, 1, true, draw_vertex,
+         always},
+        {"triangle, nearly parallel to the ray", "the determinant is small beside its terms", triangle, 100, false,
+         draw_grazed, well_inside},
+        {"triangle, parallel to the ray", "the determinant is 0 exactly: there is no t, u, v", triangle, 1, true,
+         draw_parallel, always},
+        {"triangle, a sliver", "two edges point nearly the same way", triangle, 300, false, draw_sliver, well_inside},
+        {"ray starts on the triangle", "t is 0 exactly", triangle, 1, true, draw_at_start, always},
+    };
+}
+
+}  // namespace harness::stress

@@ -1,0 +1,111 @@
+#include "harness/variants/rewritten.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/batch.h"
+
+namespace harness::variants {
+namespace {
+
+bool has_right_answer(const Graded& graded) {
+    if (graded.outcome == Outcome::not_graded || graded.outcome == Outcome::compile_error) return false;
+    for (const QuestionScore& question : graded.score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (item.verdict == ItemVerdict::right && !item.printed.empty()) return true;
+        }
+    }
+    return false;
+}
+
+/// A part of a class, all its rewritten sources in one batch.
+class RewrittenPart {
+  public:
+    RewrittenPart(const std::vector<Graded>& graded, const std::vector<std::string>& sources, const DecimalScene& scene)
+        : graded_(graded), sources_(sources), scene_(scene) {}
+
+    void add(std::size_t index, const ScenesFor& scenes_for) {
+        if (!has_right_answer(graded_[index])) return;
+        Rewritten one{index, find_scene(sources_[index], scene_), {}};
+        for (const MarkedScene& scene : scenes_for(index, one.literals.located)) {
+            one.runs.push_back({&scene, {}});
+            auto source = with_scene(sources_[index], one.literals, scene.scene.scene);
+            if (!source) continue;
+            Submission submission;
+            submission.id = fmt::format("{} ({})", graded_[index].submission.id, scene.scene.name);
+            submission.file = graded_[index].submission.file;
+            submission.source = std::move(*source);
+            submissions_.push_back(std::move(submission));
+            markings_.push_back(scene.marking);
+            places_.emplace_back(rewritten_.size(), one.runs.size() - 1);
+        }
+        rewritten_.push_back(std::move(one));
+    }
+
+    std::vector<Rewritten> run(const Workshop& workshop, int jobs, Timeline& timeline) {
+        std::vector<Graded> results =
+            grade_each(std::move(submissions_), std::move(markings_), workshop, jobs, timeline);
+        for (std::size_t i = 0; i < results.size(); ++i)
+            rewritten_[places_[i].first].runs[places_[i].second].graded = std::move(results[i]);
+        return std::move(rewritten_);
+    }
+
+  private:
+    const std::vector<Graded>& graded_;
+    const std::vector<std::string>& sources_;
+    const DecimalScene& scene_;
+    std::vector<Rewritten> rewritten_;
+    std::vector<Submission> submissions_;
+    std::vector<std::shared_future<Marking>> markings_;
+    std::vector<std::pair<std::size_t, std::size_t>> places_;  ///< of each submission: in rewritten_, among its runs
+};
+
+}  // namespace
+
+std::optional<MarkedScene> with_key(reference::SceneVariant scene, const Marking& base) {
+    reference::Assignment assignment = base.assignment;
+    assignment.scene = scene.scene;
+    assignment.name = fmt::format("{} ({})", assignment.name, scene.name);
+    try {
+        reference::AnswerKey key = reference::make_key(assignment, reference::Precision::certified);
+        std::promise<Marking> made;
+        made.set_value(Marking{std::move(assignment), std::move(key)});
+        return MarkedScene{std::move(scene), made.get_future().share()};
+    } catch (const reference::AssignmentError&) {
+        return {};
+    } catch (const std::domain_error&) {
+        return {};
+    }
+}
+
+void run_rewritten(const std::vector<Graded>& graded, const std::vector<std::string>& sources,
+                   const DecimalScene& scene, const Workshop& workshop, int jobs, Timeline& timeline,
+                   const ScenesFor& scenes_for, const std::function<void(Rewritten)>& conclude) {
+    // A few at a time: the sources of all scenes together would take several times a class's memory.
+    constexpr std::size_t at_a_time = 256;
+    for (std::size_t begin = 0; begin < graded.size(); begin += at_a_time) {
+        RewrittenPart part(graded, sources, scene);
+        for (std::size_t i = begin; i < std::min(begin + at_a_time, graded.size()); ++i) part.add(i, scenes_for);
+        for (Rewritten& one : part.run(workshop, jobs, timeline)) conclude(std::move(one));
+    }
+}
+
+std::string described(const DecimalScene& scene, const DecimalScene& other) {
+    std::string text;
+    for (const ScenePart part : all_parts) {
+        if (!has_part(scene, part) || value_of(scene, part) == value_of(other, part)) continue;
+        text += (text.empty() ? "" : ", ") + describe(scene, part);
+    }
+    return text;
+}
+
+std::vector<std::string> parts_not_found(const DecimalScene& scene, const PartSet& located) {
+    std::vector<std::string> names;
+    for (const ScenePart part : all_parts) {
+        if (has_part(scene, part) && !located.contains(part)) names.emplace_back(to_string(part));
+    }
+    return names;
+}
+
+}  // namespace harness::variants

@@ -1,0 +1,58 @@
+// reading_steps PATTERN SIZE: finds the scene in a source of so many bytes that a cunning student may hand in. Its
+// instructions are for reading_growth to count.
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <string>
+
+#include "harness/variants/scene_literals.h"
+#include "reference/assignment.h"
+
+namespace {
+
+std::string repeated(const std::string& piece, std::size_t size) {
+    std::string text;
+    while (text.size() < size) text += piece;
+    return text;
+}
+
+std::string nasty_source(const std::string& pattern, std::size_t size) {
+    const std::map<std::string, std::string> pieces = {
+        {"open_brackets", "("},
+        {"closed_brackets", ")"},
+        {"mixed_brackets", "([{<"},
+        {"indexes", "[0]"},
+        {"candidates", "vec3 eye(0, 0, 4);\n"},
+        {"one_list", "0, 0, 4, "},
+        {"assignments", "eye.x = "},
+        {"scopes", "a::"},
+        {"minuses", "-"},
+        {"digits", "1"},
+        {"digit_separators", "1'"},
+        {"raw_strings", "R\"x("},
+        {"quotes", "\"\n"},
+        {"comments", "/*"},
+        {"defines", "#define EYE vec3(0, 0, 4)\n"},
+        {"conditions", "#if 0\n"},
+        {"spliced_lines", "\\\n"},
+    };
+    if (pattern == "nested_lists") {
+        const std::string half = repeated("{0, ", size / 2);
+        return half + repeated("}", half.size() / 4);
+    }
+    if (pattern == "nested_calls") {
+        const std::string half = repeated("f(0, 0, 4, ", size * 11 / 12);
+        return "vec3 eye = " + half + std::string(half.size() / 11, ')');
+    }
+    return repeated(pieces.at(pattern), size);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 3) return 2;
+    const auto a6 = reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS);
+    const std::string source = nasty_source(argv[1], std::strtoull(argv[2], nullptr, 10));
+    const auto found = harness::variants::find_scene(source, a6.scene);
+    std::printf("%zu bytes, %zu numbers\n", source.size(), found.literals.size());
+}
