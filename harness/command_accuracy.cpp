@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <memory>
 #include <stdexcept>
 
 #include "harness/commands.h"
@@ -125,11 +124,9 @@ void add_options(CLI::App& command, AccuracyOptions& options) {
 }  // namespace
 
 Subcommand accuracy_command(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand(
-        "accuracy", "Show what accuracy costs in time: every method on the same rays, timed and judged");
-    const auto options = std::make_shared<AccuracyOptions>();
-    add_options(command, *options);
-    return {&command, [options] { return show_accuracy(*options); }};
+    return subcommand(app, "accuracy",
+                      "Show what accuracy costs in time: every method on the same rays, timed and judged", add_options,
+                      show_accuracy);
 }
 
 }  // namespace harness

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <memory>
 
 #include "harness/batch.h"
 #include "harness/commands.h"
@@ -76,11 +75,9 @@ void add_options(CLI::App& command, CheckOptions& options) {
 }  // namespace
 
 Subcommand check_command(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand(
-        "check", "Check one ray_cast.cpp before handing it in: a verdict for each answer, never the answer");
-    const auto options = std::make_shared<CheckOptions>();
-    add_options(command, *options);
-    return {&command, [options] { return check_source(*options); }};
+    return subcommand(app, "check",
+                      "Check one ray_cast.cpp before handing it in: a verdict for each answer, never the answer",
+                      add_options, check_source);
 }
 
 }  // namespace harness

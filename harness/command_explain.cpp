@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <memory>
 
 #include "harness/bounded_file.h"
 #include "harness/commands.h"
@@ -103,11 +102,10 @@ void add_options(CLI::App& command, ExplainOptions& options) {
 }  // namespace
 
 Subcommand explain_command(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand(
-        "explain", "Draw the assignment as SVG: camera, image plane, ray, objects, hit points, by the handout's names");
-    const auto options = std::make_shared<ExplainOptions>();
-    add_options(command, *options);
-    return {&command, [options] { return draw_explanation(*options); }};
+    return subcommand(
+        app, "explain",
+        "Draw the assignment as SVG: camera, image plane, ray, objects, hit points, by the handout's names",
+        add_options, draw_explanation);
 }
 
 }  // namespace harness

@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
-#include <memory>
 #include <optional>
 
 #include "harness/batch.h"
@@ -315,12 +314,10 @@ void add_options(CLI::App& command, GradeOptions& options) {
 }  // namespace
 
 Subcommand grade_command(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("grade",
-                                            "Grade a class: a source, a folder of student folders or of sources, or "
-                                            "the zip of Canvas, Moodle or Gradescope");
-    const auto options = std::make_shared<GradeOptions>();
-    add_options(command, *options);
-    return {&command, [options] { return grade_class(*options); }};
+    return subcommand(app, "grade",
+                      "Grade a class: a source, a folder of student folders or of sources, or "
+                      "the zip of Canvas, Moodle or Gradescope",
+                      add_options, grade_class);
 }
 
 }  // namespace harness

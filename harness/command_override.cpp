@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <memory>
 
 #include "harness/class_reports.h"
 #include "harness/clean_text.h"
@@ -206,11 +205,9 @@ void add_options(CLI::App& command, OverrideOptions& options) {
 }  // namespace
 
 Subcommand override_command(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand(
-        "override", "Give points in place of the automatic ones: they stay through every regrade, with the reason");
-    const auto options = std::make_shared<OverrideOptions>();
-    add_options(command, *options);
-    return {&command, [options] { return override_points(*options); }};
+    return subcommand(app, "override",
+                      "Give points in place of the automatic ones: they stay through every regrade, with the reason",
+                      add_options, override_points);
 }
 
 }  // namespace harness

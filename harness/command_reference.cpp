@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <memory>
 #include <stdexcept>
 
 #include "harness/commands.h"
@@ -62,11 +61,8 @@ void add_options(CLI::App& command, ReferenceOptions& options) {
 }  // namespace
 
 Subcommand reference_command(CLI::App& app) {
-    CLI::App& command =
-        *app.add_subcommand("reference", "Print the canonical answers, as a right program prints them or as JSON");
-    const auto options = std::make_shared<ReferenceOptions>();
-    add_options(command, *options);
-    return {&command, [options] { return print_reference(*options); }};
+    return subcommand(app, "reference", "Print the canonical answers, as a right program prints them or as JSON",
+                      add_options, print_reference);
 }
 
 }  // namespace harness

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
-#include <memory>
 #include <string_view>
 
 #include "harness/bounded_file.h"
@@ -103,11 +102,8 @@ void add_options(CLI::App& command, RenderOptions& options) {
 }  // namespace
 
 Subcommand render_command(CLI::App& app) {
-    CLI::App& command =
-        *app.add_subcommand("render", "Draw the scene as its camera sees it, and simulate only what it calls for");
-    const auto options = std::make_shared<RenderOptions>();
-    add_options(command, *options);
-    return {&command, [options] { return render_scene(*options); }};
+    return subcommand(app, "render", "Draw the scene as its camera sees it, and simulate only what it calls for",
+                      add_options, render_scene);
 }
 
 }  // namespace harness

@@ -205,11 +205,9 @@ void add_options(CLI::App& command, ServeOptions& options) {
 }  // namespace
 
 Subcommand serve_command(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand(
-        "serve", "Put up a page where students check their ray_cast.cpp in a browser, as `raygrade check` does");
-    const auto options = std::make_shared<ServeOptions>();
-    add_options(command, *options);
-    return {&command, [options] { return serve_pages(*options); }};
+    return subcommand(app, "serve",
+                      "Put up a page where students check their ray_cast.cpp in a browser, as `raygrade check` does",
+                      add_options, serve_pages);
 }
 
 }  // namespace harness

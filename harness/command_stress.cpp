@@ -2,8 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <memory>
-#include <thread>
 
 #include "harness/batch.h"
 #include "harness/clean_text.h"
@@ -78,13 +76,9 @@ int stress_source(const StressOptions& options) {
 }
 
 void add_options(CLI::App& command, StressOptions& options) {
-    options.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     command.add_option("source", options.source, "The source, e.g. ray_cast.cpp")->required()->type_name("FILE");
     add_assignment(command, options.assignment);
-    command.add_option("-j,--jobs", options.jobs, "How many scenes to run at a time; changes nothing but the time")
-        ->check(CLI::Range(1, 1024))
-        ->type_name("N")
-        ->capture_default_str();
+    add_jobs(command, options.jobs, "How many scenes to run at a time; changes nothing but the time");
     command.add_flag("--json", options.json, "Print raygrade/stress/1, for programs, instead of text");
     add_workshop(command, options.workshop);
     command.footer(
@@ -105,11 +99,10 @@ void add_options(CLI::App& command, StressOptions& options) {
 }  // namespace
 
 Subcommand stress_command(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand(
-        "stress", "Run one ray_cast.cpp on hard scenes: what its method survives, and which formula would do better");
-    const auto options = std::make_shared<StressOptions>();
-    add_options(command, *options);
-    return {&command, [options] { return stress_source(*options); }};
+    return subcommand(
+        app, "stress",
+        "Run one ray_cast.cpp on hard scenes: what its method survives, and which formula would do better", add_options,
+        stress_source);
 }
 
 }  // namespace harness

@@ -1,5 +1,7 @@
 #include "harness/known_scores.h"
 
+#include <utility>
+
 #include "harness/fingerprint.h"
 #include "harness/transcript.h"
 
@@ -15,27 +17,38 @@ std::string name_of(const std::string& output, const Marking& marking) {
 }  // namespace
 
 Score KnownScores::score(const std::string& output, const Marking& marking, Timeline& timeline, const std::string& of) {
-    const std::string name = name_of(output, marking);
-    {
-        const std::lock_guard guard(mutex_);
-        const auto known = scores_.find(name);
-        if (known != scores_.end()) return *known->second;
-    }
+    std::string name;
+    std::shared_ptr<const Score> score;
     Transcript transcript;
     {
         const Timeline::Span span(timeline, Stage::read, of);
-        transcript = read_transcript(output);
+        name = name_of(output, marking);
+        score = find(name);
+        if (!score) transcript = read_transcript(output);
     }
     const Timeline::Span span(timeline, Stage::score, of);
-    const auto score = std::make_shared<const Score>(harness::score(transcript, marking.key, marking.assignment));
-    const std::lock_guard guard(mutex_);
-    if (!scores_.emplace(name, score).second) return *score;
-    order_.push_back(name);
-    if (order_.size() > most) {
-        scores_.erase(order_.front());
-        order_.pop_front();
+    if (score) {
+        ++timeline.alike;
+        return *score;
     }
+    score = std::make_shared<const Score>(harness::score(transcript, marking.key, marking.assignment));
+    keep(name, score);
     return *score;
+}
+
+std::shared_ptr<const Score> KnownScores::find(const std::string& name) {
+    const std::lock_guard guard(mutex_);
+    const auto known = scores_.find(name);
+    return known == scores_.end() ? nullptr : known->second;
+}
+
+void KnownScores::keep(const std::string& name, std::shared_ptr<const Score> score) {
+    const std::lock_guard guard(mutex_);
+    if (!scores_.emplace(name, std::move(score)).second) return;  // another thread has marked the same meanwhile
+    order_.push_back(name);
+    if (order_.size() <= most) return;
+    scores_.erase(order_.front());
+    order_.pop_front();
 }
 
 }  // namespace harness

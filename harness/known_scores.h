@@ -21,6 +21,9 @@ class KnownScores {
     static constexpr std::size_t most = 512;
 
   private:
+    std::shared_ptr<const Score> find(const std::string& name);
+    void keep(const std::string& name, std::shared_ptr<const Score> score);
+
     std::mutex mutex_;
     std::unordered_map<std::string, std::shared_ptr<const Score>> scores_;  ///< by fingerprint
     std::deque<std::string> order_;                                         ///< the oldest first

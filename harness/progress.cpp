@@ -48,10 +48,11 @@ std::string closing_line(const Timeline& timeline) {
     const double marking = seconds(timeline.total(Stage::read) + timeline.total(Stage::score));
     std::string text = fmt::format("time, added up over all at work: compiling {:.1f} s", compiling + headers);
     if (headers > 0) text += fmt::format(" ({:.1f} s of it precompiled headers)", headers);
-    text +=
-        fmt::format(", running {:.1f} s, marking {:.1f} s; {} of {} from earlier runs, {} with a precompiled header",
-                    seconds(timeline.total(Stage::run)), marking, timeline.from_store.load(), timeline.finished.load(),
-                    timeline.by_header.load());
+    text += fmt::format(
+        ", running {:.1f} s, marking {:.1f} s; {} of {} from earlier runs, {} with a precompiled header, "
+        "{} that printed what another had",
+        seconds(timeline.total(Stage::run)), marking, timeline.from_store.load(), timeline.finished.load(),
+        timeline.by_header.load(), timeline.alike.load());
     return text;
 }
 

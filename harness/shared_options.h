@@ -1,17 +1,26 @@
 // Options that several subcommands take: each sets its default and is read into what it is given.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
+#include <memory>
 #include <string>
 
+#include "harness/commands.h"
 #include "harness/variants/run_variants.h"
 #include "harness/workshop.h"
 
-namespace CLI {
-class App;
-}
-
 namespace harness {
+
+/// The subcommand `name`: `add` adds its options, which are read into what `run` is given.
+template <class Options>
+Subcommand subcommand(CLI::App& app, const char* name, const char* about, void (*add)(CLI::App&, Options&),
+                      int (*run)(const Options&)) {
+    CLI::App& command = *app.add_subcommand(name, about);
+    const auto options = std::make_shared<Options>();
+    add(command, *options);
+    return {&command, [options, run] { return run(*options); }};
+}
 
 void add_assignment(CLI::App& command, std::string& assignment);
 

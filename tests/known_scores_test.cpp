@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "tests/student/scenes.h"
@@ -30,8 +29,7 @@ TEST(KnownScores, AreThoseOfTheOutputAndTheMarking) {
         EXPECT_EQ(scores.score(direction("1"), ten, timeline, "ben").points, 0);
         EXPECT_EQ(scores.score(direction("-1"), twenty, timeline, "ada").points, 20);
     }
-    const auto trace = nlohmann::json::parse(timeline.chrome_trace());
-    EXPECT_EQ(trace.at("traceEvents").size(), 2 * 3U) << "each was read and scored once: " << trace;
+    EXPECT_EQ(timeline.alike, 3U) << "each was marked once";
 }
 
 TEST(KnownScores, AreRightAlsoWhereMoreOutputsDifferThanAreRemembered) {

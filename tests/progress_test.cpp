@@ -40,9 +40,10 @@ TEST(ClosingLine, TellsWhereTheTimeWent) {
     timeline.finished = 9;
     timeline.from_store = 5;
     timeline.by_header = 3;
+    timeline.alike = 4;
     EXPECT_EQ(harness::closing_line(timeline),
               "time, added up over all at work: compiling 2.2 s (1.5 s of it precompiled headers), running 0.3 s, "
-              "marking 0.3 s; 5 of 9 from earlier runs, 3 with a precompiled header");
+              "marking 0.3 s; 5 of 9 from earlier runs, 3 with a precompiled header, 4 that printed what another had");
 }
 
 }  // namespace

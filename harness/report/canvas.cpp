@@ -137,25 +137,16 @@ CanvasImport canvas_import(const CanvasRoster& roster, const std::vector<Graded>
         import.csv += with_score(row, cell_of(row, column_of(roster.header, roster.column)));
 
     const Index index(roster);
-    std::map<std::size_t, std::vector<const Graded*>> of_row;
     const auto name_of = [&](std::size_t row) {
         return cell_of(roster.students[row], column_of(roster.header, "Student"));
     };
-    for (const Graded& one : graded) {
-        const auto people = index.find(one.submission);
-        for (std::size_t i = 0; i < people.size(); ++i) {
-            const std::set<std::size_t>& rows = people[i];
-            if (rows.empty()) import.unmatched.push_back(called_in(one.submission, i));
-            if (rows.size() == 1) of_row[*rows.begin()].push_back(&one);
-            if (rows.size() < 2) continue;
-            std::string names;
-            for (const std::size_t row : rows) names += (names.empty() ? "" : "; ") + name_of(row);
-            import.ambiguous.push_back(called_in(one.submission, i) + ": " + names);
-        }
-    }
+    RowMatches matches = match_rows(
+        graded, [&](const Submission& submission) { return index.find(submission); }, name_of);
+    import.unmatched = std::move(matches.unmatched);
+    import.ambiguous = std::move(matches.ambiguous);
     for (std::size_t row = 0; row < roster.students.size(); ++row) {
-        const auto found = of_row.find(row);
-        if (found == of_row.end()) {
+        const auto found = matches.of_row.find(row);
+        if (found == matches.of_row.end()) {
             import.without.push_back(name_of(row));
         } else if (found->second.size() > 1) {
             for (const Graded* one : found->second)

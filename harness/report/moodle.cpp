@@ -130,24 +130,16 @@ std::string csv_of(const MoodleWorksheet& worksheet, const std::vector<Row>& row
 MoodleImport moodle_import(const MoodleWorksheet& worksheet, const std::vector<Graded>& graded) {
     MoodleImport import;
     const Participants participants(worksheet);
-    std::map<std::size_t, std::vector<const Graded*>> of_row;
-    for (const Graded& one : graded) {
-        const auto people = participants.find(one.submission);
-        for (std::size_t i = 0; i < people.size(); ++i) {
-            const std::set<std::size_t>& rows = people[i];
-            if (rows.empty()) import.unmatched.push_back(called_in(one.submission, i));
-            if (rows.size() == 1) of_row[*rows.begin()].push_back(&one);
-            if (rows.size() < 2) continue;
-            std::string names;
-            for (const std::size_t row : rows) names += (names.empty() ? "" : "; ") + participants.called(row);
-            import.ambiguous.push_back(called_in(one.submission, i) + ": " + names);
-        }
-    }
+    const auto name_of = [&](std::size_t row) { return participants.called(row); };
+    RowMatches matches = match_rows(
+        graded, [&](const Submission& submission) { return participants.find(submission); }, name_of);
+    import.unmatched = std::move(matches.unmatched);
+    import.ambiguous = std::move(matches.ambiguous);
     std::vector<Row> rows = worksheet.rows;
     for (std::size_t row = 0; row < rows.size(); ++row) {
-        const auto found = of_row.find(row);
-        if (found == of_row.end()) {
-            if (!participants.called(row).empty()) import.without.push_back(participants.called(row));
+        const auto found = matches.of_row.find(row);
+        if (found == matches.of_row.end()) {
+            if (!name_of(row).empty()) import.without.push_back(name_of(row));
             continue;
         }
         const bool alone = found->second.size() == 1;
@@ -156,8 +148,7 @@ MoodleImport moodle_import(const MoodleWorksheet& worksheet, const std::vector<G
             fill_in(import, worksheet, rows[row], first);
             continue;
         }
-        for (const Graded* one : found->second)
-            import.ambiguous.push_back(one->submission.id + ": " + participants.called(row));
+        for (const Graded* one : found->second) import.ambiguous.push_back(one->submission.id + ": " + name_of(row));
     }
     import.csv = csv_of(worksheet, rows);
     return import;

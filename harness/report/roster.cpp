@@ -76,4 +76,23 @@ std::string called_in(const Submission& submission, std::size_t submitter) {
     return submission.id + " (" + submission.lms->submitters[submitter].name + ")";
 }
 
+RowMatches match_rows(const std::vector<Graded>& graded,
+                      const std::function<std::vector<std::set<std::size_t>>(const Submission&)>& find,
+                      const std::function<std::string(std::size_t)>& name_of) {
+    RowMatches matches;
+    for (const Graded& one : graded) {
+        const auto people = find(one.submission);
+        for (std::size_t i = 0; i < people.size(); ++i) {
+            const std::set<std::size_t>& rows = people[i];
+            if (rows.empty()) matches.unmatched.push_back(called_in(one.submission, i));
+            if (rows.size() == 1) matches.of_row[*rows.begin()].push_back(&one);
+            if (rows.size() < 2) continue;
+            std::string names;
+            for (const std::size_t row : rows) names += (names.empty() ? "" : "; ") + name_of(row);
+            matches.ambiguous.push_back(called_in(one.submission, i) + ": " + names);
+        }
+    }
+    return matches;
+}
+
 }  // namespace harness::report
