@@ -11,6 +11,7 @@
 #include "harness/near_names.h"
 #include "harness/report/report.h"
 #include "harness/results_folder.h"
+#include "harness/shared_options.h"
 
 namespace harness {
 namespace {
