@@ -68,6 +68,15 @@ TEST(Classroom50, HasWholePointsThatSumUp) {
               "83 83 100\n{8.33} {False}\n");
 }
 
+TEST(Classroom50, HoldsATestForOtherScenesWhereTheyGivePoints) {
+    EXPECT_EQ(told(graded_on_other_scenes("ada"),
+                   "t = d['tests'][10]\n"
+                   "print(d['score'], d['max-score'], len(d['tests']))\n"
+                   "print(sum(t['score'] for t in d['tests']), sum(t['max-score'] for t in d['tests']))\n"
+                   "print(t['test-name'], t['points'], t['max-score'], t['passed'])\n"),
+              "104 110 11\n104 110\nOther scenes 6.0 10 False\n");
+}
+
 TEST(Classroom50, NeverSaysMoreThanTheMaximum) {
     Graded one = graded("ada", output_with_a_mistake());
     one.overrides = {{6, "", 14, "a good idea", "ada", ""}};

@@ -107,6 +107,16 @@ TEST(Feedback, TellsOfOtherScenesInNeutralWords) {
     EXPECT_THAT(check_text(one), HasSubstr("\nThe printed numbers of 6.t do not change"));
 }
 
+TEST(Feedback, SaysWhatAnswersOnOtherScenesEarn) {
+    Graded one = graded_on_other_scenes("zoe");
+    EXPECT_THAT(check_text(one), HasSubstr("\nOther scenes: 6 of 10 points.\n"));
+    one.other_scenes = variants::VariantReport{};
+    const std::string text = feedback_markdown(one, marking());
+    EXPECT_THAT(text, HasSubstr("## On other scenes\n\nOther scenes: 6 of 10 points.\n"));
+    EXPECT_THAT(text, Not(HasSubstr("This costs no points.")));
+    EXPECT_THAT(text, HasSubstr("104.33 of 110 points"));
+}
+
 TEST(Feedback, SaysWhyASubmissionHasNoMarksAndNotWhereTheInstructorKeepsIt) {
     Graded bob = not_graded("bob");
     bob.submission.file = "/home/prof/class/bob/ray_cast.cpp";

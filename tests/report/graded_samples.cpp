@@ -41,6 +41,14 @@ Graded graded(const std::string& id, const std::string& output) {
     return result;
 }
 
+Graded graded_on_other_scenes(const std::string& id) {
+    Graded result = graded(id, output_with_a_mistake());
+    result.score.other_scenes = ScenesScore{6, 10};
+    result.score.points += 6;
+    result.score.max_points += 10;
+    return result;
+}
+
 Graded hostile() {
     const std::string evil = "`` ``` | <b>&\x1b[31m\xff\xfe\a =cmd()";
     Graded result = graded("=HYPERLINK(\"x\"),|`id`", "Question 6:\nt: " + evil + "\nhit point: `" + evil + "` 1.25\n");

@@ -17,6 +17,9 @@ std::string output_with_a_mistake();
 /// What grading a program with this output gives.
 harness::Graded graded(const std::string& id, const std::string& output);
 
+/// The program with a mistake, of whose 10 points for other scenes it has 6: 104.33 of 110.
+harness::Graded graded_on_other_scenes(const std::string& id);
+
 /// Ids, outputs, explanations, messages and notes as hostile as they get: backticks, pipes, ESC, invalid UTF-8,
 /// formulas, HTML.
 harness::Graded hostile();

@@ -89,6 +89,22 @@ TEST(GradesCsv, HasThePointsThatCountWithTheAutomaticOnesAtTheEnd) {
     EXPECT_EQ(rows[2][18], "total");
 }
 
+TEST(GradesCsv, HasAColumnForOtherScenesWhereTheyGivePoints) {
+    Graded by_hand = graded_on_other_scenes("bob");
+    by_hand.overrides = {{0, "variants", 9.5, "it works", "bea", ""}};
+    Graded unread = not_graded("cy");
+    unread.score.other_scenes = ScenesScore{0, 10};
+    const auto rows = read_csv(grades_csv({graded_on_other_scenes("ada"), by_hand, unread}));
+    EXPECT_EQ(rows[0].back(), "other_scenes");
+    EXPECT_EQ(rows[1].back(), "6");
+    EXPECT_EQ(rows[1][2], "104.33");
+    EXPECT_EQ(rows[2].back(), "9.5");
+    EXPECT_EQ(rows[2][2], "107.83");
+    EXPECT_EQ(rows[2][18], "variants");
+    EXPECT_EQ(rows[3].back(), "");
+    for (const auto& row : rows) EXPECT_EQ(row.size(), 20U);
+}
+
 TEST(GradesCsv, NamesTheSandbox) {
     Graded one = graded("s", "");
     one.tier = Tier::unsafe;

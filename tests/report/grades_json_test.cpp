@@ -107,6 +107,17 @@ TEST(GradesJson, HasWhatTheOtherScenesShowed) {
     EXPECT_EQ(unmoved.at("before").get<std::string>().find('\x1b'), std::string::npos);
 }
 
+TEST(GradesJson, HasThePointsForOtherScenesWhereThereAreSome) {
+    Graded one = graded_on_other_scenes("zoe");
+    one.overrides = {{0, "variants", 9, "it works", "bea", ""}};
+    const json submission = grades({one}).at("submissions").at(0);
+    EXPECT_EQ(submission.at("other_scenes"), json::parse(R"({"points": 9, "max_points": 10, "automatic_points": 6})"));
+    EXPECT_NEAR(submission.at("points").get<double>(), 590.0 / 6 + 9, 1e-5);
+    EXPECT_EQ(submission.at("overrides").at(0).at("item"), "variants");
+    EXPECT_TRUE(submission.at("overrides").at(0).at("question").is_null());
+    EXPECT_TRUE(grades({graded("ada", "")}).at("submissions").at(0).at("other_scenes").is_null());
+}
+
 TEST(GradesJson, IsIndentedAsOneValueHoweverManySubmissions) {
     for (const std::size_t count : {0U, 1U, 3U}) {
         const std::vector<Graded> all(count, graded("zoe", output_with_a_mistake()));

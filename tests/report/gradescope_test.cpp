@@ -102,6 +102,26 @@ TEST(Gradescope, TakesTheInstructorsWordAndTheLateDeduction) {
               "46.92 9.83 4.0 True\nTrue True\n46.92 of 100 points\nHanded in late: 46.92 points were taken off.\n\n");
 }
 
+TEST(Gradescope, SaysLateOnlyWhereTheSystemTold) {
+    Graded one = graded("ada", output_with_a_mistake());
+    EXPECT_EQ(told(one, "print('late' in d['extra_data'])\n"), "False\n");
+    one.submission.lms = read_canvas_name("doe_1_2_ray_cast.cpp");
+    EXPECT_EQ(told(one, "print(d['extra_data']['late'])\n"), "False\n");
+    one.submission.lms->late = std::nullopt;
+    EXPECT_EQ(told(one, "print('late' in d['extra_data'])\n"), "False\n");
+}
+
+TEST(Gradescope, HoldsATestForOtherScenesWhereTheyGivePoints) {
+    Graded one = graded_on_other_scenes("ada");
+    const std::string program =
+        "t = d['tests'][10]\n"
+        "print(d['score'], sum(t['max_score'] for t in d['tests']), len(d['tests']))\n"
+        "print(t['name'], t['number'], t['score'], t['max_score'], t['status'], t['output'])\n";
+    EXPECT_EQ(told(one, program), "104.33 110.0 11\nOther scenes 11 6.0 10.0 failed \n");
+    one.overrides = {{0, "variants", 10, "it works", "bea", ""}};
+    EXPECT_EQ(told(one, program), "108.33 110.0 11\nOther scenes 11 10.0 10.0 passed it works\n");
+}
+
 TEST(Gradescope, IsBoundedAndSafeForHostileText) {
     Graded one = hostile();
     one.build.diagnostics = "é\x1b" + std::string(300'000, '\xff');

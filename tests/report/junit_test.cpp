@@ -115,6 +115,26 @@ TEST(Junit, TakesTheInstructorsWord) {
               "system-out True\nfailure True\n90.00\n");
 }
 
+TEST(Junit, SaysLateOnlyWhereTheSystemTold) {
+    Graded one = graded("ada", output_with_a_mistake());
+    one.submission.lms = read_canvas_name("doe_1_2_ray_cast.cpp");
+    Graded untold = one;
+    untold.submission.lms->late = std::nullopt;
+    EXPECT_EQ(told({one, untold}, "print([{p.get('name'): p.get('value') for p in s[0]}.get('late') for s in r])\n"),
+              "['false', None]\n");
+}
+
+TEST(Junit, HoldsACaseForOtherScenesWhereTheyGivePoints) {
+    Graded all = graded_on_other_scenes("all");
+    all.overrides = {{0, "variants", 10, "it works", "bea", ""}};
+    Graded none = broken();
+    none.score.other_scenes = ScenesScore{0, 10};
+    EXPECT_EQ(told({graded_on_other_scenes("some"), all, none},
+                   "cases = [case(s, s, 'other scenes') for s in ('some', 'all', 'broken')]\n"
+                   "print([[(e.tag, e.get('message')) for e in c] for c in cases])\n"),
+              "[[('failure', 'Other scenes: 6 of 10 points.')], [], [('skipped', 'The program does not compile.')]]\n");
+}
+
 TEST(Junit, HoldsHostileTextAsText) {
     Graded evil = hostile();
     evil.explanation = "\x1b[31m\xEF\xBF\xBE\xEF\xBF\xBF\xff <!-- ]]> &amp;";

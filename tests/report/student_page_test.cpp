@@ -137,6 +137,15 @@ TEST(StudentPage, CountsWhatTheInstructorGaveAndWhatLatenessTakes) {
     EXPECT_THAT(text, Not(HasSubstr("prof")));
 }
 
+TEST(StudentPage, CountsWhatAnswersOnOtherScenesEarn) {
+    Graded one = graded_on_other_scenes("s01");
+    EXPECT_THAT(text_of(one), HasSubstr("104.33 of 110 points"));
+    EXPECT_THAT(text_of(one), HasSubstr("Other scenes: 6 of 10 points."));
+    one.overrides = {{0, "variants", 9, "it works", "prof", ""}};
+    EXPECT_THAT(text_of(one), HasSubstr("107.33 of 110 points"));
+    EXPECT_THAT(text_of(one), HasSubstr("Other scenes: 9 of 10 points."));
+}
+
 TEST(StudentPage, SaysWhyThereAreNoMarksAndNotWhereTheInstructorKeepsIt) {
     Graded bob = not_graded("bob");
     bob.submission.file = "/home/prof/class/bob/ray_cast.cpp";
