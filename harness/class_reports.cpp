@@ -1,16 +1,21 @@
 #include "harness/class_reports.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <future>
 #include <sstream>
 
+#include "harness/clean_text.h"
 #include "harness/failure.h"
 #include "harness/folder_writer.h"
 #include "harness/report/class_report.h"
 #include "harness/report/report.h"
 #include "harness/report/student_page.h"
 #include "harness/results_folder.h"
+#include "harness/sandbox/file_descriptor.h"
 
 namespace harness {
 namespace {
@@ -62,6 +67,12 @@ std::optional<report::FeedbackZip> write_zip(const ClassResults& results, const 
     return zip;
 }
 
+/// After a power cut a file that was written over could hold what it held before, which may be another student's.
+void put_on_disk(const fs::path& folder) {
+    const FileDescriptor opened(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (!opened || syncfs(opened.get()) != 0) fail_to_write(folder, errno);
+}
+
 }  // namespace
 
 std::vector<std::string> marks_of_results() {
@@ -72,7 +83,7 @@ std::string feedback_name(const std::string& id, std::size_t index) {
     constexpr std::size_t longest = 200;
     std::string name;
     for (const char c : id) name += c == '/' ? "%2F" : std::string(1, c);
-    if (name.size() > longest) name = fmt::format("{}-{}", name.substr(0, longest), index + 1);
+    if (name.size() > longest) name = fmt::format("{}-{}", beginning_of_characters(name, longest), index + 1);
     return name;
 }
 
@@ -91,6 +102,7 @@ std::optional<report::MoodleWorksheet> read_worksheet(const std::optional<KeptIn
 
 HandedBack write_class_reports(const ClassResults& results, const fs::path& folder, std::optional<std::size_t> only) {
     try {
+        // The other half, by the time it takes.
         std::future<void> written = std::async(std::launch::async, [&] {
             FolderWriter feedback(folder / "feedback");
             if (only) {
@@ -99,6 +111,9 @@ HandedBack write_class_reports(const ClassResults& results, const fs::path& fold
             } else {
                 write_all_feedback(results, feedback);
             }
+            write_file(folder / "report.html", [&](std::ostream& stream) {
+                report::write_class_report(stream, results.graded, results.marking, results.tier);
+            });
         });
         HandedBack handed_back;
         handed_back.canvas = write_canvas(results, folder / canvas_import_name);
@@ -107,19 +122,20 @@ HandedBack write_class_reports(const ClassResults& results, const fs::path& fold
         write_file(folder / "grades.json", [&](std::ostream& stream) {
             report::write_grades_json(stream, results.graded, results.marking, results.tier);
         });
-        write_file(folder / "report.html", [&](std::ostream& stream) {
-            report::write_class_report(stream, results.graded, results.marking, results.tier);
-        });
         handed_back.feedback = write_zip(results, folder / feedback_zip_name);
         written.get();
+        put_on_disk(folder);
         return handed_back;
     } catch (const fs::filesystem_error& error) {
         throw HarnessError(fmt::format("{}: can't be written: {}", error.path1().string(), error.code().message()));
     }
 }
 
-bool class_reports_are_as_left(const ClassResults& results, const fs::path& folder) {
-    if (results.canvas || results.moodle || report::is_from_lms(results.graded)) return false;
+bool goes_back(const ClassResults& results) {
+    return results.canvas || results.moodle || report::is_from_lms(results.graded);
+}
+
+bool class_reports_are_as_left(const std::vector<Graded>& graded, const fs::path& folder) {
     std::error_code error;
     const auto saved = fs::last_write_time(folder / gradebook_name, error);
     const auto is_as_left = [&](const fs::path& file) {
@@ -130,8 +146,8 @@ bool class_reports_are_as_left(const ClassResults& results, const fs::path& fold
         !is_as_left(folder / "report.html")) {
         return false;
     }
-    for (std::size_t i = 0; i < results.graded.size(); ++i) {
-        const fs::path page = folder / "feedback" / feedback_name(results.graded[i].submission.id, i);
+    for (std::size_t i = 0; i < graded.size(); ++i) {
+        const fs::path page = folder / "feedback" / feedback_name(graded[i].submission.id, i);
         if (!is_as_left(page.string() + ".md") || !is_as_left(page.string() + ".html")) return false;
     }
     return true;

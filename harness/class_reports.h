@@ -49,14 +49,16 @@ struct HandedBack {
 };
 
 /// Writes every report into `folder`, which has been made with its folder `feedback`, and removes those of students who
-/// are no longer in the class. With `only`, the place of one submission, the feedback of the others stays as it is.
-/// Throws HarnessError.
+/// are no longer in the class; all are on the disk when it returns. With `only`, the place of one submission, the
+/// feedback of the others stays as it is. Throws HarnessError.
 HandedBack write_class_reports(const ClassResults& results, const std::filesystem::path& folder,
                                std::optional<std::size_t> only = {});
 
-/// Whether `folder` holds every one of these reports as it was written when the gradebook was last saved: none is gone,
-/// and none has been touched since. False where something goes back to another system, as whom it leaves out is to be
-/// told each time.
-bool class_reports_are_as_left(const ClassResults& results, const std::filesystem::path& folder);
+/// Whether some of these reports go back to another system.
+bool goes_back(const ClassResults& results);
+
+/// Whether `folder` holds every other report of this class as it was written when the gradebook was last saved: none is
+/// gone, and none has been touched since.
+bool class_reports_are_as_left(const std::vector<Graded>& graded, const std::filesystem::path& folder);
 
 }  // namespace harness

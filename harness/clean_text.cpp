@@ -150,6 +150,13 @@ std::string clean_text(std::string_view bytes) {
     return out;
 }
 
+std::string_view beginning_of_characters(std::string_view text, std::size_t most) {
+    if (text.size() <= most) return text;
+    std::size_t end = most;
+    while (end > 0 && most - end < 3 && is_continuation(text[end])) --end;
+    return text.substr(0, is_continuation(text[end]) ? most : end);
+}
+
 std::string escape_control(std::string_view bytes) {
     std::string out;
     out.reserve(bytes.size());

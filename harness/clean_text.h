@@ -12,6 +12,9 @@ namespace harness {
 /// letters by name. Linear in the number of bytes; a line stays a line, so line numbers are the program's.
 std::string clean_text(std::string_view bytes);
 
+/// The beginning of a text, `most` bytes of it or up to 3 less, so that no character of UTF-8 is cut.
+std::string_view beginning_of_characters(std::string_view text, std::size_t most);
+
 /// The same bytes made safe to show: as clean_text, but nothing is rewritten to ASCII and escapes stay visible as
 /// "\x1b".
 std::string escape_control(std::string_view bytes);

@@ -124,14 +124,16 @@ bool is_unchanged(const Desk& desk, const ClassChanges& changes) {
            changes.fresh.empty() && changes.gone.empty() && desk.gradebook.reports_are_written();
 }
 
-/// Whether writing the run would change no file and nothing in the gradebook but the number of runs.
+/// Whether writing the run would change no file and nothing in the gradebook but the number of runs. Never where
+/// something goes back to another system, as whom it leaves out is to be told each time.
 bool is_all_there(const Desk& desk, const Gradebook::Comparison& comparison, const Run& run,
                   const ClassResults& results, const fs::path& out) {
-    if (!desk.last_run || !comparison.is_as_saved() || !desk.gradebook.reports_are_written()) return false;
+    if (goes_back(results) || !desk.last_run || !comparison.is_as_saved() || !desk.gradebook.reports_are_written())
+        return false;
     const Run& last = *desk.last_run;
     return last.toml == run.toml && last.raygrade == run.raygrade && last.assignment == run.assignment &&
            last.assignment_file == run.assignment_file && last.tier == run.tier &&
-           class_reports_are_as_left(results, out);
+           class_reports_are_as_left(results.graded, out);
 }
 
 /// Who rises, who falls and why.

@@ -175,8 +175,9 @@ int override_points(const OverrideOptions& options) {
         list(kept);
         return all_graded;
     }
-    // What a command that was ended has left unwritten is made good for.
-    const bool all = !gradebook.reports_are_written();
+    // What a command that was ended has left unwritten is made good for, and what was touched: afterwards it could not
+    // be told any more.
+    const bool all = !gradebook.reports_are_written() || !class_reports_are_as_left(kept.graded, options.results);
     std::optional<std::size_t> changed;
     if (options.remove) {
         changed = remove(gradebook, kept, options);

@@ -1,10 +1,12 @@
 #include "harness/folder_writer.h"
 
 #include <fcntl.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 
 #include "harness/results_folder.h"
@@ -30,6 +32,12 @@ bool is_plain_file(const fs::path& file) {
     return lstat(file.c_str(), &info) == 0 && S_ISREG(info.st_mode);
 }
 
+/// By a lease, which the kernel gives for a file that nobody else has open or mapped, until it is closed.
+bool is_open_here_alone(const FileDescriptor& file) {
+    // Who opens it now is waited for with SIGIO, which would end this process; SIGURG is ignored.
+    return fcntl(file.get(), F_SETSIG, SIGURG) == 0 && fcntl(file.get(), F_SETLEASE, F_WRLCK) == 0;
+}
+
 }  // namespace
 
 FolderWriter::FolderWriter(fs::path folder) : folder_(std::move(folder)), spare_(folder_ / ".new") {}
@@ -38,12 +46,13 @@ FolderWriter::~FolderWriter() {
     if (!is_first_) unlink(spare_.c_str());
 }
 
-/// The old file that came there may have been given to others, or have a second name, as in a copy by links: then it is
-/// let go and a new one made.
+/// The old file that came there may have been given to others, by its mode or an access list, have a second name, as in
+/// a copy by links, or be read at this moment: then it is let go and a new one made.
 bool FolderWriter::is_like_new(const FileDescriptor& spare) const {
     struct stat info {};
     return fstat(spare.get(), &info) == 0 && S_ISREG(info.st_mode) && info.st_nlink == 1 &&
-           info.st_mode == fresh_.st_mode && info.st_uid == fresh_.st_uid && info.st_gid == fresh_.st_gid;
+           info.st_mode == fresh_.st_mode && info.st_uid == fresh_.st_uid && info.st_gid == fresh_.st_gid &&
+           flistxattr(spare.get(), nullptr, 0) <= 0 && is_open_here_alone(spare);
 }
 
 FileDescriptor FolderWriter::open_spare() {

@@ -27,6 +27,20 @@ TEST(CleanText, KeepsTheNumberOfLinesWhateverEndsThem) {
     EXPECT_EQ(clean_text("a\r\r\nb"), "a\n\nb");
 }
 
+TEST(BeginningOfCharacters, CutsNoneInTwo) {
+    EXPECT_EQ(beginning_of_characters("abc", 3), "abc");
+    EXPECT_EQ(beginning_of_characters("abc", 2), "ab");
+    EXPECT_EQ(beginning_of_characters("aé", 2), "a");
+    EXPECT_EQ(beginning_of_characters("aéb", 3), "aé");
+    for (const std::size_t most : {1, 2, 3, 4}) EXPECT_EQ(beginning_of_characters("a😀b", most), "a") << most;
+    EXPECT_EQ(beginning_of_characters("a😀b", 5), "a😀");
+    EXPECT_EQ(beginning_of_characters("é", 0), "");
+}
+
+TEST(BeginningOfCharacters, LosesLittleOfWhatIsNoUtf8) {
+    EXPECT_EQ(beginning_of_characters(std::string(100, '\x80'), 50), std::string(50, '\x80'));
+}
+
 TEST(CleanText, WritesMinusSignsAndDashesAsMinus) {
     EXPECT_EQ(clean_text("−4 –4 —4 －4"), "-4 -4 -4 -4");
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 
 #include <fstream>
 #include <iterator>
@@ -76,6 +77,26 @@ TEST_F(FolderWriting, LeavesTheCopyThatALinkMadeAlone) {
     std::ifstream copy(folder.path() / "copy.md");
     EXPECT_EQ(std::string(std::istreambuf_iterator<char>(copy), {}), "a");
     EXPECT_THAT(files(), ElementsAre(Pair("a.md", "A"), Pair("b.md", "B")));
+}
+
+TEST_F(FolderWriting, LeavesAFileToWhoIsReadingIt) {
+    write({{"a.md", "a"}, {"b.md", "b"}});
+    std::ifstream reader(out / "a.md");
+    write({{"a.md", "A"}, {"b.md", "B"}});
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(reader), {}), "a");
+    EXPECT_THAT(files(), ElementsAre(Pair("a.md", "A"), Pair("b.md", "B")));
+}
+
+TEST_F(FolderWriting, GivesNoFileTheAttributesOfAnother) {
+    write({{"a.md", "a"}, {"b.md", "b"}});
+    const auto has_attribute = [&](const char* name) {
+        return getxattr((out / name).c_str(), "user.of", nullptr, 0) >= 0;
+    };
+    if (setxattr((out / "a.md").c_str(), "user.of", "a", 1, 0) != 0) GTEST_SKIP() << "no attributes here";
+    ASSERT_TRUE(has_attribute("a.md"));
+    write({{"a.md", "A"}, {"b.md", "B"}});
+    EXPECT_FALSE(has_attribute("a.md"));
+    EXPECT_FALSE(has_attribute("b.md"));
 }
 
 TEST_F(FolderWriting, GivesNoFileTheRightsOfAnother) {

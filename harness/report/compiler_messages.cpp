@@ -4,6 +4,8 @@
 #include <charconv>
 #include <optional>
 
+#include "harness/clean_text.h"
+
 namespace harness::report {
 namespace {
 
@@ -54,7 +56,8 @@ std::vector<CompilerMessage> compiler_messages(std::string_view diagnostics, std
 std::string beginning_of(const std::string& text, std::size_t most) {
     if (text.size() <= most) return text;
     const std::size_t line_end = text.rfind('\n', most);
-    return text.substr(0, line_end == std::string::npos ? most : line_end + 1) + "…\n";
+    const auto beginning = beginning_of_characters(text, line_end == std::string::npos ? most : line_end + 1);
+    return std::string(beginning) + "…\n";
 }
 
 }  // namespace harness::report

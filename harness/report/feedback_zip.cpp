@@ -9,6 +9,7 @@
 #include <memory>
 #include <ostream>
 
+#include "harness/clean_text.h"
 #include "harness/failure.h"
 #include "harness/names.h"
 #include "harness/report/student_page.h"
@@ -26,11 +27,7 @@ std::string safe_name(const std::string& name) {
     for (char& c : safe) {
         if (std::string_view("_/\\:*?\"<>|~").find(c) != std::string_view::npos) c = ' ';
     }
-    if (safe.size() > longest) {
-        std::size_t end = longest;
-        while (end > 0 && (static_cast<unsigned char>(safe[end]) & 0xC0U) == 0x80U) --end;
-        safe.resize(end);
-    }
+    safe.resize(beginning_of_characters(safe, longest).size());
     const std::size_t first = safe.find_first_not_of(". ");
     return first == std::string::npos ? "" : safe.substr(first);
 }

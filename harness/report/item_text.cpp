@@ -85,10 +85,7 @@ std::string submission_text(const Graded& graded) {
 std::string bounded(std::string text, std::size_t longest) {
     constexpr std::string_view rest = "\n… the rest is left out\n";
     if (text.size() <= longest) return text;
-    std::size_t end = longest - std::min(longest, rest.size());
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
-    text.resize(end);
-    return text + std::string(rest);
+    return fmt::format("{}{}", beginning_of_characters(text, longest - std::min(longest, rest.size())), rest);
 }
 
 }  // namespace harness::report

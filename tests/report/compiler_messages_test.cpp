@@ -38,6 +38,7 @@ TEST(BeginningOf, EndsWithALineWhereItCan) {
     EXPECT_EQ(beginning_of("one\ntwo\nthree", 9), "one\ntwo\n…\n");
     EXPECT_EQ(beginning_of("onetwothree", 3), "one…\n");
     EXPECT_EQ(beginning_of("one", 3), "one");
+    EXPECT_EQ(beginning_of("zoé!", 3), "zo…\n");
 }
 
 }  // namespace
