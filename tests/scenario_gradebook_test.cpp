@@ -170,6 +170,16 @@ TEST_F(RealDay, AnOverrideStandsInEveryReportAndSurvivesARegrade) {
     EXPECT_THAT(override_mark({"--list"}).output, HasSubstr("no overrides"));
 }
 
+TEST_F(RealDay, AnOverrideMakesGoodForAPageOfAnotherThatWasTouched) {
+    grade();
+    const fs::path page = out() / "feedback/ben.md";
+    const std::string as_it_was = read(page);
+    write(page, "edited");
+    fs::last_write_time(page, fs::last_write_time(gradebook()) + std::chrono::seconds(1));
+    EXPECT_EQ(override_mark({"ada", "5", "4", "--why", "a guess"}).status, 0);
+    EXPECT_EQ(read(page), as_it_was);
+}
+
 TEST_F(RealDay, ReportsRewrittenFromTheGradebookAreThoseOfARun) {
     ASSERT_EQ(grade({"-j", "1"}).status, 0);
     ASSERT_EQ(override_mark({"ben", "total", "50", "--why", "by hand"}).status, 0);
