@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <sstream>
+#include <utility>
 
 #include "harness/clean_text.h"
 #include "harness/final_mark.h"
@@ -69,7 +70,7 @@ ordered_json question_json(const Graded& graded, const QuestionScore& question, 
             {"verdict", to_string(question.verdict)},
             {"points", tidy(final_points(graded, question))},
             {"max_points", tidy(question.max_points)},
-            {"items", items},
+            {"items", std::move(items)},
             {"automatic_points", tidy(question.points)}};
 }
 
@@ -127,7 +128,7 @@ ordered_json variants_json(const std::optional<variants::VariantReport>& report)
     };
     return {{"verdict", to_string(report->verdict)},
             {"not_found", report->not_found},
-            {"runs", runs},
+            {"runs", std::move(runs)},
             {"moved", report->moved},
             {"unmoved", items_json(report->unmoved)},
             {"broken", items_json(report->broken)}};
@@ -163,14 +164,14 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
         {"source_sha256", or_null(graded.submission.source_sha256)},
         {"outcome", to_string(graded.outcome)},
         {"explanation", or_null(graded.explanation)},
-        {"notes", notes},
+        {"notes", std::move(notes)},
         {"build", {{"seconds", seconds(graded.build.wall)}, {"diagnostics", escape_control(graded.build.diagnostics)}}},
         {"run", run_json(graded.run)},
         {"points", mark ? ordered_json(tidy(mark->points)) : ordered_json(nullptr)},
         {"max_points", tidy(graded.score.max_points)},
-        {"questions", questions},
-        {"sanitizer", sanitizer},
-        {"flags", flags},
+        {"questions", std::move(questions)},
+        {"sanitizer", std::move(sanitizer)},
+        {"flags", std::move(flags)},
         {"automatic_points", marked ? ordered_json(tidy(graded.score.points)) : ordered_json(nullptr)},
         {"late_deduction", mark ? ordered_json(tidy(mark->late_deduction)) : ordered_json(nullptr)},
         {"overrides", overrides_json(graded)},
@@ -184,12 +185,15 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
 void write_grades_json(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking, Tier tier) {
     // By the submission: ten thousand of them as one JSON value take gigabytes.
     const auto text = [](const ordered_json& json, std::string_view indentation) {
+        const std::string dumped = json.dump(2, ' ', false, ordered_json::error_handler_t::replace);
         std::string indented;
-        for (const char c : json.dump(2, ' ', false, ordered_json::error_handler_t::replace)) {
-            indented += c;
-            if (c == '\n') indented += indentation;  // within a JSON string there is none
+        indented.reserve(2 * dumped.size());
+        std::size_t line = 0;
+        for (std::size_t end = 0; (end = dumped.find('\n', line)) != std::string::npos; line = end + 1) {
+            // Within a JSON string there is no line break.
+            indented.append(dumped, line, end + 1 - line).append(indentation);
         }
-        return indented;
+        return indented.append(dumped, line);
     };
     const ordered_json head{{"schema", "raygrade/grades/1"},
                             {"assignment", marking.assignment.name},
