@@ -89,7 +89,7 @@ std::string address_text(const std::string& host, std::uint16_t port) {
     return fmt::format("http://{}{}{}:{}/", is_v6 ? "[" : "", host, is_v6 ? "]" : "", port);
 }
 
-void announce(const ServeOptions& options, const Reach& reach, std::uint16_t port) {
+void announce(const ServeOptions& options, const Reach& reach, const serve::About& about, std::uint16_t port) {
     if (!reach.loopback) {
         fmt::print(stderr,
                    "raygrade: warning: whoever reaches {} can use this page, and what they send and read goes over the "
@@ -102,6 +102,9 @@ void announce(const ServeOptions& options, const Reach& reach, std::uint16_t por
                    address_text(options.host, port));
     } else {
         fmt::print("Open {}\n", address_text(options.host, port));
+    }
+    if (const std::string sentence = serve::not_shown(about); !sentence.empty()) {
+        fmt::print("{} `grade` and `check` give them, with --variants.\n", sentence);
     }
     fmt::print("Ctrl-C stops it: what waits is graded, or kept for the next start.\n");
     std::fflush(stdout);
@@ -116,7 +119,8 @@ int serve_pages(const ServeOptions& options) {
             "and --behind-proxy. `raygrade doctor` says what a sandbox takes here.");
     }
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
-    const serve::About about{assignment.title, std::chrono::hours(options.keep_hours)};
+    const serve::About about{assignment.title, std::chrono::hours(options.keep_hours),
+                             assignment.rubric.variant_points};
     serve::SpoolBounds bounds;
     bounds.age = about.keep;
     serve::Spool spool(state_of(options, assignment.name), bounds);
@@ -134,7 +138,7 @@ int serve_pages(const ServeOptions& options) {
 
     const serve::Graders graders(desk, spool, about, workshop, marking, options.jobs);
     server->stop_on_signals();
-    announce(options, reach, server->port());
+    announce(options, reach, about, server->port());
     server->run(std::chrono::seconds(options.grace_seconds));
     if (!desk.is_idle()) {
         const std::size_t left = desk.leave();
@@ -196,7 +200,9 @@ void add_options(CLI::App& command, ServeOptions& options) {
         limits_footer() +
         "\nStudents upload or paste a program, see their place in the queue, and get their page: verdicts and hints, "
         "never the\nright values unless the assignment says so. Each result has an address that nobody can guess. "
-        "Nothing is handed in.\n\n"
+        "Nothing is handed in. Programs\nrun on the assignment's own scene alone, so points of variant_points are not "
+        "part "
+        "of what is shown.\n\n"
         "Examples: raygrade serve --assignment a6-2021                       a look at it: only on this machine\n"
         "          raygrade serve --host 192.168.1.20 --rate 200             a lab, in plain text\n"
         "          raygrade serve --behind-proxy --name check.example.edu    behind nginx or Caddy, see README");

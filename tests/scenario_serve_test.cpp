@@ -50,7 +50,7 @@ class Serving : public testing::Test {
     }
     /// Starts raygrade serve at a free port, and waits until it says which.
     void start(std::vector<std::string> more = {}) {
-        more.insert(more.begin(), {"serve", "--assignment", "a6-2021", "--port", "0", "--rate", "1000"});
+        more.insert(more.begin(), {"serve", "--assignment", assignment, "--port", "0", "--rate", "1000"});
         fs::remove(output());
         server = fork();
         if (server == 0) become_raygrade(more, prepare(), output(), voice());
@@ -99,6 +99,7 @@ class Serving : public testing::Test {
     fs::path voice() const { return folder / "run/stderr"; }
 
     TemporaryFolder folder;
+    std::string assignment = "a6-2021";
     pid_t server = 0;
     std::uint16_t port = 0;
 };
@@ -157,6 +158,23 @@ TEST_F(Serving, AKillLosesNothing) {
     start();
     EXPECT_EQ(standing(done).at("points"), 10);
     for (const std::string& result : results) EXPECT_EQ(outcome(result).at("points"), 10) << standing(result);
+}
+
+TEST_F(Serving, SaysThatPointsForOtherScenesAreNotShown) {
+    constexpr std::string_view sentence =
+        "Points for answers on other scenes, up to 2.5, are not part of what is shown here.";
+    assignment = (folder / "a.toml").string();
+    write(assignment, read(project_folder() / "reference/assignments/a6-2021.toml") + "\nvariant_points = 2.5\n");
+    start();
+    EXPECT_THAT(read(output()), AllOf(HasSubstr(sentence), HasSubstr("--variants")));
+    EXPECT_THAT(ask(harness::serve::get("/")).body, HasSubstr(sentence));
+    const std::string result = hand_in(honest);
+    EXPECT_EQ(outcome(result).at("max_points"), 100);
+    EXPECT_THAT(ask(harness::serve::get(result)).body, HasSubstr(sentence));
+    EXPECT_EQ(end(SIGINT), 0);
+    assignment = "a6-2021";
+    start();
+    EXPECT_THAT(read(output()), Not(HasSubstr("other scenes")));
 }
 
 TEST_F(Serving, RunsNobodysProgramsForOthersWithoutASandbox) {

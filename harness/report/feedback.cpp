@@ -38,6 +38,16 @@ std::string code_block(const std::string& text) {
     return fmt::format("{0}\n{1}{2}{0}\n", fence, safe, safe.ends_with('\n') ? "" : "\n");
 }
 
+/// Text within a line that is none of ours: a character that Markdown or HTML would take for more is itself.
+std::string plain(const std::string& text) {
+    std::string safe;
+    for (const char c : escape_control(text)) {
+        if (std::string_view("\\`*[]<>&").find(c) != std::string_view::npos) safe += '\\';
+        safe += c == '\n' ? ' ' : c;
+    }
+    return safe;
+}
+
 std::string where(const ItemScore& item) {
     return item.line == 0 ? "" : fmt::format(" (line {} of your output)", item.line);
 }
@@ -46,8 +56,8 @@ std::string item_line(const Graded& graded, const QuestionScore& question, const
     const std::string name = item.spec.shape == reference::Shape::verdict ? "the verdict" : std::string(item.spec.name);
     std::string text = fmt::format("- Question {}, {}{}: ", question.number, name, where(item));
     if (!item.printed.empty()) text += fmt::format("you printed {}. ", code(item.printed));
-    text += item_sentence(item, graded.outcome);
-    if (!item.diagnosis.empty()) text += fmt::format(" ({})", item.diagnosis);
+    text += plain(item_sentence(item, graded.outcome));
+    if (!item.diagnosis.empty()) text += fmt::format(" ({})", plain(item.diagnosis));
     text += fmt::format(" {} of {} points", points_text(item.points), points_text(item.max_points));
     const Override* given = find_override(graded, question.number, std::string(item.spec.name));
     if (given != nullptr) text += fmt::format("; your instructor gave {}", points_text(given->points));
@@ -105,27 +115,27 @@ std::string items_worth_saying(const Graded& graded) {
     return text;
 }
 
-/// A line each behind `bullet`.
-std::string lines_of(const std::vector<std::string>& sentences, std::string_view bullet) {
+std::string list_of(const std::vector<std::string>& sentences) {
     std::string text;
-    for (const std::string& sentence : sentences) text += fmt::format("{}{}\n", bullet, escape_control(sentence));
+    for (const std::string& sentence : sentences) text += fmt::format("- {}\n", plain(sentence));
     return text;
 }
 
 /// What the other scenes showed; empty when none was tried.
-std::string other_scenes_text(const Graded& graded, std::string_view bullet) {
-    return graded.other_scenes ? lines_of(variants::variant_sentences(*graded.other_scenes), bullet) : "";
+std::vector<std::string> other_scenes_of(const Graded& graded) {
+    return graded.other_scenes ? variants::variant_sentences(*graded.other_scenes) : std::vector<std::string>();
 }
 
 /// What the hard scenes showed, likewise.
-std::string hard_scenes_text(const Graded& graded, std::string_view bullet) {
-    return graded.hard_scenes ? lines_of(stress::stress_sentences(*graded.hard_scenes), bullet) : "";
+std::vector<std::string> hard_scenes_of(const Graded& graded) {
+    return graded.hard_scenes ? stress::stress_sentences(*graded.hard_scenes) : std::vector<std::string>();
 }
 
 }  // namespace
 
 std::string feedback_markdown(const Graded& graded, const Marking& marking) {
-    std::string text = fmt::format("# {}\n\nSubmission {}\n\n", marking.assignment.title, code(graded.submission.id));
+    std::string text =
+        fmt::format("# {}\n\nSubmission {}\n\n", plain(marking.assignment.title), code(graded.submission.id));
     if (const std::string warning = sandbox_warning(graded.tier); !warning.empty()) {
         text += fmt::format("> **Warning.** {}\n\n", warning);
     }
@@ -136,7 +146,7 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     }
     const Score& score = graded.score;
     text += mark_lines(graded);
-    if (!graded.explanation.empty()) text += graded.explanation + "\n\n";
+    if (!graded.explanation.empty()) text += plain(graded.explanation) + "\n\n";
     if (const std::string look = look_first_sentence(graded); !look.empty()) text += fmt::format("**{}**\n\n", look);
     if (score.follow_cap) text += cap_sentence(*score.follow_cap) + "\n\n";
     text += "| Question | | Result | Points |\n|---:|---|---|---:|\n";
@@ -156,12 +166,14 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     if (!items.empty()) text += "\n## Answers to look at\n\n" + items;
     if (!graded.flags.empty()) {
         text += "\n## For a person to look at\n\n";
-        for (const Flag& flag : graded.flags) text += fmt::format("- {}: {}\n", flag_title(flag), code(flag.evidence));
+        for (const Flag& flag : graded.flags) {
+            text += fmt::format("- {}: {}\n", plain(flag_title(flag)), code(flag.evidence));
+        }
     }
-    if (const std::string other_scenes = other_scenes_text(graded, "- "); !other_scenes.empty())
+    if (const std::string other_scenes = list_of(other_scenes_of(graded)); !other_scenes.empty())
         text += fmt::format("\n## On other scenes\n\n{}\n\n{}",
                             score.other_scenes ? scenes_sentence(graded) : "This costs no points.", other_scenes);
-    if (const std::string hard_scenes = hard_scenes_text(graded, "- "); !hard_scenes.empty())
+    if (const std::string hard_scenes = list_of(hard_scenes_of(graded)); !hard_scenes.empty())
         text += "\n## On hard scenes\n\nThis costs no points.\n\n" + hard_scenes;
     if (!graded.sanitizer.empty()) {
         text += "\n## What the sanitizers found\n\nThis costs no points, but the program may do anything there.\n\n";
@@ -190,7 +202,7 @@ std::string check_text(const Graded& graded) {
     if (!graded.build.diagnostics.empty())
         text += "\nThe compiler's messages:\n" + escape_control(graded.build.diagnostics) + "\n";
     for (const Flag& flag : graded.flags) text += flag_title(flag) + ": " + escape_control(flag.evidence) + "\n";
-    text += other_scenes_text(graded, "");
+    for (const std::string& sentence : other_scenes_of(graded)) text += escape_control(sentence) + "\n";
     for (const std::string& finding : graded.sanitizer)
         text += "Found by the sanitizers: " + escape_control(finding) + "\n";
     if (graded.outcome == Outcome::compile_error || graded.outcome == Outcome::not_graded) return text;

@@ -38,7 +38,9 @@ ordered_json test_json(const Graded& graded, const QuestionScore& question, cons
 
 ordered_json scenes_json(const Graded& graded) {
     const double points = final_scenes_points(graded), most = graded.score.other_scenes->max_points;
+    // Without a number it is its place in the list, which is a question's where the scene asks some of them only.
     return {{"name", "Other scenes"},
+            {"number", "11"},
             {"score", two_decimals(points)},
             {"max_score", two_decimals(most)},
             {"status", is_passed(points, most, ItemVerdict::wrong) ? "passed" : "failed"},

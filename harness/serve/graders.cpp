@@ -58,7 +58,7 @@ Result Graders::grade_one(const Task& task, std::string& outcome) const {
         const Graded graded = grade(submission, marking_, workshop_);
         outcome = to_string(graded.outcome);
         if (graded.outcome == Outcome::not_graded) outcome += ": " + graded.explanation;
-        Result result{with_way_back(report::student_page(graded, marking_.get())), std::nullopt,
+        Result result{as_result(about_, report::student_page(graded, marking_.get())), std::nullopt,
                       graded.score.max_points};
         if (const auto mark = final_mark(graded)) result.points = mark->points;
         return result;

@@ -28,6 +28,11 @@ std::string page(const std::string& title, const std::string& to_top, const std:
         title, to_top, more_head, body);
 }
 
+/// None where there is nothing to say.
+std::string paragraph(const std::string& sentence, std::string_view look = "") {
+    return sentence.empty() ? "" : fmt::format("<p{}>{}</p>\n", look, escape_markup(sentence));
+}
+
 std::string hours_text(std::chrono::hours hours) {
     return fmt::format("{} hour{}", hours.count(), hours.count() == 1 ? "" : "s");
 }
@@ -50,6 +55,12 @@ std::string sha256_source(std::string_view text) {
 
 }  // namespace
 
+std::string not_shown(const About& about) {
+    if (about.variant_points == 0) return "";
+    return fmt::format("Points for answers on other scenes, up to {}, are not part of what is shown here.",
+                       points_text(about.variant_points));
+}
+
 std::string front_page(const About& about) {
     const std::string title = escape_markup(about.title);
     const std::string upload =
@@ -70,11 +81,11 @@ std::string front_page(const About& about) {
             "<p>Your program is compiled and run just as it will be for its marks. Each of its answers then gets a "
             "verdict and, where it is wrong, a hint at what may be amiss. <strong>This is a check for yourself: "
             "nothing "
-            "is handed in.</strong></p>\n<div class=\"pair\">\n{}{}</div>\n"
+            "is handed in.</strong></p>\n{}<div class=\"pair\">\n{}{}</div>\n"
             "<p class=\"facts\">One source file of at most 1 MiB. The result has an address of its own that nobody can "
             "guess; whoever you give it to can read the result. It is kept for {}, your program only until the result "
             "is there.</p>\n</main>\n",
-            title, upload, paste, hours_text(about.keep)));
+            title, paragraph(not_shown(about)), upload, paste, hours_text(about.keep)));
 }
 
 std::string sentence_of(const Standing& standing) {
@@ -117,8 +128,12 @@ std::string message_page(const About& about, const std::string& heading, const s
                             escape_markup(about.title), safe, escape_markup(sentence), to_top));
 }
 
-std::string with_way_back(std::string student_page) {
-    // All that is a student's is escaped, so the first of these is the page's own. A page may leave out its <body>.
+// All that is a student's is escaped, so the first <main> and the first <body> are the page's own.
+std::string as_result(const About& about, std::string student_page) {
+    constexpr std::string_view main = "<main>\n";
+    if (const auto at = student_page.find(main); at != std::string::npos)
+        student_page.insert(at + main.size(), paragraph(not_shown(about), " class=\"note\""));
+    // A page may leave out its <body>.
     const auto body = student_page.find("<body");
     const auto place = body == std::string::npos ? student_page.find("<h1") : student_page.find('>', body) + 1;
     constexpr std::string_view way_back =

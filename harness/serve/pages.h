@@ -12,6 +12,7 @@ namespace harness::serve {
 struct About {
     std::string title;  ///< of the assignment
     std::chrono::hours keep;
+    double variant_points = 0;  ///< the rubric's points for other scenes, which are no part of what is shown
 };
 
 // All of them are whole pages. Links and addresses are relative, so that a proxy may put them below any path.
@@ -25,12 +26,15 @@ std::string waiting_page(const About& about, const std::string& result_address, 
 /// "Your program is number 3 of 7 in the queue."; for a person who waits.
 std::string sentence_of(const Standing& standing);
 
+/// That the points for other scenes are no part of what is shown; empty where the rubric gives none.
+std::string not_shown(const About& about);
+
 /// `to_top` is the way to the front page: "." or "..".
 std::string message_page(const About& about, const std::string& heading, const std::string& sentence,
                          const std::string& to_top);
 
-/// A student's page with the way back to the form at its top.
-std::string with_way_back(std::string student_page);
+/// A student's page with the way back to the form at its top, and what is not shown of its points.
+std::string as_result(const About& about, std::string student_page);
 
 /// The Content-Security-Policy of a page that loads nothing but this server's own style, script and icon.
 std::string own_policy();

@@ -10,6 +10,7 @@
 //   await seen.page.click('…');                        // Playwright's page
 //   await expectAccessible(seen.page);                 // axe, every rule
 //   await expectNoOverflow(seen.page);                 // no sideways scrolling
+//   await expectWordsApart(seen.page.locator('figure svg'));  // none over another
 //   await screenshot(seen.page, 'report-400-dark');    // <build>/browser/screenshots/report-400-dark.png
 //   await seen.close();                                // fails when the page had an error, or asked elsewhere
 import assert from 'node:assert/strict';
@@ -100,6 +101,29 @@ export async function expectNoOverflow(page) {
     shown: document.documentElement.clientWidth,
   }));
   assert.ok(content <= shown, `the page is ${content} pixels wide in a window of ${shown}`);
+}
+
+/** In each of these SVG pictures the words are apart and on it, as the browser sets them. */
+export async function expectWordsApart(pictures) {
+  const seen = await pictures.evaluateAll((all) => all.map((picture) => {
+    for (const use of picture.querySelectorAll('use'))  // what several share has no boxes of its own
+      use.replaceWith(document.querySelector(use.getAttribute('href')).cloneNode(true));
+    const { width, height } = picture.viewBox.baseVal;
+    const texts = [...picture.querySelectorAll('text')].map((text) => {
+      const { x, y, width: wide, height: high } = text.getBBox();
+      return { words: text.textContent, left: x, top: y, right: x + wide, bottom: y + high };
+    });
+    const faults = texts
+      .filter(({ left, top, right, bottom }) => !(left >= 0 && top >= 0 && right <= width && bottom <= height && right > left))
+      .map(({ words }) => `${words}: is not on the page`);
+    texts.forEach((one, i) => texts.slice(0, i).forEach((other) => {
+      const apart = one.left >= other.right || other.left >= one.right || one.top >= other.bottom || other.top >= one.bottom;
+      if (!apart) faults.push(`${one.words}: over ${other.words}`);
+    }));
+    return { count: texts.length, faults };
+  }));
+  assert.ok(seen.length > 0 && seen.every(({ count }) => count > 20), `too few words: ${seen.map(({ count }) => count)}`);
+  assert.deepEqual(seen.flatMap(({ faults }) => faults), []);
 }
 
 /** Into the build folder, for people to look at. `whole`: all of the page, not only what the window shows. */

@@ -5,7 +5,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
-import { expectAccessible, expectNoOverflow, folder, open, raygrade, screenshot, startBrowser } from './browser.js';
+import { expectAccessible, expectNoOverflow, expectWordsApart, folder, open, raygrade, screenshot, startBrowser } from './browser.js';
 
 const project = fileURLToPath(new URL('../..', import.meta.url));
 const hostileId = '<img src=x onerror=alert(1)>';
@@ -119,6 +119,16 @@ test('a student opens in a panel: printed beside asked, the picture, and the nex
   await page.getByRole('button', { name: 'Close' }).click();
   assert.equal(await panel(page).count(), 0);
   assert.equal(await page.locator('#each article').count(), report.count);
+  await seen.close();
+});
+
+test('the words of the pictures are apart and on them', async () => {
+  const seen = await open(browser, report.url);
+  for (const who of ['ben', 'jin', 's09']) {
+    await seen.page.locator('#class').getByRole('link', { name: who, exact: true }).click();
+    await expectWordsApart(panel(seen.page).locator('figure svg'));
+    await seen.page.getByRole('button', { name: 'Close' }).click();
+  }
   await seen.close();
 });
 

@@ -5,7 +5,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
-import { expectAccessible, expectNoOverflow, folder, open, raygrade, screenshot, startBrowser } from './browser.js';
+import { expectAccessible, expectNoOverflow, expectWordsApart, folder, open, raygrade, screenshot, startBrowser } from './browser.js';
 
 const project = fileURLToPath(new URL('../..', import.meta.url));
 const sample = (who) => path.join(project, 'submissions', who, 'ray_cast.cpp');
@@ -44,6 +44,14 @@ test('it says where to begin, and the link leads there', async () => {
   assert.equal(await page.locator('#q2').count(), 0, 'nothing to say of what is right');
   assert.ok(await page.locator('figure svg').isVisible());
   await seen.close();
+});
+
+test('the words of the picture are apart and on it', async () => {
+  for (const who of ['jin', 'ben', 's09']) {
+    const seen = await open(browser, await check(sample(who), `words-${who}`));
+    await expectWordsApart(seen.page.locator('figure svg'));
+    await seen.close();
+  }
 });
 
 test('what the compiler said is there by line and word for word', async () => {

@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
+#include <cstring>
+#include <utility>
 
-#include "harness/report/markup.h"
+#include "tests/report/helvetica.h"
 
 namespace drawn {
 namespace {
@@ -105,6 +109,16 @@ std::vector<Spot> spots_of_path(const std::string& data) {
     return pen.spots();
 }
 
+/// With its entities as the characters they stand for.
+std::string as_seen(std::string text) {
+    for (const auto& [entity, character] :
+         {std::pair("&lt;", "<"), {"&gt;", ">"}, {"&quot;", "\""}, {"&#39;", "'"}, {"&amp;", "&"}}) {
+        for (std::size_t at = text.find(entity); at != std::string::npos; at = text.find(entity, at + 1))
+            text.replace(at, std::strlen(entity), character);
+    }
+    return text;
+}
+
 }  // namespace
 
 std::vector<Text> texts_in(const std::string& svg) {
@@ -116,7 +130,7 @@ std::vector<Text> texts_in(const std::string& svg) {
         if (!element.tag.starts_with("text")) continue;
         std::string looks = element.tag + (groups.empty() ? "" : groups.back());
         const double size = has_attribute(looks, "font-size") ? number(looks, "font-size") : 12;
-        const double width = harness::report::text_width(element.content, size);
+        const double width = helvetica_width(as_seen(element.content), size);
         const std::string anchor = attribute(looks, "text-anchor");
         const double left = number(looks, "x") - (anchor == "middle" ? 0.5 : anchor == "end" ? 1 : 0) * width;
         const double y = number(looks, "y");
@@ -166,6 +180,29 @@ std::vector<Spot> dots_in(const std::string& svg, const std::string& colour) {
         for (std::size_t i = 0; i < spots.size(); i += 2) result.push_back(spots[i]);
     }
     return result;
+}
+
+std::vector<Leader> leaders_in(const std::string& svg) {
+    std::vector<Leader> leaders;
+    for (const Element& element : elements_of(svg)) {
+        if (!element.tag.starts_with("path ") || attribute(element.tag, "stroke-width") != ".5") continue;
+        const std::vector<Spot> spots = spots_of_path(attribute(element.tag, "d"));
+        for (std::size_t i = 0; i + 1 < spots.size(); i += 2) leaders.push_back({spots[i], spots[i + 1]});
+    }
+    return leaders;
+}
+
+bool belongs(const Text& text, const Spot& spot, const std::vector<Leader>& leaders) {
+    const auto reaches = [&](const Spot& end, double distance) {
+        return std::hypot(std::clamp(end.x, text.left, text.right) - end.x,
+                          std::clamp(end.y, text.top, text.bottom) - end.y) <= distance;
+    };
+    constexpr double beside = 16;
+    constexpr double end_of_line = 8;
+    return reaches(spot, beside) || std::any_of(leaders.begin(), leaders.end(), [&](const Leader& leader) {
+               return std::hypot(leader.from.x - spot.x, leader.from.y - spot.y) < 0.1 &&
+                      reaches(leader.to, end_of_line);
+           });
 }
 
 double width_of(const std::string& svg) {

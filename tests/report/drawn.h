@@ -28,6 +28,16 @@ std::vector<Spot> spots_in(const std::string& svg);
 /// The middles of the filled marks of one colour.
 std::vector<Spot> dots_in(const std::string& svg, const std::string& colour);
 
+/// The lines that join names to their points, each from its point.
+struct Leader {
+    Spot from;
+    Spot to;
+};
+std::vector<Leader> leaders_in(const std::string& svg);
+/// Whether a text stands beside a spot, or a leader joins the two. Places are rounded, and letters narrower than
+/// thought.
+bool belongs(const Text& text, const Spot& spot, const std::vector<Leader>& leaders);
+
 double width_of(const std::string& svg);
 double height_of(const std::string& svg);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -207,6 +208,39 @@ TEST(ExplainingPicture, PutsThePointsOf2021WhereTheyBelong) {
     EXPECT_NEAR(P_s.x, eye.x + (4 - std::sqrt(2)) * unit, 0.2);
     EXPECT_NEAR(P_s.y, eye.y, 0.11);
     EXPECT_NEAR(P_WCS.y, eye.y, 0.11);
+}
+
+TEST(ExplainingPicture, NamesThePointsOf2021WhereTheyAre) {
+    const std::string svg = picture(marking_of("2021"));
+    const auto leaders = drawn::leaders_in(svg);
+    for (const auto& [name, colour] :
+         {std::pair("eye", "currentColor"), std::pair("P_WCS", "#d0591c"), std::pair("P_s", "#2f7fc8")}) {
+        const drawn::Spot dot = dot_in_side_view(svg, colour);
+        int beside = 0;
+        for (const drawn::Text& text : drawn::texts_in(svg)) {
+            const bool is_named = (", " + text.words + ",").find(fmt::format(", {},", name)) != std::string::npos;
+            beside += is_named && drawn::belongs(text, dot, leaders) ? 1 : 0;
+        }
+        EXPECT_EQ(beside, 1) << name;
+    }
+}
+
+// Of points at one spot the leader starts at the first.
+TEST(ExplainingPicture, LeavesNoDotWithoutAName) {
+    for (const Named& scene : hard_scenes()) {
+        SCOPED_TRACE(scene.name);
+        const std::string svg = picture(marking_of(scene));
+        const auto texts = drawn::texts_in(svg);
+        const auto leaders = drawn::leaders_in(svg);
+        for (const char* colour : {"currentColor", "#d0591c", "#2f7fc8", "#2c8f57"}) {
+            for (const drawn::Spot& dot : drawn::dots_in(svg, colour)) {
+                const bool is_named = std::any_of(texts.begin(), texts.end(), [&](const drawn::Text& text) {
+                    return drawn::belongs(text, dot, leaders);
+                });
+                EXPECT_TRUE(is_named) << colour << " at " << dot.x << ' ' << dot.y;
+            }
+        }
+    }
 }
 
 TEST(ExplainingPicture, ShowsWhatTheKeySays) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/report/graded_samples.h"
+#include "tests/report/read_page.h"
 #include "tests/student/mistakes.h"
 #include "tests/student/printout.h"
 
@@ -10,13 +11,16 @@ namespace harness::report {
 namespace {
 
 using namespace report_samples;
+using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
 TEST(Feedback, NeverHoldsAnExpectedValue) {
-    const Graded wrong = graded("s01", wrong_everywhere());
+    Graded wrong = graded("s01", wrong_everywhere());
     const std::vector<std::string> traces = traces_of_key();
     ASSERT_GT(traces.size(), 30U);
+    wrong.other_scenes = broken_on_another_scene(traces[0], traces[1]);
+    EXPECT_THAT(feedback_markdown(wrong, marking()), HasSubstr("no longer right: 6.t."));
     for (const std::string& text : {feedback_markdown(wrong, marking()), check_text(wrong),
                                     item_sentence(wrong.score.questions[5].items[4], Outcome::graded)}) {
         for (const std::string& trace : traces) EXPECT_THAT(text, Not(HasSubstr(trace)));
@@ -73,6 +77,19 @@ TEST(Feedback, HoldsHostileTextInCodeThatItCannotEnd) {
         << "the fence is longer than any run of backticks in it";
 }
 
+TEST(Feedback, ShowsAllMarkupAsText) {
+    Marking titled = marking();
+    titled.assignment.title = markup(0);
+    Graded one = markup_everywhere();
+    one.explanation += " ![x](y) *z* [a]: `b` \\<b>\x1b[31m\n# c";
+    const json read = read_markdown(feedback_markdown(one, titled));
+    for (const char* element : {"b", "img", "a", "em"}) EXPECT_FALSE(read.at("counts").contains(element)) << element;
+    EXPECT_EQ(read.at("counts").at("h1"), 1);
+    const std::string text = read.at("text");
+    EXPECT_THAT(text, HasSubstr(markup(4) + " ![x](y) *z* [a]: `b` \\<b>\\x1b[31m # c"));
+    for (const int n : {0, 1, 5, 7, 8, 10, 11, 12, 13, 14, 15}) EXPECT_THAT(text, HasSubstr(markup(n))) << n;
+}
+
 TEST(Feedback, SaysOfACapThatItCut) {
     Graded capped = graded("s01", output_with_a_mistake());
     EXPECT_THAT(feedback_markdown(capped, marking()), Not(HasSubstr("at most")));
@@ -110,7 +127,8 @@ TEST(Feedback, TellsOfOtherScenesInNeutralWords) {
 TEST(Feedback, SaysWhatAnswersOnOtherScenesEarn) {
     Graded one = graded_on_other_scenes("zoe");
     EXPECT_THAT(check_text(one), HasSubstr("\nOther scenes: 6 of 10 points.\n"));
-    one.other_scenes = variants::VariantReport{};
+    EXPECT_THAT(feedback_markdown(one, marking()), Not(HasSubstr("## On other scenes")));
+    one.other_scenes = broken_on_another_scene("1.25", "1.5");
     const std::string text = feedback_markdown(one, marking());
     EXPECT_THAT(text, HasSubstr("## On other scenes\n\nOther scenes: 6 of 10 points.\n"));
     EXPECT_THAT(text, Not(HasSubstr("This costs no points.")));

@@ -85,9 +85,18 @@ Graded markup_everywhere() {
     variants::VariantReport& other_scenes = *result.other_scenes;
     other_scenes.verdict = variants::VariantVerdict::breaks;
     other_scenes.runs.push_back({markup(13), markup(14), "", true, {}});
-    other_scenes.broken.push_back({6, "t", 0, "1", "2", "far root"});
+    other_scenes.not_found = {markup(13)};
+    other_scenes.broken.push_back({6, "t", 0, markup(13), markup(14), markup(14)});
     result.overrides = {{6, "b", 1, markup(15), markup(16), markup(17)}};
     return result;
+}
+
+variants::VariantReport broken_on_another_scene(const std::string& before, const std::string& after) {
+    variants::VariantReport report;
+    report.verdict = variants::VariantVerdict::breaks;
+    report.runs.push_back({"aside", "eye = (1 2 3)", "eye = (0 0 4)", true, {}});
+    report.broken.push_back({6, "t", 0, before, after, ""});
+    return report;
 }
 
 Graded not_graded(const std::string& id) {

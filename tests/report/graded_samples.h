@@ -33,6 +33,9 @@ harness::Graded markup_everywhere();
 constexpr int first_for_instructor = 16;
 constexpr int last_markup = 17;
 
+/// What --variants finds where, on another scene, 6.t is `after` in place of `before`.
+harness::variants::VariantReport broken_on_another_scene(const std::string& before, const std::string& after);
+
 /// A submission that could not be graded.
 harness::Graded not_graded(const std::string& id);
 

@@ -119,7 +119,8 @@ TEST(Gradescope, HoldsATestForOtherScenesWhereTheyGivePoints) {
         "print(t['name'], t['number'], t['score'], t['max_score'], t['status'], t['output'])\n";
     EXPECT_EQ(told(one, program), "104.33 110.0 11\nOther scenes 11 6.0 10.0 failed \n");
     one.overrides = {{0, "variants", 10, "it works", "bea", ""}};
-    EXPECT_EQ(told(one, program), "108.33 110.0 11\nOther scenes 11 10.0 10.0 passed it works\n");
+    EXPECT_EQ(told(one, program),
+              "108.33 110.0 11\nOther scenes 11 10.0 10.0 passed Set by the instructor: 10 points, it works\n\n");
 }
 
 TEST(Gradescope, IsBoundedAndSafeForHostileText) {

@@ -31,6 +31,13 @@ nlohmann::json read_page(const std::string& page) {
     return nlohmann::json::parse(told, nullptr, false);
 }
 
+nlohmann::json read_markdown(const std::string& page) {
+    int status = 0;
+    const std::string html = told_by("cmark --unsafe", page, status);
+    EXPECT_EQ(status, 0) << html;
+    return read_page(html);
+}
+
 std::string xml_problems(const std::string& page) {
     int status = 0;
     const std::string told = told_by("xmllint --noout --nonet", page, status);

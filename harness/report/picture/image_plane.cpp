@@ -77,6 +77,7 @@ ImagePlane draw_image_plane(const DoubleScene& scene, const std::optional<Point>
     ImagePlane plane;
     plane.window = window_in(scene.window, box);
     const Box& window = plane.window;
+    plane.room = {box.left, window.top, box.right, window.bottom};
     plane.svg =
         text_at(box.left, box.top - 8, "Image plane, from the eye", " font-weight=\"bold\"") +
         outline(window, "fill=\"currentColor\" fill-opacity=\".07\" stroke=\"currentColor\" stroke-width=\"1.6\"") +
@@ -115,7 +116,10 @@ Panel draw_printed_pixel(const DoubleScene& scene, const Point& P_VCS, bool is_r
 }
 
 Names place_names_in(const ImagePlane& plane, const std::vector<Name>& names, const std::vector<Box>& taken) {
-    return place_names(names, plane.window, {}, taken);
+    const Box& window = plane.window;
+    const std::vector<Segment> edges{{{window.left, window.top}, {window.left, window.bottom}},
+                                     {{window.right, window.top}, {window.right, window.bottom}}};
+    return place_names(names, plane.room, edges, taken);
 }
 
 }  // namespace harness::report::picture

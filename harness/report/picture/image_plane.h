@@ -10,6 +10,7 @@ namespace harness::report::picture {
 struct ImagePlane {
     std::string svg;  ///< without the names in it
     Box window;       ///< on the page
+    Box room;         ///< for names: a narrow window has too little
     std::vector<Name> names;
     std::vector<Box> taken;  ///< where no name may stand
 };
@@ -21,7 +22,7 @@ ImagePlane draw_image_plane(const DoubleScene& scene, const std::optional<Point>
 Panel draw_printed_pixel(const DoubleScene& scene, const Point& P_VCS, bool is_right, const Box& window,
                          std::vector<std::string>& notes);
 
-/// The names in the window.
+/// The names in the window or beside it.
 Names place_names_in(const ImagePlane& plane, const std::vector<Name>& names, const std::vector<Box>& taken);
 
 }  // namespace harness::report::picture

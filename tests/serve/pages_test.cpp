@@ -1,0 +1,34 @@
+#include "harness/serve/pages.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace harness::serve {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr std::string_view not_shown_of_ten =
+    "Points for answers on other scenes, up to 10, are not part of what is shown here.";
+
+About about(double variant_points = 0) {
+    return {"An <assignment>", std::chrono::hours(24), variant_points};
+}
+
+TEST(Pages, SayThatPointsForOtherScenesAreNotShownWhereThereAreSome) {
+    constexpr const char* student = "<head></head>\n<body class=\"sheet\">\n<main>\n<p>98 of 100</p>\n</main></body>";
+    EXPECT_EQ(not_shown(about(10)), not_shown_of_ten);
+    EXPECT_THAT(front_page(about(10)), HasSubstr(not_shown_of_ten));
+    EXPECT_EQ(as_result(about(10), student),
+              "<head></head>\n<body class=\"sheet\">\n<nav aria-label=\"Self-check\"><a href=\"../\">Check another "
+              "program</a></nav>\n<main>\n<p class=\"note\">" +
+                  std::string(not_shown_of_ten) + "</p>\n<p>98 of 100</p>\n</main></body>");
+    EXPECT_EQ(not_shown(about()), "");
+    for (const std::string& page : {front_page(about()), as_result(about(), student)})
+        EXPECT_THAT(page, AllOf(Not(HasSubstr("other scenes")), Not(HasSubstr("<p></p>")), Not(HasSubstr("\"note\""))));
+}
+
+}  // namespace
+}  // namespace harness::serve
