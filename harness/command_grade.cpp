@@ -176,24 +176,23 @@ int grade_class(const GradeOptions& options) {
     std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
     tell_notes(graded);
     tell_without_place(without_place);
-    if (!desk.writes) {
-        fmt::print("{}", is_unchanged(desk, comparison.changes) ? "Nothing has changed, and nothing was written.\n"
-                                                                : "Nothing was written; --apply writes it.\n");
-        if (!options.junit.empty()) fmt::print("{} was not written either and is as it was.\n", options.junit.string());
-        return status_of(graded);
-    }
     const Tier tier = workshop.sandbox->tier();
     const Run run{0, author_now(), RAYGRADE_VERSION, assignment.name, file.path, file.toml, tier};
     const ClassResults results{graded, marking.get(), tier, roster, worksheet};
-    write_junit_file(options, graded, marking.get());
-    if (is_all_there(desk, comparison, run, results, options.out)) {
-        fmt::print("Nothing has changed, and nothing was written.\n");
-        tell_where_results_are(options.out);
-        return status_of(graded);
-    }
     std::vector<KeptInput> inputs;
     if (roster_given) inputs.push_back(*roster_given);
     if (worksheet_given) inputs.push_back(*worksheet_given);
+    if (!desk.writes) {
+        tell_what_apply_writes(desk, comparison, run, results, inputs, options.out);
+        if (!options.junit.empty()) fmt::print("{} was not written either and is as it was.\n", options.junit.string());
+        return status_of(graded);
+    }
+    write_junit_file(options, graded, marking.get());
+    if (is_all_there(desk, comparison, run, results, options.out)) {
+        fmt::print("Nothing has changed, and nothing was written to the results.\n");
+        tell_where_results_are(options.out);
+        return status_of(graded);
+    }
     desk.gradebook.save(run, graded, comparison, inputs);
     const HandedBack handed_back = write_class_reports(results, options.out);
     desk.gradebook.note_reports_written();

@@ -49,7 +49,7 @@ void add_grade_options(CLI::App& command, GradeOptions& options) {
     add_jobs(command, options.jobs, "How many submissions to grade at a time; changes nothing but the time");
     command.add_flag("--apply", options.apply,
                      "Write the new marks over those of an earlier run in the output folder; without it a regrade "
-                     "only shows who rises, who falls and why");
+                     "only shows who rises, who falls and why, and whose feedback is another");
     add_rosters(command, options);
     add_junit(command, options.junit);
     command

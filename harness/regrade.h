@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "harness/class_reports.h"
 #include "harness/commands.h"
@@ -23,15 +24,17 @@ struct Desk {
 /// `holds` is what the folder for the results holds.
 Desk open_desk(const GradeOptions& options, Holds holds);
 
-/// Whether no mark, and nobody in the class, is another one.
-bool is_unchanged(const Desk& desk, const ClassChanges& changes);
-
 /// Whether writing the run would change no file and nothing in the gradebook but the number of runs.
 bool is_all_there(const Desk& desk, const Gradebook::Comparison& comparison, const Run& run,
                   const ClassResults& results, const std::filesystem::path& out);
 
-/// Who rises, who falls and why.
+/// Who rises, who falls and why, and what is another beside the marks.
 void tell_changes(const Desk& desk, const Gradebook::Comparison& comparison, const reference::AssignmentFile& file,
                   const Marking& marking, const std::filesystem::path& out);
+
+/// Whether --apply would write anything, for a run that is only shown. `inputs` are those given to it.
+void tell_what_apply_writes(const Desk& desk, const Gradebook::Comparison& comparison, const Run& run,
+                            const ClassResults& results, const std::vector<KeptInput>& inputs,
+                            const std::filesystem::path& out);
 
 }  // namespace harness
