@@ -85,7 +85,11 @@ RowMatches match_rows(const std::vector<Graded>& graded,
         for (std::size_t i = 0; i < people.size(); ++i) {
             const std::set<std::size_t>& rows = people[i];
             if (rows.empty()) matches.unmatched.push_back(called_in(one.submission, i));
-            if (rows.size() == 1) matches.of_row[*rows.begin()].push_back(&one);
+            if (rows.size() == 1) {
+                std::vector<const Graded*>& here = matches.of_row[*rows.begin()];
+                // A group may list one person under two accounts.
+                if (here.empty() || here.back() != &one) here.push_back(&one);
+            }
             if (rows.size() < 2) continue;
             std::string names;
             for (const std::size_t row : rows) names += (names.empty() ? "" : "; ") + name_of(row);

@@ -41,9 +41,9 @@ std::string name_key(std::string_view name);
 
 /// Which submissions a roster's rows get, and whom none or several fit.
 struct RowMatches {
-    std::map<std::size_t, std::vector<const Graded*>> of_row;
-    std::vector<std::string> unmatched;  ///< as called_in() names them
-    std::vector<std::string> ambiguous;  ///< with the names of the rows
+    std::map<std::size_t, std::vector<const Graded*>> of_row;  ///< each once
+    std::vector<std::string> unmatched;                        ///< as called_in() names them
+    std::vector<std::string> ambiguous;                        ///< with the names of the rows
 };
 
 /// `find(submission)` gives the rows that fit each of its submitters, `name_of(row)` the name there.
