@@ -22,6 +22,12 @@ int nothing_is_blank(unsigned char) {
     return 0;
 }
 
+/// Whom a list of those left out names: the submission's id, with the name behind it of the one of a group.
+std::string called_in(const Submission& submission, std::size_t submitter) {
+    if (!submission.lms || submission.lms->submitters.size() < 2) return submission.id;
+    return submission.id + " (" + submission.lms->submitters[submitter].name + ")";
+}
+
 }  // namespace
 
 std::vector<Row> parse_csv(std::string_view text, char separator, Blanks blanks) {
@@ -69,11 +75,6 @@ std::string name_key(std::string_view name) {
         if (written <= MB_LEN_MAX) result.append(bytes, written);
     }
     return result;
-}
-
-std::string called_in(const Submission& submission, std::size_t submitter) {
-    if (!submission.lms || submission.lms->submitters.size() < 2) return submission.id;
-    return submission.id + " (" + submission.lms->submitters[submitter].name + ")";
 }
 
 RowMatches match_rows(const std::vector<Graded>& graded,

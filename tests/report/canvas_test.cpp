@@ -154,16 +154,6 @@ TEST(CanvasImport, TakesWhoIsListedTwiceInAGroupOnce) {
         << "another submission of the same person is one";
 }
 
-TEST(CanvasImport, GivesThePointsThatCount) {
-    Graded late = handed_in("14");
-    late.late_share = 0.5;
-    Graded by_hand = not_graded("15");
-    by_hand.overrides = {{0, "", 80, "read by hand", "ada", ""}};
-    const auto rows = rows_of(import_of({late, by_hand}).csv);
-    EXPECT_EQ(rows[2][5], "49.17");
-    EXPECT_EQ(rows[3][5], "80.00");
-}
-
 TEST(CanvasRoster, SaysWhyAColumnCannotBeChosen) {
     EXPECT_THAT(why_not(exported, ""), HasSubstr("\"Assignment 5 (70)\", \"Assignment 6 (71)\""));
     EXPECT_THAT(why_not(exported, "Assignment 7"), HasSubstr("no column \"Assignment 7\""));
