@@ -12,9 +12,10 @@
 #include "harness/commands.h"
 #include "harness/failure.h"
 #include "harness/find_submissions.h"
+#include "harness/grade_options.h"
 #include "harness/gradebook.h"
 #include "harness/progress.h"
-#include "harness/report/class_changes.h"
+#include "harness/regrade.h"
 #include "harness/report/report.h"
 #include "harness/report_files.h"
 #include "harness/results_folder.h"
@@ -103,61 +104,6 @@ auto read_given_or_kept(const std::optional<KeptInput>& given, const fs::path& f
     }
 }
 
-/// What is to be written where, and what was there before.
-struct Desk {
-    Gradebook gradebook;
-    std::optional<Run> last_run;
-    bool writes = true;         ///< else the changes are only shown
-    bool of_an_older_raygrade;  ///< there are results and no gradebook with them
-};
-
-Desk open_desk(const GradeOptions& options, Holds holds) {
-    Gradebook gradebook(options.out);
-    auto last_run = gradebook.last_run();
-    const bool has_results = holds == Holds::earlier_results && (last_run || fs::exists(options.out / "grades.json"));
-    const bool is_older = has_results && !last_run;
-    return {std::move(gradebook), std::move(last_run), options.apply || !has_results, is_older};
-}
-
-bool is_unchanged(const Desk& desk, const ClassChanges& changes) {
-    return desk.last_run && changes.rising.empty() && changes.falling.empty() && changes.level.empty() &&
-           changes.fresh.empty() && changes.gone.empty() && desk.gradebook.reports_are_written();
-}
-
-/// Whether writing the run would change no file and nothing in the gradebook but the number of runs. Never where
-/// something goes back to another system, as whom it leaves out is to be told each time.
-bool is_all_there(const Desk& desk, const Gradebook::Comparison& comparison, const Run& run,
-                  const ClassResults& results, const fs::path& out) {
-    if (goes_back(results) || !desk.last_run || !comparison.is_as_saved() || !desk.gradebook.reports_are_written())
-        return false;
-    const Run& last = *desk.last_run;
-    return last.toml == run.toml && last.raygrade == run.raygrade && last.assignment == run.assignment &&
-           last.assignment_file == run.assignment_file && last.tier == run.tier &&
-           class_reports_are_as_left(results.graded, out);
-}
-
-/// Who rises, who falls and why.
-void tell_changes(const Desk& desk, const Gradebook::Comparison& comparison, const reference::AssignmentFile& file,
-                  const Marking& marking, const fs::path& out) {
-    if (desk.of_an_older_raygrade) {
-        fmt::print("\n{} holds results without a gradebook, of an older raygrade: nothing can be compared.\n",
-                   out.string());
-    }
-    if (!desk.last_run) return;
-    const Run& last = *desk.last_run;
-    fmt::print("\nCompared with run {} of {}:\n", last.number, last.author.when);
-    const std::string assignment =
-        assignment_change({last.assignment, last.toml}, {marking.assignment.name, file.toml}, marking);
-    if (!assignment.empty()) fmt::print("{}\n", assignment);
-    if (last.raygrade != RAYGRADE_VERSION)
-        fmt::print("raygrade is {} now, {} before.\n", RAYGRADE_VERSION, last.raygrade);
-    fmt::print("{}{}\n", report::changes_text(comparison.changes), report::changes_summary(comparison.changes));
-    if (!desk.gradebook.reports_are_written()) {
-        fmt::print(
-            "The files beside the gradebook are older than it: a command was ended before it had written them.\n");
-    }
-}
-
 void tell_without_place(const std::vector<KeptOverride>& overrides) {
     for (const KeptOverride& each : overrides) {
         fmt::print(stderr, "note: the override of {} for {} is kept, but there is no such submission or item here\n",
@@ -230,24 +176,23 @@ int grade_class(const GradeOptions& options) {
     std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
     tell_notes(graded);
     tell_without_place(without_place);
-    if (!desk.writes) {
-        fmt::print("{}", is_unchanged(desk, comparison.changes) ? "Nothing has changed, and nothing was written.\n"
-                                                                : "Nothing was written; --apply writes it.\n");
-        if (!options.junit.empty()) fmt::print("{} was not written either and is as it was.\n", options.junit.string());
-        return status_of(graded);
-    }
     const Tier tier = workshop.sandbox->tier();
     const Run run{0, author_now(), RAYGRADE_VERSION, assignment.name, file.path, file.toml, tier};
     const ClassResults results{graded, marking.get(), tier, roster, worksheet};
-    write_junit_file(options, graded, marking.get());
-    if (is_all_there(desk, comparison, run, results, options.out)) {
-        fmt::print("Nothing has changed, and nothing was written.\n");
-        tell_where_results_are(options.out);
-        return status_of(graded);
-    }
     std::vector<KeptInput> inputs;
     if (roster_given) inputs.push_back(*roster_given);
     if (worksheet_given) inputs.push_back(*worksheet_given);
+    if (!desk.writes) {
+        tell_what_apply_writes(desk, comparison, run, results, inputs, options.out);
+        if (!options.junit.empty()) fmt::print("{} was not written either and is as it was.\n", options.junit.string());
+        return status_of(graded);
+    }
+    write_junit_file(options, graded, marking.get());
+    if (is_all_there(desk, comparison, run, results, options.out)) {
+        fmt::print("Nothing has changed, and nothing was written to the results.\n");
+        tell_where_results_are(options.out);
+        return status_of(graded);
+    }
     desk.gradebook.save(run, graded, comparison, inputs);
     const HandedBack handed_back = write_class_reports(results, options.out);
     desk.gradebook.note_reports_written();
@@ -258,68 +203,13 @@ int grade_class(const GradeOptions& options) {
     return status_of(graded);
 }
 
-/// The lists of other systems, and what goes back to them.
-void add_rosters(CLI::App& command, GradeOptions& options) {
-    command
-        .add_option("--canvas-roster", options.canvas_roster,
-                    "A gradebook exported from Canvas: also write grades-canvas.csv, which Canvas imports, and say who "
-                    "could not be matched")
-        ->type_name("FILE");
-    command
-        .add_option("--canvas-column", options.canvas_column,
-                    "The assignment's column in it, with its number or without; needed where there are several")
-        ->type_name("TITLE");
-    command
-        .add_option(
-            "--moodle-worksheet", options.moodle_worksheet,
-            "A grading worksheet downloaded from Moodle: also write grades-moodle.csv, the same with the grades "
-            "filled in, and say who could not be matched")
-        ->type_name("FILE");
-    command
-        .add_option("--moodle-column", options.moodle_columns,
-                    "What a column of it is for, where raygrade can't tell: identifier, name, grade, maximum or "
-                    "changeable, as in --moodle-column grade=Bewertung")
-        ->allow_extra_args(false)
-        ->type_name("WHAT=HEADING");
-}
-
-void add_options(CLI::App& command, GradeOptions& options) {
-    command
-        .add_option("paths", options.paths, "What to grade: files, folders and archives, in the order of the report")
-        ->required()
-        ->type_name("PATH...");
-    add_assignment(command, options.assignment);
-    command
-        .add_option(
-            "-o,--out", options.out,
-            "The folder for report.html, gradebook.sqlite, grades.json, grades.csv and feedback/<id>.html and .md")
-        ->type_name("DIR")
-        ->capture_default_str();
-    add_jobs(command, options.jobs, "How many submissions to grade at a time; changes nothing but the time");
-    command.add_flag("--apply", options.apply,
-                     "Write the new marks over those of an earlier run in the output folder; without it a regrade "
-                     "only shows who rises, who falls and why");
-    add_rosters(command, options);
-    add_junit(command, options.junit);
-    command
-        .add_option("--trace", options.trace,
-                    "Write a trace of build, run, read and score of each submission here, for ui.perfetto.dev")
-        ->type_name("FILE");
-    add_variants(command, options.variants);
-    command.add_flag("--stress", options.stress,
-                     "Also run each program on the hard scenes of `raygrade stress` and put what it loses there "
-                     "into the feedback; costs no points, and some fifteen runs of each program");
-    add_workshop(command, options.workshop);
-    command.footer(limits_footer() + "\nExample: raygrade grade submissions/ --assignment a6-2021 --out results -j 4");
-}
-
 }  // namespace
 
 Subcommand grade_command(CLI::App& app) {
     return subcommand(app, "grade",
                       "Grade a class: a source, a folder of student folders or of sources, or "
                       "the zip of Canvas, Moodle or Gradescope",
-                      add_options, grade_class);
+                      add_grade_options, grade_class);
 }
 
 }  // namespace harness

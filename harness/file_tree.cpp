@@ -9,6 +9,7 @@
 #include "harness/archive.h"
 #include "harness/gradescope_metadata.h"
 #include "harness/intake.h"
+#include "harness/lms_name.h"
 #include "harness/names.h"
 
 namespace harness {
@@ -21,13 +22,31 @@ constexpr std::uint64_t largest_inner_archive = std::uint64_t{16} << 20U;
 
 std::uint64_t wanted_of_a_class(std::string_view file) {
     if (is_source_name(file)) return largest_source_bytes;
-    if (path(file).filename() == gradescope_metadata_name) return largest_gradescope_metadata;
     return is_archive_name(file) ? largest_inner_archive : 0;
 }
 
 /// An archive in an archive in an archive is not looked into.
 std::uint64_t wanted_of_a_student(std::string_view file) {
     return is_source_name(file) ? largest_source_bytes : 0;
+}
+
+/// Where a Gradescope export says who handed in, beside its folders submission_<number>; of several such places, as
+/// within a student's folder, the outermost. Null when there is none.
+ArchiveFile* find_gradescope_metadata(std::vector<ArchiveFile>& files) {
+    std::set<path> exports;
+    for (const ArchiveFile& file : files) {
+        for (path inner = path(file.path).parent_path(); !inner.empty(); inner = inner.parent_path()) {
+            if (read_gradescope_name(inner.filename().native())) exports.insert(inner.parent_path());
+        }
+    }
+    const auto depth = [](const ArchiveFile& file) { return std::count(file.path.begin(), file.path.end(), '/'); };
+    ArchiveFile* found = nullptr;
+    for (ArchiveFile& file : files) {
+        const path place(file.path);
+        if (place.filename() != gradescope_metadata_name || !exports.contains(place.parent_path())) continue;
+        if (found == nullptr || depth(file) < depth(*found)) found = &file;
+    }
+    return found;
 }
 
 /// By its name, as what lies on disk may be anything.
@@ -140,7 +159,18 @@ BoundedFile DiskTree::read(const path& file, std::uintmax_t most) const {
 }
 
 std::unique_ptr<FileTree> DiskTree::open(const path& archive) const {
-    return std::make_unique<ArchiveTree>(archive, read_archive(archive, wanted_of_a_class));
+    std::vector<ArchiveFile> files = read_archive(archive, wanted_of_a_class);
+    // Which of the files of its name is wanted is known only now, and all would be too much to keep.
+    if (ArchiveFile* const metadata = find_gradescope_metadata(files)) {
+        const auto wanted = [&](std::string_view file) {
+            return file == metadata->path ? largest_gradescope_metadata : 0;
+        };
+        std::vector<ArchiveFile> again = read_archive(archive, wanted);
+        const auto read = std::find_if(again.begin(), again.end(),
+                                       [&](const ArchiveFile& file) { return file.path == metadata->path; });
+        if (read != again.end()) *metadata = std::move(*read);
+    }
+    return std::make_unique<ArchiveTree>(archive, std::move(files));
 }
 
 }  // namespace harness

@@ -148,7 +148,8 @@ Graded mark(const Submission& submission, std::vector<Execution> executions, con
     graded.explanation = explain(execution.build, execution.run, workshop.run);
     std::vector<Repetition> runs;
     for (Execution& each : executions) {
-        runs.push_back({each.run.ended, scores.score(each.run.output, marking, timeline, submission.id)});
+        const Turn turn = runs.empty() ? Turn::first : Turn::repeated;
+        runs.push_back({each.run.ended, scores.score(each.run.output, marking, timeline, submission.id, turn)});
         release(each.run.output);  // up to a mebibyte; the score holds what counts
     }
     if (const auto evidence = difference(runs)) graded.flags.push_back({"nondeterministic", *evidence});

@@ -144,6 +144,7 @@ void Gradebook::compare_one(const std::vector<std::uint8_t>& record, const Grade
     MarkChange change = change_between(*before, after);
     const bool moved = !change.reasons.empty() || !is_same_mark(change.before, change.after);
     comparison.records[index] = moved ? Record::other_marks : Record::other;
+    add_feedback(comparison.feedback, *before, after, moved ? Marks::moved : Marks::same);
     add(comparison.changes, std::move(change));
 }
 

@@ -15,6 +15,7 @@
 
 #include "harness/author.h"
 #include "harness/class_changes.h"
+#include "harness/feedback_changes.h"
 #include "harness/final_mark.h"
 #include "harness/override_place.h"
 
@@ -69,6 +70,7 @@ class Gradebook {
     struct Comparison {
         enum class Record { same, other, other_marks, fresh };
         ClassChanges changes;
+        FeedbackChanges feedback;
         std::vector<Record> records;  ///< by submission of the new grading
         std::int64_t run = 0;         ///< that it was compared with
         bool is_in_order = true;      ///< the submissions that are in both follow each other as before

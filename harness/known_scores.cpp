@@ -16,7 +16,8 @@ std::string name_of(const std::string& output, const Marking& marking) {
 
 }  // namespace
 
-Score KnownScores::score(const std::string& output, const Marking& marking, Timeline& timeline, const std::string& of) {
+Score KnownScores::score(const std::string& output, const Marking& marking, Timeline& timeline, const std::string& of,
+                         Turn turn) {
     std::string name;
     std::shared_ptr<const Score> score;
     Transcript transcript;
@@ -28,7 +29,7 @@ Score KnownScores::score(const std::string& output, const Marking& marking, Time
     }
     const Timeline::Span span(timeline, Stage::score, of);
     if (score) {
-        ++timeline.alike;
+        if (turn == Turn::first && !output.empty()) ++timeline.alike;
         return *score;
     }
     score = std::make_shared<const Score>(harness::score(transcript, marking.key, marking.assignment));

@@ -11,11 +11,16 @@
 
 namespace harness {
 
+/// Which of its submission's runs printed an output.
+enum class Turn { first, repeated };
+
 /// Remembers the scores of the last outputs that differ. For many threads. A Marking must outlive it.
 class KnownScores {
   public:
-    /// As reading `output` and scoring it for `marking` gives; `of` names the submission in the timeline.
-    Score score(const std::string& output, const Marking& marking, Timeline& timeline, const std::string& of);
+    /// As reading `output` and scoring it for `marking` gives; `of` names the submission in the timeline, which counts
+    /// those that printed what another had.
+    Score score(const std::string& output, const Marking& marking, Timeline& timeline, const std::string& of,
+                Turn turn = Turn::first);
 
     /// How many are remembered: some 20 KB each.
     static constexpr std::size_t most = 512;

@@ -5,8 +5,8 @@
 namespace harness {
 
 /// Every opening bracket's partner is found once, so that unbalanced brackets cost no repeated search.
-LineTokens::LineTokens(std::string_view line) : line_(line), tokens_(tokenize(line)), partner_(tokens_.size()) {
-    partner_.assign(tokens_.size(), tokens_.size());
+LineTokens::LineTokens(std::string_view line)
+    : line_(line), tokens_(tokenize(line)), partner_(tokens_.size(), tokens_.size()) {
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
         if (is(i, Token::Kind::open)) open.push_back(i);

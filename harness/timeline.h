@@ -47,7 +47,7 @@ class Timeline {
     std::atomic<std::size_t> finished = 0;    ///< submissions
     std::atomic<std::size_t> from_store = 0;  ///< those of them that neither were compiled nor run
     std::atomic<std::size_t> by_header = 0;   ///< those of them that were compiled with a precompiled header
-    std::atomic<std::size_t> alike = 0;       ///< runs that printed what an earlier one had, and were marked as that
+    std::atomic<std::size_t> alike = 0;       ///< those that printed what another had, and were marked as that
 
   private:
     struct Event {

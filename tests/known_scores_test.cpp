@@ -32,6 +32,21 @@ TEST(KnownScores, AreThoseOfTheOutputAndTheMarking) {
     EXPECT_EQ(timeline.alike, 3U) << "each was marked once";
 }
 
+TEST(KnownScores, CountSubmissionsThatPrintedWhatAnotherHad) {
+    const Marking marking = marking_with(10);
+    KnownScores scores;
+    Timeline timeline;
+    for (const char* nobody_printed_anything : {"ada", "ben"})
+        EXPECT_EQ(scores.score("", marking, timeline, nobody_printed_anything).points, 0);
+    EXPECT_EQ(timeline.alike, 0U);
+    for (const Turn turn : {Turn::first, Turn::repeated, Turn::repeated})
+        EXPECT_EQ(scores.score(direction("-1"), marking, timeline, "ada", turn).points, 10);
+    EXPECT_EQ(timeline.alike, 0U);
+    for (const Turn turn : {Turn::first, Turn::repeated})
+        EXPECT_EQ(scores.score(direction("-1"), marking, timeline, "ben", turn).points, 10);
+    EXPECT_EQ(timeline.alike, 1U);
+}
+
 TEST(KnownScores, AreRightAlsoWhereMoreOutputsDifferThanAreRemembered) {
     const Marking marking = marking_with(10);
     KnownScores scores;

@@ -205,6 +205,19 @@ TEST(PackedClass, IsTakenLikeAFolder) {
                 ElementsAre("one.zip"));
 }
 
+TEST(PackedClass, OfGradescopeIsReadWhateverMetadataStudentsHandIn) {
+    const TemporaryFolder folder;
+    const std::string largest(std::size_t{64} << 20U, '#');
+    // Each beside a folder called as in an export.
+    std::vector<PackedEntry> entries = {{"export/submission_901/ray_cast.cpp", "a"}};
+    for (int i = 0; i < 8; ++i) {
+        entries.push_back({"export/submission_901/" + std::to_string(i) + "/submission_metadata.yml", largest});
+        entries.push_back({"export/submission_901/" + std::to_string(i) + "/submission_1/a.txt", ""});
+    }
+    entries.push_back({"export/submission_metadata.yml", "submission_901:\n  :submitters:\n  - :name: Jane Doe\n"});
+    EXPECT_THAT(ids(take(pack(folder.path() / "export.zip", entries))), ElementsAre("Jane Doe"));
+}
+
 TEST(PackedClass, OfAHostilePackerIsRefusedWithTheEntryNamed) {
     const TemporaryFolder folder;
     try {

@@ -224,7 +224,9 @@ TEST(Repeat, FlagsAnswersThatDifferAndTakesNoMarks) {
           "now.tv_nsec);\n}\n");
     ASSERT_EQ(some.grade("once").status, 0);
     EXPECT_EQ(graded(some, "once", "s101")["flags"].size(), 0U);
-    ASSERT_EQ(some.grade("often", {"--repeat", "3"}).status, 0);
+    const Result often = some.grade("often", {"--repeat", "3"});
+    ASSERT_EQ(often.status, 0);
+    EXPECT_THAT(often.voice, HasSubstr(", 0 that printed what another had")) << "of s100 all three are its own";
     EXPECT_EQ(graded(some, "often", "s100")["flags"].size(), 0U);
     const auto flagged = graded(some, "often", "s101");
     ASSERT_EQ(flagged["flags"].size(), 1U);

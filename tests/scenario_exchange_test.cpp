@@ -196,7 +196,7 @@ TEST_F(Exchange, ARegradeThatIsOnlyShownLeavesTheJunitFileAlone) {
                                    out().string(), "--junit", junit.string()});
     EXPECT_EQ(shown.status, 0) << shown.both();
     EXPECT_EQ(read(junit), before);
-    EXPECT_THAT(shown.output, HasSubstr("Nothing was written; --apply writes it.\n"));
+    EXPECT_THAT(shown.output, HasSubstr("Nothing was written to the results; --apply writes it.\n"));
     EXPECT_THAT(shown.output, HasSubstr("junit.xml was not written either and is as it was.\n"));
     EXPECT_EQ(grade(source().parent_path(), {"--junit", junit.string()}).status, 0);
     EXPECT_NE(read(junit), before) << "with --apply it is replaced";

@@ -114,7 +114,7 @@ TEST_F(RealDay, ARegradeWithoutChangesSaysSo) {
     const Result again = grade();
     EXPECT_EQ(again.status, 0);
     EXPECT_THAT(again.output, AllOf(HasSubstr("0 rise, 0 fall, 2 stay as they are."),
-                                    HasSubstr("Nothing has changed, and nothing was written.")));
+                                    HasSubstr("Nothing has changed, and nothing was written to the results.")));
     EXPECT_THAT(again.output, Not(HasSubstr("ada")));
 }
 
@@ -124,19 +124,62 @@ TEST_F(RealDay, ApplyingNoChangeWritesOnlyWhatIsMissing) {
     const auto written = fs::last_write_time(out() / "grades.json");
     const Result again = grade({"--apply", "--junit", (folder / "j.xml").string()});
     EXPECT_EQ(again.status, 0);
-    EXPECT_THAT(again.output,
-                AllOf(HasSubstr("2 stay as they are."), HasSubstr("nothing was written."), HasSubstr("report.html")));
+    EXPECT_THAT(again.output, AllOf(HasSubstr("2 stay as they are."), HasSubstr("nothing was written to the results."),
+                                    HasSubstr("report.html")));
     EXPECT_EQ(files(), all);
     EXPECT_EQ(fs::last_write_time(out() / "grades.json"), written);
     EXPECT_TRUE(fs::exists(folder / "j.xml")) << "what was asked for is made";
 
     write(out() / "report.html", "edited");
     fs::remove(out() / "feedback/ben.md");
+    EXPECT_THAT(grade().output,
+                HasSubstr("No mark and no feedback has changed, but a file of the results is gone or was "
+                          "touched; --apply writes it again.\n"));
     EXPECT_THAT(grade({"--apply"}).output, Not(HasSubstr("nothing was written")));
     auto mended = files();
     mended[gradebook()] = all.at(gradebook());
     EXPECT_EQ(mended, all);
     EXPECT_EQ(count("SELECT COUNT(*) FROM runs"), 2);
+}
+
+/// Reads memory that was never set, which no printout shows.
+constexpr std::string_view out_of_bounds =
+    "#include <cstdio>\nint main() { volatile int i = 3; int a[3] = {}; volatile int b = a[i]; (void)b; "
+    "puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n";
+
+TEST_F(RealDay, FeedbackAloneIsToldAndAppliedAndToldWhenItGoes) {
+    write(students() / "ben/ray_cast.cpp", out_of_bounds);
+    ASSERT_EQ(grade().status, 0);
+    const auto before = files();
+    const Result shown = grade({"--sanitize"});
+    EXPECT_THAT(shown.output, AllOf(HasSubstr("0 rise, 0 fall, 2 stay as they are.\n"),
+                                    HasSubstr("Beside the marks: sanitizers' findings new in 1"),
+                                    HasSubstr("No mark changes, but the feedback of 1 submission does. Nothing was "
+                                              "written to the results; --apply writes it.\n")))
+        << shown.both();
+    EXPECT_EQ(files(), before);
+    EXPECT_THAT(grade({"--sanitize", "--apply"}).output, HasSubstr("sanitizers' findings new in 1"));
+    EXPECT_THAT(read(out() / "feedback/ben.md"), HasSubstr("What the sanitizers found"));
+    EXPECT_THAT(grade({"--sanitize"}).output,
+                HasSubstr("Nothing has changed, and nothing was written to the results."));
+
+    for (const char* apply : {"", "--apply"}) {
+        const Result without = *apply == '\0' ? grade() : grade({apply});
+        EXPECT_THAT(without.output, HasSubstr("Beside the marks: sanitizers' findings gone from 1 (see --sanitize)"));
+    }
+    EXPECT_THAT(read(out() / "feedback/ben.md"), Not(HasSubstr("What the sanitizers found")));
+}
+
+TEST_F(RealDay, WhatIsTheSameButForTheAssignmentOrARosterIsNotCalledUnchanged) {
+    ASSERT_EQ(grade({"--assignment", rubric("")}).status, 0);
+    constexpr auto unwritten = "Nothing was written to the results; --apply writes it.\n";
+    EXPECT_THAT(grade({"--assignment", rubric("show_expected = true\n")}).output, HasSubstr(unwritten));
+    const fs::path roster = folder / "gradebook.csv";
+    write(roster, "Student,ID,Assignment 6 (71)\r\nAda,ada,\r\nBen,ben,\r\n");
+    const std::vector<std::string> with_roster = {"--assignment", rubric(""), "--canvas-roster", roster.string()};
+    EXPECT_THAT(grade(with_roster).output, HasSubstr(unwritten));
+    ASSERT_EQ(grade({"--assignment", rubric(""), "--canvas-roster", roster.string(), "--apply"}).status, 0);
+    EXPECT_THAT(grade(with_roster).output, HasSubstr("Nothing has changed"));
 }
 
 TEST_F(RealDay, AnOverrideStandsInEveryReportAndSurvivesARegrade) {

@@ -22,6 +22,12 @@ int nothing_is_blank(unsigned char) {
     return 0;
 }
 
+/// Whom a list of those left out names: the submission's id, with the name behind it of the one of a group.
+std::string called_in(const Submission& submission, std::size_t submitter) {
+    if (!submission.lms || submission.lms->submitters.size() < 2) return submission.id;
+    return submission.id + " (" + submission.lms->submitters[submitter].name + ")";
+}
+
 }  // namespace
 
 std::vector<Row> parse_csv(std::string_view text, char separator, Blanks blanks) {
@@ -71,11 +77,6 @@ std::string name_key(std::string_view name) {
     return result;
 }
 
-std::string called_in(const Submission& submission, std::size_t submitter) {
-    if (!submission.lms || submission.lms->submitters.size() < 2) return submission.id;
-    return submission.id + " (" + submission.lms->submitters[submitter].name + ")";
-}
-
 RowMatches match_rows(const std::vector<Graded>& graded,
                       const std::function<std::vector<std::set<std::size_t>>(const Submission&)>& find,
                       const std::function<std::string(std::size_t)>& name_of) {
@@ -85,7 +86,11 @@ RowMatches match_rows(const std::vector<Graded>& graded,
         for (std::size_t i = 0; i < people.size(); ++i) {
             const std::set<std::size_t>& rows = people[i];
             if (rows.empty()) matches.unmatched.push_back(called_in(one.submission, i));
-            if (rows.size() == 1) matches.of_row[*rows.begin()].push_back(&one);
+            if (rows.size() == 1) {
+                std::vector<const Graded*>& here = matches.of_row[*rows.begin()];
+                // A group may list one person under two accounts.
+                if (here.empty() || here.back() != &one) here.push_back(&one);
+            }
             if (rows.size() < 2) continue;
             std::string names;
             for (const std::size_t row : rows) names += (names.empty() ? "" : "; ") + name_of(row);

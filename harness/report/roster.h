@@ -41,17 +41,14 @@ std::string name_key(std::string_view name);
 
 /// Which submissions a roster's rows get, and whom none or several fit.
 struct RowMatches {
-    std::map<std::size_t, std::vector<const Graded*>> of_row;
-    std::vector<std::string> unmatched;  ///< as called_in() names them
-    std::vector<std::string> ambiguous;  ///< with the names of the rows
+    std::map<std::size_t, std::vector<const Graded*>> of_row;  ///< each once
+    std::vector<std::string> unmatched;                        ///< ids, with the name behind it of the one of a group
+    std::vector<std::string> ambiguous;                        ///< with the names of the rows
 };
 
 /// `find(submission)` gives the rows that fit each of its submitters, `name_of(row)` the name there.
 RowMatches match_rows(const std::vector<Graded>& graded,
                       const std::function<std::vector<std::set<std::size_t>>(const Submission&)>& find,
                       const std::function<std::string(std::size_t)>& name_of);
-
-/// Whom a list of those left out names: the submission's id, with the name behind it of the one of a group.
-std::string called_in(const Submission& submission, std::size_t submitter);
 
 }  // namespace harness::report

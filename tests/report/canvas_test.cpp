@@ -140,14 +140,18 @@ TEST(CanvasImport, GivesEachOfAGroupItsPoints) {
     EXPECT_THAT(import.ambiguous, ElementsAre("Rick Roe, Pat Poe, Ann Lee, Jane Doe (Doe Jane): Doe, Jane; Doe, Jane"));
 }
 
-TEST(CanvasImport, GivesThePointsThatCount) {
-    Graded late = handed_in("14");
-    late.late_share = 0.5;
-    Graded by_hand = not_graded("15");
-    by_hand.overrides = {{0, "", 80, "read by hand", "ada", ""}};
-    const auto rows = rows_of(import_of({late, by_hand}).csv);
-    EXPECT_EQ(rows[2][5], "49.17");
-    EXPECT_EQ(rows[3][5], "80.00");
+TEST(CanvasImport, TakesWhoIsListedTwiceInAGroupOnce) {
+    Graded group = handed_in("Rick Roe, Pat Poe, Ricky");
+    LmsName& name = group.submission.lms.emplace();
+    name.system = Lms::gradescope;
+    name.id = "901";
+    name.submitters = {{"Rick Roe", "s14", ""}, {"Pat Poe", "", "ppoe"}, {"Ricky", "s14", ""}};
+    const CanvasImport import = import_of({group});
+    EXPECT_THAT(import.ambiguous, IsEmpty());
+    EXPECT_EQ(import.matched, 2U);
+    const CanvasImport two = import_of({group, handed_in("s14")});
+    EXPECT_THAT(two.ambiguous, ElementsAre("Rick Roe, Pat Poe, Ricky: Roe, \"Rick\"", "s14: Roe, \"Rick\""))
+        << "another submission of the same person is one";
 }
 
 TEST(CanvasRoster, SaysWhyAColumnCannotBeChosen) {

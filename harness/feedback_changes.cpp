@@ -1,0 +1,105 @@
+#include "harness/feedback_changes.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "harness/graded_record.h"
+
+namespace harness {
+namespace {
+
+using nlohmann::json;
+
+/// What of a record only options give.
+struct Optional {
+    const char* field;
+    const char* part;
+    const char* option;
+};
+constexpr Optional optional_parts[] = {{"other_scenes", "other scenes", "--variants"},
+                                       {"stress", "hard scenes", "--stress"},
+                                       {"sanitizer", "sanitizers' findings", "--sanitize"}};
+
+/// What of it each submission has; the rest is told as details.
+struct Always {
+    const char* group;
+    const char* field;
+    const char* part;
+};
+constexpr Always lasting_parts[] = {{"score", "questions", "answers"},
+                                    {"build", "diagnostics", "compiler's messages"},
+                                    {"run", "errors", "standard error"},
+                                    {"submission", "notes", "notes"}};
+
+constexpr std::pair<const char*, const char*> measured[] = {
+    {"build", "ms"}, {"run", "cpu_ms"}, {"run", "wall_ms"}, {"run", "peak_memory_bytes"}};
+
+PartChange& change_of(FeedbackChanges& changes, const std::string& part, const std::string& option) {
+    const auto found = std::find_if(changes.parts.begin(), changes.parts.end(),
+                                    [&](const PartChange& each) { return each.part == part; });
+    if (found != changes.parts.end()) return *found;
+    return changes.parts.emplace_back(PartChange{part, option});
+}
+
+/// The field, which is taken out; null where there is none.
+json taken(json& record, const char* field) {
+    const auto found = record.find(field);
+    if (found == record.end()) return {};
+    json value = std::move(*found);
+    record.erase(found);
+    return value;
+}
+
+std::string option_of_flag(const std::string& kind) {
+    return kind == "nondeterministic" ? "--repeat" : "--variants";
+}
+
+/// By kind, which a submission has once.
+json flags_by_kind(const json& flags) {
+    json by_kind = json::object();
+    for (const json& flag : flags) by_kind[flag.at(0).get<std::string>()] = flag.at(1);
+    return by_kind;
+}
+
+bool has_optional_parts(const Graded& graded) {
+    return graded.other_scenes || graded.hard_scenes || !graded.sanitizer.empty() || !graded.flags.empty();
+}
+
+}  // namespace
+
+void add_feedback(FeedbackChanges& changes, const Graded& before, const Graded& after, Marks marks) {
+    if (marks == Marks::moved && !has_optional_parts(before) && !has_optional_parts(after)) return;
+    json then = json::from_cbor(to_record(before));
+    json now = json::from_cbor(to_record(after));
+    bool differs = false;
+    const auto compare = [&](const json& one, const json& two, const std::string& part, const std::string& option) {
+        if (one == two) return;
+        differs = true;
+        if (one.is_null() && !option.empty()) {
+            ++change_of(changes, part, option).fresh;
+        } else if (two.is_null() && !option.empty()) {
+            ++change_of(changes, part, option).gone;
+        } else if (marks == Marks::same) {
+            ++change_of(changes, part, option).other;
+        }
+    };
+    for (const Optional& each : optional_parts)
+        compare(taken(then, each.field), taken(now, each.field), each.part, each.option);
+    json flags_then = flags_by_kind(taken(then, "flags")), flags_now = flags_by_kind(taken(now, "flags"));
+    json kinds = flags_then;
+    kinds.update(flags_now);
+    for (const auto& [kind, evidence] : kinds.items())
+        compare(taken(flags_then, kind.c_str()), taken(flags_now, kind.c_str()), "flag " + kind, option_of_flag(kind));
+    if (marks == Marks::moved) return;
+    for (const Always& each : lasting_parts)
+        compare(taken(then[each.group], each.field), taken(now[each.group], each.field), each.part, "");
+    for (const auto& [group, field] : measured) {
+        taken(then[group], field);
+        taken(now[group], field);
+    }
+    compare(then, now, "details", "");
+    ++(differs ? changes.differing : changes.remeasured);
+}
+
+}  // namespace harness

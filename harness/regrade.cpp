@@ -1,0 +1,94 @@
+#include "harness/regrade.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "harness/report/class_changes.h"
+#include "harness/report/feedback_changes.h"
+
+namespace harness {
+namespace {
+
+/// Whether the gradebook would be the same but for the number of runs.
+bool is_as_saved(const Desk& desk, const Gradebook::Comparison& comparison, const Run& run) {
+    if (!desk.last_run || !comparison.is_as_saved() || !desk.gradebook.reports_are_written()) return false;
+    const Run& last = *desk.last_run;
+    return last.toml == run.toml && last.raygrade == run.raygrade && last.assignment == run.assignment &&
+           last.assignment_file == run.assignment_file && last.tier == run.tier;
+}
+
+bool is_kept(const KeptInput& input, const Gradebook& gradebook) {
+    const auto kept = gradebook.input(input.name);
+    return kept && kept->choice == input.choice && kept->content == input.content;
+}
+
+bool moves_no_mark(const ClassChanges& changes) {
+    return changes.rising.empty() && changes.falling.empty() && changes.level.empty() && changes.fresh.empty() &&
+           changes.gone.empty();
+}
+
+}  // namespace
+
+Desk open_desk(const GradeOptions& options, Holds holds) {
+    Gradebook gradebook(options.out);
+    auto last_run = gradebook.last_run();
+    const bool has_results =
+        holds == Holds::earlier_results && (last_run || std::filesystem::exists(options.out / "grades.json"));
+    const bool is_older = has_results && !last_run;
+    return {std::move(gradebook), std::move(last_run), options.apply || !has_results, is_older};
+}
+
+bool is_all_there(const Desk& desk, const Gradebook::Comparison& comparison, const Run& run,
+                  const ClassResults& results, const std::filesystem::path& out) {
+    return !goes_back(results) && is_as_saved(desk, comparison, run) && class_reports_are_as_left(results.graded, out);
+}
+
+void tell_changes(const Desk& desk, const Gradebook::Comparison& comparison, const reference::AssignmentFile& file,
+                  const Marking& marking, const std::filesystem::path& out) {
+    if (desk.of_an_older_raygrade) {
+        fmt::print("\n{} holds results without a gradebook, of an older raygrade: nothing can be compared.\n",
+                   out.string());
+    }
+    if (!desk.last_run) return;
+    const Run& last = *desk.last_run;
+    fmt::print("\nCompared with run {} of {}:\n", last.number, last.author.when);
+    const std::string assignment =
+        assignment_change({last.assignment, last.toml}, {marking.assignment.name, file.toml}, marking);
+    if (!assignment.empty()) fmt::print("{}\n", assignment);
+    if (last.raygrade != RAYGRADE_VERSION)
+        fmt::print("raygrade is {} now, {} before.\n", RAYGRADE_VERSION, last.raygrade);
+    fmt::print("{}{}\n", report::changes_text(comparison.changes), report::changes_summary(comparison.changes));
+    fmt::print("{}", report::feedback_changes_text(comparison.feedback));
+    if (!desk.gradebook.reports_are_written()) {
+        fmt::print(
+            "The files beside the gradebook are older than it: a command was ended before it had written them.\n");
+    }
+}
+
+void tell_what_apply_writes(const Desk& desk, const Gradebook::Comparison& comparison, const Run& run,
+                            const ClassResults& results, const std::vector<KeptInput>& inputs,
+                            const std::filesystem::path& out) {
+    const bool knows_inputs =
+        std::all_of(inputs.begin(), inputs.end(), [&](const KeptInput& each) { return is_kept(each, desk.gradebook); });
+    const std::size_t differing = comparison.feedback.differing;
+    if (is_as_saved(desk, comparison, run) && knows_inputs) {
+        if (class_reports_are_as_left(results.graded, out)) {
+            fmt::print("Nothing has changed, and nothing was written to the results.\n");
+        } else {
+            fmt::print(
+                "No mark and no feedback has changed, but a file of the results is gone or was touched; --apply "
+                "writes it again.\n");
+        }
+    } else if (desk.last_run && differing > 0 && moves_no_mark(comparison.changes)) {
+        fmt::print(
+            "No mark changes, but the feedback of {} {} does. Nothing was written to the results; --apply writes it.\n",
+            differing, differing == 1 ? "submission" : "submissions");
+    } else {
+        fmt::print("Nothing was written to the results; --apply writes it.\n");
+    }
+}
+
+}  // namespace harness

@@ -1,0 +1,96 @@
+#include "harness/feedback_changes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "harness/report/feedback_changes.h"
+#include "tests/report/graded_samples.h"
+
+namespace harness {
+namespace {
+
+using namespace report_samples;
+using namespace std::chrono_literals;
+
+std::string told(const FeedbackChanges& changes) {
+    return report::feedback_changes_text(changes);
+}
+
+std::string told(const Graded& before, const Graded& after, Marks marks = Marks::same) {
+    FeedbackChanges changes;
+    add_feedback(changes, before, after, marks);
+    return told(changes);
+}
+
+Graded plain() {
+    return graded("ada", output_with_a_mistake());
+}
+
+Graded with_all() {
+    Graded one = plain();
+    one.other_scenes = variants::VariantReport{};
+    one.hard_scenes = stress::StressReport{};
+    one.sanitizer = {"runtime error: division by zero"};
+    one.flags = {{"nondeterministic", "Question 5 differs."}, {"hard_coded", "Question 5 does not move."}};
+    return one;
+}
+
+TEST(FeedbackChanges, NameEachPartThatIsNewOrGoneWithItsOption) {
+    EXPECT_EQ(told(plain(), with_all()),
+              "Beside the marks: other scenes new in 1; hard scenes new in 1; sanitizers' findings new in 1; "
+              "flag hard_coded new in 1; flag nondeterministic new in 1.\n");
+    EXPECT_EQ(told(with_all(), plain()),
+              "Beside the marks: other scenes gone from 1 (see --variants); hard scenes gone from 1 (see --stress); "
+              "sanitizers' findings gone from 1 (see --sanitize); flag hard_coded gone from 1 (see --variants); "
+              "flag nondeterministic gone from 1 (see --repeat).\n");
+}
+
+TEST(FeedbackChanges, NameEachPartThatIsAnother) {
+    Graded after = with_all();
+    after.other_scenes->moved = 3;
+    after.hard_scenes->not_found = {"eye"};
+    after.sanitizer = {"runtime error: null pointer"};
+    after.flags[1].evidence = "Question 6 does not move.";
+    after.score.questions[4].items[0].printed = "1 2 3";
+    after.build.diagnostics = "warning";
+    after.run.errors = "oops";
+    after.submission.notes = {"another file"};
+    after.explanation = "The program ended with exit code 1.";
+    EXPECT_EQ(told(with_all(), after),
+              "Beside the marks: other scenes another in 1; hard scenes another in 1; sanitizers' findings another in "
+              "1; flag hard_coded another in 1; answers another in 1; compiler's messages another in 1; standard error "
+              "another in 1; notes another in 1; details another in 1.\n");
+}
+
+TEST(FeedbackChanges, OfOneWhoseMarksMovedAreWhatIsNewOrGone) {
+    Graded after = with_all();
+    after.hard_scenes->not_found = {"eye"};
+    after.sanitizer.clear();
+    after.build.diagnostics = "warning";
+    EXPECT_EQ(told(with_all(), after, Marks::moved),
+              "Beside the marks: sanitizers' findings gone from 1 (see --sanitize).\n");
+    EXPECT_EQ(told(plain(), graded("ada", ""), Marks::moved), "");
+}
+
+TEST(FeedbackChanges, AreCountedOverAClass) {
+    FeedbackChanges changes;
+    add_feedback(changes, plain(), with_all(), Marks::same);
+    add_feedback(changes, with_all(), plain(), Marks::moved);
+    Graded after = with_all();
+    after.flags.pop_back();
+    add_feedback(changes, with_all(), after, Marks::same);
+    Graded slower = plain();
+    slower.build.wall += 5ms;
+    slower.run.cpu += 5ms;
+    slower.run.wall += 5ms;
+    slower.run.peak_memory_bytes += 4096;
+    add_feedback(changes, plain(), slower, Marks::same);
+    EXPECT_EQ(changes.differing, 2U) << "without the one whose marks moved, and the one that was only slower";
+    EXPECT_EQ(changes.remeasured, 1U);
+    EXPECT_THAT(told(changes), testing::HasSubstr("flag hard_coded new in 1, gone from 2 (see --variants);"));
+    EXPECT_THAT(told(changes), testing::EndsWith("; nothing but time and memory in 1.\n"));
+    EXPECT_EQ(told(FeedbackChanges{}), "");
+}
+
+}  // namespace
+}  // namespace harness
