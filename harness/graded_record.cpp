@@ -244,12 +244,15 @@ json other_scenes_record(const variants::VariantReport& report) {
     json runs = json::array();
     for (const variants::VariantRun& run : report.runs)
         runs.push_back(json::array({run.name, run.changes, run.before, run.ended_well, run.share}));
-    return {{"verdict", to_string(report.verdict)},
-            {"not_found", report.not_found},
-            {"runs", std::move(runs)},
-            {"moved", report.moved},
-            {"broken", items_record(report.broken)},
-            {"unmoved", items_record(report.unmoved)}};
+    json record{{"verdict", to_string(report.verdict)},
+                {"not_found", report.not_found},
+                {"runs", std::move(runs)},
+                {"moved", report.moved},
+                {"broken", items_record(report.broken)},
+                {"unmoved", items_record(report.unmoved)}};
+    for (const variants::UntriedScene& scene : report.not_tried)
+        record["not_tried"].push_back(json::array({scene.name, scene.changes, scene.why}));
+    return record;
 }
 
 variants::VariantReport other_scenes_from(const json& record) {
@@ -263,6 +266,10 @@ variants::VariantReport other_scenes_from(const json& record) {
     report.moved = take<int>(record, "moved");
     report.broken = items_from(record.at("broken"));
     report.unmoved = items_from(record.at("unmoved"));
+    if (record.contains("not_tried")) {
+        for (const json& scene : record.at("not_tried"))
+            report.not_tried.push_back({scene.at(0), scene.at(1), scene.at(2)});
+    }
     for (const auto* items : {&report.broken, &report.unmoved}) {
         for (const variants::ItemOnVariant& item : *items) {
             if (item.run >= report.runs.size()) throw std::invalid_argument("a run that is not there");

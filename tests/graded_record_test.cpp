@@ -35,7 +35,8 @@ std::vector<Graded> a_class() {
                                                  {"scene 2", "radius = 3", "radius = 2", false, {}}},
                                                 4,
                                                 {{8, "t", 1, "0.5\x1b", "", "far root"}},
-                                                {{6, "t", 0, "3.41", "3.41", ""}}};
+                                                {{6, "t", 0, "3.41", "3.41", ""}},
+                                                {{"scene 3", "radius = 9", "it does not compile"}, {"", "", "none"}}};
     late.build.wall = 1234ms;
     late.run.cpu = 7ms;
     late.run.wall = 9ms;

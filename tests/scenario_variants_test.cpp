@@ -135,6 +135,70 @@ TEST(OtherScenes, AreToldInACheckWithoutTheRightValues) {
     EXPECT_THAT(result.output, HasSubstr("100 of 100 points"));
 }
 
+/// States the scene, and prints the right answer to question 5 on every one; `more` stands behind the scene.
+std::string program_with(const std::string& more) {
+    return "#include <cmath>\n#include <cstdio>\n#include <cstdlib>\n"
+           "constexpr float eye[3] = {0, 0, 4}, lookat[3] = {0, 0, 0}, center[3] = {1, 1, 0};\n"
+           "constexpr float A[3] = {0, -2, 2}, B[3] = {2, 2, 2}, C[3] = {-2, 2, 2};\n" +
+           more +
+           "\nint main() {\n"
+           "    if (is_bad(eye[0])) abort();\n"
+           "    const float x = lookat[0] - eye[0], y = lookat[1] - eye[1], z = lookat[2] - eye[2];\n"
+           "    const float l = sqrtf(x * x + y * y + z * z);\n"
+           "    printf(\"Question 5:\\nV: vec3(%f, %f, %f)\\n\", x / l, y / l, z / l);\n"
+           "}\n";
+}
+
+class PointsForOtherScenes : public testing::Test {
+  protected:
+    PointsForOtherScenes() {
+        write(folder / "a.toml", read(project_folder() / "reference/assignments/a6-2021.toml") +
+                                     "\nvariant_points = 20\n"
+                                     "[[variant]]\nname = \"left\"\ncamera.eye = [-5, 0, 3]\n"
+                                     "[[variant]]\nname = \"right\"\ncamera.eye = [3, 0, 5]\n");
+    }
+    /// Graded on "left" and "right".
+    json graded(const std::string& source) const {
+        write(folder / "ada/ray_cast.cpp", source);
+        const Result result =
+            raygrade({"grade", (folder / "ada").string(), "--assignment", (folder / "a.toml").string(), "--variants",
+                      "2", "--out", (folder / "out").string()});
+        EXPECT_EQ(result.status, 0) << result.both();
+        return read_json(folder / "out/grades.json").at("submissions").at(0);
+    }
+    TemporaryFolder folder;
+};
+
+/// Of 100 points 10 for question 5: what a program gets that answers it alone, on any scene.
+constexpr double a_tenth = 0.1;
+
+TEST_F(PointsForOtherScenes, CountASceneThatDoesNotCompileAsTheAssignmentsOwnAndSaySo) {
+    const json submission =
+        graded(program_with("static_assert(eye[0] != 3, \"not there\");\nbool is_bad(float x) { return x == -5; }"));
+    const json& variants = submission.at("variants");
+    ASSERT_EQ(variants.at("runs").size(), 1U) << "it crashed there, and so was tried";
+    EXPECT_EQ(variants.at("runs").at(0).at("name"), "left");
+    EXPECT_EQ(variants.at("runs").at(0).at("share"), 0.0);
+    EXPECT_EQ(variants.at("not_tried"), json::array({{{"name", "right"},
+                                                      {"changes", "eye = (3, 0, 5)"},
+                                                      {"why", "the source does not compile with its numbers"}}}));
+    EXPECT_NEAR(submission.at("other_scenes").at("points").get<double>(), 20 * (0 + a_tenth) / 2, 1e-9);
+    const json& flag = submission.at("flags").at(0);
+    EXPECT_EQ(flag.at("kind"), "variants_not_tried");
+    EXPECT_THAT(flag.at("evidence").get<std::string>(),
+                HasSubstr("on 1 of 2 other scenes (right): the source does not compile with its numbers."));
+}
+
+TEST_F(PointsForOtherScenes, NameACompileErrorWhereNoSceneCompiles) {
+    const json submission =
+        graded(program_with("static_assert(eye[0] == 0, \"this scene alone\");\nbool is_bad(float) { return false; }"));
+    EXPECT_EQ(submission.at("variants").at("verdict"), "not_found");
+    EXPECT_EQ(submission.at("variants").at("not_tried").size(), 2U);
+    EXPECT_NEAR(submission.at("other_scenes").at("points").get<double>(), 20 * a_tenth, 1e-9);
+    EXPECT_THAT(submission.at("flags").at(0).at("evidence").get<std::string>(),
+                HasSubstr("on any of 2 other scenes: the source does not compile with its numbers."));
+}
+
 TEST(OtherScenes, AreNotTriedUnasked) {
     const TemporaryFolder folder;
     raygrade({"grade", sample("ada").string(), "--assignment", "a6-2021", "--out", (folder / "out").string()});

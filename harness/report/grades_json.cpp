@@ -114,6 +114,9 @@ ordered_json variants_json(const std::optional<variants::VariantReport>& report)
     for (const variants::VariantRun& run : report->runs)
         runs.push_back(
             {{"name", run.name}, {"changes", run.changes}, {"ended_well", run.ended_well}, {"share", run.share}});
+    ordered_json not_tried = ordered_json::array();
+    for (const variants::UntriedScene& scene : report->not_tried)
+        not_tried.push_back({{"name", or_null(scene.name)}, {"changes", or_null(scene.changes)}, {"why", scene.why}});
     const auto items_json = [&](const std::vector<variants::ItemOnVariant>& items) {
         ordered_json array = ordered_json::array();
         for (const variants::ItemOnVariant& item : items) {
@@ -131,7 +134,8 @@ ordered_json variants_json(const std::optional<variants::VariantReport>& report)
             {"runs", std::move(runs)},
             {"moved", report->moved},
             {"unmoved", items_json(report->unmoved)},
-            {"broken", items_json(report->broken)}};
+            {"broken", items_json(report->broken)},
+            {"not_tried", not_tried}};
 }
 
 /// What the rubric gives for answers on other scenes; null where it gives nothing, or nothing was graded.

@@ -70,7 +70,7 @@ std::string reason_for_student(const Submission& submission) {
 std::string flag_title(const Flag& flag) {
     if (flag.kind == "nondeterministic") return "The program does not answer the same each time";
     if (flag.kind == "hard_coded") return "The printed numbers do not change when the scene in the source does";
-    if (flag.kind == "variants_not_tried") return "The program could not be run on other scenes";
+    if (flag.kind == "variants_not_tried") return "The program could not be tried in full on other scenes";
     return flag.kind;
 }
 

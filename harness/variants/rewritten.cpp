@@ -9,16 +9,6 @@
 namespace harness::variants {
 namespace {
 
-bool has_right_answer(const Graded& graded) {
-    if (graded.outcome == Outcome::not_graded || graded.outcome == Outcome::compile_error) return false;
-    for (const QuestionScore& question : graded.score.questions) {
-        for (const ItemScore& item : question.items) {
-            if (item.verdict == ItemVerdict::right && !item.printed.empty()) return true;
-        }
-    }
-    return false;
-}
-
 /// A part of a class, all its rewritten sources in one batch.
 class RewrittenPart {
   public:
@@ -77,6 +67,34 @@ std::optional<MarkedScene> with_key(reference::SceneVariant scene, const Marking
     } catch (const std::domain_error&) {
         return {};
     }
+}
+
+std::string why_not_tried(const SceneRun& run) {
+    if (!run.graded) return "its numbers do not fit where the source has whole ones";
+    const Build& build = run.graded->build;
+    switch (run.graded->outcome) {
+        case Outcome::compile_error:
+            return build.reached_limit ? "the compiler was stopped at a limit with its numbers in the source"
+                                       : "the source does not compile with its numbers";
+        case Outcome::not_graded: return "something went wrong here, not in the program";
+        case Outcome::graded:
+        case Outcome::crashed:
+        case Outcome::timed_out:
+        case Outcome::output_limit:
+        case Outcome::memory_limit:
+        case Outcome::no_output: return "";
+    }
+    return "";
+}
+
+bool has_right_answer(const Graded& graded) {
+    if (graded.outcome == Outcome::not_graded || graded.outcome == Outcome::compile_error) return false;
+    for (const QuestionScore& question : graded.score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (item.verdict == ItemVerdict::right && !item.printed.empty()) return true;
+        }
+    }
+    return false;
 }
 
 void run_rewritten(const std::vector<Graded>& graded, const std::vector<std::string>& sources,

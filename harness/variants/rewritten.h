@@ -30,6 +30,9 @@ struct SceneRun {
     std::optional<Graded> graded;  ///< empty where a number does not fit the place where the source has it
 };
 
+/// Why nothing can be said of the program on that scene, as a clause; empty where it ran, however it ended.
+std::string why_not_tried(const SceneRun& run);
+
 /// What came of one submission.
 struct Rewritten {
     std::size_t index;  ///< of the submission
@@ -39,6 +42,9 @@ struct Rewritten {
 
 /// The scenes for a submission of which these parts were located; they stay where they are until run_rewritten returns.
 using ScenesFor = std::function<const std::vector<MarkedScene>&(std::size_t index, const PartSet& located)>;
+
+/// Whether the submission has anything to be compared on other scenes.
+bool has_right_answer(const Graded& graded);
 
 /// Tries every submission that has a right answer; `sources` are those of `graded`. Each source is compiled and run as
 /// any other and kept like it; repetitions and sanitizers are the workshop's, so the caller turns them off.

@@ -10,6 +10,12 @@
 namespace harness::variants {
 namespace {
 
+/// The other scenes for programs alike: the same parts located.
+struct SceneSet {
+    std::vector<MarkedScene> marked;
+    std::vector<UntriedScene> not_had;  ///< with those all that were asked for
+};
+
 class VariantClass {
   public:
     VariantClass(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
@@ -19,42 +25,58 @@ class VariantClass {
     void run(const Workshop& workshop, int jobs, Timeline& timeline) {
         run_rewritten(
             graded_, sources_, marking_.assignment.scene, workshop, jobs, timeline,
-            [this](std::size_t /*index*/, const PartSet& located) -> const auto& { return variants_of(located); },
+            [this](std::size_t /*index*/, const PartSet& located) -> const auto& { return set_of(located).marked; },
             [this](Rewritten one) { conclude(std::move(one)); });
     }
 
   private:
-    const std::vector<MarkedScene>& variants_of(const PartSet& located) {
-        const auto [place, is_new] = variants_.try_emplace(located.number());
-        if (is_new) {
-            for (auto& variant : variants_for(marking_.assignment, located, options_.count, options_.seed)) {
-                if (auto marked = with_key(std::move(variant), marking_)) place->second.push_back(std::move(*marked));
-            }
-        }
-        return place->second;
+    const SceneSet& set_of(const PartSet& located) {
+        const auto known = sets_.find(located.number());
+        return known != sets_.end() ? known->second : sets_.emplace(located.number(), new_set(located)).first->second;
     }
 
-    /// None where the program could not be tried: the machine failed, or the number does not fit the place where the
-    /// source has it.
-    std::optional<VariantRun> run_of(SceneRun& run) const {
-        if (!run.graded) return {};
-        const Outcome outcome = run.graded->outcome;
-        if (outcome == Outcome::not_graded || outcome == Outcome::compile_error) return {};
+    SceneSet new_set(const PartSet& located) const {
+        const auto asked = static_cast<std::size_t>(options_.count);
+        SceneSet set;
+        for (auto& variant : variants_for(marking_.assignment, located, options_.count, options_.seed)) {
+            UntriedScene without_key{variant.name, described(variant.scene, marking_.assignment.scene),
+                                     "there is no certified key of it"};
+            if (auto marked = with_key(std::move(variant), marking_)) {
+                set.marked.push_back(std::move(*marked));
+            } else {
+                set.not_had.push_back(std::move(without_key));
+            }
+        }
+        const char* why = located.empty() ? "the scene was not found in its source"
+                                          : "what was found of the scene in its source allows no further one";
+        while (set.marked.size() + set.not_had.size() < asked) set.not_had.push_back({"", "", why});
+        return set;
+    }
+
+    VariantRun run_of(SceneRun& run) const {
         const DecimalScene& base = marking_.assignment.scene;
         const reference::SceneVariant& scene = run.scene->scene;
-        return VariantRun{scene.name, described(scene.scene, base), described(base, scene.scene),
-                          outcome == Outcome::graded, std::move(run.graded->score)};
+        return {scene.name, described(scene.scene, base), described(base, scene.scene),
+                run.graded->outcome == Outcome::graded, std::move(run.graded->score)};
     }
 
     void conclude(Rewritten one) {
         Graded& graded = graded_[one.index];
         const DecimalScene& scene = marking_.assignment.scene;
         std::vector<VariantRun> runs;
+        std::vector<UntriedScene> not_tried = set_of(one.literals.located).not_had;
         for (SceneRun& each : one.runs) {
-            if (auto run = run_of(each)) runs.push_back(std::move(*run));
+            std::string why = why_not_tried(each);
+            if (why.empty()) {
+                runs.push_back(run_of(each));
+            } else {
+                const reference::SceneVariant& other = each.scene->scene;
+                not_tried.push_back({other.name, described(other.scene, scene), std::move(why)});
+            }
         }
         const bool nothing_tried = runs.empty();
-        graded.other_scenes = compare(graded.score, std::move(runs), parts_not_found(scene, one.literals.located));
+        graded.other_scenes =
+            compare(graded.score, std::move(runs), std::move(not_tried), parts_not_found(scene, one.literals.located));
         if (graded.other_scenes->verdict == VariantVerdict::does_not_move) {
             graded.flags.push_back({"hard_coded", unmoved_evidence(*graded.other_scenes)});
         } else if (nothing_tried) {
@@ -68,7 +90,7 @@ class VariantClass {
     const std::vector<std::string>& sources_;
     const Marking& marking_;
     const VariantOptions& options_;
-    std::map<unsigned long, std::vector<MarkedScene>> variants_;  ///< by what was located
+    std::map<unsigned long, SceneSet> sets_;  ///< by what was located
 };
 
 }  // namespace

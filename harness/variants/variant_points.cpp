@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "harness/report/report.h"
+#include "harness/variants/rewritten.h"
+#include "harness/variants/variant_sentences.h"
 
 namespace harness::variants {
 namespace {
@@ -12,17 +16,42 @@ double share_on_own_scene(const Score& score) {
     return score.max_points > 0 ? score.points / score.max_points : 0;
 }
 
-double mean_share(const std::vector<VariantRun>& runs) {
-    double sum = 0;
+double share_of_points(const Graded& graded) {
+    const double own = share_on_own_scene(graded.score);
+    if (!graded.other_scenes) return own;
+    const std::vector<VariantRun>& runs = graded.other_scenes->runs;
+    const std::size_t not_tried = graded.other_scenes->not_tried.size();
+    if (runs.size() + not_tried == 0) return own;
+    double sum = static_cast<double>(not_tried) * own;
     for (const VariantRun& run : runs) sum += run.share;
-    return sum / static_cast<double>(runs.size());
+    return sum / static_cast<double>(runs.size() + not_tried);
 }
 
-std::string why_not_tried(const Graded& graded) {
-    if (!graded.other_scenes || graded.other_scenes->not_found.empty())
-        return "Its source could not be written for other scenes";
-    return fmt::format("Its source was not found to state the scene ({})",
-                       fmt::join(graded.other_scenes->not_found, ", "));
+/// Of eye, center and triangle, without which one scene is much like another, those that stay as they are.
+std::vector<std::string> unchanging(const VariantReport& report) {
+    const auto stays = [&](const char* part) {
+        return std::find(report.not_found.begin(), report.not_found.end(), part) != report.not_found.end();
+    };
+    std::vector<std::string> parts;
+    for (const char* part : {"eye", "center"}) {
+        if (stays(part)) parts.emplace_back(part);
+    }
+    if (stays("A") || stays("B") || stays("C")) parts.emplace_back("triangle");
+    return parts;
+}
+
+/// Sentences; empty when it was tried on every scene.
+std::string what_was_not_tried(const Graded& graded) {
+    if (!graded.other_scenes) {
+        return has_right_answer(graded) ? "raygrade failed to run the program on other scenes."
+                                        : "No answer of the program is right, so that it was run on no other scene.";
+    }
+    std::vector<std::string> sentences = not_tried_sentences(*graded.other_scenes);
+    const std::vector<std::string> same = unchanging(*graded.other_scenes);
+    if (!same.empty())
+        sentences.push_back(
+            fmt::format("Not found in its source, and the same on every scene: {}.", fmt::join(same, ", ")));
+    return fmt::format("{}", fmt::join(sentences, " "));
 }
 
 }  // namespace
@@ -39,18 +68,19 @@ void award_variant_points(std::vector<Graded>& graded, const reference::Rubric& 
     if (rubric.variant_points == 0) return;
     using report::points_text;
     for (Graded& one : graded) {
-        const bool tried = one.other_scenes && !one.other_scenes->runs.empty();
-        const double share = tried ? mean_share(one.other_scenes->runs) : share_on_own_scene(one.score);
-        const ScenesScore scenes{share * rubric.variant_points, rubric.variant_points};
+        const double own = share_on_own_scene(one.score);
+        const ScenesScore scenes{share_of_points(one) * rubric.variant_points, rubric.variant_points};
         one.score.other_scenes = scenes;
         one.score.points += scenes.points;
         one.score.max_points += scenes.max_points;
-        if (tried || share == 0 || one.outcome == Outcome::not_graded) continue;
+        if (own == 0 || one.outcome == Outcome::not_graded) continue;
+        const std::string not_tried = what_was_not_tried(one);
+        if (not_tried.empty()) continue;
         one.flags.push_back(
             {"variants_not_tried",
-             fmt::format("{}, so that it has not run on any. Of the {} points for other scenes it has "
-                         "{}, its share on the assignment's own scene, until a person decides.",
-                         why_not_tried(one), points_text(scenes.max_points), points_text(scenes.points))});
+             fmt::format("{} Of the {} points for other scenes it has {}, until a person decides: a scene that was not "
+                         "tried counts as the assignment's own.",
+                         not_tried, points_text(scenes.max_points), points_text(scenes.points))});
     }
 }
 

@@ -73,7 +73,7 @@ class Comparison {
             if (after.verdict != ItemVerdict::right && !fair) broken.push_back(finding(q, i, run));
         }
         if (moves) ++report_.moved;
-        const std::size_t enough = std::min<std::size_t>(2, report_.runs.size());
+        const std::size_t enough = std::min<std::size_t>(2, report_.runs.size() + report_.not_tried.size());
         const bool unmoved = !moves && same_and_wrong.size() >= enough && is_telling(before);
         if (unmoved) {
             report_.unmoved.push_back(finding(q, i, same_and_wrong.front()));
@@ -104,9 +104,11 @@ std::string_view to_string(VariantVerdict verdict) {
     return "";
 }
 
-VariantReport compare(const Score& base, std::vector<VariantRun> runs, std::vector<std::string> not_found) {
+VariantReport compare(const Score& base, std::vector<VariantRun> runs, std::vector<UntriedScene> not_tried,
+                      std::vector<std::string> not_found) {
     VariantReport report;
     report.runs = std::move(runs);
+    report.not_tried = std::move(not_tried);
     report.not_found = std::move(not_found);
     if (!report.runs.empty()) Comparison(base, report).compare();
     report.verdict = verdict_of(report);

@@ -39,18 +39,28 @@ struct VariantRun {
     double share = 0;  ///< of the points of its answers there, 0 to 1
 };
 
+/// A scene that was asked for and that the program could not be run on.
+struct UntriedScene {
+    std::string name;     ///< of the scene; empty where there is none to be had
+    std::string changes;  ///< as in VariantRun
+    std::string why;      ///< a clause: "the source does not compile with its numbers"
+};
+
 struct VariantReport {
     VariantVerdict verdict = VariantVerdict::not_found;
     std::vector<std::string> not_found;  ///< parts of the scene that its source was not found to state
-    std::vector<VariantRun> runs;        ///< without their scores
+    std::vector<VariantRun> runs;        ///< on the scenes that were tried, without their scores
     int moved = 0;                       ///< items right on the assignment's scene that print otherwise on a run
     std::vector<ItemOnVariant> broken;   ///< no longer right, in the order of the runs
-    /// The same numbers on every run, not all 0, and wrong on two of them (on one, if there is but one). One a item.
+    /// The same numbers on every run, not all 0, and wrong on two of them (on one, if but one was asked for). One a
+    /// item.
     std::vector<ItemOnVariant> unmoved;
+    std::vector<UntriedScene> not_tried = {};  ///< with `runs` all scenes that were asked for
 };
 
 /// Compares the marks of the assignment's scene with those of the others. Whoever answers wrong there is not judged
 /// here. An item counts as unmoved only by what it prints: an answer that differs is computed, rightly or not.
-VariantReport compare(const Score& base, std::vector<VariantRun> runs, std::vector<std::string> not_found);
+VariantReport compare(const Score& base, std::vector<VariantRun> runs, std::vector<UntriedScene> not_tried,
+                      std::vector<std::string> not_found);
 
 }  // namespace harness::variants

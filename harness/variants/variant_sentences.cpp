@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 namespace harness::variants {
 namespace {
@@ -39,6 +40,15 @@ std::string broken_on(const VariantReport& report, std::size_t run) {
     return text;
 }
 
+/// "any of 4 other scenes", "2 of 4 other scenes (triangle in front; ray beside the sphere)"
+std::string which(const std::vector<std::string_view>& names, std::size_t all) {
+    if (all == 1) return "another scene";
+    if (names.size() == all) return fmt::format("any of {} other scenes", all);
+    const bool named = std::none_of(names.begin(), names.end(), [](std::string_view name) { return name.empty(); });
+    return fmt::format("{} of {} other scenes{}", names.size(), all,
+                       named ? fmt::format(" ({})", fmt::join(names, "; ")) : "");
+}
+
 }  // namespace
 
 std::string unmoved_evidence(const VariantReport& report) {
@@ -66,9 +76,20 @@ std::string written_evidence(const std::vector<WrittenAnswer>& written) {
     return fmt::format("Printed answers stand in the source as they are printed: {}.", fmt::join(places, ", "));
 }
 
-std::vector<std::string> variant_sentences(const VariantReport& report) {
+std::vector<std::string> not_tried_sentences(const VariantReport& report) {
+    std::map<std::string_view, std::vector<std::string_view>> names_by_reason;
+    for (const UntriedScene& scene : report.not_tried) names_by_reason[scene.why].push_back(scene.name);
     std::vector<std::string> sentences;
-    if (report.runs.empty()) return sentences;
+    for (const auto& [why, names] : names_by_reason) {
+        sentences.push_back(fmt::format("The program could not be run on {}: {}.",
+                                        which(names, report.runs.size() + report.not_tried.size()), why));
+    }
+    return sentences;
+}
+
+std::vector<std::string> variant_sentences(const VariantReport& report) {
+    if (report.runs.empty()) return not_tried_sentences(report);
+    std::vector<std::string> sentences;
     sentences.push_back(fmt::format(
         "The program was also run on {}, with other numbers for the scene in its source{}.",
         plural(report.runs.size(), "other scene"),
@@ -87,6 +108,7 @@ std::vector<std::string> variant_sentences(const VariantReport& report) {
         sentences.push_back(
             fmt::format("With {} ({}) no longer right: {}.", report.runs[run].changes, report.runs[run].name, broken));
     }
+    for (std::string& sentence : not_tried_sentences(report)) sentences.push_back(std::move(sentence));
     return sentences;
 }
 

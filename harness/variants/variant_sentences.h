@@ -15,8 +15,11 @@ std::string unmoved_evidence(const VariantReport& report);
 /// For the flag where the scene was not found: the printed numbers that stand in the source, with their lines.
 std::string written_evidence(const std::vector<WrittenAnswer>& written);
 
-/// For the student, a sentence each: what was tried, what moved, what did not, what broke and where. Text that a
-/// program printed is in them as it is, so the caller escapes them. Empty when nothing was tried.
+/// On which scenes the program could not be run, and why: a sentence for each reason. Empty when it ran on all.
+std::vector<std::string> not_tried_sentences(const VariantReport& report);
+
+/// For the student, a sentence each: what was tried, what moved, what did not, what broke and where, what could not be
+/// tried. Text that a program printed is in them as it is, so the caller escapes them.
 std::vector<std::string> variant_sentences(const VariantReport& report);
 
 }  // namespace harness::variants

@@ -11,6 +11,7 @@
 namespace harness::variants {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -61,14 +62,72 @@ TEST(VariantPoints, AreSharedByTheScenesAndWhatIsRightThere) {
     EXPECT_EQ(report::scenes_sentence(graded), "Other scenes: 2.5 of 5 points.");
 }
 
+/// What a person is told; empty when nobody is.
+std::string told(const Graded& graded) {
+    EXPECT_LE(graded.flags.size(), 1U);
+    if (graded.flags.empty()) return "";
+    EXPECT_EQ(graded.flags[0].kind, "variants_not_tried");
+    return graded.flags[0].evidence;
+}
+
 TEST(VariantPoints, AreThoseOfItsOwnSceneWhereTheSceneWasNotFoundAndAPersonIsTold) {
     Graded untried = with_runs({});
-    untried.other_scenes->not_found = {"eye", "center"};
+    untried.other_scenes->not_found = {"eye", "center", "radius", "A", "B", "C"};
+    untried.other_scenes->not_tried = {{"", "", "the scene was not found in its source"},
+                                       {"", "", "the scene was not found in its source"}};
     const Graded graded = awarded(untried);
     EXPECT_EQ(graded.score.other_scenes->points, 2.5);
-    ASSERT_EQ(graded.flags.size(), 1U);
-    EXPECT_EQ(graded.flags[0].kind, "variants_not_tried");
-    EXPECT_THAT(graded.flags[0].evidence, HasSubstr("eye, center"));
+    EXPECT_EQ(told(graded),
+              "The program could not be run on any of 2 other scenes: the scene was not found in its source. Not found "
+              "in its source, and the same on every scene: eye, center, triangle. Of the 5 points for other scenes it "
+              "has 2.5, until a person decides: a scene that was not tried counts as the assignment's own.");
+}
+
+TEST(VariantPoints, CountASceneThatWasNotTriedAsTheAssignmentsOwn) {
+    Graded graded = with_runs({1});
+    graded.other_scenes->not_tried = {{"far sphere, grazed", "radius = 8", "the source does not compile"},
+                                      {"triangle in front", "radius = 3", "the source does not compile"},
+                                      {"ray beside the sphere", "radius = 2", "something went wrong"}};
+    graded = awarded(graded);
+    EXPECT_EQ(graded.score.other_scenes->points, 5 * (1 + 3 * 0.5) / 4) << "and not the 5 of the one scene";
+    EXPECT_THAT(told(graded),
+                AllOf(HasSubstr("on 2 of 4 other scenes (far sphere, grazed; triangle in front): the source does not "
+                                "compile."),
+                      HasSubstr("on 1 of 4 other scenes (ray beside the sphere): something went wrong."),
+                      HasSubstr("it has 3.12")));
+}
+
+TEST(VariantPoints, TellAPersonOfScenesThatAreMuchLikeTheAssignments) {
+    for (const std::string part : {"eye", "center"}) {
+        Graded graded = with_runs({1, 1});
+        graded.other_scenes->not_found = {part, "vup"};
+        graded = awarded(graded);
+        EXPECT_EQ(graded.score.other_scenes->points, 5) << "it ran on both";
+        EXPECT_THAT(told(graded), HasSubstr("the same on every scene: " + part + ". Of the 5 points"));
+    }
+    for (const std::string part : {"A", "B", "C"}) {
+        Graded graded = with_runs({1, 1});
+        graded.other_scenes->not_found = {part};
+        EXPECT_THAT(told(awarded(graded)), HasSubstr("the same on every scene: triangle. Of"));
+    }
+    Graded graded = with_runs({1, 1});
+    graded.other_scenes->not_found = {"lookat", "vup", "radius", "pixel"};
+    EXPECT_EQ(told(awarded(graded)), "");
+}
+
+TEST(VariantPoints, SayWhereNoAnswerIsRight) {
+    const Graded only_follows = awarded(half_right());
+    EXPECT_EQ(only_follows.score.other_scenes->points, 2.5);
+    EXPECT_THAT(told(only_follows), HasSubstr("No answer of the program is right, so that it was run on no other"));
+}
+
+TEST(VariantPoints, SayWhereRaygradeFailed) {
+    Graded graded = half_right();
+    ItemScore right;
+    right.verdict = ItemVerdict::right;
+    right.printed = "1";
+    graded.score.questions[0].items = {right};
+    EXPECT_THAT(told(awarded(graded)), HasSubstr("raygrade failed to run the program on other scenes."));
 }
 
 TEST(VariantPoints, NeedNoPersonWhereNothingIsRight) {
@@ -114,7 +173,7 @@ TEST(VariantPoints, AreRefusedWithoutOtherScenes) {
         require_variants(assignment, 0);
         FAIL() << "no complaint";
     } catch (const reference::AssignmentError& error) {
-        EXPECT_THAT(error.what(), testing::AllOf(HasSubstr("mine"), HasSubstr("5 points"), HasSubstr("--variants 4")));
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("mine"), HasSubstr("5 points"), HasSubstr("--variants 4")));
     }
 }
 

@@ -14,6 +14,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::IsSupersetOf;
 using testing::Not;
 using testing::SizeIs;
 using enum ItemVerdict;
@@ -45,11 +46,11 @@ Score answered(const Answered& t, const Answered& u, const Answered& verdict = {
     return score;
 }
 
-VariantReport compared(const Score& base, const std::vector<Score>& scores) {
+VariantReport compared(const Score& base, const std::vector<Score>& scores, std::vector<UntriedScene> not_tried = {}) {
     std::vector<VariantRun> runs;
     for (const Score& score : scores)
         runs.push_back({"scene " + std::to_string(runs.size() + 1), "eye = (1, 2, 3)", "eye = (0, 0, 4)", true, score});
-    return compare(base, std::move(runs), {"vup"});
+    return compare(base, std::move(runs), std::move(not_tried), {"vup"});
 }
 
 std::vector<std::string> names(const std::vector<ItemOnVariant>& items) {
@@ -126,6 +127,28 @@ TEST(CompareVariants, LooksAtTheNumbersAndNotAtTheBlanks) {
 TEST(CompareVariants, BelievesOneRunWhereThereIsNoOther) {
     EXPECT_EQ(compared(answered({"1", right}, {"0.5", right}), {answered({"2", right}, {"0.5", wrong})}).verdict,
               VariantVerdict::does_not_move);
+}
+
+TEST(CompareVariants, DoesNotBelieveTheOneRunThatIsLeft) {
+    const VariantReport report =
+        compared(answered({"1", right}, {"0.5", right}), {answered({"2", right}, {"0.5", wrong})}, {{"a", "", "x"}});
+    EXPECT_EQ(report.verdict, VariantVerdict::breaks);
+    EXPECT_THAT(report.not_tried, SizeIs(1));
+}
+
+TEST(CompareVariants, GivesEachRunTheShareOfItsPoints) {
+    Score three_quarters = answered({"2", right}, {"0.1", wrong});
+    three_quarters.points = 3;
+    three_quarters.max_points = 4;
+    Score one_quarter = answered({"3", wrong}, {"0.2", wrong});
+    one_quarter.points = 5;
+    one_quarter.max_points = 20;
+    const VariantReport report = compared(answered({"1", right}, {"0.5", right}),
+                                          {three_quarters, one_quarter, answered({"", missing}, {"", missing})});
+    ASSERT_THAT(report.runs, SizeIs(3));
+    EXPECT_EQ(report.runs[0].share, 0.75);
+    EXPECT_EQ(report.runs[1].share, 0.25);
+    EXPECT_EQ(report.runs[2].share, 0);
 }
 
 TEST(CompareVariants, IsNotSureAfterOneCoincidenceOfTwo) {
@@ -214,6 +237,29 @@ TEST(VariantSentences, NameWhatWasNotFoundAndEachScenesOwn) {
                             "source (not found there, and left as they are: vup).",
                             "With eye = (1, 2, 3) (scene 1) no longer right: 8.t.",
                             "With eye = (1, 2, 3) (scene 2) no longer right: 8.u."));
+}
+
+TEST(VariantSentences, NameTheScenesThatWereNotTriedByTheirReason) {
+    const UntriedScene compiles{"triangle in front", "radius = 3", "the source does not compile with its numbers"};
+    const UntriedScene fails{"far sphere, grazed", "radius = 3", "something went wrong"};
+    const UntriedScene without{"", "", "no further one"};
+    const Score base = answered({"1", right}, {"0.5", right});
+    const auto sentences = variant_sentences(
+        compared(base, {answered({"2", right}, {"0.1", right})}, {compiles, fails, compiles, without}));
+    ASSERT_THAT(sentences, SizeIs(5));
+    EXPECT_THAT(sentences[0], HasSubstr("also run on 1 other scene, with"));
+    EXPECT_THAT(
+        sentences,
+        IsSupersetOf({"The program could not be run on 2 of 5 other scenes (triangle in front; triangle in "
+                      "front): the source does not compile with its numbers.",
+                      "The program could not be run on 1 of 5 other scenes (far sphere, grazed): something went "
+                      "wrong.",
+                      "The program could not be run on 1 of 5 other scenes: no further one."}));
+    EXPECT_THAT(variant_sentences(compared(base, {}, {compiles, compiles})),
+                ElementsAre("The program could not be run on any of 2 other scenes: the source does not compile with "
+                            "its numbers."));
+    EXPECT_THAT(variant_sentences(compared(base, {}, {fails})),
+                ElementsAre("The program could not be run on another scene: something went wrong."));
 }
 
 TEST(VariantSentences, NameWhatBreaksWithItsScene) {
