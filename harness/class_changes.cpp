@@ -88,7 +88,12 @@ bool is_same_mark(const std::optional<double>& one, const std::optional<double>&
 }
 
 MarkChange change_between(const Graded& before, const Graded& after) {
-    MarkChange change{after.submission.id, points_that_count(before), points_that_count(after), {}};
+    MarkChange change{after.submission.id,
+                      points_that_count(before),
+                      points_that_count(after),
+                      {},
+                      before.score.max_points,
+                      after.score.max_points};
     const std::string& source_then = before.submission.source_sha256;
     const std::string& source_now = after.submission.source_sha256;
     if (source_then != source_now) {
@@ -112,6 +117,10 @@ MarkChange change_between(const Graded& before, const Graded& after) {
 }
 
 void add(ClassChanges& changes, MarkChange change) {
+    if (change.most_before != change.most_after) {
+        changes.most_before = change.most_before;
+        changes.most_after = change.most_after;
+    }
     if (is_same_mark(change.before, change.after)) {
         if (change.reasons.empty()) {
             ++changes.untouched;

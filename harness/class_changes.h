@@ -15,6 +15,7 @@ struct MarkChange {
     std::string id;
     std::optional<double> before, after;
     std::vector<std::string> reasons;  ///< "another source", "6.t wrong -> right (+1.67)"; none when nothing changed
+    double most_before = 0, most_after = 0;  ///< the points there are in all
 };
 
 struct ClassChanges {
@@ -24,6 +25,7 @@ struct ClassChanges {
     std::vector<MarkChange> fresh;    ///< without anything before
     std::vector<MarkChange> gone;     ///< no longer among the submissions
     std::size_t untouched = 0;        ///< how many are as they were
+    double most_before = 0, most_after = 0;  ///< the points there are in all; the same where nothing is to be compared
 };
 
 /// Whether two marks are the same, as far as a millionth of a point.

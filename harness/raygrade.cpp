@@ -6,10 +6,14 @@
 #include <array>
 #include <clocale>
 #include <cstdio>
+#include <string>
+#include <vector>
 
+#include "harness/clean_text.h"
 #include "harness/commands.h"
 #include "harness/failure.h"
 #include "harness/find_submissions.h"
+#include "harness/near_names.h"
 
 namespace {
 
@@ -35,6 +39,15 @@ constexpr const char* footer =
     "raygrade.\n"
     "Marks never change it, except under `check --fail-under`.";
 
+/// Throws UsageError for a first word that is no option and no subcommand.
+void require_command(const std::string& word, const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+    if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
+    throw UsageError(fmt::format("{}: is no command; {}; raygrade --help says what each does", escape_control(word),
+                                 did_you_mean(word, names)));
+}
+
 int run(int argc, char** argv) {
     CLI::App app(about, "raygrade");
     app.footer(footer);
@@ -47,6 +60,7 @@ int run(int argc, char** argv) {
         serve_command(app),   reference_command(app), cast_command(app),   accuracy_command(app),
         explain_command(app), render_command(app),    doctor_command(app),
     };
+    if (argc > 1) require_command(argv[1], app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

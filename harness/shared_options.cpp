@@ -8,9 +8,9 @@
 
 namespace harness {
 
-void add_assignment(CLI::App& command, std::string& assignment) {
+CLI::Option* add_assignment(CLI::App& command, std::string& assignment) {
     assignment = "default";
-    command
+    return command
         .add_option("-a,--assignment", assignment,
                     "The name of an assignment that comes with raygrade, or a .toml file")
         ->type_name("NAME|FILE")

@@ -60,6 +60,15 @@ TEST(ClassChanges, TellARubricsOtherPointsFromAnotherVerdict) {
                 ElementsAre("6.t still follow (-0.5)"));
 }
 
+TEST(ClassChanges, TellOfWhichPointsAMarkIs) {
+    const Graded before = with_t(ItemVerdict::wrong, 0);
+    Graded after = before;
+    after.score.max_points += 10;
+    EXPECT_THAT(report::changes_summary(filed(before, after)),
+                EndsWith("1 stays as it is.\nMarks are of 110 points now, of 100 before."));
+    EXPECT_THAT(report::changes_summary(filed(before, before)), EndsWith("1 stays as it is."));
+}
+
 TEST(ClassChanges, NameSourceOutcomeAndLateness) {
     Graded before = with_t(ItemVerdict::wrong, 0);
     Graded after = before;

@@ -109,6 +109,22 @@ TEST_F(RealDay, NothingIsLoweredSilently) {
               1);
 }
 
+TEST_F(RealDay, ARegradeIsByTheAssignmentOfTheResultsUnlessAnotherIsNamed) {
+    const std::string own = rubric("[rubric.points]\n5 = 40\n");
+    grade({"--assignment", own});
+    ASSERT_EQ(points("ada"), 40);
+    EXPECT_THAT(grade().output, HasSubstr("Nothing has changed"));
+    write(own, read(own) + "6 = 20\n");
+    EXPECT_THAT(grade().output, AllOf(HasSubstr("The file of the assignment a6-2021 has changed"),
+                                      HasSubstr("Marks are of 140 points now, of 130 before.")));
+    EXPECT_THAT(grade({"--assignment", "default"}).output, HasSubstr("falls  ada"));
+    fs::remove(own);
+    const Result gone = grade({"--apply"});
+    EXPECT_EQ(gone.status, usage);
+    EXPECT_THAT(gone.voice, AllOf(HasSubstr("a6-2021.toml, which is not there now"), HasSubstr("--assignment")));
+    EXPECT_EQ(points("ada"), 40);
+}
+
 TEST_F(RealDay, ARegradeWithoutChangesSaysSo) {
     ASSERT_EQ(grade().status, 0);
     const Result again = grade();
