@@ -37,15 +37,6 @@ struct Built {
     std::unique_ptr<Scratch> sanitized;  ///< for the build under the sanitizers; null without
 };
 
-/// The sanitizers' bookkeeping takes time and memory that are not the student's.
-Limits sanitizer_limits(Limits limits) {
-    constexpr int slower = 5;
-    limits.cpu *= slower;
-    limits.wall *= slower;
-    limits.memory_bytes += std::uint64_t{1} << 30;
-    return limits;
-}
-
 class Batch {
   public:
     Batch(std::vector<Submission> submissions, std::vector<std::shared_future<Marking>> markings,

@@ -30,7 +30,7 @@ std::string right_output() {
     return print(student::Program(marking().assignment, {}));
 }
 
-Graded with_name(Graded graded, const std::string& name, bool late) {
+Graded with_name(Graded graded, const std::string& name, std::optional<bool> late) {
     graded.submission.lms = LmsName{};
     graded.submission.lms->student = name;
     graded.submission.lms->late = late;
@@ -60,6 +60,19 @@ TEST(ClassReport, HasARowForEachWithPointsByQuestion) {
                                      "10", "10", "10", "10", "98.33", ""));
     EXPECT_EQ(rows[2][3], "not graded");
     EXPECT_EQ(rows[2][14], "–");
+}
+
+TEST(ClassReport, CallsNobodyLateOfWhomItIsNotKnown) {
+    const Graded one = graded("one", "");
+    const json page = read_page(report_of(
+        {with_name(one, "Ada", true), with_name(one, "Ben", std::nullopt), with_name(one, "Cy", false), one}));
+    EXPECT_EQ(page.at("rows")[1][2], "late");
+    for (int i = 2; i <= 4; ++i) EXPECT_EQ(page.at("rows")[i][2], "") << i;
+    EXPECT_THAT(page.at("sheets").at("s1").get<std::string>(), HasSubstr(" · late"));
+    EXPECT_THAT(page.at("sheets").at("s2").get<std::string>(), Not(HasSubstr("late")));
+    EXPECT_THAT(page.at("text").get<std::string>(), HasSubstr(" late1 "));
+    EXPECT_THAT(read_page(report_of({with_name(one, "Ben", std::nullopt)})).at("text").get<std::string>(),
+                Not(HasSubstr(" late")));
 }
 
 TEST(ClassReport, SetsWhatWasPrintedAgainstWhatWasAsked) {
