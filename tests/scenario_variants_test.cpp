@@ -1,5 +1,6 @@
 // The sample class on two other scenes, by the real raygrade. A submission with "unmoved" in its expected.json prints
 // some of its answers instead of computing them: those, at the least, must be found not to move. No other is flagged.
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,9 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using testing::AllOf;
 using testing::AnyOf;
 using testing::HasSubstr;
 using testing::IsSupersetOf;
+using testing::Not;
 
 struct Sample {
     std::string name;
@@ -157,14 +160,29 @@ class PointsForOtherScenes : public testing::Test {
                                      "[[variant]]\nname = \"left\"\ncamera.eye = [-5, 0, 3]\n"
                                      "[[variant]]\nname = \"right\"\ncamera.eye = [3, 0, 5]\n");
     }
+    Result run(const std::vector<std::string>& words) const {
+        Result result =
+            raygrade(words, [this] { return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0; });
+        EXPECT_EQ(result.status, 0) << result.both();
+        return result;
+    }
+    Result grade(const std::vector<std::string>& more) const {
+        std::vector<std::string> words{"grade", (folder / "ada").string(), "--assignment", (folder / "a.toml").string(),
+                                       "--out", (folder / "out").string()};
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words);
+    }
+    json submission() const { return read_json(folder / "out/grades.json").at("submissions").at(0); }
     /// Graded on "left" and "right".
     json graded(const std::string& source) const {
         write(folder / "ada/ray_cast.cpp", source);
-        const Result result =
-            raygrade({"grade", (folder / "ada").string(), "--assignment", (folder / "a.toml").string(), "--variants",
-                      "2", "--out", (folder / "out").string()});
-        EXPECT_EQ(result.status, 0) << result.both();
-        return read_json(folder / "out/grades.json").at("submissions").at(0);
+        grade({"--variants", "2"});
+        return submission();
+    }
+    double variants_in_history(int run) const {
+        return SQLite::Database((folder / "out/gradebook.sqlite").string(), SQLite::OPEN_READONLY)
+            .execAndGet("SELECT json_extract(items, '$.variants') FROM history WHERE run = " + std::to_string(run))
+            .getDouble();
     }
     TemporaryFolder folder;
 };
@@ -197,6 +215,48 @@ TEST_F(PointsForOtherScenes, NameACompileErrorWhereNoSceneCompiles) {
     EXPECT_NEAR(submission.at("other_scenes").at("points").get<double>(), 20 * a_tenth, 1e-9);
     EXPECT_THAT(submission.at("flags").at(0).at("evidence").get<std::string>(),
                 HasSubstr("on any of 2 other scenes: the source does not compile with its numbers."));
+}
+
+TEST_F(PointsForOtherScenes, TellInARegradeOnWhichScenesTheyWereAndAreKept) {
+    const std::string right_on_the_left = program_with("bool is_bad(float x) { return x > 0; }");
+    const json before = graded(right_on_the_left);
+    EXPECT_NEAR(before.at("other_scenes").at("points").get<double>(), 20 * (a_tenth + 0) / 2, 1e-9);
+    EXPECT_EQ(before.at("variants").at("seed"), 1);
+    EXPECT_THAT(grade({"--variants", "1", "--variant-seed", "7", "--apply"}).output,
+                HasSubstr("other scenes (+1: 1 scene of seed 7, before 2 scenes of seed 1)"));
+    EXPECT_NEAR(submission().at("other_scenes").at("points").get<double>(), 20 * a_tenth, 1e-9);
+    EXPECT_EQ(submission().at("variants").at("seed"), 7);
+    EXPECT_NEAR(variants_in_history(1), 1, 1e-9);
+    EXPECT_NEAR(variants_in_history(2), 2, 1e-9);
+}
+
+TEST_F(PointsForOtherScenes, AreOverriddenByTheirNameAndSurviveARegrade) {
+    graded(program_with("bool is_bad(float x) { return x > 0; }"));
+    const Result given = run({"override", "--results", (folder / "out").string(), "ada", "variants", "15", "--why",
+                              "right there by hand", "--by", "Prof. X"});
+    EXPECT_THAT(given.output, HasSubstr("ada: 11 -> 25 of 120 points in all"));
+    EXPECT_EQ(submission().at("other_scenes").at("points"), 15);
+    EXPECT_EQ(submission().at("other_scenes").at("automatic_points"), 1);
+    EXPECT_THAT(read(folder / "out/report.html"),
+                AllOf(HasSubstr("Other scenes: 15 of 20 points."), HasSubstr("right there by hand")));
+    EXPECT_THAT(read(folder / "out/feedback/ada.html"),
+                HasSubstr("Your instructor gave 15 points for the other scenes: right there by hand"));
+
+    std::string toml = read(folder / "a.toml");
+    toml.replace(toml.find("variant_points = 20"), 19, "variant_points = 60");
+    write(folder / "a.toml", toml);
+    EXPECT_THAT(grade({"--variants", "2", "--apply"}).output, HasSubstr("other scenes (+2)"));
+    EXPECT_EQ(submission().at("points"), 25) << "the override stands";
+    EXPECT_EQ(submission().at("max_points"), 160);
+    EXPECT_EQ(submission().at("automatic_points"), 13);
+
+    toml.replace(toml.find("variant_points = 60"), 19, "");
+    write(folder / "a.toml", toml);
+    const Result without = grade({"--variants", "2", "--apply"});
+    EXPECT_THAT(without.voice, HasSubstr("the override of variants for ada is kept, but there is no such"));
+    EXPECT_EQ(submission().at("points"), 10);
+    EXPECT_THAT(read(folder / "out/feedback/ada.html"), Not(HasSubstr("Your instructor gave")));
+    EXPECT_THAT(read(folder / "out/report.html"), HasSubstr("there are no such points any more"));
 }
 
 TEST(OtherScenes, AreNotTriedUnasked) {
