@@ -1,5 +1,6 @@
 // The sample class on two other scenes, by the real raygrade. A submission with "unmoved" in its expected.json prints
-// some of its answers instead of computing them: those, at the least, must be found not to move. No other is flagged.
+// some of its answers instead of computing them: those, at the least, must be found not to move. No other is flagged;
+// one with "variants" must have that verdict.
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -83,8 +84,13 @@ TEST_P(SampleOnOtherScenes, IsFlaggedIfItPrintsInsteadOfComputing) {
     EXPECT_EQ(is_hard_coded(submission), expected.contains("unmoved")) << submission.at("flags").dump(2);
     const json& variants = submission.at("variants");
     if (!expected.contains("unmoved")) {
-        const std::string verdict = variants.is_null() ? "not_found" : variants.at("verdict");
-        EXPECT_THAT(verdict, AnyOf("computes", "breaks", "not_found"));
+        if (variants.is_null()) {
+            EXPECT_FALSE(expected.contains("variants"));
+            EXPECT_THAT(submission.at("outcome"), AnyOf("compile_error", "no_output"));
+        } else {
+            EXPECT_THAT(variants.at("verdict"), AnyOf("computes", "breaks")) << variants.dump(2);
+            EXPECT_EQ(variants.at("verdict"), expected.value("variants", variants.at("verdict")));
+        }
         return;
     }
     const auto unmoved = expected.at("unmoved").get<std::set<std::string>>();
@@ -257,6 +263,41 @@ TEST_F(PointsForOtherScenes, AreOverriddenByTheirNameAndSurviveARegrade) {
     EXPECT_EQ(submission().at("points"), 10);
     EXPECT_THAT(read(folder / "out/feedback/ada.html"), Not(HasSubstr("Your instructor gave")));
     EXPECT_THAT(read(folder / "out/report.html"), HasSubstr("there are no such points any more"));
+}
+
+TEST(OtherScenes, AreDrawnFromTheSeed) {
+    const auto drawn = [](const char* seed) {
+        const TemporaryFolder folder;
+        write(folder / "ada/ray_cast.cpp", program_with("bool is_bad(float) { return false; }"));
+        const Result result = raygrade({"grade", (folder / "ada").string(), "--assignment", "a6-2021", "--variants",
+                                        "1", "--variant-seed", seed, "--out", (folder / "out").string()});
+        EXPECT_EQ(result.status, 0) << result.both();
+        return read_json(folder / "out/grades.json").at("submissions").at(0).at("variants").at("runs").at(0);
+    };
+    const json one = drawn("1"), seven = drawn("7");
+    EXPECT_EQ(drawn("7"), seven);
+    EXPECT_EQ(one.at("name"), seven.at("name"));
+    EXPECT_NE(one.at("changes"), seven.at("changes"));
+}
+
+/// Prints right answers to questions 6 and 7 as they stand in its source, which states no scene.
+json printing(const std::string& answers) {
+    const TemporaryFolder folder;
+    write(folder / "ada/ray_cast.cpp", "#include <cstdio>\nint main() { puts(\"" + answers + "\"); }\n");
+    const Result result = raygrade({"grade", (folder / "ada").string(), "--assignment", "a6-2021", "--variants", "1",
+                                    "--out", (folder / "out").string()});
+    EXPECT_EQ(result.status, 0) << result.both();
+    return read_json(folder / "out/grades.json").at("submissions").at(0);
+}
+
+TEST(OtherScenes, ShowThreePrintedAnswersButNoCoincidenceOfTwo) {
+    const std::string two = "Question 6:\\nt: 0.585786\\nhit point: (0.0, 0.0, 1.414214)\\n";
+    EXPECT_EQ(printing(two).at("flags"), json::array());
+    const json three = printing(two + "Question 7:\\nnormal: (-0.5, -0.5, 0.707107)\\n");
+    ASSERT_TRUE(is_hard_coded(three)) << three.dump(2);
+    EXPECT_THAT(
+        three.at("flags").at(0).at("evidence").get<std::string>(),
+        AllOf(HasSubstr("6.t: 0.585786 in line 2"), HasSubstr("6.hit: 1.414214"), HasSubstr("7.normal: 0.707107")));
 }
 
 TEST(OtherScenes, AreNotTriedUnasked) {

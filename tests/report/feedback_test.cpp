@@ -111,6 +111,7 @@ TEST(Feedback, SaysWhatAnswersOnOtherScenesEarn) {
     Graded one = graded_on_other_scenes("zoe");
     EXPECT_THAT(check_text(one), HasSubstr("\nOther scenes: 6 of 10 points.\n"));
     one.other_scenes = variants::VariantReport{};
+    one.other_scenes->not_tried = {{"aside", "", "the source does not compile with its numbers"}};
     const std::string text = feedback_markdown(one, marking());
     EXPECT_THAT(text, HasSubstr("## On other scenes\n\nOther scenes: 6 of 10 points.\n"));
     EXPECT_THAT(text, Not(HasSubstr("This costs no points.")));
