@@ -272,13 +272,17 @@ bool Batch::or_not_graded(std::size_t index, Work work) {
     } catch (const HarnessError& error) {
         return fail(error.what());
     } catch (const std::exception& error) {
-        fail(fmt::format("A fault of raygrade: {}. Please report it with the submission.", error.what()));
+        fail(fault_sentence(error));
         results_[index].our_fault = true;
         return false;
     }
 }
 
 }  // namespace
+
+std::string fault_sentence(const std::exception& error) {
+    return fmt::format("A fault of raygrade: {}. Please report it with the submission.", error.what());
+}
 
 std::vector<Graded> grade_all(std::vector<Submission> submissions, const std::shared_future<Marking>& marking,
                               const Workshop& workshop, int jobs, Timeline& timeline) {

@@ -81,8 +81,7 @@ std::optional<variants::DecimalScene> drawn(const HardRecipe& recipe, const Stag
 }  // namespace
 
 Point across(const Stage& stage, variants::Draw& draw) {
-    return reference::normalized(
-        reference::cross(stage.ray.V, Point(draw.between(-1, 1), draw.between(-1, 1), draw.between(-1, 1))));
+    return variants::across(stage.ray.V, draw);
 }
 
 void put_sphere_away(Scene& scene, const Stage& stage) {

@@ -15,6 +15,7 @@ namespace {
 
 using namespace report_samples;
 using nlohmann::json;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -98,6 +99,19 @@ TEST(ClassReport, ShowsTheAutomaticMarkBesideAnOverride) {
     EXPECT_THAT(sheet, HasSubstr("half right (a later one counts)"));
     EXPECT_THAT(sheet, HasSubstr("Marked automatically: 98.33 of 100 points."));
     EXPECT_THAT(sheet, HasSubstr("wrong0 1 of 1.67"));
+}
+
+TEST(ClassReport, CountsOtherScenesAndSaysWhichOverrideOfThemCountsNowhere) {
+    Graded ada = graded_on_other_scenes("ada");
+    const auto sheet = [&] { return read_page(report_of({ada})).at("sheets").at("s1").get<std::string>(); };
+    EXPECT_THAT(sheet(), AllOf(HasSubstr("Other scenes: 6 of 10 points."), HasSubstr("104.33 of 110 points")));
+    ada.overrides = {{0, "variants", 9, "it works", "prof", "2026-11-22T09:40:00Z"}};
+    EXPECT_THAT(sheet(), AllOf(HasSubstr("Other scenes: 9 of 10 points."), HasSubstr("107.33 of 110 points"),
+                               HasSubstr("9 points for the other scenes, by prof, 2026-11-22T09:40:00Z: it works"),
+                               Not(HasSubstr("no such points"))));
+    ada.score.other_scenes.reset();
+    EXPECT_THAT(sheet(),
+                AllOf(Not(HasSubstr("Other scenes:")), HasSubstr("it works (there are no such points any more)")));
 }
 
 TEST(ClassReport, TellsOfEachWhatCountsAndWhatToLookAt) {

@@ -14,6 +14,7 @@ namespace {
 
 using namespace report_samples;
 using nlohmann::json;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -146,6 +147,13 @@ TEST(StudentPage, CountsWhatAnswersOnOtherScenesEarn) {
     one.overrides = {{0, "variants", 9, "it works", "prof", ""}};
     EXPECT_THAT(text_of(one), HasSubstr("107.33 of 110 points"));
     EXPECT_THAT(text_of(one), HasSubstr("Other scenes: 9 of 10 points."));
+    EXPECT_THAT(text_of(one), HasSubstr("Your instructor gave 9 points for the other scenes: it works"));
+}
+
+TEST(StudentPage, TellsOfNoOverrideThatCountsNowhere) {
+    Graded one = graded("s01", output_with_a_mistake());
+    one.overrides = {{0, "variants", 5, "of an earlier rubric", "prof", ""}};
+    EXPECT_THAT(text_of(one), AllOf(HasSubstr("98.33 of 100 points"), Not(HasSubstr("Your instructor gave"))));
 }
 
 TEST(StudentPage, SaysWhyThereAreNoMarksAndNotWhereTheInstructorKeepsIt) {
