@@ -32,11 +32,8 @@ std::optional<double> digits(double scale, double error) {
 /// What the digits of an item count from: its largest component, for u and v 1, the whole edge.
 double scale_of(const KeyItem& item) {
     if (item.spec.name == "u" || item.spec.name == "v") return 1;
-    double size = 0;
-    if (const auto* numbers = std::get_if<reference::Numbers>(&item.answers.front().value)) {
-        for (const double x : *numbers) size = std::max(size, std::abs(x));
-    }
-    return size;
+    const auto* numbers = std::get_if<reference::Numbers>(&item.answers.front().value);
+    return numbers == nullptr ? 0 : reference::largest_component(*numbers);
 }
 
 bool is_none(const reference::Answer& answer) {
