@@ -30,7 +30,7 @@ std::string right_output() {
     return print(student::Program(marking().assignment, {}));
 }
 
-Graded with_name(Graded graded, const std::string& name, bool late) {
+Graded with_name(Graded graded, const std::string& name, std::optional<bool> late) {
     graded.submission.lms = LmsName{};
     graded.submission.lms->student = name;
     graded.submission.lms->late = late;
@@ -60,6 +60,26 @@ TEST(ClassReport, HasARowForEachWithPointsByQuestion) {
                                      "10", "10", "10", "10", "98.33", ""));
     EXPECT_EQ(rows[2][3], "not graded");
     EXPECT_EQ(rows[2][14], "–");
+}
+
+TEST(ClassReport, SaysLateOnlyWhereTheSystemTold) {
+    const json page = read_page(report_of({with_name(graded("a", right_output()), "Ada", std::nullopt),
+                                           with_name(graded("b", right_output()), "Bea", false),
+                                           with_name(graded("c", right_output()), "Cy", true)}));
+    EXPECT_EQ(page.at("rows")[1][2], "");
+    EXPECT_EQ(page.at("rows")[2][2], "");
+    EXPECT_EQ(page.at("rows")[3][2], "late");
+    EXPECT_THAT(page.at("sheets").at("s1"), Not(HasSubstr("late")));
+    EXPECT_THAT(page.at("sheets").at("s3"), HasSubstr("graded · late"));
+}
+
+TEST(ClassReport, ColoursWhatIsLostAndDrawsTheSceneOfWhoLostGeometry) {
+    const std::string page = report_of({graded("ada", output_with_a_mistake()), graded("bob", right_output())});
+    EXPECT_THAT(page, HasSubstr("<td class=\"number q part\">8.33</td>"));
+    EXPECT_THAT(page, Not(HasSubstr("number q zero")));
+    EXPECT_THAT(page, HasSubstr("aria-labelledby=\"p1-t"));
+    EXPECT_THAT(page, Not(HasSubstr("aria-labelledby=\"p2-t"))) << "a picture of what is right shows nothing";
+    EXPECT_THAT(report_of({graded("dan", wrong_everywhere())}), HasSubstr("<td class=\"number q zero\">0</td>"));
 }
 
 TEST(ClassReport, SetsWhatWasPrintedAgainstWhatWasAsked) {
@@ -149,6 +169,15 @@ TEST(ClassReport, ShowsAllMarkupAsText) {
         const bool is_name = n == 3;  // without the slash that no file's name holds
         EXPECT_THAT(page.at("text"), HasSubstr(is_name ? "<b>mark 3<" : markup(n))) << n;
     }
+}
+
+TEST(ClassReport, ShowsTheBeginningOfALongText) {
+    Graded one = graded("ada", output_with_a_mistake());
+    for (std::string* text : {&one.run.errors, &one.sanitizer.emplace_back(), &one.submission.notes.emplace_back()})
+        *text = std::string(10'000, '!');
+    const std::string page = report_of({one});
+    EXPECT_THAT(page, HasSubstr(std::string(4'000, '!')));
+    EXPECT_THAT(page, Not(HasSubstr(std::string(4'200, '!'))));
 }
 
 TEST(ClassReport, OfAThousandIsSmallEnoughToOpen) {
