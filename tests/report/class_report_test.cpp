@@ -76,6 +76,15 @@ TEST(ClassReport, CallsNobodyLateOfWhomItIsNotKnown) {
                 Not(HasSubstr(" late")));
 }
 
+TEST(ClassReport, ColoursWhatIsLostAndDrawsTheSceneOfWhoLostGeometry) {
+    const std::string page = report_of({graded("ada", output_with_a_mistake()), graded("bob", right_output())});
+    EXPECT_THAT(page, HasSubstr("<td class=\"number q part\">8.33</td>"));
+    EXPECT_THAT(page, Not(HasSubstr("number q zero")));
+    EXPECT_THAT(page, HasSubstr("aria-labelledby=\"p1-t"));
+    EXPECT_THAT(page, Not(HasSubstr("aria-labelledby=\"p2-t"))) << "a picture of what is right shows nothing";
+    EXPECT_THAT(report_of({graded("dan", wrong_everywhere())}), HasSubstr("<td class=\"number q zero\">0</td>"));
+}
+
 TEST(ClassReport, SetsWhatWasPrintedAgainstWhatWasAsked) {
     const json page = read_page(report_of({graded("ada", wrong_everywhere())}));
     const std::string sheet = page.at("sheets").at("s1");
@@ -176,6 +185,15 @@ TEST(ClassReport, ShowsAllMarkupAsText) {
         const bool is_name = n == 3;  // without the slash that no file's name holds
         EXPECT_THAT(page.at("text"), HasSubstr(is_name ? "<b>mark 3<" : markup(n))) << n;
     }
+}
+
+TEST(ClassReport, ShowsTheBeginningOfALongText) {
+    Graded one = graded("ada", output_with_a_mistake());
+    for (std::string* text : {&one.run.errors, &one.sanitizer.emplace_back(), &one.submission.notes.emplace_back()})
+        *text = std::string(10'000, '!');
+    const std::string page = report_of({one});
+    EXPECT_THAT(page, HasSubstr(std::string(4'000, '!')));
+    EXPECT_THAT(page, Not(HasSubstr(std::string(4'200, '!'))));
 }
 
 TEST(ClassReport, OfAThousandIsSmallEnoughToOpen) {
