@@ -147,7 +147,8 @@ asio::awaitable<bool> exchange(Connection& connection, Common& common, bool is_l
     const Message message = message_of(std::move(answer->response), parser.get().version(), goes_on);
     if (!co_await write(connection, common.limits, message, head.method == Method::head)) co_return false;
     if (!goes_on) co_await linger(connection, common.limits);
-    co_return goes_on;
+    // While it was answered everything may have been told to stop, which closes only who waits for nothing.
+    co_return goes_on && !common.is_closing;
 }
 
 }  // namespace
