@@ -13,6 +13,7 @@
 #include "harness/serve/graders.h"
 #include "harness/serve/server.h"
 #include "harness/shared_options.h"
+#include "reference/assignment_file.h"
 
 namespace harness {
 namespace {
@@ -118,13 +119,15 @@ int serve_pages(const ServeOptions& options) {
             "--unsafe is for programs you have read, and this page would run anybody's: leave out --unsafe, or --host "
             "and --behind-proxy. `raygrade doctor` says what a sandbox takes here.");
     }
-    const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
+    const reference::AssignmentFile file = reference::read_assignment_file(options.assignment, assignments_folder());
+    const reference::Assignment assignment = reference::parse_assignment(file.toml, file.path);
     const serve::About about{assignment.title, std::chrono::hours(options.keep_hours),
                              assignment.rubric.variant_points};
     serve::SpoolBounds bounds;
     bounds.age = about.keep;
     serve::Spool spool(state_of(options, assignment.name), bounds);
     if (!spool.problem().empty()) fmt::print(stderr, "note: {}\n", spool.problem());
+    spool.take_for(assignment.name, file.toml);
     for (const std::string& key : spool.given_up()) spool.finish(key, serve::given_up(about));
     serve::Desk desk(spool, options.queue);
     serve::Site site({about, reach, options.rate}, desk);
@@ -192,8 +195,8 @@ void add_options(CLI::App& command, ServeOptions& options) {
         ->capture_default_str();
     command
         .add_option("--state", options.state,
-                    "The folder for queue and results; without it, one for the assignment in $XDG_STATE_HOME/raygrade "
-                    "or ~/.local/state/raygrade")
+                    "The folder for queue and results, new, empty or from an earlier start; without it, one for the "
+                    "assignment in $XDG_STATE_HOME/raygrade or ~/.local/state/raygrade")
         ->type_name("DIR");
     add_workshop(command, options.workshop);
     command.footer(

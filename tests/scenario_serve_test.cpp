@@ -160,6 +160,35 @@ TEST_F(Serving, AKillLosesNothing) {
     for (const std::string& result : results) EXPECT_EQ(outcome(result).at("points"), 10) << standing(result);
 }
 
+TEST_F(Serving, NeverGradesWhatWaitsAgainstAnotherScene) {
+    const std::string state = (folder / "kept").string();
+    start({"--state", state, "--grace", "0", "-j", "1"});
+    const std::vector<std::string> results = {hand_in(slow), hand_in(honest)};
+    EXPECT_EQ(end(SIGTERM), 0);
+    const std::string other = (folder / "other.toml").string();
+    write(other, read(project_folder() / "reference/assignments/a6-2021.toml") + "\nlate_deduction = 0.5\n");
+    const Result refused = raygrade({"serve", "--assignment", other, "--port", "0", "--state", state}, prepare());
+    EXPECT_EQ(refused.status, usage) << refused.both();
+    EXPECT_THAT(refused.voice, AllOf(HasSubstr("there for the assignment a6-2021."), HasSubstr("--state")));
+    start({"--state", state});
+    for (const std::string& result : results) EXPECT_EQ(outcome(result).at("points"), 10) << standing(result);
+    EXPECT_EQ(end(SIGTERM), 0);
+    assignment = other;
+    start({"--state", state});
+    EXPECT_EQ(standing(results.front()).at("points"), 10);
+}
+
+TEST_F(Serving, LeavesAFolderOfOtherThingsAsItIs) {
+    const fs::path results = folder / "results";
+    write(results / "grades.csv", "id,points\n");
+    fs::permissions(results, static_cast<fs::perms>(0755));
+    const Result refused = raygrade({"serve", "--port", "0", "--state", results.string()}, prepare());
+    EXPECT_EQ(refused.status, usage) << refused.both();
+    EXPECT_THAT(refused.voice, AllOf(HasSubstr("is not empty"), HasSubstr("--state")));
+    EXPECT_FALSE(fs::exists(results / "lock"));
+    EXPECT_EQ(fs::status(results).permissions(), static_cast<fs::perms>(0755));
+}
+
 TEST_F(Serving, SaysThatPointsForOtherScenesAreNotShown) {
     constexpr std::string_view sentence =
         "Points for answers on other scenes, up to 2.5, are not part of what is shown here.";
