@@ -11,6 +11,7 @@
 #include "harness/failure.h"
 #include "harness/find_submissions.h"
 #include "harness/serve/graders.h"
+#include "harness/serve/own_addresses.h"
 #include "harness/serve/server.h"
 #include "harness/shared_options.h"
 #include "reference/assignment_file.h"
@@ -85,9 +86,14 @@ std::unique_ptr<serve::Server> listen(const ServeOptions& options, const Reach& 
     }
 }
 
-std::string address_text(const std::string& host, std::uint16_t port) {
-    const bool is_v6 = host.find(':') != std::string::npos;
-    return fmt::format("http://{}{}{}:{}/", is_v6 ? "[" : "", host, is_v6 ? "]" : "", port);
+/// Those that are answered: any of this machine's, and by name only what --name says.
+void tell_addresses(const ServeOptions& options, const Reach& reach, std::uint16_t port) {
+    std::vector<std::string> all = serve::web_addresses(options.host, port);
+    for (const std::string& name : reach.names) all.push_back(serve::web_address(name, port));
+    for (std::size_t i = 0; i < all.size(); ++i) fmt::print("{} {}\n", i == 0 ? "Open" : "  or", all[i]);
+    const std::string own = serve::own_name();
+    if (reach.loopback || !reach.names.empty() || own.empty()) return;
+    fmt::print("By a name it answers with --name alone, as with --name {} at {}\n", own, serve::web_address(own, port));
 }
 
 void announce(const ServeOptions& options, const Reach& reach, const serve::About& about, std::uint16_t port) {
@@ -100,9 +106,9 @@ void announce(const ServeOptions& options, const Reach& reach, const serve::Abou
     }
     if (reach.behind_proxy) {
         fmt::print("Open https://{}/ once its proxy passes requests on to {}\n", reach.names.front(),
-                   address_text(options.host, port));
+                   serve::web_address(options.host, port));
     } else {
-        fmt::print("Open {}\n", address_text(options.host, port));
+        tell_addresses(options, reach, port);
     }
     if (const std::string sentence = serve::not_shown(about); !sentence.empty()) {
         fmt::print("{} `grade` and `check` give them, with --variants.\n", sentence);
@@ -158,11 +164,14 @@ int serve_pages(const ServeOptions& options) {
 void add_options(CLI::App& command, ServeOptions& options) {
     add_assignment(command, options.assignment);
     command.add_option("-p,--port", options.port, "The port; 0 for any free one, which is told")
+        ->check(CLI::Range(0, 65'535))
         ->type_name("N")
         ->capture_default_str();
     command
-        .add_option("--host", options.host,
-                    "The address of this machine to listen at; any but 127.0.0.1 and ::1 lets others in, 0.0.0.0 all")
+        .add_option(
+            "--host", options.host,
+            "The address of this machine to listen at; any but 127.0.0.1 and ::1 lets others in, 0.0.0.0 at all "
+            "its addresses")
         ->type_name("ADDRESS")
         ->capture_default_str();
     command

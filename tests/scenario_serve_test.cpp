@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -22,6 +23,7 @@ using namespace std::chrono_literals;
 using harness::serve::HttpAnswer;
 using nlohmann::json;
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -58,10 +60,10 @@ class Serving : public testing::Test {
         while (port == 0 && std::chrono::steady_clock::now() < late) {
             std::this_thread::sleep_for(10ms);
             const std::string said = fs::exists(output()) ? read(output()) : "";
-            constexpr std::string_view before = "Open http://127.0.0.1:";
-            const auto at = said.find(before);
-            if (at != std::string::npos && said.find("/\n", at) != std::string::npos)
-                port = static_cast<std::uint16_t>(std::stoi(said.substr(at + before.size())));
+            const auto at = said.find("Open http://");
+            const auto end = at == std::string::npos ? at : said.find("/\n", at);
+            if (end != std::string::npos)
+                port = static_cast<std::uint16_t>(std::stoi(said.substr(said.rfind(':', end) + 1)));
         }
         ASSERT_NE(port, 0) << read(voice());
     }
@@ -131,6 +133,8 @@ TEST_F(Serving, StoppedItFinishesTheQueueAndShowsTheResultsAfterTheNextStart) {
     for (int i = 0; i < 3; ++i) results.push_back(hand_in(std::string(honest) + "// " + std::to_string(i) + "\n"));
     EXPECT_EQ(end(SIGTERM), 0);
     EXPECT_THAT(read(voice()), HasSubstr("nothing waits"));
+    EXPECT_THAT(read(voice()),
+                ContainsRegex("stopping: [123] programs? to be checked, up to 100 s more; Ctrl-C again"));
     start();
     for (const std::string& result : results) {
         EXPECT_EQ(standing(result).at("standing"), "done");
@@ -206,6 +210,22 @@ TEST_F(Serving, SaysThatPointsForOtherScenesAreNotShown) {
     EXPECT_THAT(read(output()), Not(HasSubstr("other scenes")));
 }
 
+TEST_F(Serving, AtAllAddressesItSaysWhatToOpenAndWhichNameIsAnswered) {
+    start({"--host", "0.0.0.0"});
+    EXPECT_THAT(read(output()), Not(HasSubstr("0.0.0.0")));
+    std::array<char, 256> name{};
+    ASSERT_EQ(gethostname(name.data(), name.size() - 1), 0);
+    const auto asked_by_name = [&] {
+        return ask("GET / HTTP/1.1\r\nHost: " + std::string(name.data()) + "\r\n\r\n").status;
+    };
+    EXPECT_THAT(read(output()), HasSubstr("--name "));
+    EXPECT_EQ(asked_by_name(), 421);
+    EXPECT_EQ(end(SIGINT), 0);
+    start({"--host", "0.0.0.0", "--name", name.data()});
+    EXPECT_EQ(asked_by_name(), 200);
+    EXPECT_THAT(read(output()), AllOf(ContainsRegex("  or http://[^/]*/"), Not(HasSubstr("--name "))));
+}
+
 TEST_F(Serving, RunsNobodysProgramsForOthersWithoutASandbox) {
     for (const std::vector<std::string>& reach :
          {std::vector<std::string>{"--host", "0.0.0.0"}, {"--behind-proxy", "--name", "check.example.edu"}}) {
@@ -240,7 +260,9 @@ TEST_F(Serving, SaysWhatIsWrongBeforeItStarts) {
         return result.voice;
     };
     const std::string other = (folder / "other").string();
-    EXPECT_THAT(voice_of({"--port", "0"}, 1), HasSubstr("--state"));
+    EXPECT_THAT(voice_of({"--port", "0"}, 1), AllOf(HasSubstr("--state"), HasSubstr("--port")));
+    EXPECT_THAT(voice_of({"--port", "80000", "--state", other}, usage), HasSubstr("65535"));
+    EXPECT_THAT(voice_of({"--host", "192.0.2.1", "--state", other}, usage), HasSubstr("0.0.0.0 for all"));
     EXPECT_THAT(voice_of({"--port", std::to_string(port), "--state", other}, usage), HasSubstr("--port 0"));
     EXPECT_THAT(voice_of({"--host", "example.edu", "--state", other}, usage), HasSubstr("IP address"));
     EXPECT_THAT(voice_of({"--behind-proxy", "--state", other}, usage), HasSubstr("--name"));

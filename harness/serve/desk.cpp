@@ -110,9 +110,9 @@ void Desk::close() {
     grew_.notify_all();
 }
 
-bool Desk::is_idle() const {
+std::size_t Desk::unfinished() const {
     const std::lock_guard guard(mutex_);
-    return waiting_.empty() && at_work_.empty();
+    return waiting_.size() + at_work_.size();
 }
 
 std::size_t Desk::leave() {

@@ -59,8 +59,9 @@ class Desk {
 
     /// Takes no more; graders get what still waits.
     void close();
-    /// Nothing waits and nothing is being graded.
-    bool is_idle() const;
+    /// How many wait or are being graded.
+    std::size_t unfinished() const;
+    bool is_idle() const { return unfinished() == 0; }
     /// What waits stays in the spool: graders get no more, and what they are at does not count as an attempt. How many
     /// are left for the next start. Throws HarnessError.
     std::size_t leave();
