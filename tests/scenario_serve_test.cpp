@@ -120,6 +120,14 @@ TEST_F(Serving, GradesAnHonestProgramBesideHostileOnes) {
     EXPECT_THAT(page.body, AllOf(Not(HasSubstr("<script")), Not(HasSubstr("<img")), Not(HasSubstr("\x1b"))));
     EXPECT_THAT(page.fields.at("content-security-policy"), Not(HasSubstr("script-src")));
     EXPECT_THAT(page.body, HasSubstr("Check another program"));
+    EXPECT_THAT(page.body, ContainsRegex("Checked on 20[0-9-]+ at [0-9:]+ [^,<]+, ray_cast.cpp<"));
+    const std::string pasted =
+        ask("POST /check HTTP/1.1\r\nHost: localhost\r\nContent-Type: multipart/form-data; boundary=cut\r\n"
+            "Content-Length: 83\r\n\r\n--cut\r\nContent-Disposition: form-data; name=\"source\"\r\n\r\nint main() { }  "
+            "\r\n--cut--\r\n")
+            .fields.at("location");
+    EXPECT_EQ(outcome("/" + pasted).at("standing"), "done");
+    EXPECT_THAT(ask(harness::serve::get("/" + pasted)).body, HasSubstr(", pasted text<"));
     const std::string told = read(voice()) + read(output());
     EXPECT_THAT(told, HasSubstr("program 6"));
     for (const auto& [who, result] : results)

@@ -139,23 +139,25 @@ std::vector<std::string> Spool::given_up() {
     return without_page(">=");
 }
 
-void Spool::add(const std::string& key, const std::string& source) {
+void Spool::add(const std::string& key, const std::string& source, const std::string& file) {
     attempt("written", [&] {
-        SQLite::Statement insert(*database_, "INSERT INTO submissions (key, source) VALUES (?, ?)");
+        SQLite::Statement insert(*database_, "INSERT INTO submissions (key, source, file) VALUES (?, ?, ?)");
         insert.bind(1, key);
         bind_bytes(insert, 2, source);
+        insert.bind(3, file);
         insert.exec();
     });
 }
 
-std::string Spool::begin(const std::string& key) {
-    return attempt("read", [&]() -> std::string {
+Program Spool::begin(const std::string& key) {
+    return attempt("read", [&]() -> Program {
         SQLite::Statement count(*database_, "UPDATE submissions SET attempts = attempts + 1 WHERE key = ?");
         count.bind(1, key);
         count.exec();
-        SQLite::Statement query(*database_, "SELECT source FROM submissions WHERE key = ?");
+        SQLite::Statement query(*database_, "SELECT source, IFNULL(file, '') FROM submissions WHERE key = ?");
         query.bind(1, key);
-        return query.executeStep() ? bytes_of(query.getColumn(0)) : "";
+        if (!query.executeStep()) return {};
+        return {bytes_of(query.getColumn(0)), query.getColumn(1).getString()};
     });
 }
 
@@ -169,9 +171,10 @@ void Spool::give_back(const std::string& key) {
 
 void Spool::finish(const std::string& key, const Result& result) {
     attempt("written", [&] {
-        SQLite::Statement update(*database_,
-                                 "UPDATE submissions SET source = NULL, page = ?, points = ?, max_points = ?, "
-                                 "finished = ? WHERE key = ?");
+        SQLite::Statement update(
+            *database_,
+            "UPDATE submissions SET source = NULL, file = NULL, page = ?, points = ?, max_points = ?, "
+            "finished = ? WHERE key = ?");
         bind_bytes(update, 1, result.page);
         if (result.points) {
             update.bind(2, *result.points);

@@ -29,6 +29,11 @@ struct SpoolBounds {
     int attempts = 3;  ///< a program that brought raygrade down so often is not tried again
 };
 
+struct Program {
+    std::string source;
+    std::string file;  ///< the name that its page shows
+};
+
 struct Result {
     std::string page;              ///< HTML
     std::optional<double> points;  ///< empty when it was not graded
@@ -61,9 +66,9 @@ class Spool {
     std::vector<std::string> given_up();
 
     /// On the disk when it returns.
-    void add(const std::string& key, const std::string& source);
-    /// The source, and counts an attempt.
-    std::string begin(const std::string& key);
+    void add(const std::string& key, const std::string& source, const std::string& file = "");
+    /// The program, and counts an attempt.
+    Program begin(const std::string& key);
     /// The attempt does not count: it was broken off for no fault of the program's.
     void give_back(const std::string& key);
     void finish(const std::string& key, const Result& result);

@@ -36,6 +36,7 @@ constexpr const char* tables = R"(
 )";
 
 constexpr const char* tables_since_2 = R"(
+    ALTER TABLE submissions ADD COLUMN file TEXT;  -- its name, as long as the source
     CREATE TABLE assignment (                      -- that all programs are for, in one row or none
         name TEXT NOT NULL,
         fingerprint TEXT NOT NULL);                -- of its whole text
@@ -96,8 +97,9 @@ std::unique_ptr<SQLite::Database> open_spool_file(const fs::path& file) {
     database->exec("PRAGMA secure_delete = ON");
     database->exec("PRAGMA trusted_schema = OFF");
     // Also finds out whether the tables have the columns they should.
-    for (const char* columns : {"number, key, attempts, source, page, points, max_points, finished FROM submissions",
-                                "name, fingerprint FROM assignment"}) {
+    for (const char* columns :
+         {"number, key, attempts, source, file, page, points, max_points, finished FROM submissions",
+          "name, fingerprint FROM assignment"}) {
         SQLite::Statement(*database, fmt::format("SELECT {} LIMIT 1", columns)).executeStep();
     }
     return database;

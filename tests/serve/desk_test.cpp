@@ -219,16 +219,19 @@ TEST_F(DeskTest, AGraderWaitsForAProgramAndForTheEnd) {
 TEST_F(DeskTest, NoSourceIsKeptBesideItsResult) {
     Spool spool(folder);
     Desk desk(spool, 10);
-    hand_in(desk, "int secret;" + std::string(500, ' '));
+    desk.accept("int secret;" + std::string(500, ' '), "of mine.cpp");
     desk.finish(desk.next().value(), {"page", 1, 1});
     SQLite::Database database((folder / "spool.sqlite").string(), SQLite::OPEN_READONLY);
     EXPECT_EQ(database.execAndGet("SELECT count(*) FROM submissions").getInt(), 1);
-    EXPECT_EQ(database.execAndGet("SELECT count(*) FROM submissions WHERE source IS NOT NULL").getInt(), 0);
+    EXPECT_EQ(
+        database.execAndGet("SELECT count(*) FROM submissions WHERE source IS NOT NULL OR file IS NOT NULL").getInt(),
+        0);
     spool.trim();
     for (const auto& entry : fs::directory_iterator(folder)) {
         std::ifstream file(entry.path(), std::ios::binary);
         const std::string bytes{std::istreambuf_iterator<char>(file), {}};
         EXPECT_EQ(bytes.find("int secret;"), std::string::npos) << entry.path();
+        EXPECT_EQ(bytes.find("of mine.cpp"), std::string::npos) << entry.path();
     }
 }
 
@@ -351,7 +354,9 @@ TEST_F(DeskTest, ASpoolOfTheFirstVersionKeepsWhatItHolds) {
     EXPECT_EQ(spool.problem(), "");
     spool.take_for("a6", "pixel = 1");
     EXPECT_THAT(spool.waiting(), ElementsAre("a"));
-    EXPECT_EQ(spool.begin("a"), "source");
+    const Program program = spool.begin("a");
+    EXPECT_EQ(program.source, "source");
+    EXPECT_EQ(program.file, "");
 }
 
 TEST_F(DeskTest, ASpoolOfALaterVersionIsSetAside) {
