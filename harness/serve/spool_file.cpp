@@ -79,8 +79,7 @@ FileDescriptor take_spool_folder(const fs::path& folder) {
     if (flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
         throw HarnessError(
             fmt::format("Another raygrade serve uses {}. Stop it first, or give this one a folder and a port of its "
-                        "own with --state "
-                        "and --port.",
+                        "own with --state and --port.",
                         in_quotes(folder)));
     }
     return file;
