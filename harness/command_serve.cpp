@@ -93,7 +93,7 @@ void tell_addresses(const ServeOptions& options, const Reach& reach, std::uint16
     for (std::size_t i = 0; i < all.size(); ++i) fmt::print("{} {}\n", i == 0 ? "Open" : "  or", all[i]);
     const std::string own = serve::own_name();
     if (reach.loopback || !reach.names.empty() || own.empty()) return;
-    fmt::print("By a name it answers with --name alone, as with --name {} at {}\n", own, serve::web_address(own, port));
+    fmt::print("By name it answers only with --name: --name {} for {}\n", own, serve::web_address(own, port));
 }
 
 void announce(const ServeOptions& options, const Reach& reach, const serve::About& about, std::uint16_t port) {

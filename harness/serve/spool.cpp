@@ -105,9 +105,9 @@ void Spool::take_for(const std::string& assignment, const std::string& toml) {
             const std::string earlier = query.getColumn(0).getString();
             throw UsageError(fmt::format(
                 "{}: {} {} there for the assignment {}{}. Start serve with that until nothing waits, name another "
-                "folder with --state, or remove that file to give up what it holds.",
-                in_quotes(file_), count, count == 1 ? "program waits" : "programs wait", printable(earlier),
-                earlier == assignment ? ", whose file was another one then" : ""));
+                "folder with --state, or remove this one to give up what it holds.",
+                in_quotes(file_.parent_path()), count, count == 1 ? "program waits" : "programs wait",
+                printable(earlier), earlier == assignment ? ", whose file was another one then" : ""));
         }
         SQLite::Transaction transaction(*database_);
         database_->exec("DELETE FROM assignment");
