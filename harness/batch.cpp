@@ -37,15 +37,6 @@ struct Built {
     std::unique_ptr<Scratch> sanitized;  ///< for the build under the sanitizers; null without
 };
 
-/// The sanitizers' bookkeeping takes time and memory that are not the student's.
-Limits sanitizer_limits(Limits limits) {
-    constexpr int slower = 5;
-    limits.cpu *= slower;
-    limits.wall *= slower;
-    limits.memory_bytes += std::uint64_t{1} << 30;
-    return limits;
-}
-
 class Batch {
   public:
     Batch(std::vector<Submission> submissions, std::vector<std::shared_future<Marking>> markings,
@@ -281,13 +272,17 @@ bool Batch::or_not_graded(std::size_t index, Work work) {
     } catch (const HarnessError& error) {
         return fail(error.what());
     } catch (const std::exception& error) {
-        fail(fmt::format("A fault of raygrade: {}. Please report it with the submission.", error.what()));
+        fail(fault_sentence(error));
         results_[index].our_fault = true;
         return false;
     }
 }
 
 }  // namespace
+
+std::string fault_sentence(const std::exception& error) {
+    return fmt::format("A fault of raygrade: {}. Please report it with the submission.", error.what());
+}
 
 std::vector<Graded> grade_all(std::vector<Submission> submissions, const std::shared_future<Marking>& marking,
                               const Workshop& workshop, int jobs, Timeline& timeline) {

@@ -1,6 +1,8 @@
 // The main path for a class: what is to be compiled when, so that no core waits.
 #pragma once
 
+#include <exception>
+#include <string>
 #include <vector>
 
 #include "harness/grade.h"
@@ -18,6 +20,9 @@ std::vector<Graded> grade_all(std::vector<Submission> submissions, const std::sh
 /// The same, each submission held to a marking of its own; as many markings as submissions.
 std::vector<Graded> grade_each(std::vector<Submission> submissions, std::vector<std::shared_future<Marking>> markings,
                                const Workshop& workshop, int jobs, Timeline& timeline);
+
+/// What is said of a fault of raygrade's own.
+std::string fault_sentence(const std::exception& error);
 
 /// Grades one submission.
 Graded grade(const Submission& submission, const std::shared_future<Marking>& marking, const Workshop& workshop);

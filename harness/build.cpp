@@ -116,13 +116,23 @@ std::string reached_limit(Ended ended, const Limits& limits) {
     return "";
 }
 
+bool has_broken_down(const ProcessResult& result) {
+    return result.ended == Ended::exited && result.exit_code == broken_down;
+}
+
 /// The compiler's messages, and below them why there are no more.
 std::string messages(const ProcessResult& result, const Limits& limits) {
-    const std::string limit = reached_limit(result.ended, limits);
-    if (limit.empty()) return result.errors;
+    std::string why;
+    if (const std::string limit = reached_limit(result.ended, limits); !limit.empty()) {
+        why = fmt::format("was stopped at the limit {}", limit);
+    } else if (has_broken_down(result)) {
+        why = fmt::format("broke down by itself, as it does beyond compile.stack_mib={} or compile.file_mib={}",
+                          limits.stack_bytes / mebibyte, limits.file_bytes / mebibyte);
+    } else {
+        return result.errors;
+    }
     const bool is_within_a_line = !result.errors.empty() && !result.errors.ends_with('\n');
-    return result.errors + (is_within_a_line ? "\n" : "") +
-           fmt::format("raygrade: the compiler was stopped at the limit {}\n", limit);
+    return result.errors + (is_within_a_line ? "\n" : "") + fmt::format("raygrade: the compiler {}\n", why);
 }
 
 /// The compiler with the course's flags, to be run in `scratch`.
@@ -213,7 +223,7 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
         empty_folder(scratch.path());
     }
     const ProcessResult result = compile(submission.source, settings, sandbox, scratch, {});
-    const bool broke_down = result.ended == Ended::exited && result.exit_code == broken_down;
+    const bool broke_down = has_broken_down(result);
     build.reached_limit = !reached_limit(result.ended, settings.limits).empty() || broke_down;
     build.depends_on_load = result.ended == Ended::wall_limit || result.ended == Ended::signalled || broke_down;
     build.diagnostics = messages(result, settings.limits);

@@ -74,10 +74,24 @@ void add_items(std::vector<std::string>& reasons, const Graded& before, const Gr
     }
 }
 
-void add_scenes(std::vector<std::string>& reasons, const Score& before, const Score& after) {
-    const double then = before.other_scenes ? before.other_scenes->points : 0;
-    const double now = after.other_scenes ? after.other_scenes->points : 0;
-    if (!is_same_mark(then, now)) reasons.push_back(fmt::format("other scenes ({})", signed_points(now - then)));
+/// "2 scenes of seed 1"; empty where an older raygrade did not keep it.
+std::string scenes_asked_for(const variants::VariantReport& report) {
+    const std::size_t count = report.runs.size() + report.not_tried.size();
+    return report.seed ? fmt::format("{} scene{} of seed {}", count, count == 1 ? "" : "s", *report.seed) : "";
+}
+
+void add_scenes(std::vector<std::string>& reasons, const Graded& before, const Graded& after) {
+    const double then = before.score.other_scenes ? before.score.other_scenes->points : 0;
+    const double now = after.score.other_scenes ? after.score.other_scenes->points : 0;
+    if (is_same_mark(then, now)) return;
+    std::string others;
+    if (before.other_scenes && after.other_scenes) {
+        const std::string asked_then = scenes_asked_for(*before.other_scenes);
+        const std::string asked_now = scenes_asked_for(*after.other_scenes);
+        if (asked_then != asked_now)
+            others = fmt::format(": {}, before {}", asked_now, asked_then.empty() ? "not known" : asked_then);
+    }
+    reasons.push_back(fmt::format("other scenes ({}{})", signed_points(now - then), others));
 }
 
 }  // namespace
@@ -88,7 +102,8 @@ bool is_same_mark(const std::optional<double>& one, const std::optional<double>&
 }
 
 MarkChange change_between(const Graded& before, const Graded& after) {
-    MarkChange change{after.submission.id, points_that_count(before), points_that_count(after), {}};
+    MarkChange change{after.submission.id,     points_that_count(before), points_that_count(after), {},
+                      before.score.max_points, after.score.max_points};
     const std::string& source_then = before.submission.source_sha256;
     const std::string& source_now = after.submission.source_sha256;
     if (source_then != source_now) {
@@ -106,12 +121,16 @@ MarkChange change_between(const Graded& before, const Graded& after) {
     const bool both_marked = before.outcome != Outcome::not_graded && after.outcome != Outcome::not_graded;
     if (both_marked) {
         add_items(change.reasons, before, after);
-        add_scenes(change.reasons, before.score, after.score);
+        add_scenes(change.reasons, before, after);
     }
     return change;
 }
 
 void add(ClassChanges& changes, MarkChange change) {
+    if (change.most_before != change.most_after) {
+        changes.most_before = change.most_before;
+        changes.most_after = change.most_after;
+    }
     if (is_same_mark(change.before, change.after)) {
         if (change.reasons.empty()) {
             ++changes.untouched;

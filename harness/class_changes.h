@@ -15,15 +15,17 @@ struct MarkChange {
     std::string id;
     std::optional<double> before, after;
     std::vector<std::string> reasons;  ///< "another source", "6.t wrong -> right (+1.67)"; none when nothing changed
+    double most_before = 0, most_after = 0;  ///< the points there are in all
 };
 
 struct ClassChanges {
-    std::vector<MarkChange> rising;   ///< in the order of the class, as all of these
-    std::vector<MarkChange> falling;  ///< also what had a mark and has none any more
-    std::vector<MarkChange> level;    ///< the same mark, but something of it changed
-    std::vector<MarkChange> fresh;    ///< without anything before
-    std::vector<MarkChange> gone;     ///< no longer among the submissions
-    std::size_t untouched = 0;        ///< how many are as they were
+    std::vector<MarkChange> rising;          ///< in the order of the class, as all of these
+    std::vector<MarkChange> falling;         ///< also what had a mark and has none any more
+    std::vector<MarkChange> level;           ///< the same mark, but something of it changed
+    std::vector<MarkChange> fresh;           ///< without anything before
+    std::vector<MarkChange> gone;            ///< no longer among the submissions
+    std::size_t untouched = 0;               ///< how many are as they were
+    double most_before = 0, most_after = 0;  ///< the points there are in all; the same where nothing is to be compared
 };
 
 /// Whether two marks are the same, as far as a millionth of a point.

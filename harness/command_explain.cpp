@@ -8,6 +8,7 @@
 #include "harness/report/explaining_picture.h"
 #include "harness/results_folder.h"
 #include "harness/shared_options.h"
+#include "harness/source_file.h"
 
 namespace harness {
 namespace {
@@ -65,6 +66,20 @@ std::string read_output(const fs::path& file) {
     return std::move(output.bytes);
 }
 
+/// Throws UsageError for what no program of this assignment printed: a source, say, whose own strings read like
+/// answers.
+void require_answers(const fs::path& file, const Graded& graded) {
+    const char* way_out = "; give a file with what the program printed: ./ray_cast > output.txt";
+    if (is_source_name(file.filename().string()))
+        throw UsageError(fmt::format("{}: is a program{}", file.string(), way_out));
+    for (const QuestionScore& question : graded.score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (item.verdict != ItemVerdict::missing) return;
+        }
+    }
+    throw UsageError(fmt::format("{}: holds no answer to any question{}", file.string(), way_out));
+}
+
 int draw_explanation(const ExplainOptions& options) {
     const bool writes_file = options.out != to_stdout;
     if (writes_file) check_out(options.out, options.force);
@@ -72,7 +87,10 @@ int draw_explanation(const ExplainOptions& options) {
     const bool has_transcript = !options.transcript.empty();
     if (has_transcript) graded.run.output = read_output(options.transcript);
     const Marking marking = begin_marking(reference::load_assignment(options.assignment, assignments_folder())).get();
-    if (has_transcript) graded.score = score(read_transcript(graded.run.output), marking.key, marking.assignment);
+    if (has_transcript) {
+        graded.score = score(read_transcript(graded.run.output), marking.key, marking.assignment);
+        require_answers(options.transcript, graded);
+    }
     const std::string picture =
         report::explaining_picture(marking, has_transcript ? &graded : nullptr, !options.without_answers, "raygrade-");
     if (!writes_file) {

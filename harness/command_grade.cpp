@@ -138,7 +138,7 @@ int grade_class(const GradeOptions& options) {
     auto toolchain = begin_look_at_compiler(options.workshop);
     const auto roster_given = read_roster_file(options);
     const auto worksheet_given = read_worksheet_file(options);
-    const reference::AssignmentFile file = reference::read_assignment_file(options.assignment, assignments_folder());
+    const reference::AssignmentFile file = read_assignment(options);
     const reference::Assignment assignment = reference::parse_assignment(file.toml, file.path);
     variants::require_variants(assignment, options.variants.count);
     const auto marking = begin_marking(assignment);

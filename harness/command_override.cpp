@@ -191,7 +191,12 @@ int override_points(const OverrideOptions& options) {
 
 void add_options(CLI::App& command, OverrideOptions& options) {
     command.add_option("id", options.id, "The submission, as the reports name it")->type_name("ID");
-    command.add_option("item", options.item, "An item such as 6.t, a question such as 6, or total")->type_name("ITEM");
+    command
+        .add_option(
+            "item", options.item,
+            "An item such as 6.t, a question such as 6, variants (the other scenes, where the rubric gives points "
+            "for them), or total")
+        ->type_name("ITEM");
     command.add_option("points", options.points, "What it gets instead, 0 or more")->type_name("POINTS");
     command.add_option("--why", options.why, "The reason, which the student reads too")->type_name("TEXT");
     command.add_option("--by", options.by, "Who decides; by default the account that runs raygrade")->type_name("NAME");

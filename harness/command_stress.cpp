@@ -24,11 +24,23 @@ struct StressOptions {
     WorkshopOptions workshop;
 };
 
-/// Why no hard scene was tried, a sentence.
+bool was_read(const Score& score) {
+    return std::any_of(score.questions.begin(), score.questions.end(), [](const QuestionScore& question) {
+        return std::any_of(question.items.begin(), question.items.end(),
+                           [](const ItemScore& item) { return item.verdict != ItemVerdict::missing; });
+    });
+}
+
+/// Why no hard scene was tried, a sentence. How a program ended explains it only where it answered nothing.
 std::string why_nothing(const Graded& graded) {
-    if (!graded.explanation.empty()) return escape_control(graded.explanation);
+    if (!was_read(graded.score) && !graded.explanation.empty()) return escape_control(graded.explanation);
+    if (graded.our_fault) return "The hard scenes could not be told: a fault of raygrade.";
     if (!graded.hard_scenes)
         return "No answer is right on the assignment's own scene; `raygrade check` says what to look at first.";
+    const auto& scenes = graded.hard_scenes->scenes;
+    const bool was_written = std::any_of(scenes.begin(), scenes.end(),
+                                         [](const stress::HardResult& scene) { return !scene.changes.empty(); });
+    if (was_written || graded.hard_scenes->not_found.empty()) return "No hard scene could be tried.";
     return "The scene was not found in the source: state its numbers by themselves, not within formulas.";
 }
 
@@ -42,7 +54,7 @@ nlohmann::ordered_json report_json(const StressOptions& options, const Graded& g
     return json;
 }
 
-/// all_graded when the scenes were tried, whatever came of them; some_not_graded when none could be.
+/// all_graded when scenes were tried, whatever came of them; some_not_graded when none could be.
 int stress_source(const StressOptions& options) {
     auto toolchain = begin_look_at_compiler(options.workshop);
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
@@ -63,6 +75,7 @@ int stress_source(const StressOptions& options) {
     stress::run_stress(all, {submissions.front().source}, marking.get(), workshop, options.jobs, timeline);
     const Graded& graded = all.front();
     tell_problems(workshop);
+    for (const std::string& note : graded.submission.notes) fmt::print(stderr, "note: {}\n", note);
     const bool tried = graded.hard_scenes && graded.hard_scenes->tried() > 0;
     if (options.json) {
         fmt::print("{}\n", report_json(options, graded, marking.get())
@@ -72,7 +85,8 @@ int stress_source(const StressOptions& options) {
         if (graded.hard_scenes) fmt::print("{}", escape_control(stress::stress_text(*graded.hard_scenes)));
         if (!tried) fmt::print("{}\n", why_nothing(graded));
     }
-    return tried ? all_graded : some_not_graded;
+    const int status = status_of(all);
+    return status == all_graded && !tried ? some_not_graded : status;
 }
 
 void add_options(CLI::App& command, StressOptions& options) {
@@ -89,10 +103,13 @@ void add_options(CLI::App& command, StressOptions& options) {
         "at. A scene\n"
         "  survives  when every answer is right and says rightly what the ray hits; digits may be lost on the way,\n"
         "  breaks    when an answer is wrong, nan or inf, or a hit is told as a miss or a miss as a hit,\n"
-        "  is left out where the source was not found to state the part of the scene that it needs.\n"
+        "  is left out where the source was not found to state the part of the scene that it needs, or where the ray\n"
+        "            hits another object of the assignment before the one that was moved.\n"
         "\"6.t (2 of 6 digits)\" says how many of the printed digits are right, at most float's 6. What keeps more "
         "there\n"
-        "is named as in `raygrade accuracy`, which shows what each method costs. No marks, and no right values.\n\n"
+        "is named as in `raygrade accuracy`, which shows what each method costs. No marks, and no right values. The "
+        "exit\n"
+        "status is 1 when no hard scene could be tried.\n\n"
         "Example: raygrade stress ray_cast.cpp --assignment a6-2021");
 }
 

@@ -46,7 +46,7 @@ Subcommand doctor_command(CLI::App& app);
 
 struct GradeOptions {
     std::vector<std::filesystem::path> paths;
-    std::string assignment;
+    std::string assignment;  ///< empty for that of the results in `out`, else the default
     std::filesystem::path out = "results";
     int jobs = 1;
     bool apply = false;  ///< write, also over the results of an earlier run; else show what would change

@@ -48,9 +48,9 @@ std::string explain(const Build& build, const ProcessResult& run, const Limits& 
         run.output.empty() ? " Nothing that it printed had arrived by then." : " What it printed before is marked.";
     switch (run.ended) {
         case Ended::not_started:
-            return build.reached_limit
-                       ? "The compiler ran out of time or memory on this source; its messages say of what."
-                       : "The source does not compile.";
+            return build.reached_limit ? "The compiler was stopped at a limit or broke down on this source; its "
+                                         "messages end with which."
+                                       : "The source does not compile.";
         case Ended::exited:
             if (run.output.empty())
                 return fmt::format("The program ended with exit code {} and printed nothing.", run.exit_code);

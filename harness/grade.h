@@ -48,7 +48,7 @@ struct Flag {
 struct Graded {
     Submission submission;
     Outcome outcome = Outcome::not_graded;
-    bool our_fault = false;   ///< not graded because raygrade failed, not the machine
+    bool our_fault = false;   ///< raygrade failed, not the machine: not graded, or a note says what is missing
     std::string explanation;  ///< a sentence: the first stage that went wrong; empty when none did
     Tier tier = Tier::bwrap;  ///< what its programs ran under
     Build build;

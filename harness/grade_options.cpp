@@ -39,7 +39,8 @@ void add_grade_options(CLI::App& command, GradeOptions& options) {
         .add_option("paths", options.paths, "What to grade: files, folders and archives, in the order of the report")
         ->required()
         ->type_name("PATH...");
-    add_assignment(command, options.assignment);
+    add_assignment(command, options.assignment)->default_str("that of the results in --out, else default");
+    options.assignment.clear();
     command
         .add_option(
             "-o,--out", options.out,

@@ -252,6 +252,7 @@ json other_scenes_record(const variants::VariantReport& report) {
                 {"unmoved", items_record(report.unmoved)}};
     for (const variants::UntriedScene& scene : report.not_tried)
         record["not_tried"].push_back(json::array({scene.name, scene.changes, scene.why}));
+    if (report.seed) record["seed"] = *report.seed;
     return record;
 }
 
@@ -270,6 +271,7 @@ variants::VariantReport other_scenes_from(const json& record) {
         for (const json& scene : record.at("not_tried"))
             report.not_tried.push_back({scene.at(0), scene.at(1), scene.at(2)});
     }
+    if (record.contains("seed")) report.seed = take<std::uint64_t>(record, "seed");
     for (const auto* items : {&report.broken, &report.unmoved}) {
         for (const variants::ItemOnVariant& item : *items) {
             if (item.run >= report.runs.size()) throw std::invalid_argument("a run that is not there");

@@ -12,7 +12,8 @@ namespace harness {
 
 /// CBOR: a map whose keys are the fields' names, an item an array of its fields. What is at its default is left out of
 /// a map, so that an older record reads well where fields were added. The overrides are not in it, nor what a finished
-/// run has no more: source, output and program. The same submission always gives the same bytes.
+/// run has no more: source, output, program, and how an answer was read beside what it says. The same submission always
+/// gives the same bytes.
 std::vector<std::uint8_t> to_record(const Graded& graded);
 
 /// The submission again, without overrides; empty when these bytes are no record.

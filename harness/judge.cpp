@@ -30,6 +30,14 @@ bool swallows_scene(const PrintedValue& value, const RealScene& scene) {
                        [&](const PrintedNumber& number) { return std::abs(number.value) > largest; });
 }
 
+void note_reading(ItemScore& score, const PrintedValue& value) {
+    score.no_value = value.numbers.empty();
+    for (const PrintedNumber& number : value.numbers) {
+        score.not_finite = score.not_finite || !std::isfinite(number.value);
+        if (!number.exact) score.half_unit = std::max(score.half_unit, 0.5 * std::pow(10.0, -number.decimals));
+    }
+}
+
 }  // namespace
 
 Judge::Judge(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
@@ -111,6 +119,7 @@ ItemScore Judge::judge(const KeyItem& item) {
     } else if (printed->value) {
         score.printed = printed->value->printed;
         score.line = printed->value->line;
+        note_reading(score, *printed->value);
         score.verdict = printed->unreadable ? ItemVerdict::unreadable : judge_value(item, *printed, score);
     }
     return score;

@@ -17,14 +17,13 @@ namespace {
 constexpr std::string_view whole = "total";
 
 std::vector<std::string> places_of(const Score& score) {
-    std::vector<std::string> places;
+    std::vector<std::string> places{std::string(whole)};
+    if (score.other_scenes) places.emplace_back(other_scenes_place);
     for (const QuestionScore& question : score.questions) {
         places.push_back(std::to_string(question.number));
         for (const ItemScore& item : question.items)
             places.push_back(fmt::format("{}.{}", question.number, item.spec.name));
     }
-    if (score.other_scenes) places.emplace_back(other_scenes_place);
-    places.emplace_back(whole);
     return places;
 }
 

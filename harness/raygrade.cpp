@@ -6,10 +6,14 @@
 #include <array>
 #include <clocale>
 #include <cstdio>
+#include <string>
+#include <vector>
 
+#include "harness/clean_text.h"
 #include "harness/commands.h"
 #include "harness/failure.h"
 #include "harness/find_submissions.h"
+#include "harness/near_names.h"
 
 namespace {
 
@@ -21,8 +25,8 @@ constexpr const char* about =
     "  raygrade grade class/ --out results     a class: marks, reports, grades.json\n"
     "  raygrade override s05 6.t 2 --why ...   an instructor's mark in place of the automatic one\n"
     "  raygrade check ray_cast.cpp             a student's own check before handing in\n"
+    "  raygrade serve                          the same check as a page for browsers\n"
     "  raygrade stress ray_cast.cpp            which hard scenes a method survives, and what would do better\n"
-    "  raygrade serve                          the same as a page for browsers\n"
     "  raygrade reference                      the canonical answers\n"
     "  raygrade cast < queries.jsonl           exact answers to any rays\n"
     "  raygrade accuracy --out accuracy        what accuracy costs in time: a page of pictures\n"
@@ -33,7 +37,17 @@ constexpr const char* about =
 constexpr const char* footer =
     "Exit status: 0 all graded, 1 some not graded, 2 a mistake in the command or the assignment, 3 a fault of "
     "raygrade.\n"
+    "Of `stress` 1 says that no hard scene could be tried.\n"
     "Marks never change it, except under `check --fail-under`.";
+
+/// Throws UsageError for a first word that is no option and no subcommand.
+void require_command(const std::string& word, const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+    if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
+    throw UsageError(fmt::format("{}: is no command; {}; raygrade --help says what each does", escape_control(word),
+                                 did_you_mean(word, names)));
+}
 
 int run(int argc, char** argv) {
     CLI::App app(about, "raygrade");
@@ -43,10 +57,11 @@ int run(int argc, char** argv) {
     app.get_formatter()->column_width(36);
 
     const std::array commands{
-        grade_command(app),   override_command(app),  check_command(app),  stress_command(app),
-        serve_command(app),   reference_command(app), cast_command(app),   accuracy_command(app),
+        grade_command(app),   override_command(app),  check_command(app),  serve_command(app),
+        stress_command(app),  reference_command(app), cast_command(app),   accuracy_command(app),
         explain_command(app), render_command(app),    doctor_command(app),
     };
+    if (argc > 1) require_command(argv[1], app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "reference/double_scene.h"
 #include "reference/scene_answers.h"
 
 namespace harness {
@@ -31,8 +32,7 @@ double size_of(const reference::Scene<double>& scene) {
 }  // namespace
 
 RealScene real_scene(const reference::Assignment& assignment, const reference::Reading& reading) {
-    const auto scene =
-        reference::convert_scene<double>(assignment.scene, [](const reference::Decimal& x) { return x.to_double(); });
+    const auto scene = reference::in_double(assignment.scene);
     const auto answers = reference::answer_scene(scene, reading.convention, reading.boundary);
     RealScene real{reference::convert_scene<Real>(scene, [](double x) { return Real(x); }), {}};
     if (!real.spheres.empty()) std::swap(real.spheres.front(), real.spheres[answers.sphere_index]);

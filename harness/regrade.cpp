@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "harness/find_submissions.h"
 #include "harness/report/class_changes.h"
 #include "harness/report/feedback_changes.h"
 
@@ -39,6 +40,20 @@ Desk open_desk(const GradeOptions& options, Holds holds) {
         holds == Holds::earlier_results && (last_run || std::filesystem::exists(options.out / "grades.json"));
     const bool is_older = has_results && !last_run;
     return {std::move(gradebook), std::move(last_run), options.apply || !has_results, is_older};
+}
+
+reference::AssignmentFile read_assignment(const GradeOptions& options) {
+    if (!options.assignment.empty()) return reference::read_assignment_file(options.assignment, assignments_folder());
+    const auto last = Gradebook(options.out).last_run();
+    if (!last) return reference::read_assignment_file("default", assignments_folder());
+    std::error_code error;
+    if (!std::filesystem::exists(last->assignment_file, error)) {
+        throw UsageError(
+            fmt::format("{}: was graded with {}, which is not there now; name the assignment with "
+                        "--assignment",
+                        options.out.string(), last->assignment_file.string()));
+    }
+    return reference::read_assignment_file(last->assignment_file.string(), assignments_folder());
 }
 
 bool is_all_there(const Desk& desk, const Gradebook::Comparison& comparison, const Run& run,

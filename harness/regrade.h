@@ -24,6 +24,10 @@ struct Desk {
 /// `holds` is what the folder for the results holds.
 Desk open_desk(const GradeOptions& options, Holds holds);
 
+/// The assignment that is named, else that of the results in the folder, so that it is never another one unasked, else
+/// the default. Throws UsageError.
+reference::AssignmentFile read_assignment(const GradeOptions& options);
+
 /// Whether writing the run would change no file and nothing in the gradebook but the number of runs. Never where
 /// something goes back to another system, as whom it leaves out is to be told each time.
 bool is_all_there(const Desk& desk, const Gradebook::Comparison& comparison, const Run& run,

@@ -127,6 +127,11 @@ void write_junit_file(const GradeOptions& options, const std::vector<Graded>& gr
 
 void tell_canvas(const report::CanvasImport& import, const fs::path& file) {
     fmt::print("for Canvas: {}, {} matched\n", file.string(), import.matched);
+    if (import.possible) {
+        fmt::print("  Points Possible of the column are {:g}, not the assignment's: points are filled in as they are\n",
+                   *import.possible);
+    }
+    list("more than Points Possible", import.above);
     list("ambiguous, left out", import.ambiguous);
     list("not in the gradebook, left out", import.unmatched);
     list("not graded, left out", import.not_graded);

@@ -49,6 +49,14 @@ std::vector<std::string> sanitizer_environment() {
     return {"ASAN_OPTIONS=detect_leaks=0:color=never", "UBSAN_OPTIONS=print_stacktrace=0:color=never"};
 }
 
+Limits sanitizer_limits(Limits limits) {
+    constexpr int slower = 5;
+    limits.cpu *= slower;
+    limits.wall *= slower;
+    limits.memory_bytes += std::uint64_t{1} << 30;
+    return limits;
+}
+
 std::vector<std::string> sanitizer_findings(std::string_view errors) {
     std::vector<std::string> findings;
     std::string kind;  // of AddressSanitizer's finding whose place is still to come

@@ -33,6 +33,10 @@ struct ItemScore {
     std::string accepted_as;      ///< why another form or reading is right; empty for the canonical one
     std::string diagnosis;        ///< the mistake's name, e.g. "far root"; empty when unknown
     std::string advice;           ///< one sentence about the mistake; never the expected value
+    // How it was read, which `printed` alone does not tell: "none (d < 0)" has a number in it.
+    bool no_value = false;    ///< as "none"
+    bool not_finite = false;  ///< nan or inf is among its numbers
+    double half_unit = 0;     ///< half a unit of the last digit printed, the largest of its numbers'
 };
 
 struct QuestionScore {

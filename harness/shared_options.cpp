@@ -8,9 +8,9 @@
 
 namespace harness {
 
-void add_assignment(CLI::App& command, std::string& assignment) {
+CLI::Option* add_assignment(CLI::App& command, std::string& assignment) {
     assignment = "default";
-    command
+    return command
         .add_option("-a,--assignment", assignment,
                     "The name of an assignment that comes with raygrade, or a .toml file")
         ->type_name("NAME|FILE")
@@ -69,8 +69,10 @@ void add_variants(CLI::App& command, variants::VariantOptions& options) {
         ->type_name("N")
         ->capture_default_str();
     command
-        .add_option("--variant-seed", options.seed,
-                    "Where the other scenes are drawn from; the same seed gives the same scenes")
+        .add_option(
+            "--variant-seed", options.seed,
+            "Where the other scenes are drawn from; the same seed gives the same scenes. Both numbers are kept with "
+            "the marks, and a regrade says where others moved them")
         ->type_name("N")
         ->capture_default_str();
 }

@@ -22,7 +22,7 @@ Subcommand subcommand(CLI::App& app, const char* name, const char* about, void (
     return {&command, [options, run] { return run(*options); }};
 }
 
-void add_assignment(CLI::App& command, std::string& assignment);
+CLI::Option* add_assignment(CLI::App& command, std::string& assignment);
 
 /// As many as the machine has cores; `meaning` is its line of the help.
 void add_jobs(CLI::App& command, int& jobs, const char* meaning);

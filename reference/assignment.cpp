@@ -79,10 +79,14 @@ double Rubric::points_of(int question) const {
     return found == points.end() ? points_per_question : found->second;
 }
 
+double largest_component(const std::vector<double>& key_value) {
+    double largest = 0;
+    for (const double x : key_value) largest = std::max(largest, std::abs(x));
+    return largest;
+}
+
 double unit_of(const std::vector<double>& key_value) {
-    double unit = 1;
-    for (const double x : key_value) unit = std::max(unit, std::abs(x));
-    return unit;
+    return std::max(1.0, largest_component(key_value));
 }
 
 std::optional<double> Rubric::tolerance_of(int question, const std::string& item) const {

@@ -81,6 +81,9 @@ struct Assignment {
     Look look;  ///< for pictures; nothing in marking reads it
 };
 
+/// The largest size of a component.
+double largest_component(const std::vector<double>& key_value);
+
 /// What a tolerance is relative to: the largest component of the key's value, or 1 where that is below 1.
 double unit_of(const std::vector<double>& key_value);
 

@@ -13,6 +13,7 @@ namespace {
 using namespace report_samples;
 using testing::AllOf;
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -60,6 +61,15 @@ TEST(ClassChanges, TellARubricsOtherPointsFromAnotherVerdict) {
                 ElementsAre("6.t still follow (-0.5)"));
 }
 
+TEST(ClassChanges, TellOfWhichPointsAMarkIs) {
+    const Graded before = with_t(ItemVerdict::wrong, 0);
+    Graded after = before;
+    after.score.max_points += 10;
+    EXPECT_THAT(report::changes_summary(filed(before, after)),
+                EndsWith("1 stays as it is.\nMarks are of 110 points now, of 100 before."));
+    EXPECT_THAT(report::changes_summary(filed(before, before)), EndsWith("1 stays as it is."));
+}
+
 TEST(ClassChanges, NameSourceOutcomeAndLateness) {
     Graded before = with_t(ItemVerdict::wrong, 0);
     Graded after = before;
@@ -73,6 +83,35 @@ TEST(ClassChanges, NameSourceOutcomeAndLateness) {
     before.submission.source_sha256 = "";
     EXPECT_THAT(change_between(before, after).reasons.front(), "a source, where there was none");
     EXPECT_THAT(change_between(after, before).reasons.front(), "no source any more");
+}
+
+/// With so many points of 10 for other scenes: one run, and `not_tried` more.
+Graded with_scenes(double points, std::size_t not_tried, std::optional<std::uint64_t> seed) {
+    Graded one = with_t(ItemVerdict::wrong, 0);
+    one.score.other_scenes = ScenesScore{points, 10};
+    one.score.points += points;
+    one.other_scenes = variants::VariantReport{};
+    one.other_scenes->runs.resize(1);
+    one.other_scenes->not_tried.resize(not_tried);
+    one.other_scenes->seed = seed;
+    return one;
+}
+
+TEST(ClassChanges, SayOnWhichOtherScenesPointsMoved) {
+    const auto reasons = [](const Graded& before, const Graded& after) {
+        return change_between(before, after).reasons;
+    };
+    EXPECT_THAT(reasons(with_scenes(6, 3, 7), with_scenes(4, 1, 1)),
+                ElementsAre("other scenes (-2: 2 scenes of seed 1, before 4 scenes of seed 7)"));
+    EXPECT_THAT(reasons(with_scenes(4, 3, 7), with_scenes(6, 0, 7)),
+                ElementsAre("other scenes (+2: 1 scene of seed 7, before 4 scenes of seed 7)"));
+    EXPECT_THAT(reasons(with_scenes(4, 3, 7), with_scenes(6, 3, 7)), ElementsAre("other scenes (+2)"));
+    EXPECT_THAT(reasons(with_scenes(4, 0, {}), with_scenes(6, 1, 1)),
+                ElementsAre("other scenes (+2: 2 scenes of seed 1, before not known)"));
+    EXPECT_THAT(reasons(with_scenes(4, 3, 7), with_scenes(4, 1, 1)), IsEmpty()) << "no mark hangs on it";
+    Graded without = with_t(ItemVerdict::wrong, 0);
+    EXPECT_THAT(reasons(without, with_scenes(2, 3, 7)), ElementsAre("other scenes (+2)"));
+    EXPECT_THAT(reasons(with_scenes(2, 3, 7), without), ElementsAre("other scenes (-2)"));
 }
 
 TEST(ClassChanges, KeepTheSameMarkForOtherReasonsApart) {

@@ -13,15 +13,7 @@ namespace {
 using reference::Boundary;
 using student::Program;
 using student::Way;
-
-/// The output of a right program with one line replaced.
-std::string with_line(std::string output, int question, const std::string& label, const std::string& value) {
-    const std::size_t heading = output.find("Question " + std::to_string(question) + ":");
-    const std::size_t line = output.find("\n" + label + ": ", heading);
-    EXPECT_NE(line, std::string::npos) << label;
-    output.replace(line, output.find('\n', line + 1) - line, "\n" + label + ": " + value);
-    return output;
-}
+using student::with_line;
 
 std::string right_output(const student::Marking& marking, bool true_hits_only = false) {
     Way way;

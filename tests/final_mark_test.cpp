@@ -55,6 +55,19 @@ TEST(FinalMark, AQuestionsOwnOverrideStandsBeforeThoseOfItsItems) {
     EXPECT_EQ(final_mark(graded)->points, 13);
 }
 
+TEST(FinalMark, ALateHandInLosesItsShareOfOtherScenesToo) {
+    Graded graded = sample();
+    graded.late_share = 0.25;
+    graded.score.other_scenes = ScenesScore{6, 10};
+    graded.score.points += 6;
+    graded.score.max_points += 10;
+    EXPECT_EQ(final_mark(graded)->points, 0.75 * (7 + 6));
+    EXPECT_EQ(final_mark(graded)->late_deduction, 0.25 * (7 + 6));
+    graded.overrides = {{0, "variants", 10, "it works", "ada", ""}};
+    EXPECT_EQ(final_mark(graded)->points, 0.75 * (7 + 10));
+    EXPECT_EQ(final_mark(graded)->late_deduction, 0.25 * (7 + 10));
+}
+
 TEST(FinalMark, ALateHandInLosesItsShareOfWhatItEarned) {
     Graded graded = sample();
     graded.late_share = 0.25;

@@ -36,7 +36,8 @@ std::vector<Graded> a_class() {
                                                 4,
                                                 {{8, "t", 1, "0.5\x1b", "", "far root"}},
                                                 {{6, "t", 0, "3.41", "3.41", ""}},
-                                                {{"scene 3", "radius = 9", "it does not compile"}, {"", "", "none"}}};
+                                                {{"scene 3", "radius = 9", "it does not compile"}, {"", "", "none"}},
+                                                7};
     late.build.wall = 1234ms;
     late.run.cpu = 7ms;
     late.run.wall = 9ms;
@@ -101,6 +102,17 @@ TEST(GradedRecord, GivesBackWhatNoReportShows) {
     EXPECT_TRUE(restored.run.errors_truncated);
     EXPECT_EQ(restored.score.questions[5].items[4].advice, "The nearer one.");
     EXPECT_EQ(restored.score.questions[5].items[4].spec.label, one.score.questions[5].items[4].spec.label);
+}
+
+TEST(GradedRecord, OfAnOlderRaygradeLacksWhatWasNotKept) {
+    auto json = nlohmann::json::from_cbor(to_record(a_class().front()));
+    ASSERT_EQ(json.at("other_scenes").erase("seed"), 1U);
+    ASSERT_EQ(json.at("other_scenes").erase("not_tried"), 1U);
+    const auto older = from_record(nlohmann::json::to_cbor(json));
+    ASSERT_TRUE(older);
+    EXPECT_EQ(older->other_scenes->seed, std::nullopt);
+    EXPECT_TRUE(older->other_scenes->not_tried.empty());
+    EXPECT_EQ(older->other_scenes->runs.size(), 2U);
 }
 
 TEST(GradedRecord, KeepsEveryNumberAsItIs) {

@@ -40,6 +40,13 @@ TEST(CommandLine, AnUnknownOptionIsAMistakeOfUsage) {
     EXPECT_EQ(result.output, "");
 }
 
+TEST(CommandLine, AnUnknownCommandIsNamedWithThoseThatAreNear) {
+    const Result result = raygrade({"grde", "submissions"});
+    EXPECT_EQ(result.status, usage);
+    EXPECT_THAT(result.voice, testing::AllOf(HasSubstr("grde: is no command"), HasSubstr("did you mean grade?")));
+    EXPECT_THAT(raygrade({"help"}).voice, HasSubstr("raygrade --help"));
+}
+
 TEST(CommandLine, NothingToDoIsAMistakeOfUsage) {
     EXPECT_EQ(raygrade({}).status, usage);
 }

@@ -89,5 +89,18 @@ TEST(Explain, SaysWhatIsWrongWithAPath) {
     EXPECT_FALSE(fs::exists(out));
 }
 
+TEST(Explain, SaysWhatIsNoPrintout) {
+    const TemporaryFolder folder;
+    const std::string out = (folder / "a.svg").string();
+    Result result = raygrade({"explain", (sample("ada") / "ray_cast.cpp").string(), "-o", out});
+    EXPECT_EQ(result.status, usage);
+    EXPECT_THAT(result.voice, testing::AllOf(HasSubstr("is a program"), HasSubstr("./ray_cast > output.txt")));
+    write(folder / "notes.txt", "Dear diary,\nno rays today.\n");
+    result = raygrade({"explain", (folder / "notes.txt").string(), "-o", out});
+    EXPECT_EQ(result.status, usage);
+    EXPECT_THAT(result.voice, HasSubstr("notes.txt: holds no answer to any question"));
+    EXPECT_FALSE(fs::exists(out));
+}
+
 }  // namespace
 }  // namespace scenario

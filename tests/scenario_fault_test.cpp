@@ -140,13 +140,13 @@ bool find_running(const std::string& name, pid_t& parent) {
 TEST_F(Fault, ASupervisorThatDiesLeavesItsSubmissionNotGraded) {
     adopt_orphans();
     add("honest", honest);
-    // A name of its own, by which the test finds it.
-    add("waits",
-        "#include <sys/prctl.h>\n#include <unistd.h>\nint main() { prctl(PR_SET_NAME, \"waits-for-test\"); "
-        "sleep(8); }\n");
+    // A name of its own, by which this test finds it, and no other that runs beside it.
+    const std::string name = "waits-" + std::to_string(getpid());
+    add("waits", "#include <sys/prctl.h>\n#include <unistd.h>\nint main() { prctl(PR_SET_NAME, \"" + name +
+                     "\"); sleep(8); }\n");
     const pid_t raygrade = start(command({"-j", "1"}));
     pid_t supervisor = 0;
-    ASSERT_TRUE(find_running("waits-for-test", supervisor));
+    ASSERT_TRUE(find_running(name, supervisor));
     kill(supervisor, SIGKILL);
     int status = 0;
     ASSERT_EQ(waitpid(raygrade, &status, 0), raygrade);

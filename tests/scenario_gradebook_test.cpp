@@ -109,6 +109,22 @@ TEST_F(RealDay, NothingIsLoweredSilently) {
               1);
 }
 
+TEST_F(RealDay, ARegradeIsByTheAssignmentOfTheResultsUnlessAnotherIsNamed) {
+    const std::string own = rubric("[rubric.points]\n5 = 40\n");
+    grade({"--assignment", own});
+    ASSERT_EQ(points("ada"), 40);
+    EXPECT_THAT(grade().output, HasSubstr("Nothing has changed"));
+    write(own, read(own) + "6 = 20\n");
+    EXPECT_THAT(grade().output, AllOf(HasSubstr("The file of the assignment a6-2021 has changed"),
+                                      HasSubstr("Marks are of 140 points now, of 130 before.")));
+    EXPECT_THAT(grade({"--assignment", "default"}).output, HasSubstr("falls  ada"));
+    fs::remove(own);
+    const Result gone = grade({"--apply"});
+    EXPECT_EQ(gone.status, usage);
+    EXPECT_THAT(gone.voice, AllOf(HasSubstr("a6-2021.toml, which is not there now"), HasSubstr("--assignment")));
+    EXPECT_EQ(points("ada"), 40);
+}
+
 TEST_F(RealDay, ARegradeWithoutChangesSaysSo) {
     ASSERT_EQ(grade().status, 0);
     const Result again = grade();
@@ -362,6 +378,22 @@ TEST_F(RealDay, ALateHandInLosesWhatTheRubricSays) {
     EXPECT_THAT(read(out() / "feedback/adalovelace.md"), HasSubstr("Handed in late: 2.5 of 10 points are taken off"));
     const Result forgiven = grade({"--assignment", rubric("late_deduction = 0\n")});
     EXPECT_THAT(forgiven.output, HasSubstr("late: loses 0 %, 25 % before"));
+}
+
+TEST_F(RealDay, NobodyLosesPointsWhereNothingTellsOfLateness) {
+    for (const std::string folder_name : {"Jane Doe_12_assignsubmission_file", "submission_901"}) {
+        SCOPED_TRACE(folder_name);
+        fs::remove_all(students());
+        fs::remove_all(out());
+        write(students() / folder_name / "ray_cast.cpp", right);
+        const Result result = grade({"--assignment", rubric("late_deduction = 0.25\n")});
+        ASSERT_EQ(result.status, 0) << result.both();
+        EXPECT_THAT(result.both(), Not(HasSubstr("late")));
+        const json one = read_json(out() / "grades.json").at("submissions").at(0);
+        EXPECT_EQ(one.at("points"), 10.0);
+        EXPECT_EQ(one.at("late_deduction"), 0.0);
+        EXPECT_EQ(one.at("student").at("late"), nullptr);
+    }
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // The sample class on two other scenes, by the real raygrade. A submission with "unmoved" in its expected.json prints
-// some of its answers instead of computing them: those, at the least, must be found not to move. No other is flagged.
+// some of its answers instead of computing them: those, at the least, must be found not to move. No other is flagged;
+// one with "variants" must have that verdict.
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,9 +21,11 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using testing::AllOf;
 using testing::AnyOf;
 using testing::HasSubstr;
 using testing::IsSupersetOf;
+using testing::Not;
 
 struct Sample {
     std::string name;
@@ -80,8 +84,13 @@ TEST_P(SampleOnOtherScenes, IsFlaggedIfItPrintsInsteadOfComputing) {
     EXPECT_EQ(is_hard_coded(submission), expected.contains("unmoved")) << submission.at("flags").dump(2);
     const json& variants = submission.at("variants");
     if (!expected.contains("unmoved")) {
-        const std::string verdict = variants.is_null() ? "not_found" : variants.at("verdict");
-        EXPECT_THAT(verdict, AnyOf("computes", "breaks", "not_found"));
+        if (variants.is_null()) {
+            EXPECT_FALSE(expected.contains("variants"));
+            EXPECT_THAT(submission.at("outcome"), AnyOf("compile_error", "no_output"));
+        } else {
+            EXPECT_THAT(variants.at("verdict"), AnyOf("computes", "breaks")) << variants.dump(2);
+            EXPECT_EQ(variants.at("verdict"), expected.value("variants", variants.at("verdict")));
+        }
         return;
     }
     const auto unmoved = expected.at("unmoved").get<std::set<std::string>>();
@@ -157,14 +166,29 @@ class PointsForOtherScenes : public testing::Test {
                                      "[[variant]]\nname = \"left\"\ncamera.eye = [-5, 0, 3]\n"
                                      "[[variant]]\nname = \"right\"\ncamera.eye = [3, 0, 5]\n");
     }
+    Result run(const std::vector<std::string>& words) const {
+        Result result =
+            raygrade(words, [this] { return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0; });
+        EXPECT_EQ(result.status, 0) << result.both();
+        return result;
+    }
+    Result grade(const std::vector<std::string>& more) const {
+        std::vector<std::string> words{"grade", (folder / "ada").string(), "--assignment", (folder / "a.toml").string(),
+                                       "--out", (folder / "out").string()};
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words);
+    }
+    json submission() const { return read_json(folder / "out/grades.json").at("submissions").at(0); }
     /// Graded on "left" and "right".
     json graded(const std::string& source) const {
         write(folder / "ada/ray_cast.cpp", source);
-        const Result result =
-            raygrade({"grade", (folder / "ada").string(), "--assignment", (folder / "a.toml").string(), "--variants",
-                      "2", "--out", (folder / "out").string()});
-        EXPECT_EQ(result.status, 0) << result.both();
-        return read_json(folder / "out/grades.json").at("submissions").at(0);
+        grade({"--variants", "2"});
+        return submission();
+    }
+    double variants_in_history(int run) const {
+        return SQLite::Database((folder / "out/gradebook.sqlite").string(), SQLite::OPEN_READONLY)
+            .execAndGet("SELECT json_extract(items, '$.variants') FROM history WHERE run = " + std::to_string(run))
+            .getDouble();
     }
     TemporaryFolder folder;
 };
@@ -197,6 +221,83 @@ TEST_F(PointsForOtherScenes, NameACompileErrorWhereNoSceneCompiles) {
     EXPECT_NEAR(submission.at("other_scenes").at("points").get<double>(), 20 * a_tenth, 1e-9);
     EXPECT_THAT(submission.at("flags").at(0).at("evidence").get<std::string>(),
                 HasSubstr("on any of 2 other scenes: the source does not compile with its numbers."));
+}
+
+TEST_F(PointsForOtherScenes, TellInARegradeOnWhichScenesTheyWereAndAreKept) {
+    const std::string right_on_the_left = program_with("bool is_bad(float x) { return x > 0; }");
+    const json before = graded(right_on_the_left);
+    EXPECT_NEAR(before.at("other_scenes").at("points").get<double>(), 20 * (a_tenth + 0) / 2, 1e-9);
+    EXPECT_EQ(before.at("variants").at("seed"), 1);
+    EXPECT_THAT(grade({"--variants", "1", "--variant-seed", "7", "--apply"}).output,
+                HasSubstr("other scenes (+1: 1 scene of seed 7, before 2 scenes of seed 1)"));
+    EXPECT_NEAR(submission().at("other_scenes").at("points").get<double>(), 20 * a_tenth, 1e-9);
+    EXPECT_EQ(submission().at("variants").at("seed"), 7);
+    EXPECT_NEAR(variants_in_history(1), 1, 1e-9);
+    EXPECT_NEAR(variants_in_history(2), 2, 1e-9);
+}
+
+TEST_F(PointsForOtherScenes, AreOverriddenByTheirNameAndSurviveARegrade) {
+    graded(program_with("bool is_bad(float x) { return x > 0; }"));
+    const Result given = run({"override", "--results", (folder / "out").string(), "ada", "variants", "15", "--why",
+                              "right there by hand", "--by", "Prof. X"});
+    EXPECT_THAT(given.output, HasSubstr("ada: 11 -> 25 of 120 points in all"));
+    EXPECT_EQ(submission().at("other_scenes").at("points"), 15);
+    EXPECT_EQ(submission().at("other_scenes").at("automatic_points"), 1);
+    EXPECT_THAT(read(folder / "out/report.html"),
+                AllOf(HasSubstr("Other scenes: 15 of 20 points."), HasSubstr("right there by hand")));
+    EXPECT_THAT(read(folder / "out/feedback/ada.html"),
+                HasSubstr("Your instructor gave 15 points for the other scenes: right there by hand"));
+
+    std::string toml = read(folder / "a.toml");
+    toml.replace(toml.find("variant_points = 20"), 19, "variant_points = 60");
+    write(folder / "a.toml", toml);
+    EXPECT_THAT(grade({"--variants", "2", "--apply"}).output, HasSubstr("other scenes (+2)"));
+    EXPECT_EQ(submission().at("points"), 25) << "the override stands";
+    EXPECT_EQ(submission().at("max_points"), 160);
+    EXPECT_EQ(submission().at("automatic_points"), 13);
+
+    toml.replace(toml.find("variant_points = 60"), 19, "");
+    write(folder / "a.toml", toml);
+    const Result without = grade({"--variants", "2", "--apply"});
+    EXPECT_THAT(without.voice, HasSubstr("the override of variants for ada is kept, but there is no such"));
+    EXPECT_EQ(submission().at("points"), 10);
+    EXPECT_THAT(read(folder / "out/feedback/ada.html"), Not(HasSubstr("Your instructor gave")));
+    EXPECT_THAT(read(folder / "out/report.html"), HasSubstr("there are no such points any more"));
+}
+
+TEST(OtherScenes, AreDrawnFromTheSeed) {
+    const auto drawn = [](const char* seed) {
+        const TemporaryFolder folder;
+        write(folder / "ada/ray_cast.cpp", program_with("bool is_bad(float) { return false; }"));
+        const Result result = raygrade({"grade", (folder / "ada").string(), "--assignment", "a6-2021", "--variants",
+                                        "1", "--variant-seed", seed, "--out", (folder / "out").string()});
+        EXPECT_EQ(result.status, 0) << result.both();
+        return read_json(folder / "out/grades.json").at("submissions").at(0).at("variants").at("runs").at(0);
+    };
+    const json one = drawn("1"), seven = drawn("7");
+    EXPECT_EQ(drawn("7"), seven);
+    EXPECT_EQ(one.at("name"), seven.at("name"));
+    EXPECT_NE(one.at("changes"), seven.at("changes"));
+}
+
+/// Prints right answers to questions 6 and 7 as they stand in its source, which states no scene.
+json printing(const std::string& answers) {
+    const TemporaryFolder folder;
+    write(folder / "ada/ray_cast.cpp", "#include <cstdio>\nint main() { puts(\"" + answers + "\"); }\n");
+    const Result result = raygrade({"grade", (folder / "ada").string(), "--assignment", "a6-2021", "--variants", "1",
+                                    "--out", (folder / "out").string()});
+    EXPECT_EQ(result.status, 0) << result.both();
+    return read_json(folder / "out/grades.json").at("submissions").at(0);
+}
+
+TEST(OtherScenes, ShowThreePrintedAnswersButNoCoincidenceOfTwo) {
+    const std::string two = "Question 6:\\nt: 0.585786\\nhit point: (0.0, 0.0, 1.414214)\\n";
+    EXPECT_EQ(printing(two).at("flags"), json::array());
+    const json three = printing(two + "Question 7:\\nnormal: (-0.5, -0.5, 0.707107)\\n");
+    ASSERT_TRUE(is_hard_coded(three)) << three.dump(2);
+    EXPECT_THAT(
+        three.at("flags").at(0).at("evidence").get<std::string>(),
+        AllOf(HasSubstr("6.t: 0.585786 in line 2"), HasSubstr("6.hit: 1.414214"), HasSubstr("7.normal: 0.707107")));
 }
 
 TEST(OtherScenes, AreNotTriedUnasked) {

@@ -15,26 +15,30 @@
 namespace harness::report {
 namespace {
 
-/// "Title (number)": the title; empty for another header.
-std::string title_of(const std::string& header) {
+/// Of "Title (number)".
+struct AssignmentColumn {
+    std::string title, number;  ///< empty for another header
+};
+
+AssignmentColumn read_column(const std::string& header) {
     const std::size_t open = header.rfind(" (");
-    const bool numbered = open != std::string::npos && header.ends_with(')') && open + 3 < header.size() &&
-                          std::all_of(header.begin() + static_cast<std::ptrdiff_t>(open) + 2, header.end() - 1,
-                                      [](char c) { return c >= '0' && c <= '9'; });
-    return numbered ? header.substr(0, open) : "";
+    if (open == std::string::npos || !header.ends_with(')') || open + 3 >= header.size()) return {};
+    const std::string number = header.substr(open + 2, header.size() - open - 3);
+    const bool is_number = std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
+    return is_number ? AssignmentColumn{header.substr(0, open), number} : AssignmentColumn{};
 }
 
 std::string choose_column(const Row& header, const std::string& wanted) {
     std::vector<std::string> assignments;
     for (const std::string& name : header) {
         if (!wanted.empty() && name == wanted) return name;
-        const std::string title = title_of(name);
-        if (!title.empty() && (wanted.empty() || title == wanted)) assignments.push_back(name);
+        const auto [title, number] = read_column(name);
+        if (!title.empty() && (wanted.empty() || title == wanted || number == wanted)) assignments.push_back(name);
     }
     if (assignments.size() == 1) return assignments.front();
     std::string there;
     for (const std::string& name : header) {
-        if (!title_of(name).empty()) there += fmt::format("{}\"{}\"", there.empty() ? "" : ", ", name);
+        if (!read_column(name).title.empty()) there += fmt::format("{}\"{}\"", there.empty() ? "" : ", ", name);
     }
     if (there.empty()) throw RosterError("has no column of an assignment, such as \"Assignment 6 (12345)\"");
     const std::string way_out = "; name one with --canvas-column: " + there;
@@ -133,8 +137,12 @@ CanvasImport canvas_import(const CanvasRoster& roster, const std::vector<Graded>
         return line_of(row);
     };
     import.csv = with_score(roster.header, roster.column);
-    for (const Row& row : roster.before)
-        import.csv += with_score(row, cell_of(row, column_of(roster.header, roster.column)));
+    std::optional<double> possible;
+    for (const Row& row : roster.before) {
+        const std::string cell = cell_of(row, column_of(roster.header, roster.column));
+        import.csv += with_score(row, cell);
+        if (!possible) possible = read_grade(cell);
+    }
 
     const Index index(roster);
     const auto name_of = [&](std::size_t row) {
@@ -154,9 +162,12 @@ CanvasImport canvas_import(const CanvasRoster& roster, const std::vector<Graded>
         } else if (!points_that_count(*found->second.front())) {
             import.not_graded.push_back(found->second.front()->submission.id);
         } else {
+            const Graded& one = *found->second.front();
+            const double points = *points_that_count(one);
             ++import.matched;
-            import.csv +=
-                with_score(roster.students[row], fmt::format("{:.2f}", *points_that_count(*found->second.front())));
+            import.csv += with_score(roster.students[row], fmt::format("{:.2f}", points));
+            if (possible && *possible != one.score.max_points) import.possible = possible;
+            if (possible && points > *possible) import.above.push_back(one.submission.id);
         }
     }
     return import;

@@ -1,6 +1,7 @@
 // Marks back into Canvas: its own exported gradebook, filled in.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +19,7 @@ struct CanvasRoster {
     std::string column;  ///< the assignment's, "Title (number)"
 };
 
-/// Reads the export. `column` is the title of the assignment's column, with its number or without; where it is empty
+/// Reads the export. `column` is the title of the assignment's column, its number, or both as there; where it is empty
 /// there must be one such column. Throws RosterError.
 CanvasRoster read_canvas_roster(std::string_view csv, const std::string& column);
 
@@ -29,6 +30,8 @@ struct CanvasImport {
     std::vector<std::string> ambiguous;   ///< "id: Doe, Jane; Doe, Jane": ids that several have
     std::vector<std::string> without;     ///< students of the roster without a submission
     std::vector<std::string> not_graded;  ///< ids of submissions that have no marks
+    std::optional<double> possible;       ///< the column's points, where they are not the assignment's
+    std::vector<std::string> above;       ///< ids of those matched that have more than these
 };
 
 /// Matches by Canvas's number, then by SIS User ID and SIS Login ID, which a submission's id may be, then by name as

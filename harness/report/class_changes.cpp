@@ -79,6 +79,10 @@ std::string changes_summary(const ClassChanges& changes) {
     text += fmt::format(", {}", counted(changes.untouched, "stays as it is", "stay as they are"));
     if (!changes.fresh.empty()) text += fmt::format(", {} new", counted(changes.fresh.size(), "is", "are"));
     if (!changes.gone.empty()) text += fmt::format(", {} gone", counted(changes.gone.size(), "is", "are"));
+    if (changes.most_before != changes.most_after) {
+        text += fmt::format(".\nMarks are of {} points now, of {} before", points_text(changes.most_after),
+                            points_text(changes.most_before));
+    }
     return text + ".";
 }
 

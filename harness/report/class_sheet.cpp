@@ -92,8 +92,11 @@ bool lost_geometry(const Graded& graded) {
 
 std::string override_text(const Graded& graded, const Override& each) {
     const bool counts = find_override(graded, each.question, each.item) == &each;
+    const std::string_view why_not = !points_at(graded.score, each) ? " (there are no such points any more)"
+                                     : counts                       ? ""
+                                                                    : " (a later one counts)";
     return fmt::format("Override: {} points for {}, by {}, {}: {}{}", points_text(each.points), place_in_words(each),
-                       each.by, each.when, each.why, counts ? "" : " (a later one counts)");
+                       each.by, each.when, each.why, why_not);
 }
 
 PageData changes_of(const Graded& graded, const std::optional<FinalMark>& mark) {

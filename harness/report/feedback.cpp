@@ -69,7 +69,7 @@ std::string from_the_instructor(const Graded& graded) {
     std::string text;
     for (const Override& given : graded.overrides) {
         const auto there = points_at(graded.score, given);
-        if (!there) continue;
+        if (!there || find_override(graded, given.question, given.item) != &given) continue;
         const std::string instead =
             graded.outcome == Outcome::not_graded ? "" : fmt::format(", in place of {}", points_text(there->automatic));
         text += fmt::format("- Your instructor gave {} of {} for {}{}: {}\n", points_text(given.points),

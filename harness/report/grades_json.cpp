@@ -135,7 +135,8 @@ ordered_json variants_json(const std::optional<variants::VariantReport>& report)
             {"moved", report->moved},
             {"unmoved", items_json(report->unmoved)},
             {"broken", items_json(report->broken)},
-            {"not_tried", not_tried}};
+            {"not_tried", not_tried},
+            {"seed", report->seed ? ordered_json(*report->seed) : ordered_json(nullptr)}};
 }
 
 /// What the rubric gives for answers on other scenes; null where it gives nothing, or nothing was graded.

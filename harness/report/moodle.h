@@ -12,9 +12,6 @@
 
 namespace harness::report {
 
-/// "87.50" or "87,50", as grades are written: digits, at most one decimal sign; empty for anything else.
-std::optional<double> read_grade(std::string_view cell);
-
 /// "Participant 123" taken apart; empty without a number at its end.
 struct Identifier {
     std::string prefix;  ///< "Participant", in the site's language; may be empty

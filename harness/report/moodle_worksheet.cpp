@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <iterator>
 #include <set>
 #include <tuple>
@@ -195,17 +194,6 @@ void check_that_all_differ(const MoodleWorksheet& worksheet) {
 }
 
 }  // namespace
-
-std::optional<double> read_grade(std::string_view cell) {
-    constexpr std::size_t longest = 20;
-    if (cell.empty() || cell.size() > longest || !is_digit(cell.front()) || !is_digit(cell.back())) return std::nullopt;
-    std::string text(cell);
-    std::replace(text.begin(), text.end(), ',', '.');
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
 
 std::optional<Identifier> read_identifier(std::string_view cell) {
     std::size_t digits = cell.size();

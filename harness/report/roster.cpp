@@ -3,6 +3,7 @@
 #include <csv.h>
 
 #include <algorithm>
+#include <charconv>
 #include <climits>
 #include <cwchar>
 #include <cwctype>
@@ -58,6 +59,18 @@ std::optional<std::size_t> column_of(const Row& header, std::string_view name) {
 
 std::string cell_of(const Row& row, std::optional<std::size_t> column) {
     return column && *column < row.size() ? row[*column] : "";
+}
+
+std::optional<double> read_grade(std::string_view cell) {
+    constexpr std::size_t longest = 20;
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    if (cell.empty() || cell.size() > longest || !is_digit(cell.front()) || !is_digit(cell.back())) return std::nullopt;
+    std::string text(cell);
+    std::replace(text.begin(), text.end(), ',', '.');
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
 }
 
 std::string name_key(std::string_view name) {

@@ -34,6 +34,9 @@ std::optional<std::size_t> column_of(const Row& header, std::string_view name);
 /// Empty where the row is too short, or there is no such column.
 std::string cell_of(const Row& row, std::optional<std::size_t> column);
 
+/// "87.50" or "87,50", as grades are written: digits, at most one decimal sign; empty for anything else.
+std::optional<double> read_grade(std::string_view cell);
+
 /// A name as it is compared, and as Canvas writes it in a download: in lower case, without anything but letters, digits
 /// and '_'. "Doe, Jane" is "doejane". Empty for what is no UTF-8: such a name finds nobody. Letters are those of the
 /// locale, which raygrade sets to C.UTF-8.

@@ -56,7 +56,7 @@ PageData list_of_changes(const Graded& graded, const std::optional<FinalMark>& m
     if (graded.score.other_scenes && has_marks(graded)) add(scenes_sentence(graded));
     if (graded.score.follow_cap && has_marks(graded)) add(cap_sentence(*graded.score.follow_cap));
     for (const Override& given : graded.overrides) {
-        if (find_override(graded, given.question, given.item) != &given) continue;
+        if (find_override(graded, given.question, given.item) != &given || !points_at(graded.score, given)) continue;
         add(fmt::format("Your instructor gave {} points for {}: {}", points_text(given.points), place_in_words(given),
                         given.why));
     }

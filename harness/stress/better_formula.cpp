@@ -126,8 +126,7 @@ std::string tell_steps(const std::vector<HardItem>& lost, const Marking& marking
         const auto* numbers =
             std::get_if<reference::Numbers>(value_of(marking.key, {item.spec.question, item.spec.name}));
         if (found == lost.end() || numbers == nullptr || told.size() == most) continue;
-        double scale = 0;
-        for (const double x : *numbers) scale = std::max(scale, std::abs(x));
+        const double scale = reference::largest_component(*numbers);
         std::vector<std::string> scalars;
         for (const auto& error : item.errors) {
             if (error.scalar == "float" || error.scalar == "double")

@@ -27,7 +27,8 @@ struct Stage {
     Point on_ray(double k) const { return scene.camera.eye + k * (ray.P_WCS - scene.camera.eye); }
 };
 
-/// How well a drawn scene is what is wanted; below 0 when it is not.
+/// How well a drawn scene is what is wanted; below 0 when it is not. `answers` are about the sphere and the triangle
+/// that a recipe moves, the first ones, whatever stands before them.
 using Worth = double (*)(const Answers& answers, const Scene& scene);
 constexpr double not_wanted = -1;
 

@@ -58,31 +58,56 @@ std::string missing_parts(const HardRecipe& recipe, const variants::PartSet& loc
     return names.empty() ? "" : fmt::format("the source was not found to state {}", fmt::join(names, ", "));
 }
 
-std::optional<variants::DecimalScene> drawn(const HardRecipe& recipe, const Stage& stage, std::uint64_t seed) {
+Scene with_moved_objects_alone(Scene scene) {
+    if (!scene.spheres.empty()) scene.spheres.resize(1);
+    if (!scene.triangles.empty()) scene.triangles.resize(1);
+    return scene;
+}
+
+/// The questions are about the object that the ray hits first, which may be another than the one that was moved.
+bool asks_about_moved(const HardRecipe& recipe, const Scene& scene, reference::PixelConvention convention) {
+    for (const auto boundary : {reference::Boundary::positive, reference::Boundary::nonnegative}) {
+        const Answers answers = reference::answer_scene(scene, convention, boundary);
+        for (const ScenePart part : recipe.needs) {
+            if (part == ScenePart::center && answers.sphere_index != 0) return false;
+            if (part == ScenePart::A && answers.triangle_index != 0) return false;
+        }
+    }
+    return true;
+}
+
+/// Gives it its scene, or says why it can't be had.
+void draw_scene(HardScene& hard, const HardRecipe& recipe, const Stage& stage, std::uint64_t seed) {
     variants::Draw draw(seed);
     std::optional<Scene> best;
     double most = 0;
+    hard.why_not = "this assignment's ray and window do not allow it";
     for (int i = 0; i < recipe.attempts; ++i) {
         Scene scene = recipe.draw(stage, draw);
-        const double worth =
-            recipe.worth(reference::answer_scene(scene, stage.convention, reference::Boundary::nonnegative), scene);
+        const double worth = recipe.worth(reference::answer_scene(with_moved_objects_alone(scene), stage.convention,
+                                                                  reference::Boundary::nonnegative),
+                                          scene);
         if (!(worth > most)) continue;
+        if (!asks_about_moved(recipe, scene, stage.convention)) {
+            hard.why_not = "the ray hits another sphere or triangle of this assignment first there";
+            continue;
+        }
         most = worth;
         best = std::move(scene);
     }
-    if (!best) return {};
+    if (!best) return;
     try {
-        return reference::check_scene(variants::in_decimal(*best), "a hard scene");
+        hard.scene = reference::check_scene(variants::in_decimal(*best), "a hard scene");
+        hard.why_not.clear();
     } catch (const reference::AssignmentError&) {
-        return {};
+        hard.why_not = "this assignment's ray and window do not allow it";
     }
 }
 
 }  // namespace
 
 Point across(const Stage& stage, variants::Draw& draw) {
-    return reference::normalized(
-        reference::cross(stage.ray.V, Point(draw.between(-1, 1), draw.between(-1, 1), draw.between(-1, 1))));
+    return variants::across(stage.ray.V, draw);
 }
 
 void put_sphere_away(Scene& scene, const Stage& stage) {
@@ -104,8 +129,7 @@ std::vector<HardScene> hard_scenes(const Assignment& assignment, reference::Pixe
             hard.why_not = missing_parts(recipe, located);
             if (hard.why_not.empty() && recipe.needs_exact && !stage.is_exact)
                 hard.why_not = "no point of this ray can be written exactly in decimals";
-            if (hard.why_not.empty()) hard.scene = drawn(recipe, stage, seed);
-            if (!hard.scene && hard.why_not.empty()) hard.why_not = "this assignment's ray and window do not allow it";
+            if (hard.why_not.empty()) draw_scene(hard, recipe, stage, seed);
             scenes.push_back(std::move(hard));
         }
     }

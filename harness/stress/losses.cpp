@@ -5,23 +5,10 @@
 #include <cmath>
 #include <optional>
 
-#include "harness/token.h"
-
 namespace harness::stress {
 namespace {
 
 using reference::KeyItem;
-
-/// As far as an item score holds what was printed, without a last number that may be cut.
-std::vector<PrintedNumber> printed_numbers(const std::string& printed) {
-    constexpr std::size_t cut_at = 190;
-    std::vector<PrintedNumber> numbers;
-    for (const Token& token : tokenize(printed)) {
-        if (token.kind == Token::Kind::number) numbers.push_back(token.number);
-    }
-    if (printed.size() > cut_at && numbers.size() > 1) numbers.pop_back();
-    return numbers;
-}
 
 /// log10(scale / error), as a number of digits; none where nothing is to be counted.
 std::optional<double> digits(double scale, double error) {
@@ -32,11 +19,8 @@ std::optional<double> digits(double scale, double error) {
 /// What the digits of an item count from: its largest component, for u and v 1, the whole edge.
 double scale_of(const KeyItem& item) {
     if (item.spec.name == "u" || item.spec.name == "v") return 1;
-    double size = 0;
-    if (const auto* numbers = std::get_if<reference::Numbers>(&item.answers.front().value)) {
-        for (const double x : *numbers) size = std::max(size, std::abs(x));
-    }
-    return size;
+    const auto* numbers = std::get_if<reference::Numbers>(&item.answers.front().value);
+    return numbers == nullptr ? 0 : reference::largest_component(*numbers);
 }
 
 bool is_none(const reference::Answer& answer) {
@@ -60,21 +44,16 @@ bool is_forgiven(const ItemScore& item, const KeyItem& key_item, const reference
 }
 
 /// The answers that the key takes all have a value, or none does: it can be told who is right about that.
-std::optional<Loss> wrong_decision(const std::vector<PrintedNumber>& numbers, const KeyItem& key_item) {
+std::optional<Loss> wrong_decision(const ItemScore& item, const KeyItem& key_item) {
     const auto& answers = key_item.answers;
-    if (numbers.empty() && std::none_of(answers.begin(), answers.end(), is_none)) return Loss::hit_missed;
-    if (!numbers.empty() && std::all_of(answers.begin(), answers.end(), is_none)) return Loss::miss_hit;
+    if (item.no_value && std::none_of(answers.begin(), answers.end(), is_none)) return Loss::hit_missed;
+    if (!item.no_value && std::all_of(answers.begin(), answers.end(), is_none)) return Loss::miss_hit;
     return {};
 }
 
-void count_digits(HardItem& lost, const ItemScore& item, const std::vector<PrintedNumber>& numbers,
-                  const KeyItem& key_item) {
+void count_digits(HardItem& lost, const ItemScore& item, const KeyItem& key_item) {
     const double scale = scale_of(key_item);
-    double half_unit = 0;
-    for (const PrintedNumber& number : numbers) {
-        if (!number.exact) half_unit = std::max(half_unit, 0.5 * std::pow(10.0, -number.decimals));
-    }
-    const auto printed = digits(scale, 2 * half_unit);
+    const auto printed = digits(scale, 2 * item.half_unit);
     if (!item.error || !printed || *printed < 1) return;
     const auto count = [](double x) { return static_cast<int>(std::clamp(std::floor(x), 0.0, double{FLT_DIG})); };
     lost.digits_printed = count(*printed);
@@ -95,16 +74,15 @@ std::optional<HardItem> loss_of(const ItemScore& item, const KeyItem& key_item, 
         lost.loss = Loss::other_first;
         return right && !is_forgiven(item, key_item, key) ? std::nullopt : std::optional(lost);
     }
-    const std::vector<PrintedNumber> numbers = printed_numbers(item.printed);
-    if (std::any_of(numbers.begin(), numbers.end(), [](const auto& x) { return !std::isfinite(x.value); })) {
+    if (item.not_finite) {
         lost.loss = Loss::not_a_number;
         return lost;
     }
-    if (const auto decision = wrong_decision(numbers, key_item)) {
+    if (const auto decision = wrong_decision(item, key_item)) {
         lost.loss = *decision;
         return lost;
     }
-    count_digits(lost, item, numbers, key_item);
+    count_digits(lost, item, key_item);
     if (!right && item.diagnosis != "too few decimals") return lost;
     lost.loss = Loss::digits;
     return lost.digits_printed - lost.digits_kept > of_rounding ? std::optional(lost) : std::nullopt;

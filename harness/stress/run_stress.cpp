@@ -1,9 +1,13 @@
 #include "harness/stress/run_stress.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <exception>
 #include <map>
 #include <utility>
 
+#include "harness/clean_text.h"
 #include "harness/stress/better_formula.h"
 #include "harness/stress/hard_scenes.h"
 #include "harness/stress/losses.h"
@@ -21,6 +25,7 @@ using variants::SceneRun;
 struct HardSet {
     std::vector<HardScene> scenes;
     std::vector<MarkedScene> marked;  ///< of those that can be had
+    std::exception_ptr fault = {};    ///< what kept them from being made, and then there are none
 };
 
 /// Held to one reading of the handout, and with the certified allowance alone: a rubric's tolerance is made for its own
@@ -48,6 +53,20 @@ std::string_view ended_there(Outcome outcome) {
     return "";
 }
 
+HardSet hard_set(const Marking& marking, reference::PixelConvention convention, const PartSet& located) {
+    HardSet set{hard_scenes(marking.assignment, convention, located), {}};
+    const Marking held = for_hard_scenes(marking, convention);
+    for (HardScene& hard : set.scenes) {
+        if (!hard.scene) continue;
+        if (auto marked = variants::with_key({hard.name, *hard.scene}, held)) {
+            set.marked.push_back(std::move(*marked));
+        } else {
+            hard.why_not = "there is no certified key of it";
+        }
+    }
+    return set;
+}
+
 class StressedClass {
   public:
     StressedClass(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking)
@@ -66,25 +85,34 @@ class StressedClass {
         const auto [place, is_new] = sets_.try_emplace({convention, located.number()});
         HardSet& set = place->second;
         if (!is_new) return set;
-        set.scenes = hard_scenes(marking_.assignment, convention, located);
-        const Marking held = for_hard_scenes(marking_, convention);
-        for (HardScene& hard : set.scenes) {
-            if (!hard.scene) continue;
-            if (auto marked = variants::with_key({hard.name, *hard.scene}, held)) {
-                set.marked.push_back(std::move(*marked));
-            } else {
-                hard.why_not = "there is no certified key of it";
-            }
+        try {
+            set = hard_set(marking_, convention, located);
+        } catch (const std::exception&) {
+            set.fault = std::current_exception();
         }
         return set;
     }
 
+    /// What goes wrong in feedback takes nobody's marks.
     void conclude(const Rewritten& one) {
         Graded& graded = graded_[one.index];
+        try {
+            graded.hard_scenes = report_of(one, graded);
+        } catch (const std::exception& error) {
+            graded.our_fault = true;
+            graded.submission.notes.push_back(
+                fmt::format("It was not run on hard scenes by a fault of raygrade: {}. Please report it.",
+                            escape_control(error.what())));
+        }
+    }
+
+    StressReport report_of(const Rewritten& one, const Graded& graded) {
+        const HardSet& set = set_of(one.index, one.literals.located);
+        if (set.fault) std::rethrow_exception(set.fault);
         StressReport report;
         report.not_found = variants::parts_not_found(marking_.assignment.scene, one.literals.located);
         auto run = one.runs.begin();
-        for (const HardScene& hard : set_of(one.index, one.literals.located).scenes) {
+        for (const HardScene& hard : set.scenes) {
             HardResult result;
             result.name = hard.name;
             result.asks = hard.asks;
@@ -92,7 +120,7 @@ class StressedClass {
             if (result.skipped.empty()) tell(result, *run++, graded);
             report.scenes.push_back(std::move(result));
         }
-        graded.hard_scenes = std::move(report);
+        return report;
     }
 
     void tell(HardResult& result, const SceneRun& run, const Graded& base) const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "harness/variants/scene_part.h"
+#include "reference/double_scene.h"
 
 namespace harness::variants {
 
@@ -41,7 +42,10 @@ class Draw {
 /// To whole numbers, which every program can state; no -0.
 reference::Vec3<double> rounded(const reference::Vec3<double>& p);
 
-reference::Scene<double> in_double(const DecimalScene& scene);
+/// Across `V`, of length 1, by whatever angle around it.
+reference::Vec3<double> across(const reference::Vec3<double>& V, Draw& draw);
+
+using reference::in_double;
 /// Each number by the fewest digits that give the same double.
 DecimalScene in_decimal(const reference::Scene<double>& scene);
 

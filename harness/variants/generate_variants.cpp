@@ -88,11 +88,6 @@ class Painter {
         return 0;
     }
 
-    static Vec3<double> across(const Vec3<double>& V, Draw& draw) {
-        return reference::normalized(
-            reference::cross(V, Vec3<double>(draw.between(-1, 1), draw.between(-1, 1), draw.between(-1, 1))));
-    }
-
     /// About the ray, so that it mostly hits.
     void paint_triangle(Scene<double>& scene, const reference::CameraAnswers<double>& ray, Draw& draw) const {
         const Vec3<double> p = across(ray.V, draw);

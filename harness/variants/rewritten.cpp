@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "harness/batch.h"
+#include "harness/clean_text.h"
+#include "harness/failure.h"
 
 namespace harness::variants {
 namespace {
@@ -15,20 +18,17 @@ class RewrittenPart {
     RewrittenPart(const std::vector<Graded>& graded, const std::vector<std::string>& sources, const DecimalScene& scene)
         : graded_(graded), sources_(sources), scene_(scene) {}
 
+    /// All of it or, where something is thrown, nothing.
     void add(std::size_t index, const ScenesFor& scenes_for) {
         if (!has_right_answer(graded_[index])) return;
         Rewritten one{index, find_scene(sources_[index], scene_), {}};
+        std::vector<std::optional<std::string>> written;
         for (const MarkedScene& scene : scenes_for(index, one.literals.located)) {
             one.runs.push_back({&scene, {}});
-            auto source = with_scene(sources_[index], one.literals, scene.scene.scene);
-            if (!source) continue;
-            Submission submission;
-            submission.id = fmt::format("{} ({})", graded_[index].submission.id, scene.scene.name);
-            submission.file = graded_[index].submission.file;
-            submission.source = std::move(*source);
-            submissions_.push_back(std::move(submission));
-            markings_.push_back(scene.marking);
-            places_.emplace_back(rewritten_.size(), one.runs.size() - 1);
+            written.push_back(with_scene(sources_[index], one.literals, scene.scene.scene));
+        }
+        for (std::size_t i = 0; i < written.size(); ++i) {
+            if (written[i]) add(one, i, std::move(*written[i]));
         }
         rewritten_.push_back(std::move(one));
     }
@@ -42,6 +42,17 @@ class RewrittenPart {
     }
 
   private:
+    void add(const Rewritten& one, std::size_t run, std::string source) {
+        const MarkedScene& scene = *one.runs[run].scene;
+        Submission submission;
+        submission.id = fmt::format("{} ({})", graded_[one.index].submission.id, scene.scene.name);
+        submission.file = graded_[one.index].submission.file;
+        submission.source = std::move(source);
+        submissions_.push_back(std::move(submission));
+        markings_.push_back(scene.marking);
+        places_.emplace_back(rewritten_.size(), run);
+    }
+
     const std::vector<Graded>& graded_;
     const std::vector<std::string>& sources_;
     const DecimalScene& scene_;
@@ -50,6 +61,34 @@ class RewrittenPart {
     std::vector<std::shared_future<Marking>> markings_;
     std::vector<std::pair<std::size_t, std::size_t>> places_;  ///< of each submission: in rewritten_, among its runs
 };
+
+void note_fault(Graded& graded, const std::string& what) {
+    graded.our_fault = true;
+    graded.submission.notes.push_back("Other scenes: " + escape_control(what));
+}
+
+/// Calls `work` for these submissions, of which those with a right answer bear what goes wrong.
+template <class Work>
+void or_noted(std::span<Graded> graded, Work work) {
+    const auto note = [&](const auto& of_one) {
+        for (Graded& one : graded) {
+            if (has_right_answer(one)) of_one(one);
+        }
+    };
+    try {
+        work();
+    } catch (const HarnessError&) {
+        note([](Graded& one) {
+            one.submission.notes.emplace_back("It was not run on other scenes: something went wrong here, not in it.");
+        });
+    } catch (const std::exception& error) {
+        note([&](Graded& one) { note_fault(one, fault_sentence(error)); });
+    }
+}
+
+bool is_our_fault(const SceneRun& run) {
+    return run.graded && run.graded->our_fault;
+}
 
 }  // namespace
 
@@ -97,15 +136,25 @@ bool has_right_answer(const Graded& graded) {
     return false;
 }
 
-void run_rewritten(const std::vector<Graded>& graded, const std::vector<std::string>& sources,
-                   const DecimalScene& scene, const Workshop& workshop, int jobs, Timeline& timeline,
-                   const ScenesFor& scenes_for, const std::function<void(Rewritten)>& conclude) {
+void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& sources, const DecimalScene& scene,
+                   const Workshop& workshop, int jobs, Timeline& timeline, const ScenesFor& scenes_for,
+                   const std::function<void(Rewritten)>& conclude) {
     // A few at a time: the sources of all scenes together would take several times a class's memory.
     constexpr std::size_t at_a_time = 256;
     for (std::size_t begin = 0; begin < graded.size(); begin += at_a_time) {
+        const std::span<Graded> some(graded.begin() + static_cast<std::ptrdiff_t>(begin),
+                                     std::min(at_a_time, graded.size() - begin));
         RewrittenPart part(graded, sources, scene);
-        for (std::size_t i = begin; i < std::min(begin + at_a_time, graded.size()); ++i) part.add(i, scenes_for);
-        for (Rewritten& one : part.run(workshop, jobs, timeline)) conclude(std::move(one));
+        for (std::size_t i = 0; i < some.size(); ++i)
+            or_noted(some.subspan(i, 1), [&] { part.add(begin + i, scenes_for); });
+        std::vector<Rewritten> done;
+        or_noted(some, [&] { done = part.run(workshop, jobs, timeline); });
+        for (Rewritten& one : done) {
+            Graded& base = graded[one.index];
+            const auto failed = std::find_if(one.runs.begin(), one.runs.end(), is_our_fault);
+            if (failed != one.runs.end()) note_fault(base, failed->graded->explanation);
+            or_noted({&base, 1}, [&] { conclude(std::move(one)); });
+        }
     }
 }
 

@@ -48,10 +48,11 @@ bool has_right_answer(const Graded& graded);
 
 /// Tries every submission that has a right answer; `sources` are those of `graded`. Each source is compiled and run as
 /// any other and kept like it; repetitions and sanitizers are the workshop's, so the caller turns them off.
-/// `conclude` is called in the order of the class.
-void run_rewritten(const std::vector<Graded>& graded, const std::vector<std::string>& sources,
-                   const DecimalScene& scene, const Workshop& workshop, int jobs, Timeline& timeline,
-                   const ScenesFor& scenes_for, const std::function<void(Rewritten)>& conclude);
+/// `conclude` is called in the order of the class. What goes wrong for one, also in `scenes_for` and `conclude`, keeps
+/// no other from being tried and takes no marks: it becomes a note, and our_fault where it is raygrade's.
+void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& sources, const DecimalScene& scene,
+                   const Workshop& workshop, int jobs, Timeline& timeline, const ScenesFor& scenes_for,
+                   const std::function<void(Rewritten)>& conclude);
 
 /// The parts that `scene` has otherwise than `other`, in words: "eye = (3, -2, 5), radius = 2".
 std::string described(const DecimalScene& scene, const DecimalScene& other);

@@ -77,6 +77,7 @@ class VariantClass {
         const bool nothing_tried = runs.empty();
         graded.other_scenes =
             compare(graded.score, std::move(runs), std::move(not_tried), parts_not_found(scene, one.literals.located));
+        graded.other_scenes->seed = options_.seed;
         if (graded.other_scenes->verdict == VariantVerdict::does_not_move) {
             graded.flags.push_back({"hard_coded", unmoved_evidence(*graded.other_scenes)});
         } else if (nothing_tried) {

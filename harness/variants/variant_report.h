@@ -1,6 +1,8 @@
 // What a program's answers do when the scene in its source changes.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,6 +58,7 @@ struct VariantReport {
     /// item.
     std::vector<ItemOnVariant> unmoved;
     std::vector<UntriedScene> not_tried = {};  ///< with `runs` all scenes that were asked for
+    std::optional<std::uint64_t> seed = {};    ///< where they were drawn from; empty in what an older raygrade kept
 };
 
 /// Compares the marks of the assignment's scene with those of the others. Whoever answers wrong there is not judged

@@ -32,8 +32,7 @@ double distance(const Certified& truth, long double given) {
 }
 
 double float_ulp_at(const Numbers& numbers) {
-    double largest = 0;
-    for (const double x : numbers) largest = std::max(largest, std::abs(x));
+    const double largest = largest_component(numbers);
     const auto at = largest == 0 ? 1.0F : static_cast<float>(largest);
     return static_cast<double>(std::nextafter(at, HUGE_VALF)) - static_cast<double>(at);
 }

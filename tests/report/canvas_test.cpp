@@ -124,6 +124,20 @@ TEST(CanvasImport, TakesNoOtherSystemsNumberForCanvass) {
     EXPECT_EQ(rows_of(import_of({of_moodle}).csv)[2][0], "Poe, Pat") << "by name";
 }
 
+TEST(CanvasImport, SaysWhereThePointsPossibleAreNotTheAssignments) {
+    const CanvasImport usual = import_of({handed_in("s14")});
+    EXPECT_FALSE(usual.possible);
+    EXPECT_THAT(usual.above, ElementsAre());
+    Graded much = handed_in("s14"), little = handed_in("s15");
+    for (Graded* one : {&much, &little}) one->score.max_points = 120;
+    much.score.points = 100.5;
+    const CanvasImport import = import_of({much, little});
+    EXPECT_EQ(import.possible, 100);
+    EXPECT_THAT(import.above, ElementsAre("s14"));
+    EXPECT_EQ(import.matched, 2U);
+    EXPECT_THAT(import.csv, HasSubstr("\"100.50\""));
+}
+
 TEST(CanvasImport, GivesEachOfAGroupItsPoints) {
     Graded group = handed_in("Rick Roe, Pat Poe, Ann Lee, Jane Doe");
     LmsName& name = group.submission.lms.emplace();
@@ -161,6 +175,7 @@ TEST(CanvasRoster, SaysWhyAColumnCannotBeChosen) {
     EXPECT_THAT(why_not("a,b\r\n1,2\r\n", ""), HasSubstr("no gradebook of Canvas"));
     EXPECT_THAT(why_not("", ""), HasSubstr("no gradebook of Canvas"));
     EXPECT_EQ(read_canvas_roster(exported, "Assignment 6 (71)").column, "Assignment 6 (71)");
+    EXPECT_EQ(read_canvas_roster(exported, "70").column, "Assignment 5 (70)");
     EXPECT_EQ(read_canvas_roster("Student,ID,Section,Six (6)\r\nA,1,01,\r\n", "").column, "Six (6)");
 }
 

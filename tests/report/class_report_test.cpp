@@ -15,6 +15,7 @@ namespace {
 
 using namespace report_samples;
 using nlohmann::json;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -30,7 +31,7 @@ std::string right_output() {
     return print(student::Program(marking().assignment, {}));
 }
 
-Graded with_name(Graded graded, const std::string& name, bool late) {
+Graded with_name(Graded graded, const std::string& name, std::optional<bool> late) {
     graded.submission.lms = LmsName{};
     graded.submission.lms->student = name;
     graded.submission.lms->late = late;
@@ -62,6 +63,28 @@ TEST(ClassReport, HasARowForEachWithPointsByQuestion) {
     EXPECT_EQ(rows[2][14], "–");
 }
 
+TEST(ClassReport, CallsNobodyLateOfWhomItIsNotKnown) {
+    const Graded one = graded("one", "");
+    const json page = read_page(report_of(
+        {with_name(one, "Ada", true), with_name(one, "Ben", std::nullopt), with_name(one, "Cy", false), one}));
+    EXPECT_EQ(page.at("rows")[1][2], "late");
+    for (int i = 2; i <= 4; ++i) EXPECT_EQ(page.at("rows")[i][2], "") << i;
+    EXPECT_THAT(page.at("sheets").at("s1").get<std::string>(), HasSubstr(" · late"));
+    EXPECT_THAT(page.at("sheets").at("s2").get<std::string>(), Not(HasSubstr("late")));
+    EXPECT_THAT(page.at("text").get<std::string>(), HasSubstr(" late1 "));
+    EXPECT_THAT(read_page(report_of({with_name(one, "Ben", std::nullopt)})).at("text").get<std::string>(),
+                Not(HasSubstr(" late")));
+}
+
+TEST(ClassReport, ColoursWhatIsLostAndDrawsTheSceneOfWhoLostGeometry) {
+    const std::string page = report_of({graded("ada", output_with_a_mistake()), graded("bob", right_output())});
+    EXPECT_THAT(page, HasSubstr("<td class=\"number q part\">8.33</td>"));
+    EXPECT_THAT(page, Not(HasSubstr("number q zero")));
+    EXPECT_THAT(page, HasSubstr("aria-labelledby=\"p1-t"));
+    EXPECT_THAT(page, Not(HasSubstr("aria-labelledby=\"p2-t"))) << "a picture of what is right shows nothing";
+    EXPECT_THAT(report_of({graded("dan", wrong_everywhere())}), HasSubstr("<td class=\"number q zero\">0</td>"));
+}
+
 TEST(ClassReport, SetsWhatWasPrintedAgainstWhatWasAsked) {
     const json page = read_page(report_of({graded("ada", wrong_everywhere())}));
     const std::string sheet = page.at("sheets").at("s1");
@@ -85,6 +108,19 @@ TEST(ClassReport, ShowsTheAutomaticMarkBesideAnOverride) {
     EXPECT_THAT(sheet, HasSubstr("half right (a later one counts)"));
     EXPECT_THAT(sheet, HasSubstr("Marked automatically: 98.33 of 100 points."));
     EXPECT_THAT(sheet, HasSubstr("wrong0 1 of 1.67"));
+}
+
+TEST(ClassReport, CountsOtherScenesAndSaysWhichOverrideOfThemCountsNowhere) {
+    Graded ada = graded_on_other_scenes("ada");
+    const auto sheet = [&] { return read_page(report_of({ada})).at("sheets").at("s1").get<std::string>(); };
+    EXPECT_THAT(sheet(), AllOf(HasSubstr("Other scenes: 6 of 10 points."), HasSubstr("104.33 of 110 points")));
+    ada.overrides = {{0, "variants", 9, "it works", "prof", "2026-11-22T09:40:00Z"}};
+    EXPECT_THAT(sheet(), AllOf(HasSubstr("Other scenes: 9 of 10 points."), HasSubstr("107.33 of 110 points"),
+                               HasSubstr("9 points for the other scenes, by prof, 2026-11-22T09:40:00Z: it works"),
+                               Not(HasSubstr("no such points"))));
+    ada.score.other_scenes.reset();
+    EXPECT_THAT(sheet(),
+                AllOf(Not(HasSubstr("Other scenes:")), HasSubstr("it works (there are no such points any more)")));
 }
 
 TEST(ClassReport, TellsOfEachWhatCountsAndWhatToLookAt) {
@@ -149,6 +185,15 @@ TEST(ClassReport, ShowsAllMarkupAsText) {
         const bool is_name = n == 3;  // without the slash that no file's name holds
         EXPECT_THAT(page.at("text"), HasSubstr(is_name ? "<b>mark 3<" : markup(n))) << n;
     }
+}
+
+TEST(ClassReport, ShowsTheBeginningOfALongText) {
+    Graded one = graded("ada", output_with_a_mistake());
+    for (std::string* text : {&one.run.errors, &one.sanitizer.emplace_back(), &one.submission.notes.emplace_back()})
+        *text = std::string(10'000, '!');
+    const std::string page = report_of({one});
+    EXPECT_THAT(page, HasSubstr(std::string(4'000, '!')));
+    EXPECT_THAT(page, Not(HasSubstr(std::string(4'200, '!'))));
 }
 
 TEST(ClassReport, OfAThousandIsSmallEnoughToOpen) {

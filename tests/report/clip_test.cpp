@@ -91,7 +91,7 @@ TEST(ClipPolygon, KeepsTheAreaThatIsInside) {
 
 TEST(ClipDisc, FindsEveryArcInTheBox) {
     Random random(3);
-    int cut = 0;
+    int cut = 0, filled = 0;
     for (int i = 0; i < 1000; ++i) {
         const Spot middle{random.between(-150, 250), random.between(-150, 250)};
         const double radius = random.between(1, 200);
@@ -121,11 +121,16 @@ TEST(ClipDisc, FindsEveryArcInTheBox) {
             EXPECT_NEAR(length, expected, 10 * 2 * M_PI * radius / steps);
         }
         cut += disc.arcs.empty() ? 0 : 1;
-        if (disc.fills_box) {
-            EXPECT_LT(std::hypot(middle.x - box.left, middle.y - box.top), radius);
+        bool all_within = true;
+        for (const double x : {box.left, box.right}) {
+            for (const double y : {box.top, box.bottom})
+                all_within = all_within && std::hypot(middle.x - x, middle.y - y) < radius;
         }
+        EXPECT_EQ(disc.fills_box, all_within);
+        filled += all_within ? 1 : 0;
     }
     EXPECT_GT(cut, 300);
+    EXPECT_GT(filled, 20);
 }
 
 // A circle as large as the Earth, through the middle of the box.

@@ -182,6 +182,17 @@ std::vector<Spot> dots_in(const std::string& svg, const std::string& colour) {
     return result;
 }
 
+std::vector<Spot> crosses_in(const std::string& svg) {
+    const std::string cross = "l8 8m0-8l-8 8";
+    std::vector<Spot> result;
+    for (std::size_t at = svg.find(cross); at != std::string::npos; at = svg.find(cross, at + 1)) {
+        const std::size_t begin = svg.rfind('M', at) + 1;
+        const std::vector<double> corner = numbers_of(svg.substr(begin, at - begin));
+        result.push_back({corner.at(0) + 4, corner.at(1) + 4});
+    }
+    return result;
+}
+
 std::vector<Leader> leaders_in(const std::string& svg) {
     std::vector<Leader> leaders;
     for (const Element& element : elements_of(svg)) {

@@ -28,6 +28,9 @@ std::vector<Spot> spots_in(const std::string& svg);
 /// The middles of the filled marks of one colour.
 std::vector<Spot> dots_in(const std::string& svg, const std::string& colour);
 
+/// The middles of the crosses: what was printed and is not right.
+std::vector<Spot> crosses_in(const std::string& svg);
+
 /// The lines that join names to their points, each from its point.
 struct Leader {
     Spot from;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "harness/report/picture/layout.h"
 #include "tests/report/drawn.h"
 #include "tests/report/picture_scenes.h"
 #include "tests/temporary_folder.h"
@@ -102,6 +103,24 @@ TEST(ExplainingPicture, DrawsNothingOffThePage) {
                 << spot.x << ' ' << spot.y;
         }
     });
+}
+
+TEST(ExplainingPicture, MarksWhatWasPrintedWithinTheViews) {
+    using namespace harness::report::picture;
+    std::size_t count = 0;
+    for_all_pictures([&](const std::string& svg) {
+        const Box key{first_of_key.x, first_of_key.y, page_width, perspective_box.bottom};
+        for (const drawn::Spot& spot : drawn::crosses_in(svg)) {
+            const auto holds = [&](const Box& box) {
+                return spot.x >= box.left && spot.x <= box.right && spot.y >= box.top && spot.y <= box.bottom;
+            };
+            EXPECT_TRUE(holds(perspective_box) || holds(side_box) || holds(other_box) || holds(image_plane_box) ||
+                        holds(key))
+                << spot.x << ' ' << spot.y;
+            ++count;
+        }
+    });
+    EXPECT_GT(count, 100U);
 }
 
 // Attributes hold no other letters next to their numbers; texts may well say what was printed.
@@ -241,6 +260,45 @@ TEST(ExplainingPicture, LeavesNoDotWithoutAName) {
             }
         }
     }
+}
+
+// X_vcs points at whoever looks from the side, Y_vcs and vup at whoever looks from above.
+TEST(ExplainingPicture, NamesNoArrowThatIsSeenEndOn) {
+    int seen = 0;
+    for (const drawn::Text& text : drawn::texts_in(picture(marking_of("2021")))) {
+        if (text.top < 318) continue;
+        const bool from_side = text.right < 274;
+        const auto names = [&](const char* name) { return text.words.find(name) != std::string::npos; };
+        EXPECT_FALSE(from_side && names("X_vcs")) << text.words;
+        EXPECT_FALSE(!from_side && (names("Y_vcs") || names("vup"))) << text.words;
+        seen += names("X_vcs") || names("Y_vcs") ? 1 : 0;
+    }
+    EXPECT_EQ(seen, 2) << "each of them in the other view";
+}
+
+// Of two alike the one near the camera looks larger from behind it.
+TEST(ExplainingPicture, DrawsWhatIsNearOverWhatIsFar) {
+    const std::string camera = "[camera]\neye = [0, 0, 4]\nlookat = [0, 0, 0]\nvup = [0, 1, 0]\n";
+    const std::string window =
+        "[window]\nclip_left = -2\nclip_right = 2\nclip_bottom = -1\nclip_top = 1\nclip_near = 2\nwidth = "
+        "301\nheight = 201\npixel = [150, 100]\n";
+    const std::string near = "[[sphere]]\ncenter = [0, 0, 1]\nradius = 0.5\n";
+    const std::string far = "[[sphere]]\ncenter = [0, 0, -3]\nradius = 0.5\n";
+    for (const std::string& objects : {near + far, far + near}) {
+        const std::string svg = picture(marking_of(Named{"two", camera + window + objects}));
+        std::vector<double> sizes;
+        for (std::size_t at = svg.find(" rx=\""); at != std::string::npos; at = svg.find(" rx=\"", at + 1))
+            sizes.push_back(std::strtod(svg.c_str() + at + 5, nullptr));
+        ASSERT_EQ(sizes.size(), 2U);
+        EXPECT_LT(sizes[0], sizes[1]);
+    }
+}
+
+TEST(ExplainingPicture, ShowsWhereTheRayStartsOnTheTriangleAlsoWhereThatIsNoHit) {
+    const std::string svg =
+        picture(marking_of(Named{"no hit at 0", hard_scenes().front().toml + "[rubric]\nboundary = \"positive\"\n"}));
+    EXPECT_TRUE(drawn::has_name(svg, "P_t"));
+    EXPECT_TRUE(drawn::has_text(svg, "P_t: the ray starts on the triangle, t = 0."));
 }
 
 TEST(ExplainingPicture, ShowsWhatTheKeySays) {

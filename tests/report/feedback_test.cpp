@@ -168,13 +168,16 @@ TEST(CheckText, ShowsNoControlBytes) {
 
 TEST(Feedback, SaysWhatTheInstructorGaveInsteadAndWhy) {
     Graded zoe = graded("zoe", output_with_a_mistake());
-    zoe.overrides = {{6, "t", 1.5, "the right `idea`\x1b", "bea", ""}, {8, "", 4, "copied", "bea", ""}};
+    zoe.overrides = {{8, "", 3, "half copied", "bea", ""},
+                     {6, "t", 1.5, "the right `idea`\x1b", "bea", ""},
+                     {8, "", 4, "copied", "bea", ""}};
     const std::string text = feedback_markdown(zoe, marking());
     EXPECT_THAT(text, HasSubstr("**93.83 of 100 points**"));
     EXPECT_THAT(
         text,
         HasSubstr("- Your instructor gave 1.5 of 1.67 for question 6, t, in place of 0: ``the right `idea`\\x1b"));
     EXPECT_THAT(text, HasSubstr("- Your instructor gave 4 of 10 for question 8, in place of 10: `copied`"));
+    EXPECT_THAT(text, Not(HasSubstr("half copied"))) << "a later one counts";
     EXPECT_THAT(text, HasSubstr("| 6 | ray and sphere | wrong | 9.83 of 10 |"));
     EXPECT_THAT(text, HasSubstr(" 0 of 1.67 points; your instructor gave 1.5.\n"));
     EXPECT_THAT(text, Not(HasSubstr("late")));

@@ -87,7 +87,9 @@ Graded markup_everywhere() {
     other_scenes.runs.push_back({markup(13), markup(14), "", true, {}});
     other_scenes.not_found = {markup(13)};
     other_scenes.broken.push_back({6, "t", 0, markup(13), markup(14), markup(14)});
-    result.overrides = {{6, "b", 1, markup(15), markup(16), markup(17)}};
+    result.hard_scenes =
+        stress::StressReport{{}, {{"far", "", "", markup(16), "", {{6, "t", {}, 0, 0, ""}}, {markup(17)}}}};
+    result.overrides = {{6, "b", 1, markup(15), markup(18), markup(19)}};
     return result;
 }
 

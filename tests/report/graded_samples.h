@@ -30,8 +30,8 @@ std::string markup(int n);
 /// Whatever a submission, its system, its compiler or an instructor's word brings into a page is markup(1) to
 /// markup(last_markup): what nobody but the instructor is shown from `first_for_instructor` on.
 harness::Graded markup_everywhere();
-constexpr int first_for_instructor = 16;
-constexpr int last_markup = 17;
+constexpr int first_for_instructor = 18;
+constexpr int last_markup = 19;
 
 /// What --variants finds where, on another scene, 6.t is `after` in place of `before`.
 harness::variants::VariantReport broken_on_another_scene(const std::string& before, const std::string& after);

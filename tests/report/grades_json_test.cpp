@@ -98,13 +98,31 @@ TEST(GradesJson, HasWhatTheOtherScenesShowed) {
     EXPECT_EQ(run.at("name"), "aside");
     EXPECT_EQ(run.at("changes"), "eye = (1, 2, 3)");
     EXPECT_EQ(run.at("ended_well"), false);
+    EXPECT_EQ(run.at("share"), 0.0);
     EXPECT_EQ(report.at("moved"), 7);
     EXPECT_EQ(report.at("broken"), json::array());
+    EXPECT_EQ(report.at("not_tried"), json::array());
+    EXPECT_TRUE(report.at("seed").is_null()) << "of an older raygrade";
     const json& unmoved = report.at("unmoved").at(0);
     EXPECT_EQ(unmoved.at("run"), "aside");
     EXPECT_EQ(unmoved.at("after"), "0.5");
     EXPECT_TRUE(unmoved.at("diagnosis").is_null());
     EXPECT_EQ(unmoved.at("before").get<std::string>().find('\x1b'), std::string::npos);
+}
+
+TEST(GradesJson, HasTheSharesOfOtherScenesTheirSeedAndWhatWasNotTried) {
+    Graded one = graded("zoe", "");
+    one.other_scenes = variants::VariantReport{};
+    for (const double share : {0.75, 0.25}) one.other_scenes->runs.push_back({"aside", "", "", true, {}, share});
+    one.other_scenes->not_tried = {{"far", "radius = 8", "it does not compile"}, {"", "", "there is none"}};
+    one.other_scenes->seed = 18446744073709551615U;
+    const json report = grades({one}).at("submissions").at(0).at("variants");
+    EXPECT_EQ(report.at("runs").at(0).at("share"), 0.75);
+    EXPECT_EQ(report.at("runs").at(1).at("share"), 0.25);
+    EXPECT_EQ(report.at("seed"), 18446744073709551615U);
+    EXPECT_EQ(report.at("not_tried").at(0),
+              json({{"name", "far"}, {"changes", "radius = 8"}, {"why", "it does not compile"}}));
+    EXPECT_EQ(report.at("not_tried").at(1), json({{"name", nullptr}, {"changes", nullptr}, {"why", "there is none"}}));
 }
 
 TEST(GradesJson, HasThePointsForOtherScenesWhereThereAreSome) {

@@ -104,6 +104,21 @@ TEST(LabelPlacement, SaysWhereThereIsNoRoom) {
     EXPECT_FALSE(place_labels({{{200, 150}, 40, 12}}, page, {}, search).is_clear);
 }
 
+// In so low a strip a label can only go to the right, and the first one's place is over the other's point.
+TEST(LabelPlacement, SaysWhereALabelHidesAPoint) {
+    const std::vector<Label> labels{{{20, 7}, 18, 12}, {{38, 7}, 10, 12}};
+    const Placement placement = place_labels(labels, {0, 0, 60, 14}, {});
+    EXPECT_FALSE(touch(placement.boxes[0], placement.boxes[1]));
+    EXPECT_FALSE(placement.is_clear);
+}
+
+TEST(LabelPlacement, StandsNearerToItsOwnPointThanToAnother) {
+    const std::vector<Label> labels{{{200, 150}, 40, 12}, {{214, 164}, 40, 12}};
+    const Placement placement = place_labels(labels, page, {});
+    EXPECT_LT(distance(labels[0], placement.boxes[0]), distance(labels[1], placement.boxes[0]));
+    EXPECT_LT(distance(labels[1], placement.boxes[1]), distance(labels[0], placement.boxes[1]));
+}
+
 TEST(LabelPlacement, GoesNoFartherThanAllowed) {
     PlaceSearch search;
     search.farthest = 30;

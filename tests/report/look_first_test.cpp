@@ -35,6 +35,10 @@ TEST(LookFirst, NamesTheOneMistakeThatOthersFollowFrom) {
     EXPECT_EQ(look_first_sentence(with({{wrong}, {follow}})),
               "Look at question 1 first: it is the one with a wrong answer. Question 2 only follows from it and has no "
               "mistake of its own.");
+    EXPECT_EQ(look_first_sentence(with({{follow}, {wrong}})),
+              "Look at question 2 first: it is the one with a wrong answer. Question 1 only follows from earlier "
+              "answers and has no mistake of its own.")
+        << "not from a later one";
 }
 
 TEST(LookFirst, PutsAWrongAnswerBeforeOneThatIsOnlyMissing) {

@@ -82,6 +82,22 @@ TEST(PrintedAnswers, StandWhereTheyWerePrinted) {
     EXPECT_TRUE(found) << "the cross's upper left end";
 }
 
+TEST(PrintedAnswers, AreCrossesWhereTheyAreWrongAlsoInTheImagePlane) {
+    const auto crosses = [](const char* P_VCS) {
+        const std::string output = std::string("Question 1: P_VCS: ") + P_VCS + "\n";
+        return drawn::crosses_in(picture_of(marking_of("2021"), output, false)).size();
+    };
+    EXPECT_EQ(crosses("(0, 0, -2)"), 1U) << "in the key";
+    EXPECT_EQ(crosses("(1, 0.5, -2)"), 2U);
+}
+
+// In an empty scene only the camera makes the frame.
+TEST(WithoutAnswers, ThereIsRoomForTheImagePlaneThatWasPrinted) {
+    const std::string svg =
+        picture_of(marking_of("nothing"), "Question 2:\nX_vcs: (1, 0, 0)\nY_vcs: (0, 1, 0)\nZ_vcs: (0, 0, 1)\n", false);
+    EXPECT_TRUE(drawn::has_text(svg, "The image plane is drawn as the printed axes put it."));
+}
+
 TEST(PrintedAnswers, ThatCannotBeDrawnAreNamed) {
     const std::string svg = picture_of(marking_of("2021"),
                                        "Question 2:\nX_vcs: (0, 0, 0)\nY_vcs: (0, 50, 0)\nZ_vcs: (nan, nan, nan)\n"

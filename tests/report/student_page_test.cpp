@@ -14,6 +14,7 @@ namespace {
 
 using namespace report_samples;
 using nlohmann::json;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -64,6 +65,24 @@ TEST(StudentPage, SaysOnlyTheLimitWhereNothingWasPrintedBefore) {
     EXPECT_THAT(text, Not(HasSubstr("No answer was found")));
     EXPECT_THAT(text, Not(HasSubstr("Look at question")));
     EXPECT_THAT(text_of(graded("nil", "The pixel is nice.\n")), HasSubstr("No answer was found"));
+}
+
+TEST(StudentPage, CallsAllRightOnlyWhatHasAllPoints) {
+    Graded one = graded("s01", print(student::Program(marking().assignment, {})));
+    one.score.questions[6].items[0].verdict = ItemVerdict::follow;
+    one.score.points -= 5;
+    EXPECT_THAT(text_of(one), Not(HasSubstr("Every answer is right.")));
+}
+
+TEST(StudentPage, SaysOnceThatAnAnswerFollowsAndFromWhatOnlyWhereThatIsKnown) {
+    const std::string sentence = "Not the right value, but it follows correctly";
+    Graded one = graded("s01", output_with_a_mistake());
+    const std::string text = text_of(one);
+    EXPECT_EQ(text.find(sentence), text.rfind(sentence)) << "of 6.hit; question 7 has a note";
+    EXPECT_THAT(text, HasSubstr(sentence));
+    one.score.questions[0].items[0].verdict = ItemVerdict::wrong;
+    EXPECT_THAT(text_of(one), HasSubstr("it follows from your earlier answers, and comes right with them."));
+    EXPECT_THAT(text_of(one), Not(HasSubstr("it follows from question")));
 }
 
 TEST(StudentPage, NeverHoldsAnExpectedValue) {
@@ -140,14 +159,25 @@ TEST(StudentPage, NamesTheLinesTheCompilerComplainsOf) {
 
 TEST(StudentPage, CountsWhatTheInstructorGaveAndWhatLatenessTakes) {
     Graded one = graded("s01", output_with_a_mistake());
-    one.overrides = {{6, "t", 1, "a good <idea>", "prof", "2026-11-22T09:30:00Z"}};
+    one.overrides = {{6, "t", 0.5, "half right", "prof", "2026-11-22T09:20:00Z"},
+                     {6, "t", 1, "a good <idea>", "prof", "2026-11-22T09:30:00Z"}};
     one.late_share = 0.1;
     const std::string text = text_of(one);
+    EXPECT_THAT(text, Not(HasSubstr("half right"))) << "a later one counts";
     EXPECT_THAT(text, HasSubstr("89.4 of 100 points"));
     EXPECT_THAT(text, HasSubstr("Your instructor gave 1 points for question 6, t: a good <idea>"));
     EXPECT_THAT(text, HasSubstr("Handed in late: 9.93 points are taken off."));
     EXPECT_THAT(text, HasSubstr("9.33 of 10 points"));
     EXPECT_THAT(text, Not(HasSubstr("prof")));
+}
+
+TEST(StudentPage, TellsOfOtherScenesAndWhetherTheyCount) {
+    Graded one = graded("s01", output_with_a_mistake());
+    one.other_scenes = broken_on_another_scene("1.25", "1.5");
+    EXPECT_THAT(text_of(one), HasSubstr("On other scenesThis costs no points. The program was also run"));
+    one = graded_on_other_scenes("s01");
+    one.other_scenes = broken_on_another_scene("1.25", "1.5");
+    EXPECT_THAT(text_of(one), HasSubstr("On other scenesOther scenes: 6 of 10 points. The program was also run"));
 }
 
 TEST(StudentPage, CountsWhatAnswersOnOtherScenesEarn) {
@@ -157,12 +187,20 @@ TEST(StudentPage, CountsWhatAnswersOnOtherScenesEarn) {
     one.overrides = {{0, "variants", 9, "it works", "prof", ""}};
     EXPECT_THAT(text_of(one), HasSubstr("107.33 of 110 points"));
     EXPECT_THAT(text_of(one), HasSubstr("Other scenes: 9 of 10 points."));
+    EXPECT_THAT(text_of(one), HasSubstr("Your instructor gave 9 points for the other scenes: it works"));
+}
+
+TEST(StudentPage, TellsOfNoOverrideThatCountsNowhere) {
+    Graded one = graded("s01", output_with_a_mistake());
+    one.overrides = {{0, "variants", 5, "of an earlier rubric", "prof", ""}};
+    EXPECT_THAT(text_of(one), AllOf(HasSubstr("98.33 of 100 points"), Not(HasSubstr("Your instructor gave"))));
 }
 
 TEST(StudentPage, SaysWhyThereAreNoMarksAndNotWhereTheInstructorKeepsIt) {
     Graded bob = not_graded("bob");
     bob.submission.file = "/home/prof/class/bob/ray_cast.cpp";
     bob.submission.problem = "\"/home/prof/class/bob/ray_cast.cpp\" is a symbolic link.";
+    bob.explanation = "The disk of \"/home/prof\" is full.";
     const std::string page = student_page(bob, marking());
     EXPECT_THAT(read_page(page).at("text"), HasSubstr("Not graded. \"ray_cast.cpp\" is a symbolic link."));
     EXPECT_THAT(page, Not(HasSubstr("prof")));

@@ -98,6 +98,36 @@ TEST(ClassStatistics, CountsFinalPointsAndPutsTheHardestItemFirst) {
     EXPECT_EQ(statistics.overridden, 1U);
 }
 
+TEST(ClassStatistics, TakeTheMiddleOfAnEvenNumber) {
+    Graded all = with_c(ItemVerdict::right, "5");
+    all.score.points = 100;
+    Graded half = all;
+    half.score.points = 50;
+    EXPECT_EQ(class_statistics({all, half}).median, 75);
+}
+
+TEST(ClassStatistics, CountAsLateWhomTheSystemCallsLate) {
+    std::vector<Graded> all(4, with_c(ItemVerdict::right, "5"));
+    for (std::size_t i = 1; i < all.size(); ++i) all[i].submission.lms = LmsName{};
+    all[1].submission.lms->late = std::nullopt;
+    all[2].submission.lms->late = false;
+    all[3].submission.lms->late = true;
+    EXPECT_EQ(class_statistics(all).late, 1U);
+}
+
+TEST(ClassStatistics, CountAsFlaggedWhatAPersonShouldLookAt) {
+    Graded unsound = with_c(ItemVerdict::right, "5"), flagged = unsound;
+    unsound.sanitizer = {"ray_cast.cpp:7:9: runtime error: division by zero"};
+    flagged.flags = {{"nondeterministic", "Question 1: run 1 printed 1"}};
+    EXPECT_EQ(class_statistics({unsound, flagged, with_c(ItemVerdict::right, "5")}).flagged, 2U);
+}
+
+TEST(ClassStatistics, CountAsPrintedWhereAnAnswerWasFound) {
+    Graded none = graded("nil", "Hello\n");
+    ASSERT_EQ(none.outcome, Outcome::graded);
+    EXPECT_EQ(class_statistics({none, with_c(ItemVerdict::wrong, "5")}).printed, 1U);
+}
+
 TEST(ClassStatistics, OfNobodyAreEmpty) {
     const ClassStatistics statistics = class_statistics({});
     EXPECT_FALSE(statistics.mean);

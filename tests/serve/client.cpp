@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
 #include <charconv>
 #include <stdexcept>
 
@@ -41,6 +42,7 @@ bool Client::send(std::string_view bytes) {
 bool Client::receive_more() {
     std::array<char, 65536> bytes;
     const ssize_t got = recv(socket_.get(), bytes.data(), bytes.size(), 0);
+    was_reset_ = was_reset_ || (got < 0 && errno == ECONNRESET);
     if (got <= 0) return false;
     received_.append(bytes.data(), static_cast<std::size_t>(got));
     return true;

@@ -29,6 +29,8 @@ class Client {
     HttpAnswer answer(bool to_head = false);
     /// Whether the server ends the connection within the time, whatever it still sends.
     bool ends_within(std::chrono::milliseconds time);
+    /// Whether a read met a reset, which takes the answer from some clients before they have read it.
+    bool was_reset() const { return was_reset_; }
     /// Whether there is something to read within the time.
     bool is_told_within(std::chrono::milliseconds time) const;
 
@@ -37,6 +39,7 @@ class Client {
 
     FileDescriptor socket_;
     std::string received_;
+    bool was_reset_ = false;
 };
 
 /// One request on a connection of its own.

@@ -48,9 +48,13 @@ TEST(Server, RefusesABodyThatSaysItIsTooLarge) {
 
 TEST(Server, TellsAClientThatSendsItAllTheSame) {
     const RunningServer server;
-    const HttpAnswer answer = server.ask(upload(std::string(3 << 20, 'x')));
+    Client client(server.port());
+    client.send(upload(std::string(3 << 20, 'x')));
+    const HttpAnswer answer = client.answer();
     EXPECT_EQ(answer.status, 413);
     EXPECT_THAT(answer.body, HasSubstr("1 MiB"));
+    EXPECT_TRUE(client.ends_within(soon));
+    EXPECT_FALSE(client.was_reset());
 }
 
 TEST(Server, RefusesABodyThatGrowsTooLargeWithoutSaying) {
@@ -297,6 +301,17 @@ TEST(Server, EndsWhenItsGraceIsOverOrItIsStoppedAgain) {
     patient.stop();
     patient.join();
     EXPECT_FALSE(patient.desk().is_idle());
+}
+
+TEST(Server, StoppedDoesNotWaitForWhoAsksNothing) {
+    RunningServer::Options options;
+    options.limits.head_time = options.limits.linger_time = 60s;
+    RunningServer server(options);
+    Client idle(server.port());
+    idle.send(get("/icon.svg"));
+    ASSERT_EQ(idle.answer().status, 200);
+    server.stop();
+    EXPECT_TRUE(idle.ends_within(soon));
 }
 
 TEST(Server, SaysThatAPortIsInUseAndWhatElseCouldBeDone) {

@@ -3,40 +3,56 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
 
+#include "harness/variants/drawing.h"
+#include "harness/variants/rewritten.h"
 #include "reference/answer_key.h"
+#include "reference/scene_answers.h"
 #include "reference/scene_toml.h"
 
 namespace harness::stress {
 namespace {
 
+using reference::PixelConvention;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using variants::PartSet;
+using variants::ScenePart;
 
 reference::Assignment load(const std::string& name) {
     return reference::load_assignment(name, RAYGRADE_ASSIGNMENTS);
 }
 
-PartSet everything() {
-    PartSet parts;
-    for (const variants::ScenePart part : variants::all_parts) parts.insert(part);
-    return parts;
+PartSet parts(std::initializer_list<ScenePart> some) {
+    PartSet set;
+    for (const ScenePart part : some) set.insert(part);
+    return set;
 }
 
-std::map<std::string, HardScene> by_name(const reference::Assignment& assignment, const PartSet& located) {
+PartSet everything() {
+    PartSet set;
+    for (const ScenePart part : variants::all_parts) set.insert(part);
+    return set;
+}
+
+std::map<std::string, HardScene> by_name(const reference::Assignment& assignment, const PartSet& located,
+                                         PixelConvention convention = PixelConvention::centre) {
     std::map<std::string, HardScene> scenes;
-    for (HardScene& hard : hard_scenes(assignment, reference::PixelConvention::centre, located)) {
+    for (HardScene& hard : hard_scenes(assignment, convention, located)) {
         const std::string name = hard.name;
         scenes.emplace(name, std::move(hard));
     }
     return scenes;
 }
 
-reference::AnswerKey key_of(reference::Assignment assignment, const HardScene& hard) {
+reference::AnswerKey key_of(reference::Assignment assignment, const HardScene& hard,
+                            PixelConvention convention = PixelConvention::centre) {
     assignment.scene = hard.scene.value();
+    assignment.rubric.pixel_conventions = {convention};
     return reference::make_key(assignment, reference::Precision::certified);
 }
 
@@ -50,7 +66,8 @@ double number(const reference::AnswerKey& key, int question, const std::string& 
 TEST(HardScenes, AreWhatTheirNamesSay) {
     const reference::Assignment a6 = load("a6-2021");
     auto scenes = by_name(a6, everything());
-    EXPECT_EQ(scenes.size(), most_hard_scenes());
+    EXPECT_EQ(scenes.size(), 16U);
+    EXPECT_EQ(most_hard_scenes(), 16U) << "as README says";
     const auto key = [&](const char* name) { return key_of(a6, scenes.at(name)); };
     EXPECT_EQ(key("sphere, grazed").decisions.sphere, "hit");
     EXPECT_EQ(key("sphere, just missed").decisions.sphere, "miss");
@@ -69,13 +86,72 @@ TEST(HardScenes, AreWhatTheirNamesSay) {
     EXPECT_TRUE(std::holds_alternative<reference::NoValue>(parallel.questions.at(7).items.at(2).answers.front().value));
 }
 
+/// How far within the sphere the ray passes, as a share of its squared radius: below 0 beside it.
+double share_within(const reference::Assignment& assignment, const HardScene& hard, PixelConvention convention) {
+    const double radius = hard.scene->spheres.front().radius.to_double();
+    return number(key_of(assignment, hard, convention), 6, "d") / (4 * radius * radius);
+}
+
 TEST(HardScenes, PassTheRimByLittle) {
     const reference::Assignment a6 = load("a6-2021");
     auto scenes = by_name(a6, everything());
-    for (const char* name : {"sphere, grazed", "sphere, just missed"}) {
-        const HardScene& hard = scenes.at(name);
-        const double radius = hard.scene->spheres.front().radius.to_double();
-        EXPECT_LT(std::abs(number(key_of(a6, hard), 6, "d")) / (4 * radius * radius), 1e-5) << name;
+    for (const char* name : {"sphere, grazed", "sphere, just missed"})
+        EXPECT_LT(std::abs(share_within(a6, scenes.at(name), PixelConvention::centre)), 1e-5) << name;
+}
+
+TEST(HardScenes, AreAroundTheRayOfTheProgramsOwnConvention) {
+    reference::Assignment a6 = load("a6-2021");
+    a6.scene.pixel = {40, 30};
+    const HardScene grazed = by_name(a6, everything(), PixelConvention::grid).at("sphere, grazed");
+    const double by_grid = share_within(a6, grazed, PixelConvention::grid);
+    EXPECT_GT(by_grid, 0);
+    EXPECT_LT(by_grid, 1e-5);
+    EXPECT_GT(std::abs(share_within(a6, grazed, PixelConvention::centre)), 1e-3);
+}
+
+TEST(HardScenes, HaveSpheresOfEverySize) {
+    auto scenes = by_name(load("a6-2021"), everything());
+    const auto sphere = [&](const char* name) {
+        return variants::in_double(scenes.at(name).scene.value()).spheres.front();
+    };
+    const reference::Vec3<double> start(0, 0, 2);
+    const auto far = sphere("small sphere, far away"), huge = sphere("huge sphere, near its surface");
+    EXPECT_GT(length(far.center - start) / far.radius, 1e4);
+    EXPECT_GT(huge.radius, 1e5);
+    EXPECT_LT(std::abs(length(huge.center - start) - huge.radius), 1e-4 * huge.radius);
+}
+
+TEST(HardScenes, HaveCamerasThatLoseDigits) {
+    auto scenes = by_name(load("a6-2021"), everything());
+    const auto camera = [&](const char* name) { return variants::in_double(scenes.at(name).scene.value()).camera; };
+    const auto far = camera("eye far away");
+    EXPECT_GT(length(far.eye - far.lookat), 1e5);
+    const auto along = camera("vup nearly along the view");
+    const auto view = along.eye - along.lookat;
+    const double sine = length(cross(along.vup, view)) / (length(along.vup) * length(view));
+    EXPECT_LT(sine, 1e-4);
+    EXPECT_GT(sine, 0);
+    EXPECT_GT(length(camera("scene far from the origin").lookat), 1e4);
+}
+
+TEST(HardScenes, HaveTrianglesThatLoseDigits) {
+    const reference::Assignment a6 = load("a6-2021");
+    auto scenes = by_name(a6, everything());
+    const auto triangle = [&](const char* name) {
+        return variants::in_double(scenes.at(name).scene.value()).triangles.front();
+    };
+    const reference::Vec3<double> V(0, 0, -1);
+    const auto beside = triangle("triangle, nearly parallel to the ray");
+    const auto n = cross(beside.B - beside.A, beside.C - beside.A);
+    EXPECT_LT(std::abs(dot(n, V)) / length(n), 1e-3);
+    const auto thin = triangle("triangle, a sliver");
+    const double longest = std::max({length(thin.B - thin.A), length(thin.C - thin.A), length(thin.C - thin.B)});
+    const double height = length(cross(thin.B - thin.A, thin.C - thin.A)) / longest;
+    EXPECT_GT(longest / height, 1e3);
+    for (const char* name : {"triangle, just inside an edge", "triangle, just outside an edge"}) {
+        const auto key = key_of(a6, scenes.at(name));
+        const double u = number(key, 8, "u"), v = number(key, 8, "v");
+        EXPECT_LT(std::abs(std::min({u, v, 1 - u - v})), 1e-3) << name;
     }
 }
 
@@ -94,32 +170,109 @@ TEST(HardScenes, ExistForEveryAssignmentThatComesWithUs) {
 }
 
 TEST(HardScenes, ChangeOnlyWhatWasLocated) {
-    PartSet located;
-    located.insert(variants::ScenePart::center);
-    located.insert(variants::ScenePart::radius);
     const reference::Assignment a6 = load("a6-2021");
-    for (const auto& [title, hard] : by_name(a6, located)) {
-        if (!hard.scene) {
-            EXPECT_THAT(hard.why_not, HasSubstr("was not found to state")) << title;
-            continue;
+    const auto expect = [&](const PartSet& located, int had) {
+        for (const auto& [title, hard] : by_name(a6, located)) {
+            if (!hard.scene) {
+                EXPECT_THAT(hard.why_not, HasSubstr("was not found to state")) << title;
+                continue;
+            }
+            --had;
+            variants::DecimalScene back = *hard.scene;
+            for (const ScenePart part : variants::all_parts) {
+                if (located.contains(part)) variants::copy_part(back, a6.scene, part);
+            }
+            EXPECT_EQ(reference::scene_toml(back), reference::scene_toml(a6.scene)) << title;
         }
-        variants::DecimalScene back = *hard.scene;
-        back.spheres.front() = a6.scene.spheres.front();
-        EXPECT_EQ(reference::scene_toml(back), reference::scene_toml(a6.scene)) << title;
-    }
+        EXPECT_EQ(had, 0);
+    };
+    expect(parts({ScenePart::center, ScenePart::radius}), 6);
+    expect(parts({ScenePart::A, ScenePart::B, ScenePart::C}), 7);
+    expect(parts({ScenePart::eye, ScenePart::lookat, ScenePart::vup}), 3);
+    expect({}, 0);
 }
 
 TEST(HardScenes, LeaveOutWhatTheSceneDoesNotHave) {
     reference::Assignment a6 = load("a6-2021");
     a6.scene.spheres.clear();
-    for (const auto& [title, hard] : by_name(a6, everything())) EXPECT_THAT(title, Not(HasSubstr("sphere")));
+    const auto scenes = by_name(a6, everything());
+    EXPECT_EQ(scenes.size(), 10U);
+    for (const auto& [title, hard] : scenes) {
+        EXPECT_THAT(title, Not(HasSubstr("sphere")));
+        EXPECT_TRUE(hard.scene.has_value()) << title << ": " << hard.why_not;
+    }
 }
 
-TEST(HardScenes, AreTheSameEachTime) {
+reference::Decimal decimal(const char* text) {
+    return reference::Decimal::parse(text).value();
+}
+
+/// How many scenes with `word` in their name are left out since another object is hit first.
+int hidden(const std::map<std::string, HardScene>& scenes, const std::string& word) {
+    return static_cast<int>(std::count_if(scenes.begin(), scenes.end(), [&](const auto& each) {
+        return each.first.find(word) != std::string::npos && each.second.why_not.find("first") != std::string::npos;
+    }));
+}
+
+// The questions are about what the ray hits first: the object that was moved, or none.
+TEST(HardScenes, AreLeftOutWhereAnotherObjectIsHitFirst) {
+    reference::Assignment a6 = load("a6-2021");
+    a6.scene.spheres.push_back({{decimal("0"), decimal("0"), decimal("0")}, decimal("1")});
+    const auto behind_a_sphere = by_name(a6, everything());
+    EXPECT_EQ(hidden(behind_a_sphere, "sphere"), 6);
+    EXPECT_EQ(hidden(behind_a_sphere, "triangle"), 0);
+    a6 = load("a6-2021");
+    const auto at = [](const char* x, const char* y) {
+        return reference::Vec3<reference::Decimal>(decimal(x), decimal(y), decimal("1.5"));
+    };
+    a6.scene.triangles.push_back({at("-9", "-9"), at("9", "-9"), at("0", "9")});
+    const auto behind_a_triangle = by_name(a6, everything());
+    EXPECT_EQ(hidden(behind_a_triangle, "triangle"), 7);
+    EXPECT_EQ(hidden(behind_a_triangle, "sphere"), 0);
+}
+
+TEST(HardScenes, AreWhatTheirNamesSayBesideOtherObjects) {
+    reference::Assignment a6 = load("a6-2021");
+    a6.scene.spheres.push_back({{decimal("0"), decimal("0"), decimal("-1000000")}, decimal("10")});
+    auto scenes = by_name(a6, everything());
+    EXPECT_EQ(hidden(scenes, "sphere"), 2) << "just missed, and behind the ray";
+    EXPECT_LT(share_within(a6, scenes.at("sphere, grazed"), PixelConvention::centre), 1e-5);
+    EXPECT_LT(number(key_of(a6, scenes.at("ray starts inside the sphere")), 6, "c"), 0);
+}
+
+// Drawn without the standard library's distributions, so that they are the same on every machine.
+TEST(HardScenes, AreTheSameOnEveryMachine) {
     const reference::Assignment a6 = load("a6-2021");
-    const auto one = by_name(a6, everything()), other = by_name(a6, everything());
-    for (const auto& [title, hard] : one)
-        EXPECT_EQ(reference::scene_toml(hard.scene.value()), reference::scene_toml(other.at(title).scene.value()));
+    const std::map<std::string, std::string> known = {
+        {"eye far away",
+         "eye = (40000, 60000, 120000), center = (39992, 59986, 119973), radius = 5, A = (39977, 59969, 119975), B = "
+         "(39981, 60000, 119959), C = (40007, 59978, 119961)"},
+        {"huge sphere, near its surface", "center = (155611, -131615, -979014), radius = 1000000"},
+        {"ray starts inside the sphere", "center = (2, 2, 5), radius = 7"},
+        {"ray starts on the triangle", "center = (0, 0, 11), A = (-6, -4, -1), B = (-1, 7, 0), C = (7, -3, 7)"},
+        {"scene far from the origin",
+         "eye = (30004, -19994, 10012), lookat = (30000, -20000, 10000), center = (29996, -20008, 9985), radius = 5, A "
+         "= (29981, -20025, 9987), B = (29985, -19994, 9971), C = (30011, -20016, 9973)"},
+        {"small sphere, far away", "center = (0, 0, -99998), radius = 1"},
+        {"sphere behind the ray", "center = (0, 1, 11), radius = 4"},
+        {"sphere, grazed", "center = (-2801, 4464, -15808), radius = 5270"},
+        {"sphere, just missed", "center = (8215, -2202, -25513), radius = 8505"},
+        {"triangle, a sliver",
+         "center = (0, 0, 11), A = (-17124, -10334, -38), B = (17122, 10337, -38), C = (2, -3, -43)"},
+        {"triangle, just inside an edge",
+         "center = (0, 0, 11), A = (664, -391, -72), B = (-377, 222, -76), C = (-346, -499, -69)"},
+        {"triangle, just outside an edge",
+         "center = (0, 0, 11), A = (-728, -131, -71), B = (389, 70, -69), C = (-95, 860, -80)"},
+        {"triangle, nearly parallel to the ray",
+         "center = (0, 0, 11), A = (-27, 13, -8), B = (23, -19, -8), C = (4, 7, -29998)"},
+        {"triangle, parallel to the ray", "center = (0, 0, 11), A = (-3, 1, -2), B = (-3, 1, -10), C = (-9, -7, -2)"},
+        {"triangle, through a vertex", "center = (0, 0, 11), A = (0, 0, -6), B = (9, 1, -8), C = (-1, -9, -5)"},
+        {"vup nearly along the view",
+         "eye = (4, 6, 12), vup = (40000, 60000, 120001), center = (-4, -8, -15), radius = 5, A = (-19, -25, -13), B = "
+         "(-15, 6, -29), C = (11, -16, -27)"},
+    };
+    for (const auto& [title, hard] : by_name(a6, everything()))
+        EXPECT_EQ(variants::described(hard.scene.value(), a6.scene), known.at(title)) << title;
 }
 
 }  // namespace

@@ -1,149 +1,155 @@
 // What is lost is told by printed answers on one hard scene: right ones, short ones, nan, and the wrong decision.
 #include "harness/stress/losses.h"
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "harness/stress/better_formula.h"
-#include "harness/stress/stress_json.h"
-#include "harness/stress/stress_sentences.h"
-#include "harness/transcript.h"
-#include "reference/accuracy/measurement.h"
+#include "tests/printed_values.h"
+#include "tests/stress/held.h"
+#include "tests/student/printout.h"
 
 namespace harness::stress {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
+using reference::PixelConvention;
+using student::with_line;
+using testing::Contains;
+using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::IsSupersetOf;
 using testing::Not;
 
-/// A small sphere far along the ray of a6-2021: o(0, 0, 2), d(0, 0, -1).
-Marking far_sphere() {
-    reference::Assignment assignment = reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS);
-    const auto decimal = [](const char* text) { return reference::Decimal::parse(text).value(); };
-    assignment.scene.spheres.front() = {{decimal("0"), decimal("0"), decimal("-99998")}, decimal("1")};
-    assignment.rubric.pixel_conventions = {reference::PixelConvention::centre};
-    reference::AnswerKey key = reference::make_key(assignment, reference::Precision::certified);
-    return {std::move(assignment), std::move(key)};
+/// The right printout of a far sphere with another value of question 6.
+std::string far_sphere_with(const std::string& label, const std::string& value) {
+    return with_line(right_printout(far_sphere()), 6, label, value);
 }
 
-Score score_of(const std::string& printed, const Marking& marking) {
-    return score(read_transcript(printed), marking.key, marking.assignment);
+/// Without a line of question 6 and 7 that says that there is no hit, and this one in their place.
+std::string without_sphere(const student::Marking& marking, const std::string& words) {
+    std::string printed = right_printout(marking);
+    const std::size_t t = printed.find("\nt: none", printed.find("Question 6:"));
+    const std::size_t question_7 = printed.find("\nQuestion 7:");
+    printed.replace(t, question_7 - t, "\n" + words);
+    return printed;
 }
 
-/// All right on the scene itself, whatever it is: what counts as looked at.
-Score all_right(const Marking& marking) {
-    return score_of(reference::to_text(marking.key), marking);
-}
-
-/// The right printout with one line of question 6 in place of the right one.
-std::vector<HardItem> losses_with(const std::string& label, const std::string& value) {
-    const Marking marking = far_sphere();
-    std::string text = reference::to_text(marking.key);
-    const std::size_t question = text.find("Question 6");
-    const std::size_t begin = text.find("\n" + label + ":", question) + 1;
-    EXPECT_NE(begin, std::string::npos + 1);
-    text.replace(begin, text.find('\n', begin) - begin, label + ": " + value);
-    std::vector<HardItem> lost = losses(all_right(marking), score_of(text, marking), marking);
-    std::erase_if(lost, [&](const HardItem& item) { return item.item != label; });
-    return lost;
+/// With another sentence at the end.
+std::string with_verdict(std::string printed, const std::string& sentence) {
+    const std::size_t line = printed.rfind("ray hits");
+    return printed.replace(line, printed.find('\n', line) - line, sentence);
 }
 
 TEST(Losses, AreNoneInARightPrintout) {
-    const Marking marking = far_sphere();
-    EXPECT_THAT(losses(all_right(marking), all_right(marking), marking), IsEmpty());
+    for (const std::string_view scene : student::scene_names()) {
+        const student::Marking marking = held(student::scene_named(scene));
+        EXPECT_THAT(told_losses(right_printout(marking), marking), IsEmpty()) << scene;
+    }
 }
 
 TEST(Losses, CountTheRightDigitsOfThePrinted) {
     // d = 4
-    const auto lost = losses_with("d", "4.0071");
+    const auto lost = losses_of(far_sphere_with("d", "4.0071"), far_sphere());
     ASSERT_EQ(lost.size(), 1U);
+    EXPECT_EQ(lost[0].item, "d");
     EXPECT_EQ(lost[0].digits_kept, 2);
     EXPECT_EQ(lost[0].digits_printed, 4);
 }
 
+TEST(Losses, CountTheDigitsOfNumbersWhoseNamesHoldDigits) {
+    std::string printed = with_line(right_printout(far_sphere()), 5, "V", "");
+    printed.replace(printed.find("\nV: "), 4, "\nV[0] = 0.001200, V[1] = 0.000000, V[2] = -1.000000");
+    const auto lost = losses_of(printed, far_sphere());
+    ASSERT_FALSE(lost.empty());
+    EXPECT_EQ(lost[0].item, "V");
+    EXPECT_EQ(lost[0].digits_kept, 2);
+    EXPECT_EQ(lost[0].digits_printed, 6);
+}
+
 TEST(Losses, AreNotWhatAShortPrintoutLeavesOut) {
-    EXPECT_THAT(losses_with("d", "4"), IsEmpty());
-    EXPECT_THAT(losses_with("d", "4.01"), IsEmpty());
+    EXPECT_THAT(told_losses(far_sphere_with("d", "4"), far_sphere()), IsEmpty());
+    EXPECT_THAT(told_losses(far_sphere_with("d", "4.01"), far_sphere()), IsEmpty());
 }
 
 TEST(Losses, TellNotANumberApart) {
-    for (const char* value : {"nan", "-nan", "inf"}) {
-        const auto lost = losses_with("t", value);
-        ASSERT_EQ(lost.size(), 1U) << value;
-        EXPECT_EQ(lost[0].loss, Loss::not_a_number) << value;
-    }
+    for (const char* value : {"nan", "-nan", "inf"})
+        EXPECT_THAT(told_losses(far_sphere_with("t", value), far_sphere()), Contains("6.t: not_a_number")) << value;
+}
+
+TEST(Losses, TellAWrongNumberFromNone) {
+    EXPECT_THAT(told_losses(far_sphere_with("c", "123.5"), far_sphere()), Contains("6.c: wrong"));
+    EXPECT_THAT(told_losses(far_sphere_with("c", ""), far_sphere()), Contains("6.c: missing"));
+    EXPECT_THAT(told_losses(far_sphere_with("P_s", "0.5"), far_sphere()), Contains("6.hit: missing")) << "unreadable";
 }
 
 TEST(Losses, TellAHitThatIsToldAsAMiss) {
-    const auto lost = losses_with("t", "none");
-    ASSERT_EQ(lost.size(), 1U);
-    EXPECT_EQ(lost[0].loss, Loss::hit_missed);
+    EXPECT_THAT(told_losses(far_sphere_with("t", "none"), far_sphere()), Contains("6.t: hit_missed"));
+    EXPECT_THAT(told_losses(far_sphere_with("t", "none (d = -4 < 0)"), far_sphere()), Contains("6.t: hit_missed"));
+}
+
+TEST(Losses, TellAMissThatIsToldAsAHit) {
+    const student::Marking marking = held(student::scene_named("sphere missed"));
+    EXPECT_THAT(told_losses(with_line(right_printout(marking), 6, "t", "4.2426"), marking), Contains("6.t: miss_hit"));
+}
+
+// What says that there is no value may hold numbers.
+TEST(Losses, AreNoneWhereNoneIsReadWhateverItsWordsHold) {
+    const student::Marking marking = held(student::scene_named("sphere missed"));
+    for (const char* words :
+         {"t: none (d < 0)", "t: none (t is nan)", "t: no hit, since -12.25 < 0", "t = -1 (-1 means no hit)",
+          "No intersection: discriminant -12 < 0", "t: none (d < 0)\nP_s: none (d < 0)\nt: none (t is nan)"}) {
+        EXPECT_THAT(told_losses(without_sphere(marking, words), marking), IsEmpty()) << words;
+    }
+}
+
+TEST(Losses, TellAnotherObjectSaidToBeFirst) {
+    const student::Marking marking = held(student::off_axis_scene());
+    EXPECT_THAT(told_losses(with_verdict(right_printout(marking), "ray hits triangle first"), marking),
+                ElementsAre("10.verdict: other_first"));
+}
+
+// Marking forgives what float can't tell; that it was not told is what a hard scene shows.
+TEST(Losses, AreDecisionsThatMarkingForgivesToo) {
+    const student::Marking hit = held(student::scene_named("barely hit"));
+    std::string missed = right_printout(hit);
+    missed = with_line(missed, 6, "d", "-0.000004");
+    missed = with_line(missed, 6, "t", "none");
+    missed = with_line(missed, 6, "P_s", "none");
+    missed = with_line(missed, 7, "N", "none");
+    ASSERT_EQ(verdict_on(::mark(missed, hit), {6, "t"}), "right");
+    EXPECT_THAT(told_losses(missed, hit),
+                IsSupersetOf({"6.t: hit_missed", "6.hit: hit_missed", "7.normal: hit_missed"}));
+
+    const student::Marking miss = held(student::scene_named("barely missed"));
+    std::string touched = with_line(right_printout(miss), 6, "d", "0.000001");
+    touched = with_line(touched, 6, "t", "4.999500");
+    ASSERT_EQ(verdict_on(::mark(touched, miss), {6, "t"}), "right");
+    EXPECT_THAT(told_losses(touched, miss), Contains("6.t: miss_hit"));
+
+    const student::Marking tie = held(student::scene_named("almost a tie"));
+    for (const char* sentence : {"ray hits sphere first", "ray hits triangle first"}) {
+        const std::string printed = with_verdict(right_printout(tie), sentence);
+        ASSERT_EQ(verdict_on(::mark(printed, tie), {10, "verdict"}), "right") << sentence;
+        const bool is_true = right_printout(tie).find(sentence) != std::string::npos;
+        EXPECT_EQ(told_losses(printed, tie).empty(), is_true) << sentence;
+    }
 }
 
 TEST(Losses, AreOnlyOfWhatWasRightOnItsOwnScene) {
-    const Marking marking = far_sphere();
-    EXPECT_THAT(losses(score_of("", marking), score_of("", marking), marking), IsEmpty());
+    const student::Marking marking = far_sphere();
+    EXPECT_THAT(losses(::mark("", marking), ::mark("", marking), {marking.assignment, marking.key}), IsEmpty());
 }
 
-TEST(BetterFormulas, AreNamedAsInTheLadder) {
-    const auto sentences = better_formulas(losses_with("t", "100000.50"), far_sphere());
-    ASSERT_FALSE(sentences.empty());
-    EXPECT_THAT(sentences.front(), AllOf(HasSubstr("naive quadratic float keeps 4 digits"), HasSubstr("Haines float"),
-                                         HasSubstr("naive quadratic double keeps 15")));
-    EXPECT_THAT(better_formulas({}, far_sphere()), IsEmpty());
-}
-
-/// A name without its scalar.
-std::string kernel_of(const std::string& name) {
-    for (const std::string scalar : {" float interval", " double-double", " 100 digits"}) {
-        if (name.ends_with(scalar)) return name.substr(0, name.size() - scalar.size());
+TEST(OwnConvention, IsTheOneThatThePrintoutWasAcceptedUnder) {
+    student::Marking marking = student::handout_scene();
+    marking.assignment.scene.pixel = {40, 30};
+    marking.key = reference::make_key(marking.assignment, reference::Precision::certified);
+    for (const auto convention : {PixelConvention::centre, PixelConvention::grid}) {
+        const std::string printed = right_printout(held(marking, convention));
+        EXPECT_EQ(own_convention(::mark(printed, marking), marking.key), convention);
     }
-    return name.substr(0, name.rfind(' '));
-}
-
-TEST(BetterFormulas, HaveALineForEveryFormulaOfTheLadder) {
-    for (const auto primitive : {reference::accuracy::Primitive::sphere, reference::accuracy::Primitive::triangle}) {
-        for (const std::string& name : reference::accuracy::method_names(primitive)) {
-            const std::string kernel = kernel_of(name);
-            const bool is_own = name.starts_with("certified") || name.starts_with("conservative");
-            EXPECT_EQ(formula_of(kernel).empty(), is_own) << name;
-        }
-    }
-}
-
-StressReport some_report() {
-    HardResult lost{"far", "b² is large", "", "radius = 1", "", {}, {"Haines float keeps 6 digits."}};
-    lost.items = {{6, "d", Loss::digits, 2, 4, ""}, {6, "t", Loss::not_a_number, 0, 0, "far root"}};
-    HardResult left_out{"near", "", "the source was not found to state vup", "", "", {}, {}};
-    HardResult kept{"inside", "the far root counts", "", "radius = 7", "", {}, {}};
-    return {{"vup"}, {lost, left_out, kept}};
-}
-
-TEST(StressReport, CountsWhatSurvives) {
-    EXPECT_EQ(some_report().tried(), 2U);
-    EXPECT_EQ(some_report().survived(), 1U);
-}
-
-TEST(StressReport, IsReadBackAsItWasWritten) {
-    const auto json = stress_json(some_report());
-    EXPECT_EQ(stress_json(stress_from_json(json)), json);
-    auto broken = nlohmann::json(json);
-    broken["scenes"][0]["items"][0]["loss"] = "nothing";
-    EXPECT_THROW(stress_from_json(broken), std::invalid_argument);
-}
-
-TEST(StressSentences, SayWhatIsLostAndWhatWouldDoBetter) {
-    const auto sentences = stress_sentences(some_report());
-    ASSERT_EQ(sentences.size(), 2U);
-    EXPECT_THAT(sentences[0], HasSubstr("1 of 2 hard scenes"));
-    EXPECT_THAT(sentences[1], AllOf(HasSubstr("nan or inf: 6.t (far root)"), HasSubstr("6.d (2 of 4 digits)"),
-                                    HasSubstr("Haines float keeps 6 digits.")));
-    EXPECT_THAT(stress_text(some_report()), HasSubstr("near: left out\n    the source was not found to state vup"));
+    EXPECT_EQ(own_convention(::mark("", marking), marking.key), PixelConvention::centre);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 
 namespace student {
 namespace {
@@ -241,6 +242,14 @@ std::string print(const Program& program, const Layout& layout) {
 
 std::string print(const Program& program) {
     return print(program, Layout());
+}
+
+std::string with_line(std::string output, int question, const std::string& label, const std::string& value) {
+    const std::size_t heading = output.find(fmt::format("Question {}:", question));
+    const std::size_t line = output.find("\n" + label + ": ", heading);
+    if (line == std::string::npos) throw std::invalid_argument(label);
+    output.replace(line, output.find('\n', line + 1) - line, "\n" + label + ": " + value);
+    return output;
 }
 
 }  // namespace student

@@ -46,4 +46,7 @@ std::string print(const Program& program, const Layout& layout, const std::funct
 /// The handout's own layout.
 std::string print(const Program& program);
 
+/// An output in the handout's layout with another value on one line. The line must be there.
+std::string with_line(std::string output, int question, const std::string& label, const std::string& value);
+
 }  // namespace student

@@ -35,6 +35,16 @@ std::string nasty_source(const std::string& pattern, std::size_t size) {
         {"defines", "#define EYE vec3(0, 0, 4)\n"},
         {"conditions", "#if 0\n"},
         {"spliced_lines", "\\\n"},
+        {"comma_brackets", "((((,"},
+        {"open_lists", "{0,"},
+        {"vectors", "(0,0,4),"},
+        {"open_defines", "#define A (\n"},
+        {"open_conditions", "#if X\n"},
+        {"open_indexes", "eye["},
+        {"members", "a."},
+        {"negations", "=-"},
+        {"index_ends", "]="},
+        {"open_calls", "f(1,"},
     };
     if (pattern == "nested_lists") {
         const std::string half = repeated("{0, ", size / 2);

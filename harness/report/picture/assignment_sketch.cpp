@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/double_scene.h"
 #include "reference/pipeline.h"
 
 namespace harness::report::picture {
@@ -155,7 +156,7 @@ void draw_objects(const std::vector<T>& things, std::size_t asked, std::string_v
 }  // namespace
 
 DoubleScene double_scene(const reference::Assignment& assignment) {
-    return reference::convert_scene<double>(assignment.scene, [](const auto& number) { return number.to_double(); });
+    return reference::in_double(assignment.scene);
 }
 
 RightValues right_values(const AnswerKey& key, const DoubleScene& scene) {

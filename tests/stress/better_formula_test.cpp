@@ -1,0 +1,52 @@
+#include "harness/stress/better_formula.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "reference/accuracy/measurement.h"
+#include "tests/stress/held.h"
+#include "tests/student/printout.h"
+
+namespace harness::stress {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<std::string> formulas_for(const std::vector<HardItem>& lost, const student::Marking& marking) {
+    return better_formulas(lost, {marking.assignment, marking.key});
+}
+
+TEST(BetterFormulas, AreNamedAsInTheLadder) {
+    const student::Marking marking = far_sphere();
+    const auto lost = losses_of(student::with_line(right_printout(marking), 6, "t", "100000.50"), marking);
+    const auto sentences = formulas_for(lost, marking);
+    ASSERT_FALSE(sentences.empty());
+    EXPECT_THAT(sentences.front(), AllOf(HasSubstr("naive quadratic float keeps 4 digits"), HasSubstr("Haines float"),
+                                         HasSubstr("naive quadratic double keeps 15")));
+    EXPECT_THAT(formulas_for({}, marking), IsEmpty());
+}
+
+/// A name without its scalar.
+std::string kernel_of(const std::string& name) {
+    for (const std::string scalar : {" float interval", " double-double", " 100 digits"}) {
+        if (name.ends_with(scalar)) return name.substr(0, name.size() - scalar.size());
+    }
+    return name.substr(0, name.rfind(' '));
+}
+
+TEST(BetterFormulas, HaveALineForEveryFormulaOfTheLadder) {
+    for (const auto primitive : {reference::accuracy::Primitive::sphere, reference::accuracy::Primitive::triangle}) {
+        for (const std::string& name : reference::accuracy::method_names(primitive)) {
+            const std::string kernel = kernel_of(name);
+            const bool is_own = name.starts_with("certified") || name.starts_with("conservative");
+            EXPECT_EQ(formula_of(kernel).empty(), is_own) << name;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace harness::stress

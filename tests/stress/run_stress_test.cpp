@@ -1,0 +1,52 @@
+// What goes wrong while hard scenes are made or told.
+#include "harness/stress/run_stress.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "tests/printed_values.h"
+#include "tests/stress/held.h"
+
+namespace harness::stress {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Workshop workshop_without_sandbox() {
+    const auto [compile, run] = read_limits({}, {});
+    return {std::make_unique<Sandbox>(Tier::unsafe), {}, default_build_settings(compile), run};
+}
+
+/// With all answers right, from any source.
+Graded graded_right(const student::Marking& marking) {
+    Graded graded;
+    graded.outcome = Outcome::graded;
+    graded.score = ::mark(right_printout(marking), marking);
+    return graded;
+}
+
+// No assignment that raygrade reads has such a camera: what a fault does is told by one.
+TEST(RunStress, LeavesAClassItsMarksWhereItFailsItself) {
+    student::Marking marking = held(student::handout_scene());
+    std::vector<Graded> graded{graded_right(marking), graded_right(marking), Graded()};
+    const double points = graded[0].score.points;
+    marking.assignment.scene.camera.lookat = marking.assignment.scene.camera.eye;
+    Timeline timeline;
+    run_stress(graded, {"int main() {}", "int main() {}", ""}, {marking.assignment, marking.key},
+               workshop_without_sandbox(), 1, timeline);
+    for (const std::size_t i : {0U, 1U}) {
+        EXPECT_EQ(graded[i].outcome, Outcome::graded);
+        EXPECT_EQ(graded[i].score.points, points);
+        EXPECT_TRUE(graded[i].our_fault) << "raygrade ends with 3";
+        EXPECT_THAT(graded[i].submission.notes, ElementsAre(HasSubstr("a fault of raygrade: division by zero")));
+        EXPECT_FALSE(graded[i].hard_scenes.has_value());
+    }
+    EXPECT_FALSE(graded[2].our_fault) << "nothing to try";
+}
+
+}  // namespace
+}  // namespace harness::stress
