@@ -11,8 +11,10 @@
 #include "harness/failure.h"
 #include "harness/find_submissions.h"
 #include "harness/serve/graders.h"
+#include "harness/serve/own_addresses.h"
 #include "harness/serve/server.h"
 #include "harness/shared_options.h"
+#include "reference/assignment_file.h"
 
 namespace harness {
 namespace {
@@ -84,9 +86,14 @@ std::unique_ptr<serve::Server> listen(const ServeOptions& options, const Reach& 
     }
 }
 
-std::string address_text(const std::string& host, std::uint16_t port) {
-    const bool is_v6 = host.find(':') != std::string::npos;
-    return fmt::format("http://{}{}{}:{}/", is_v6 ? "[" : "", host, is_v6 ? "]" : "", port);
+/// Those that are answered: any of this machine's, and by name only what --name says.
+void tell_addresses(const ServeOptions& options, const Reach& reach, std::uint16_t port) {
+    std::vector<std::string> all = serve::web_addresses(options.host, port);
+    for (const std::string& name : reach.names) all.push_back(serve::web_address(name, port));
+    for (std::size_t i = 0; i < all.size(); ++i) fmt::print("{} {}\n", i == 0 ? "Open" : "  or", all[i]);
+    const std::string own = serve::own_name();
+    if (reach.loopback || !reach.names.empty() || own.empty()) return;
+    fmt::print("By name it answers only with --name: --name {} for {}\n", own, serve::web_address(own, port));
 }
 
 void announce(const ServeOptions& options, const Reach& reach, const serve::About& about, std::uint16_t port) {
@@ -99,9 +106,9 @@ void announce(const ServeOptions& options, const Reach& reach, const serve::Abou
     }
     if (reach.behind_proxy) {
         fmt::print("Open https://{}/ once its proxy passes requests on to {}\n", reach.names.front(),
-                   address_text(options.host, port));
+                   serve::web_address(options.host, port));
     } else {
-        fmt::print("Open {}\n", address_text(options.host, port));
+        tell_addresses(options, reach, port);
     }
     if (const std::string sentence = serve::not_shown(about); !sentence.empty()) {
         fmt::print("{} `grade` and `check` give them, with --variants.\n", sentence);
@@ -118,13 +125,15 @@ int serve_pages(const ServeOptions& options) {
             "--unsafe is for programs you have read, and this page would run anybody's: leave out --unsafe, or --host "
             "and --behind-proxy. `raygrade doctor` says what a sandbox takes here.");
     }
-    const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
+    const reference::AssignmentFile file = reference::read_assignment_file(options.assignment, assignments_folder());
+    const reference::Assignment assignment = reference::parse_assignment(file.toml, file.path);
     const serve::About about{assignment.title, std::chrono::hours(options.keep_hours),
                              assignment.rubric.variant_points};
     serve::SpoolBounds bounds;
     bounds.age = about.keep;
     serve::Spool spool(state_of(options, assignment.name), bounds);
     if (!spool.problem().empty()) fmt::print(stderr, "note: {}\n", spool.problem());
+    spool.take_for(assignment.name, file.toml);
     for (const std::string& key : spool.given_up()) spool.finish(key, serve::given_up(about));
     serve::Desk desk(spool, options.queue);
     serve::Site site({about, reach, options.rate}, desk);
@@ -155,11 +164,14 @@ int serve_pages(const ServeOptions& options) {
 void add_options(CLI::App& command, ServeOptions& options) {
     add_assignment(command, options.assignment);
     command.add_option("-p,--port", options.port, "The port; 0 for any free one, which is told")
+        ->check(CLI::Range(0, 65'535))
         ->type_name("N")
         ->capture_default_str();
     command
-        .add_option("--host", options.host,
-                    "The address of this machine to listen at; any but 127.0.0.1 and ::1 lets others in, 0.0.0.0 all")
+        .add_option(
+            "--host", options.host,
+            "The address of this machine to listen at; any but 127.0.0.1 and ::1 lets others in, 0.0.0.0 at all "
+            "its addresses")
         ->type_name("ADDRESS")
         ->capture_default_str();
     command
@@ -192,8 +204,8 @@ void add_options(CLI::App& command, ServeOptions& options) {
         ->capture_default_str();
     command
         .add_option("--state", options.state,
-                    "The folder for queue and results; without it, one for the assignment in $XDG_STATE_HOME/raygrade "
-                    "or ~/.local/state/raygrade")
+                    "The folder for queue and results, new, empty or from an earlier start; without it, one for the "
+                    "assignment in $XDG_STATE_HOME/raygrade or ~/.local/state/raygrade")
         ->type_name("DIR");
     add_workshop(command, options.workshop);
     command.footer(

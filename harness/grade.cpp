@@ -44,7 +44,8 @@ Outcome outcome_of(const ProcessResult& run) {
 }
 
 std::string explain(const Build& build, const ProcessResult& run, const Limits& limits) {
-    constexpr std::string_view still_marked = " What it printed before is marked.";
+    const std::string_view still_marked =
+        run.output.empty() ? " Nothing that it printed had arrived by then." : " What it printed before is marked.";
     switch (run.ended) {
         case Ended::not_started:
             return build.reached_limit ? "The compiler was stopped at a limit or broke down on this source; its "

@@ -18,29 +18,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether there is nothing at all, or no more than the folder that a run makes first.
-bool is_without_files(const fs::path& out, const std::string& feedback) {
+/// Whether there is nothing at all, or no more than what a run makes first.
+bool is_without_files(const fs::path& out, const std::string& first) {
     std::error_code error;
     if (!fs::exists(out, error)) return true;
     for (const auto& entry : fs::directory_iterator(out, error)) {
-        if (entry.path().filename() != feedback || !fs::is_empty(entry.path(), error)) return false;
+        if (entry.path().filename() != first || !fs::is_empty(entry.path(), error)) return false;
     }
     return !error;
 }
 
 }  // namespace
 
-Holds look_into(const fs::path& out, const std::vector<std::string>& marks, const std::string& feedback) {
+Holds look_into(const fs::path& out, const std::vector<std::string>& marks, const std::string& first,
+                const FolderUse& use) {
     std::error_code error;
     if (fs::exists(out, error) && !fs::is_directory(out, error)) {
-        throw UsageError(fmt::format("{}: is a file; name a folder for the results with --out", out.string()));
+        throw UsageError(
+            fmt::format("{}: is a file; name a folder for the {} with {}", out.string(), use.what, use.option));
     }
-    if (is_without_files(out, feedback)) return Holds::nothing;
+    if (is_without_files(out, first)) return Holds::nothing;
     const bool earlier =
         std::any_of(marks.begin(), marks.end(), [&](const std::string& mark) { return fs::exists(out / mark, error); });
     if (earlier) return Holds::earlier_results;
-    throw UsageError(
-        fmt::format("{}: is not empty and holds no results of raygrade; name another folder with --out", out.string()));
+    throw UsageError(fmt::format("{}: is not empty and holds no {} of raygrade; name another folder with {}",
+                                 out.string(), use.what, use.option));
 }
 
 void make_results_folder(const fs::path& out, const std::string& feedback) {

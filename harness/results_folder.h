@@ -5,6 +5,7 @@
 #include <functional>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "harness/sandbox/file_descriptor.h"
@@ -13,10 +14,17 @@ namespace harness {
 
 enum class Holds { nothing, earlier_results };
 
-/// What `out` holds: it is missing or empty but for an empty folder called `feedback`, or it holds one of the files
-/// `marks`, by which the results of an earlier run are known. Throws UsageError for anything else.
-Holds look_into(const std::filesystem::path& out, const std::vector<std::string>& marks,
-                const std::string& feedback = "");
+/// For messages: what a folder is for, and the option that names it.
+struct FolderUse {
+    std::string_view what = "results";
+    std::string_view option = "--out";
+};
+
+/// What `out` holds: it is missing or empty but for an empty folder or file called `first`, which a run makes before
+/// all else, or it holds one of the files `marks`, by which the results of an earlier run are known. Throws UsageError
+/// for anything else.
+Holds look_into(const std::filesystem::path& out, const std::vector<std::string>& marks, const std::string& first = "",
+                const FolderUse& use = {});
 
 /// Makes the folder and, where `feedback` names one, that folder in it, and looks whether they can be written. Throws
 /// UsageError.

@@ -11,6 +11,7 @@
 #include "harness/failure.h"
 #include "harness/intake.h"
 #include "harness/names.h"
+#include "harness/no_source.h"
 
 namespace harness {
 namespace {
@@ -48,6 +49,10 @@ bool is_source_name(const std::filesystem::path& file) {
 void set_source(Submission& submission, std::string bytes, bool is_too_large) {
     if (is_too_large) {
         submission.problem = too_large(submission.file);
+        return;
+    }
+    if (const std::string why = why_no_source(bytes); !why.empty()) {
+        submission.problem = in_quotes(submission.file) + ' ' + why;
         return;
     }
     submission.source_sha256 = sha256(bytes);

@@ -97,6 +97,23 @@ TEST_F(BadInput, ASourceOf100MB) {
     expect_not_graded(grade(), "huge", "huge/ray_cast.cpp", "source");
 }
 
+TEST_F(BadInput, FilesThatAreNoSources) {
+    using namespace std::string_literals;
+    write(students() / "pdf/ray_cast.cpp", "%PDF-1.7\n");
+    write(students() / "empty/ray_cast.cpp", " \n");
+    write(students() / "windows/ray_cast.cpp", "\xff\xfei\0n\0t\0"s);
+    write(students() / "marked/ray_cast.cpp", "\xef\xbb\xbf" + std::string(small_program));
+    const Result result = grade();
+    expect_not_graded(result, "pdf", "pdf/ray_cast.cpp\" is a PDF", "source itself");
+    expect_not_graded(result, "empty", "empty/ray_cast.cpp\" is empty", "source itself");
+    expect_not_graded(result, "windows", "is saved as UTF-16", "UTF-8");
+    EXPECT_TRUE(graded("pdf").at("points").is_null());
+    EXPECT_EQ(graded("marked").at("points").get<double>(), 10) << "UTF-8 with its mark is read by any compiler";
+    const Result check = raygrade({"check", (students() / "windows/ray_cast.cpp").string()});
+    EXPECT_EQ(check.status, some_not_graded);
+    EXPECT_THAT(check.both(), HasSubstr("is saved as UTF-16; save it as UTF-8."));
+}
+
 TEST_F(BadInput, TwoSourcesOfWhichNeitherIsRayCast) {
     write(students() / "two/first.cpp", small_program);
     write(students() / "two/second.cpp", small_program);

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -22,6 +23,7 @@ using namespace std::chrono_literals;
 using harness::serve::HttpAnswer;
 using nlohmann::json;
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -58,10 +60,10 @@ class Serving : public testing::Test {
         while (port == 0 && std::chrono::steady_clock::now() < late) {
             std::this_thread::sleep_for(10ms);
             const std::string said = fs::exists(output()) ? read(output()) : "";
-            constexpr std::string_view before = "Open http://127.0.0.1:";
-            const auto at = said.find(before);
-            if (at != std::string::npos && said.find("/\n", at) != std::string::npos)
-                port = static_cast<std::uint16_t>(std::stoi(said.substr(at + before.size())));
+            const auto at = said.find("Open http://");
+            const auto end = at == std::string::npos ? at : said.find("/\n", at);
+            if (end != std::string::npos)
+                port = static_cast<std::uint16_t>(std::stoi(said.substr(said.rfind(':', end) + 1)));
         }
         ASSERT_NE(port, 0) << read(voice());
     }
@@ -118,6 +120,17 @@ TEST_F(Serving, GradesAnHonestProgramBesideHostileOnes) {
     EXPECT_THAT(page.body, AllOf(Not(HasSubstr("<script")), Not(HasSubstr("<img")), Not(HasSubstr("\x1b"))));
     EXPECT_THAT(page.fields.at("content-security-policy"), Not(HasSubstr("script-src")));
     EXPECT_THAT(page.body, HasSubstr("Check another program"));
+    EXPECT_THAT(page.body, ContainsRegex("Checked on 20[0-9-]+ at [0-9:]+ [^,<]+, ray_cast.cpp<"));
+    const std::string pasted =
+        ask("POST /check HTTP/1.1\r\nHost: localhost\r\nContent-Type: multipart/form-data; boundary=cut\r\n"
+            "Content-Length: 83\r\n\r\n--cut\r\nContent-Disposition: form-data; name=\"source\"\r\n\r\nint main() { }  "
+            "\r\n--cut--\r\n")
+            .fields.at("location");
+    EXPECT_EQ(outcome("/" + pasted).at("standing"), "done");
+    EXPECT_THAT(ask(harness::serve::get("/" + pasted)).body, HasSubstr(", pasted text<"));
+    EXPECT_THAT(ask(harness::serve::get(results["endless_loop"])).body,
+                AllOf(HasSubstr("Time limit"), HasSubstr("Nothing that it printed had arrived by then."),
+                      Not(HasSubstr("No answer was found")), Not(HasSubstr("Look at question"))));
     const std::string told = read(voice()) + read(output());
     EXPECT_THAT(told, HasSubstr("program 6"));
     for (const auto& [who, result] : results)
@@ -131,6 +144,8 @@ TEST_F(Serving, StoppedItFinishesTheQueueAndShowsTheResultsAfterTheNextStart) {
     for (int i = 0; i < 3; ++i) results.push_back(hand_in(std::string(honest) + "// " + std::to_string(i) + "\n"));
     EXPECT_EQ(end(SIGTERM), 0);
     EXPECT_THAT(read(voice()), HasSubstr("nothing waits"));
+    EXPECT_THAT(read(voice()),
+                ContainsRegex("stopping: [123] programs? to be checked, up to 100 s more; Ctrl-C again"));
     start();
     for (const std::string& result : results) {
         EXPECT_EQ(standing(result).at("standing"), "done");
@@ -160,6 +175,35 @@ TEST_F(Serving, AKillLosesNothing) {
     for (const std::string& result : results) EXPECT_EQ(outcome(result).at("points"), 10) << standing(result);
 }
 
+TEST_F(Serving, NeverGradesWhatWaitsAgainstAnotherScene) {
+    const std::string state = (folder / "kept").string();
+    start({"--state", state, "--grace", "0", "-j", "1"});
+    const std::vector<std::string> results = {hand_in(slow), hand_in(honest)};
+    EXPECT_EQ(end(SIGTERM), 0);
+    const std::string other = (folder / "other.toml").string();
+    write(other, read(project_folder() / "reference/assignments/a6-2021.toml") + "\nlate_deduction = 0.5\n");
+    const Result refused = raygrade({"serve", "--assignment", other, "--port", "0", "--state", state}, prepare());
+    EXPECT_EQ(refused.status, usage) << refused.both();
+    EXPECT_THAT(refused.voice, AllOf(HasSubstr("there for the assignment a6-2021."), HasSubstr("--state")));
+    start({"--state", state});
+    for (const std::string& result : results) EXPECT_EQ(outcome(result).at("points"), 10) << standing(result);
+    EXPECT_EQ(end(SIGTERM), 0);
+    assignment = other;
+    start({"--state", state});
+    EXPECT_EQ(standing(results.front()).at("points"), 10);
+}
+
+TEST_F(Serving, LeavesAFolderOfOtherThingsAsItIs) {
+    const fs::path results = folder / "results";
+    write(results / "grades.csv", "id,points\n");
+    fs::permissions(results, static_cast<fs::perms>(0755));
+    const Result refused = raygrade({"serve", "--port", "0", "--state", results.string()}, prepare());
+    EXPECT_EQ(refused.status, usage) << refused.both();
+    EXPECT_THAT(refused.voice, AllOf(HasSubstr("is not empty"), HasSubstr("--state")));
+    EXPECT_FALSE(fs::exists(results / "lock"));
+    EXPECT_EQ(fs::status(results).permissions(), static_cast<fs::perms>(0755));
+}
+
 TEST_F(Serving, SaysThatPointsForOtherScenesAreNotShown) {
     constexpr std::string_view sentence =
         "Points for answers on other scenes, up to 2.5, are not part of what is shown here.";
@@ -175,6 +219,22 @@ TEST_F(Serving, SaysThatPointsForOtherScenesAreNotShown) {
     assignment = "a6-2021";
     start();
     EXPECT_THAT(read(output()), Not(HasSubstr("other scenes")));
+}
+
+TEST_F(Serving, AtAllAddressesItSaysWhatToOpenAndWhichNameIsAnswered) {
+    start({"--host", "0.0.0.0"});
+    EXPECT_THAT(read(output()), Not(HasSubstr("0.0.0.0")));
+    std::array<char, 256> name{};
+    ASSERT_EQ(gethostname(name.data(), name.size() - 1), 0);
+    const auto asked_by_name = [&] {
+        return ask("GET / HTTP/1.1\r\nHost: " + std::string(name.data()) + "\r\n\r\n").status;
+    };
+    EXPECT_THAT(read(output()), HasSubstr("--name "));
+    EXPECT_EQ(asked_by_name(), 421);
+    EXPECT_EQ(end(SIGINT), 0);
+    start({"--host", "0.0.0.0", "--name", name.data()});
+    EXPECT_EQ(asked_by_name(), 200);
+    EXPECT_THAT(read(output()), AllOf(ContainsRegex("  or http://[^/]*/"), Not(HasSubstr("--name "))));
 }
 
 TEST_F(Serving, RunsNobodysProgramsForOthersWithoutASandbox) {
@@ -211,7 +271,9 @@ TEST_F(Serving, SaysWhatIsWrongBeforeItStarts) {
         return result.voice;
     };
     const std::string other = (folder / "other").string();
-    EXPECT_THAT(voice_of({"--port", "0"}, 1), HasSubstr("--state"));
+    EXPECT_THAT(voice_of({"--port", "0"}, 1), AllOf(HasSubstr("--state"), HasSubstr("--port")));
+    EXPECT_THAT(voice_of({"--port", "80000", "--state", other}, usage), HasSubstr("65535"));
+    EXPECT_THAT(voice_of({"--host", "192.0.2.1", "--state", other}, usage), HasSubstr("0.0.0.0 for all"));
     EXPECT_THAT(voice_of({"--port", std::to_string(port), "--state", other}, usage), HasSubstr("--port 0"));
     EXPECT_THAT(voice_of({"--host", "example.edu", "--state", other}, usage), HasSubstr("IP address"));
     EXPECT_THAT(voice_of({"--behind-proxy", "--state", other}, usage), HasSubstr("--name"));

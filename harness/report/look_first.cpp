@@ -32,6 +32,14 @@ std::string listed(const std::vector<int>& numbers) {
 
 }  // namespace
 
+bool is_without_answers(const Graded& graded) {
+    return graded.outcome != Outcome::graded &&
+           std::all_of(graded.score.questions.begin(), graded.score.questions.end(), [](const QuestionScore& question) {
+               return std::all_of(question.items.begin(), question.items.end(),
+                                  [](const ItemScore& item) { return item.verdict == ItemVerdict::missing; });
+           });
+}
+
 std::optional<LookFirst> look_first(const Graded& graded) {
     switch (graded.outcome) {
         case Outcome::compile_error:
@@ -43,6 +51,7 @@ std::optional<LookFirst> look_first(const Graded& graded) {
         case Outcome::output_limit:
         case Outcome::memory_limit: break;
     }
+    if (is_without_answers(graded)) return std::nullopt;
     const std::vector<QuestionScore>& questions = graded.score.questions;
     const auto wrong = std::find_if(questions.begin(), questions.end(), is_wrong_itself);
     const auto missing = std::find_if(questions.begin(), questions.end(),

@@ -17,8 +17,13 @@ struct LookFirst {
 };
 
 /// The earliest question with a wrong answer of its own, or, where there is none, the earliest with one missing. Empty
-/// when nothing needs a look, and when there is nothing to look at, as of a source that does not compile.
+/// when nothing needs a look, and when there is nothing to look at, as of a source that does not compile or a program
+/// that was stopped before it printed an answer.
 std::optional<LookFirst> look_first(const Graded& graded);
+
+/// Whether a program ended early, or printed nothing, with no answer found in what it printed: how it ended is then all
+/// there is to say of it.
+bool is_without_answers(const Graded& graded);
 
 /// The same as sentences, plain text; empty when there is nothing to say.
 std::string look_first_sentence(const Graded& graded);

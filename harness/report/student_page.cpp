@@ -29,6 +29,7 @@ bool all_have(const QuestionScore& question, ItemVerdict verdict) {
 
 /// Whether there is anything to say of it beyond that it is right.
 bool is_worth_a_section(const Graded& graded, const QuestionScore& question) {
+    if (is_without_answers(graded)) return false;
     return std::any_of(question.items.begin(), question.items.end(),
                        [&](const ItemScore& item) { return !item_sentence(item, graded.outcome).empty(); });
 }

@@ -26,12 +26,12 @@ std::optional<Refusal> Desk::refusal() const {
     return {};
 }
 
-std::variant<std::string, Refusal> Desk::accept(const std::string& source) {
+std::variant<std::string, Refusal> Desk::accept(const std::string& source, const std::string& file) {
     if (const auto why = refusal()) return *why;
     const std::string address = new_result_address();
     const std::string key = key_of(address);
     try {
-        spool_.add(key, source);
+        spool_.add(key, source, file);
     } catch (const HarnessError& error) {
         fmt::print(stderr, "raygrade: {}\n", error.what());
         return Refusal::no_room_on_disk;
@@ -77,7 +77,9 @@ std::optional<Task> Desk::next() {
             task.number = ++begun_;
         }
         try {
-            task.source = spool_.begin(task.key);
+            Program program = spool_.begin(task.key);
+            task.source = std::move(program.source);
+            task.file = std::move(program.file);
             return task;
         } catch (const HarnessError& error) {
             fmt::print(stderr, "raygrade: {}\n", error.what());
@@ -110,9 +112,9 @@ void Desk::close() {
     grew_.notify_all();
 }
 
-bool Desk::is_idle() const {
+std::size_t Desk::unfinished() const {
     const std::lock_guard guard(mutex_);
-    return waiting_.empty() && at_work_.empty();
+    return waiting_.size() + at_work_.size();
 }
 
 std::size_t Desk::leave() {

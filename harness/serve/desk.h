@@ -36,6 +36,7 @@ enum class Refusal { full, closed, no_room_on_disk };
 struct Task {
     std::string key;
     std::string source;
+    std::string file{};      ///< its name, for the page
     std::size_t number = 0;  ///< counted from 1 in each run, for the log
 };
 
@@ -45,8 +46,8 @@ class Desk {
     /// Goes on with what the spool holds, which may be more than `longest_queue`. Throws HarnessError.
     Desk(Spool& spool, std::size_t longest_queue);
 
-    /// The program's result address. It is on the disk then.
-    std::variant<std::string, Refusal> accept(const std::string& source);
+    /// The program's result address. It is on the disk then. `file` is the name that its page shows.
+    std::variant<std::string, Refusal> accept(const std::string& source, const std::string& file = "");
     /// Whether accept would refuse now.
     std::optional<Refusal> refusal() const;
     Standing standing(const std::string& result_address) const;
@@ -59,8 +60,9 @@ class Desk {
 
     /// Takes no more; graders get what still waits.
     void close();
-    /// Nothing waits and nothing is being graded.
-    bool is_idle() const;
+    /// How many wait or are being graded.
+    std::size_t unfinished() const;
+    bool is_idle() const { return unfinished() == 0; }
     /// What waits stays in the spool: graders get no more, and what they are at does not count as an attempt. How many
     /// are left for the next start. Throws HarnessError.
     std::size_t leave();

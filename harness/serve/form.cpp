@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cctype>
 
+#include "harness/clean_text.h"
 #include "harness/intake.h"
+#include "harness/names.h"
+#include "harness/no_source.h"
 
 namespace harness::serve {
 namespace {
@@ -71,11 +74,20 @@ std::optional<Part> part_with(std::string_view head) {
         part.emplace();
         while (const auto parameter = take_parameter(value)) {
             if (is_same(parameter->name, "name")) part->name = parameter->value;
+            if (is_same(parameter->name, "filename")) part->file_name = parameter->value;
             if (is_same(parameter->name, "filename") || is_same(parameter->name, "filename*")) part->is_file = true;
         }
         if (!value.empty() || part->name.empty()) return {};
     }
     return part;
+}
+
+/// Without the folders that some browsers put before it.
+std::string shown_name(const Part& part) {
+    if (!part.is_file) return "pasted text";
+    constexpr std::size_t longest = 100;
+    const std::string name = printable(part.file_name.substr(part.file_name.find_last_of("/\\") + 1));
+    return name.empty() ? "ray_cast.cpp" : std::string(beginning_of_characters(name, longest));
 }
 
 std::string with_unix_lines(std::string_view text) {
@@ -143,11 +155,9 @@ HandedIn source_of(std::string_view content_type, std::string_view body) {
     if (found == nullptr) return {{}, "There is no program in what you sent. Please choose your ray_cast.cpp."};
     if (found->content.size() > largest_source_bytes)
         return {{}, "That is larger than 1 MiB. Please send the source alone, without data or output in it."};
-    HandedIn handed{found->is_file ? std::string(found->content) : with_unix_lines(found->content), {}};
-    if (std::all_of(handed.source.begin(), handed.source.end(), [](unsigned char c) { return std::isspace(c) != 0; }))
-        return {{}, "What you sent is empty. Please choose your ray_cast.cpp, or paste its text."};
-    if (handed.source.starts_with("PK\x03\x04"))
-        return {{}, "That is a zip. Please unpack it and send the ray_cast.cpp in it."};
+    HandedIn handed{
+        found->is_file ? std::string(found->content) : with_unix_lines(found->content), {}, shown_name(*found)};
+    if (const std::string why = why_no_source(handed.source); !why.empty()) return {{}, "What you sent " + why};
     return handed;
 }
 

@@ -10,7 +10,8 @@ namespace harness::serve {
 
 struct Part {
     std::string name;
-    bool is_file = false;      ///< it came with a file's name, which nobody needs
+    bool is_file = false;      ///< it came with a file's name
+    std::string file_name{};   ///< as it came
     std::string_view content;  ///< in the body
 };
 
@@ -23,6 +24,8 @@ std::optional<std::vector<Part>> parts_of(std::string_view body, std::string_vie
 struct HandedIn {
     std::string source;   ///< empty when there is a problem
     std::string problem;  ///< a sentence for the student
+    /// The name of the file, in printable characters and at most 100 bytes; "pasted text" for what is none.
+    std::string file{};
 };
 
 /// The program of a form. What was pasted, whose lines browsers end in CR LF, has the same bytes as the file it was

@@ -19,6 +19,7 @@
 #include <map>
 
 #include "harness/serve/conversation.h"
+#include "harness/serve/own_addresses.h"
 
 namespace harness::serve {
 namespace {
@@ -47,6 +48,13 @@ void listen(tcp::acceptor& acceptor, const std::string& address, std::uint16_t p
         throw ListenError(fmt::format(
             "port {} is in use; name another with --port, or let raygrade find a free one with --port 0", port));
     }
+    if (error == boost::system::errc::address_not_available) {
+        std::string own;
+        for (const std::string& each : own_addresses()) own += each + ", ";
+        throw ListenError(fmt::format(
+            "{} is no address of this machine; --host takes {}127.0.0.1 for this machine alone, or 0.0.0.0 for all",
+            address, own));
+    }
     if (error) throw ListenError(fmt::format("can't listen at {}, port {}: {}", address, port, error.message()));
 }
 
@@ -73,6 +81,7 @@ class Server::Network {
     void admit(tcp::socket socket);
     void forget(Connections::iterator connection);
     asio::awaitable<void> wait_for_the_desk();
+    void tell_what_is_left() const;
     void close();
 
     asio::steady_timer last_moment_{io};
@@ -105,11 +114,20 @@ void Server::Network::stop() {
     asio::post(io, [this] {
         desk_.close();
         if (++stops_ == 1) {
+            tell_what_is_left();
             asio::co_spawn(io, wait_for_the_desk(), asio::detached);
         } else {
             close();
         }
     });
+}
+
+/// At once, as what is left may take all of the grace.
+void Server::Network::tell_what_is_left() const {
+    const std::size_t left = desk_.unfinished();
+    if (left == 0 || grace_ == 0ms) return;
+    fmt::print(stderr, "stopping: {} {} to be checked, up to {:g} s more; Ctrl-C again ends now\n", left,
+               left == 1 ? "program" : "programs", std::chrono::duration<double>(grace_).count());
 }
 
 /// Meanwhile students go on reading.

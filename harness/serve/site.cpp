@@ -147,7 +147,7 @@ Response Site::take_in(const Head& head, const std::string& body) {
     if (auto response = too_soon(head)) return *response;
     const HandedIn handed = source_of(head.content_type, body);
     if (!handed.problem.empty()) return say(head, 400, "That was no program", handed.problem);
-    const auto accepted = desk_.accept(handed.source);
+    const auto accepted = desk_.accept(handed.source, handed.file);
     if (const auto* refusal = std::get_if<Refusal>(&accepted)) return refuse(head, *refusal);
     rate_.take(client_of(client_address(head, settings_.reach)), RateLimit::Clock::now());
     const std::string address = "result/" + std::get<std::string>(accepted);

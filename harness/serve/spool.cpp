@@ -1,40 +1,22 @@
 #include "harness/serve/spool.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 
-#include <cerrno>
 #include <cstdlib>
 #include <system_error>
 
 #include "harness/failure.h"
+#include "harness/find_submissions.h"
 #include "harness/fingerprint.h"
 #include "harness/names.h"
+#include "harness/serve/spool_file.h"
 
 namespace harness::serve {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Raised whenever the table or the meaning of a column changes.
-constexpr int version = 1;
-
-constexpr const char* table = R"(
-    CREATE TABLE submissions (
-        number INTEGER PRIMARY KEY AUTOINCREMENT,  -- in the order of arrival
-        key TEXT NOT NULL UNIQUE,
-        attempts INTEGER NOT NULL DEFAULT 0,       -- begun and not ended
-        source BLOB,                               -- until there is a page
-        page BLOB,
-        points REAL,
-        max_points REAL,
-        finished INTEGER);                         -- seconds since 1970
-    CREATE INDEX by_age ON submissions (finished, number);
-)";
 
 std::int64_t now() {
     return std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch())
@@ -48,43 +30,6 @@ void bind_bytes(SQLite::Statement& statement, int place, const std::string& byte
 std::string bytes_of(const SQLite::Column& column) {
     const void* const data = column.getBlob();
     return data == nullptr ? "" : std::string(static_cast<const char*>(data), static_cast<std::size_t>(column.size()));
-}
-
-FileDescriptor lock(const fs::path& folder) {
-    FileDescriptor file(::open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR));
-    if (!file) {
-        throw HarnessError(fmt::format("Could not write in {}: {}. Name another folder with --state.",
-                                       in_quotes(folder), std::generic_category().message(errno)));
-    }
-    if (flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
-        throw HarnessError(fmt::format(
-            "Another raygrade serve uses {}. Stop it first, or give this one a folder of its own with --state.",
-            in_quotes(folder)));
-    }
-    return file;
-}
-
-std::unique_ptr<SQLite::Database> opened(const fs::path& file) {
-    auto database = std::make_unique<SQLite::Database>(
-        file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_FULLMUTEX);
-    const bool is_new = !database->tableExists("submissions");
-    const int found = database->execAndGet("PRAGMA user_version").getInt();
-    if (found != (is_new ? 0 : version)) throw std::runtime_error(fmt::format("is of version {}", found));
-    database->exec("PRAGMA journal_mode = WAL");
-    // With every transaction on the disk: what a student is told to be kept is kept, also in a power cut.
-    database->exec("PRAGMA synchronous = FULL");
-    database->exec("PRAGMA secure_delete = ON");
-    database->exec("PRAGMA trusted_schema = OFF");
-    if (is_new) {
-        database->exec(table);
-        database->exec(fmt::format("PRAGMA user_version = {}", version));
-    }
-    // Also finds out whether the table has the columns it should.
-    SQLite::Statement(*database,
-                      "SELECT number, key, attempts, source, page, points, max_points, finished FROM "
-                      "submissions LIMIT 1")
-        .executeStep();
-    return database;
 }
 
 }  // namespace
@@ -105,16 +50,8 @@ std::optional<fs::path> state_folder(const std::string& assignment, const std::s
     return {};
 }
 
-Spool::Spool(fs::path folder, const SpoolBounds& bounds)
-    : folder_(std::move(folder)), file_(folder_ / "spool.sqlite"), bounds_(bounds) {
-    std::error_code error;
-    fs::create_directories(folder_, error);
-    if (!error) fs::permissions(folder_, fs::perms::owner_all, error);
-    if (error) {
-        throw HarnessError(fmt::format("Could not make {}: {}. Name another folder with --state.", in_quotes(folder_),
-                                       error.message()));
-    }
-    lock_ = lock(folder_);
+Spool::Spool(const fs::path& folder, const SpoolBounds& bounds)
+    : file_(folder / spool_name), bounds_(bounds), lock_(take_spool_folder(folder)) {
     open();
 }
 
@@ -135,7 +72,7 @@ auto Spool::attempt(const char* what, Work work) {
 void Spool::open() {
     std::string why;
     try {
-        database_ = opened(file_);
+        database_ = open_spool_file(file_);
         return;
     } catch (const SQLite::Exception& error) {
         const int code = error.getErrorCode();
@@ -156,7 +93,30 @@ void Spool::open() {
     for (const char* part : {"-wal", "-shm"}) fs::remove(file_.string() + part, error);
     problem_ = fmt::format("{} {}. It is now {}, what was handed in there is not graded, and a new one is begun.",
                            in_quotes(file_), why, in_quotes(aside.filename()));
-    attempt("opened", [&] { database_ = opened(file_); });
+    attempt("opened", [&] { database_ = open_spool_file(file_); });
+}
+
+void Spool::take_for(const std::string& assignment, const std::string& toml) {
+    const std::string fingerprint = Fingerprint("raygrade/serve-assignment/1").add(toml).hex();
+    const std::size_t count = waiting().size();
+    attempt("written", [&] {
+        SQLite::Statement query(*database_, "SELECT name, fingerprint FROM assignment");
+        if (query.executeStep() && count > 0 && query.getColumn(1).getString() != fingerprint) {
+            const std::string earlier = query.getColumn(0).getString();
+            throw UsageError(fmt::format(
+                "{}: {} {} there for the assignment {}{}. Start serve with that until nothing waits, name another "
+                "folder with --state, or remove this one to give up what it holds.",
+                in_quotes(file_.parent_path()), count, count == 1 ? "program waits" : "programs wait",
+                printable(earlier), earlier == assignment ? ", whose file was another one then" : ""));
+        }
+        SQLite::Transaction transaction(*database_);
+        database_->exec("DELETE FROM assignment");
+        SQLite::Statement insert(*database_, "INSERT INTO assignment (name, fingerprint) VALUES (?, ?)");
+        insert.bind(1, assignment);
+        insert.bind(2, fingerprint);
+        insert.exec();
+        transaction.commit();
+    });
 }
 
 std::vector<std::string> Spool::without_page(const char* attempts) {
@@ -179,23 +139,25 @@ std::vector<std::string> Spool::given_up() {
     return without_page(">=");
 }
 
-void Spool::add(const std::string& key, const std::string& source) {
+void Spool::add(const std::string& key, const std::string& source, const std::string& file) {
     attempt("written", [&] {
-        SQLite::Statement insert(*database_, "INSERT INTO submissions (key, source) VALUES (?, ?)");
+        SQLite::Statement insert(*database_, "INSERT INTO submissions (key, source, file) VALUES (?, ?, ?)");
         insert.bind(1, key);
         bind_bytes(insert, 2, source);
+        insert.bind(3, file);
         insert.exec();
     });
 }
 
-std::string Spool::begin(const std::string& key) {
-    return attempt("read", [&]() -> std::string {
+Program Spool::begin(const std::string& key) {
+    return attempt("read", [&]() -> Program {
         SQLite::Statement count(*database_, "UPDATE submissions SET attempts = attempts + 1 WHERE key = ?");
         count.bind(1, key);
         count.exec();
-        SQLite::Statement query(*database_, "SELECT source FROM submissions WHERE key = ?");
+        SQLite::Statement query(*database_, "SELECT source, IFNULL(file, '') FROM submissions WHERE key = ?");
         query.bind(1, key);
-        return query.executeStep() ? bytes_of(query.getColumn(0)) : "";
+        if (!query.executeStep()) return {};
+        return {bytes_of(query.getColumn(0)), query.getColumn(1).getString()};
     });
 }
 
@@ -209,9 +171,10 @@ void Spool::give_back(const std::string& key) {
 
 void Spool::finish(const std::string& key, const Result& result) {
     attempt("written", [&] {
-        SQLite::Statement update(*database_,
-                                 "UPDATE submissions SET source = NULL, page = ?, points = ?, max_points = ?, "
-                                 "finished = ? WHERE key = ?");
+        SQLite::Statement update(
+            *database_,
+            "UPDATE submissions SET source = NULL, file = NULL, page = ?, points = ?, max_points = ?, "
+            "finished = ? WHERE key = ?");
         bind_bytes(update, 1, result.page);
         if (result.points) {
             update.bind(2, *result.points);

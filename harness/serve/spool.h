@@ -29,6 +29,11 @@ struct SpoolBounds {
     int attempts = 3;  ///< a program that brought raygrade down so often is not tried again
 };
 
+struct Program {
+    std::string source;
+    std::string file;  ///< the name that its page shows
+};
+
 struct Result {
     std::string page;              ///< HTML
     std::optional<double> points;  ///< empty when it was not graded
@@ -44,11 +49,16 @@ std::optional<std::filesystem::path> state_folder(const std::string& assignment,
 class Spool {
   public:
     /// Opens or makes `folder`/spool.sqlite. A database that can't be read is renamed to spool.sqlite.set-aside and a
-    /// new one begun. Throws HarnessError, too, when another process uses the folder.
-    explicit Spool(std::filesystem::path folder, const SpoolBounds& bounds = {});
+    /// new one begun. Throws HarnessError, too, when another process uses the folder, and UsageError for a folder that
+    /// is not empty and holds no spool, which is left as it is.
+    explicit Spool(const std::filesystem::path& folder, const SpoolBounds& bounds = {});
     ~Spool();
     Spool(const Spool&) = delete;
     Spool& operator=(const Spool&) = delete;
+
+    /// What is added from now on is for this assignment, by its name and whole text. Throws UsageError where programs
+    /// wait for another one, which would get the wrong verdicts; results of another are still found.
+    void take_for(const std::string& assignment, const std::string& toml);
 
     /// What an earlier process left without a result, in the order of arrival. What was tried too often is not among
     /// them but in given_up.
@@ -56,9 +66,9 @@ class Spool {
     std::vector<std::string> given_up();
 
     /// On the disk when it returns.
-    void add(const std::string& key, const std::string& source);
-    /// The source, and counts an attempt.
-    std::string begin(const std::string& key);
+    void add(const std::string& key, const std::string& source, const std::string& file = "");
+    /// The program, and counts an attempt.
+    Program begin(const std::string& key);
     /// The attempt does not count: it was broken off for no fault of the program's.
     void give_back(const std::string& key);
     void finish(const std::string& key, const Result& result);
@@ -79,7 +89,7 @@ class Spool {
     std::vector<std::string> without_page(const char* attempts);
     std::optional<Result> find(const std::string& key, const char* page);
 
-    std::filesystem::path folder_, file_;
+    std::filesystem::path file_;
     SpoolBounds bounds_;
     FileDescriptor lock_;
     std::mutex mutex_;

@@ -57,7 +57,17 @@ TEST(LookFirst, SaysNothingWhereThereIsNothingToLookAt) {
     EXPECT_EQ(look_first_sentence(with({{right}, {right}})), "");
     for (const Outcome outcome : {Outcome::compile_error, Outcome::no_output, Outcome::not_graded})
         EXPECT_EQ(look_first_sentence(with({{missing}}, outcome)), "");
-    EXPECT_NE(look_first_sentence(with({{missing}}, Outcome::crashed)), "");
+    EXPECT_NE(look_first_sentence(with({{right}, {missing}}, Outcome::crashed)), "");
+}
+
+TEST(LookFirst, SaysNothingOfAProgramThatEndedBeforeItsFirstAnswer) {
+    for (const Outcome outcome :
+         {Outcome::crashed, Outcome::timed_out, Outcome::output_limit, Outcome::memory_limit, Outcome::no_output}) {
+        EXPECT_EQ(look_first_sentence(with({{missing}, {missing, missing}}, outcome)), "");
+        EXPECT_TRUE(is_without_answers(with({{missing}, {missing, missing}}, outcome)));
+        EXPECT_FALSE(is_without_answers(with({{missing}, {missing, wrong}}, outcome)));
+    }
+    EXPECT_FALSE(is_without_answers(with({{missing}})));
 }
 
 }  // namespace

@@ -56,6 +56,17 @@ TEST(StudentPage, OfARightProgramIsShort) {
     EXPECT_THAT(text, Not(HasSubstr("You printed")));
 }
 
+TEST(StudentPage, SaysOnlyTheLimitWhereNothingWasPrintedBefore) {
+    Graded one = graded("nil", "");
+    one.outcome = Outcome::timed_out;
+    one.explanation = "Time limit: the program was stopped.";
+    const std::string text = text_of(one);
+    EXPECT_THAT(text, HasSubstr("Time limit: the program was stopped. By question"));
+    EXPECT_THAT(text, Not(HasSubstr("No answer was found")));
+    EXPECT_THAT(text, Not(HasSubstr("Look at question")));
+    EXPECT_THAT(text_of(graded("nil", "The pixel is nice.\n")), HasSubstr("No answer was found"));
+}
+
 TEST(StudentPage, CallsAllRightOnlyWhatHasAllPoints) {
     Graded one = graded("s01", print(student::Program(marking().assignment, {})));
     one.score.questions[6].items[0].verdict = ItemVerdict::follow;

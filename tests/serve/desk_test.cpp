@@ -5,11 +5,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <thread>
 
 #include "harness/failure.h"
+#include "harness/find_submissions.h"
 #include "harness/serve/result_address.h"
 #include "tests/as_nobody.h"
 
@@ -17,9 +19,11 @@ namespace harness::serve {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::StartsWith;
 using namespace std::chrono_literals;
 
 class DeskTest : public testing::Test {
@@ -35,6 +39,13 @@ class DeskTest : public testing::Test {
     }
     fs::path folder;
 };
+
+std::vector<std::string> names_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());
+    std::sort(names.begin(), names.end());
+    return names;
+}
 
 std::size_t position(const Desk& desk, const std::string& address) {
     const Standing standing = desk.standing(address);
@@ -209,16 +220,19 @@ TEST_F(DeskTest, AGraderWaitsForAProgramAndForTheEnd) {
 TEST_F(DeskTest, NoSourceIsKeptBesideItsResult) {
     Spool spool(folder);
     Desk desk(spool, 10);
-    hand_in(desk, "int secret;" + std::string(500, ' '));
+    desk.accept("int secret;" + std::string(500, ' '), "of mine.cpp");
     desk.finish(desk.next().value(), {"page", 1, 1});
     SQLite::Database database((folder / "spool.sqlite").string(), SQLite::OPEN_READONLY);
     EXPECT_EQ(database.execAndGet("SELECT count(*) FROM submissions").getInt(), 1);
-    EXPECT_EQ(database.execAndGet("SELECT count(*) FROM submissions WHERE source IS NOT NULL").getInt(), 0);
+    EXPECT_EQ(
+        database.execAndGet("SELECT count(*) FROM submissions WHERE source IS NOT NULL OR file IS NOT NULL").getInt(),
+        0);
     spool.trim();
     for (const auto& entry : fs::directory_iterator(folder)) {
         std::ifstream file(entry.path(), std::ios::binary);
         const std::string bytes{std::istreambuf_iterator<char>(file), {}};
         EXPECT_EQ(bytes.find("int secret;"), std::string::npos) << entry.path();
+        EXPECT_EQ(bytes.find("of mine.cpp"), std::string::npos) << entry.path();
     }
 }
 
@@ -263,6 +277,97 @@ TEST_F(DeskTest, AFolderIsUsedByOneAtATime) {
     } catch (const HarnessError& error) {
         EXPECT_THAT(error.what(), HasSubstr("--state"));
     }
+}
+
+TEST_F(DeskTest, AFolderOfAnythingElseIsRefusedAndLeftAsItIs) {
+    fs::permissions(folder, static_cast<fs::perms>(0755));
+    std::ofstream(folder / "mine.txt") << "mine";
+    try {
+        const Spool spool(folder);
+        FAIL() << "a folder of somebody else's";
+    } catch (const UsageError& error) {
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("is not empty and holds no queue"), HasSubstr("--state")));
+    }
+    EXPECT_EQ(fs::status(folder).permissions(), static_cast<fs::perms>(0755));
+    EXPECT_THAT(names_in(folder), ElementsAre("mine.txt"));
+    EXPECT_THROW(const Spool spool(folder / "mine.txt"), UsageError);
+}
+
+TEST_F(DeskTest, AFolderThatIsThereKeepsItsModeAndOthersReadNoFileInIt) {
+    fs::permissions(folder, static_cast<fs::perms>(0755));
+    Spool spool(folder);
+    spool.add("a", "source");
+    EXPECT_EQ(fs::status(folder).permissions(), static_cast<fs::perms>(0755));
+    EXPECT_THAT(names_in(folder), ElementsAre("lock", "spool.sqlite", "spool.sqlite-shm", "spool.sqlite-wal"));
+    for (const auto& entry : fs::directory_iterator(folder))
+        EXPECT_EQ(entry.status().permissions(), fs::perms::owner_read | fs::perms::owner_write) << entry.path();
+}
+
+TEST_F(DeskTest, AFolderThatAStartHasBegunOrSetAsideIsTaken) {
+    const fs::path begun = folder / "begun", aside = folder / "aside";
+    for (const fs::path& each : {begun, aside}) fs::create_directory(each);
+    std::ofstream(begun / "lock").flush();
+    std::ofstream(aside / "spool.sqlite.set-aside") << "damaged";
+    EXPECT_NO_THROW(const Spool spool(begun));
+    EXPECT_NO_THROW(const Spool spool(aside));
+    std::ofstream(folder / "lock") << "of another program";
+    EXPECT_THROW(const Spool spool(folder), UsageError);
+}
+
+TEST_F(DeskTest, WhatWaitsForAnotherAssignmentIsRefused) {
+    {
+        Spool spool(folder);
+        spool.take_for("a6", "pixel = 1");
+        spool.add("done", "source");
+        spool.finish("done", {"page of a6", 1, 1});
+        spool.add("waiting", "source");
+    }
+    const auto why_not = [&](const char* assignment, const char* toml) -> std::string {
+        Spool spool(folder);
+        try {
+            spool.take_for(assignment, toml);
+        } catch (const UsageError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_THAT(why_not("a7", "pixel = 2"),
+                AllOf(StartsWith('"' + folder.string() + "\": 1 program waits there for the assignment a6."),
+                      HasSubstr("--state")));
+    EXPECT_THAT(why_not("a6", "pixel = 2"), HasSubstr("for the assignment a6, whose file was another one then."));
+    EXPECT_EQ(why_not("a6", "pixel = 1"), "");
+    Spool(folder).finish("waiting", {"page", 1, 1});
+    EXPECT_EQ(why_not("a7", "pixel = 2"), "") << "nothing waits any more";
+    EXPECT_EQ(Spool(folder).result("done")->page, "page of a6");
+    Spool(folder).add("new", "source");
+    EXPECT_THAT(why_not("a6", "pixel = 1"), HasSubstr("for the assignment a7."));
+}
+
+TEST_F(DeskTest, ASpoolOfTheFirstVersionKeepsWhatItHolds) {
+    {
+        SQLite::Database database((folder / "spool.sqlite").string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+        database.exec(
+            "CREATE TABLE submissions (number INTEGER PRIMARY KEY AUTOINCREMENT, key TEXT NOT NULL UNIQUE, attempts "
+            "INTEGER NOT NULL DEFAULT 0, source BLOB, page BLOB, points REAL, max_points REAL, finished INTEGER);"
+            "INSERT INTO submissions (key, source) VALUES ('a', 'source');"
+            "PRAGMA user_version = 1");
+    }
+    Spool spool(folder);
+    EXPECT_EQ(spool.problem(), "");
+    spool.take_for("a6", "pixel = 1");
+    EXPECT_THAT(spool.waiting(), ElementsAre("a"));
+    const Program program = spool.begin("a");
+    EXPECT_EQ(program.source, "source");
+    EXPECT_EQ(program.file, "");
+}
+
+TEST_F(DeskTest, ASpoolOfALaterVersionIsSetAside) {
+    {
+        SQLite::Database database((folder / "spool.sqlite").string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+        database.exec("CREATE TABLE submissions (key); PRAGMA user_version = 99");
+    }
+    const Spool spool(folder);
+    EXPECT_THAT(spool.problem(), HasSubstr("is of version 99"));
 }
 
 TEST_F(DeskTest, ADamagedSpoolIsSetAsideAndTold) {

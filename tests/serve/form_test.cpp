@@ -43,7 +43,7 @@ TEST(Boundary, OfAnotherTypeOrShapeIsNone) {
 }
 
 TEST(Form, GivesAFilesBytesAsTheyAre) {
-    const std::string bytes("int main() {}\r\n--Y is no end\r\n\0\xff", 32);
+    const std::string bytes("int main() {}\r\n--Y is no end\r\n\1\xff", 32);
     const HandedIn handed = source_of(type, form(file_head, bytes));
     EXPECT_THAT(handed.problem, IsEmpty());
     EXPECT_EQ(handed.source, bytes);
@@ -61,13 +61,33 @@ TEST(Form, IgnoresOtherFieldsAndNames) {
     EXPECT_EQ(source_of(type, body).source, "int main() {}");
 }
 
+TEST(Form, GivesTheFilesOwnNameFitToBeShown) {
+    const auto name = [](const std::string& field) {
+        return source_of(type, form("Content-Disposition: form-data; name=\"source\"" + field + "\r\n", "int x;")).file;
+    };
+    EXPECT_EQ(name("; filename=\"my <b> try.cpp\""), "my <b> try.cpp");
+    EXPECT_EQ(name("; filename=\"C:\\\\work\\\\ray.cpp\""), "ray.cpp");
+    EXPECT_EQ(name("; filename=\"../../etc/ray.cpp\""), "ray.cpp");
+    EXPECT_EQ(name("; filename=\"a\x1b\xff.cpp\""), "a%1B%FF.cpp");
+    EXPECT_EQ(name("; filename=\"\""), "ray_cast.cpp");
+    EXPECT_EQ(name("; filename=" + std::string(3000, 'x')), std::string(100, 'x'));
+    EXPECT_EQ(name(""), "pasted text");
+}
+
 TEST(Form, WithoutOneProgramIsRefusedInWords) {
     EXPECT_THAT(source_of("text/plain", "int main() {}").problem, HasSubstr("send it again"));
     EXPECT_THAT(source_of(type, form(text_head, " \r\n\t")).problem, HasSubstr("empty"));
     EXPECT_THAT(source_of(type, form("Content-Disposition: form-data; name=\"other\"\r\n", "x")).problem,
                 HasSubstr("no program"));
     EXPECT_THAT(source_of(type, part(text_head, "a") + form(text_head, "b")).problem, HasSubstr("one program"));
-    EXPECT_THAT(source_of(type, form(file_head, "PK\x03\x04 and more")).problem, HasSubstr("zip"));
+}
+
+TEST(Form, WithAFileThatIsNoSourceIsRefusedInWords) {
+    EXPECT_THAT(source_of(type, form(file_head, "PK\x03\x04 and more")).problem, HasSubstr("is a zip"));
+    EXPECT_THAT(source_of(type, form(file_head, "%PDF-1.7")).problem, HasSubstr("What you sent is a PDF; "));
+    EXPECT_THAT(source_of(type, form(file_head, "\xff\xfei")).problem, HasSubstr("UTF-16; save it as UTF-8"));
+    EXPECT_EQ(source_of(type, form(file_head, "%PDF-1.7")).source, "");
+    EXPECT_EQ(source_of(type, form(file_head, "\xef\xbb\xbfint x;")).source, "\xef\xbb\xbfint x;");
 }
 
 TEST(Form, TakesAsMuchAsIntakeAndNotAByteMore) {

@@ -1,0 +1,77 @@
+#include "harness/no_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace harness {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::string_view any = "what is wanted is the source itself, ray_cast.cpp";
+constexpr std::string_view packed = "what is wanted is the ray_cast.cpp in it";
+constexpr std::string_view built = "what is wanted is the source that it was built from";
+constexpr std::string_view as_text = "save it as plain text, in UTF-8";
+
+struct Kind {
+    std::string_view beginning;
+    std::string_view what;
+    std::string_view wanted;
+};
+
+/// By how their files begin; nothing of it begins a source.
+constexpr std::array kinds = {
+    Kind{"%PDF-", "is a PDF", any},
+    Kind{"PK\x03\x04", "is a zip, or a document of an office program", packed},
+    Kind{"\x1f\x8b", "is packed by gzip", packed},
+    Kind{"7z\xbc\xaf", "is packed by 7-Zip", packed},
+    Kind{"Rar!\x1a", "is packed by RAR", packed},
+    Kind{"\x7f"
+         "ELF",
+         "is a built program", built},
+    Kind{"\xcf\xfa\xed\xfe", "is a built program", built},  // macOS
+    Kind{"\xca\xfe\xba\xbe", "is a built program", built},  // macOS, or a class of Java
+    Kind{"!<arch>\n", "is a built library", built},
+    Kind{"{\\rtf", "is rich text (RTF)", as_text},
+    Kind{"\xd0\xcf\x11\xe0", "is a document of an office program", as_text},
+    Kind{"\x89PNG", "is a picture", any},
+    Kind{"\xff\xd8\xff", "is a picture", any},
+    Kind{"\xff\xfe\0\0"sv, "is saved as UTF-32", "save it as UTF-8"},
+    Kind{"\xff\xfe", "is saved as UTF-16", "save it as UTF-8"},
+    Kind{"\xfe\xff", "is saved as UTF-16", "save it as UTF-8"},
+};
+
+bool is_blank(std::string_view bytes) {
+    if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);  // UTF-8's own mark
+    return std::all_of(bytes.begin(), bytes.end(), [](unsigned char c) { return std::isspace(c) != 0; });
+}
+
+/// UTF-16 without a mark at its beginning: of ASCII every other byte is 0, and no byte between those.
+bool is_utf_16(std::string_view bytes) {
+    std::array<std::size_t, 2> zeros{};
+    for (std::size_t i = 0; i < bytes.size(); ++i) zeros[i % 2] += bytes[i] == '\0' ? 1 : 0;
+    return std::min(zeros[0], zeros[1]) == 0 && std::max(zeros[0], zeros[1]) > bytes.size() / 4;
+}
+
+}  // namespace
+
+std::string why_no_source(std::string_view bytes) {
+    const auto said = [](std::string_view what, std::string_view wanted) {
+        return fmt::format("{}; {}.", what, wanted);
+    };
+    if (is_blank(bytes)) return said("is empty", any);
+    for (const Kind& kind : kinds) {
+        if (bytes.starts_with(kind.beginning)) return said(kind.what, kind.wanted);
+    }
+    const std::size_t zero = bytes.find('\0');
+    if (zero == std::string_view::npos) return "";
+    if (bytes.starts_with("MZ")) return said("is a built program", built);  // Windows
+    if (is_utf_16(bytes)) return said("is saved as UTF-16", "save it as UTF-8");
+    const auto line = std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(zero), '\n') + 1;
+    return said(fmt::format("holds bytes that no source has (a zero in line {})", line), as_text);
+}
+
+}  // namespace harness

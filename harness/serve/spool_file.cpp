@@ -1,0 +1,107 @@
+#include "harness/serve/spool_file.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <stdexcept>
+#include <system_error>
+
+#include "harness/failure.h"
+#include "harness/names.h"
+#include "harness/results_folder.h"
+
+namespace harness::serve {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Raised whenever a table or the meaning of a column changes.
+constexpr int version = 2;
+
+constexpr const char* tables = R"(
+    CREATE TABLE submissions (
+        number INTEGER PRIMARY KEY AUTOINCREMENT,  -- in the order of arrival
+        key TEXT NOT NULL UNIQUE,
+        attempts INTEGER NOT NULL DEFAULT 0,       -- begun and not ended
+        source BLOB,                               -- until there is a page
+        page BLOB,
+        points REAL,
+        max_points REAL,
+        finished INTEGER);                         -- seconds since 1970
+    CREATE INDEX by_age ON submissions (finished, number);
+)";
+
+constexpr const char* tables_since_2 = R"(
+    ALTER TABLE submissions ADD COLUMN file TEXT;  -- its name, as long as the source
+    CREATE TABLE assignment (                      -- that all programs are for, in one row or none
+        name TEXT NOT NULL,
+        fingerprint TEXT NOT NULL);                -- of its whole text
+)";
+
+/// For the owner alone, also in a folder that others may look into. SQLite gives its log the same mode.
+FileDescriptor open_own(const fs::path& file) {
+    return FileDescriptor(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR));
+}
+
+void bring_up_to_date(SQLite::Database& database) {
+    const bool is_new = !database.tableExists("submissions");
+    const int found = database.execAndGet("PRAGMA user_version").getInt();
+    if (!is_new && found == version) return;
+    if (found != (is_new ? 0 : 1)) throw std::runtime_error(fmt::format("is of version {}", found));
+    SQLite::Transaction transaction(database);
+    if (is_new) database.exec(tables);
+    database.exec(tables_since_2);
+    database.exec(fmt::format("PRAGMA user_version = {}", version));
+    transaction.commit();
+}
+
+}  // namespace
+
+FileDescriptor take_spool_folder(const fs::path& folder) {
+    constexpr const char* lock = "lock";
+    look_into(folder, {spool_name, std::string(spool_name) + ".set-aside"}, lock, {"queue", "--state"});
+    std::error_code error;
+    const bool is_made = fs::create_directories(folder, error);
+    if (is_made && !error) fs::permissions(folder, fs::perms::owner_all, error);
+    if (error) {
+        throw HarnessError(fmt::format("Could not make {}: {}. Name another folder with --state.", in_quotes(folder),
+                                       error.message()));
+    }
+    FileDescriptor file = open_own(folder / lock);
+    if (!file) {
+        throw HarnessError(fmt::format("Could not write in {}: {}. Name another folder with --state.",
+                                       in_quotes(folder), std::generic_category().message(errno)));
+    }
+    if (flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
+        throw HarnessError(
+            fmt::format("Another raygrade serve uses {}. Stop it first, or give this one a folder and a port of its "
+                        "own with --state and --port.",
+                        in_quotes(folder)));
+    }
+    return file;
+}
+
+std::unique_ptr<SQLite::Database> open_spool_file(const fs::path& file) {
+    open_own(file);  // SQLite tells when that failed.
+    auto database = std::make_unique<SQLite::Database>(
+        file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_FULLMUTEX);
+    bring_up_to_date(*database);
+    database->exec("PRAGMA journal_mode = WAL");
+    // With every transaction on the disk: what a student is told to be kept is kept, also in a power cut.
+    database->exec("PRAGMA synchronous = FULL");
+    database->exec("PRAGMA secure_delete = ON");
+    database->exec("PRAGMA trusted_schema = OFF");
+    // Also finds out whether the tables have the columns they should.
+    for (const char* columns :
+         {"number, key, attempts, source, file, page, points, max_points, finished FROM submissions",
+          "name, fingerprint FROM assignment"}) {
+        SQLite::Statement(*database, fmt::format("SELECT {} LIMIT 1", columns)).executeStep();
+    }
+    return database;
+}
+
+}  // namespace harness::serve
