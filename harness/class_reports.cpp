@@ -111,9 +111,6 @@ HandedBack write_class_reports(const ClassResults& results, const fs::path& fold
             } else {
                 write_all_feedback(results, feedback);
             }
-            write_file(folder / "report.html", [&](std::ostream& stream) {
-                report::write_class_report(stream, results.graded, results.marking, results.tier);
-            });
         });
         HandedBack handed_back;
         handed_back.canvas = write_canvas(results, folder / canvas_import_name);
@@ -121,6 +118,9 @@ HandedBack write_class_reports(const ClassResults& results, const fs::path& fold
         write_file(folder / "grades.csv", report::grades_csv(results.graded));
         write_file(folder / "grades.json", [&](std::ostream& stream) {
             report::write_grades_json(stream, results.graded, results.marking, results.tier);
+        });
+        write_file(folder / "report.html", [&](std::ostream& stream) {
+            report::write_class_report(stream, results.graded, results.marking, results.tier);
         });
         handed_back.feedback = write_zip(results, folder / feedback_zip_name);
         written.get();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <unordered_set>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "harness/gradebook_file.h"
 #include "harness/gradebook_rows.h"
 #include "harness/graded_record.h"
+#include "harness/records_ahead.h"
 #include "harness/report/report.h"
 
 namespace harness {
@@ -131,9 +133,9 @@ bool Gradebook::Comparison::is_as_saved() const {
            std::all_of(records.begin(), records.end(), [](Record record) { return record == Record::same; });
 }
 
-void Gradebook::compare_one(const std::vector<std::uint8_t>& record, const Graded& after, std::size_t index,
-                            Comparison& comparison) const {
-    if (record == to_record(after)) {
+void Gradebook::compare_one(const std::vector<std::uint8_t>& record, const std::vector<std::uint8_t>& record_now,
+                            const Graded& after, std::size_t index, Comparison& comparison) const {
+    if (record == record_now) {
         comparison.records[index] = Record::same;
         ++comparison.changes.untouched;
         return;
@@ -165,13 +167,17 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
         Statement find(*database_, "SELECT record, place FROM submissions WHERE id = ?");
         std::unordered_set<std::string> present;
         std::int64_t last_place = -1;
+        std::vector<std::size_t> places(graded.size());
+        std::iota(places.begin(), places.end(), std::size_t{0});
+        RecordsAhead records(graded, std::move(places));
         for (std::size_t i = 0; i < graded.size(); ++i) {
             const std::string& id = graded[i].submission.id;
+            const auto record = records.next();
             present.insert(id);
             find.reset();
             find.bind(1, id);
             if (find.executeStep()) {
-                compare_one(bytes(find.getColumn(0)), graded[i], i, comparison);
+                compare_one(bytes(find.getColumn(0)), record, graded[i], i, comparison);
                 const std::int64_t place = find.getColumn(1).getInt64();
                 if (place <= last_place) comparison.is_in_order = false;
                 last_place = place;
@@ -216,13 +222,18 @@ void Gradebook::save(const Run& run, const std::vector<Graded>& graded, const Co
             rows.remove(change.id);
             rows.add_gone(change.id);
         }
+        std::vector<std::size_t> changed;
+        for (std::size_t i = 0; i < graded.size(); ++i) {
+            if (comparison.records[i] != Record::same) changed.push_back(i);
+        }
+        RecordsAhead records(graded, std::move(changed));
         for (std::size_t i = 0; i < graded.size(); ++i) {
             const Record record = comparison.records[i];
             if (record == Record::same) {
                 rows.move(graded[i].submission.id, i);
                 continue;
             }
-            rows.write(graded[i], i);
+            rows.write(graded[i], i, records.next());
             if (record != Record::other) rows.add_history(graded[i]);
         }
         for (const KeptInput& input : inputs) write_input(*database_, input);

@@ -96,8 +96,9 @@ class Gradebook {
   private:
     template <class Work>
     auto attempt(Work work) const -> decltype(work());
-    void compare_one(const std::vector<std::uint8_t>& record, const Graded& after, std::size_t index,
-                     Comparison& comparison) const;
+    /// `record_now` is that of `after`, `record` the one kept.
+    void compare_one(const std::vector<std::uint8_t>& record, const std::vector<std::uint8_t>& record_now,
+                     const Graded& after, std::size_t index, Comparison& comparison) const;
 
     std::filesystem::path file_;
     std::unique_ptr<SQLite::Database> database_;  ///< null while there is none

@@ -7,7 +7,6 @@
 
 #include "harness/clean_text.h"
 #include "harness/final_mark.h"
-#include "harness/graded_record.h"
 #include "harness/report/report.h"
 
 namespace harness {
@@ -84,9 +83,8 @@ SubmissionRows::SubmissionRows(SQLite::Database& database, std::int64_t run)
                "source_sha256, items) VALUES (?, ?, ?, ?, ?, ?, ?, ?)"),
       gone_(database, "INSERT INTO history (submission, run, outcome) VALUES (?, ?, 'gone')") {}
 
-void SubmissionRows::write(const Graded& graded, std::size_t place) {
+void SubmissionRows::write(const Graded& graded, std::size_t place, const std::vector<std::uint8_t>& record) {
     const Submission& submission = graded.submission;
-    const std::vector<std::uint8_t> record = to_record(graded);
     submission_.bind(1, submission.id);
     submission_.bind(2, static_cast<std::int64_t>(place));
     submission_.bind(3, run_);

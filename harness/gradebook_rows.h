@@ -18,8 +18,8 @@ class SubmissionRows {
     /// `database` must outlive it; `run` is the number of the run that writes.
     SubmissionRows(SQLite::Database& database, std::int64_t run);
 
-    /// The submission's row and those of its items, in place of earlier ones.
-    void write(const Graded& graded, std::size_t place);
+    /// The submission's row and those of its items, in place of earlier ones. `record` is to_record's.
+    void write(const Graded& graded, std::size_t place, const std::vector<std::uint8_t>& record);
     /// For one that is the same as before, whose place may be another.
     void move(const std::string& id, std::size_t place);
     /// No longer among the submissions.

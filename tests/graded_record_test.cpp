@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "harness/records_ahead.h"
 #include "tests/report/graded_samples.h"
 
 namespace harness {
@@ -156,6 +157,22 @@ TEST(GradedRecord, IsNotReadFromOtherBytes) {
         json[nlohmann::json::json_pointer(path)] = 7;
         EXPECT_FALSE(from_record(nlohmann::json::to_cbor(json))) << path;
     }
+}
+
+TEST(RecordsAhead, AreThoseOfThePlacesInTheirOrder) {
+    std::vector<Graded> all;
+    for (int i = 0; i < 160; ++i) all.push_back(graded(std::to_string(i), output_with_a_mistake()));
+    const std::vector<std::size_t> places = [] {
+        std::vector<std::size_t> some;
+        for (std::size_t i = 0; i < 160; i += i % 7 == 0 ? 2 : 1) some.push_back(i);
+        return some;
+    }();
+    ASSERT_GT(places.size(), 128U) << "more than two parts";
+    RecordsAhead records(all, places);
+    for (const std::size_t place : places) EXPECT_EQ(records.next(), to_record(all[place])) << place;
+    RecordsAhead none(all, {});
+    RecordsAhead left_early(all, places);
+    EXPECT_EQ(left_early.next(), to_record(all[0]));
 }
 
 }  // namespace
