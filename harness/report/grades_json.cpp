@@ -46,21 +46,38 @@ class Expected {
     std::map<reference::ItemId, ordered_json> values_;
 };
 
+/// An object's fields, put one behind the other: a list in braces makes an array of each name and value at first, and
+/// nine tenths of a class's JSON are items.
+class Fields {
+  public:
+    explicit Fields(std::size_t count) { fields_.reserve(count); }
+    template <class Value>
+    void add(const char* name, Value&& value) {
+        fields_.emplace_back(name, std::forward<Value>(value));
+    }
+    ordered_json json() && { return std::move(fields_); }
+
+  private:
+    ordered_json::object_t fields_;
+};
+
 ordered_json item_json(const Graded& graded, const QuestionScore& question, const ItemScore& item,
                        const Expected& expected) {
-    ordered_json json{{"name", item.spec.name},
-                      {"verdict", to_string(item.verdict)},
-                      {"points", tidy(final_points(graded, question, item))},
-                      {"max_points", tidy(item.max_points)},
-                      {"printed", or_null(item.printed)},
-                      {"line", item.line == 0 ? ordered_json(nullptr) : ordered_json(item.line)},
-                      {"expected", expected.of(item.spec)},
-                      {"error", item.error ? ordered_json(*item.error) : ordered_json(nullptr)},
-                      {"allowance", item.allowance},
-                      {"accepted_as", or_null(item.accepted_as)},
-                      {"diagnosis", or_null(item.diagnosis)},
-                      {"automatic_points", tidy(item.points)}};
-    return json;
+    constexpr std::size_t count = 12;
+    Fields fields(count);
+    fields.add("name", item.spec.name);
+    fields.add("verdict", to_string(item.verdict));
+    fields.add("points", tidy(final_points(graded, question, item)));
+    fields.add("max_points", tidy(item.max_points));
+    fields.add("printed", or_null(item.printed));
+    fields.add("line", item.line == 0 ? ordered_json(nullptr) : ordered_json(item.line));
+    fields.add("expected", expected.of(item.spec));
+    fields.add("error", item.error ? ordered_json(*item.error) : ordered_json(nullptr));
+    fields.add("allowance", item.allowance);
+    fields.add("accepted_as", or_null(item.accepted_as));
+    fields.add("diagnosis", or_null(item.diagnosis));
+    fields.add("automatic_points", tidy(item.points));
+    return std::move(fields).json();
 }
 
 ordered_json question_json(const Graded& graded, const QuestionScore& question, const Expected& expected) {
