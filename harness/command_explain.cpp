@@ -6,6 +6,7 @@
 #include "harness/commands.h"
 #include "harness/find_submissions.h"
 #include "harness/report/explaining_picture.h"
+#include "harness/report/look_first.h"
 #include "harness/results_folder.h"
 #include "harness/shared_options.h"
 #include "harness/source_file.h"
@@ -72,12 +73,8 @@ void require_answers(const fs::path& file, const Graded& graded) {
     const char* way_out = "; give a file with what the program printed: ./ray_cast > output.txt";
     if (is_source_name(file.filename().string()))
         throw UsageError(fmt::format("{}: is a program{}", file.string(), way_out));
-    for (const QuestionScore& question : graded.score.questions) {
-        for (const ItemScore& item : question.items) {
-            if (item.verdict != ItemVerdict::missing) return;
-        }
-    }
-    throw UsageError(fmt::format("{}: holds no answer to any question{}", file.string(), way_out));
+    if (report::holds_no_answer(graded.score))
+        throw UsageError(fmt::format("{}: holds no answer to any question{}", file.string(), way_out));
 }
 
 int draw_explanation(const ExplainOptions& options) {

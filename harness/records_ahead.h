@@ -10,8 +10,8 @@
 
 namespace harness {
 
-/// Gives to_record of these submissions of a class, one after the other. A thread of its own is at most two parts
-/// ahead, so that a large class is never in memory as records.
+/// Gives to_record of these submissions of a class, one after the other. A thread of its own encodes the part
+/// behind the one at hand and no more, so that a large class is never in memory as records.
 class RecordsAhead {
   public:
     /// `places` are those wanted, in the order of the calls. The class stays as it is while this lives.

@@ -32,12 +32,15 @@ std::string listed(const std::vector<int>& numbers) {
 
 }  // namespace
 
+bool holds_no_answer(const Score& score) {
+    return std::all_of(score.questions.begin(), score.questions.end(), [](const QuestionScore& question) {
+        return std::all_of(question.items.begin(), question.items.end(),
+                           [](const ItemScore& item) { return item.verdict == ItemVerdict::missing; });
+    });
+}
+
 bool is_without_answers(const Graded& graded) {
-    return graded.outcome != Outcome::graded &&
-           std::all_of(graded.score.questions.begin(), graded.score.questions.end(), [](const QuestionScore& question) {
-               return std::all_of(question.items.begin(), question.items.end(),
-                                  [](const ItemScore& item) { return item.verdict == ItemVerdict::missing; });
-           });
+    return graded.outcome != Outcome::graded && holds_no_answer(graded.score);
 }
 
 std::optional<LookFirst> look_first(const Graded& graded) {

@@ -21,6 +21,9 @@ struct LookFirst {
 /// that was stopped before it printed an answer.
 std::optional<LookFirst> look_first(const Graded& graded);
 
+/// Whether every item is missing.
+bool holds_no_answer(const Score& score);
+
 /// Whether a program ended early, or printed nothing, with no answer found in what it printed: how it ended is then all
 /// there is to say of it.
 bool is_without_answers(const Graded& graded);
