@@ -149,7 +149,9 @@ std::unique_ptr<SQLite::Database> open_gradebook(const fs::path& file, Create cr
     try {
         // Also to read: what a killed run has left half-done is taken back first.
         auto database = std::make_unique<SQLite::Database>(
-            file.string(), SQLite::OPEN_READWRITE | (create == Create::yes ? SQLite::OPEN_CREATE : 0), patience_ms);
+            file.string(),
+            SQLite::OPEN_READWRITE | SQLite::OPEN_NOMUTEX | (create == Create::yes ? SQLite::OPEN_CREATE : 0),
+            patience_ms);
         database->exec("PRAGMA trusted_schema = OFF");
         const bool is_new = database->execAndGet("SELECT COUNT(*) FROM sqlite_schema").getInt() == 0;
         if (is_new && create == Create::no) return nullptr;

@@ -52,7 +52,7 @@ ResultsLock::ResultsLock(const fs::path& folder)
 
 std::unique_ptr<SQLite::Database> open_results(const fs::path& file) {
     auto database = std::make_unique<SQLite::Database>(
-        file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_FULLMUTEX, patience_ms);
+        file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX, patience_ms);
     const bool is_new = !database->tableExists("results");
     const int found = database->execAndGet("PRAGMA user_version").getInt();
     if (found != (is_new ? 0 : version)) throw OfAnotherVersion(fmt::format("is of version {}", found));

@@ -29,7 +29,8 @@ class OfAnotherVersion : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The database in `file`, made where it is missing. Throws OfAnotherVersion and SQLite::Exception.
+/// The database in `file`, made where it is missing, for one thread at a time. Throws OfAnotherVersion and
+/// SQLite::Exception.
 std::unique_ptr<SQLite::Database> open_results(const std::filesystem::path& file);
 
 /// Whether nothing can be done with the file but to set it aside.

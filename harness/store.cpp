@@ -35,6 +35,18 @@ std::string seal(const std::string& key, const Execution& execution) {
     return seal.add(run.errors_truncated).hex();
 }
 
+/// Ready for its next use however this one ends: left in the middle it would hold on to the database as it is now.
+class InUse {
+  public:
+    explicit InUse(SQLite::Statement& statement) : statement_(statement) {}
+    ~InUse() { statement_.tryReset(); }
+    InUse(const InUse&) = delete;
+    InUse& operator=(const InUse&) = delete;
+
+  private:
+    SQLite::Statement& statement_;
+};
+
 std::string bytes(const SQLite::Column& column) {
     return {static_cast<const char*>(column.getBlob()), static_cast<std::size_t>(column.getBytes())};
 }
@@ -45,6 +57,19 @@ std::int64_t now() {
 }
 
 }  // namespace
+
+/// With what is asked for each submission of a class prepared once.
+struct Store::Opened {
+    explicit Opened(std::unique_ptr<SQLite::Database> opened)
+        : database(std::move(opened)),
+          contains(*database, "SELECT 1 FROM results WHERE key = ?"),
+          find(*database,
+               "SELECT seal, reached_limit, compiled, build_ms, ended, exit_code, signal, cpu_ms, wall_ms, "
+               "peak_memory_bytes, errors_truncated, diagnostics, output, errors, error FROM results WHERE key = ?") {}
+
+    std::unique_ptr<SQLite::Database> database;
+    SQLite::Statement contains, find;
+};
 
 std::optional<fs::path> cache_folder() {
     for (const auto& [variable, below] : {std::pair("XDG_CACHE_HOME", "raygrade"), {"HOME", ".cache/raygrade"}}) {
@@ -89,7 +114,7 @@ void Store::trim() {
 void Store::open() {
     const ResultsLock lock(folder_);
     try {
-        database_ = open_results(file_);
+        opened_ = std::make_unique<Opened>(open_results(file_));
     } catch (const OfAnotherVersion& error) {
         rebuild(error.what());
     } catch (const SQLite::Exception& error) {
@@ -100,16 +125,16 @@ void Store::open() {
 
 /// With the folder's lock held.
 void Store::rebuild(const std::string& why) {
-    database_.reset();
+    opened_.reset();
     const fs::path aside = set_results_aside(file_);
     problems_.push_back(
         fmt::format("The kept results in {} are not used: the file {}. It is now {}, and a new one is begun.",
                     in_quotes(file_), why, in_quotes(aside.filename())));
-    database_ = open_results(file_);
+    opened_ = std::make_unique<Opened>(open_results(file_));
 }
 
 void Store::give_up(const std::string& why) {
-    database_.reset();
+    opened_.reset();
     problems_.push_back(
         fmt::format("Results can't be kept in {}: {}. Everything is compiled and run anew; to change "
                     "that, set XDG_CACHE_HOME to a folder that can be written to.",
@@ -120,7 +145,7 @@ void Store::give_up(const std::string& why) {
 template <class Result, class Work>
 Result Store::attempt(Work work) {
     const std::lock_guard guard(mutex_);
-    if (!database_) return Result();
+    if (!opened_) return Result();
     try {
         return work();
     } catch (const SQLite::Exception& error) {
@@ -140,7 +165,8 @@ Result Store::attempt(Work work) {
 
 bool Store::contains(const std::string& key) {
     return attempt<bool>([&] {
-        SQLite::Statement query(*database_, "SELECT 1 FROM results WHERE key = ?");
+        SQLite::Statement& query = opened_->contains;
+        const InUse in_use(query);
         query.bind(1, key);
         return query.executeStep();
     });
@@ -148,10 +174,8 @@ bool Store::contains(const std::string& key) {
 
 std::optional<Execution> Store::find(const std::string& key) {
     return attempt<std::optional<Execution>>([&]() -> std::optional<Execution> {
-        SQLite::Statement query(*database_,
-                                "SELECT seal, reached_limit, compiled, build_ms, ended, exit_code, signal, cpu_ms, "
-                                "wall_ms, peak_memory_bytes, errors_truncated, diagnostics, output, errors, error "
-                                "FROM results WHERE key = ?");
+        SQLite::Statement& query = opened_->find;
+        const InUse in_use(query);
         query.bind(1, key);
         if (!query.executeStep()) return {};
         const auto ended = ended_from(query.getColumn(4).getString());
@@ -185,7 +209,7 @@ void Store::keep(const std::string& key, const Execution& execution) {
     attempt<bool>([&] {
         const Build& build = execution.build;
         const ProcessResult& run = execution.run;
-        SQLite::Statement insert(*database_,
+        SQLite::Statement insert(*opened_->database,
                                  "INSERT OR REPLACE INTO results VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
         int place = 0;
         const auto blob = [&](const std::string& text) {
@@ -219,9 +243,9 @@ void Store::evict() {
     constexpr std::int64_t overhead = 512;  // of a row, about
     constexpr std::int64_t day = 24 * 60 * 60;
     const auto age = std::chrono::duration_cast<std::chrono::seconds>(bounds_.age).count();
-    SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+    SQLite::Transaction transaction(*opened_->database, SQLite::TransactionBehavior::IMMEDIATE);
     // By the day is near enough, and spares most regrades the writing.
-    SQLite::Statement touch(*database_, "UPDATE results SET used = ?1 WHERE key = ?2 AND used < ?1 - ?3");
+    SQLite::Statement touch(*opened_->database, "UPDATE results SET used = ?1 WHERE key = ?2 AND used < ?1 - ?3");
     for (const std::string& key : used_) {
         touch.bind(1, now());
         touch.bind(2, key);
@@ -229,10 +253,10 @@ void Store::evict() {
         touch.exec();
         touch.reset();
     }
-    SQLite::Statement old(*database_, "DELETE FROM results WHERE used < ?");
+    SQLite::Statement old(*opened_->database, "DELETE FROM results WHERE used < ?");
     old.bind(1, now() - age);
     old.exec();
-    SQLite::Statement surplus(*database_,
+    SQLite::Statement surplus(*opened_->database,
                               "DELETE FROM results WHERE rowid IN (SELECT rowid FROM (SELECT rowid, SUM(bytes + ?1) "
                               "OVER (ORDER BY used DESC, rowid DESC) AS total FROM results) WHERE total > ?2)");
     surplus.bind(1, overhead);

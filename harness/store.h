@@ -17,10 +17,6 @@
 
 #include "harness/execution.h"
 
-namespace SQLite {
-class Database;
-}
-
 namespace harness {
 
 /// What is kept at the most; beyond it, what was not used for the longest time goes first.
@@ -60,6 +56,8 @@ class Store {
     std::vector<std::string> problems() const;
 
   private:
+    struct Opened;
+
     void open();
     void rebuild(const std::string& why);
     void give_up(const std::string& why);
@@ -70,8 +68,8 @@ class Store {
     std::filesystem::path folder_, file_;
     StoreBounds bounds_;
     mutable std::mutex mutex_;
-    std::unique_ptr<SQLite::Database> database_;  ///< empty after giving up
-    std::vector<std::string> used_;               ///< keys found in this run
+    std::unique_ptr<Opened> opened_;  ///< empty after giving up
+    std::vector<std::string> used_;   ///< keys found in this run
     std::vector<std::string> problems_;
 };
 

@@ -90,6 +90,16 @@ TEST(Store, FindsNothingUnderAnotherKey) {
     EXPECT_EQ(output_of(store, "k"), "a");
 }
 
+TEST(Store, HoldsOnToNothingBetweenTwoQuestions) {
+    const TemporaryFolder folder;
+    Store store(folder.path());
+    store.keep("k", printed("a"));
+    EXPECT_TRUE(store.contains("k"));
+    EXPECT_TRUE(store.find("k"));
+    SQLite::Database other((folder.path() / "results.sqlite").string(), SQLite::OPEN_READWRITE);
+    EXPECT_EQ(other.execAndGet("PRAGMA wal_checkpoint(TRUNCATE)").getInt(), 0) << "someone reads what is in the log";
+}
+
 TEST(Store, KeepsTheLastOfTwoUnderOneKey) {
     const TemporaryFolder folder;
     Store store(folder.path());
