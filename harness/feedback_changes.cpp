@@ -102,4 +102,15 @@ void add_feedback(FeedbackChanges& changes, const Graded& before, const Graded& 
     ++(differs ? changes.differing : changes.remeasured);
 }
 
+void add(FeedbackChanges& changes, const FeedbackChanges& others) {
+    for (const PartChange& other : others.parts) {
+        PartChange& change = change_of(changes, other.part, other.option);
+        change.fresh += other.fresh;
+        change.gone += other.gone;
+        change.other += other.other;
+    }
+    changes.differing += others.differing;
+    changes.remeasured += others.remeasured;
+}
+
 }  // namespace harness

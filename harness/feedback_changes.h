@@ -32,4 +32,7 @@ enum class Marks { same, moved };
 /// that the rest is another goes without saying.
 void add_feedback(FeedbackChanges& changes, const Graded& before, const Graded& after, Marks marks);
 
+/// Adds those of other submissions.
+void add(FeedbackChanges& changes, const FeedbackChanges& others);
+
 }  // namespace harness

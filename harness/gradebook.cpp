@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <unordered_set>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "harness/gradebook_file.h"
 #include "harness/gradebook_rows.h"
 #include "harness/graded_record.h"
+#include "harness/in_threads.h"
 #include "harness/records_ahead.h"
 #include "harness/report/report.h"
 
@@ -133,24 +133,46 @@ bool Gradebook::Comparison::is_as_saved() const {
            std::all_of(records.begin(), records.end(), [](Record record) { return record == Record::same; });
 }
 
-void Gradebook::compare_one(const std::vector<std::uint8_t>& record, const std::vector<std::uint8_t>& record_now,
-                            const Graded& after, std::size_t index, Comparison& comparison) const {
-    if (record == record_now) {
-        comparison.records[index] = Record::same;
-        ++comparison.changes.untouched;
-        return;
+/// A submission as it is in the database.
+struct Gradebook::Kept {
+    std::vector<std::uint8_t> record;
+    std::int64_t place = 0;
+};
+
+/// A submission of both gradings.
+struct Gradebook::Compared {
+    Record record = Record::same;
+    std::optional<MarkChange> change;  ///< where the record is not the same
+    FeedbackChanges feedback;
+};
+
+std::vector<std::optional<Gradebook::Kept>> Gradebook::kept_of(std::span<const Graded> graded) const {
+    Statement find(*database_, "SELECT record, place FROM submissions WHERE id = ?");
+    std::vector<std::optional<Kept>> kept(graded.size());
+    for (std::size_t i = 0; i < graded.size(); ++i) {
+        find.reset();
+        find.bind(1, graded[i].submission.id);
+        if (find.executeStep()) kept[i] = Kept{bytes(find.getColumn(0)), find.getColumn(1).getInt64()};
     }
-    auto before = from_record(record);
+    return kept;
+}
+
+Gradebook::Compared Gradebook::compare_one(const Kept& kept, const Graded& after) const {
+    if (kept.record == to_record(after)) return {};
+    auto before = from_record(kept.record);
     if (!before) throw HarnessError(gradebook_damage(file_, "the record of " + after.submission.id));
     before->overrides = after.overrides;
-    MarkChange change = change_between(*before, after);
+    Compared compared;
+    compared.change = change_between(*before, after);
+    const MarkChange& change = *compared.change;
     const bool moved = !change.reasons.empty() || !is_same_mark(change.before, change.after);
-    comparison.records[index] = moved ? Record::other_marks : Record::other;
-    add_feedback(comparison.feedback, *before, after, moved ? Marks::moved : Marks::same);
-    add(comparison.changes, std::move(change));
+    compared.record = moved ? Record::other_marks : Record::other;
+    add_feedback(compared.feedback, *before, after, moved ? Marks::moved : Marks::same);
+    return compared;
 }
 
 Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) const {
+    constexpr std::size_t part_size = 128;
     Comparison comparison;
     comparison.records.assign(graded.size(), Record::fresh);
     const auto add_fresh = [&](const Graded& one) {
@@ -164,25 +186,32 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
         // One view of the database, whatever another program does meanwhile.
         const SQLite::Transaction view(*database_);
         comparison.run = database_->execAndGet(last_run_number).getInt64();
-        Statement find(*database_, "SELECT record, place FROM submissions WHERE id = ?");
         std::unordered_set<std::string> present;
         std::int64_t last_place = -1;
-        std::vector<std::size_t> places(graded.size());
-        std::iota(places.begin(), places.end(), std::size_t{0});
-        RecordsAhead records(graded, std::move(places));
-        for (std::size_t i = 0; i < graded.size(); ++i) {
-            const std::string& id = graded[i].submission.id;
-            const auto record = records.next();
-            present.insert(id);
-            find.reset();
-            find.bind(1, id);
-            if (find.executeStep()) {
-                compare_one(bytes(find.getColumn(0)), record, graded[i], i, comparison);
-                const std::int64_t place = find.getColumn(1).getInt64();
-                if (place <= last_place) comparison.is_in_order = false;
-                last_place = place;
-            } else {
-                add_fresh(graded[i]);
+        for (std::size_t begin = 0; begin < graded.size(); begin += part_size) {
+            const auto part = std::span(graded).subspan(begin, std::min(part_size, graded.size() - begin));
+            const std::vector<std::optional<Kept>> kept = kept_of(part);
+            std::vector<Compared> compared(part.size());
+            in_threads(part.size(), [&] {
+                return [&](std::size_t i) {
+                    if (kept[i]) compared[i] = compare_one(*kept[i], part[i]);
+                };
+            });
+            for (std::size_t i = 0; i < part.size(); ++i) {
+                present.insert(part[i].submission.id);
+                if (!kept[i]) {
+                    add_fresh(part[i]);
+                    continue;
+                }
+                comparison.records[begin + i] = compared[i].record;
+                if (compared[i].change) {
+                    add(comparison.changes, std::move(*compared[i].change));
+                } else {
+                    ++comparison.changes.untouched;
+                }
+                add(comparison.feedback, compared[i].feedback);
+                if (kept[i]->place <= last_place) comparison.is_in_order = false;
+                last_place = kept[i]->place;
             }
         }
         Statement all(*database_, "SELECT id, final_points FROM submissions ORDER BY place");

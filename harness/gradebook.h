@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,7 @@ struct KeptInput {
     std::string content;
 };
 
+/// To be used by one thread at a time.
 class Gradebook {
   public:
     /// Opens the gradebook of a folder of results, if it has one; none is made before something is saved. Throws
@@ -78,7 +80,7 @@ class Gradebook {
         /// Saving it would change nothing of any submission.
         bool is_as_saved() const;
     };
-    /// `graded` with its overrides. One submission of the gradebook at a time is in memory.
+    /// `graded` with its overrides. A small part of the gradebook at a time is in memory.
     Comparison compare(const std::vector<Graded>& graded) const;
 
     /// Puts the new grading in the place of the last one, whose marks go into the history. Inputs replace those
@@ -96,9 +98,10 @@ class Gradebook {
   private:
     template <class Work>
     auto attempt(Work work) const -> decltype(work());
-    /// `record_now` is that of `after`, `record` the one kept.
-    void compare_one(const std::vector<std::uint8_t>& record, const std::vector<std::uint8_t>& record_now,
-                     const Graded& after, std::size_t index, Comparison& comparison) const;
+    struct Kept;
+    struct Compared;
+    std::vector<std::optional<Kept>> kept_of(std::span<const Graded> graded) const;
+    Compared compare_one(const Kept& kept, const Graded& after) const;
 
     std::filesystem::path file_;
     std::unique_ptr<SQLite::Database> database_;  ///< null while there is none

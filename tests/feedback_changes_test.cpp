@@ -92,5 +92,28 @@ TEST(FeedbackChanges, AreCountedOverAClass) {
     EXPECT_EQ(told(FeedbackChanges{}), "");
 }
 
+TEST(FeedbackChanges, OfTwoPartsOfAClassAddUp) {
+    FeedbackChanges all, one, other;
+    const auto add_to_both = [&](FeedbackChanges& part, const Graded& before, const Graded& after, Marks marks) {
+        add_feedback(all, before, after, marks);
+        add_feedback(part, before, after, marks);
+    };
+    Graded slower = plain(), unlike = with_all();
+    slower.run.wall += 5ms;
+    unlike.flags.pop_back();
+    unlike.hard_scenes->not_found = {"eye"};
+    add_to_both(one, with_all(), plain(), Marks::moved);
+    add_to_both(one, plain(), slower, Marks::same);
+    add_to_both(other, plain(), with_all(), Marks::same);
+    add_to_both(other, with_all(), unlike, Marks::same);
+    add_to_both(other, plain(), slower, Marks::same);
+    FeedbackChanges sum;
+    add(sum, one);
+    add(sum, other);
+    EXPECT_EQ(told(sum), told(all));
+    EXPECT_EQ(sum.differing, 2U);
+    EXPECT_EQ(sum.remeasured, 2U);
+}
+
 }  // namespace
 }  // namespace harness
