@@ -3,7 +3,10 @@
 
 #include <sys/stat.h>
 
+#include <deque>
 #include <filesystem>
+#include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -17,6 +20,7 @@ namespace harness {
 /// be: the new one is written beside it, and where one was there, the two change places. What is then beside it, the
 /// old one, is where the next file is written. So no file is made or removed, which is what takes file systems long:
 /// ext4 looks for long for room that was not given back just now. Where files can't change places they are replaced.
+/// Safe to use from several threads.
 class FolderWriter {
   public:
     explicit FolderWriter(std::filesystem::path folder);
@@ -24,19 +28,35 @@ class FolderWriter {
     FolderWriter(const FolderWriter&) = delete;
     FolderWriter& operator=(const FolderWriter&) = delete;
 
-    /// `name` holds no slash. Throws HarnessError.
+    /// `name` holds no slash, and no two threads write one of the same name. Throws HarnessError.
     void write(const std::string& name, std::string_view text);
-    /// Removes the files with one of these endings that were not written. Throws filesystem_error.
+    /// Once all are written: removes the other files with one of these endings, and spare ones that a writer which was
+    /// killed has left. Throws filesystem_error.
     void remove_others(const std::vector<std::string>& endings);
 
   private:
-    FileDescriptor open_spare();
-    bool is_like_new(const FileDescriptor& spare) const;
+    /// A place beside the files, where one is written before it is put in its place; one for each thread.
+    struct Spare {
+        std::filesystem::path path;
+        bool is_ours = false;  ///< what is there, if anything, came there by this writer
+        bool is_taken = false;
+    };
+    class Taken;
+    struct Opened {
+        FileDescriptor file;  ///< none where that failed, as errno says
+        off_t size = 0;       ///< of what is in it
+    };
+
+    Spare& take_spare();
+    void give_back(Spare& spare);
+    Opened open_spare(Spare& spare);
+    bool is_like_new(const struct stat& info, const FileDescriptor& spare);
+    bool is_left_behind(const std::string& name) const;
 
     std::filesystem::path folder_;
-    std::filesystem::path spare_;
-    struct stat fresh_ {};  ///< of the first spare file: what a new file is like
-    bool is_first_ = true;
+    std::mutex mutex_;  ///< over all that follows
+    std::deque<Spare> spares_;
+    std::optional<struct stat> fresh_;  ///< of the first spare file: what a new file is like
     std::set<std::string> written_;
 };
 

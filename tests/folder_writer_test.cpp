@@ -10,6 +10,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <thread>
 
 #include "harness/failure.h"
 #include "tests/temporary_folder.h"
@@ -73,6 +74,42 @@ TEST_F(FolderWriting, RemovesTheOthersWithTheSameEndings) {
     EXPECT_EQ(files().count("b.md"), 0U);
     EXPECT_EQ(files().at("a.md"), "A");
     EXPECT_EQ(files().at("b.txt"), "mine");
+}
+
+TEST_F(FolderWriting, IsSharedByThreads) {
+    std::map<std::string, std::string> texts;
+    for (int round = 1; round <= 2; ++round) {
+        {
+            FolderWriter writer(out);
+            std::vector<std::jthread> threads;
+            for (int thread = 0; thread < 3; ++thread) {
+                threads.emplace_back([&, thread] {
+                    for (int i = 0; i < 100; ++i) {
+                        // Longer and shorter than what others have left.
+                        const std::string text(static_cast<std::size_t>((i * 37 + thread * 11) % 500 * round), 'x');
+                        writer.write(std::to_string(thread) + '-' + std::to_string(i), text);
+                    }
+                });
+            }
+        }
+        texts.clear();
+        for (int thread = 0; thread < 3; ++thread) {
+            for (int i = 0; i < 100; ++i) {
+                texts[std::to_string(thread) + '-' + std::to_string(i)] =
+                    std::string(static_cast<std::size_t>((i * 37 + thread * 11) % 500 * round), 'x');
+            }
+        }
+        EXPECT_EQ(files(), texts);
+    }
+}
+
+TEST_F(FolderWriting, RemovesWhatAWriterThatWasKilledLeft) {
+    for (const char* name : {".new", ".new-2", ".new-3", ".newer", "new-2"})
+        folder.write(std::string("out/") + name, "");
+    FolderWriter writer(out);
+    writer.write("a.md", "a");
+    writer.remove_others({".md"});
+    EXPECT_THAT(files(), ElementsAre(Pair(".newer", ""), Pair("a.md", "a"), Pair("new-2", "")));
 }
 
 TEST_F(FolderWriting, LeavesTheCopyThatALinkMadeAlone) {
