@@ -5,12 +5,13 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <future>
 #include <sstream>
+#include <utility>
 
 #include "harness/clean_text.h"
 #include "harness/failure.h"
 #include "harness/folder_writer.h"
+#include "harness/in_threads.h"
 #include "harness/report/class_report.h"
 #include "harness/report/report.h"
 #include "harness/report/student_page.h"
@@ -31,8 +32,11 @@ void write_feedback(const ClassResults& results, std::size_t index, report::Stud
 }
 
 void write_all_feedback(const ClassResults& results, FolderWriter& feedback) {
-    report::StudentPages pages(results.marking);
-    for (std::size_t i = 0; i < results.graded.size(); ++i) write_feedback(results, i, pages, feedback);
+    in_threads(results.graded.size(), [&] {
+        return [&, pages = report::StudentPages(results.marking)](std::size_t i) mutable {
+            write_feedback(results, i, pages, feedback);
+        };
+    });
     feedback.remove_others({".md", ".html"});
 }
 
@@ -100,31 +104,38 @@ std::optional<report::MoodleWorksheet> read_worksheet(const std::optional<KeptIn
     return report::read_moodle_worksheet(input->content, columns);
 }
 
-HandedBack write_class_reports(const ClassResults& results, const fs::path& folder, std::optional<std::size_t> only) {
+ReportsAhead::ReportsAhead(const ClassResults& results, fs::path folder)
+    : results_(results),
+      folder_(std::move(folder)),
+      json_(folder_ / "grades.json"),
+      page_(folder_ / "report.html"),
+      ahead_(std::async(std::launch::async, [this] {
+          json_.write([&](std::ostream& stream) {
+              report::write_grades_json(stream, results_.graded, results_.marking, results_.tier);
+          });
+          page_.write([&](std::ostream& stream) {
+              report::write_class_report(stream, results_.graded, results_.marking, results_.tier);
+          });
+      })) {}
+
+HandedBack ReportsAhead::put_in_place(std::optional<std::size_t> only) {
     try {
-        // The other half, by the time it takes.
-        std::future<void> written = std::async(std::launch::async, [&] {
-            FolderWriter feedback(folder / "feedback");
-            if (only) {
-                report::StudentPages pages(results.marking);
-                write_feedback(results, *only, pages, feedback);
-            } else {
-                write_all_feedback(results, feedback);
-            }
-        });
+        FolderWriter feedback(folder_ / "feedback");
+        if (only) {
+            report::StudentPages pages(results_.marking);
+            write_feedback(results_, *only, pages, feedback);
+        } else {
+            write_all_feedback(results_, feedback);
+        }
         HandedBack handed_back;
-        handed_back.canvas = write_canvas(results, folder / canvas_import_name);
-        handed_back.moodle = write_moodle(results, folder / moodle_import_name);
-        write_file(folder / "grades.csv", report::grades_csv(results.graded));
-        write_file(folder / "grades.json", [&](std::ostream& stream) {
-            report::write_grades_json(stream, results.graded, results.marking, results.tier);
-        });
-        write_file(folder / "report.html", [&](std::ostream& stream) {
-            report::write_class_report(stream, results.graded, results.marking, results.tier);
-        });
-        handed_back.feedback = write_zip(results, folder / feedback_zip_name);
-        written.get();
-        put_on_disk(folder);
+        handed_back.canvas = write_canvas(results_, folder_ / canvas_import_name);
+        handed_back.moodle = write_moodle(results_, folder_ / moodle_import_name);
+        write_file(folder_ / "grades.csv", report::grades_csv(results_.graded));
+        handed_back.feedback = write_zip(results_, folder_ / feedback_zip_name);
+        ahead_.get();
+        json_.put_in_place();
+        page_.put_in_place();
+        put_on_disk(folder_);
         return handed_back;
     } catch (const fs::filesystem_error& error) {
         throw HarnessError(fmt::format("{}: can't be written: {}", error.path1().string(), error.code().message()));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <future>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "harness/report/canvas.h"
 #include "harness/report/feedback_zip.h"
 #include "harness/report/moodle.h"
+#include "harness/results_folder.h"
 
 namespace harness {
 
@@ -48,11 +50,25 @@ struct HandedBack {
     std::optional<report::FeedbackZip> feedback;
 };
 
-/// Writes every report into `folder`, which has been made with its folder `feedback`, and removes those of students who
-/// are no longer in the class; all are on the disk when it returns. With `only`, the place of one submission, the
-/// feedback of the others stays as it is. Throws HarnessError.
-HandedBack write_class_reports(const ClassResults& results, const std::filesystem::path& folder,
-                               std::optional<std::size_t> only = {});
+/// The reports of a class, of which those that take longest are written beside the old ones from the beginning on, in a
+/// thread of their own: while the gradebook is saved there is time for that, and no report may tell what it does not
+/// yet hold. Without put_in_place the folder is left as it was.
+class ReportsAhead {
+  public:
+    /// `folder` has been made with its folder `feedback`. The results stay as they are while this lives.
+    ReportsAhead(const ClassResults& results, std::filesystem::path folder);
+
+    /// Puts every report in its place and removes those of students who are no longer in the class; all are on the disk
+    /// when it returns. With `only`, the place of one submission, the feedback of the others stays as it is. Throws
+    /// HarnessError. Called once.
+    HandedBack put_in_place(std::optional<std::size_t> only = {});
+
+  private:
+    const ClassResults& results_;
+    std::filesystem::path folder_;
+    FreshFile json_, page_;
+    std::future<void> ahead_;  ///< the last, so that nothing goes before it has ended
+};
 
 /// Whether some of these reports go back to another system.
 bool goes_back(const ClassResults& results);

@@ -193,8 +193,9 @@ int grade_class(const GradeOptions& options) {
         tell_where_results_are(options.out);
         return status_of(graded);
     }
+    ReportsAhead reports(results, options.out);
     desk.gradebook.save(run, graded, comparison, inputs);
-    const HandedBack handed_back = write_class_reports(results, options.out);
+    const HandedBack handed_back = reports.put_in_place();
     desk.gradebook.note_reports_written();
     if (handed_back.canvas) tell_canvas(*handed_back.canvas, options.out / canvas_import_name);
     if (handed_back.moodle) tell_moodle(*handed_back.moodle, options.out / moodle_import_name);

@@ -92,7 +92,7 @@ void rewrite_reports(Gradebook& gradebook, const Kept& kept, bool all, std::opti
     }
     make_results_folder(folder, "feedback");
     const ClassResults results{kept.graded, marking.get(), kept.run.tier, roster, worksheet};
-    if (all || changed) write_class_reports(results, folder, all ? std::nullopt : changed);
+    if (all || changed) ReportsAhead(results, folder).put_in_place(all ? std::nullopt : changed);
     gradebook.note_reports_written();
 }
 

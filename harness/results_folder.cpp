@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <utility>
 
 #include "harness/failure.h"
 #include "harness/find_submissions.h"
@@ -69,21 +70,33 @@ void fail_to_write(const fs::path& file, int error) {
                                    file.string(), error == 0 ? "writing failed" : std::strerror(error)));
 }
 
-void write_file(const fs::path& file, const std::function<void(std::ostream&)>& write) {
-    const fs::path fresh = file.string() + ".new";
-    const auto fail = [&](int why) {
-        std::error_code ignored;
-        fs::remove(fresh, ignored);
-        fail_to_write(file, why);
-    };
+FreshFile::FreshFile(fs::path file) : file_(std::move(file)), fresh_(file_.string() + ".new") {}
+
+FreshFile::~FreshFile() {
+    std::error_code ignored;
+    if (is_beside_) fs::remove(fresh_, ignored);
+}
+
+void FreshFile::write(const std::function<void(std::ostream&)>& write) {
     errno = 0;
-    std::ofstream stream(fresh, std::ios::binary);
+    is_beside_ = true;
+    std::ofstream stream(fresh_, std::ios::binary);
     write(stream);
     stream.close();
-    if (!stream) fail(errno);
+    if (!stream) fail_to_write(file_, errno);
+}
+
+void FreshFile::put_in_place() {
     std::error_code error;
-    fs::rename(fresh, file, error);
-    if (error) fail(error.value());
+    fs::rename(fresh_, file_, error);
+    if (error) fail_to_write(file_, error.value());
+    is_beside_ = false;
+}
+
+void write_file(const fs::path& file, const std::function<void(std::ostream&)>& write) {
+    FreshFile fresh(file);
+    fresh.write(write);
+    fresh.put_in_place();
 }
 
 void write_file(const fs::path& file, const std::string& text) {

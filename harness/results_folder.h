@@ -44,6 +44,25 @@ class FolderLock {
 /// Throws the HarnessError that tells that a file of results can't be written; `error` is errno's, 0 for unknown.
 [[noreturn]] void fail_to_write(const std::filesystem::path& file, int error);
 
+/// A file that is written beside the one it is to replace, which stays as it is until then.
+class FreshFile {
+  public:
+    explicit FreshFile(std::filesystem::path file);
+    /// Removes what was not put in its place.
+    ~FreshFile();
+    FreshFile(const FreshFile&) = delete;
+    FreshFile& operator=(const FreshFile&) = delete;
+
+    /// Gives `write` the stream, and sees that everything has been written. Throws HarnessError. Called once.
+    void write(const std::function<void(std::ostream&)>& write);
+    /// Throws HarnessError.
+    void put_in_place();
+
+  private:
+    std::filesystem::path file_, fresh_;
+    bool is_beside_ = false;
+};
+
 /// Writes a whole file or throws HarnessError; what was there before stays until the new one is complete.
 void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 void write_file(const std::filesystem::path& file, const std::string& text);

@@ -43,8 +43,8 @@ class ClassReports : public testing::Test {
     fs::path write(const std::string& name, const std::vector<Graded>& all, std::optional<std::size_t> only = {}) {
         const fs::path out = folder.path() / name;
         make_results_folder(out, "feedback");
-        write_class_reports({all, marking(), Tier::bwrap, report::read_canvas_roster(exported, ""), std::nullopt}, out,
-                            only);
+        ReportsAhead({all, marking(), Tier::bwrap, report::read_canvas_roster(exported, ""), std::nullopt}, out)
+            .put_in_place(only);
         return out;
     }
     TemporaryFolder folder;
@@ -70,10 +70,21 @@ TEST_F(ClassReports, FromTheGradebookAreThoseOfTheFreshClassByteForByte) {
 TEST_F(ClassReports, RemoveTheFeedbackOfWhoIsGoneAndAnImportWithoutItsRoster) {
     const fs::path out = write("out", a_class());
     folder.write("out/feedback/mine.txt", "mine");
-    write_class_reports({{}, marking(), Tier::bwrap, std::nullopt, std::nullopt}, out);
+    ReportsAhead({{}, marking(), Tier::bwrap, std::nullopt, std::nullopt}, out).put_in_place();
     EXPECT_FALSE(fs::exists(out / "feedback/ada.md"));
     EXPECT_TRUE(fs::exists(out / "feedback/mine.txt"));
     EXPECT_FALSE(fs::exists(out / "grades-canvas.csv"));
+}
+
+TEST_F(ClassReports, ThatAreNotPutInPlaceLeaveTheOldOnes) {
+    const fs::path out = write("out", a_class());
+    const auto files = files_of(out);
+    const std::vector<Graded> others = {graded("zoe", "")};
+    const ClassResults results{others, marking(), Tier::bwrap, std::nullopt, std::nullopt};
+    { const ReportsAhead reports(results, out); }
+    EXPECT_EQ(files_of(out), files);
+    ReportsAhead(results, out).put_in_place();
+    EXPECT_NE(files_of(out), files);
 }
 
 TEST_F(ClassReports, OfOneChangedSubmissionLeaveTheOthersFeedbackAlone) {
@@ -95,7 +106,7 @@ TEST_F(ClassReports, AreAsLeftUntilOneIsGoneOrTouched) {
     EXPECT_FALSE(class_reports_are_as_left(all, out));
     std::vector<fs::path> files;
     const auto write_again = [&] {
-        write_class_reports(results, out);
+        ReportsAhead(results, out).put_in_place();
         folder.write("out/gradebook.sqlite", "");
         files.clear();
         for (const auto& entry : fs::recursive_directory_iterator(out)) {
@@ -124,7 +135,8 @@ TEST_F(ClassReports, GoBackWhereThereIsARosterOrAnLms) {
 
 TEST_F(ClassReports, TellOfAFolderThatCannotBeWritten) {
     EXPECT_THROW(
-        write_class_reports({a_class(), marking(), Tier::bwrap, std::nullopt, std::nullopt}, folder.path() / "nowhere"),
+        ReportsAhead({a_class(), marking(), Tier::bwrap, std::nullopt, std::nullopt}, folder.path() / "nowhere")
+            .put_in_place(),
         HarnessError);
 }
 

@@ -30,9 +30,7 @@ TEST(InThreads, WorkOnNothing) {
 }
 
 TEST(InThreads, ThrowWhatTheCallersOwnThrew) {
-    const auto work = [&] {
-        in_threads(1, [&] { return [&](std::size_t) { throw std::runtime_error("bad"); }; });
-    };
+    const auto work = [&] { in_threads(1, [&] { return [&](std::size_t) { throw std::runtime_error("bad"); }; }); };
     EXPECT_THROW(work(), std::runtime_error);
 }
 

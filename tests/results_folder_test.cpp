@@ -30,6 +30,22 @@ TEST(WriteFile, ReplacesWhatWasThere) {
     EXPECT_FALSE(fs::exists(folder.path() / "grades.csv.new"));
 }
 
+TEST(FreshFile, StaysBesideUntilItIsPutInPlace) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("grades.csv", "earlier");
+    {
+        FreshFile fresh(file);
+        fresh.write([](std::ostream& stream) { stream << "later"; });
+        EXPECT_EQ(bytes_of(file), "earlier");
+        EXPECT_EQ(bytes_of(folder.path() / "grades.csv.new"), "later");
+    }
+    EXPECT_EQ(bytes_of(file), "earlier");
+    EXPECT_FALSE(fs::exists(folder.path() / "grades.csv.new"));
+    folder.write("grades.csv.new", "of somebody else");
+    { const FreshFile unused(file); }
+    EXPECT_TRUE(fs::exists(folder.path() / "grades.csv.new"));
+}
+
 TEST(WriteFile, TellsOfANameThatIsTakenByAFolderAndLeavesNothingBehind) {
     const TemporaryFolder folder;
     const fs::path file = folder.make_folder("grades.csv");
