@@ -16,7 +16,7 @@ namespace harness {
 namespace {
 
 int check_source(const CheckOptions& options) {
-    auto toolchain = begin_look_at_compiler(options.workshop);
+    auto toolchain = begin_next_look_at_compiler(options.workshop);
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
     variants::require_variants(assignment, options.variants.count);
     const std::vector<Submission> submissions = find_submissions({options.source});
@@ -26,11 +26,12 @@ int check_source(const CheckOptions& options) {
     }
     const CheckFiles files(options);
     if (!options.html.empty()) require_place_for_page(options.html, "--html");
-    Workshop workshop = open_workshop(options.workshop, assignment.limits, std::move(toolchain));
+    Workshop workshop = open_workshop_by_last_look(options.workshop, assignment.limits, std::move(toolchain));
     tell_of_the_sandbox(workshop, options.workshop);
     // Now that the looks at the machine are over: the key is needed only when the program has run.
     const auto marking = begin_marking(assignment);
     std::vector<Graded> all{grade(submissions.front(), marking, workshop)};
+    if (!settle(workshop)) all.front() = grade(submissions.front(), marking, workshop);
     workshop.repetitions = 1;
     workshop.sanitize = false;
     Timeline timeline;

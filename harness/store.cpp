@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <system_error>
+#include <utility>
 
 #include "harness/ended_words.h"
 #include "harness/failure.h"
@@ -207,36 +208,57 @@ std::optional<Execution> Store::find(const std::string& key) {
 void Store::keep(const std::string& key, const Execution& execution) {
     if (!is_worth_keeping(execution)) return;
     attempt<bool>([&] {
-        const Build& build = execution.build;
-        const ProcessResult& run = execution.run;
-        SQLite::Statement insert(*opened_->database,
-                                 "INSERT OR REPLACE INTO results VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
-        int place = 0;
-        const auto blob = [&](const std::string& text) {
-            insert.bind(++place, text.data(), static_cast<int>(text.size()));
-        };
-        insert.bind(++place, key);
-        insert.bind(++place, now());
-        insert.bind(++place,
-                    static_cast<std::int64_t>(build.diagnostics.size() + run.output.size() + run.errors.size()));
-        insert.bind(++place, seal(key, execution));
-        insert.bind(++place, static_cast<int>(build.reached_limit));
-        insert.bind(++place, static_cast<int>(build.compiled));
-        insert.bind(++place, static_cast<std::int64_t>(build.wall.count()));
-        insert.bind(++place, std::string(word_for(run.ended)));
-        insert.bind(++place, run.exit_code);
-        insert.bind(++place, run.signal);
-        insert.bind(++place, run.error);
-        insert.bind(++place, static_cast<std::int64_t>(run.cpu.count()));
-        insert.bind(++place, static_cast<std::int64_t>(run.wall.count()));
-        insert.bind(++place, static_cast<std::int64_t>(run.peak_memory_bytes));
-        insert.bind(++place, static_cast<int>(run.errors_truncated));
-        blob(build.diagnostics);
-        blob(run.output);
-        blob(run.errors);
-        insert.exec();
+        if (holds_back_) {
+            held_.emplace_back(key, execution);
+        } else {
+            insert(key, execution);
+        }
         return true;
     });
+}
+
+void Store::hold_back() {
+    const std::lock_guard guard(mutex_);
+    holds_back_ = true;
+}
+
+void Store::keep_held() {
+    attempt<bool>([&] {
+        holds_back_ = false;
+        for (const auto& [key, execution] : std::exchange(held_, {})) insert(key, execution);
+        return true;
+    });
+}
+
+void Store::insert(const std::string& key, const Execution& execution) {
+    const Build& build = execution.build;
+    const ProcessResult& run = execution.run;
+    SQLite::Statement statement(*opened_->database,
+                                "INSERT OR REPLACE INTO results VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+    int place = 0;
+    const auto blob = [&](const std::string& text) {
+        statement.bind(++place, text.data(), static_cast<int>(text.size()));
+    };
+    statement.bind(++place, key);
+    statement.bind(++place, now());
+    statement.bind(++place,
+                   static_cast<std::int64_t>(build.diagnostics.size() + run.output.size() + run.errors.size()));
+    statement.bind(++place, seal(key, execution));
+    statement.bind(++place, static_cast<int>(build.reached_limit));
+    statement.bind(++place, static_cast<int>(build.compiled));
+    statement.bind(++place, static_cast<std::int64_t>(build.wall.count()));
+    statement.bind(++place, std::string(word_for(run.ended)));
+    statement.bind(++place, run.exit_code);
+    statement.bind(++place, run.signal);
+    statement.bind(++place, run.error);
+    statement.bind(++place, static_cast<std::int64_t>(run.cpu.count()));
+    statement.bind(++place, static_cast<std::int64_t>(run.wall.count()));
+    statement.bind(++place, static_cast<std::int64_t>(run.peak_memory_bytes));
+    statement.bind(++place, static_cast<int>(run.errors_truncated));
+    blob(build.diagnostics);
+    blob(run.output);
+    blob(run.errors);
+    statement.exec();
 }
 
 void Store::evict() {

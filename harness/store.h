@@ -13,6 +13,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "harness/execution.h"
@@ -46,8 +47,12 @@ class Store {
     bool contains(const std::string& key);
     /// The execution kept under `key`, without a program; empty when there is none.
     std::optional<Execution> find(const std::string& key);
-    /// Keeps it if it is worth keeping. In the database when it returns.
+    /// Keeps it if it is worth keeping. In the database when it returns, unless the store holds back.
     void keep(const std::string& key, const Execution& execution);
+
+    /// From here on nothing is kept before keep_held() is called; what is held when the store goes is forgotten.
+    void hold_back();
+    void keep_held();
 
     /// Notes what was used, and removes what is beyond the bounds.
     void trim();
@@ -59,6 +64,7 @@ class Store {
     struct Opened;
 
     void open();
+    void insert(const std::string& key, const Execution& execution);
     void rebuild(const std::string& why);
     void give_up(const std::string& why);
     template <class Result, class Work>
@@ -71,6 +77,8 @@ class Store {
     std::unique_ptr<Opened> opened_;  ///< empty after giving up
     std::vector<std::string> used_;   ///< keys found in this run
     std::vector<std::string> problems_;
+    bool holds_back_ = false;
+    std::vector<std::pair<std::string, Execution>> held_;
 };
 
 }  // namespace harness

@@ -166,15 +166,16 @@ Listing list(const std::string& folder) {
     return listing;
 }
 
-/// Everything below some folders, through links too; each folder once, so that it ends. In as many threads as help: a
-/// look at 25,000 headers is 40 ms of the kernel's.
+/// Everything below some folders, through links too; each folder once, so that it ends. In as many threads as help,
+/// where it is waited for: a look at 25,000 headers is 40 ms of the kernel's.
 class HeaderTree {
   public:
-    explicit HeaderTree(const std::vector<Folder>& roots) {
+    HeaderTree(const std::vector<Folder>& roots, Pace pace) {
         find(roots);
-        const unsigned most = std::clamp(std::thread::hardware_concurrency(), 1U, 4U);
+        const unsigned helping = std::clamp(std::thread::hardware_concurrency(), 1U, 4U);
+        const unsigned threads = pace == Pace::is_waited_for ? helping : 1;
         std::vector<std::jthread> helpers;
-        for (unsigned i = 1; i < most; ++i) helpers.emplace_back([this] { work(); });
+        for (unsigned i = 1; i < threads; ++i) helpers.emplace_back([this] { work(); });
         work();
     }
 
@@ -213,12 +214,12 @@ class HeaderTree {
 };
 
 /// By the first path that leads to each, whichever thread was first there.
-void add_folders(Fingerprint& fingerprint, const std::vector<std::string>& roots) {
+void add_folders(Fingerprint& fingerprint, const std::vector<std::string>& roots, Pace pace) {
     std::deque<Folder> folders;
     for (const std::string& root : roots) {
         if (const auto id = id_of(root)) folders.push_back({root, *id});
     }
-    const HeaderTree tree({folders.begin(), folders.end()});
+    const HeaderTree tree({folders.begin(), folders.end()}, pace);
     std::set<FolderId> visited;
     for (; !folders.empty(); folders.pop_front()) {
         const Folder& folder = folders.front();
@@ -257,7 +258,7 @@ void add_processor(Fingerprint& fingerprint) {
 #endif
 }
 
-std::string fingerprint_of(const fs::path& compiler, const std::string& description) {
+std::string fingerprint_of(const fs::path& compiler, const std::string& description, Pace pace) {
     const SearchPaths paths = search_paths(description);
     Fingerprint fingerprint("raygrade/toolchain/2");
     fingerprint.add(compiler.string()).add(description);
@@ -268,7 +269,7 @@ std::string fingerprint_of(const fs::path& compiler, const std::string& descript
         for (const char* part : {"cc1plus", "collect2", "as", "ld", "ld.bfd", "ld.gold", "ld.mold", "ld.lld"})
             add_file(fingerprint, folder + "/" + part);
     }
-    add_folders(fingerprint, paths.headers);
+    add_folders(fingerprint, paths.headers, pace);
     for (const std::string& library : runtime_libraries()) add_file(fingerprint, library);
     add_processor(fingerprint);
     return fingerprint.hex();
@@ -277,14 +278,14 @@ std::string fingerprint_of(const fs::path& compiler, const std::string& descript
 }  // namespace
 
 std::string toolchain_fingerprint(const fs::path& compiler) {
-    return fingerprint_of(compiler, end(begin_self_description(compiler)));
+    return fingerprint_of(compiler, end(begin_self_description(compiler)), Pace::is_waited_for);
 }
 
-std::future<std::string> begin_toolchain_fingerprint(const fs::path& compiler) {
+std::future<std::string> begin_toolchain_fingerprint(const fs::path& compiler, Pace pace) {
     // Started here: a program started while another thread writes one that is to be executed would hold it open: "Text
     // file busy".
-    return std::async(std::launch::async, [compiler, description = begin_self_description(compiler)]() mutable {
-        return fingerprint_of(compiler, end(std::move(description)));
+    return std::async(std::launch::async, [compiler, pace, description = begin_self_description(compiler)]() mutable {
+        return fingerprint_of(compiler, end(std::move(description)), pace);
     });
 }
 

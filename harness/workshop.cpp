@@ -4,9 +4,11 @@
 
 #include <future>
 
+#include "harness/bounded_file.h"
 #include "harness/failure.h"
 #include "harness/fingerprint.h"
 #include "harness/names.h"
+#include "harness/results_folder.h"
 #include "harness/sandbox/canary.h"
 #include "harness/toolchain.h"
 
@@ -43,27 +45,45 @@ std::string failures(const std::vector<CanaryReport>& reports) {
     return text;
 }
 
-void open_cache(Workshop& workshop, const std::filesystem::path& folder, std::future<std::string> toolchain) {
-    workshop.toolchain = toolchain.get();
-    workshop.store = std::make_unique<Store>(folder);
-    workshop.headers =
-        std::make_unique<const HeaderShelf>(folder, workshop.build, workshop.toolchain, *workshop.sandbox);
+std::filesystem::path file_of_last_look(const std::filesystem::path& cache) {
+    return cache / "toolchain";
 }
 
-}  // namespace
+/// Empty where there was none.
+std::string last_look(const std::filesystem::path& cache) {
+    constexpr std::size_t length = 64;
+    const BoundedFile file = read_bounded(file_of_last_look(cache), length, Links::refuse);
+    return file.is_whole() && file.bytes.size() == length ? file.bytes : "";
+}
 
-std::future<std::string> begin_look_at_compiler(const WorkshopOptions& options) {
+/// It is no more than a guess at what the next one finds, so that it does not matter when it can't be kept.
+void remember_look(const std::filesystem::path& cache, const std::string& toolchain) {
+    if (last_look(cache) == toolchain) return;
+    try {
+        write_file(file_of_last_look(cache), toolchain);
+    } catch (const HarnessError&) {
+        return;
+    }
+}
+
+std::future<std::string> begin_look(const WorkshopOptions& options, Pace pace) {
     const std::filesystem::path compiler = find_compiler();
     if (!options.cache || compiler.empty()) return {};
     try {
-        return begin_toolchain_fingerprint(compiler);
+        return begin_toolchain_fingerprint(compiler, pace);
     } catch (const HarnessError&) {
         return {};  // and building says why
     }
 }
 
-Workshop open_workshop(const WorkshopOptions& options, const std::vector<reference::LimitEntry>& limits,
-                       std::future<std::string> toolchain) {
+void open_cache(Workshop& workshop, const std::filesystem::path& folder, const std::string& toolchain) {
+    workshop.toolchain = toolchain;
+    workshop.store = std::make_unique<Store>(folder);
+    workshop.headers =
+        std::make_unique<const HeaderShelf>(folder, workshop.build, workshop.toolchain, *workshop.sandbox);
+}
+
+Workshop without_cache(const WorkshopOptions& options, const std::vector<reference::LimitEntry>& limits) {
     const StageLimits stages = read_limits(limits, options.limits);
     const auto without = options.unsafe ? WithoutSandbox::run_unsafe : WithoutSandbox::refuse;
     BuildSettings build = default_build_settings(stages.compile);
@@ -72,8 +92,51 @@ Workshop open_workshop(const WorkshopOptions& options, const std::vector<referen
     workshop.repetitions = options.repetitions;
     workshop.sanitize = options.sanitize;
     workshop.fresh = options.fresh;
-    if (toolchain.valid()) open_cache(workshop, *options.cache, std::move(toolchain));
     return workshop;
+}
+
+}  // namespace
+
+std::future<std::string> begin_look_at_compiler(const WorkshopOptions& options) {
+    return begin_look(options, Pace::is_waited_for);
+}
+
+std::future<std::string> begin_next_look_at_compiler(const WorkshopOptions& options) {
+    const bool is_first = !options.cache || last_look(*options.cache).empty();
+    return begin_look(options, is_first ? Pace::is_waited_for : Pace::beside_other_work);
+}
+
+Workshop open_workshop(const WorkshopOptions& options, const std::vector<reference::LimitEntry>& limits,
+                       std::future<std::string> toolchain) {
+    Workshop workshop = without_cache(options, limits);
+    if (!toolchain.valid()) return workshop;
+    open_cache(workshop, *options.cache, toolchain.get());
+    remember_look(*options.cache, workshop.toolchain);
+    return workshop;
+}
+
+Workshop open_workshop_by_last_look(const WorkshopOptions& options, const std::vector<reference::LimitEntry>& limits,
+                                    std::future<std::string> toolchain) {
+    const std::string last = toolchain.valid() ? last_look(*options.cache) : "";
+    if (last.empty()) return open_workshop(options, limits, std::move(toolchain));
+    Workshop workshop = without_cache(options, limits);
+    open_cache(workshop, *options.cache, last);
+    workshop.store->hold_back();
+    workshop.cache = *options.cache;
+    workshop.look = std::move(toolchain);
+    return workshop;
+}
+
+bool settle(Workshop& workshop) {
+    if (!workshop.look.valid()) return true;
+    const std::string toolchain = workshop.look.get();
+    if (toolchain == workshop.toolchain) {
+        workshop.store->keep_held();
+        return true;
+    }
+    open_cache(workshop, workshop.cache, toolchain);
+    remember_look(workshop.cache, toolchain);
+    return false;
 }
 
 Workshop open_workshop(const WorkshopOptions& options, const std::vector<reference::LimitEntry>& limits) {

@@ -27,6 +27,8 @@ struct Workshop {
     int repetitions = 1;                           ///< how often each program is run, to see if it answers the same
     bool sanitize = false;                         ///< with a second build of each under the sanitizers
     bool fresh = false;                            ///< what is kept is not looked at, only kept anew
+    std::filesystem::path cache{};                 ///< for settle()
+    std::future<std::string> look{};               ///< at the compiler; valid while the last one's is gone by
 };
 
 struct WorkshopOptions {
@@ -43,10 +45,22 @@ struct WorkshopOptions {
 /// to begin before anything else. Nothing where nothing is kept, or no compiler can say what it is.
 std::future<std::string> begin_look_at_compiler(const WorkshopOptions& options);
 
+/// The same for open_workshop_by_last_look.
+std::future<std::string> begin_next_look_at_compiler(const WorkshopOptions& options);
+
 /// Tries which sandbox this machine holds and reads the limits. Throws HarnessError, AssignmentError and LimitError.
 Workshop open_workshop(const WorkshopOptions& options, const std::vector<reference::LimitEntry>& limits,
                        std::future<std::string> toolchain);
 Workshop open_workshop(const WorkshopOptions& options, const std::vector<reference::LimitEntry>& limits);
+
+/// As open_workshop, but does not wait for the look at the compiler: it goes by what the last one found. Nothing is
+/// kept before settle(), whose answer decides whether what was made until then is believed.
+Workshop open_workshop_by_last_look(const WorkshopOptions& options, const std::vector<reference::LimitEntry>& limits,
+                                    std::future<std::string> toolchain);
+
+/// Waits for the look at the compiler. False when it is another, or has other headers, than at the last look: then the
+/// workshop is by now as it should have been, and everything made in it is to be made again.
+bool settle(Workshop& workshop);
 
 /// Under what the store keeps a run of this source: a fingerprint of everything that decides what is printed, and of
 /// `variant`, which of several runs it is.

@@ -137,6 +137,24 @@ TEST(Cache, IsUsedByCheckToo) {
     EXPECT_THAT(some.grade("one").voice, HasSubstr("1 of 1 from earlier runs"));
 }
 
+TEST(Cache, OfAnotherCompilerIsOfNoUseToCheck) {
+    const Class some(1);
+    const std::string place = some.cache.string();
+    const auto check = [&] {
+        return raygrade({"check", (some.folder / "class/s100/ray_cast.cpp").string()},
+                        [place] { return setenv("XDG_CACHE_HOME", place.c_str(), 1) == 0; });
+    };
+    const Result first = check();
+    const fs::path last_look = some.cache / "raygrade/toolchain";
+    const std::string found = read(last_look);
+    EXPECT_EQ(found.size(), 64U);
+    write(last_look, std::string(64, 'f'));
+    write(some.folder / "class/s100/ray_cast.cpp", program + "late");
+    EXPECT_EQ(check().output, first.output);
+    EXPECT_EQ(read(last_look), found);
+    EXPECT_THAT(some.grade("one").voice, HasSubstr("1 of 1 from earlier runs"));
+}
+
 std::size_t kept_in(const fs::path& database) {
     try {
         SQLite::Database opened(database.string(), SQLite::OPEN_READONLY, 1000);

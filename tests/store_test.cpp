@@ -100,6 +100,27 @@ TEST(Store, HoldsOnToNothingBetweenTwoQuestions) {
     EXPECT_EQ(other.execAndGet("PRAGMA wal_checkpoint(TRUNCATE)").getInt(), 0) << "someone reads what is in the log";
 }
 
+TEST(Store, KeepsWhatItHeldBackWhenToldTo) {
+    const TemporaryFolder folder;
+    const auto others_find = [&] { return Store(folder.path()).contains("k"); };
+    {
+        Store store(folder.path());
+        store.keep("before", printed("a"));
+        store.hold_back();
+        store.keep("k", printed("b"));
+        EXPECT_EQ(output_of(store, "before"), "a");
+        EXPECT_FALSE(others_find());
+    }
+    EXPECT_FALSE(others_find()) << "nobody has told it to";
+    Store store(folder.path());
+    store.hold_back();
+    store.keep("k", printed("b"));
+    store.keep_held();
+    EXPECT_TRUE(others_find());
+    store.keep("after", printed("c"));
+    EXPECT_EQ(output_of(store, "after"), "c");
+}
+
 TEST(Store, KeepsTheLastOfTwoUnderOneKey) {
     const TemporaryFolder folder;
     Store store(folder.path());
