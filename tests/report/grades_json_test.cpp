@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 #include "tests/report/graded_samples.h"
 
@@ -136,11 +137,21 @@ TEST(GradesJson, HasThePointsForOtherScenesWhereThereAreSome) {
     EXPECT_TRUE(grades({graded("ada", "")}).at("submissions").at(0).at("other_scenes").is_null());
 }
 
-TEST(GradesJson, IsIndentedAsOneValueHoweverManySubmissions) {
+TEST(GradesJson, HasEachSubmissionOnALineOfItsOwn) {
     for (const std::size_t count : {0U, 1U, 3U}) {
-        const std::vector<Graded> all(count, graded("zoe", output_with_a_mistake()));
+        std::vector<Graded> all(count, hostile());
+        for (std::size_t i = 0; i < count; ++i) all[i].submission.id = "line\n" + std::to_string(i);
         const std::string text = grades_json(all, marking(), harness::Tier::bwrap);
-        EXPECT_EQ(text, nlohmann::ordered_json::parse(text).dump(2) + "\n") << count;
+        const json parsed = json::parse(text);
+        std::vector<json> found;
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);) {
+            if (!line.starts_with("    {")) continue;
+            if (line.ends_with(',')) line.pop_back();
+            found.push_back(json::parse(line));
+        }
+        EXPECT_EQ(json(found), count == 0 ? json::array() : parsed.at("submissions"));
+        EXPECT_EQ(parsed.at("submissions").size(), count);
     }
 }
 
