@@ -79,8 +79,11 @@ void put_on_disk(const fs::path& folder) {
 
 }  // namespace
 
+/// The first thing that a run writes, beside the gradebook, may be all that one which was killed has left.
+constexpr const char* unfinished = "grades.json.new";
+
 std::vector<std::string> marks_of_results() {
-    return {"grades.json", gradebook_name};
+    return {"grades.json", gradebook_name, unfinished};
 }
 
 std::string feedback_name(const std::string& id, std::size_t index) {
@@ -153,6 +156,9 @@ bool class_reports_are_as_left(const std::vector<Graded>& graded, const fs::path
         const auto written = fs::last_write_time(file, error);
         return !error && written <= saved;
     };
+    for (const char* report : {"grades.json", "report.html"}) {
+        if (fs::exists(folder / (std::string(report) + ".new"), error)) return false;  // of a run that was killed
+    }
     if (error || !is_as_left(folder / "grades.csv") || !is_as_left(folder / "grades.json") ||
         !is_as_left(folder / "report.html")) {
         return false;

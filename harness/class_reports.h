@@ -52,7 +52,7 @@ struct HandedBack {
 
 /// The reports of a class, of which those that take longest are written beside the old ones from the beginning on, in a
 /// thread of their own: while the gradebook is saved there is time for that, and no report may tell what it does not
-/// yet hold. Without put_in_place the folder is left as it was.
+/// yet hold. Without put_in_place the folder is left as it was, unless the run is killed.
 class ReportsAhead {
   public:
     /// `folder` has been made with its folder `feedback`. The results stay as they are while this lives.
@@ -74,7 +74,7 @@ class ReportsAhead {
 bool goes_back(const ClassResults& results);
 
 /// Whether `folder` holds every other report of this class as it was written when the gradebook was last saved: none is
-/// gone, and none has been touched since.
+/// gone, none has been touched since, and no run that was killed has left one beside.
 bool class_reports_are_as_left(const std::vector<Graded>& graded, const std::filesystem::path& folder);
 
 }  // namespace harness

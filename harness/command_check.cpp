@@ -28,7 +28,7 @@ int check_source(const CheckOptions& options) {
     if (!options.html.empty()) require_place_for_page(options.html, "--html");
     Workshop workshop = open_workshop_by_last_look(options.workshop, assignment.limits, std::move(toolchain));
     tell_of_the_sandbox(workshop, options.workshop);
-    // Now that the looks at the machine are over: the key is needed only when the program has run.
+    // Now that the sandbox has been looked at: the key is needed only when the program has run.
     const auto marking = begin_marking(assignment);
     std::vector<Graded> all{grade(submissions.front(), marking, workshop)};
     if (!settle(workshop)) all.front() = grade(submissions.front(), marking, workshop);

@@ -21,6 +21,14 @@ namespace fs = std::filesystem;
 
 constexpr const char* spare_name = ".new";
 
+/// Also of the second and further ones: ".new-2".
+bool is_name_of_spare(std::string_view name) {
+    if (!name.starts_with(spare_name)) return false;
+    name.remove_prefix(std::string_view(spare_name).size());
+    if (name.empty()) return true;
+    return name.starts_with('-') && name.find_first_not_of("0123456789", 1) == std::string_view::npos;
+}
+
 bool write_all(int file, std::string_view text) {
     std::size_t written = 0;
     while (written < text.size()) {
@@ -72,7 +80,7 @@ FolderWriter::Spare& FolderWriter::take_spare() {
     auto found = std::find_if(spares_.begin(), spares_.end(), [](const Spare& spare) { return !spare.is_taken; });
     if (found == spares_.end()) {
         const std::string name = spares_.empty() ? spare_name : fmt::format("{}-{}", spare_name, spares_.size() + 1);
-        spares_.push_back({folder_ / name});
+        spares_.push_back({.path = folder_ / name});
         found = std::prev(spares_.end());
     }
     found->is_taken = true;
@@ -131,10 +139,10 @@ void FolderWriter::write(const std::string& name, std::string_view text) {
     written_.insert(name);
 }
 
+/// Whether a writer has left it that is no more.
 bool FolderWriter::is_left_behind(const std::string& name) const {
     const auto is_it = [&](const Spare& spare) { return spare.is_ours && spare.path.filename() == name; };
-    return (name == spare_name || name.starts_with(std::string(spare_name) + '-')) &&
-           std::none_of(spares_.begin(), spares_.end(), is_it);
+    return is_name_of_spare(name) && std::none_of(spares_.begin(), spares_.end(), is_it);
 }
 
 void FolderWriter::remove_others(const std::vector<std::string>& endings) {
@@ -143,7 +151,9 @@ void FolderWriter::remove_others(const std::vector<std::string>& endings) {
     for (const auto& entry : fs::directory_iterator(folder_)) {
         const std::string name = entry.path().filename().string();
         const bool may_go = std::find(endings.begin(), endings.end(), entry.path().extension()) != endings.end();
-        if ((may_go && !written_.contains(name)) || is_left_behind(name)) others.push_back(entry.path());
+        if ((may_go || is_left_behind(name)) && !written_.contains(name) &&
+            entry.symlink_status().type() != fs::file_type::directory)
+            others.push_back(entry.path());
     }
     for (const fs::path& other : others) fs::remove(other);
 }

@@ -38,8 +38,8 @@ class FolderWriter {
     /// A place beside the files, where one is written before it is put in its place; one for each thread.
     struct Spare {
         std::filesystem::path path;
-        bool is_ours = false;  ///< what is there, if anything, came there by this writer
         bool is_taken = false;
+        bool is_ours = false;  ///< what is there, if anything, came there by this writer; for who has taken it to say
     };
     class Taken;
     struct Opened {

@@ -144,6 +144,7 @@ struct Gradebook::Compared {
     Record record = Record::same;
     std::optional<MarkChange> change;  ///< where the record is not the same
     FeedbackChanges feedback;
+    bool is_damaged = false;  ///< the one that was kept
 };
 
 std::vector<std::optional<Gradebook::Kept>> Gradebook::kept_of(std::span<const Graded> graded) const {
@@ -160,9 +161,10 @@ std::vector<std::optional<Gradebook::Kept>> Gradebook::kept_of(std::span<const G
 Gradebook::Compared Gradebook::compare_one(const Kept& kept, const Graded& after) const {
     if (kept.record == to_record(after)) return {};
     auto before = from_record(kept.record);
-    if (!before) throw HarnessError(gradebook_damage(file_, "the record of " + after.submission.id));
-    before->overrides = after.overrides;
     Compared compared;
+    compared.is_damaged = !before;
+    if (compared.is_damaged) return compared;
+    before->overrides = after.overrides;
     compared.change = change_between(*before, after);
     const MarkChange& change = *compared.change;
     const bool moved = !change.reasons.empty() || !is_same_mark(change.before, change.after);
@@ -203,6 +205,8 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
                     add_fresh(part[i]);
                     continue;
                 }
+                if (compared[i].is_damaged)
+                    throw HarnessError(gradebook_damage(file_, "the record of " + part[i].submission.id));
                 comparison.records[begin + i] = compared[i].record;
                 if (compared[i].change) {
                     add(comparison.changes, std::move(*compared[i].change));

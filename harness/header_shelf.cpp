@@ -83,8 +83,9 @@ void evict(const fs::path& folder, const ShelfBounds& bounds) {
 }  // namespace
 
 HeaderShelf::HeaderShelf(const std::optional<fs::path>& cache, const BuildSettings& settings,
-                         const std::string& toolchain, const Sandbox& sandbox, const ShelfBounds& bounds)
-    : settings_(settings), toolchain_(toolchain), sandbox_(sandbox) {
+                         const std::string& toolchain, const Sandbox& sandbox, const ShelfBounds& bounds,
+                         Missing missing)
+    : settings_(settings), toolchain_(toolchain), sandbox_(sandbox), missing_(missing) {
     if (!cache) return;
     std::error_code error;
     fs::create_directories(*cache / "headers", error);
@@ -131,7 +132,8 @@ std::optional<PrecompiledHeader> HeaderShelf::get(const HeaderLines& lines) cons
     // The compiler looks for it, though it reads the other.
     std::ofstream(header.file, std::ios::binary) << text_of(lines);
     fs::permissions(header.file, everyone_reads, error);
-    if (fetch(name, target) || make(lines, name, target)) return header;
+    if (fetch(name, target)) return header;
+    if (missing_ == Missing::is_made && make(lines, name, target)) return header;
     return {};
 }
 

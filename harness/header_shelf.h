@@ -25,18 +25,22 @@ struct ShelfBounds {
     std::chrono::hours age = std::chrono::hours(24 * 60);
 };
 
+/// Whether a shelf makes what is not there: not by a toolchain that is no more than likely.
+enum class Missing { is_made, stays_missing };
+
 /// Safe to use from several threads.
 class HeaderShelf {
   public:
     /// Keeps headers in `cache`/headers; nowhere when `cache` is empty or can't be written. `toolchain` as from
     /// toolchain_fingerprint. Headers for use lie in the sandbox's workspace, so the sandbox must outlive this.
     HeaderShelf(const std::optional<std::filesystem::path>& cache, const BuildSettings& settings,
-                const std::string& toolchain, const Sandbox& sandbox, const ShelfBounds& bounds = {});
+                const std::string& toolchain, const Sandbox& sandbox, const ShelfBounds& bounds = {},
+                Missing missing = Missing::is_made);
 
     /// The headers kept by earlier runs that fit this one.
     std::set<HeaderLines> made() const;
-    /// The header of these directives, made where it is not there; empty where the compiler does not take them without
-    /// a word. Throws HarnessError.
+    /// The header of these directives, made where it is not there; empty where none is to be made, or the compiler does
+    /// not take them without a word. Throws HarnessError.
     std::optional<PrecompiledHeader> get(const HeaderLines& lines) const;
 
   private:
@@ -49,6 +53,7 @@ class HeaderShelf {
     BuildSettings settings_;
     std::string toolchain_;
     const Sandbox& sandbox_;
+    Missing missing_;
 };
 
 }  // namespace harness

@@ -222,12 +222,18 @@ void Store::hold_back() {
     holds_back_ = true;
 }
 
+std::vector<std::pair<std::string, Execution>> Store::take_held() {
+    const std::lock_guard guard(mutex_);
+    holds_back_ = false;
+    return std::exchange(held_, {});
+}
+
 void Store::keep_held() {
-    attempt<bool>([&] {
-        holds_back_ = false;
-        for (const auto& [key, execution] : std::exchange(held_, {})) insert(key, execution);
-        return true;
-    });
+    for (const auto& [key, execution] : take_held()) keep(key, execution);
+}
+
+void Store::forget_held() {
+    take_held();
 }
 
 void Store::insert(const std::string& key, const Execution& execution) {

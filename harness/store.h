@@ -50,9 +50,10 @@ class Store {
     /// Keeps it if it is worth keeping. In the database when it returns, unless the store holds back.
     void keep(const std::string& key, const Execution& execution);
 
-    /// From here on nothing is kept before keep_held() is called; what is held when the store goes is forgotten.
+    /// From here on nothing is kept before one of the others is called; what is held when the store goes is forgotten.
     void hold_back();
     void keep_held();
+    void forget_held();
 
     /// Notes what was used, and removes what is beyond the bounds.
     void trim();
@@ -65,6 +66,7 @@ class Store {
 
     void open();
     void insert(const std::string& key, const Execution& execution);
+    std::vector<std::pair<std::string, Execution>> take_held();
     void rebuild(const std::string& why);
     void give_up(const std::string& why);
     template <class Result, class Work>

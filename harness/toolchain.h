@@ -13,7 +13,7 @@ namespace harness {
 /// some 50 ms. Throws HarnessError when the compiler can't be run.
 std::string toolchain_fingerprint(const std::filesystem::path& compiler);
 
-/// Whether others wait for it, so that all cores help, or have enough to do meanwhile.
+/// Whether others wait for it, so that all cores help, or have enough to do meanwhile, so that one core does.
 enum class Pace { is_waited_for, beside_other_work };
 
 /// The same, with the headers looked at by other threads, that start no program. Throws HarnessError at once.

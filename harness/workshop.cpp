@@ -76,11 +76,12 @@ std::future<std::string> begin_look(const WorkshopOptions& options, Pace pace) {
     }
 }
 
-void open_cache(Workshop& workshop, const std::filesystem::path& folder, const std::string& toolchain) {
+/// The precompiled headers of that toolchain.
+void take_headers(Workshop& workshop, const std::filesystem::path& cache, const std::string& toolchain,
+                  Missing missing) {
     workshop.toolchain = toolchain;
-    workshop.store = std::make_unique<Store>(folder);
-    workshop.headers =
-        std::make_unique<const HeaderShelf>(folder, workshop.build, workshop.toolchain, *workshop.sandbox);
+    workshop.headers = std::make_unique<const HeaderShelf>(cache, workshop.build, toolchain, *workshop.sandbox,
+                                                           ShelfBounds{}, missing);
 }
 
 Workshop without_cache(const WorkshopOptions& options, const std::vector<reference::LimitEntry>& limits) {
@@ -110,7 +111,8 @@ Workshop open_workshop(const WorkshopOptions& options, const std::vector<referen
                        std::future<std::string> toolchain) {
     Workshop workshop = without_cache(options, limits);
     if (!toolchain.valid()) return workshop;
-    open_cache(workshop, *options.cache, toolchain.get());
+    take_headers(workshop, *options.cache, toolchain.get(), Missing::is_made);
+    workshop.store = std::make_unique<Store>(*options.cache);
     remember_look(*options.cache, workshop.toolchain);
     return workshop;
 }
@@ -120,7 +122,8 @@ Workshop open_workshop_by_last_look(const WorkshopOptions& options, const std::v
     const std::string last = toolchain.valid() ? last_look(*options.cache) : "";
     if (last.empty()) return open_workshop(options, limits, std::move(toolchain));
     Workshop workshop = without_cache(options, limits);
-    open_cache(workshop, *options.cache, last);
+    take_headers(workshop, *options.cache, last, Missing::stays_missing);
+    workshop.store = std::make_unique<Store>(*options.cache);
     workshop.store->hold_back();
     workshop.cache = *options.cache;
     workshop.look = std::move(toolchain);
@@ -129,13 +132,14 @@ Workshop open_workshop_by_last_look(const WorkshopOptions& options, const std::v
 
 bool settle(Workshop& workshop) {
     if (!workshop.look.valid()) return true;
-    const std::string toolchain = workshop.look.get();
-    if (toolchain == workshop.toolchain) {
+    const std::string gone_by = workshop.toolchain;
+    take_headers(workshop, workshop.cache, workshop.look.get(), Missing::is_made);
+    if (workshop.toolchain == gone_by) {
         workshop.store->keep_held();
         return true;
     }
-    open_cache(workshop, workshop.cache, toolchain);
-    remember_look(workshop.cache, toolchain);
+    workshop.store->forget_held();
+    remember_look(workshop.cache, workshop.toolchain);
     return false;
 }
 

@@ -28,7 +28,7 @@ struct Workshop {
     bool sanitize = false;                         ///< with a second build of each under the sanitizers
     bool fresh = false;                            ///< what is kept is not looked at, only kept anew
     std::filesystem::path cache{};                 ///< for settle()
-    std::future<std::string> look{};               ///< at the compiler; valid while the last one's is gone by
+    std::future<std::string> look{};               ///< at the compiler, still under way; valid until settle()
 };
 
 struct WorkshopOptions {

@@ -123,6 +123,13 @@ TEST_F(ClassReports, AreAsLeftUntilOneIsGoneOrTouched) {
         fs::remove(file);
         EXPECT_FALSE(class_reports_are_as_left(all, out)) << file << " is gone";
     }
+    for (const char* killed : {"grades.json.new", "report.html.new"}) {
+        write_again();
+        folder.write(std::string("out/") + killed, "of a grading that was not saved");
+        EXPECT_FALSE(class_reports_are_as_left(all, out)) << killed;
+        write_again();
+        EXPECT_TRUE(class_reports_are_as_left(all, out)) << killed;
+    }
 }
 
 TEST_F(ClassReports, GoBackWhereThereIsARosterOrAnLms) {
@@ -167,6 +174,9 @@ TEST(ResultsFolder, IsNewEmptyOrOfAnEarlierRun) {
     EXPECT_EQ(look("older"), Holds::earlier_results);
     folder.write("killed/gradebook.sqlite", "");
     EXPECT_EQ(look("killed"), Holds::earlier_results);
+    folder.make_folder("killed-at-once/feedback");
+    folder.write("killed-at-once/grades.json.new", "");
+    EXPECT_EQ(look("killed-at-once"), Holds::earlier_results);
     folder.write("mine/thesis.txt", "mine");
     EXPECT_THROW(look("mine"), UsageError);
     folder.write("file", "mine");

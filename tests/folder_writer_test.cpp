@@ -104,12 +104,18 @@ TEST_F(FolderWriting, IsSharedByThreads) {
 }
 
 TEST_F(FolderWriting, RemovesWhatAWriterThatWasKilledLeft) {
-    for (const char* name : {".new", ".new-2", ".new-3", ".newer", "new-2"})
+    for (const char* name : {".new", ".new-2", ".new-31", ".newer", ".new-x", "new-2"})
         folder.write(std::string("out/") + name, "");
+    folder.write("out/.new-4/mine", "");
     FolderWriter writer(out);
     writer.write("a.md", "a");
+    writer.write(".new-x.md", "of one whose name begins so");
+    writer.write(".new-5", "and of one who is called so");
     writer.remove_others({".md"});
-    EXPECT_THAT(files(), ElementsAre(Pair(".newer", ""), Pair("a.md", "a"), Pair("new-2", "")));
+    EXPECT_THAT(files(), ElementsAre(Pair(".new-5", "and of one who is called so"), Pair(".new-x", ""),
+                                     Pair(".new-x.md", "of one whose name begins so"), Pair(".newer", ""),
+                                     Pair("a.md", "a"), Pair("new-2", "")));
+    EXPECT_TRUE(fs::exists(out / ".new-4/mine"));
 }
 
 TEST_F(FolderWriting, LeavesTheCopyThatALinkMadeAlone) {

@@ -66,6 +66,23 @@ TEST(HeaderShelf, KeepsItForTheNextRun) {
     EXPECT_TRUE(here.build(use_of_vectors, header).compiled);
 }
 
+TEST(HeaderShelf, MakesNoneWhereWhatIsMissingStaysMissing) {
+    const Shelf here;
+    const auto shelf = [&] {
+        return HeaderShelf(here.cache.path(), here.settings, "g++ 12", here.sandbox, {},
+                           harness::Missing::stays_missing);
+    };
+    EXPECT_FALSE(shelf().get(vectors));
+    EXPECT_TRUE(std::filesystem::is_empty(here.cache.path() / "headers")) << "nor is it refused for later";
+    {
+        const harness::Sandbox other{strongest_tier()};
+        ASSERT_TRUE(HeaderShelf(here.cache.path(), here.settings, "g++ 12", other).get(vectors));
+    }
+    const auto header = shelf().get(vectors);
+    ASSERT_TRUE(header) << "what is there it gives";
+    EXPECT_TRUE(here.build(use_of_vectors, header).by_header);
+}
+
 TEST(HeaderShelf, TakesNoneOfAnotherToolchainOrOtherFlags) {
     Shelf here;
     ASSERT_TRUE(here.shelf().get(vectors));

@@ -119,6 +119,13 @@ TEST(Store, KeepsWhatItHeldBackWhenToldTo) {
     EXPECT_TRUE(others_find());
     store.keep("after", printed("c"));
     EXPECT_EQ(output_of(store, "after"), "c");
+    store.hold_back();
+    store.keep("wrong", printed("d"));
+    store.forget_held();
+    store.keep("last", printed("e"));
+    store.keep_held();
+    EXPECT_FALSE(store.contains("wrong"));
+    EXPECT_EQ(output_of(store, "last"), "e");
 }
 
 TEST(Store, KeepsTheLastOfTwoUnderOneKey) {

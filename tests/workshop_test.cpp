@@ -58,13 +58,15 @@ TEST_F(Looks, ThatFindWhatTheLastOneFoundSettleWhatWasMade) {
     std::promise<std::string> coming;
     Workshop workshop = open_by_last(coming.get_future());
     EXPECT_EQ(workshop.toolchain, one_look) << "without waiting";
-    EXPECT_TRUE(workshop.headers);
+    const HeaderLines vectors{"#include <vector>"};
+    EXPECT_FALSE(workshop.headers->get(vectors)) << "made by a guess";
     keep(workshop);
     EXPECT_FALSE(is_kept());
     coming.set_value(one_look);
     EXPECT_TRUE(settle(workshop));
     EXPECT_TRUE(is_kept());
     EXPECT_TRUE(settle(workshop)) << "once is enough";
+    EXPECT_TRUE(workshop.headers->get(vectors));
 }
 
 TEST_F(Looks, ThatFindAnotherCompilerLeaveNothingOfWhatWasMade) {
@@ -82,6 +84,14 @@ TEST_F(Looks, ThatFindAnotherCompilerLeaveNothingOfWhatWasMade) {
         EXPECT_TRUE(settle(workshop));
     }
     EXPECT_EQ(open_by_last(found(one_look)).toolchain, other_look);
+}
+
+TEST_F(Looks, LeaveWhatTheStoreHasToTell) {
+    open(found(one_look));
+    cache.write("results.sqlite", std::string(8192, 'x'));
+    Workshop workshop = open_by_last(found(other_look));
+    EXPECT_FALSE(settle(workshop));
+    EXPECT_THAT(workshop.store->problems(), testing::ElementsAre(testing::HasSubstr("results.sqlite.set-aside")));
 }
 
 TEST_F(Looks, OfWhichLittleIsLeftAreNotGoneBy) {
