@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include "tests/scenario.h"
 
@@ -39,8 +40,12 @@ struct Class {
     Result grade(const std::string& out, std::vector<std::string> more = {}) const {
         std::vector<std::string> arguments{"grade", (folder / "class").string(), "--out", (folder / out).string()};
         arguments.insert(arguments.end(), more.begin(), more.end());
+        return with_cache(std::move(arguments));
+    }
+    Result check() const { return with_cache({"check", (folder / "class/s100/ray_cast.cpp").string()}); }
+    Result with_cache(std::vector<std::string> arguments) const {
         const std::string place = cache.string();
-        return raygrade(arguments, [place] { return setenv("XDG_CACHE_HOME", place.c_str(), 1) == 0; });
+        return raygrade(std::move(arguments), [place] { return setenv("XDG_CACHE_HOME", place.c_str(), 1) == 0; });
     }
     std::string report(const std::string& out, const std::string& name) const { return read(folder / out / name); }
     fs::path database() const { return cache / "raygrade" / "results.sqlite"; }
@@ -126,31 +131,21 @@ TEST(Cache, ThatCanNotBeWrittenIsToldOfOnceAndDoneWithout) {
 
 TEST(Cache, IsUsedByCheckToo) {
     const Class some(1);
-    const std::string place = some.cache.string();
-    const auto check = [&] {
-        return raygrade({"check", (some.folder / "class/s100/ray_cast.cpp").string()},
-                        [place] { return setenv("XDG_CACHE_HOME", place.c_str(), 1) == 0; });
-    };
-    const Result first = check();
+    const Result first = some.check();
     ASSERT_TRUE(fs::exists(some.database()));
-    EXPECT_EQ(check().output, first.output);
+    EXPECT_EQ(some.check().output, first.output);
     EXPECT_THAT(some.grade("one").voice, HasSubstr("1 of 1 from earlier runs"));
 }
 
 TEST(Cache, OfAnotherCompilerIsOfNoUseToCheck) {
     const Class some(1);
-    const std::string place = some.cache.string();
-    const auto check = [&] {
-        return raygrade({"check", (some.folder / "class/s100/ray_cast.cpp").string()},
-                        [place] { return setenv("XDG_CACHE_HOME", place.c_str(), 1) == 0; });
-    };
-    const Result first = check();
+    const Result first = some.check();
     const fs::path last_look = some.cache / "raygrade/toolchain";
     const std::string found = read(last_look);
     EXPECT_EQ(found.size(), 64U);
     write(last_look, std::string(64, 'f'));
     write(some.folder / "class/s100/ray_cast.cpp", program + "late");
-    EXPECT_EQ(check().output, first.output);
+    EXPECT_EQ(some.check().output, first.output);
     EXPECT_EQ(read(last_look), found);
     EXPECT_THAT(some.grade("one").voice, HasSubstr("1 of 1 from earlier runs"));
 }
