@@ -79,11 +79,9 @@ void put_on_disk(const fs::path& folder) {
 
 }  // namespace
 
-/// The first thing that a run writes, beside the gradebook, may be all that one which was killed has left.
-constexpr const char* unfinished = "grades.json.new";
-
 std::vector<std::string> marks_of_results() {
-    return {"grades.json", gradebook_name, unfinished};
+    // The last may be all that a run which was killed has left.
+    return {"grades.json", gradebook_name, place_beside("grades.json")};
 }
 
 std::string feedback_name(const std::string& id, std::size_t index) {
@@ -157,7 +155,7 @@ bool class_reports_are_as_left(const std::vector<Graded>& graded, const fs::path
         return !error && written <= saved;
     };
     for (const char* report : {"grades.json", "report.html"}) {
-        if (fs::exists(folder / (std::string(report) + ".new"), error)) return false;  // of a run that was killed
+        if (fs::exists(place_beside(folder / report), error)) return false;  // of a run that was killed
     }
     if (error || !is_as_left(folder / "grades.csv") || !is_as_left(folder / "grades.json") ||
         !is_as_left(folder / "report.html")) {

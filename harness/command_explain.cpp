@@ -40,7 +40,7 @@ void check_out(const fs::path& out, bool may_replace) {
         throw UsageError(
             fmt::format("{}: there is no such folder; make it, or name another file with -o", folder.string()));
     }
-    const fs::path fresh = out.string() + ".new";  // write_file's
+    const fs::path fresh = place_beside(out);
     if (fs::exists(fs::symlink_status(fresh, error))) {
         throw UsageError(fmt::format("{}: is in the way; remove it, or name another file with -o", fresh.string()));
     }

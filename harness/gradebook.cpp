@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <unordered_set>
 #include <utility>
 
@@ -35,6 +36,44 @@ Tier tier_called(const std::string& name) {
         if (to_string(tier) == name) return tier;
     }
     return Tier::unsafe;
+}
+
+/// A submission as it is in the database.
+struct Kept {
+    std::vector<std::uint8_t> record;
+    std::int64_t place = 0;
+};
+
+std::vector<std::optional<Kept>> kept_of(std::span<const Graded> graded, SQLite::Database& database) {
+    Statement find(database, "SELECT record, place FROM submissions WHERE id = ?");
+    std::vector<std::optional<Kept>> kept(graded.size());
+    for (std::size_t i = 0; i < graded.size(); ++i) {
+        find.reset();
+        find.bind(1, graded[i].submission.id);
+        if (find.executeStep()) kept[i] = Kept{bytes(find.getColumn(0)), find.getColumn(1).getInt64()};
+    }
+    return kept;
+}
+
+/// A submission of both gradings.
+struct Compared {
+    Record record = Record::same;
+    std::optional<MarkChange> change;  ///< where the record is not the same
+    FeedbackChanges feedback;
+};
+
+/// Empty where the record that was kept is damaged.
+std::optional<Compared> compare_one(const std::vector<std::uint8_t>& kept, const Graded& after) {
+    Compared compared;
+    if (kept == to_record(after)) return compared;
+    auto before = from_record(kept);
+    if (!before) return std::nullopt;
+    before->overrides = after.overrides;
+    const MarkChange& change = compared.change.emplace(change_between(*before, after));
+    const bool moved = !change.reasons.empty() || !is_same_mark(change.before, change.after);
+    compared.record = moved ? Record::other_marks : Record::other;
+    add_feedback(compared.feedback, *before, after, moved ? Marks::moved : Marks::same);
+    return compared;
 }
 
 std::string override_text(const Override& given) {
@@ -133,46 +172,6 @@ bool Gradebook::Comparison::is_as_saved() const {
            std::all_of(records.begin(), records.end(), [](Record record) { return record == Record::same; });
 }
 
-/// A submission as it is in the database.
-struct Gradebook::Kept {
-    std::vector<std::uint8_t> record;
-    std::int64_t place = 0;
-};
-
-/// A submission of both gradings.
-struct Gradebook::Compared {
-    Record record = Record::same;
-    std::optional<MarkChange> change;  ///< where the record is not the same
-    FeedbackChanges feedback;
-    bool is_damaged = false;  ///< the one that was kept
-};
-
-std::vector<std::optional<Gradebook::Kept>> Gradebook::kept_of(std::span<const Graded> graded) const {
-    Statement find(*database_, "SELECT record, place FROM submissions WHERE id = ?");
-    std::vector<std::optional<Kept>> kept(graded.size());
-    for (std::size_t i = 0; i < graded.size(); ++i) {
-        find.reset();
-        find.bind(1, graded[i].submission.id);
-        if (find.executeStep()) kept[i] = Kept{bytes(find.getColumn(0)), find.getColumn(1).getInt64()};
-    }
-    return kept;
-}
-
-Gradebook::Compared Gradebook::compare_one(const Kept& kept, const Graded& after) const {
-    if (kept.record == to_record(after)) return {};
-    auto before = from_record(kept.record);
-    Compared compared;
-    compared.is_damaged = !before;
-    if (compared.is_damaged) return compared;
-    before->overrides = after.overrides;
-    compared.change = change_between(*before, after);
-    const MarkChange& change = *compared.change;
-    const bool moved = !change.reasons.empty() || !is_same_mark(change.before, change.after);
-    compared.record = moved ? Record::other_marks : Record::other;
-    add_feedback(compared.feedback, *before, after, moved ? Marks::moved : Marks::same);
-    return compared;
-}
-
 Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) const {
     constexpr std::size_t part_size = 128;
     Comparison comparison;
@@ -192,11 +191,11 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
         std::int64_t last_place = -1;
         for (std::size_t begin = 0; begin < graded.size(); begin += part_size) {
             const auto part = std::span(graded).subspan(begin, std::min(part_size, graded.size() - begin));
-            const std::vector<std::optional<Kept>> kept = kept_of(part);
-            std::vector<Compared> compared(part.size());
+            const std::vector<std::optional<Kept>> kept = kept_of(part, *database_);
+            std::vector<std::optional<Compared>> compared(part.size());
             in_threads(part.size(), [&] {
                 return [&](std::size_t i) {
-                    if (kept[i]) compared[i] = compare_one(*kept[i], part[i]);
+                    if (kept[i]) compared[i] = compare_one(kept[i]->record, part[i]);
                 };
             });
             for (std::size_t i = 0; i < part.size(); ++i) {
@@ -205,15 +204,14 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
                     add_fresh(part[i]);
                     continue;
                 }
-                if (compared[i].is_damaged)
-                    throw HarnessError(gradebook_damage(file_, "the record of " + part[i].submission.id));
-                comparison.records[begin + i] = compared[i].record;
-                if (compared[i].change) {
-                    add(comparison.changes, std::move(*compared[i].change));
+                if (!compared[i]) throw HarnessError(gradebook_damage(file_, "the record of " + part[i].submission.id));
+                comparison.records[begin + i] = compared[i]->record;
+                if (compared[i]->change) {
+                    add(comparison.changes, std::move(*compared[i]->change));
                 } else {
                     ++comparison.changes.untouched;
                 }
-                add(comparison.feedback, compared[i].feedback);
+                add(comparison.feedback, compared[i]->feedback);
                 if (kept[i]->place <= last_place) comparison.is_in_order = false;
                 last_place = kept[i]->place;
             }

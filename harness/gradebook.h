@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -98,11 +97,6 @@ class Gradebook {
   private:
     template <class Work>
     auto attempt(Work work) const -> decltype(work());
-    struct Kept;
-    struct Compared;
-    std::vector<std::optional<Kept>> kept_of(std::span<const Graded> graded) const;
-    Compared compare_one(const Kept& kept, const Graded& after) const;
-
     std::filesystem::path file_;
     std::unique_ptr<SQLite::Database> database_;  ///< null while there is none
 };

@@ -10,7 +10,12 @@
 
 namespace harness {
 
-/// Works on 0 … count - 1, in no order, in as many threads as there are cores, at most four. Each thread, the caller's
+/// How many threads such work is worth: as many as there are cores, at most four.
+inline unsigned threads_worthwhile() {
+    return std::clamp(std::thread::hardware_concurrency(), 1U, 4U);
+}
+
+/// Works on 0 … count - 1, in no order, in threads_worthwhile(). Each thread, the caller's
 /// among them, calls what `begin` returns it. Throws what one of them threw.
 template <class Begin>
 void in_threads(std::size_t count, const Begin& begin) {
@@ -19,7 +24,7 @@ void in_threads(std::size_t count, const Begin& begin) {
         auto work = begin();
         for (std::size_t i = next++; i < count; i = next++) work(i);
     };
-    const std::size_t threads = std::min<std::size_t>(std::clamp(std::thread::hardware_concurrency(), 1U, 4U), count);
+    const std::size_t threads = std::min<std::size_t>(threads_worthwhile(), count);
     std::vector<std::future<void>> others;
     for (std::size_t i = 1; i < threads; ++i) others.push_back(std::async(std::launch::async, work_on_those_left));
     work_on_those_left();

@@ -89,7 +89,7 @@ void require_place_for_report_file(const fs::path& file, std::string_view option
 void prepare_report_file(const fs::path& file, std::string_view option, std::string_view ending) {
     if (file.empty()) return;
     require_place_for_report_file(file, option, ending);
-    for (const fs::path& earlier : {file, fs::path(file.string() + ".new")}) {
+    for (const fs::path& earlier : {file, place_beside(file)}) {
         std::error_code error;
         fs::remove(earlier, error);
         if (error) {

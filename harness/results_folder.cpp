@@ -70,7 +70,11 @@ void fail_to_write(const fs::path& file, int error) {
                                    file.string(), error == 0 ? "writing failed" : std::strerror(error)));
 }
 
-FreshFile::FreshFile(fs::path file) : file_(std::move(file)), fresh_(file_.string() + ".new") {}
+fs::path place_beside(const fs::path& file) {
+    return file.string() + ".new";
+}
+
+FreshFile::FreshFile(fs::path file) : file_(std::move(file)), fresh_(place_beside(file_)) {}
 
 FreshFile::~FreshFile() {
     std::error_code ignored;

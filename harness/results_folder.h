@@ -44,6 +44,9 @@ class FolderLock {
 /// Throws the HarnessError that tells that a file of results can't be written; `error` is errno's, 0 for unknown.
 [[noreturn]] void fail_to_write(const std::filesystem::path& file, int error);
 
+/// Where a FreshFile is written before it is put in the place of `file`.
+std::filesystem::path place_beside(const std::filesystem::path& file);
+
 /// A file that is written beside the one it is to replace, which stays as it is until then.
 class FreshFile {
   public:

@@ -27,6 +27,7 @@
 
 #include "harness/failure.h"
 #include "harness/fingerprint.h"
+#include "harness/in_threads.h"
 #include "harness/names.h"
 #include "harness/sandbox/file_descriptor.h"
 
@@ -172,8 +173,7 @@ class HeaderTree {
   public:
     HeaderTree(const std::vector<Folder>& roots, Pace pace) {
         find(roots);
-        const unsigned helping = std::clamp(std::thread::hardware_concurrency(), 1U, 4U);
-        const unsigned threads = pace == Pace::is_waited_for ? helping : 1;
+        const unsigned threads = pace == Pace::is_waited_for ? threads_worthwhile() : 1;
         std::vector<std::jthread> helpers;
         for (unsigned i = 1; i < threads; ++i) helpers.emplace_back([this] { work(); });
         work();
