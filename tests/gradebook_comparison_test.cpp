@@ -1,0 +1,116 @@
+// What a new grading of a class is to the one that its gradebook holds.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "harness/failure.h"
+#include "harness/gradebook.h"
+#include "tests/report/graded_samples.h"
+#include "tests/saved_class.h"
+#include "tests/temporary_folder.h"
+
+namespace harness {
+namespace {
+
+using namespace report_samples;
+using namespace saved_class;
+using namespace std::chrono_literals;
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+using Record = Gradebook::Comparison::Record;
+
+TEST(Gradebook, WritesOnlyWhatHasChanged) {
+    const TemporaryFolder folder;
+    save(folder.path(), three());
+    std::vector<Graded> all = three();
+    all[1].build.wall = 5ms;
+    all[2] = graded("cy", "Question 5:\nV: 1 2 3\n");
+    std::swap(all[0], all[2]);
+    const auto comparison = save(folder.path(), all);
+    EXPECT_THAT(comparison.records, ElementsAre(Record::other_marks, Record::other, Record::same));
+    EXPECT_EQ(comparison.changes.untouched, 2U) << "how long the compiler took is no change";
+    EXPECT_THAT(comparison.changes.rising, SizeIs(1));
+    EXPECT_EQ(rows(folder, "SELECT id, run FROM submissions ORDER BY place"),
+              json::parse(R"([["cy", 2], ["ben", 2], ["ada", 1]])"));
+    EXPECT_EQ(rows(folder, "SELECT submission, run FROM history ORDER BY run, submission"),
+              json::parse(R"([["ada", 1], ["ben", 1], ["cy", 1], ["cy", 2]])"));
+    EXPECT_EQ(Gradebook(folder.path()).restore().at(1).build.wall, 5ms);
+}
+
+TEST(Gradebook, KnowsWhetherAClassIsAsSaved) {
+    const TemporaryFolder folder;
+    const auto is_as_saved = [&](const std::vector<Graded>& all) {
+        return Gradebook(folder.path()).compare(all).is_as_saved();
+    };
+    EXPECT_FALSE(is_as_saved(three()));
+    save(folder.path(), three());
+    EXPECT_TRUE(is_as_saved(three()));
+    EXPECT_FALSE(is_as_saved({three()[0], three()[1]})) << "one is gone";
+    EXPECT_FALSE(is_as_saved({three()[1], three()[0], three()[2]})) << "in another order";
+    std::vector<Graded> other = three();
+    other[1].build.wall = 5ms;
+    EXPECT_FALSE(is_as_saved(other));
+    other = three();
+    other.push_back(graded("dan", "Question 5:\n"));
+    EXPECT_FALSE(is_as_saved(other)) << "one is new";
+}
+
+TEST(Gradebook, ComparesALargeClassInItsOrder) {
+    constexpr std::size_t size = 300;
+    const std::string right = "Question 5:\nV: 1 2 3\n";
+    const auto name = [](std::size_t i) { return fmt::format("s{:03}", i); };
+    const TemporaryFolder folder;
+    std::vector<Graded> before, after;
+    std::vector<std::string> falling, gone, fresh;
+    for (std::size_t i = 0; i < size; ++i) {
+        before.push_back(graded(name(i), output_with_a_mistake()));
+        const bool falls = i % 7 == 3;
+        if (i % 50 == 0) {
+            gone.push_back(name(i));
+            fresh.push_back("new-" + name(i));
+            after.push_back(graded("new-" + name(i), right));
+        } else {
+            if (falls) falling.push_back(name(i));
+            after.push_back(graded(name(i), falls ? "" : output_with_a_mistake()));
+        }
+    }
+    save(folder.path(), before);
+    const auto comparison = Gradebook(folder.path()).compare(after);
+    const auto ids = [](const std::vector<MarkChange>& changes) {
+        std::vector<std::string> all;
+        for (const MarkChange& change : changes) all.push_back(change.id);
+        return all;
+    };
+    EXPECT_EQ(ids(comparison.changes.falling), falling);
+    EXPECT_EQ(ids(comparison.changes.gone), gone);
+    EXPECT_EQ(ids(comparison.changes.fresh), fresh);
+    EXPECT_EQ(comparison.changes.untouched, size - falling.size() - gone.size());
+    EXPECT_TRUE(comparison.is_in_order);
+    for (std::size_t i = 0; i < size; ++i) {
+        EXPECT_EQ(comparison.records[i], i % 50 == 0  ? Record::fresh
+                                         : i % 7 == 3 ? Record::other_marks
+                                                      : Record::same)
+            << i;
+    }
+    std::swap(after[127], after[128]);
+    EXPECT_FALSE(Gradebook(folder.path()).compare(after).is_in_order) << "at the seam of two parts";
+}
+
+TEST(Gradebook, RefusesARunThatWasComparedWithAnOlderOne) {
+    const TemporaryFolder folder;
+    save(folder.path(), three());
+    Gradebook slow(folder.path());
+    const auto comparison = slow.compare(three());
+    save(folder.path(), {three()[0]});
+    EXPECT_THROW(slow.save(a_run(), three(), comparison, {}), HarnessError);
+    EXPECT_EQ(rows(folder, "SELECT id FROM submissions"), json::parse(R"([["ada"]])"));
+    EXPECT_EQ(rows(folder, "SELECT COUNT(*) FROM runs"), json::parse("[[2]]"));
+}
+
+}  // namespace
+}  // namespace harness
