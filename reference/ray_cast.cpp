@@ -82,7 +82,7 @@ void print(const char* label, float value) {
     std::cout << label << ": " << value << "\n";
 }
 
-// What there is only where the ray hits.
+// A value that exists only where the ray hits.
 template <class T>
 void print(const char* label, const std::optional<T>& value) {
     if (value) {

@@ -1,13 +1,16 @@
-#include "harness/grade.h"
+#include "harness/batch/grade_submission.h"
 
 #include <fmt/format.h>
 
 #include <csignal>
-#include <cstring>
+#include <exception>
 #include <system_error>
+#include <utility>
 
-#include "harness/known_scores.h"
-#include "harness/repetition.h"
+#include "harness/batch/repetition.h"
+#include "harness/machine/errors.h"
+#include "harness/read/transcript.h"
+#include "harness/run/sanitizer.h"
 
 namespace harness {
 namespace {
@@ -82,90 +85,97 @@ std::string explain(const Build& build, const ProcessResult& run, const Limits& 
     return "";
 }
 
-/// Empties it and gives its memory back, which neither clear() nor an assignment does: of ten thousand submissions
-/// that would be what counts.
+/// Frees the memory, which clear() and assignment do not. That matters in a class of ten thousand.
 void release(std::string& text) {
     std::string().swap(text);
 }
 
-/// Without the source, which nobody needs any more.
-Graded begun(const Submission& submission, const Marking& marking, const Workshop& workshop) {
+/// A result with what is known before anything ran, without the source, which is no longer needed.
+Graded begun(const Submission& submission, const Marking& marking, const Runner& runner) {
     Graded graded;
     if (submission.lms && submission.lms->late == true) graded.late_share = marking.assignment.rubric.late_deduction;
     graded.submission = submission;
     release(graded.submission.source);
-    graded.tier = workshop.sandbox->tier();
+    graded.tier = runner.sandbox->tier();
     return graded;
+}
+
+/// The score of an output: from the memo, or else read and scored now.
+std::shared_ptr<const Score> read_and_score(const std::string& output, const Marking& marking, ScoreMemo* memo,
+                                            Timeline& timeline, const std::string& id) {
+    std::shared_ptr<const Score> known;
+    Transcript transcript;
+    {
+        const Timeline::Span span(timeline, Stage::read, id);
+        if (memo) known = memo->find(output);
+        if (!known) transcript = read_transcript(output);
+    }
+    const Timeline::Span span(timeline, Stage::score, id);
+    if (known) {
+        if (!output.empty()) ++timeline.alike;
+        return known;
+    }
+    known = std::make_shared<const Score>(score(transcript, marking.key, marking.assignment));
+    if (memo) memo->keep(output, known);
+    return known;
 }
 
 }  // namespace
 
-std::shared_future<Marking> begin_marking(reference::Assignment assignment) {
-    return std::async(std::launch::async, [assignment = std::move(assignment)]() mutable {
-        reference::AnswerKey key = reference::make_key(assignment, reference::Precision::certified);
-        return Marking{std::move(assignment), std::move(key)};
+Graded grade(const Submission& submission, const Marking& marking, const Runner& runner) {
+    return graded_or_not(submission, marking, runner, [&] {
+        Timeline timeline;
+        const Executions executions = execute(submission, runner, timeline);
+        return mark(submission, executions, marking, runner, nullptr, timeline);
     });
 }
 
-std::string_view to_string(Outcome outcome) {
-    switch (outcome) {
-        case Outcome::graded: return "graded";
-        case Outcome::compile_error: return "compile_error";
-        case Outcome::crashed: return "crashed";
-        case Outcome::timed_out: return "timed_out";
-        case Outcome::output_limit: return "output_limit";
-        case Outcome::memory_limit: return "memory_limit";
-        case Outcome::no_output: return "no_output";
-        case Outcome::not_graded: return "not_graded";
+Graded mark(const Submission& submission, const Executions& executions, const Marking& marking, const Runner& runner,
+            ScoreMemo* memo, Timeline& timeline) {
+    Graded graded = begun(submission, marking, runner);
+    const Execution& first = executions.runs.front();
+    graded.outcome = outcome_of(first.run);
+    graded.explanation = explain(first.build, first.run, runner.run);
+    const auto score = read_and_score(first.run.output, marking, memo, timeline, submission.id);
+    std::vector<Repetition> repetitions;
+    for (const Execution& each : executions.runs) {
+        const bool is_same = each.run.output == first.run.output;
+        repetitions.push_back(
+            {each.run.ended,
+             is_same ? *score : *read_and_score(each.run.output, marking, nullptr, timeline, submission.id)});
     }
-    return "";
-}
-
-std::string signal_name(int signal) {
-    const char* name = sigabbrev_np(signal);
-    return name == nullptr ? fmt::format("signal {}", signal) : fmt::format("SIG{}", name);
-}
-
-std::string_view limit_name(Ended ended) {
-    switch (ended) {
-        case Ended::not_started:
-        case Ended::exited:
-        case Ended::signalled:
-        case Ended::refused: return "";
-        case Ended::cpu_limit: return "run.cpu_seconds";
-        case Ended::wall_limit: return "run.wall_seconds";
-        case Ended::memory_limit: return "run.memory_mib";
-        case Ended::process_limit: return "run.processes";
-        case Ended::output_limit: return "run.output_kib";
-    }
-    return "";
-}
-
-Graded mark(const Submission& submission, std::vector<Execution> executions, const Marking& marking,
-            const Workshop& workshop, KnownScores& scores, Timeline& timeline) {
-    Graded graded = begun(submission, marking, workshop);
-    Execution& execution = executions.front();
-    graded.outcome = outcome_of(execution.run);
-    graded.explanation = explain(execution.build, execution.run, workshop.run);
-    std::vector<Repetition> runs;
-    for (Execution& each : executions) {
-        const Turn turn = runs.empty() ? Turn::first : Turn::repeated;
-        runs.push_back({each.run.ended, scores.score(each.run.output, marking, timeline, submission.id, turn)});
-        release(each.run.output);  // up to a mebibyte; the score holds what counts
-    }
-    if (const auto evidence = difference(runs)) graded.flags.push_back({"nondeterministic", *evidence});
-    graded.score = std::move(runs.front().score);
-    graded.build = std::move(execution.build);
-    graded.run = std::move(execution.run);
+    if (const auto evidence = difference(repetitions)) graded.flags.push_back({"nondeterministic", *evidence});
+    graded.score = *score;
+    graded.build = first.build;
+    graded.run = first.run;
+    release(graded.run.output);  // up to a mebibyte, no longer needed: the score holds the answers
+    if (executions.sanitized) graded.sanitizer = sanitizer_findings(executions.sanitized->run.errors);
     return graded;
 }
 
-Graded ungraded(const Submission& submission, const std::string& why, const Marking& marking,
-                const Workshop& workshop) {
-    Graded graded = begun(submission, marking, workshop);
+Graded ungraded(const Submission& submission, const std::string& why, const Marking& marking, const Runner& runner) {
+    Graded graded = begun(submission, marking, runner);
     graded.explanation = why;
     graded.score = score({}, marking.key, marking.assignment);
     return graded;
+}
+
+Graded graded_or_not(const Submission& submission, const Marking& marking, const Runner& runner,
+                     const std::function<Graded()>& work) {
+    if (submission.problem) return ungraded(submission, *submission.problem, marking, runner);
+    try {
+        return work();
+    } catch (const HarnessError& error) {
+        return ungraded(submission, error.what(), marking, runner);
+    } catch (const std::exception& error) {
+        Graded graded = ungraded(submission, fault_sentence(error), marking, runner);
+        graded.our_fault = true;
+        return graded;
+    }
+}
+
+std::string fault_sentence(const std::exception& error) {
+    return fmt::format("A fault of raygrade: {}. Please report it with the submission.", error.what());
 }
 
 }  // namespace harness

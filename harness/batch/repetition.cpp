@@ -1,4 +1,4 @@
-#include "harness/repetition.h"
+#include "harness/batch/repetition.h"
 
 #include <fmt/format.h>
 

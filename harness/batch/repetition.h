@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/execution.h"
-#include "harness/score.h"
+#include "harness/execution/execution.h"
+#include "harness/mark/score/score.h"
 
 namespace harness {
 
@@ -16,8 +16,8 @@ struct Repetition {
     Score score;
 };
 
-/// How a later run differs from the first, as a sentence: the first item that was printed otherwise, or another end.
-/// What belongs to no item, such as the time taken, may differ. Empty when all answer alike.
+/// A sentence about how a later run differs from the first: in an item's answer, or in how it ended. Output that
+/// belongs to no item, such as the time taken, may differ. Empty if all runs answer the same.
 std::optional<std::string> difference(const std::vector<Repetition>& runs);
 
 }  // namespace harness

@@ -1,4 +1,4 @@
-#include "harness/build.h"
+#include "harness/build/build.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -10,11 +10,11 @@
 #include <chrono>
 #include <system_error>
 
-#include "harness/failure.h"
-#include "harness/include_block.h"
-#include "harness/names.h"
-#include "harness/sandbox/file_descriptor.h"
-#include "harness/sandbox/find_on_path.h"
+#include "harness/build/include_block.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/file_descriptor.h"
+#include "harness/machine/find_on_path.h"
+#include "harness/text/printable.h"
 
 namespace harness {
 namespace {
@@ -23,8 +23,8 @@ constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
 constexpr const char* source_name = "ray_cast.cpp";
 constexpr const char* program_name = "ray_cast";
 
-/// ICE_EXIT_CODE in gcc/system.h: the compiler, its assembler or its linker was ended by a signal, as by the one for a
-/// file that grew too large, or gave up with an internal error.
+/// ICE_EXIT_CODE in gcc/system.h: a signal, e.g. for a file that grew too large, ended the compiler, its assembler or
+/// its linker, or the compiler had an internal error.
 constexpr int broken_down = 4;
 
 [[noreturn]] void throw_no_compiler() {
@@ -45,9 +45,9 @@ void write_source(const std::string& source, const std::filesystem::path& file) 
                        ". Make room there, or set TMPDIR to another folder.");
 }
 
-/// A full disk makes the compiler fail with an ordinary error, which must not be read as the student's. By now its
-/// temporary files are gone, and the room is there again; so where there is less than compilers may use, no failure is
-/// believed.
+/// A full disk makes the compiler fail with an ordinary error, which must not count as the student's. By now its
+/// temporary files are deleted and their room is free again. So a failure does not count if there is less room than
+/// compilers may use.
 void refuse_a_full_disk(const std::filesystem::path& scratch, const Limits& limits) {
     constexpr std::uint64_t files_at_a_time = 4;  // assembly, object and program, and those of another submission
     const std::uint64_t needed = files_at_a_time * limits.file_bytes;
@@ -58,15 +58,15 @@ void refuse_a_full_disk(const std::filesystem::path& scratch, const Limits& limi
                        "TMPDIR to another folder.");
 }
 
-/// Nothing of the harness's own environment: it could change the messages (LANG), add headers (CPATH) or tell secrets.
-/// The compiler finds its assembler and linker beside itself or in the system's folders.
+/// Passes on nothing of the harness's own environment, which could change the messages (LANG), add headers (CPATH) or
+/// reveal secrets. The compiler finds its assembler and linker beside itself or in the system's folders.
 std::vector<std::string> compiler_environment(const BuildSettings& settings) {
     return {"PATH=" + settings.compiler.parent_path().string() + ":/usr/local/bin:/usr/bin:/bin", "LANG=C.UTF-8",
             "LC_ALL=C"};
 }
 
-/// What a compiler outside the system's folders, such as /opt/gcc-13/bin/g++, needs to be found beside itself: its
-/// installation's folders, and no others of where it is installed, which may be a home.
+/// The folders that a compiler outside the system's folders, such as /opt/gcc-13/bin/g++, needs beside itself. These
+/// are its installation's own folders only, because it may be installed in somebody's home.
 std::vector<std::filesystem::path> compiler_folders(const std::filesystem::path& compiler) {
     std::error_code error;
     const auto real = std::filesystem::canonical(compiler, error);
@@ -84,8 +84,8 @@ std::vector<std::filesystem::path> compiler_folders(const std::filesystem::path&
     return folders;
 }
 
-/// In the order of the processor time they take for one submission, measured: gold 20 ms, mold 25 (without a process
-/// that goes on in the background, whose time would not be counted), lld 32, GNU ld 55.
+/// The linkers, ordered by measured processor time for one submission: gold 20 ms, mold 25 (without its background
+/// process, whose time would not be counted), lld 32, GNU ld 55.
 std::vector<std::string> fastest_linker(const std::filesystem::path& compiler) {
     const auto is_there = [&](const char* name) {
         for (const auto& folder : {compiler.parent_path(), std::filesystem::path("/usr/bin")}) {
@@ -99,7 +99,7 @@ std::vector<std::string> fastest_linker(const std::filesystem::path& compiler) {
     return {};
 }
 
-/// The limit at which the compiler was stopped, as it is set; empty when it ended by itself.
+/// Describes the limit at which the compiler was stopped; empty if the compiler ended by itself.
 std::string reached_limit(Ended ended, const Limits& limits) {
     using seconds = std::chrono::duration<double>;
     switch (ended) {
@@ -120,7 +120,7 @@ bool has_broken_down(const ProcessResult& result) {
     return result.ended == Ended::exited && result.exit_code == broken_down;
 }
 
-/// The compiler's messages, and below them why there are no more.
+/// The compiler's messages, followed by the reason why it was stopped, if it was.
 std::string messages(const ProcessResult& result, const Limits& limits) {
     std::string why;
     if (const std::string limit = reached_limit(result.ended, limits); !limit.empty()) {
@@ -160,7 +160,7 @@ ProcessResult compile(const std::string& source, const BuildSettings& settings, 
     Command command = compiler_command(settings, scratch);
     if (header) {
         command.readable.push_back(header->file.parent_path());
-        // A header that does not fit is otherwise read as text without a word.
+        // Without the warning, g++ silently reads a header that does not fit as text.
         command.argv.insert(command.argv.end(), {"-Winvalid-pch", "-include", header->file.string()});
     }
     command.argv.insert(command.argv.end(), settings.linker.begin(), settings.linker.end());
@@ -182,10 +182,10 @@ std::filesystem::path find_compiler() {
 BuildSettings default_build_settings(const Limits& limits) {
     BuildSettings settings;
     settings.compiler = find_compiler();
-    // -O0, as students compile themselves: what they saw is what is marked, and behind a precompiled header it takes
-    // a sixth less time than -O1. It warns of a scalar that was never set, but no longer of each such vector.
-    // Without link-time optimisation: sections for it, written in asm, would set another compiler on a submission's
-    // bytes.
+    // -O0, as students compile themselves, so that the marked program behaves as they saw it. With a precompiled header
+    // it takes a sixth less time than -O1. It warns of uninitialised scalars, but not of every uninitialised vector as
+    // -O1 does. No link-time optimisation: a submission could write sections for it in asm, and another compiler would
+    // then read those bytes.
     settings.flags = {"-std=c++17",
                       "-DGLM_ENABLE_EXPERIMENTAL=",
                       "-Wall",
@@ -242,7 +242,7 @@ bool precompile(const std::string& text, const std::string& file, const BuildSet
     write_source(text, scratch.path() / file);
     Command command = compiler_command(settings, scratch);
     command.argv.insert(command.argv.end(), {"-x", "c++-header", "-o", file + ".gch", file});
-    // <bits/stdc++.h> takes 100 MB; a program's limit is lower.
+    // The precompiled <bits/stdc++.h> has 100 MB, more than a program's limit.
     constexpr std::uint64_t largest = 256 * mebibyte;
     command.limits.file_bytes = std::max(command.limits.file_bytes, largest);
     const bool passed =

@@ -1,4 +1,4 @@
-#include "harness/header_shelf.h"
+#include "harness/build/header_cache.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -10,10 +10,10 @@
 #include <system_error>
 #include <vector>
 
-#include "harness/failure.h"
-#include "harness/fingerprint.h"
-#include "harness/names.h"
-#include "harness/sandbox/file_descriptor.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/file_descriptor.h"
+#include "harness/machine/fingerprint.h"
+#include "harness/text/printable.h"
 
 namespace harness {
 namespace {
@@ -57,7 +57,7 @@ void remove_kept(const fs::path& text) {
 }
 
 /// Removes what is beyond the bounds, and what a run that was killed left half-written.
-void evict(const fs::path& folder, const ShelfBounds& bounds) {
+void evict(const fs::path& folder, const HeaderCacheBounds& bounds) {
     std::error_code ignored;
     std::vector<Kept> all;
     const auto oldest = fs::file_time_type::clock::now() - bounds.age;
@@ -82,10 +82,9 @@ void evict(const fs::path& folder, const ShelfBounds& bounds) {
 
 }  // namespace
 
-HeaderShelf::HeaderShelf(const std::optional<fs::path>& cache, const BuildSettings& settings,
-                         const std::string& toolchain, const Sandbox& sandbox, const ShelfBounds& bounds,
-                         Missing missing)
-    : settings_(settings), toolchain_(toolchain), sandbox_(sandbox), missing_(missing) {
+HeaderCache::HeaderCache(const std::optional<fs::path>& cache, const BuildSettings& settings,
+                         const std::string& toolchain, const Sandbox& sandbox, const HeaderCacheBounds& bounds)
+    : settings_(settings), toolchain_(toolchain), sandbox_(sandbox) {
     if (!cache) return;
     std::error_code error;
     fs::create_directories(*cache / "headers", error);
@@ -95,7 +94,7 @@ HeaderShelf::HeaderShelf(const std::optional<fs::path>& cache, const BuildSettin
     evict(kept_, bounds);
 }
 
-std::string HeaderShelf::name_of(const HeaderLines& lines) const {
+std::string HeaderCache::name_of(const HeaderLines& lines) const {
     Fingerprint fingerprint("raygrade/header/1");
     fingerprint.add(toolchain_).add(settings_.compiler.string());
     fingerprint.add(static_cast<std::int64_t>(settings_.flags.size()));
@@ -104,7 +103,7 @@ std::string HeaderShelf::name_of(const HeaderLines& lines) const {
     return fingerprint.hex();
 }
 
-std::set<HeaderLines> HeaderShelf::made() const {
+std::set<HeaderLines> HeaderCache::made() const {
     std::set<HeaderLines> made;
     if (kept_.empty()) return made;
     std::error_code ignored;
@@ -119,7 +118,7 @@ std::set<HeaderLines> HeaderShelf::made() const {
     return made;
 }
 
-std::optional<PrecompiledHeader> HeaderShelf::get(const HeaderLines& lines) const {
+std::optional<PrecompiledHeader> HeaderCache::get(const HeaderLines& lines) const {
     const std::string name = name_of(lines);
     const fs::path folder = sandbox_.workspace().path() / ("header-" + name);
     const fs::path target = folder / (name + header_ending);
@@ -133,12 +132,12 @@ std::optional<PrecompiledHeader> HeaderShelf::get(const HeaderLines& lines) cons
     std::ofstream(header.file, std::ios::binary) << text_of(lines);
     fs::permissions(header.file, everyone_reads, error);
     if (fetch(name, target)) return header;
-    if (missing_ == Missing::is_made && make(lines, name, target)) return header;
+    if (make(lines, name, target)) return header;
     return {};
 }
 
 /// Whether an earlier run has kept it.
-bool HeaderShelf::fetch(const std::string& name, const fs::path& target) const {
+bool HeaderCache::fetch(const std::string& name, const fs::path& target) const {
     std::error_code error;
     if (kept_.empty() || !fs::exists(kept_ / (name + text_ending), error)) return false;
     if (!link_or_copy(kept_ / (name + header_ending), target)) return false;
@@ -147,7 +146,7 @@ bool HeaderShelf::fetch(const std::string& name, const fs::path& target) const {
     return true;
 }
 
-bool HeaderShelf::make(const HeaderLines& lines, const std::string& name, const fs::path& target) const {
+bool HeaderCache::make(const HeaderLines& lines, const std::string& name, const fs::path& target) const {
     const Scratch scratch(sandbox_.workspace());
     const std::string text = text_of(lines);
     std::error_code error;
@@ -166,7 +165,7 @@ bool HeaderShelf::make(const HeaderLines& lines, const std::string& name, const 
 }
 
 /// The text comes last: where it is, the header is whole.
-void HeaderShelf::keep(const std::string& name, const std::string& text, const fs::path& made) const {
+void HeaderCache::keep(const std::string& name, const std::string& text, const fs::path& made) const {
     if (kept_.empty()) return;
     std::error_code error;
     const std::string mine = "." + std::to_string(getpid()) + ".new";

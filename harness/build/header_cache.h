@@ -13,34 +13,30 @@
 #include <set>
 #include <string>
 
-#include "harness/build.h"
-#include "harness/header_plan.h"
-#include "harness/sandbox/sandbox.h"
+#include "harness/build/build.h"
+#include "harness/build/header_plan.h"
+#include "harness/sandbox/host/sandbox.h"
 
 namespace harness {
 
 /// What is kept at the most; beyond it, what was not used for the longest time goes first.
-struct ShelfBounds {
+struct HeaderCacheBounds {
     std::uint64_t bytes = std::uint64_t{1} << 30;
     std::chrono::hours age = std::chrono::hours(24 * 60);
 };
 
-/// Whether a shelf makes what is not there: not by a toolchain that is no more than likely.
-enum class Missing { is_made, stays_missing };
-
 /// Safe to use from several threads.
-class HeaderShelf {
+class HeaderCache {
   public:
     /// Keeps headers in `cache`/headers; nowhere when `cache` is empty or can't be written. `toolchain` as from
     /// toolchain_fingerprint. Headers for use lie in the sandbox's workspace, so the sandbox must outlive this.
-    HeaderShelf(const std::optional<std::filesystem::path>& cache, const BuildSettings& settings,
-                const std::string& toolchain, const Sandbox& sandbox, const ShelfBounds& bounds = {},
-                Missing missing = Missing::is_made);
+    HeaderCache(const std::optional<std::filesystem::path>& cache, const BuildSettings& settings,
+                const std::string& toolchain, const Sandbox& sandbox, const HeaderCacheBounds& bounds = {});
 
     /// The headers kept by earlier runs that fit this one.
     std::set<HeaderLines> made() const;
-    /// The header of these directives, made where it is not there; empty where none is to be made, or the compiler does
-    /// not take them without a word. Throws HarnessError.
+    /// The header of these directives, made if it is not there. Empty if the compiler has anything to say about them.
+    /// Throws HarnessError.
     std::optional<PrecompiledHeader> get(const HeaderLines& lines) const;
 
   private:
@@ -53,7 +49,6 @@ class HeaderShelf {
     BuildSettings settings_;
     std::string toolchain_;
     const Sandbox& sandbox_;
-    Missing missing_;
 };
 
 }  // namespace harness

@@ -1,7 +1,7 @@
-// Blocks in lexicographic order make a tree without any being built: those that begin alike are neighbours. A node is a
-// range of them with the lines they all begin with; whether to make the node's header depends only on which header the
-// blocks would have otherwise, one of a shorter beginning, so the best choice is found from the leaves up.
-#include "harness/header_plan.h"
+// Sorting the blocks lexicographically makes those that begin alike neighbours, and so yields a tree. A node is a range
+// of blocks with the lines they all begin with. Whether to make the node's header depends only on the shorter header
+// that the blocks would use otherwise, so the best choice is found from the leaves up.
+#include "harness/build/header_plan.h"
 
 #include <algorithm>
 #include <map>
@@ -12,11 +12,12 @@
 namespace harness {
 namespace {
 
-/// Making a header against what it saves one source: 2.9 to 3.8 over 20 blocks, measured with g++ 12.
+/// The cost of making a header, relative to what it saves for one source: 2.9 to 3.8 over 20 blocks, measured with g++
+/// 12.
 constexpr double making = 3.5;
-/// Below this nothing is saved that could be measured.
+/// A smaller saving can't be measured.
 constexpr double worthwhile_ms = 20;
-/// Of a block's lines; students have a dozen, and a longer block still gains by its beginning.
+/// The most lines of a block that count. Students have a dozen; of a longer block, the beginning can still be replaced.
 constexpr std::size_t longest = 64;
 
 struct Weight {
@@ -54,15 +55,15 @@ HeaderLines beginning(const HeaderLines& lines, std::size_t count) {
 }
 
 struct Choice {
-    double worth = 0;        ///< what is saved less what is spent, in milliseconds
-    std::size_t length = 0;  ///< of the header in use from this node on, in lines; 0 for none
+    double worth = 0;        ///< savings less costs, in milliseconds
+    std::size_t length = 0;  ///< lines of the header in use from this node on; 0 for none
 };
 
 struct Node {
     std::size_t begin = 0, end = 0;  ///< in the sorted blocks
-    std::size_t length = 0;          ///< of what they all begin with
-    std::size_t whole = 0;           ///< how many of them are no longer than that
-    std::size_t made = 0;            ///< length of the longest header made before that fits here; 0 for none
+    std::size_t length = 0;          ///< number of lines they all begin with
+    std::size_t whole = 0;           ///< how many of them are no longer than `length`
+    std::size_t made = 0;            ///< length of the longest existing header that fits; 0 for none
     std::vector<Node> children;
     std::map<std::size_t, Choice> best;  ///< by the length of the header in use above
 };
@@ -72,7 +73,7 @@ class Planner {
     Planner(std::vector<HeaderLines> sorted, const std::set<HeaderLines>& made)
         : blocks_(std::move(sorted)), made_(made), header_of_(blocks_.size(), 0) {}
 
-    /// For each sorted block, how many of its lines its header stands for.
+    /// For each sorted block, how many of its lines a header replaces.
     std::vector<std::size_t> plan() {
         Node root = node(0, blocks_.size(), 0);
         best(root, 0);
@@ -86,7 +87,7 @@ class Planner {
         node.begin = begin;
         node.end = end;
         const HeaderLines& first = blocks_[begin];
-        const HeaderLines& last = blocks_[end - 1];  // in a sorted range, what these share they all share
+        const HeaderLines& last = blocks_[end - 1];  // sorted, so lines that first and last share, all share
         std::size_t length = from;
         while (length < first.size() && length < last.size() && first[length] == last[length]) ++length;
         node.length = length;

@@ -1,4 +1,4 @@
-#include "harness/include_block.h"
+#include "harness/build/include_block.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@ constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnop
 constexpr std::string_view digits = "0123456789";
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-/// Names whose value depends on where the compiler is, and pragmas, which may act on what was included before.
+/// Names whose value depends on the compiler's position, and pragmas, which may affect what was included before.
 constexpr std::array<std::string_view, 8> revealing{"__COUNTER__", "__INCLUDE_LEVEL__", "__BASE_FILE__", "__DATE__",
                                                     "__TIME__",    "__TIMESTAMP__",     "__FILE__",      "ragma"};
 
@@ -23,7 +23,7 @@ bool is_blank(char c) {
     return c == ' ' || c == '\t';
 }
 
-/// The source as the compiler reads words: with lines that end in a backslash joined.
+/// Joins lines that end in a backslash, as the compiler does.
 std::string joined(std::string_view source) {
     std::string text;
     text.reserve(source.size());
@@ -51,7 +51,7 @@ std::string_view without_blanks_behind(std::string_view text) {
     return text;
 }
 
-/// Takes blanks off the front and says whether there were any.
+/// Removes blanks from the front and returns whether there were any.
 bool skip_blanks(std::string_view& text) {
     const std::size_t before = text.size();
     while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
@@ -64,20 +64,20 @@ bool skip_word(std::string_view& text, std::string_view word) {
     return true;
 }
 
-/// A header that is found in the system's folders only, wherever the file that names it lies.
+/// Whether the header is found in the system's folders only, wherever the including file lies.
 bool is_system_header(std::string_view name, bool quoted) {
     constexpr std::string_view others = "_./+-";
     if (name.empty() || contains("./", name.front()) || name.find("..") != std::string_view::npos ||
         name.find("/.") != std::string_view::npos || name.find("//") != std::string_view::npos) {
         return false;
     }
-    // "vector.h" may be a file of the student's; "glm/glm.hpp" can't, as a submission is one file.
+    // "vector.h" may be the student's file; "glm/glm.hpp" can't be, as a submission is one file.
     if (quoted && name.find('/') == std::string_view::npos) return false;
     return std::all_of(name.begin(), name.end(),
                        [&](char c) { return contains(letters, c) || contains(digits, c) || contains(others, c); });
 }
 
-/// "#include <name>" from what stands behind the word include.
+/// Returns "#include <name>" from the text behind the word include.
 std::optional<std::string> include_text(std::string_view rest) {
     skip_blanks(rest);
     if (rest.size() < 3) return {};
@@ -87,7 +87,7 @@ std::optional<std::string> include_text(std::string_view rest) {
     return "#include " + std::string(rest);
 }
 
-/// "#define NAME body" from what stands behind the word define.
+/// Returns "#define NAME body" from the text behind the word define.
 std::optional<std::string> define_text(std::string_view rest) {
     if (!skip_blanks(rest) || rest.empty() || contains(digits, rest.front())) return {};
     std::size_t length = 0;
@@ -97,7 +97,7 @@ std::optional<std::string> define_text(std::string_view rest) {
     rest.remove_prefix(length);
     if (rest.empty()) return text;
     if (!is_blank(rest.front()) && rest.front() != '(') return {};
-    // In a literal, what looks like a comment is none.
+    // Literals are excluded, because text in them may look like a comment.
     constexpr std::string_view literals = "\"'\\";
     const auto is_plain = [&](char c) { return is_blank(c) || (c > ' ' && c <= '~' && !contains(literals, c)); };
     if (!std::all_of(rest.begin(), rest.end(), is_plain) || rest.find("??") != std::string_view::npos) return {};
@@ -112,7 +112,8 @@ std::optional<std::string> directive_text(std::string_view written) {
     return {};
 }
 
-/// Reads the front of a source. Each skip_ function says whether it could, and then stands behind what it read.
+/// Reads the beginning of a source. Each skip_ function returns whether it could skip something and then stands behind
+/// it.
 class Reader {
   public:
     explicit Reader(std::string_view source) : source_(source) {
@@ -163,7 +164,7 @@ class Reader {
         return two == "/*" && skip_block_comment();
     }
 
-    /// A comment that goes on in the next line, by a backslash or the trigraph for one, is not for us.
+    /// Rejects a comment that continues in the next line with a backslash or its trigraph.
     bool skip_line_comment() {
         const std::size_t end = std::min(source_.find('\n', at_), source_.size());
         const std::string_view comment = source_.substr(at_, end - at_);

@@ -3,23 +3,23 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
-#include "harness/commands.h"
-#include "harness/find_submissions.h"
-#include "harness/progress.h"
-#include "harness/report/accuracy_report.h"
-#include "harness/results_folder.h"
-#include "harness/shared_options.h"
+#include "harness/commands/progress.h"
+#include "harness/commands/shared_options.h"
+#include "harness/commands/subcommand.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
+#include "harness/report/accuracy/report.h"
 
 namespace harness {
 namespace {
 
 struct AccuracyOptions {
-    std::vector<std::string> kernels;  ///< parts of the names of the methods to measure; all when empty
-    std::uint64_t rays = 0;            ///< of each distribution; 0 for what fits the time
+    std::vector<std::string> kernels;  ///< parts of the names of the methods to measure; empty for all
+    std::uint64_t rays = 0;            ///< rays per distribution; 0 for as many as fit the time
     std::uint64_t seed = 1;
     bool quick = false;
-    std::string assignment;       ///< also tell of this one's scene; empty for none
-    std::filesystem::path out;    ///< where to write page, picture and figures; empty for nowhere
+    std::string assignment;       ///< also examine this assignment's scene; empty for none
+    std::filesystem::path out;    ///< the folder for page, picture and figures; empty for none
     bool force = false;           ///< replace the results of an earlier run
     std::string format = "text";  ///< text, json or csv
 };
@@ -60,7 +60,7 @@ void prepare_folder(const fs::path& out, bool replace) {
     make_results_folder(out);
 }
 
-/// With an assignment and nowhere to write to, only the assignment is examined: that takes a moment.
+/// With an assignment and no output folder, examines only the assignment, which takes a moment.
 int show_accuracy(const AccuracyOptions& options) {
     const bool measures = options.assignment.empty() || !options.out.empty();
     if (!measures && options.format == "csv") {
@@ -75,7 +75,7 @@ int show_accuracy(const AccuracyOptions& options) {
     if (assignment) findings.assignment = reference::accuracy::assignment_accuracy(*assignment);
     if (measures) findings.measured = measure(options);
     fmt::print("{}", in_format(findings, options.format));
-    std::fflush(stdout);  // what took a minute is shown before anything can go wrong with the files
+    std::fflush(stdout);  // shows the result of a minute's work before anything can go wrong with the files
     if (options.out.empty()) return all_graded;
     write_results(findings, options.out);
     fmt::print(stderr, "page: {}\npicture: {}\n", (options.out / "accuracy.html").string(),

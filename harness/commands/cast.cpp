@@ -1,13 +1,13 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "harness/commands.h"
-#include "reference/cast.h"
+#include "harness/commands/subcommand.h"
+#include "reference/kernel/queries.h"
 
 namespace harness {
 namespace {
 
-/// some_not_graded when a line was no query.
+/// Returns some_not_graded if a line was no query.
 int answer_queries() {
     std::ios::sync_with_stdio(false);
     std::cin.tie(nullptr);

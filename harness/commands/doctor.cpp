@@ -1,10 +1,11 @@
+#include "harness/run/doctor.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "harness/commands.h"
-#include "harness/doctor.h"
+#include "harness/commands/subcommand.h"
 
 namespace harness {
 namespace {
@@ -18,7 +19,7 @@ std::string_view mark(Finding::Level level) {
     return "";
 }
 
-/// Lines after the first stand below it.
+/// Indents the lines after the first, so that they align with it.
 std::string indented(const std::string& text) {
     std::string result;
     for (const char c : text) result += c == '\n' ? "\n           " : std::string(1, c);

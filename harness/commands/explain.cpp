@@ -2,14 +2,14 @@
 
 #include <CLI/CLI.hpp>
 
-#include "harness/bounded_file.h"
-#include "harness/commands.h"
-#include "harness/find_submissions.h"
-#include "harness/report/explaining_picture.h"
-#include "harness/report/look_first.h"
-#include "harness/results_folder.h"
-#include "harness/shared_options.h"
-#include "harness/source_file.h"
+#include "harness/commands/shared_options.h"
+#include "harness/commands/subcommand.h"
+#include "harness/intake/source_file.h"
+#include "harness/machine/bounded_file.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
+#include "harness/report/picture/picture.h"
+#include "harness/report/text/look_first.h"
 
 namespace harness {
 namespace {
@@ -19,17 +19,17 @@ struct ExplainOptions {
     std::string assignment;
     std::string out = "explain.svg";  ///< "-" for stdout
     bool force = false;               ///< replace an earlier picture
-    bool without_answers = false;     ///< draw nothing that only the key tells
+    bool without_answers = false;     ///< draw nothing that reveals the key
 };
 
 namespace fs = std::filesystem;
 
 constexpr const char* to_stdout = "-";
 
-/// Every picture of ours has it, and hardly a file of anybody else.
+/// Every picture of raygrade's contains it, and hardly any other file does.
 constexpr std::string_view mark_of_ours = "<title id=\"raygrade-t\">";
 
-/// As much as a program may print by default.
+/// The default limit of a program's output.
 constexpr std::size_t most_bytes = std::size_t{1} << 20U;
 
 /// Throws UsageError unless there is nothing at `out` or an earlier picture that may be replaced.
@@ -67,8 +67,8 @@ std::string read_output(const fs::path& file) {
     return std::move(output.bytes);
 }
 
-/// Throws UsageError for what no program of this assignment printed: a source, say, whose own strings read like
-/// answers.
+/// Throws UsageError for a file that no program of this assignment printed, e.g. a source whose string literals look
+/// like answers.
 void require_answers(const fs::path& file, const Graded& graded) {
     const char* way_out = "; give a file with what the program printed: ./ray_cast > output.txt";
     if (is_source_name(file.filename().string()))
@@ -83,7 +83,7 @@ int draw_explanation(const ExplainOptions& options) {
     Graded graded;
     const bool has_transcript = !options.transcript.empty();
     if (has_transcript) graded.run.output = read_output(options.transcript);
-    const Marking marking = begin_marking(reference::load_assignment(options.assignment, assignments_folder())).get();
+    const Marking marking = make_marking(reference::load_assignment(options.assignment, assignments_folder()));
     if (has_transcript) {
         graded.score = score(read_transcript(graded.run.output), marking.key, marking.assignment);
         require_answers(options.transcript, graded);

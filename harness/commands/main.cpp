@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "harness/clean_text.h"
-#include "harness/commands.h"
-#include "harness/failure.h"
-#include "harness/find_submissions.h"
-#include "harness/near_names.h"
+#include "harness/commands/subcommand.h"
+#include "harness/machine/errors.h"
+#include "harness/run/limits.h"
+#include "harness/text/escape.h"
+#include "harness/text/near_names.h"
 
 namespace {
 

@@ -3,15 +3,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "harness/class_reports.h"
-#include "harness/clean_text.h"
-#include "harness/commands.h"
-#include "harness/failure.h"
-#include "harness/find_submissions.h"
-#include "harness/near_names.h"
-#include "harness/report/report.h"
-#include "harness/results_folder.h"
-#include "harness/shared_options.h"
+#include "harness/commands/shared_options.h"
+#include "harness/commands/subcommand.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
+#include "harness/results/reports.h"
+#include "harness/text/escape.h"
+#include "harness/text/near_names.h"
+#include "harness/text/points.h"
 
 namespace harness {
 namespace {
@@ -24,13 +23,12 @@ struct OverrideOptions {
     std::string by;  ///< empty for the account that runs raygrade
     std::filesystem::path results = "results";
     bool remove = false;
-    bool list = false;  ///< show the overrides there are and do nothing else
+    bool list = false;  ///< only list the overrides
 };
 
 namespace fs = std::filesystem;
-using report::points_text;
 
-/// A class as its gradebook has it.
+/// A class as its gradebook keeps it.
 struct Kept {
     Run run;
     std::vector<Graded> graded;  ///< with the overrides
@@ -50,7 +48,7 @@ Kept restore(const Gradebook& gradebook, const fs::path& folder) {
     return kept;
 }
 
-/// The submission's place in the class. Throws UsageError with the near names when there is none.
+/// The submission's place in the class. Throws UsageError with similar names if there is none.
 std::size_t find_submission(const std::vector<Graded>& graded, const std::string& id) {
     std::vector<std::string> ids;
     for (std::size_t i = 0; i < graded.size(); ++i) {
@@ -76,11 +74,11 @@ void list(const Kept& kept) {
     if (kept.overrides.empty()) fmt::print("no overrides\n");
 }
 
-/// Everything that the last command may have left unwritten, or only what an override of one submission changes.
+/// Writes all reports, because the last command may have left some unwritten, or only those that an override of one
+/// submission changes.
 void rewrite_reports(Gradebook& gradebook, const Kept& kept, bool all, std::optional<std::size_t> changed,
                      const fs::path& folder) {
-    const reference::Assignment assignment = reference::parse_assignment(kept.run.toml, kept.run.assignment_file);
-    const auto marking = begin_marking(assignment);
+    const Marking marking = make_marking(reference::parse_assignment(kept.run.toml, kept.run.assignment_file));
     std::optional<report::CanvasRoster> roster;
     std::optional<report::MoodleWorksheet> worksheet;
     try {
@@ -91,8 +89,8 @@ void rewrite_reports(Gradebook& gradebook, const Kept& kept, bool all, std::opti
             fmt::format("{}: the roster kept in it {}", (folder / gradebook_name).string(), error.what()));
     }
     make_results_folder(folder, "feedback");
-    const ClassResults results{kept.graded, marking.get(), kept.run.tier, roster, worksheet};
-    if (all || changed) ReportsAhead(results, folder).put_in_place(all ? std::nullopt : changed);
+    const ClassResults results{kept.graded, marking, kept.run.tier, roster, worksheet};
+    if (all || changed) write_reports(results, folder, all ? std::nullopt : changed);
     gradebook.note_reports_written();
 }
 
@@ -175,8 +173,8 @@ int override_points(const OverrideOptions& options) {
         list(kept);
         return all_graded;
     }
-    // What a command that was ended has left unwritten is made good for, and what was touched: afterwards it could not
-    // be told any more.
+    // Writes all reports again if an interrupted command left some unwritten or somebody changed one. The check comes
+    // first: once the gradebook is saved again, a changed report would look unchanged.
     const bool all = !gradebook.reports_are_written() || !class_reports_are_as_left(kept.graded, options.results);
     std::optional<std::size_t> changed;
     if (options.remove) {

@@ -1,4 +1,4 @@
-#include "harness/progress.h"
+#include "harness/commands/progress.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <condition_variable>
 #include <mutex>
+
+#include "harness/run/timeline.h"
 
 namespace harness {
 namespace {
@@ -25,7 +27,7 @@ std::string bar(double done) {
     return fmt::format("\r[{}{}]", std::string(filled, '#'), std::string(width - filled, '.'));
 }
 
-/// Between two things told.
+/// The time between two updates.
 std::chrono::milliseconds pause_of(bool is_terminal) {
     using namespace std::chrono_literals;
     return is_terminal ? 100ms : 10000ms;
@@ -46,12 +48,12 @@ std::string closing_line(const Timeline& timeline) {
     const double compiling = seconds(timeline.total(Stage::build));
     const double headers = seconds(timeline.total(Stage::header));
     const double marking = seconds(timeline.total(Stage::read) + timeline.total(Stage::score));
-    std::string text = fmt::format("time, added up over all at work: compiling {:.1f} s", compiling + headers);
+    std::string text = fmt::format("time, summed over all jobs: compiling {:.1f} s", compiling + headers);
     if (headers > 0) text += fmt::format(" ({:.1f} s of it precompiled headers)", headers);
     text += fmt::format(
         ", running {:.1f} s, marking {:.1f} s; {} of {} from earlier runs, {} with a precompiled header, "
-        "{} that printed what another had",
-        seconds(timeline.total(Stage::run)), marking, timeline.from_store.load(), timeline.finished.load(),
+        "{} had the same output as another",
+        seconds(timeline.total(Stage::run)), marking, timeline.from_cache.load(), timeline.finished.load(),
         timeline.by_header.load(), timeline.alike.load());
     return text;
 }

@@ -1,14 +1,14 @@
-// How far a class is, for the person who waits.
+// Shows the progress of a class to the person who waits.
 #pragma once
 
 #include <string>
 #include <thread>
 
-#include "harness/timeline.h"
+#include "harness/run/timeline.h"
 
 namespace harness {
 
-/// Tells on stderr while it lives: a bar where stderr is a terminal, else a line every ten seconds.
+/// Shows progress on stderr until it is destroyed: a bar if stderr is a terminal, else a line every ten seconds.
 class Progress {
   public:
     Progress(const Timeline& timeline, std::size_t total);
@@ -25,8 +25,8 @@ class Progress {
     std::jthread teller_;
 };
 
-/// The same of work that says itself how much of it is done. It tells from the worker's own thread, so that nothing
-/// runs beside what is being timed.
+/// Shows the progress of work that reports its own share done. It writes from the worker's thread, so that no other
+/// thread disturbs what is being timed.
 class ShareProgress {
   public:
     ShareProgress();
@@ -43,10 +43,10 @@ class ShareProgress {
     Timeline::Clock::time_point told_;
 };
 
-/// "40 %, 12 s left"; without a time before a hundredth is done.
+/// "40 %, 12 s left"; without a time until a hundredth is done.
 std::string share_text(double done, std::chrono::duration<double> elapsed);
 
-/// "40 of 100, 3.1 a second, 19 s left"; without a rate before the first is finished.
+/// "40 of 100, 3.1 a second, 19 s left"; without a rate until the first is finished.
 std::string progress_text(std::size_t finished, std::size_t total, std::chrono::duration<double> elapsed);
 
 /// A sentence on where the time went and what came from earlier runs.

@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
-#include "harness/commands.h"
-#include "harness/shared_options.h"
+#include "harness/commands/shared_options.h"
+#include "harness/commands/subcommand.h"
 
 namespace harness {
 

@@ -1,4 +1,4 @@
-#include "harness/regrade.h"
+#include "harness/commands/regrade.h"
 
 #include <fmt/format.h>
 
@@ -6,17 +6,18 @@
 #include <string>
 #include <utility>
 
-#include "harness/find_submissions.h"
-#include "harness/report/class_changes.h"
-#include "harness/report/feedback_changes.h"
+#include "harness/commands/subcommand.h"
+#include "harness/machine/errors.h"
+#include "harness/report/text/changed_feedback.h"
+#include "harness/report/text/changed_marks.h"
 
 namespace harness {
 namespace {
 
 /// Whether the gradebook would be the same but for the number of runs.
-bool is_as_saved(const Desk& desk, const Gradebook::Comparison& comparison, const Run& run) {
-    if (!desk.last_run || !comparison.is_as_saved() || !desk.gradebook.reports_are_written()) return false;
-    const Run& last = *desk.last_run;
+bool is_as_saved(const ResultsSession& session, const Gradebook::Comparison& comparison, const Run& run) {
+    if (!session.last_run || !comparison.is_as_saved() || !session.gradebook.reports_are_written()) return false;
+    const Run& last = *session.last_run;
     return last.toml == run.toml && last.raygrade == run.raygrade && last.assignment == run.assignment &&
            last.assignment_file == run.assignment_file && last.tier == run.tier;
 }
@@ -33,42 +34,43 @@ bool moves_no_mark(const ClassChanges& changes) {
 
 }  // namespace
 
-Desk open_desk(const GradeOptions& options, Holds holds) {
-    Gradebook gradebook(options.out);
+ResultsSession open_session(const std::filesystem::path& out, Holds holds, bool apply) {
+    Gradebook gradebook(out);
     auto last_run = gradebook.last_run();
     const bool has_results =
-        holds == Holds::earlier_results && (last_run || std::filesystem::exists(options.out / "grades.json"));
+        holds == Holds::earlier_results && (last_run || std::filesystem::exists(out / "grades.json"));
     const bool is_older = has_results && !last_run;
-    return {std::move(gradebook), std::move(last_run), options.apply || !has_results, is_older};
+    return {std::move(gradebook), std::move(last_run), apply || !has_results, is_older};
 }
 
-reference::AssignmentFile read_assignment(const GradeOptions& options) {
-    if (!options.assignment.empty()) return reference::read_assignment_file(options.assignment, assignments_folder());
-    const auto last = Gradebook(options.out).last_run();
+reference::AssignmentFile read_assignment(const std::string& named, const std::filesystem::path& out) {
+    if (!named.empty()) return reference::read_assignment_file(named, assignments_folder());
+    const auto last = Gradebook(out).last_run();
     if (!last) return reference::read_assignment_file("default", assignments_folder());
     std::error_code error;
     if (!std::filesystem::exists(last->assignment_file, error)) {
         throw UsageError(
             fmt::format("{}: was graded with {}, which is not there now; name the assignment with "
                         "--assignment",
-                        options.out.string(), last->assignment_file.string()));
+                        out.string(), last->assignment_file.string()));
     }
     return reference::read_assignment_file(last->assignment_file.string(), assignments_folder());
 }
 
-bool is_all_there(const Desk& desk, const Gradebook::Comparison& comparison, const Run& run,
+bool is_all_there(const ResultsSession& session, const Gradebook::Comparison& comparison, const Run& run,
                   const ClassResults& results, const std::filesystem::path& out) {
-    return !goes_back(results) && is_as_saved(desk, comparison, run) && class_reports_are_as_left(results.graded, out);
+    return !goes_back(results) && is_as_saved(session, comparison, run) &&
+           class_reports_are_as_left(results.graded, out);
 }
 
-void tell_changes(const Desk& desk, const Gradebook::Comparison& comparison, const reference::AssignmentFile& file,
-                  const Marking& marking, const std::filesystem::path& out) {
-    if (desk.of_an_older_raygrade) {
+void tell_changes(const ResultsSession& session, const Gradebook::Comparison& comparison,
+                  const reference::AssignmentFile& file, const Marking& marking, const std::filesystem::path& out) {
+    if (session.of_an_older_raygrade) {
         fmt::print("\n{} holds results without a gradebook, of an older raygrade: nothing can be compared.\n",
                    out.string());
     }
-    if (!desk.last_run) return;
-    const Run& last = *desk.last_run;
+    if (!session.last_run) return;
+    const Run& last = *session.last_run;
     fmt::print("\nCompared with run {} of {}:\n", last.number, last.author.when);
     const std::string assignment =
         assignment_change({last.assignment, last.toml}, {marking.assignment.name, file.toml}, marking);
@@ -77,19 +79,19 @@ void tell_changes(const Desk& desk, const Gradebook::Comparison& comparison, con
         fmt::print("raygrade is {} now, {} before.\n", RAYGRADE_VERSION, last.raygrade);
     fmt::print("{}{}\n", report::changes_text(comparison.changes), report::changes_summary(comparison.changes));
     fmt::print("{}", report::feedback_changes_text(comparison.feedback));
-    if (!desk.gradebook.reports_are_written()) {
+    if (!session.gradebook.reports_are_written()) {
         fmt::print(
             "The files beside the gradebook are older than it: a command was ended before it had written them.\n");
     }
 }
 
-void tell_what_apply_writes(const Desk& desk, const Gradebook::Comparison& comparison, const Run& run,
+void tell_what_apply_writes(const ResultsSession& session, const Gradebook::Comparison& comparison, const Run& run,
                             const ClassResults& results, const std::vector<KeptInput>& inputs,
                             const std::filesystem::path& out) {
-    const bool knows_inputs =
-        std::all_of(inputs.begin(), inputs.end(), [&](const KeptInput& each) { return is_kept(each, desk.gradebook); });
+    const bool knows_inputs = std::all_of(inputs.begin(), inputs.end(),
+                                          [&](const KeptInput& each) { return is_kept(each, session.gradebook); });
     const std::size_t differing = comparison.feedback.differing;
-    if (is_as_saved(desk, comparison, run) && knows_inputs) {
+    if (is_as_saved(session, comparison, run) && knows_inputs) {
         if (class_reports_are_as_left(results.graded, out)) {
             fmt::print("Nothing has changed, and nothing was written to the results.\n");
         } else {
@@ -97,7 +99,7 @@ void tell_what_apply_writes(const Desk& desk, const Gradebook::Comparison& compa
                 "No mark and no feedback has changed, but a file of the results is gone or was touched; --apply "
                 "writes it again.\n");
         }
-    } else if (desk.last_run && differing > 0 && moves_no_mark(comparison.changes)) {
+    } else if (session.last_run && differing > 0 && moves_no_mark(comparison.changes)) {
         fmt::print(
             "No mark changes, but the feedback of {} {} does. Nothing was written to the results; --apply writes it.\n",
             differing, differing == 1 ? "submission" : "submissions");

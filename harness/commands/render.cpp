@@ -4,13 +4,12 @@
 #include <charconv>
 #include <string_view>
 
-#include "harness/bounded_file.h"
-#include "harness/commands.h"
-#include "harness/failure.h"
-#include "harness/find_submissions.h"
-#include "harness/results_folder.h"
-#include "harness/shared_options.h"
-#include "reference/render/explanation.h"
+#include "harness/commands/shared_options.h"
+#include "harness/commands/subcommand.h"
+#include "harness/machine/bounded_file.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
+#include "reference/render/picture/explanation.h"
 
 namespace harness {
 namespace {
@@ -19,10 +18,10 @@ struct RenderOptions {
     std::string assignment;
     std::filesystem::path scene;              ///< a scene file in place of the assignment; empty for none
     std::filesystem::path out = "image.png";  ///< the PNG file; an earlier picture there is replaced
-    std::string size;                         ///< in pixels, "640x480"; empty for the window's
+    std::string size;                         ///< in pixels, "640x480"; empty for the window's size
     int jobs = 1;
     bool explain = false;      ///< also print effects, rays and times
-    bool all_effects = false;  ///< simulate also what the scene does not call for
+    bool all_effects = false;  ///< also simulate effects that the scene does not call for
 };
 
 namespace fs = std::filesystem;
@@ -30,7 +29,7 @@ namespace render = reference::render;
 
 constexpr int most_pixels_per_side = 1 << 20;
 
-/// "640x480".
+/// Reads a size such as "640x480".
 std::optional<render::PictureSize> size_of(const std::string& text) {
     if (text.empty()) return std::nullopt;
     render::PictureSize size{};
@@ -47,7 +46,7 @@ std::optional<render::PictureSize> size_of(const std::string& text) {
                                  most_pixels_per_side));
 }
 
-/// Only a picture is replaced: -o ray_cast.cpp would be a pity.
+/// Throws unless `out` is missing or a picture, because a slip such as -o ray_cast.cpp must not destroy a source.
 void refuse_to_replace(const fs::path& out) {
     std::error_code error;
     if (!fs::exists(fs::symlink_status(out, error))) return;

@@ -1,4 +1,4 @@
-#include "harness/page_file.h"
+#include "harness/commands/requested_files.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -9,10 +9,10 @@
 #include <cstring>
 #include <fstream>
 
-#include "harness/bounded_file.h"
-#include "harness/failure.h"
-#include "harness/find_submissions.h"
-#include "harness/report/page_template.h"
+#include "harness/machine/bounded_file.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
+#include "harness/report/page/page_template.h"
 
 namespace harness {
 namespace {
@@ -28,6 +28,32 @@ std::string why(const fs::path& file) {
 }
 
 }  // namespace
+
+void require_place_for_report_file(const fs::path& file, std::string_view option, std::string_view ending) {
+    if (file.empty()) return;
+    const auto fail = [&](const std::string& why) {
+        throw UsageError(fmt::format("{}: {}; name another file with {}", file.string(), why, option));
+    };
+    if (file.extension() != ending) fail(fmt::format("does not end in {}", ending));
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    if (fs::exists(status) && !fs::is_regular_file(status)) fail("is no file");
+    const fs::path folder = fs::absolute(file).parent_path();
+    if (access(folder.c_str(), W_OK | X_OK) != 0) fail(fmt::format("can't be written: {}", std::strerror(errno)));
+}
+
+void prepare_report_file(const fs::path& file, std::string_view option, std::string_view ending) {
+    if (file.empty()) return;
+    require_place_for_report_file(file, option, ending);
+    for (const fs::path& earlier : {file, place_beside(file)}) {
+        std::error_code error;
+        fs::remove(earlier, error);
+        if (error) {
+            throw UsageError(fmt::format("{}: can't be replaced: {}; name another file with {}", file.string(),
+                                         error.message(), option));
+        }
+    }
+}
 
 void require_place_for_page(const fs::path& file, const std::string& option) {
     struct stat found {};

@@ -7,14 +7,15 @@
 #include <cstdlib>
 #include <memory>
 
-#include "harness/commands.h"
-#include "harness/failure.h"
-#include "harness/find_submissions.h"
-#include "harness/serve/graders.h"
-#include "harness/serve/own_addresses.h"
-#include "harness/serve/server.h"
-#include "harness/shared_options.h"
-#include "reference/assignment_file.h"
+#include "harness/commands/class_run.h"
+#include "harness/commands/shared_options.h"
+#include "harness/commands/subcommand.h"
+#include "harness/machine/errors.h"
+#include "harness/run/runner.h"
+#include "harness/serve/http/own_addresses.h"
+#include "harness/serve/http/server.h"
+#include "harness/serve/results/graders.h"
+#include "reference/toml/assignment.h"
 
 namespace harness {
 namespace {
@@ -22,16 +23,16 @@ namespace {
 struct ServeOptions {
     std::string assignment;
     std::string host = "127.0.0.1";
-    std::uint16_t port = 8080;       ///< 0 for any free one
+    std::uint16_t port = 8080;       ///< 0 picks a free port
     std::vector<std::string> names;  ///< DNS names by which browsers know the page
     bool behind_proxy = false;
     int jobs = 1;
     std::size_t queue = 100;        ///< programs that may wait
-    double rate = 10;               ///< programs a minute of one address
-    int keep_hours = 24;            ///< results
-    int grace_seconds = 20;         ///< for the queue, when stopped
+    double rate = 10;               ///< programs per minute from one address
+    int keep_hours = 24;            ///< how long results are kept
+    int grace_seconds = 20;         ///< how long the queue may still work when the server is stopped
     std::filesystem::path state{};  ///< the folder of queue and results; empty for the assignment's own
-    WorkshopOptions workshop;
+    RunnerOptions runner;
 };
 
 using serve::Reach;
@@ -64,7 +65,7 @@ std::filesystem::path state_of(const ServeOptions& options, const std::string& n
     throw UsageError("neither XDG_STATE_HOME nor HOME is a folder; say with --state where queue and results are kept");
 }
 
-/// A connection is an open file, and grading opens some.
+/// Limits the connections, because each is an open file and grading needs open files, too.
 serve::ServerLimits server_limits() {
     serve::ServerLimits limits;
     constexpr rlim_t for_grading = 200;
@@ -77,16 +78,16 @@ serve::ServerLimits server_limits() {
 }
 
 std::unique_ptr<serve::Server> listen(const ServeOptions& options, const Reach& reach, serve::Site& site,
-                                      serve::Desk& desk) {
+                                      serve::Queue& queue) {
     try {
         return std::make_unique<serve::Server>(options.host, options.port, server_limits(), reach.behind_proxy, site,
-                                               desk);
+                                               queue);
     } catch (const serve::ListenError& error) {
         throw UsageError(error.what());
     }
 }
 
-/// Those that are answered: any of this machine's, and by name only what --name says.
+/// Prints the addresses that the server answers: all of this machine's, and the names given with --name.
 void tell_addresses(const ServeOptions& options, const Reach& reach, std::uint16_t port) {
     std::vector<std::string> all = serve::web_addresses(options.host, port);
     for (const std::string& name : reach.names) all.push_back(serve::web_address(name, port));
@@ -117,10 +118,10 @@ void announce(const ServeOptions& options, const Reach& reach, const serve::Abou
     std::fflush(stdout);
 }
 
-/// Returns when it is stopped.
+/// Serves until it is stopped.
 int serve_pages(const ServeOptions& options) {
     const Reach reach = reach_of(options);
-    if (is_public(reach) && options.workshop.unsafe) {
+    if (is_public(reach) && options.runner.unsafe) {
         throw UsageError(
             "--unsafe is for programs you have read, and this page would run anybody's: leave out --unsafe, or --host "
             "and --behind-proxy. `raygrade doctor` says what a sandbox takes here.");
@@ -128,42 +129,40 @@ int serve_pages(const ServeOptions& options) {
     const reference::AssignmentFile file = reference::read_assignment_file(options.assignment, assignments_folder());
     const reference::Assignment assignment = reference::parse_assignment(file.toml, file.path);
     const serve::About about{assignment.title, std::chrono::hours(options.keep_hours),
-                             assignment.rubric.variant_points};
+                             assignment.rubric.other_scene_points};
     serve::SpoolBounds bounds;
     bounds.age = about.keep;
-    serve::Spool spool(state_of(options, assignment.name), bounds);
-    if (!spool.problem().empty()) fmt::print(stderr, "note: {}\n", spool.problem());
-    spool.take_for(assignment.name, file.toml);
-    for (const std::string& key : spool.given_up()) spool.finish(key, serve::given_up(about));
-    serve::Desk desk(spool, options.queue);
-    serve::Site site({about, reach, options.rate}, desk);
-    // Before anything that takes long, so that a port in use is told at once.
-    const auto server = listen(options, reach, site, desk);
-    const auto marking = begin_marking(assignment);
-    const Workshop workshop = open_workshop(options.workshop, assignment.limits);
-    tell_of_the_sandbox(workshop, options.workshop);
-    for (const std::string& note : marking.get().key.notes) fmt::print(stderr, "note: {}\n", note);
-    if (!desk.is_idle()) fmt::print(stderr, "from before: {} waiting\n", desk.queue_length());
+    serve::KeptPrograms kept_programs(state_of(options, assignment.name), bounds);
+    if (!kept_programs.problem().empty()) fmt::print(stderr, "note: {}\n", kept_programs.problem());
+    kept_programs.take_for(assignment.name, file.toml);
+    for (const std::string& key : kept_programs.given_up()) kept_programs.finish(key, serve::given_up(about));
+    serve::Queue queue(kept_programs, options.queue);
+    serve::Site site({about, reach, options.rate}, queue);
+    // Listens before anything slow, so that a port in use is reported at once.
+    const auto server = listen(options, reach, site, queue);
+    const ClassRun run = open_class_run(assignment, options.runner);
+    tell_key_notes(run.marking);
+    if (!queue.is_idle()) fmt::print(stderr, "from before: {} waiting\n", queue.queue_length());
 
-    const serve::Graders graders(desk, spool, about, workshop, marking, options.jobs);
+    const serve::Graders graders(queue, kept_programs, about, run.runner, run.marking, options.jobs);
     server->stop_on_signals();
     announce(options, reach, about, server->port());
     server->run(std::chrono::seconds(options.grace_seconds));
-    if (!desk.is_idle()) {
-        const std::size_t left = desk.leave();
+    if (!queue.is_idle()) {
+        const std::size_t left = queue.leave();
         fmt::print(stderr, "stopped; {} not graded yet and kept for the next start\n", left);
         std::fflush(stdout);
-        // As if killed, which ends what runs in the sandbox: a compiler may take minutes.
+        // Exits as if killed, which also ends what runs in the sandbox: a compiler could take minutes.
         std::_Exit(all_graded);
     }
-    tell_problems(workshop);
+    tell_problems(run.runner);
     fmt::print(stderr, "stopped; nothing waits\n");
     return all_graded;
 }
 
 void add_options(CLI::App& command, ServeOptions& options) {
     add_assignment(command, options.assignment);
-    command.add_option("-p,--port", options.port, "The port; 0 for any free one, which is told")
+    command.add_option("-p,--port", options.port, "The port; 0 picks a free port and prints it")
         ->check(CLI::Range(0, 65'535))
         ->type_name("N")
         ->capture_default_str();
@@ -207,7 +206,7 @@ void add_options(CLI::App& command, ServeOptions& options) {
                     "The folder for queue and results, new, empty or from an earlier start; without it, one for the "
                     "assignment in $XDG_STATE_HOME/raygrade or ~/.local/state/raygrade")
         ->type_name("DIR");
-    add_workshop(command, options.workshop);
+    add_runner(command, options.runner);
     command.footer(
         limits_footer() +
         "\nStudents upload or paste a program, see their place in the queue, and get their page: verdicts and hints, "

@@ -1,4 +1,4 @@
-#include "harness/shared_options.h"
+#include "harness/commands/shared_options.h"
 
 #include <fmt/format.h>
 
@@ -24,43 +24,44 @@ void add_jobs(CLI::App& command, int& jobs, const char* meaning) {
 
 void add_junit(CLI::App& command, std::filesystem::path& junit) {
     command
-        .add_option("--junit", junit,
-                    "Also write JUnit XML, for continuous integration: a testsuite a submission, a testcase an answer")
+        .add_option(
+            "--junit", junit,
+            "Also write JUnit XML, for continuous integration: one test suite per submission, one test case per answer")
         ->type_name("FILE.xml");
 }
 
-void add_workshop(CLI::App& command, WorkshopOptions& workshop) {
+void add_runner(CLI::App& command, RunnerOptions& runner) {
     command
-        .add_option("--limit", workshop.limits,
+        .add_option("--limit", runner.limits,
                     "What a program or the compiler may use, instead of the default or the assignment's: "
                     "--limit run.cpu_seconds=4, see below")
         ->allow_extra_args(false)
         ->type_name("NAME=VALUE");
     command
-        .add_option("--sandbox", workshop.sandbox,
-                    "Which sandbox programs run in; auto takes the strongest that holds on this machine")
+        .add_option("--sandbox", runner.sandbox,
+                    "Which sandbox programs run in; auto picks the strongest that works on this machine")
         ->check(CLI::IsMember({"auto", "bwrap", "landlock"}))
         ->capture_default_str();
     command
-        .add_option(
-            "--repeat", workshop.repetitions,
-            "Run each program so often and flag one whose answers differ, as of memory never set; costs no points")
+        .add_option("--repeat", runner.repetitions,
+                    "Run each program N times and flag it if its answers differ, e.g. because of uninitialised memory; "
+                    "costs no points")
         ->check(CLI::Range(1, 100))
         ->type_name("N")
         ->capture_default_str();
     command.add_flag(
-        "--sanitize", workshop.sanitize,
+        "--sanitize", runner.sanitize,
         "Also build and run under AddressSanitizer and UndefinedBehaviorSanitizer, and say what they find; "
-        "costs no points, and ten times as long");
-    workshop.cache = cache_folder();
-    command.add_flag("--fresh", workshop.fresh,
-                     "Compile and run everything anew, also what was before; see README, What is kept");
-    command.add_flag("--unsafe", workshop.unsafe,
-                     "Where no sandbox holds, run strangers' programs with limits alone: they can read and change "
-                     "what you can");
+        "costs no points and takes ten times as long");
+    runner.cache = cache_folder();
+    command.add_flag("--fresh", runner.fresh,
+                     "Ignore cached results: compile and run everything again; see README, What is kept");
+    command.add_flag("--unsafe", runner.unsafe,
+                     "If no sandbox works, run strangers' programs with limits alone: they can read and change "
+                     "whatever you can");
 }
 
-void add_variants(CLI::App& command, variants::VariantOptions& options) {
+void add_other_scenes(CLI::App& command, scenes::OtherScenesOptions& options) {
     command
         .add_option("--variants", options.count,
                     "Also run each program on N other scenes, written into its source, and say which answers move with "

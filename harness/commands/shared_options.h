@@ -1,4 +1,5 @@
-// Options that several subcommands take: each sets its default and is read into what it is given.
+// Options that several subcommands take. Each function adds options that are read into its argument, and sets their
+// defaults.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,13 +7,13 @@
 #include <memory>
 #include <string>
 
-#include "harness/commands.h"
-#include "harness/variants/run_variants.h"
-#include "harness/workshop.h"
+#include "harness/commands/subcommand.h"
+#include "harness/run/runner.h"
+#include "harness/scenes/other/run.h"
 
 namespace harness {
 
-/// The subcommand `name`: `add` adds its options, which are read into what `run` is given.
+/// Makes the subcommand `name`. `add` adds its options, which are read into the argument of `run`.
 template <class Options>
 Subcommand subcommand(CLI::App& app, const char* name, const char* about, void (*add)(CLI::App&, Options&),
                       int (*run)(const Options&)) {
@@ -24,16 +25,16 @@ Subcommand subcommand(CLI::App& app, const char* name, const char* about, void (
 
 CLI::Option* add_assignment(CLI::App& command, std::string& assignment);
 
-/// As many as the machine has cores; `meaning` is its line of the help.
+/// Adds --jobs, by default the number of cores. `meaning` is its help text.
 void add_jobs(CLI::App& command, int& jobs, const char* meaning);
 
 void add_junit(CLI::App& command, std::filesystem::path& junit);
 
-void add_workshop(CLI::App& command, WorkshopOptions& workshop);
+void add_runner(CLI::App& command, RunnerOptions& runner);
 
-void add_variants(CLI::App& command, variants::VariantOptions& options);
+void add_other_scenes(CLI::App& command, scenes::OtherScenesOptions& options);
 
-/// The table of limits below the help of a command.
+/// The table of limits at the end of a command's help.
 std::string limits_footer();
 
 }  // namespace harness

@@ -3,15 +3,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "harness/batch.h"
-#include "harness/clean_text.h"
-#include "harness/commands.h"
-#include "harness/find_submissions.h"
-#include "harness/report/report.h"
-#include "harness/shared_options.h"
-#include "harness/stress/run_stress.h"
-#include "harness/stress/stress_json.h"
-#include "harness/stress/stress_sentences.h"
+#include "harness/commands/class_run.h"
+#include "harness/commands/shared_options.h"
+#include "harness/commands/subcommand.h"
+#include "harness/grade/hard_scenes_json.h"
+#include "harness/grade/hard_scenes_sentences.h"
+#include "harness/machine/errors.h"
+#include "harness/run/runner.h"
+#include "harness/text/escape.h"
 
 namespace harness {
 namespace {
@@ -21,7 +20,7 @@ struct StressOptions {
     std::string assignment = "default";
     int jobs = 1;  ///< scenes compiled and run at a time
     bool json = false;
-    WorkshopOptions workshop;
+    RunnerOptions runner;
 };
 
 bool was_read(const Score& score) {
@@ -31,7 +30,7 @@ bool was_read(const Score& score) {
     });
 }
 
-/// Why no hard scene was tried, a sentence. How a program ended explains it only where it answered nothing.
+/// A sentence about why no hard scene was tried. How the program ended explains this only if it answered nothing.
 std::string why_nothing(const Graded& graded) {
     if (!was_read(graded.score) && !graded.explanation.empty()) return escape_control(graded.explanation);
     if (graded.our_fault) return "The hard scenes could not be told: a fault of raygrade.";
@@ -39,7 +38,7 @@ std::string why_nothing(const Graded& graded) {
         return "No answer is right on the assignment's own scene; `raygrade check` says what to look at first.";
     const auto& scenes = graded.hard_scenes->scenes;
     const bool was_written = std::any_of(scenes.begin(), scenes.end(),
-                                         [](const stress::HardResult& scene) { return !scene.changes.empty(); });
+                                         [](const scenes::HardResult& scene) { return !scene.changes.empty(); });
     if (was_written || graded.hard_scenes->not_found.empty()) return "No hard scene could be tried.";
     return "The scene was not found in the source: state its numbers by themselves, not within formulas.";
 }
@@ -50,39 +49,27 @@ nlohmann::ordered_json report_json(const StressOptions& options, const Graded& g
                                 {"file", escape_control(options.source.string())},
                                 {"outcome", to_string(graded.outcome)},
                                 {"stress", nullptr}};
-    if (graded.hard_scenes) json["stress"] = stress::stress_json(*graded.hard_scenes);
+    if (graded.hard_scenes) json["stress"] = scenes::hard_scenes_json(*graded.hard_scenes);
     return json;
 }
 
-/// all_graded when scenes were tried, whatever came of them; some_not_graded when none could be.
+/// Returns all_graded if any scene was tried, whatever its result; else some_not_graded.
 int stress_source(const StressOptions& options) {
-    auto toolchain = begin_look_at_compiler(options.workshop);
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
-    const std::vector<Submission> submissions = find_submissions({options.source});
-    if (submissions.size() != 1) {
-        throw UsageError(
-            fmt::format("{}: holds {} submissions; `raygrade stress` takes one, `raygrade grade --stress` "
-                        "a class",
-                        options.source.string(), submissions.size()));
-    }
-    Workshop workshop = open_workshop(options.workshop, assignment.limits, std::move(toolchain));
-    tell_of_the_sandbox(workshop, options.workshop);
-    const auto marking = begin_marking(assignment);
-    std::vector<Graded> all{grade(submissions.front(), marking, workshop)};
-    workshop.repetitions = 1;
-    workshop.sanitize = false;
-    Timeline timeline;
-    stress::run_stress(all, {submissions.front().source}, marking.get(), workshop, options.jobs, timeline);
+    const Submission submission = the_only_submission(options.source, "raygrade grade --stress");
+    ClassRun run = open_class_run(assignment, options.runner);
+    std::vector<Graded> all{grade(submission, run.marking, run.runner)};
+    run_on_more_scenes(all, {submission.source}, run, {.hard = true, .jobs = options.jobs});
     const Graded& graded = all.front();
-    tell_problems(workshop);
+    tell_problems(run.runner);
     for (const std::string& note : graded.submission.notes) fmt::print(stderr, "note: {}\n", note);
     const bool tried = graded.hard_scenes && graded.hard_scenes->tried() > 0;
     if (options.json) {
-        fmt::print("{}\n", report_json(options, graded, marking.get())
+        fmt::print("{}\n", report_json(options, graded, run.marking)
                                .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     } else {
         fmt::print("{}\n\n", assignment.title);
-        if (graded.hard_scenes) fmt::print("{}", escape_control(stress::stress_text(*graded.hard_scenes)));
+        if (graded.hard_scenes) fmt::print("{}", escape_control(scenes::hard_scenes_text(*graded.hard_scenes)));
         if (!tried) fmt::print("{}\n", why_nothing(graded));
     }
     const int status = status_of(all);
@@ -94,7 +81,7 @@ void add_options(CLI::App& command, StressOptions& options) {
     add_assignment(command, options.assignment);
     add_jobs(command, options.jobs, "How many scenes to run at a time; changes nothing but the time");
     command.add_flag("--json", options.json, "Print raygrade/stress/1, for programs, instead of text");
-    add_workshop(command, options.workshop);
+    add_runner(command, options.runner);
     command.footer(
         "A method that is right on one scene may be wrong on another: b² and 4ac may cancel, a determinant may be 0,\n"
         "float has some seven digits. raygrade finds where the source states the scene, writes hard scenes there, "

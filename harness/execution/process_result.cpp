@@ -1,4 +1,4 @@
-#include "harness/ended_words.h"
+#include "harness/execution/process_result.h"
 
 namespace harness {
 

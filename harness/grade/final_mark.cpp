@@ -1,17 +1,18 @@
-#include "harness/final_mark.h"
+#include "harness/grade/final_mark.h"
 
 #include <algorithm>
 
 namespace harness {
 namespace {
 
-/// Whether an override replaces something within the submission, so that the automatic sum is no longer right.
+/// Whether an override replaces part of the submission, so that the automatic sum no longer holds.
 bool any_within(const Graded& graded) {
     return std::any_of(graded.overrides.begin(), graded.overrides.end(),
                        [](const Override& each) { return each.question != 0 || !each.item.empty(); });
 }
 
-/// The automatic sum as it was made where nothing replaces a part of it: summed again it could round differently.
+/// The points before the late deduction. Returns the automatic sum if no override replaces part of it, because summing
+/// again could round differently.
 double before_late(const Graded& graded) {
     if (!any_within(graded)) return graded.score.points;
     double sum = final_scenes_points(graded);

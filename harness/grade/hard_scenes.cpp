@@ -1,8 +1,8 @@
-#include "harness/stress/stress_report.h"
+#include "harness/grade/hard_scenes.h"
 
 #include <algorithm>
 
-namespace harness::stress {
+namespace harness::scenes {
 
 std::string_view to_string(Loss loss) {
     switch (loss) {
@@ -22,14 +22,14 @@ bool HardResult::survives() const {
            std::all_of(items.begin(), items.end(), [](const HardItem& item) { return item.loss == Loss::digits; });
 }
 
-std::size_t StressReport::tried() const {
+std::size_t HardScenesReport::tried() const {
     return static_cast<std::size_t>(
         std::count_if(scenes.begin(), scenes.end(), [](const HardResult& scene) { return scene.skipped.empty(); }));
 }
 
-std::size_t StressReport::survived() const {
+std::size_t HardScenesReport::survived() const {
     return static_cast<std::size_t>(
         std::count_if(scenes.begin(), scenes.end(), [](const HardResult& scene) { return scene.survives(); }));
 }
 
-}  // namespace harness::stress
+}  // namespace harness::scenes

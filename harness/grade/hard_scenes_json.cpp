@@ -1,9 +1,9 @@
-#include "harness/stress/stress_json.h"
+#include "harness/grade/hard_scenes_json.h"
 
 #include <array>
 #include <stdexcept>
 
-namespace harness::stress {
+namespace harness::scenes {
 namespace {
 
 using nlohmann::json;
@@ -52,7 +52,7 @@ HardItem item_from(const json& record) {
 
 }  // namespace
 
-ordered_json stress_json(const StressReport& report) {
+ordered_json hard_scenes_json(const HardScenesReport& report) {
     ordered_json scenes = ordered_json::array();
     for (const HardResult& scene : report.scenes) {
         ordered_json items = ordered_json::array();
@@ -72,8 +72,8 @@ ordered_json stress_json(const StressReport& report) {
             {"scenes", scenes}};
 }
 
-StressReport stress_from_json(const json& record) {
-    StressReport report;
+HardScenesReport hard_scenes_from_json(const json& record) {
+    HardScenesReport report;
     report.not_found = record.at("not_found").get<std::vector<std::string>>();
     for (const json& each : record.at("scenes")) {
         HardResult scene;
@@ -89,4 +89,4 @@ StressReport stress_from_json(const json& record) {
     return report;
 }
 
-}  // namespace harness::stress
+}  // namespace harness::scenes

@@ -1,11 +1,11 @@
-#include "harness/stress/stress_sentences.h"
+#include "harness/grade/hard_scenes_sentences.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <array>
 
-namespace harness::stress {
+namespace harness::scenes {
 namespace {
 
 std::string_view words_of(Loss loss) {
@@ -53,7 +53,7 @@ std::string losses_in_words(const std::vector<HardItem>& items) {
     return fmt::format("{}", fmt::join(groups, "; "));
 }
 
-std::vector<std::string> stress_sentences(const StressReport& report) {
+std::vector<std::string> hard_scenes_sentences(const HardScenesReport& report) {
     std::vector<std::string> sentences;
     if (report.tried() == 0) return sentences;
     sentences.push_back(
@@ -68,7 +68,7 @@ std::vector<std::string> stress_sentences(const StressReport& report) {
     return sentences;
 }
 
-std::string stress_text(const StressReport& report) {
+std::string hard_scenes_text(const HardScenesReport& report) {
     std::string text;
     for (const HardResult& scene : report.scenes) {
         const std::string_view verdict = !scene.skipped.empty() ? "left out"
@@ -88,4 +88,4 @@ std::string stress_text(const StressReport& report) {
     return text + fmt::format("\n{} of {} hard scenes survived.\n", report.survived(), report.tried());
 }
 
-}  // namespace harness::stress
+}  // namespace harness::scenes

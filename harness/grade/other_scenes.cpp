@@ -1,12 +1,12 @@
-#include "harness/variants/variant_report.h"
+#include "harness/grade/other_scenes.h"
 
 #include <algorithm>
 #include <array>
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
-/// The numbers that were printed, without what is around them: blanks say nothing.
+/// The printed text without blanks, which may differ between equal answers.
 std::string without_blanks(const std::string& text) {
     std::string plain;
     for (const char c : text) {
@@ -15,14 +15,14 @@ std::string without_blanks(const std::string& text) {
     return plain;
 }
 
-/// Whether there is no such value where the ray misses.
+/// Whether the item has no value if the ray misses.
 bool may_be_none(const reference::ItemSpec& spec) {
     constexpr std::array<std::string_view, 4> of_hits{"t", "hit", "u", "v"};
     return spec.question == 7 || std::find(of_hits.begin(), of_hits.end(), spec.name) != of_hits.end();
 }
 
-/// Whether the same print again says something. The sentence of question 10 is one of a few, "none" is what a program
-/// prints that never hits, and 0 is what a variable holds that nobody set.
+/// Whether printing the same again says something. It does not for the sentence of question 10, which has few possible
+/// values; for "none", which a program prints if its ray never hits; and for 0, which an unset variable may hold.
 bool is_telling(const ItemScore& item) {
     if (item.spec.shape == reference::Shape::verdict || (may_be_none(item.spec) && !item.error)) return false;
     return item.printed.find_first_of("123456789") != std::string::npos;
@@ -30,14 +30,14 @@ bool is_telling(const ItemScore& item) {
 
 class Comparison {
   public:
-    Comparison(const Score& base, VariantReport& report) : base_(base), report_(report) {}
+    Comparison(const Score& base, OtherScenesReport& report) : base_(base), report_(report) {}
 
     void compare() {
         for (std::size_t q = 0; q < base_.questions.size(); ++q) {
             for (std::size_t i = 0; i < base_.questions[q].items.size(); ++i) compare_item(q, i);
         }
         std::stable_sort(report_.broken.begin(), report_.broken.end(),
-                         [](const ItemOnVariant& a, const ItemOnVariant& b) { return a.run < b.run; });
+                         [](const ItemOnOtherScene& a, const ItemOnOtherScene& b) { return a.run < b.run; });
     }
 
   private:
@@ -45,7 +45,7 @@ class Comparison {
         return score.questions.at(q).items.at(i);
     }
 
-    ItemOnVariant finding(std::size_t q, std::size_t i, std::size_t run) const {
+    ItemOnOtherScene finding(std::size_t q, std::size_t i, std::size_t run) const {
         const ItemScore& before = item_of(base_, q, i);
         const ItemScore& after = item_of(report_.runs[run].score, q, i);
         return {base_.questions[q].number,
@@ -62,13 +62,13 @@ class Comparison {
         const std::string printed = without_blanks(before.printed);
         bool moves = false;
         std::vector<std::size_t> same_and_wrong;
-        std::vector<ItemOnVariant> broken;
+        std::vector<ItemOnOtherScene> broken;
         for (std::size_t run = 0; run < report_.runs.size(); ++run) {
             const ItemScore& after = item_of(report_.runs[run].score, q, i);
             const bool same = without_blanks(after.printed) == printed;
             moves = moves || !same;
             if (same && after.verdict != ItemVerdict::right) same_and_wrong.push_back(run);
-            // Larger numbers need more digits, which is no fault of the computation.
+            // Larger numbers need more digits. That is not an error of the computation.
             const bool fair = after.verdict == ItemVerdict::follow || after.diagnosis == "too few decimals";
             if (after.verdict != ItemVerdict::right && !fair) broken.push_back(finding(q, i, run));
         }
@@ -83,40 +83,40 @@ class Comparison {
     }
 
     const Score& base_;
-    VariantReport& report_;
+    OtherScenesReport& report_;
 };
 
-VariantVerdict verdict_of(const VariantReport& report) {
-    if (!report.unmoved.empty()) return VariantVerdict::does_not_move;
-    if (!report.broken.empty()) return VariantVerdict::breaks;
-    return report.moved > 0 ? VariantVerdict::computes : VariantVerdict::not_found;
+OtherSceneVerdict verdict_of(const OtherScenesReport& report) {
+    if (!report.unmoved.empty()) return OtherSceneVerdict::does_not_move;
+    if (!report.broken.empty()) return OtherSceneVerdict::breaks;
+    return report.moved > 0 ? OtherSceneVerdict::computes : OtherSceneVerdict::not_found;
 }
 
 }  // namespace
 
-std::string_view to_string(VariantVerdict verdict) {
+std::string_view to_string(OtherSceneVerdict verdict) {
     switch (verdict) {
-        case VariantVerdict::computes: return "computes";
-        case VariantVerdict::breaks: return "breaks";
-        case VariantVerdict::does_not_move: return "does_not_move";
-        case VariantVerdict::not_found: return "not_found";
+        case OtherSceneVerdict::computes: return "computes";
+        case OtherSceneVerdict::breaks: return "breaks";
+        case OtherSceneVerdict::does_not_move: return "does_not_move";
+        case OtherSceneVerdict::not_found: return "not_found";
     }
     return "";
 }
 
-VariantReport compare(const Score& base, std::vector<VariantRun> runs, std::vector<UntriedScene> not_tried,
-                      std::vector<std::string> not_found) {
-    VariantReport report;
+OtherScenesReport compare(const Score& base, std::vector<OtherSceneRun> runs, std::vector<UntriedScene> not_tried,
+                          std::vector<std::string> not_found) {
+    OtherScenesReport report;
     report.runs = std::move(runs);
     report.not_tried = std::move(not_tried);
     report.not_found = std::move(not_found);
     if (!report.runs.empty()) Comparison(base, report).compare();
     report.verdict = verdict_of(report);
-    for (VariantRun& run : report.runs) {
+    for (OtherSceneRun& run : report.runs) {
         if (run.score.max_points > 0) run.share = run.score.points / run.score.max_points;
         run.score = {};
     }
     return report;
 }
 
-}  // namespace harness::variants
+}  // namespace harness::scenes

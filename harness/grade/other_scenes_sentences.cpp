@@ -1,4 +1,4 @@
-#include "harness/variants/variant_sentences.h"
+#include "harness/grade/other_scenes_sentences.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,10 +7,10 @@
 #include <iterator>
 #include <map>
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
-std::string name_of(const ItemOnVariant& item) {
+std::string name_of(const ItemOnOtherScene& item) {
     return fmt::format("{}.{}", item.question, item.item);
 }
 
@@ -25,10 +25,10 @@ std::string plural(std::size_t count, std::string_view one) {
     return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
-/// The broken items of one run, each with its mistake where that is known.
-std::string broken_on(const VariantReport& report, std::size_t run) {
+/// The broken items of a run, each with its mistake if known.
+std::string broken_on(const OtherScenesReport& report, std::size_t run) {
     std::string text;
-    for (const ItemOnVariant& item : report.broken) {
+    for (const ItemOnOtherScene& item : report.broken) {
         if (item.run != run) continue;
         text += (text.empty() ? "" : ", ") + name_of(item);
         if (item.after.empty()) {
@@ -51,17 +51,17 @@ std::string which(const std::vector<std::string_view>& names, std::size_t all) {
 
 }  // namespace
 
-std::string unmoved_evidence(const VariantReport& report) {
+std::string unmoved_evidence(const OtherScenesReport& report) {
     // A number with decimals shows more than a 0 does.
-    const auto telling = [](const ItemOnVariant& item) { return item.before.find('.') != std::string::npos; };
+    const auto telling = [](const ItemOnOtherScene& item) { return item.before.find('.') != std::string::npos; };
     auto shown = std::find_if(report.unmoved.begin(), report.unmoved.end(), telling);
     if (shown == report.unmoved.end()) shown = report.unmoved.begin();
-    const VariantRun& run = report.runs.at(shown->run);
+    const OtherSceneRun& run = report.runs.at(shown->run);
     std::string text = fmt::format("Question {}, {}: the program prints {} with {}, and {} with {} in its source.",
                                    shown->question, shown->item, shown->before, run.before, shown->after, run.changes);
-    std::vector<ItemOnVariant> others;
+    std::vector<ItemOnOtherScene> others;
     std::copy_if(report.unmoved.begin(), report.unmoved.end(), std::back_inserter(others),
-                 [&](const ItemOnVariant& item) { return name_of(item) != name_of(*shown); });
+                 [&](const ItemOnOtherScene& item) { return name_of(item) != name_of(*shown); });
     if (!others.empty()) text += fmt::format(" The same holds for {}.", names_of(others));
     if (report.moved == 0) return text + " No other answer changes.";
     return text + fmt::format(" {} that {} right {} otherwise there.",
@@ -69,14 +69,7 @@ std::string unmoved_evidence(const VariantReport& report) {
                               report.moved == 1 ? "was" : "were", report.moved == 1 ? "reads" : "read");
 }
 
-std::string written_evidence(const std::vector<WrittenAnswer>& written) {
-    std::vector<std::string> places;
-    for (const WrittenAnswer& answer : written)
-        places.push_back(fmt::format("{}.{}: {} in line {}", answer.question, answer.item, answer.number, answer.line));
-    return fmt::format("Printed answers stand in the source as they are printed: {}.", fmt::join(places, ", "));
-}
-
-std::vector<std::string> not_tried_sentences(const VariantReport& report) {
+std::vector<std::string> not_tried_sentences(const OtherScenesReport& report) {
     std::map<std::string_view, std::vector<std::string_view>> names_by_reason;
     for (const UntriedScene& scene : report.not_tried) names_by_reason[scene.why].push_back(scene.name);
     std::vector<std::string> sentences;
@@ -87,7 +80,7 @@ std::vector<std::string> not_tried_sentences(const VariantReport& report) {
     return sentences;
 }
 
-std::vector<std::string> variant_sentences(const VariantReport& report) {
+std::vector<std::string> other_scenes_sentences(const OtherScenesReport& report) {
     if (report.runs.empty()) return not_tried_sentences(report);
     std::vector<std::string> sentences;
     sentences.push_back(fmt::format(
@@ -96,7 +89,7 @@ std::vector<std::string> variant_sentences(const VariantReport& report) {
         report.not_found.empty()
             ? ""
             : fmt::format(" (not found there, and left as they are: {})", fmt::join(report.not_found, ", "))));
-    if (report.verdict == VariantVerdict::computes)
+    if (report.verdict == OtherSceneVerdict::computes)
         sentences.emplace_back("Every answer that was right is right there, too.");
     if (!report.unmoved.empty()) {
         sentences.push_back(fmt::format("The printed numbers of {} do not change when the scene in the source does.",
@@ -112,4 +105,4 @@ std::vector<std::string> variant_sentences(const VariantReport& report) {
     return sentences;
 }
 
-}  // namespace harness::variants
+}  // namespace harness::scenes

@@ -1,4 +1,4 @@
-#include "harness/override_place.h"
+#include "harness/grade/override_place.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <map>
 
-#include "harness/clean_text.h"
-#include "harness/find_submissions.h"
-#include "harness/near_names.h"
+#include "harness/machine/errors.h"
+#include "harness/text/escape.h"
+#include "harness/text/near_names.h"
 
 namespace harness {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/grade.h"
+#include "harness/grade/graded.h"
 
 namespace harness {
 
@@ -22,32 +22,32 @@ std::string place_of(const Override& given);
 /// "question 6, t", "question 6", "the other scenes" or "the whole", for a sentence.
 std::string place_in_words(const Override& given);
 
-/// The points there, as they were given automatically and at the most. Empty when the score has no such place.
+/// The automatic points and the maximum at the place of an override. points_at is empty if the score has no such place.
 struct PlacePoints {
     double automatic = 0;
     double most = 0;
 };
 std::optional<PlacePoints> points_at(const Score& score, const Override& given);
 
-/// An override with the submission it is for, which need not be in the class any more.
+/// An override and its submission, which may no longer be in the class.
 struct KeptOverride {
     std::string submission;
     Override given;
 };
 bool is_same_place(const KeptOverride& one, const KeptOverride& other);
 
-/// Gives each submission its overrides. The result are those for which there is no submission or no such item.
+/// Gives each submission its overrides. Returns the overrides whose submission or item does not exist.
 std::vector<KeptOverride> attach(const std::vector<KeptOverride>& overrides, std::vector<Graded>& graded);
 
-/// Reads a place of a submission's score. Throws UsageError with the near names when there is none, and for a part of
-/// what was not graded: of that only the total can be given.
+/// Reads a place of a submission's score. Throws UsageError, with similar names, if there is no such place. A
+/// submission that was not graded has no place but the total; any other place throws UsageError.
 OverridePlace read_place(std::string_view text, const Graded& graded);
 
-/// "1.5": at least 0, at most a million. Throws UsageError.
+/// Reads points such as "1.5", from 0 to a million. Throws UsageError.
 double read_override_points(std::string_view text);
 
-/// A reason or a name as one line without control characters and blanks around it. Throws UsageError, which begins with
-/// `option`, when nothing is left of it or it is longer than 2,000 bytes.
+/// Reads a reason or a name as a single line, without control characters and surrounding blanks. Throws UsageError,
+/// which begins with `option`, if nothing is left or if it is longer than 2,000 bytes.
 std::string read_line(std::string_view text, std::string_view option);
 
 }  // namespace harness

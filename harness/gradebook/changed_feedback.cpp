@@ -1,17 +1,17 @@
-#include "harness/feedback_changes.h"
+#include "harness/gradebook/changed_feedback.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "harness/graded_record.h"
+#include "harness/gradebook/record.h"
 
 namespace harness {
 namespace {
 
 using nlohmann::json;
 
-/// What of a record only options give.
+/// A part of a record that is only there with an option.
 struct Optional {
     const char* field;
     const char* part;
@@ -21,7 +21,7 @@ constexpr Optional optional_parts[] = {{"other_scenes", "other scenes", "--varia
                                        {"stress", "hard scenes", "--stress"},
                                        {"sanitizer", "sanitizers' findings", "--sanitize"}};
 
-/// What of it each submission has; the rest is told as details.
+/// A part of a record that every submission has. All other parts are reported as details.
 struct Always {
     const char* group;
     const char* field;
@@ -42,7 +42,7 @@ PartChange& change_of(FeedbackChanges& changes, const std::string& part, const s
     return changes.parts.emplace_back(PartChange{part, option});
 }
 
-/// The field, which is taken out; null where there is none.
+/// Removes a field and returns its value; null if there is none.
 json taken(json& record, const char* field) {
     const auto found = record.find(field);
     if (found == record.end()) return {};
@@ -55,7 +55,7 @@ std::string option_of_flag(const std::string& kind) {
     return kind == "nondeterministic" ? "--repeat" : "--variants";
 }
 
-/// By kind, which a submission has once.
+/// The flags by kind. A submission has at most one flag of each kind.
 json flags_by_kind(const json& flags) {
     json by_kind = json::object();
     for (const json& flag : flags) by_kind[flag.at(0).get<std::string>()] = flag.at(1);

@@ -1,4 +1,4 @@
-#include "harness/class_changes.h"
+#include "harness/gradebook/changed_marks.h"
 
 #include <fmt/format.h>
 
@@ -8,13 +8,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "harness/final_mark.h"
-#include "harness/report/report.h"
+#include "harness/grade/final_mark.h"
+#include "harness/text/points.h"
 
 namespace harness {
 namespace {
-
-using report::points_text;
 
 constexpr double a_millionth = 1e-6;
 
@@ -22,7 +20,7 @@ std::string signed_points(double points) {
     return (points > 0 ? "+" : "") + points_text(points);
 }
 
-/// Whether the item's own marks count, or an override's in their place.
+/// Whether an override replaces the item's own marks.
 bool is_overridden(const Graded& graded, const ItemScore& item) {
     return find_override(graded, item.spec.question, std::string(item.spec.name)) != nullptr ||
            find_override(graded, item.spec.question, "") != nullptr || find_override(graded, 0, "") != nullptr;
@@ -38,7 +36,7 @@ Items items_of(const Graded& graded) {
     return items;
 }
 
-/// Either may be null, for what was not asked.
+/// `before` or `after` is null if the item was not asked then.
 std::string item_change(const ItemScore* before, const ItemScore* after, const Graded& graded) {
     const ItemScore& item = after == nullptr ? *before : *after;
     const double difference = (after == nullptr ? 0 : after->points) - (before == nullptr ? 0 : before->points);
@@ -74,8 +72,8 @@ void add_items(std::vector<std::string>& reasons, const Graded& before, const Gr
     }
 }
 
-/// "2 scenes of seed 1"; empty where an older raygrade did not keep it.
-std::string scenes_asked_for(const variants::VariantReport& report) {
+/// "2 scenes of seed 1"; empty if an older raygrade did not record the seed.
+std::string scenes_asked_for(const scenes::OtherScenesReport& report) {
     const std::size_t count = report.runs.size() + report.not_tried.size();
     return report.seed ? fmt::format("{} scene{} of seed {}", count, count == 1 ? "" : "s", *report.seed) : "";
 }
@@ -156,7 +154,7 @@ std::string assignment_change(const AssignmentText& before, const AssignmentText
                               reference::to_json(marking.key);
         return text + (same_key ? "; its key is the same." : ", and with it the key.");
     } catch (const std::exception&) {
-        return text + ".";  // it was read by another raygrade, whose files this one does not take
+        return text + ".";  // the assignment was read by another version of raygrade, whose format this one rejects
     }
 }
 

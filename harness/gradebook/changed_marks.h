@@ -1,4 +1,5 @@
-// What marking a class anew changes: who rises, who falls, and why. Pure; both sides with the instructor's overrides.
+// What a regrade changes in the marks: who rises, who falls, and why. Pure. Both gradings include the instructor's
+// overrides.
 #pragma once
 
 #include <cstddef>
@@ -6,38 +7,39 @@
 #include <string>
 #include <vector>
 
-#include "harness/grade.h"
+#include "harness/grade/graded.h"
+#include "harness/grade/marking.h"
 
 namespace harness {
 
-/// What became of one submission. The points are those that count, empty where there are none.
+/// How the mark of one submission changed. `before` and `after` are the points that count, empty if it has no mark.
 struct MarkChange {
     std::string id;
     std::optional<double> before, after;
     std::vector<std::string> reasons;  ///< "another source", "6.t wrong -> right (+1.67)"; none when nothing changed
-    double most_before = 0, most_after = 0;  ///< the points there are in all
+    double most_before = 0, most_after = 0;  ///< the maximum points
 };
 
 struct ClassChanges {
-    std::vector<MarkChange> rising;          ///< in the order of the class, as all of these
-    std::vector<MarkChange> falling;         ///< also what had a mark and has none any more
-    std::vector<MarkChange> level;           ///< the same mark, but something of it changed
-    std::vector<MarkChange> fresh;           ///< without anything before
+    std::vector<MarkChange> rising;          ///< in the order of the class, like all lists here
+    std::vector<MarkChange> falling;         ///< also submissions that lost their mark
+    std::vector<MarkChange> level;           ///< the same mark, but something else changed
+    std::vector<MarkChange> fresh;           ///< not graded before
     std::vector<MarkChange> gone;            ///< no longer among the submissions
-    std::size_t untouched = 0;               ///< how many are as they were
-    double most_before = 0, most_after = 0;  ///< the points there are in all; the same where nothing is to be compared
+    std::size_t untouched = 0;               ///< number of unchanged submissions
+    double most_before = 0, most_after = 0;  ///< the maximum points; equal if nothing was compared
 };
 
-/// Whether two marks are the same, as far as a millionth of a point.
+/// Whether two marks are the same to within a millionth of a point.
 bool is_same_mark(const std::optional<double>& one, const std::optional<double>& other);
 
 /// Compares two gradings of one submission.
 MarkChange change_between(const Graded& before, const Graded& after);
 
-/// Files it under what it does to the mark.
+/// Adds the change to the list for its effect on the mark.
 void add(ClassChanges& changes, MarkChange change);
 
-/// An assignment as it was when a class was graded.
+/// An assignment at the time when a class was graded.
 struct AssignmentText {
     std::string name;
     std::string toml;

@@ -1,9 +1,9 @@
-#include "harness/gradebook_file.h"
+#include "harness/gradebook/database.h"
 
 #include <fmt/format.h>
 #include <sqlite3.h>
 
-#include "harness/find_submissions.h"
+#include "harness/machine/errors.h"
 
 namespace harness {
 namespace {
@@ -87,7 +87,7 @@ constexpr const char* tables = R"(
     INSERT INTO reports VALUES (0);
 )";
 
-/// A statement for each table, which a database of the right version can prepare.
+/// One statement per table; a database of the right version can prepare them all.
 constexpr const char* probes[] = {
     "SELECT run, at, who, raygrade, assignment, assignment_file, toml, sandbox, submissions, graded FROM runs",
     "SELECT id, place, run, student, lms_id, late, outcome, automatic_points, final_points, max_points, "
@@ -147,7 +147,7 @@ std::unique_ptr<SQLite::Database> open_gradebook(const fs::path& file, Create cr
     std::error_code ignored;
     if (create == Create::no && !fs::exists(file, ignored)) return nullptr;
     try {
-        // Also to read: what a killed run has left half-done is taken back first.
+        // Read-write even for reading, because SQLite first rolls back what a killed run left half-done.
         auto database = std::make_unique<SQLite::Database>(
             file.string(),
             SQLite::OPEN_READWRITE | SQLite::OPEN_NOMUTEX | (create == Create::yes ? SQLite::OPEN_CREATE : 0),

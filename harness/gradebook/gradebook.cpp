@@ -1,21 +1,21 @@
-#include "harness/gradebook.h"
+#include "harness/gradebook/gradebook.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <pwd.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <span>
+#include <ctime>
 #include <unordered_set>
 #include <utility>
 
-#include "harness/failure.h"
-#include "harness/final_mark.h"
-#include "harness/find_submissions.h"
-#include "harness/gradebook_file.h"
-#include "harness/gradebook_rows.h"
-#include "harness/graded_record.h"
-#include "harness/in_threads.h"
-#include "harness/records_ahead.h"
-#include "harness/report/report.h"
+#include "harness/grade/final_mark.h"
+#include "harness/gradebook/database.h"
+#include "harness/gradebook/record.h"
+#include "harness/gradebook/rows.h"
+#include "harness/machine/errors.h"
+#include "harness/text/points.h"
 
 namespace harness {
 namespace {
@@ -38,31 +38,14 @@ Tier tier_called(const std::string& name) {
     return Tier::unsafe;
 }
 
-/// A submission as it is in the database.
-struct Kept {
-    std::vector<std::uint8_t> record;
-    std::int64_t place = 0;
-};
-
-std::vector<std::optional<Kept>> kept_of(std::span<const Graded> graded, SQLite::Database& database) {
-    Statement find(database, "SELECT record, place FROM submissions WHERE id = ?");
-    std::vector<std::optional<Kept>> kept(graded.size());
-    for (std::size_t i = 0; i < graded.size(); ++i) {
-        find.reset();
-        find.bind(1, graded[i].submission.id);
-        if (find.executeStep()) kept[i] = Kept{bytes(find.getColumn(0)), find.getColumn(1).getInt64()};
-    }
-    return kept;
-}
-
-/// A submission of both gradings.
+/// The comparison of a submission in both gradings.
 struct Compared {
     Record record = Record::same;
-    std::optional<MarkChange> change;  ///< where the record is not the same
+    std::optional<MarkChange> change;  ///< empty if the record is the same
     FeedbackChanges feedback;
 };
 
-/// Empty where the record that was kept is damaged.
+/// Empty if the kept record is damaged.
 std::optional<Compared> compare_one(const std::vector<std::uint8_t>& kept, const Graded& after) {
     Compared compared;
     if (kept == to_record(after)) return compared;
@@ -77,14 +60,24 @@ std::optional<Compared> compare_one(const std::vector<std::uint8_t>& kept, const
 }
 
 std::string override_text(const Override& given) {
-    return fmt::format("{}: {}", report::points_text(given.points), given.why);
+    return fmt::format("{}: {}", points_text(given.points), given.why);
 }
 
 std::string override_of(const KeptOverride& kept) {
     return fmt::format("override of {} of {}", place_of(kept.given), kept.submission);
 }
 
+std::string account_name() {
+    const passwd* account = getpwuid(geteuid());
+    return account == nullptr ? fmt::format("user {}", geteuid()) : account->pw_name;
+}
+
 }  // namespace
+
+Author author_now(const std::string& name) {
+    return {name.empty() ? account_name() : name,
+            fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))};
+}
 
 Gradebook::Gradebook(const std::filesystem::path& folder)
     : file_(folder / gradebook_name), database_(open_gradebook(file_, Create::no)) {}
@@ -173,7 +166,6 @@ bool Gradebook::Comparison::is_as_saved() const {
 }
 
 Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) const {
-    constexpr std::size_t part_size = 128;
     Comparison comparison;
     comparison.records.assign(graded.size(), Record::fresh);
     const auto add_fresh = [&](const Graded& one) {
@@ -184,37 +176,33 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
         return comparison;
     }
     return attempt([&] {
-        // One view of the database, whatever another program does meanwhile.
+        // A transaction, so that all reads see the same state even if another program writes meanwhile.
         const SQLite::Transaction view(*database_);
         comparison.run = database_->execAndGet(last_run_number).getInt64();
+        Statement find(*database_, "SELECT record, place FROM submissions WHERE id = ?");
         std::unordered_set<std::string> present;
         std::int64_t last_place = -1;
-        for (std::size_t begin = 0; begin < graded.size(); begin += part_size) {
-            const auto part = std::span(graded).subspan(begin, std::min(part_size, graded.size() - begin));
-            const std::vector<std::optional<Kept>> kept = kept_of(part, *database_);
-            std::vector<std::optional<Compared>> compared(part.size());
-            in_threads(part.size(), [&] {
-                return [&](std::size_t i) {
-                    if (kept[i]) compared[i] = compare_one(kept[i]->record, part[i]);
-                };
-            });
-            for (std::size_t i = 0; i < part.size(); ++i) {
-                present.insert(part[i].submission.id);
-                if (!kept[i]) {
-                    add_fresh(part[i]);
-                    continue;
-                }
-                if (!compared[i]) throw HarnessError(gradebook_damage(file_, "the record of " + part[i].submission.id));
-                comparison.records[begin + i] = compared[i]->record;
-                if (compared[i]->change) {
-                    add(comparison.changes, std::move(*compared[i]->change));
-                } else {
-                    ++comparison.changes.untouched;
-                }
-                add(comparison.feedback, compared[i]->feedback);
-                if (kept[i]->place <= last_place) comparison.is_in_order = false;
-                last_place = kept[i]->place;
+        for (std::size_t i = 0; i < graded.size(); ++i) {
+            const Graded& one = graded[i];
+            present.insert(one.submission.id);
+            find.reset();
+            find.bind(1, one.submission.id);
+            if (!find.executeStep()) {
+                add_fresh(one);
+                continue;
             }
+            auto compared = compare_one(bytes(find.getColumn(0)), one);
+            if (!compared) throw HarnessError(gradebook_damage(file_, "the record of " + one.submission.id));
+            comparison.records[i] = compared->record;
+            if (compared->change) {
+                add(comparison.changes, std::move(*compared->change));
+            } else {
+                ++comparison.changes.untouched;
+            }
+            add(comparison.feedback, compared->feedback);
+            const std::int64_t place = find.getColumn(1).getInt64();
+            if (place <= last_place) comparison.is_in_order = false;
+            last_place = place;
         }
         Statement all(*database_, "SELECT id, final_points FROM submissions ORDER BY place");
         while (all.executeStep()) {
@@ -233,7 +221,7 @@ void Gradebook::save(const Run& run, const std::vector<Graded>& graded, const Co
     if (!database_) {
         try {
             database_ = open_gradebook(file_, Create::yes);
-        } catch (const UsageError& error) {  // the class has been graded by now
+        } catch (const UsageError& error) {  // a HarnessError, because the class has already been graded
             throw HarnessError(error.what());
         }
     }
@@ -253,18 +241,13 @@ void Gradebook::save(const Run& run, const std::vector<Graded>& graded, const Co
             rows.remove(change.id);
             rows.add_gone(change.id);
         }
-        std::vector<std::size_t> changed;
-        for (std::size_t i = 0; i < graded.size(); ++i) {
-            if (comparison.records[i] != Record::same) changed.push_back(i);
-        }
-        RecordsAhead records(graded, std::move(changed));
         for (std::size_t i = 0; i < graded.size(); ++i) {
             const Record record = comparison.records[i];
             if (record == Record::same) {
                 rows.move(graded[i].submission.id, i);
                 continue;
             }
-            rows.write(graded[i], i, records.next());
+            rows.write(graded[i], i, to_record(graded[i]));
             if (record != Record::other) rows.add_history(graded[i]);
         }
         for (const KeptInput& input : inputs) write_input(*database_, input);
@@ -276,7 +259,7 @@ void Gradebook::save(const Run& run, const std::vector<Graded>& graded, const Co
 void Gradebook::put_override(const KeptOverride& kept, double automatic, const std::optional<double>& points) {
     attempt([&] {
         SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
-        std::string before = fmt::format("{}, automatically", report::points_text(automatic));
+        std::string before = fmt::format("{}, automatically", points_text(automatic));
         for (const KeptOverride& each : overrides()) {
             if (is_same_place(each, kept)) before = override_text(each.given);
         }

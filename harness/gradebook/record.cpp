@@ -1,4 +1,4 @@
-#include "harness/graded_record.h"
+#include "harness/gradebook/record.h"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <span>
 #include <stdexcept>
 
-#include "harness/ended_words.h"
-#include "harness/stress/stress_json.h"
+#include "harness/execution/process_result.h"
+#include "harness/grade/hard_scenes_json.h"
 
 namespace harness {
 namespace {
@@ -16,14 +16,14 @@ using nlohmann::json;
 
 constexpr Outcome outcomes[] = {Outcome::graded,       Outcome::compile_error, Outcome::crashed,   Outcome::timed_out,
                                 Outcome::output_limit, Outcome::memory_limit,  Outcome::no_output, Outcome::not_graded};
-constexpr variants::VariantVerdict variant_verdicts[] = {
-    variants::VariantVerdict::computes, variants::VariantVerdict::breaks, variants::VariantVerdict::does_not_move,
-    variants::VariantVerdict::not_found};
+constexpr scenes::OtherSceneVerdict other_scene_verdicts[] = {
+    scenes::OtherSceneVerdict::computes, scenes::OtherSceneVerdict::breaks, scenes::OtherSceneVerdict::does_not_move,
+    scenes::OtherSceneVerdict::not_found};
 constexpr ItemVerdict verdicts[] = {ItemVerdict::right, ItemVerdict::follow, ItemVerdict::wrong, ItemVerdict::missing,
                                     ItemVerdict::unreadable};
 constexpr Tier tiers[] = {Tier::bwrap, Tier::landlock, Tier::unsafe};
 
-/// The one of `all` that is called so in reports, whose words never change.
+/// The value of `all` with this name in reports. These names never change.
 template <class Enum>
 Enum called(const std::string& word, std::span<const Enum> all) {
     const auto found = std::find_if(all.begin(), all.end(), [&](Enum each) { return to_string(each) == word; });
@@ -31,7 +31,7 @@ Enum called(const std::string& word, std::span<const Enum> all) {
     return *found;
 }
 
-/// Most fields of most submissions are at their default, and a class has hundreds of thousands of them.
+/// Leaves out default values: most fields are at their default, and a class has hundreds of thousands of fields.
 template <class Value>
 void put(json& record, const char* name, const Value& value) {
     if (value != Value()) record[name] = value;
@@ -43,7 +43,8 @@ Value take(const json& record, const char* name) {
     return found == record.end() ? Value() : found->template get<Value>();
 }
 
-/// Its fields in this order, later ones behind them: an item is most of a record, and names would be most of an item.
+/// An item as an array of its fields. New fields go to the end. It has no names, because items make up most of a
+/// record, and names would make up most of an item.
 json item_record(const ItemScore& item) {
     json::array_t fields;
     fields.reserve(11);
@@ -225,24 +226,24 @@ ProcessResult run_from(const json& record) {
     return run;
 }
 
-json items_record(const std::vector<variants::ItemOnVariant>& items) {
+json items_record(const std::vector<scenes::ItemOnOtherScene>& items) {
     json record = json::array();
-    for (const variants::ItemOnVariant& item : items)
+    for (const scenes::ItemOnOtherScene& item : items)
         record.push_back(json::array({item.question, item.item, item.run, item.before, item.after, item.diagnosis}));
     return record;
 }
 
-std::vector<variants::ItemOnVariant> items_from(const json& record) {
-    std::vector<variants::ItemOnVariant> items;
+std::vector<scenes::ItemOnOtherScene> items_from(const json& record) {
+    std::vector<scenes::ItemOnOtherScene> items;
     for (const json& item : record)
         items.push_back({item.at(0), item.at(1), item.at(2), item.at(3), item.at(4), item.at(5)});
     return items;
 }
 
-/// Without the scores of its runs, which a report does not have any more.
-json other_scenes_record(const variants::VariantReport& report) {
+/// Leaves out the scores of the runs, which a report no longer has.
+json other_scenes_record(const scenes::OtherScenesReport& report) {
     json runs = json::array();
-    for (const variants::VariantRun& run : report.runs)
+    for (const scenes::OtherSceneRun& run : report.runs)
         runs.push_back(json::array({run.name, run.changes, run.before, run.ended_well, run.share}));
     json record{{"verdict", to_string(report.verdict)},
                 {"not_found", report.not_found},
@@ -250,19 +251,19 @@ json other_scenes_record(const variants::VariantReport& report) {
                 {"moved", report.moved},
                 {"broken", items_record(report.broken)},
                 {"unmoved", items_record(report.unmoved)}};
-    for (const variants::UntriedScene& scene : report.not_tried)
+    for (const scenes::UntriedScene& scene : report.not_tried)
         record["not_tried"].push_back(json::array({scene.name, scene.changes, scene.why}));
     if (report.seed) record["seed"] = *report.seed;
     return record;
 }
 
-variants::VariantReport other_scenes_from(const json& record) {
-    variants::VariantReport report;
-    report.verdict = called<variants::VariantVerdict>(take<std::string>(record, "verdict"), variant_verdicts);
+scenes::OtherScenesReport other_scenes_from(const json& record) {
+    scenes::OtherScenesReport report;
+    report.verdict = called<scenes::OtherSceneVerdict>(take<std::string>(record, "verdict"), other_scene_verdicts);
     report.not_found = take<std::vector<std::string>>(record, "not_found");
     for (const json& run : record.at("runs")) {
         report.runs.push_back({run.at(0), run.at(1), run.at(2), run.at(3), {}});
-        if (run.size() > 4) report.runs.back().share = run.at(4);  // which older records lack
+        if (run.size() > 4) report.runs.back().share = run.at(4);  // older records lack it
     }
     report.moved = take<int>(record, "moved");
     report.broken = items_from(record.at("broken"));
@@ -273,7 +274,7 @@ variants::VariantReport other_scenes_from(const json& record) {
     }
     if (record.contains("seed")) report.seed = take<std::uint64_t>(record, "seed");
     for (const auto* items : {&report.broken, &report.unmoved}) {
-        for (const variants::ItemOnVariant& item : *items) {
+        for (const scenes::ItemOnOtherScene& item : *items) {
             if (item.run >= report.runs.size()) throw std::invalid_argument("a run that is not there");
         }
     }
@@ -296,7 +297,7 @@ Graded graded_from(const json& record) {
     graded.score = score_from(record.at("score"));
     graded.late_share = take<double>(record, "late_share");
     if (record.contains("other_scenes")) graded.other_scenes = other_scenes_from(record.at("other_scenes"));
-    if (record.contains("stress")) graded.hard_scenes = stress::stress_from_json(record.at("stress"));
+    if (record.contains("stress")) graded.hard_scenes = scenes::hard_scenes_from_json(record.at("stress"));
     return graded;
 }
 
@@ -314,7 +315,7 @@ std::vector<std::uint8_t> to_record(const Graded& graded) {
     put(record, "sanitizer", graded.sanitizer);
     put(record, "late_share", graded.late_share);
     if (graded.other_scenes) record["other_scenes"] = other_scenes_record(*graded.other_scenes);
-    if (graded.hard_scenes) record["stress"] = stress::stress_json(*graded.hard_scenes);
+    if (graded.hard_scenes) record["stress"] = scenes::hard_scenes_json(*graded.hard_scenes);
     for (const Flag& flag : graded.flags) record["flags"].push_back(json::array({flag.kind, flag.evidence}));
     return json::to_cbor(record);
 }

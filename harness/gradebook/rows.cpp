@@ -1,20 +1,20 @@
-#include "harness/gradebook_rows.h"
+#include "harness/gradebook/rows.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
 
-#include "harness/clean_text.h"
-#include "harness/final_mark.h"
-#include "harness/report/report.h"
+#include "harness/grade/final_mark.h"
+#include "harness/text/escape.h"
+#include "harness/text/points.h"
 
 namespace harness {
 namespace {
 
 using SQLite::Statement;
 
-void bind(Statement& statement, int place, const std::optional<double>& points) {
+void bind_optional(Statement& statement, int place, const std::optional<double>& points) {
     if (points) {
         statement.bind(place, *points);
     } else {
@@ -22,7 +22,7 @@ void bind(Statement& statement, int place, const std::optional<double>& points) 
     }
 }
 
-void bind(Statement& statement, int place, const std::optional<std::string>& text) {
+void bind_optional(Statement& statement, int place, const std::optional<std::string>& text) {
     if (text) {
         statement.bind(place, *text);
     } else {
@@ -40,7 +40,7 @@ std::optional<double> automatic_points(const Graded& graded) {
     return graded.outcome == Outcome::not_graded ? std::nullopt : std::optional(graded.score.points);
 }
 
-/// As valid UTF-8, which other readers of the database insist on. Empty is NULL: nothing is known.
+/// The text as valid UTF-8, which other readers of the database require. An empty text becomes NULL: unknown.
 std::optional<std::string> or_null(const std::string& text) {
     return text.empty() ? std::nullopt : std::optional(escape_control(text));
 }
@@ -61,7 +61,7 @@ std::string points_by_item(const Score& score) {
 
 /// "80", "80.25", or nothing for no mark.
 std::optional<std::string> mark_text(const std::optional<double>& points) {
-    return points ? std::optional(report::points_text(*points)) : std::nullopt;
+    return points ? std::optional(points_text(*points)) : std::nullopt;
 }
 
 }  // namespace
@@ -88,12 +88,12 @@ void SubmissionRows::write(const Graded& graded, std::size_t place, const std::v
     submission_.bind(1, submission.id);
     submission_.bind(2, static_cast<std::int64_t>(place));
     submission_.bind(3, run_);
-    bind(submission_, 4, submission.lms ? or_null(submission.lms->student) : std::nullopt);
-    bind(submission_, 5, submission.lms ? or_null(submission.lms->id) : std::nullopt);
+    bind_optional(submission_, 4, submission.lms ? or_null(submission.lms->student) : std::nullopt);
+    bind_optional(submission_, 5, submission.lms ? or_null(submission.lms->id) : std::nullopt);
     submission_.bind(6, submission.lms && submission.lms->late == true ? 1 : 0);
     submission_.bind(7, std::string(to_string(graded.outcome)));
-    bind(submission_, 8, automatic_points(graded));
-    bind(submission_, 9, points_that_count(graded));
+    bind_optional(submission_, 8, automatic_points(graded));
+    bind_optional(submission_, 9, points_that_count(graded));
     submission_.bind(10, graded.score.max_points);
     submission_.bind(11, submission.source_sha256);
     submission_.bindNoCopy(12, record.data(), static_cast<int>(record.size()));
@@ -139,11 +139,11 @@ void SubmissionRows::add_history(const Graded& graded) {
     history_.bind(1, graded.submission.id);
     history_.bind(2, run_);
     history_.bind(3, std::string(to_string(graded.outcome)));
-    bind(history_, 4, automatic_points(graded));
-    bind(history_, 5, points_that_count(graded));
+    bind_optional(history_, 4, automatic_points(graded));
+    bind_optional(history_, 5, points_that_count(graded));
     history_.bind(6, graded.score.max_points);
-    bind(history_, 7, or_null(graded.submission.source_sha256));
-    bind(history_, 8, marked ? std::optional(points_by_item(graded.score)) : std::nullopt);
+    bind_optional(history_, 7, or_null(graded.submission.source_sha256));
+    bind_optional(history_, 8, marked ? std::optional(points_by_item(graded.score)) : std::nullopt);
     execute(history_);
 }
 
@@ -159,8 +159,8 @@ void write_audit(SQLite::Database& database, const Author& author, const std::st
     entry.bind(1, author.when);
     entry.bind(2, author.name);
     entry.bind(3, what);
-    bind(entry, 4, before);
-    bind(entry, 5, after);
+    bind_optional(entry, 4, before);
+    bind_optional(entry, 5, after);
     execute(entry);
 }
 
@@ -181,7 +181,6 @@ void write_run(SQLite::Database& database, const Run& run, const std::vector<Gra
     insert.exec();
 }
 
-/// The run itself, and each mark that it moved.
 void write_changes(SQLite::Database& database, const Run& run, const ClassChanges& changes) {
     write_audit(database, run.author, fmt::format("run {}", run.number), std::nullopt, run.assignment);
     for (const auto* moved : {&changes.rising, &changes.falling, &changes.gone}) {

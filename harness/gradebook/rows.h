@@ -1,4 +1,4 @@
-// The rows of the gradebook's tables, written within a transaction of the caller's.
+// Writes the rows of the gradebook's tables. The caller opens the transaction.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -8,24 +8,24 @@
 #include <string>
 #include <vector>
 
-#include "harness/gradebook.h"
+#include "harness/gradebook/gradebook.h"
 
 namespace harness {
 
-/// Its statements are prepared once for a whole class.
+/// Writes the rows of submissions, with statements that are prepared once for a whole class.
 class SubmissionRows {
   public:
-    /// `database` must outlive it; `run` is the number of the run that writes.
+    /// `database` must outlive it; `run` is the number of the run that is being saved.
     SubmissionRows(SQLite::Database& database, std::int64_t run);
 
-    /// The submission's row and those of its items, in place of earlier ones. `record` is to_record's.
+    /// Writes the rows of a submission and of its items, and replaces earlier ones. `record` comes from to_record.
     void write(const Graded& graded, std::size_t place, const std::vector<std::uint8_t>& record);
-    /// For one that is the same as before, whose place may be another.
+    /// Writes only the place in the class, for an unchanged submission.
     void move(const std::string& id, std::size_t place);
-    /// No longer among the submissions.
+    /// Removes a submission that is no longer in the class.
     void remove(const std::string& id);
 
-    /// What this run gave it.
+    /// Adds this run's marks of the submission to the history.
     void add_history(const Graded& graded);
     void add_gone(const std::string& id);
 
@@ -36,18 +36,18 @@ class SubmissionRows {
     SQLite::Statement submission_, place_, remove_, item_, remove_items_, history_, gone_;
 };
 
-/// An entry of the audit trail; `before` and `after` are empty where there is nothing to say.
+/// Writes an entry of the audit trail. `before` and `after` may be empty.
 void write_audit(SQLite::Database& database, const Author& author, const std::string& what,
                  const std::optional<std::string>& before, const std::optional<std::string>& after);
 
-/// The run with its number, and in the audit trail the run and each mark that it moved.
+/// write_run writes the run with its number; write_changes adds to the audit trail the run and each mark that it moved.
 void write_run(SQLite::Database& database, const Run& run, const std::vector<Graded>& graded);
 void write_changes(SQLite::Database& database, const Run& run, const ClassChanges& changes);
 
-/// Takes the place of an earlier one of the same item.
+/// Replaces an earlier override of the same item.
 void write_override(SQLite::Database& database, const KeptOverride& kept);
 void erase_override(SQLite::Database& database, const KeptOverride& kept);
-/// The points of the submission that count; without the submission nothing happens.
+/// Writes the points of the submission that count. Does nothing if there is no such submission.
 void write_final_points(SQLite::Database& database, const std::string& id, const std::optional<double>& points);
 
 void write_input(SQLite::Database& database, const KeptInput& input);

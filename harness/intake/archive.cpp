@@ -1,4 +1,4 @@
-#include "harness/archive.h"
+#include "harness/intake/archive.h"
 
 #include <archive.h>
 #include <archive_entry.h>
@@ -9,15 +9,15 @@
 #include <memory>
 #include <optional>
 
-#include "harness/names.h"
-#include "harness/utf8_names.h"
+#include "harness/text/printable.h"
+#include "harness/text/utf8_locale.h"
 
 namespace harness {
 namespace {
 
 using Reader = std::unique_ptr<archive, int (*)(archive*)>;
 
-/// Only what hand-ins come in: every format more is more code that strangers can reach.
+/// Allows only the formats in which students submit: every further format exposes more code to untrusted bytes.
 Reader open_reader() {
     Reader reader(archive_read_new(), archive_read_free);
     archive_read_support_format_zip(reader.get());
@@ -31,9 +31,9 @@ std::string name_in_quotes(std::string_view name) {
     return '"' + printable(name.substr(0, enough)) + (name.size() > enough ? "…\"" : "\"");
 }
 
-class Reading {
+class ArchiveReader {
   public:
-    Reading(Reader reader, std::string shown, const Wanted& wanted, const ArchiveLimits& limits)
+    ArchiveReader(Reader reader, std::string shown, const Wanted& wanted, const ArchiveLimits& limits)
         : reader_(std::move(reader)), shown_(std::move(shown)), wanted_(wanted), limits_(limits) {}
 
     std::vector<ArchiveFile> read() {
@@ -66,11 +66,11 @@ class Reading {
         const char* name = archive_entry_pathname(entry);
         if (name == nullptr) name = archive_entry_pathname_utf8(entry);
         std::string text = name == nullptr ? "" : name;
-        std::replace(text.begin(), text.end(), '\\', '/');  // as some packers on Windows write it
+        std::replace(text.begin(), text.end(), '\\', '/');  // some packers on Windows write this
         return text;
     }
 
-    /// The path without empty and "." names; refuses what leads out of the archive.
+    /// Returns the path without empty and "." names. Throws if it leads out of the archive.
     std::string checked_path(const std::string& name) const {
         const bool has_drive = name.size() > 1 && name[1] == ':';
         if (name.empty()) fail(fmt::format("has an entry without a name after {}", name_in_quotes(last_)));
@@ -117,7 +117,7 @@ class Reading {
             fail(fmt::format("holds more than {} MiB, with {} the limit is passed", most >> 20U, name_in_quotes(name)));
     }
 
-    /// Whatever size the entry says it has.
+    /// Does not trust the size that the entry claims.
     void read_bytes(ArchiveFile& file, std::uint64_t most) {
         std::array<char, 16384> buffer{};
         for (;;) {
@@ -166,7 +166,7 @@ std::vector<ArchiveFile> read_archive(const std::filesystem::path& file, const W
     constexpr std::size_t block = 65536;
     if (archive_read_open_filename(reader.get(), file.c_str(), block) != ARCHIVE_OK)
         fail_to_open(reader.get(), in_quotes(file));
-    return Reading(std::move(reader), in_quotes(file), wanted, limits).read();
+    return ArchiveReader(std::move(reader), in_quotes(file), wanted, limits).read();
 }
 
 std::vector<ArchiveFile> read_archive(std::string_view bytes, std::string_view shown, const Wanted& wanted,
@@ -175,7 +175,7 @@ std::vector<ArchiveFile> read_archive(std::string_view bytes, std::string_view s
     Reader reader = open_reader();
     if (archive_read_open_memory(reader.get(), bytes.data(), bytes.size()) != ARCHIVE_OK)
         fail_to_open(reader.get(), name_in_quotes(shown));
-    return Reading(std::move(reader), name_in_quotes(shown), wanted, limits).read();
+    return ArchiveReader(std::move(reader), name_in_quotes(shown), wanted, limits).read();
 }
 
 }  // namespace harness

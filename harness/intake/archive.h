@@ -1,4 +1,4 @@
-// Reading archives that strangers packed: zip, and tar with or without gzip. Nothing is unpacked to disk.
+// Reads untrusted archives: zip, and tar with or without gzip. Unpacks nothing to disk.
 #pragma once
 
 #include <cstdint>
@@ -11,34 +11,35 @@
 
 namespace harness {
 
-/// The archive is broken, or it is made to harm: what() is a sentence that names the entry.
+/// The archive is broken or malicious. what() is a sentence that names the entry.
 class ArchiveError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
 struct ArchiveFile {
-    std::string path;        ///< in the archive, its names joined by '/'; never "..", never absolute
-    std::string bytes;       ///< empty where they were not wanted
-    bool too_large = false;  ///< there were more bytes than wanted; they are not kept
+    std::string path;        ///< within the archive, with '/' between names; never with "..", never absolute
+    std::string bytes;       ///< empty if they were not wanted
+    bool too_large = false;  ///< it has more bytes than wanted; none are kept
 };
 
-/// What an archive may hold. An honest class of a thousand has a few thousand entries and some hundred megabytes.
+/// Limits of an archive's contents. An honest class of a thousand has a few thousand entries and some hundred
+/// megabytes.
 struct ArchiveLimits {
     std::size_t entries = 20'000;
     std::uint64_t unpacked_bytes = std::uint64_t{4} << 30U;
     std::uint64_t kept_bytes = std::uint64_t{512} << 20U;
 };
 
-/// How many bytes of a file are wanted; 0 for none. Of one with more, none are kept.
+/// Says how many bytes of a file are wanted, 0 for none. If the file has more, none are kept.
 using Wanted = std::function<std::uint64_t(std::string_view path)>;
 
 /// Whether the name is that of an archive: .zip, .tar, .tar.gz or .tgz in any case.
 bool is_archive_name(std::string_view name);
 
-/// The files of an archive, in its order; folders, names that begin with a dot and what macOS adds are left out.
-/// Refuses, with the entry named, what leaves the archive (.., absolute paths), links, devices, encrypted entries, and
-/// more than `limits`. `shown` is the archive's name for messages. Throws ArchiveError.
+/// Returns the files of an archive in its order, without folders, names that begin with a dot and files that macOS
+/// adds. Throws ArchiveError, which names the entry, for paths that lead out of the archive (.., absolute), links,
+/// devices, encrypted entries, and an archive beyond `limits`. `shown` is the archive's name for messages.
 std::vector<ArchiveFile> read_archive(const std::filesystem::path& file, const Wanted& wanted,
                                       const ArchiveLimits& limits = {});
 std::vector<ArchiveFile> read_archive(std::string_view bytes, std::string_view shown, const Wanted& wanted,

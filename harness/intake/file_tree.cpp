@@ -1,4 +1,4 @@
-#include "harness/file_tree.h"
+#include "harness/intake/file_tree.h"
 
 #include <fcntl.h>
 
@@ -6,18 +6,18 @@
 #include <map>
 #include <set>
 
-#include "harness/archive.h"
-#include "harness/gradescope_metadata.h"
-#include "harness/intake.h"
-#include "harness/lms_name.h"
-#include "harness/names.h"
+#include "harness/intake/archive.h"
+#include "harness/intake/gradescope_metadata.h"
+#include "harness/intake/intake.h"
+#include "harness/intake/lms_name.h"
+#include "harness/text/printable.h"
 
 namespace harness {
 namespace {
 
 using std::filesystem::path;
 
-/// A student's archive within a class's: 16 MiB hold a thousand sources.
+/// The limit for a student's archive within a class's archive: 16 MiB hold a thousand sources.
 constexpr std::uint64_t largest_inner_archive = std::uint64_t{16} << 20U;
 
 std::uint64_t wanted_of_a_class(std::string_view file) {
@@ -25,13 +25,13 @@ std::uint64_t wanted_of_a_class(std::string_view file) {
     return is_archive_name(file) ? largest_inner_archive : 0;
 }
 
-/// An archive in an archive in an archive is not looked into.
+/// Reads no archives within a student's archive.
 std::uint64_t wanted_of_a_student(std::string_view file) {
     return is_source_name(file) ? largest_source_bytes : 0;
 }
 
-/// Where a Gradescope export says who handed in, beside its folders submission_<number>; of several such places, as
-/// within a student's folder, the outermost. Null when there is none.
+/// Finds the metadata file of a Gradescope export, which lies beside the folders submission_<number>. If there are
+/// several, e.g. within a student's folder, returns the outermost. Null if there is none.
 ArchiveFile* find_gradescope_metadata(std::vector<ArchiveFile>& files) {
     std::set<path> exports;
     for (const ArchiveFile& file : files) {
@@ -49,7 +49,7 @@ ArchiveFile* find_gradescope_metadata(std::vector<ArchiveFile>& files) {
     return found;
 }
 
-/// By its name, as what lies on disk may be anything.
+/// Decides by the name only, as the file may hold anything.
 std::vector<path>& kind_of(const path& file, Contents& contents) {
     if (is_source_name(file)) return contents.sources;
     if (file.extension() == ".h" || file.extension() == ".hpp") return contents.headers;
@@ -63,7 +63,7 @@ void sort(Contents& contents) {
     }
 }
 
-/// Results of raygrade's own, which lie in the class's folder when it was graded from there.
+/// Whether the folder holds results of raygrade, which may lie in the class's folder.
 bool holds_results(const path& folder) {
     std::error_code ignored;
     return (std::filesystem::is_regular_file(folder / "grades.json", ignored) ||
@@ -76,7 +76,7 @@ class ArchiveTree final : public FileTree {
     ArchiveTree(path archive, std::vector<ArchiveFile> files) : archive_(std::move(archive)) {
         for (ArchiveFile& file : files) {
             path place = archive_ / file.path;
-            // Two entries of one name: neither is to be lost.
+            // If two entries have the same name, keep both.
             for (int i = 2; !files_.emplace(place, std::move(file)).second; ++i) {
                 place = archive_ / (file.path + " (entry " + std::to_string(i) + ")" + place.extension().string());
             }
@@ -125,7 +125,7 @@ class ArchiveTree final : public FileTree {
   private:
     path archive_;
     std::map<path, ArchiveFile> files_;
-    std::map<path, std::set<path>> children_;  ///< of each folder
+    std::map<path, std::set<path>> children_;  ///< by folder
 };
 
 }  // namespace
@@ -160,7 +160,8 @@ BoundedFile DiskTree::read(const path& file, std::uintmax_t most) const {
 
 std::unique_ptr<FileTree> DiskTree::open(const path& archive) const {
     std::vector<ArchiveFile> files = read_archive(archive, wanted_of_a_class);
-    // Which of the files of its name is wanted is known only now, and all would be too much to keep.
+    // Several files may have the metadata file's name, too many to keep. Which of them counts is known only after the
+    // first reading.
     if (ArchiveFile* const metadata = find_gradescope_metadata(files)) {
         const auto wanted = [&](std::string_view file) {
             return file == metadata->path ? largest_gradescope_metadata : 0;

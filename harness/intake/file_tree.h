@@ -1,4 +1,4 @@
-// What intake looks at: folders on disk and the insides of archives, alike.
+// Gives intake the same view of folders on disk and of the contents of archives.
 #pragma once
 
 #include <filesystem>
@@ -7,18 +7,18 @@
 #include <system_error>
 #include <vector>
 
-#include "harness/bounded_file.h"
-#include "harness/source_file.h"
-#include "harness/submission.h"
+#include "harness/intake/source_file.h"
+#include "harness/intake/submission.h"
+#include "harness/machine/bounded_file.h"
 
 namespace harness {
 
-/// What a folder holds, by what intake does with it. Links are never followed. Names that begin with a dot and results
-/// of raygrade's own are left out.
+/// The entries of a folder, grouped by what intake does with them. Links are never followed. Names that begin with a
+/// dot and folders with raygrade's own results are left out.
 struct Contents {
     std::vector<std::filesystem::path> sources;  ///< by name alone: files, but also links, pipes and folders called so
     std::vector<std::filesystem::path> folders;
-    std::vector<std::filesystem::path> linked;  ///< symbolic links that are not called like a source
+    std::vector<std::filesystem::path> linked;  ///< symbolic links without a source's name
     std::vector<std::filesystem::path> headers;
     std::vector<std::filesystem::path> archives;
     std::vector<std::filesystem::path> others;  ///< any other file
@@ -30,11 +30,11 @@ class FileTree {
     virtual ~FileTree() = default;
     /// Each kind sorted by path.
     virtual Contents list(const std::filesystem::path& folder) const = 0;
-    /// Fills in source and source_sha256 from `submission.file`, or problem.
+    /// Reads `submission.file` into source and source_sha256, or sets problem.
     virtual void read(Submission& submission, Links links) const = 0;
-    /// Any other file that intake has a use for, of at most `most` bytes.
+    /// Reads at most `most` bytes of any other file.
     virtual BoundedFile read(const std::filesystem::path& file, std::uintmax_t most) const = 0;
-    /// The tree of an archive in this one; its paths begin with `archive`. Throws ArchiveError.
+    /// Opens an archive within this tree. The paths of the result begin with `archive`. Throws ArchiveError.
     virtual std::unique_ptr<FileTree> open(const std::filesystem::path& archive) const = 0;
 };
 

@@ -1,4 +1,4 @@
-#include "harness/gradescope_metadata.h"
+#include "harness/intake/gradescope_metadata.h"
 
 #include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
@@ -10,22 +10,22 @@
 #include <streambuf>
 #include <utility>
 
-#include "harness/names.h"
+#include "harness/text/printable.h"
 
 namespace harness {
 namespace {
 
-constexpr std::size_t most_submissions = 20'000;  // as many entries as an archive may have
+constexpr std::size_t most_submissions = 20'000;  // ArchiveLimits::entries
 constexpr std::size_t most_submitters = 50;
 constexpr std::size_t most_anchors = 100'000;
-constexpr std::size_t longest_text = 200;  // of a name; of longer texts only the beginning is kept
+constexpr std::size_t longest_text = 200;  // bytes of a name; of a longer text only the beginning is kept
 
-/// The parser looks ahead to the end of a bracket before it tells of its beginning, and keeps some 230 bytes for each
-/// one that it sees. What it tells nothing of for so long ends the reading. A text of Gradescope's has 100,000
-/// characters at the most.
+/// The parser reads on to the end of a bracket before it reports the bracket's beginning, and keeps some 230 bytes for
+/// each bracket it sees. So reading ends if the parser has read this many bytes without reporting anything. A text in a
+/// Gradescope file has at most 100,000 characters.
 constexpr std::size_t most_read_ahead = std::size_t{1} << 20U;
 
-/// The file, until the parser has read too far ahead.
+/// Gives the parser the file, and ends it early if the parser reads too far ahead.
 class Bytes final : public std::streambuf {
   public:
     explicit Bytes(std::string_view bytes) : rest_(bytes) {}
@@ -52,7 +52,7 @@ class Bytes final : public std::streambuf {
     bool has_ended_early_ = false;
 };
 
-/// Ends the reading: what is wrong with the whole file.
+/// Thrown to end the reading: the whole file is unusable.
 struct Unusable {
     std::string why;
 };
@@ -64,10 +64,10 @@ std::string without_blanks(std::string_view text) {
     return std::string(text.substr(first, text.find_last_not_of(blanks) + 1 - first));
 }
 
-/// Follows where in the file the parser is.
-class Reading final : public YAML::EventHandler {
+/// Receives the parser's events and keeps track of the place in the file.
+class MetadataReader final : public YAML::EventHandler {
   public:
-    explicit Reading(Bytes& bytes) : bytes_(bytes) {}
+    explicit MetadataReader(Bytes& bytes) : bytes_(bytes) {}
 
     GradescopeMetadata result;
 
@@ -78,7 +78,7 @@ class Reading final : public YAML::EventHandler {
 
     void OnScalar(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t anchor,
                   const std::string& value) override {
-        // One more, so that a text that is too long is seen to be.
+        // One byte more than allowed, so that too long a text is noticed.
         take_text(value.substr(0, longest_text + 1), anchor);
     }
 
@@ -105,18 +105,18 @@ class Reading final : public YAML::EventHandler {
     enum class Kind { mapping, sequence };
     struct Place {
         Kind kind;
-        bool awaits_key = true;  ///< of a mapping: its next node is a key
-        std::string key{};       ///< of a mapping: of the value that is read
+        bool awaits_key = true;  ///< in a mapping: the next node is a key
+        std::string key{};       ///< in a mapping: the key of the current value
     };
 
-    // How many places lead to the values of {folder: {submitters: [{name: text}]}}.
+    // The size of places_ inside each level of {folder: {submitters: [{name: text}]}}.
     static constexpr std::size_t in_file = 1, in_submission = 2, in_submitters = 3, in_submitter = 4;
 
     bool is_key() const {
         return !places_.empty() && places_.back().kind == Kind::mapping && places_.back().awaits_key;
     }
 
-    /// Of a node that is no key.
+    /// Whether a node that is no key lies in a list of submitters.
     bool is_about_submitters() const {
         return places_.size() >= in_submission && places_[1].kind == Kind::mapping && places_[1].key == "submitters";
     }
@@ -129,7 +129,7 @@ class Reading final : public YAML::EventHandler {
         if (anchor != 0 && ++anchors_ > most_anchors) throw Unusable{"names more than 100,000 of its parts (&name)"};
     }
 
-    /// After a key comes its value, after a value the next key.
+    /// In a mapping, keys and values alternate.
     void end_node() {
         bytes_.told_of_something();
         if (places_.empty() || places_.back().kind == Kind::sequence) return;
@@ -163,7 +163,7 @@ class Reading final : public YAML::EventHandler {
         }
     }
 
-    /// Where the part of a submitter that is read goes; null for another part than ours.
+    /// Where to store the current part of a submitter; null for a part that is not needed.
     std::string* part() {
         const std::string& key = places_.back().key;
         if (places_.size() != in_submitter || (key != "name" && key != "sid" && key != "email")) return nullptr;
@@ -173,7 +173,7 @@ class Reading final : public YAML::EventHandler {
         return key == "name" ? &last.name : key == "sid" ? &last.sid : &last.email;
     }
 
-    /// A text below submitters.
+    /// Handles a text below submitters.
     void take_part(const std::string& text) {
         if (places_.size() <= in_submitters) blame("has a text where its submitters are expected");
         std::string* const to = part();
@@ -190,7 +190,7 @@ class Reading final : public YAML::EventHandler {
         if (places_.empty()) {
             if (kind != Kind::mapping) throw Unusable{"holds no submissions"};
         } else if (is_key()) {
-            places_.back().key.clear();  // no key of ours is a mapping or a list
+            places_.back().key.clear();  // no needed key is a mapping or a list
         } else if (places_.size() == in_file) {
             if (kind != Kind::mapping) blame("says nothing of it but a list");
         } else if (is_about_submitters()) {
@@ -216,13 +216,13 @@ class Reading final : public YAML::EventHandler {
     }
 
     Bytes& bytes_;
-    std::vector<Place> places_;  ///< from the outermost on
+    std::vector<Place> places_;  ///< the outermost first
     std::map<YAML::anchor_t, std::string> texts_;
     std::size_t anchors_ = 0;
-    bool has_submitters_ = false;  ///< of the submission that is read
+    bool has_submitters_ = false;  ///< the current submission has the key submitters
 };
 
-/// Of whom there is a problem nothing is known.
+/// Removes the submitters of every folder that has a problem.
 void settle(GradescopeMetadata& metadata) {
     for (const auto& [folder, submitters] : metadata.submitters) {
         const bool named = std::all_of(submitters.begin(), submitters.end(),
@@ -237,7 +237,7 @@ void settle(GradescopeMetadata& metadata) {
 GradescopeMetadata read_gradescope_metadata(std::string_view yaml) {
     Bytes bytes(yaml);
     std::istream stream(&bytes);
-    Reading reading(bytes);
+    MetadataReader reading(bytes);
     std::string why;
     try {
         YAML::Parser parser(stream);

@@ -1,11 +1,11 @@
-#include "harness/hand_in.h"
+#include "harness/intake/hand_in.h"
 
 #include <algorithm>
 #include <map>
 
-#include "harness/archive.h"
-#include "harness/gradescope_metadata.h"
-#include "harness/names.h"
+#include "harness/intake/archive.h"
+#include "harness/intake/gradescope_metadata.h"
+#include "harness/text/printable.h"
 
 namespace harness {
 namespace {
@@ -25,7 +25,7 @@ std::string list_of(const std::vector<path>& files) {
     return list_of(names);
 }
 
-/// Numbers of Canvas's, of any length.
+/// Compares Canvas's numbers, which may have any length.
 bool is_smaller(const std::string& a, const std::string& b) {
     return a.size() != b.size() ? a.size() < b.size() : a < b;
 }
@@ -36,7 +36,7 @@ bool is_older(const Source& a, const Source& b) {
     return of_a != of_b ? of_a < of_b : is_smaller(a.attachment, b.attachment);
 }
 
-/// The newest of each name; the older ones are noted.
+/// Returns the newest source of each name and notes the older ones.
 std::vector<Source> newest(const std::vector<Source>& sources, std::vector<std::string>& notes) {
     std::map<std::string, std::vector<Source>> by_name;
     for (const Source& source : sources) by_name[read_base_name(source.name).name].push_back(source);
@@ -60,7 +60,7 @@ void add_all_below(const FileTree& tree, const path& folder, HandIn& hand_in, in
     for (const path& inner : contents.folders) add_all_below(tree, inner, hand_in, depth - 1);
 }
 
-/// The sources in an archive that a student packed, wherever in it they are.
+/// Takes the submission from a student's archive. The sources may lie anywhere in it.
 Submission take_packed(const FileTree& tree, const HandIn& hand_in, std::string id, const std::string& where) {
     if (hand_in.archives.size() > 1) {
         return with_problem(std::move(id), where + " holds several archives and no C++ source: " +
@@ -88,7 +88,7 @@ std::optional<LmsName> read_name(Lms lms, const path& file, bool is_folder) {
         case Lms::canvas: return is_folder ? std::nullopt : read_canvas_name(name);
         case Lms::moodle: {
             auto read = read_moodle_name(name);
-            // Older versions end a folder's name with '_', the flat form puts the file behind it.
+            // Older versions of Moodle end a folder's name with '_'; in the flat form the file's name follows.
             if (read && is_folder != read->file.empty()) return std::nullopt;
             return read;
         }
@@ -111,7 +111,7 @@ bool is_gradescope_metadata(const path& file) {
 
 bool is_of(Lms lms, const Contents& contents) {
     std::vector<path> files = files_of(contents);
-    // What a system's export says about itself is no student's.
+    // The export's own metadata file is no student's file.
     std::erase_if(files, is_gradescope_metadata);
     if (!contents.linked.empty() || (files.empty() && contents.folders.empty())) return false;
     return std::all_of(files.begin(), files.end(), [&](const path& file) { return read_name(lms, file, false); }) &&
@@ -128,7 +128,7 @@ std::optional<Lms> lms_of(const Contents& contents) {
 
 /// One student of a download.
 struct Student {
-    LmsName name;  ///< of the first file or folder, late if any is
+    LmsName name;  ///< of the first file or folder; late if any of them is
     HandIn hand_in;
     std::vector<std::string> no_files;  ///< text entries and links
     std::vector<std::string> notes{};
@@ -146,7 +146,7 @@ void add_file(Student& student, const LmsName& name, const path& file) {
     }
 }
 
-/// By the system's number.
+/// Groups files and folders by the system's number.
 std::map<std::string, Student> students_of(Lms lms, const FileTree& tree, const Contents& contents) {
     std::map<std::string, Student> students;
     const auto student_of = [&](const LmsName& name) -> Student& {
@@ -170,7 +170,7 @@ std::map<std::string, Student> students_of(Lms lms, const FileTree& tree, const 
     return students;
 }
 
-/// What the export says of who handed in; a problem where it has nothing to say it, which raygrade can read.
+/// Reads the export's metadata file; a problem if it is missing or can't be read.
 GradescopeMetadata metadata_of(const FileTree& tree, const Contents& contents) {
     const auto file = std::find_if(contents.others.begin(), contents.others.end(), is_gradescope_metadata);
     if (file == contents.others.end()) return {{}, {}, "is not there"};

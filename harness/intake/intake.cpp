@@ -1,22 +1,22 @@
-#include "harness/intake.h"
+#include "harness/intake/intake.h"
 
 #include <algorithm>
 #include <map>
 #include <set>
 #include <system_error>
 
-#include "harness/archive.h"
-#include "harness/failure.h"
-#include "harness/file_tree.h"
-#include "harness/hand_in.h"
-#include "harness/names.h"
+#include "harness/intake/archive.h"
+#include "harness/intake/file_tree.h"
+#include "harness/intake/hand_in.h"
+#include "harness/machine/errors.h"
+#include "harness/text/printable.h"
 
 namespace harness {
 namespace {
 
 using std::filesystem::path;
 
-/// The folder's own name, also for "." and for a path that ends in '/'.
+/// The folder's own name, even for "." and for a path that ends in '/'.
 std::string folder_id(const path& folder) {
     const path whole = std::filesystem::absolute(folder).lexically_normal();
     const path name = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
@@ -45,7 +45,7 @@ std::string why_no_source(const FileTree& tree, const path& folder, const Conten
     return where + " holds no C++ source (.cpp, .cc or .cxx). Ask for ray_cast.cpp.";
 }
 
-/// One student's folder.
+/// Reads one student's folder.
 Submission from_folder(const FileTree& tree, const path& folder, const Contents& contents) {
     HandIn hand_in;
     hand_in.add(contents);
@@ -83,14 +83,14 @@ std::vector<Submission> from_given_folder(const FileTree& tree, const path& fold
     const bool has_sources = !contents.sources.empty();
     const bool is_class = holds_a_class(tree, contents) || (!has_sources && contents.archives.empty());
     if (contents.error || (is_class && !has_sources && contents.folders.empty())) {
-        throw HarnessError(why_no_source(tree, folder, contents));
+        throw UsageError(why_no_source(tree, folder, contents));
     }
     const bool has_ray_cast = std::any_of(contents.sources.begin(), contents.sources.end(), is_called_ray_cast);
     if (!is_class && (has_ray_cast || !has_sources)) return {from_folder(tree, folder, contents)};
     return from_class(tree, contents, is_class);
 }
 
-/// Packers often put everything below one folder of the archive's name.
+/// Skips outer folders: packers often put everything below a folder with the archive's name.
 path without_wrapping(const FileTree& tree, path folder) {
     constexpr int deepest = 8;
     for (int i = 0; i < deepest; ++i) {
@@ -110,7 +110,7 @@ std::vector<Submission> from_given_archive(const path& archive) {
         const auto tree = DiskTree().open(archive);
         return from_given_folder(*tree, without_wrapping(*tree, archive));
     } catch (const ArchiveError& error) {
-        throw HarnessError(error.what());
+        throw UsageError(error.what());
     }
 }
 
@@ -120,8 +120,8 @@ struct Taken {
     Submission submission;
 };
 
-/// The last `count` names of the path that `one` was found in, joined; fewer if it has fewer. What gave the id its name
-/// is not said twice.
+/// Joins the last `count` names of the path in which `one` was found, or all if there are fewer. Leaves out the name
+/// that the id came from.
 std::string last_names(const Taken& one, std::size_t count) {
     std::vector<std::string> names;
     for (const auto& name : std::filesystem::absolute(one.from).lexically_normal()) {
@@ -169,8 +169,8 @@ std::vector<Submission> take_in(const path& given) {
     std::error_code error;
     const auto status = std::filesystem::status(given, error);
     if (!std::filesystem::exists(status)) {
-        throw HarnessError("There is no " + in_quotes(given) + (error ? ": " + error.message() : "") +
-                           ". Check the path; a name with blanks needs quotes.");
+        throw UsageError("There is no " + in_quotes(given) + (error ? ": " + error.message() : "") +
+                         ". Check the path; a name with blanks needs quotes.");
     }
     std::vector<Submission> submissions;
     const DiskTree disk;
@@ -179,9 +179,9 @@ std::vector<Submission> take_in(const path& given) {
     } else if (is_archive_name(given.native())) {
         submissions = from_given_archive(given);
     } else if (!is_source_name(given)) {
-        throw HarnessError(in_quotes(given) +
-                           " is neither a folder nor a C++ source (.cpp, .cc or .cxx) nor an archive (.zip, .tar, "
-                           ".tar.gz or .tgz).");
+        throw UsageError(in_quotes(given) +
+                         " is neither a folder nor a C++ source (.cpp, .cc or .cxx) nor an archive (.zip, .tar, "
+                         ".tar.gz or .tgz).");
     } else {
         const bool named_by_folder = is_called_ray_cast(given);
         const path folder = std::filesystem::absolute(given).parent_path();

@@ -1,4 +1,4 @@
-#include "harness/lms_name.h"
+#include "harness/intake/lms_name.h"
 
 #include <re2/re2.h>
 
@@ -12,7 +12,7 @@ re2::StringPiece piece(std::string_view text) {
 }  // namespace
 
 std::optional<LmsName> read_canvas_name(std::string_view file) {
-    // The name may hold digits and '_' of its own, so it is as short as it can be.
+    // The student's name may hold digits and '_', so the match for it is as short as possible.
     static const RE2 of_a_file(R"((?s)(?:(.*?)_)??(LATE_)?(?:(\d+)|anon_([^_]+))_(\d+)_(.+))");
     static const RE2 of_no_file(R"((?s)(?:(.*?)_)??(LATE_)?(?:(\d+)|anon_([^_]+))_(text|link)\.html)");
     LmsName name;

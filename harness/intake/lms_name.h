@@ -1,4 +1,4 @@
-// The names that learning management systems give to what students handed in.
+// Parses the file names of learning management systems' downloads.
 #pragma once
 
 #include <optional>
@@ -10,37 +10,37 @@ namespace harness {
 
 enum class Lms { canvas, moodle, gradescope };
 
-/// One of those who handed in together, as Gradescope names them; each part may be empty.
+/// One of the students of a Gradescope submission, which may be a group's. Each part may be empty.
 struct Submitter {
     std::string name, sid, email;
 };
 
-/// Who handed a file in, when and as what, as far as its name in the system's download tells.
+/// Who submitted a file, when and under which name, as far as its name in the download tells.
 struct LmsName {
     Lms system = Lms::canvas;  ///< whose number `id` is
-    std::string student;       ///< the name as the system writes it: "doejane", "Jane Doe", a group's; empty if unknown
+    std::string student;       ///< student or group, as the system writes it: "doejane", "Jane Doe"; may be empty
     std::string id;            ///< the system's number of the user, participant or submission
     std::string attachment;    ///< Canvas's number of the file, higher for a later one; empty elsewhere
-    std::string file;          ///< the name of the student's own file; empty for a folder of them
-    std::optional<bool> late;  ///< Canvas alone tells; empty elsewhere
+    std::string file;          ///< the student's own name of the file; empty for a folder
+    std::optional<bool> late;  ///< known from Canvas only; empty elsewhere
     bool is_file = true;       ///< false for a text entry or a link, which hold no source
-    std::vector<Submitter> submitters{};  ///< those of a Gradescope submission whose names are known; empty elsewhere
+    std::vector<Submitter> submitters{};  ///< of a Gradescope submission, if known; else empty
 };
 
 /// A file of Canvas's "Download Submissions": `<name>[_LATE]_<user>_<attachment>_<file>`, or anonymous
-/// `[LATE_]anon_<id>_<attachment>_<file>`; `_text.html` and `_link.html` for what is no file (canvas-lms,
+/// `[LATE_]anon_<id>_<attachment>_<file>`; `_text.html` and `_link.html` for text entries and links (canvas-lms,
 /// content_zipper.rb).
 std::optional<LmsName> read_canvas_name(std::string_view file);
 
-/// A folder of Moodle's download, `<Full name>_<participant>_assignsubmission_file`, or a file of the flat form, with
-/// `_<file>` behind it. Names may hold '_': it is read from the right (mod/assign, downloader.php).
+/// A folder of Moodle's download, `<Full name>_<participant>_assignsubmission_file`, or a file of its flat form, which
+/// ends in `_<file>`. Names may hold '_', so the name is parsed from the right (mod/assign, downloader.php).
 std::optional<LmsName> read_moodle_name(std::string_view name);
 
 /// A folder of a Gradescope export: `submission_<number>`.
 std::optional<LmsName> read_gradescope_name(std::string_view folder);
 
-/// A file's name without what a resubmission or a second download adds before the ending: "ray_cast-2.cpp" and
-/// "ray_cast (2).cpp" are the second "ray_cast.cpp". `turn` is 0 where there is no such addition.
+/// A file's name without what a resubmission or a second download adds before the extension: "ray_cast-2.cpp" and
+/// "ray_cast (2).cpp" are the second "ray_cast.cpp". `turn` is the number added, or 0.
 struct BaseName {
     std::string name;
     long turn = 0;

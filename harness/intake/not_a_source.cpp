@@ -1,4 +1,4 @@
-#include "harness/no_source.h"
+#include "harness/intake/not_a_source.h"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ struct Kind {
     std::string_view wanted;
 };
 
-/// By how their files begin; nothing of it begins a source.
+/// The first bytes of other kinds of file. No source begins like this.
 constexpr std::array kinds = {
     Kind{"%PDF-", "is a PDF", any},
     Kind{"PK\x03\x04", "is a zip, or a document of an office program", packed},
@@ -33,7 +33,7 @@ constexpr std::array kinds = {
          "ELF",
          "is a built program", built},
     Kind{"\xcf\xfa\xed\xfe", "is a built program", built},  // macOS
-    Kind{"\xca\xfe\xba\xbe", "is a built program", built},  // macOS, or a class of Java
+    Kind{"\xca\xfe\xba\xbe", "is a built program", built},  // macOS, or a Java class file
     Kind{"!<arch>\n", "is a built library", built},
     Kind{"{\\rtf", "is rich text (RTF)", as_text},
     Kind{"\xd0\xcf\x11\xe0", "is a document of an office program", as_text},
@@ -45,11 +45,11 @@ constexpr std::array kinds = {
 };
 
 bool is_blank(std::string_view bytes) {
-    if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);  // UTF-8's own mark
+    if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);  // UTF-8's byte order mark
     return std::all_of(bytes.begin(), bytes.end(), [](unsigned char c) { return std::isspace(c) != 0; });
 }
 
-/// UTF-16 without a mark at its beginning: of ASCII every other byte is 0, and no byte between those.
+/// Recognises UTF-16 without a byte order mark: in ASCII text every second byte is 0 and no other byte is.
 bool is_utf_16(std::string_view bytes) {
     std::array<std::size_t, 2> zeros{};
     for (std::size_t i = 0; i < bytes.size(); ++i) zeros[i % 2] += bytes[i] == '\0' ? 1 : 0;

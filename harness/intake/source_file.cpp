@@ -1,4 +1,4 @@
-#include "harness/source_file.h"
+#include "harness/intake/source_file.h"
 
 #include <sodium.h>
 
@@ -8,10 +8,10 @@
 #include <cerrno>
 #include <system_error>
 
-#include "harness/failure.h"
-#include "harness/intake.h"
-#include "harness/names.h"
-#include "harness/no_source.h"
+#include "harness/intake/intake.h"
+#include "harness/intake/not_a_source.h"
+#include "harness/machine/errors.h"
+#include "harness/text/printable.h"
 
 namespace harness {
 namespace {

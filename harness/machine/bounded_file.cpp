@@ -1,4 +1,4 @@
-#include "harness/bounded_file.h"
+#include "harness/machine/bounded_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "harness/sandbox/file_descriptor.h"
+#include "harness/machine/file_descriptor.h"
 
 namespace harness {
 
@@ -27,7 +27,7 @@ BoundedFile read_bounded(const std::filesystem::path& path, std::uintmax_t most,
         result.is_special = true;
         return result;
     }
-    // One more than there should be, to see the end; a file that grows meanwhile is read on.
+    // One byte more than wanted, to see whether the file is longer. A file that grows meanwhile is read on.
     const std::uintmax_t enough = most + 1;
     std::string& bytes = result.bytes;
     bytes.resize(static_cast<std::size_t>(std::min(static_cast<std::uintmax_t>(info.st_size) + 1, enough)));

@@ -1,4 +1,4 @@
-// An open file of this process, closed at the end of its owner's life.
+// A file descriptor that is closed when its owner is destroyed.
 #pragma once
 
 #include <unistd.h>
@@ -10,7 +10,7 @@ namespace harness {
 class FileDescriptor {
   public:
     FileDescriptor() = default;
-    /// Takes over `fd`; a negative one, as open() gives on failure, means none.
+    /// Takes over `fd`; a negative number, as open() returns on failure, means none.
     explicit FileDescriptor(int fd) : fd_(fd) {}
     FileDescriptor(FileDescriptor&& other) noexcept : fd_(other.release()) {}
     FileDescriptor& operator=(FileDescriptor&& other) noexcept {

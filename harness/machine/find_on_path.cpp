@@ -1,4 +1,4 @@
-#include "harness/sandbox/find_on_path.h"
+#include "harness/machine/find_on_path.h"
 
 #include <unistd.h>
 
@@ -6,8 +6,8 @@
 #include <sstream>
 #include <system_error>
 
-#include "harness/failure.h"
-#include "harness/names.h"
+#include "harness/machine/errors.h"
+#include "harness/text/printable.h"
 
 namespace harness {
 

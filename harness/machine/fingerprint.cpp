@@ -1,11 +1,11 @@
-#include "harness/fingerprint.h"
+#include "harness/machine/fingerprint.h"
 
 #include <sodium.h>
 
 #include <array>
 #include <charconv>
 
-#include "harness/failure.h"
+#include "harness/machine/errors.h"
 
 namespace harness {
 

@@ -1,4 +1,4 @@
-// A name for content: two contents with one fingerprint are never met, also not on purpose.
+// Identifies content by a hash. Two contents with the same fingerprint never occur, not even on purpose.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,10 @@
 
 namespace harness {
 
-/// Collects fields and gives their BLAKE2b hash. Fields are kept apart: "ab", "c" is not "a", "bc".
+/// Collects fields and computes their BLAKE2b hash. Fields are kept apart: "ab", "c" is not "a", "bc".
 class Fingerprint {
   public:
-    /// `purpose` sets the fingerprints of one use apart from those of another, and one version of it from the next.
+    /// `purpose` keeps the fingerprints of different uses apart, and of different versions of the same use.
     explicit Fingerprint(std::string_view purpose) { add(purpose); }
     Fingerprint& add(std::string_view field);
     Fingerprint& add(std::int64_t field);

@@ -1,4 +1,4 @@
-#include "harness/results_folder.h"
+#include "harness/machine/fresh_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -11,15 +11,14 @@
 #include <fstream>
 #include <utility>
 
-#include "harness/failure.h"
-#include "harness/find_submissions.h"
+#include "harness/machine/errors.h"
 
 namespace harness {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether there is nothing at all, or no more than what a run makes first.
+/// Whether `out` is missing, or empty except for an empty `first`.
 bool is_without_files(const fs::path& out, const std::string& first) {
     std::error_code error;
     if (!fs::exists(out, error)) return true;
@@ -74,33 +73,28 @@ fs::path place_beside(const fs::path& file) {
     return file.string() + ".new";
 }
 
-FreshFile::FreshFile(fs::path file) : file_(std::move(file)), fresh_(place_beside(file_)) {}
-
-FreshFile::~FreshFile() {
-    std::error_code ignored;
-    if (is_beside_) fs::remove(fresh_, ignored);
-}
-
-void FreshFile::write(const std::function<void(std::ostream&)>& write) {
-    errno = 0;
-    is_beside_ = true;
-    std::ofstream stream(fresh_, std::ios::binary);
-    write(stream);
-    stream.close();
-    if (!stream) fail_to_write(file_, errno);
-}
-
-void FreshFile::put_in_place() {
-    std::error_code error;
-    fs::rename(fresh_, file_, error);
-    if (error) fail_to_write(file_, error.value());
-    is_beside_ = false;
+bool is_unfinished(const fs::path& file) {
+    return file.extension() == ".new";
 }
 
 void write_file(const fs::path& file, const std::function<void(std::ostream&)>& write) {
-    FreshFile fresh(file);
-    fresh.write(write);
-    fresh.put_in_place();
+    const fs::path beside = place_beside(file);
+    try {
+        errno = 0;
+        std::error_code ignored;
+        fs::remove(beside, ignored);  // of a killed command; never written through where it is a link
+        std::ofstream stream(beside, std::ios::binary);
+        write(stream);
+        stream.close();
+        if (!stream) fail_to_write(file, errno);
+        std::error_code error;
+        fs::rename(beside, file, error);
+        if (error) fail_to_write(file, error.value());
+    } catch (...) {
+        std::error_code ignored;
+        fs::remove(beside, ignored);
+        throw;
+    }
 }
 
 void write_file(const fs::path& file, const std::string& text) {

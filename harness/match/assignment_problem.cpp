@@ -1,4 +1,4 @@
-#include "harness/assignment_problem.h"
+#include "harness/match/assignment_problem.h"
 
 #include <limits>
 
@@ -8,7 +8,7 @@ std::vector<std::optional<std::size_t>> solve_assignment(
     const std::vector<std::vector<std::optional<std::int64_t>>>& gains) {
     const std::size_t rows = gains.size();
     const std::size_t real_columns = rows == 0 ? 0 : gains.front().size();
-    // Each row has a column of its own behind the real ones that stands for "no column".
+    // After the real columns, each row has its own column that stands for "no column".
     const std::size_t columns = real_columns + rows;
     constexpr std::int64_t never = std::int64_t{1} << 40;
     constexpr std::int64_t infinite = std::numeric_limits<std::int64_t>::max() / 4;

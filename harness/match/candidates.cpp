@@ -1,4 +1,4 @@
-#include "harness/arrange.h"
+#include "harness/match/candidates.h"
 
 #include <re2/re2.h>
 
@@ -19,7 +19,7 @@ std::size_t matrix_size(std::span<const ItemSpec> items) {
     return 0;
 }
 
-/// The largest fit of the value's own label to a vector item.
+/// The best fit of the value's own label to a vector item.
 LabelFit vector_fit(const PrintedValue& value, std::span<const ItemSpec> items) {
     LabelFit best = LabelFit::forbidden;
     for (const ItemSpec& item : items) {
@@ -37,8 +37,8 @@ bool is_list_of(const PrintedValue& value, std::size_t count) {
     return value.groups == 1 && value.numbers.size() == count;
 }
 
-/// Whether a value may stand within a block: the rows of a matrix have no labels but "row 1", and one may carry the
-/// matrix's own, as in "    [ 0 -2 ]" over "A = [ 3 0 ]".
+/// Whether a value may be part of a block. Rows of a matrix have no labels except "row 1", but one row may carry the
+/// matrix's label, as in "    [ 0 -2 ]" over "A = [ 3 0 ]".
 bool may_be_in_block(const PrintedValue& value, std::span<const ItemSpec> items) {
     if (value.label.empty() || is_row_label(value.label)) return true;
     return vector_fit(value, items) < LabelFit::named && !is_aside(value, items);
@@ -71,7 +71,8 @@ MatrixOrder order_of(const PrintedValue& first, MatrixOrder otherwise) {
     return otherwise;
 }
 
-/// Columns are the order of a row label such as "col 0", "c1" or "-V"; rows that of "row 0" and of no label.
+/// The order that the row labels tell: columns for "col 0", "c1" or "-V", rows for "row 0". Without row labels: columns
+/// after a type name, else rows.
 MatrixOrder block_order(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n) {
     const PrintedValue& first = values[at];
     const PrintedValue& last = values[at + n - 1];
@@ -89,7 +90,7 @@ MatrixOrder block_order(const std::vector<PrintedValue>& values, std::size_t at,
     return order_of(first, otherwise);
 }
 
-/// A block of rows as one matrix; with four numbers a row the fourth is the right-hand side.
+/// Gathers a block of rows into one matrix. If n = 3 and the rows have four numbers, the fourth is the right-hand side.
 std::vector<Candidate> gather_block(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n,
                                     std::size_t count) {
     Candidate matrix{values[at], block_order(values, at, n), 0, at, n};
@@ -117,7 +118,7 @@ std::vector<Candidate> gather_block(const std::vector<PrintedValue>& values, std
     return {matrix, rhs};
 }
 
-/// How many values from values[at] on are numbers that stand alone on lines that follow each other, all framed or none.
+/// How many values from values[at] on are single numbers on consecutive lines, all of them framed or all unframed.
 std::size_t stack_height(const std::vector<PrintedValue>& values, std::size_t at) {
     constexpr std::size_t most = 64;
     std::size_t height = 0;
@@ -138,8 +139,8 @@ bool has_one_label(const std::vector<PrintedValue>& values, std::size_t at, std:
     return labels <= 1;
 }
 
-/// How many values from values[at] on are the components of one vector, printed one a line; 0 for none. They are so
-/// under a vector's name, between brackets, or where the question asks for no scalar.
+/// How many values from values[at] on are the components of one vector, printed one per line; 0 if none are. The
+/// numbers form a vector if they stand under a vector's name or in brackets, or if the question asks for no scalar.
 std::size_t column_vector_size(const std::vector<PrintedValue>& values, std::size_t at,
                                std::span<const ItemSpec> items) {
     const std::size_t height = stack_height(values, at);
@@ -155,7 +156,7 @@ std::size_t column_vector_size(const std::vector<PrintedValue>& values, std::siz
     return is(Shape::vector) && !plain && (under_name || values[at].framed || !is(Shape::scalar)) ? size : 0;
 }
 
-/// The components of a vector printed one a line.
+/// Joins the components of a vector printed one per line.
 Candidate gather_column_vector(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n) {
     Candidate vector{values[at]};
     for (std::size_t k = 1; k < n; ++k) {
@@ -168,7 +169,7 @@ Candidate gather_column_vector(const std::vector<PrintedValue>& values, std::siz
     return vector;
 }
 
-/// A matrix in one value: nested brackets, or a flat list of all its numbers.
+/// Reads a matrix in one value: nested brackets, or a flat list of all its numbers.
 std::optional<Candidate> whole_matrix(const PrintedValue& value, std::size_t n) {
     if (value.numbers.size() != n * n || (value.groups != 1 && value.groups != static_cast<int>(n)))
         return std::nullopt;
@@ -178,7 +179,7 @@ std::optional<Candidate> whole_matrix(const PrintedValue& value, std::size_t n) 
     return Candidate{value, order_of(value, otherwise)};
 }
 
-/// One line "[0 2 -2 | 0; 0 4 4 | 2; …]" in nested brackets.
+/// Reads an augmented matrix in nested brackets on one line: "[0 2 -2 | 0; 0 4 4 | 2; …]".
 std::optional<std::vector<Candidate>> whole_augmented(const PrintedValue& value) {
     if (value.groups != 3 || value.numbers.size() != 12 || value.typed) return std::nullopt;
     std::vector<PrintedValue> rows;
@@ -196,7 +197,7 @@ std::optional<std::vector<Candidate>> whole_augmented(const PrintedValue& value)
 std::vector<Candidate> gather_matrices(const std::vector<PrintedValue>& values, std::span<const ItemSpec> items) {
     const std::size_t n = matrix_size(items);
     std::vector<Candidate> candidates;
-    bool found_matrix = false;  // after one, only rows under a label of their own are another
+    bool found_matrix = false;  // later rows form a matrix only under their own label
     for (std::size_t i = 0; i < values.size();) {
         const bool may_gather = !found_matrix || !values[i].label.empty() || !values[i].above.empty();
         const auto append = [&](const std::vector<Candidate>& found, std::size_t used) {
@@ -226,7 +227,7 @@ std::vector<Candidate> gather_matrices(const std::vector<PrintedValue>& values, 
     return candidates;
 }
 
-/// Question 2's axes printed as one 3 x 3 block: an axis a group.
+/// Splits question 2's axes, printed as one 3 x 3 block, into one axis per group.
 std::vector<Candidate> split_groups(const Candidate& list) {
     const PrintedValue& value = list.value;
     std::vector<Candidate> parts;
@@ -267,7 +268,7 @@ std::vector<Candidate> take_apart(const Candidate& list, std::span<const ItemSpe
     return parts;
 }
 
-std::vector<Candidate> arrange(const std::vector<PrintedValue>& values, std::span<const ItemSpec> items) {
+std::vector<Candidate> candidates_of(const std::vector<PrintedValue>& values, std::span<const ItemSpec> items) {
     const std::vector<ItemSpec> scalars = scalars_of(items);
     const auto vectors = static_cast<std::size_t>(
         std::count_if(items.begin(), items.end(), [](const ItemSpec& i) { return i.shape == Shape::vector; }));

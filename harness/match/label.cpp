@@ -1,4 +1,4 @@
-#include "harness/label.h"
+#include "harness/match/label.h"
 
 #include <re2/re2.h>
 
@@ -25,7 +25,7 @@ struct Names {
     Vocabulary weak;
 };
 
-/// What either normal is called, and what this one is called besides.
+/// Adds the names that both normals go by to `names`.
 Vocabulary names_of_normal(Vocabulary names) {
     for (const char* name :
          {"n", "normal", "surfacenormal", "unitnormal", "nhat", "normaln", "normalvector", "normalized", "normalised",
@@ -138,7 +138,7 @@ const Vocabulary& fillers() {
     return words;
 }
 
-/// Words that say the value is on the way to an answer, or about one. "length of N" is not N.
+/// Words that say that the value is an intermediate result or a check, not an answer.
 const Vocabulary& not_an_answer() {
     static const Vocabulary words = {
         "debug",   "dbg",          "before",      "unnormalized", "unnormalised", "nonnormalized", "raw",
@@ -157,7 +157,7 @@ class Words {
     std::size_t size() const { return starts_.size(); }
     bool empty() const { return starts_.empty(); }
     std::string_view operator[](std::size_t i) const { return joined(i, i + 1); }
-    /// The letters of the words [first, last) in a row.
+    /// The words [first, last), joined without blanks.
     std::string_view joined(std::size_t first, std::size_t last) const {
         const std::size_t end = last < starts_.size() ? starts_[last] : letters_.size();
         return std::string_view(letters_).substr(starts_[first], end - starts_[first]);
@@ -223,7 +223,7 @@ bool says_no_answer(const Words& words) {
     return false;
 }
 
-/// What the scene gives is no answer: "R = 2".
+/// Whether the label names a number that the scene gives, which is no answer: "R = 2".
 bool is_of_the_scene(const Words& words) {
     static const Vocabulary given = {"r",      "radius",       "r2",           "center",         "centre",  "eye",
                                      "lookat", "vup",          "width",        "height",         "dx",      "dy",
@@ -300,8 +300,8 @@ MatrixOrder matrix_order(std::string_view label) {
         columns = columns || token == "column" || token == "columns" || token == "col" || token == "cols" ||
                   token == "columnwise";
     }
-    // "row by row", "each row", "matrix (columns are t, u, v)" printed by rows: a label that names what the columns
-    // mean says nothing about the order of printing.
+    // A label that says what the columns mean, such as "matrix (columns are t, u, v)", says nothing about the order of
+    // printing.
     static const RE2 meaning(R"((?i)col(?:umn)?s?\W*(?:are|is|order|for|of|:|=|\()?\W*(?:\b[-]?[tuv]\b\W*){2,3})");
     if (columns && RE2::PartialMatch(re2::StringPiece(label.data(), label.size()), meaning)) columns = false;
     if (rows == columns) return MatrixOrder::unsaid;

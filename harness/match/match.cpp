@@ -1,9 +1,9 @@
-#include "harness/match.h"
+#include "harness/match/match.h"
 
 #include <algorithm>
 
-#include "harness/question_match.h"
-#include "harness/unheaded.h"
+#include "harness/match/question_match.h"
+#include "harness/match/without_headings.h"
 
 namespace harness {
 namespace {
@@ -16,7 +16,7 @@ struct Question {
     int number = 0;
     std::vector<ItemSpec> items;
     bool has_heading = false;
-    std::vector<std::vector<PrintedValue>> parts;  ///< one for each time the program came to the question
+    std::vector<std::vector<PrintedValue>> parts;  ///< one part for each time the program came to the question
     Answers answers;
 };
 
@@ -30,7 +30,8 @@ std::vector<Question> list_questions(std::span<const ItemSpec> items) {
     return questions;
 }
 
-/// The values under a question's headings. "6a", "6b" in turn are one part; a question come back to later has another.
+/// The values under a question's headings. Consecutive "6a" and "6b" form one part. If the program comes back to the
+/// question later, that is a new part.
 void collect_parts(Question& question, const std::vector<Section>& sections) {
     bool goes_on = false;
     for (const Section& section : sections) {
@@ -44,14 +45,15 @@ void collect_parts(Question& question, const std::vector<Section>& sections) {
     }
 }
 
-/// Whether a value names an item of the question it was printed under: then it is no answer to another one's.
+/// Whether a value names an item of the question it was printed under. Such a value cannot answer another question.
 bool names_own_item(const PrintedValue& value, const Question& owner, Fits& fits) {
     return std::any_of(owner.items.begin(), owner.items.end(), [&](const ItemSpec& item) {
         return has_shape(value, item) && fits(value, item) >= LabelFit::named;
     });
 }
 
-/// Questions without a heading, behind the question `leader` that has one: only what is labelled can answer them.
+/// Answers the questions without a heading that follow `leader`, which has a heading. Only labelled values can answer
+/// them.
 void answer_behind(const Question& leader, std::span<Question> questions, Fits& fits) {
     std::vector<PrintedValue> left = unused_values(leader.parts, leader.answers);
     std::erase_if(left, [&](const PrintedValue& value) { return names_own_item(value, leader, fits); });
@@ -61,7 +63,7 @@ void answer_behind(const Question& leader, std::span<Question> questions, Fits& 
     }
 }
 
-/// Questions without a heading before all that have one, or all of them.
+/// Answers the questions before the first question with a heading, or all questions if there is no heading.
 void answer_first(const Section& section, std::span<Question> questions, Fits& fits) {
     std::vector<std::vector<ItemSpec>> items;
     for (const Question& question : questions) items.push_back(question.items);
@@ -96,7 +98,7 @@ void share_no_value(std::vector<MatchedItem>& matched, const std::vector<Candida
     }
 }
 
-/// A value whose label names the item but that has another shape: the item was answered, unreadably.
+/// Marks the item as unreadable if its label stands before a value of another shape.
 void find_unreadable(MatchedItem& item, const Answers& answers, Fits& fits) {
     if (item.value || item.spec.shape == Shape::verdict) return;
     for (const Candidate& candidate : answers.candidates) {
@@ -108,8 +110,8 @@ void find_unreadable(MatchedItem& item, const Answers& answers, Fits& fits) {
     }
 }
 
-/// The sentence of question 10: under its heading, else wherever "first" is said, else behind all values of a program
-/// without headings.
+/// Finds the sentence of question 10: under its heading; else any sentence with "first"; else, if the program prints no
+/// headings, after all values.
 std::optional<PrintedVerdict> find_verdict(const std::vector<Section>& sections, int question) {
     int last_value = 0;
     for (const Section& section : sections) {

@@ -1,15 +1,15 @@
-// Which printed value answers which item. Label, type, order and question decide together, never which value is right:
-// the matcher sees the items, not the key.
+// Finds which printed value answers which item. Label, type, order and question decide together. Whether a value is
+// right plays no role: the matcher sees the items, not the key.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "harness/label.h"
-#include "harness/transcript.h"
-#include "harness/verdict_reader.h"
-#include "reference/items.h"
+#include "harness/match/label.h"
+#include "harness/read/transcript.h"
+#include "harness/read/verdict.h"
+#include "reference/stages/items.h"
 
 namespace harness {
 
@@ -19,8 +19,8 @@ struct MatchedItem {
     /// w) for a vector, 9 or 16 for a matrix in the order of `order`; none for a word such as "none".
     std::optional<PrintedValue> value;
     MatrixOrder order = MatrixOrder::unsaid;  ///< of a matrix; unsaid when the printout does not tell
-    std::optional<PrintedVerdict> verdict;    ///< for question 10; its `line` counts in the output
-    /// The item's label stands before something of another shape, which is then `value`.
+    std::optional<PrintedVerdict> verdict;    ///< for question 10
+    /// The item's label stands before a value of another shape; `value` holds that value.
     bool unreadable = false;
 };
 

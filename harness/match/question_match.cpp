@@ -1,9 +1,9 @@
-#include "harness/question_match.h"
+#include "harness/match/question_match.h"
 
 #include <algorithm>
 #include <cstdlib>
 
-#include "harness/assignment_problem.h"
+#include "harness/match/assignment_problem.h"
 
 namespace harness {
 namespace {
@@ -83,7 +83,7 @@ class Matcher {
         if (names_another(i, fit) ||
             (fit[i] == LabelFit::foreign && names_another_question(candidate.value, items_[i])))
             return std::nullopt;
-        // A vec3 without a name that is read as three scalars is one value still: it gains no more than as a vector.
+        // An unnamed vec3 that is read as three scalars is still one value, so it gains no more than as a vector.
         const std::int64_t share = candidate.value.typed && fit[i] == LabelFit::none ? candidate.parts : 1;
         return gain_of(fit[i]) / share + order_gain(fit[i], i, placed);
     }
@@ -98,8 +98,8 @@ class Matcher {
         return false;
     }
 
-    /// Whether the label is that of another question's item: "N" within question 6. In a question with one item the
-    /// label may have been copied by mistake.
+    /// Whether the label names another question's item, such as "N" within question 6. False in a question with one
+    /// item: its label may have been copied by mistake.
     bool names_another_question(const PrintedValue& value, const ItemSpec& item) const {
         if (items_.size() == 1) return false;
         const auto all = reference::all_items();
@@ -111,18 +111,18 @@ class Matcher {
         return false;
     }
 
-    /// Of values labelled alike the last counts. Values without a label come in the order of the items; of a question
-    /// with one item the last is the result of those before.
+    /// Among values with the same label, the last counts. Values without a label come in the order of the items. In a
+    /// question with one item, the last value is the result of the earlier values.
     std::int64_t order_gain(LabelFit fit, std::size_t i, const Placed& placed) const {
         constexpr std::int64_t most = 4'000;
         constexpr std::int64_t later_part = 2'000;
         const auto place = static_cast<std::int64_t>(placed.place);
         const std::int64_t part =
             std::min<std::int64_t>(static_cast<std::int64_t>(placed.candidate.part), 2) * later_part;
-        // Of names that only often mean the item, "t1" and "t2" for t, the first: students write the near root first.
+        // Among weak names, such as "t1" and "t2" for t, the first counts: students write the near root first.
         if (fit == LabelFit::weak && items_.size() > 1) return part - std::min(place, most);
         if (fit >= LabelFit::title || items_.size() == 1) return part + std::min(place, most);
-        // Squared, so that of two matchings the one without crossings gains more.
+        // Squared, so that a matching without crossings gains more.
         const std::int64_t apart = std::min<std::int64_t>(std::abs(static_cast<std::int64_t>(i) - place), 40);
         return part - 2 * apart * apart;
     }
@@ -133,14 +133,14 @@ class Matcher {
     Fits& fits_;
 };
 
-/// candidates with number k read as scalars, named by items [first, …).
+/// The candidates, with candidate k read as scalars for items [first, …).
 std::vector<Placed> with_list_apart(const std::vector<Placed>& candidates, std::size_t k,
                                     std::span<const ItemSpec> items, std::size_t first) {
     std::vector<Placed> trial(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(k));
     std::size_t place = candidates[k].place;
     const PrintedValue& list = candidates[k].candidate.value;
     for (Candidate& part : take_apart(candidates[k].candidate, items, first)) {
-        part.value.label = list.label;  // the order of printing names them, no more than that
+        part.value.label = list.label;  // only the order of printing names the parts
         part.value.after = list.after;
         trial.push_back({std::move(part), place++});
     }
@@ -152,8 +152,9 @@ std::vector<Placed> with_list_apart(const std::vector<Placed>& candidates, std::
     return trial;
 }
 
-/// Whether items [first, first + count) may be candidate k where the others are matched as in `solution`: nothing
-/// before it answers a later item, nothing behind it an earlier one, and none of these items is answered by name.
+/// Whether candidate k may answer items [first, first + count) while the other items are matched as in `solution`: no
+/// candidate before k answers a later item, no candidate after k answers an earlier item, and none of these items is
+/// answered by name.
 bool keeps_order(const std::vector<Placed>& candidates, const Matcher& matcher, const Matcher::Solution& solution,
                  std::size_t k, std::size_t first, std::size_t count) {
     for (std::size_t i = 0; i < solution.candidate_of.size(); ++i) {
@@ -172,7 +173,7 @@ struct Reading {
     Matcher::Solution solution;
 };
 
-/// The best that reading one list without a name as several scalars gives; empty if nothing gains more than `whole`.
+/// The best result of reading one unnamed list as several scalars; empty if nothing gains more than `whole`.
 std::optional<Reading> take_best_list_apart(const Reading& whole, std::span<const ItemSpec> items,
                                             const Matcher& matcher) {
     constexpr std::size_t most_lists = 8;
@@ -199,7 +200,7 @@ std::optional<Reading> take_best_list_apart(const Reading& whole, std::span<cons
     return best;
 }
 
-/// Reads lists without a name as several scalars, "1 -4 2" as a, b, c, where that lets more items be answered.
+/// Reads unnamed lists as several scalars, such as "1 -4 2" as a, b, c, where that answers more items.
 Reading take_lists_apart(Reading reading, std::span<const ItemSpec> items, const Matcher& matcher) {
     constexpr std::size_t most_candidates = 48;
     constexpr int most_apart = 3;
@@ -254,7 +255,7 @@ Answers answer_question(std::span<const ItemSpec> items, std::span<const std::ve
     std::vector<Placed> candidates;
     for (std::size_t part = 0; part < parts.size(); ++part) {
         std::size_t place = 0;
-        for (Candidate& candidate : arrange(parts[part], items)) {
+        for (Candidate& candidate : candidates_of(parts[part], items)) {
             candidate.part = part;
             candidates.push_back({std::move(candidate), place++});
         }

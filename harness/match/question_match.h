@@ -1,4 +1,4 @@
-// Which of the values printed for a question answers which of its items: one assignment problem, solved exactly.
+// Matches the values printed for a question with its items: one assignment problem, solved exactly.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +8,20 @@
 #include <unordered_map>
 #include <vector>
 
-#include "harness/arrange.h"
-#include "harness/label.h"
-#include "harness/transcript.h"
-#include "reference/items.h"
+#include "harness/match/candidates.h"
+#include "harness/match/label.h"
+#include "harness/read/transcript.h"
+#include "reference/stages/items.h"
 
 namespace harness {
 
-/// How well printed values name items: by the words before the value; without any by those behind it, or on the line
-/// above. Remembers, since a program repeats its labels.
+/// How well the words around printed values name items (fit_value). Caches the results, because a program repeats its
+/// labels.
 class Fits {
   public:
     using Row = std::vector<LabelFit>;  ///< by the item's place in reference::all_items()
 
-    /// Of all items at once. The reference stays good.
+    /// The fits of a value to all items. The reference stays valid.
     const Row& of(const PrintedValue& value);
     LabelFit operator()(const PrintedValue& value, const reference::ItemSpec& item);
 
@@ -29,32 +29,33 @@ class Fits {
     std::unordered_map<std::string, Row> known_;
 };
 
-/// Whether a value may have the item's shape; a value without numbers has that of an item that may not exist.
+/// Whether the value has the item's shape. A value without numbers, such as "none", fits an item that may be absent.
 bool has_shape(const PrintedValue& value, const reference::ItemSpec& item);
 
-/// Items whose value may not exist: a ray can miss.
+/// Whether the item may have no value because the ray misses.
 bool may_be_absent(const reference::ItemSpec& item);
 
-/// What a question asks a value for: to come in its order or to be labelled, or to be labelled in any case.
+/// What makes a value an answer: its order or its label, or its label alone.
 enum class Need { order_or_label, label };
 
 /// The values that answer a question's items.
 struct Answers {
     std::vector<Candidate> candidates;
-    std::vector<std::optional<std::size_t>> candidate_of;  ///< by item: an index into candidates
+    std::vector<std::optional<std::size_t>> candidate_of;  ///< for each item, an index into candidates
     std::int64_t gain = 0;                                 ///< the sum of the fits: larger is better
 };
 
-/// No item adds more to the gain.
+/// An item adds at most this to the gain.
 constexpr std::int64_t largest_gain = 110'000;
 
-/// `items` of one question, in the handout's order; `parts` are the runs of values that were printed for it, the last
-/// of which counts most. At most one value an item and one item a value, so that the sum of the fits is largest. Label,
-/// type and order decide, no number is looked at. Linear in the number of values.
+/// Matches each item with at most one value and each value with at most one item, so that the sum of the fits is
+/// largest. `items` are those of one question in the handout's order. `parts` are the runs of values that were printed
+/// for the question; the last run counts most. Label, type and order decide; no number is looked at. Linear in the
+/// number of values.
 Answers answer_question(std::span<const reference::ItemSpec> items, std::span<const std::vector<PrintedValue>> parts,
                         Need need, Fits& fits);
 
-/// The values of all parts that answer none of the items.
+/// The values of all parts that answer no item.
 std::vector<PrintedValue> unused_values(std::span<const std::vector<PrintedValue>> parts, const Answers& answers);
 
 }  // namespace harness

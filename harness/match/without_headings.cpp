@@ -1,4 +1,4 @@
-#include "harness/unheaded.h"
+#include "harness/match/without_headings.h"
 
 #include <algorithm>
 #include <numeric>
@@ -11,7 +11,7 @@ using reference::Shape;
 
 constexpr std::size_t most_values = 96;
 
-/// The most values that a run for these items is tried with: a matrix may take one a row, and some may be asides.
+/// The longest run that is tried for these items. A matrix may take one value per row, and some values may be asides.
 std::size_t longest_run(const std::vector<ItemSpec>& items) {
     constexpr std::size_t asides = 3;
     std::size_t values = items.size() + asides;
@@ -28,8 +28,8 @@ class Division {
         : questions_(questions), values_(values), fits_(fits) {}
 
     std::vector<Answers> run() {
-        // gain[q][j]: the best of questions [0, q) with values [0, j); length[q][j]: of the run that ends at j, 0 for
-        // none.
+        // gain[q][j]: the best gain of questions [0, q) with values [0, j). length[q][j]: the length of the run that
+        // ends at j; 0 if there is none.
         const std::size_t columns = values_.size() + 1;
         std::vector<std::vector<std::int64_t>> gain(questions_.size() + 1, std::vector<std::int64_t>(columns, 0));
         std::vector<std::vector<std::size_t>> length(questions_.size() + 1, std::vector<std::size_t>(columns, 0));

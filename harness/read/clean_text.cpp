@@ -1,45 +1,17 @@
-#include "harness/clean_text.h"
-
-#include <fmt/format.h>
+#include "harness/read/clean_text.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <utility>
+
+#include "harness/text/utf8.h"
 
 namespace harness {
 namespace {
 
 constexpr char escape = '\x1b';
-constexpr char32_t replacement = 0xFFFD;
-/// A terminal's escape sequence is shorter; bounds the search for its end.
+/// Real escape sequences are shorter. Bounds the search for the end of a sequence.
 constexpr std::size_t longest_escape = 256;
-
-struct Decoded {
-    char32_t code;
-    std::size_t bytes;  ///< 1 to 4; 1 for an invalid byte, whose code is U+FFFD
-};
-
-bool is_continuation(char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-}
-
-/// One code point of UTF-8 (RFC 3629: no overlong forms, no surrogates, at most U+10FFFF).
-Decoded decode(std::string_view text) {
-    const auto lead = static_cast<unsigned char>(text[0]);
-    if (lead < 0x80) return {lead, 1};
-    const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-    if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return {replacement, 1};
-    char32_t code = lead & (0xFFU >> (length + 1));
-    for (std::size_t i = 1; i < length; ++i) {
-        if (!is_continuation(text[i])) return {replacement, 1};
-        code = (code << 6U) | (static_cast<unsigned char>(text[i]) & 0x3FU);
-    }
-    constexpr std::array<char32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};
-    const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-    if (code < least.at(length) || surrogate || code > 0x10FFFF) return {replacement, 1};
-    return {code, length};
-}
 
 /// The length of the terminal escape sequence at the start of `text`, which begins with ESC.
 std::size_t escape_length(std::string_view text) {
@@ -68,7 +40,7 @@ struct Spelling {
     std::string_view ascii;
 };
 
-/// What students print for an ASCII sign or a Latin letter.
+/// Characters that students print for ASCII signs and Latin letters.
 constexpr std::array spellings = {
     Spelling{0x00A0, 0x00A0, " "},     Spelling{0x00AD, 0x00AD, ""},      Spelling{0x00B2, 0x00B2, "^2"},
     Spelling{0x00B3, 0x00B3, "^3"},    Spelling{0x00B7, 0x00B7, "*"},     Spelling{0x00D7, 0x00D7, "*"},
@@ -103,17 +75,6 @@ void append_plain(std::string& out, char32_t code, std::string_view utf8) {
 
 constexpr std::string_view replacement_utf8 = "\xEF\xBF\xBD";
 
-bool is_control(char32_t code) {
-    return code < 0x20 || (code >= 0x7F && code < 0xA0);
-}
-
-/// Turns the order of what follows on the screen, or ends a line where no newline is: with these a text shows as
-/// another one (Unicode Technical Report 36).
-bool deceives(char32_t code) {
-    return code == 0x061C || code == 0x200E || code == 0x200F || (code >= 0x2028 && code <= 0x202E) ||
-           (code >= 0x2066 && code <= 0x2069);
-}
-
 }  // namespace
 
 std::string clean_text(std::string_view bytes) {
@@ -144,34 +105,6 @@ std::string clean_text(std::string_view bytes) {
             out += c;
         } else {
             append_plain(out, decoded.code, bytes.substr(i, decoded.bytes));
-        }
-        i += decoded.bytes;
-    }
-    return out;
-}
-
-std::string_view beginning_of_characters(std::string_view text, std::size_t most) {
-    if (text.size() <= most) return text;
-    std::size_t end = most;
-    while (end > 0 && most - end < 3 && is_continuation(text[end])) --end;
-    return text.substr(0, is_continuation(text[end]) ? most : end);
-}
-
-std::string escape_control(std::string_view bytes) {
-    std::string out;
-    out.reserve(bytes.size());
-    for (std::size_t i = 0; i < bytes.size();) {
-        const Decoded decoded = decode(bytes.substr(i));
-        if (bytes[i] == '\n' || bytes[i] == '\t') {
-            out += bytes[i];
-        } else if (is_control(decoded.code)) {
-            out += fmt::format("\\x{:02x}", static_cast<std::uint32_t>(decoded.code));
-        } else if (deceives(decoded.code)) {
-            out += fmt::format("\\u{:04x}", static_cast<std::uint32_t>(decoded.code));
-        } else if (decoded.code == replacement && decoded.bytes == 1) {
-            out += fmt::format("\\x{:02x}", static_cast<unsigned char>(bytes[i]));
-        } else {
-            out += bytes.substr(i, decoded.bytes);
         }
         i += decoded.bytes;
     }

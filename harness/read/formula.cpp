@@ -1,4 +1,4 @@
-#include "harness/linear_form.h"
+#include "harness/read/formula.h"
 
 #include <re2/re2.h>
 
@@ -8,8 +8,7 @@
 namespace harness {
 namespace {
 
-constexpr std::size_t longest_line = 1000;
-constexpr std::size_t longest_printed = 200;
+constexpr std::size_t longest_formula = 1000;
 constexpr char square = 'q';    // stands for t squared
 constexpr char constant = '1';  // a term without a variable
 
@@ -19,7 +18,7 @@ struct Term {
     bool is_explicit;  ///< the coefficient was printed
 };
 
-struct Form {
+struct FormulaForm {
     std::vector<Term> terms;
     std::optional<PrintedNumber> right;
 };
@@ -32,11 +31,11 @@ std::optional<PrintedNumber> number_of(const std::string& text) {
     return tokens[0].number;
 }
 
-bool is_word_char(char c) {
+bool is_ascii_word_char(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/// Moves `rest` past one term. Any but the first has its sign.
+/// Reads a term and moves `rest` past it. Every term but the first must have a sign.
 std::optional<Term> take_term(re2::StringPiece& rest, bool first) {
     static const RE2 pattern(R"(\s*([-+]?)\s*(?:\(\s*([-+]?)" RAYGRADE_NUMBER R"()\s*\)|([-+]?)" RAYGRADE_NUMBER
                              R"())?\s*\*?\s*(t\s*\^\s*2|t\s*\*\s*t|t2|tt|[tuvijk])?)");
@@ -44,7 +43,7 @@ std::optional<Term> take_term(re2::StringPiece& rest, bool first) {
     if (!RE2::Consume(&rest, pattern, &sign, &bracketed, &plain, &variable)) return std::nullopt;
     const std::string& number = bracketed.empty() ? plain : bracketed;
     if ((number.empty() && variable.empty()) || (!first && sign.empty())) return std::nullopt;
-    if (!variable.empty() && !rest.empty() && is_word_char(rest[0])) return std::nullopt;  // "t" of "triangle"
+    if (!variable.empty() && !rest.empty() && is_ascii_word_char(rest[0])) return std::nullopt;  // "t" of "triangle"
     Term term{variable.empty()      ? constant
               : variable.size() > 1 ? square
                                     : variable[0],
@@ -59,10 +58,10 @@ std::optional<Term> take_term(re2::StringPiece& rest, bool first) {
     return term;
 }
 
-std::optional<Form> parse(std::string_view text) {
+std::optional<FormulaForm> parse(std::string_view text) {
     constexpr std::size_t most_terms = 8;
     re2::StringPiece rest(text.data(), text.size());
-    Form form;
+    FormulaForm form;
     static const RE2 right_side(R"(\s*=\s*([-+]?\s?)" RAYGRADE_NUMBER R"()\s*[\])|,;.]*\s*$)");
     static const RE2 end(R"([\s\])>|,;.]*$)");
     static const RE2 start(R"([\s\[(<|]*)");
@@ -82,8 +81,8 @@ std::optional<Form> parse(std::string_view text) {
     return std::nullopt;
 }
 
-/// The coefficients of `variables`, 0 for one left out; nothing when the form has others or one twice.
-std::optional<std::vector<PrintedNumber>> coefficients(const Form& form, std::string_view variables) {
+/// The coefficients of `variables`, 0 for an omitted variable. Empty if the form has other variables or repeats one.
+std::optional<std::vector<PrintedNumber>> coefficients(const FormulaForm& form, std::string_view variables) {
     std::vector<PrintedNumber> numbers(variables.size(), PrintedNumber{0, 0, 0, true});
     std::vector<bool> seen(variables.size(), false);
     for (const Term& term : form.terms) {
@@ -95,11 +94,11 @@ std::optional<std::vector<PrintedNumber>> coefficients(const Form& form, std::st
     return numbers;
 }
 
-bool has(const Form& form, char variable) {
+bool has(const FormulaForm& form, char variable) {
     return std::any_of(form.terms.begin(), form.terms.end(), [&](const Term& t) { return t.variable == variable; });
 }
 
-std::optional<std::vector<PrintedValue>> values_of(const Form& form, std::string_view line) {
+std::optional<std::vector<PrintedValue>> values_of(const FormulaForm& form, std::string_view line) {
     PrintedValue value;
     value.printed = std::string(line.substr(0, longest_printed));
     if (form.right && has(form, square) && has(form, 't') && form.right->value == 0) {
@@ -128,7 +127,7 @@ std::optional<std::vector<PrintedValue>> values_of(const Form& form, std::string
 }  // namespace
 
 std::optional<std::vector<PrintedValue>> read_linear_form(std::string_view line) {
-    if (line.size() > longest_line || line.find_first_of("tuvk") == std::string_view::npos ||
+    if (line.size() > longest_formula || line.find_first_of("tuvk") == std::string_view::npos ||
         line.find_first_of("+-") == std::string_view::npos) {
         return std::nullopt;
     }

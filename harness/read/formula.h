@@ -5,15 +5,15 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/transcript.h"
+#include "harness/read/printed_value.h"
 
 namespace harness {
 
-/// The values of a line that is a sum of terms, else none:
+/// Reads the values of a line that is a sum of terms; empty for any other line:
 ///   "1 t^2 + (-4) t + (2) = 0"      three values labelled a, b and c
-///   "0.5 t + 2 u - 2 v = 1.5"       one row of an augmented matrix, its columns t, u, v; a variable left out has 0
+///   "0.5 t + 2 u - 2 v = 1.5"       one row of an augmented matrix, columns t, u, v; 0 for an omitted variable
 ///   "0.3i + 0.4j - 0.87k"           one vector
-/// Linear in the line's length; lines beyond 1000 bytes hold none.
+/// Linear in the line's length. Lines longer than 1000 bytes are not read.
 std::optional<std::vector<PrintedValue>> read_linear_form(std::string_view line);
 
 }  // namespace harness

@@ -1,4 +1,4 @@
-#include "harness/heading.h"
+#include "harness/read/heading.h"
 
 #include <re2/re2.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "harness/token.h"
+#include "harness/read/token.h"
 
 namespace harness {
 namespace {
@@ -31,18 +31,19 @@ std::string pattern_of(const char* words, const char* rest) {
     return std::string("(") + decoration + words + rest;
 }
 
-struct Form {
+struct HeadingForm {
     Heading::Style style;
     RE2 digits;
     RE2 words;
 };
 
-const std::array<Form, 2>& forms() {
-    static const std::array<Form, 2> all = {
-        Form{Heading::Style::question, RE2(pattern_of(question_words, (std::string(number) + closing + ")").c_str())),
-             RE2(pattern_of(question_words, spelled))},
-        Form{Heading::Style::part, RE2(pattern_of(part_words, (std::string(number) + closing + ")").c_str())),
-             RE2(pattern_of(part_words, spelled))}};
+const std::array<HeadingForm, 2>& forms() {
+    static const std::array<HeadingForm, 2> all = {
+        HeadingForm{Heading::Style::question,
+                    RE2(pattern_of(question_words, (std::string(number) + closing + ")").c_str())),
+                    RE2(pattern_of(question_words, spelled))},
+        HeadingForm{Heading::Style::part, RE2(pattern_of(part_words, (std::string(number) + closing + ")").c_str())),
+                    RE2(pattern_of(part_words, spelled))}};
     return all;
 }
 
@@ -54,11 +55,7 @@ int spelled_number(std::string word) {
     return static_cast<int>(std::find(names.begin(), names.end(), word) - names.begin()) + 1;
 }
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
-/// Where a heading that is `length` long ends: a '-' directly before a number is the number's.
+/// Where a heading of `length` bytes ends. A '-' directly before a number belongs to that number.
 std::size_t end_of(std::string_view start, std::size_t length) {
     const bool number_goes_on = length < start.size() && (is_digit(start[length]) || start[length] == '.');
     return length > 0 && start[length - 1] == '-' && number_goes_on ? length - 1 : length;
@@ -66,11 +63,11 @@ std::size_t end_of(std::string_view start, std::size_t length) {
 
 std::optional<Heading> with_keyword(std::string_view start) {
     const re2::StringPiece text(start.data(), start.size());
-    for (const Form& form : forms()) {
+    for (const HeadingForm& form : forms()) {
         re2::StringPiece whole;
         int question = 0;
         if (RE2::PartialMatch(text, form.digits, &whole, &question) && question >= 1) {
-            // "Part 1.25" is a number; "Question 6.1:" the first part of question 6.
+            // "Part 1.25" has a decimal number; "Question 6.1:" is the first part of question 6.
             const bool decimal = whole.size() < start.size() && whole.ends_with(".") && is_digit(start[whole.size()]);
             if (!decimal) return Heading{question, end_of(start, whole.size()), form.style};
         }
@@ -109,7 +106,7 @@ std::optional<Heading> bare(std::string_view start) {
     const bool number_goes_on = end < start.size() && is_digit(start[end]);
     const bool punctuated =
         std::string_view(after.data(), after.size()).find_first_of(".):]}") != std::string_view::npos;
-    // A sign that belongs to an answer: "5. -2.0".
+    // In "5. -2.0" the sign belongs to the answer.
     if (punctuated && number_goes_on && end > 0 && start[end - 1] == '-') --end;
     if (number_goes_on && (start[end - 1] == '.' || !punctuated)) return std::nullopt;  // "1.25"
     const bool decorated =
@@ -122,8 +119,8 @@ std::optional<Heading> bare(std::string_view start) {
     return Heading{question, end, Heading::Style::bare};
 }
 
-/// The style of the headings, from which questions each names. A style further down the list also counts within
-/// questions, so it needs to name many more to be the one.
+/// Chooses the style of the headings; named[style] holds the questions that a style names. The later styles also number
+/// steps within questions, so they must name many more questions to be chosen.
 std::size_t choose_style(const std::array<std::set<int>, 3>& named) {
     constexpr std::size_t fewest_bare = 3;
     const std::size_t questions = named[0].size();

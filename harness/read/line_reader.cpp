@@ -1,12 +1,12 @@
-#include "harness/line_reader.h"
+#include "harness/read/line_reader.h"
 
 #include <re2/re2.h>
 
 #include <algorithm>
 #include <optional>
 
-#include "harness/linear_form.h"
-#include "harness/number_group.h"
+#include "harness/read/formula.h"
+#include "harness/read/number_group.h"
 
 namespace harness {
 namespace {
@@ -14,7 +14,6 @@ namespace {
 using Kind = Token::Kind;
 
 constexpr std::size_t longest_label = 200;
-constexpr std::size_t longest_printed = 200;
 /// One line of a system written out: "| 0 2 -2 | * | t | = | 1.5 |".
 const RE2& system_row_pattern() {
     static const RE2 pattern(
@@ -30,7 +29,7 @@ class Reader {
         if (auto values = read_linear_form(line_)) return {std::move(*values), true};
         while (at_ < tokens_.size()) step();
         emit_before_equals();
-        // One such word may be the beginning of a sentence, which the caller reads.
+        // A lone "none" may be part of a sentence, which the caller reads.
         if (reading_.values.size() == 1 && reading_.values[0].numbers.empty()) reading_.values.clear();
         join_system_row();
         read_labels_behind();
@@ -41,7 +40,7 @@ class Reader {
     bool is(std::size_t i, Kind kind) const { return tokens_.is(i, kind); }
     std::string_view text(std::size_t i) const { return tokens_.text(i); }
 
-    /// Joins the matrix's row and the right-hand side's number of a system written out.
+    /// Joins the matrix row and the right-hand side of a written-out system.
     void join_system_row() {
         std::vector<PrintedValue>& values = reading_.values;
         constexpr std::size_t longest_row = 400;
@@ -55,7 +54,7 @@ class Reader {
         values.pop_back();
     }
 
-    /// Brackets that hold no value: "0.333 (= 1/3)", "1.0 (unit vector, so 1)", "2 [2 = 6 - R^2]".
+    /// Whether the bracket is a remark without a value: "0.333 (= 1/3)", "1.0 (unit vector, so 1)", "2 [2 = 6 - R^2]".
     bool is_remark(std::size_t open) const {
         if (is(open + 1, Kind::equals)) return true;
         if (reading_.values.empty() || tokens_.partner(open) - open > most_tokens_in_bracket) return false;
@@ -68,7 +67,7 @@ class Reader {
         return words && (!equals || is(open + 1, Kind::number));
     }
 
-    /// "sqrt(2)", "dot(V, V)".
+    /// Whether the bracket holds the arguments of a function: "sqrt(2)", "dot(V, V)".
     bool is_call(std::size_t open) const {
         static const RE2 function(
             "sqrt|abs|fabs|pow|min|max|dot|cross|length|normalize|inverse|determinant|sin|cos|tan");
@@ -77,7 +76,7 @@ class Reader {
         return RE2::FullMatch(re2::StringPiece(word.data(), word.size()), function);
     }
 
-    /// "t": null, within a line: the label has no value.
+    /// Whether the word says that the label before it has no value, as in "t": null within a line.
     bool is_no_value(std::size_t i) const {
         static const RE2 none("(?i)none|null|nil|undefined|nothing");
         const std::string_view word = text(i);
@@ -118,7 +117,7 @@ class Reader {
             return;
         }
         at_ = found->last;
-        // "d = 8 = 16 - 8": what stands before another '=' is a value only when nothing follows that is one.
+        // A number before a second '=', as in "d = 8 = 16 - 8", is a value only if no value follows it.
         if (is(at_, Kind::equals)) {
             before_equals_ = found;
             return;
@@ -132,7 +131,7 @@ class Reader {
         value.groups = found.groups;
         value.bar_after = found.bar_after;
         std::size_t begin = tokens_[found.first].begin;
-        std::size_t before = found.first;  // past the brackets of a matrix that goes on over the next lines
+        std::size_t before = found.first;  // skips the brackets of a matrix that continues on the next lines
         while (before > 0 && found.first - before < deepest_bracket && is(before - 1, Kind::open)) --before;
         if (before > 0 && is(before - 1, Kind::word) && is_type_name(text(before - 1))) {
             begin = tokens_[before - 1].begin;
@@ -151,8 +150,8 @@ class Reader {
         reading_.values.push_back(std::move(value));
     }
 
-    /// "0.58 = 2 - sqrt(2)", "0.58 = t": nothing behind the '=' is a value. Not "Root 1 = none", where the number
-    /// counts.
+    /// Emits the number before '=' if no value follows: "0.58 = 2 - sqrt(2)", "0.58 = t". Skips the index in "Root 1 =
+    /// none".
     void emit_before_equals() {
         if (!before_equals_) return;
         const PrintedNumber& number = before_equals_->numbers.front();
@@ -162,7 +161,7 @@ class Reader {
         if (!counts || !exact_words) emit(*before_equals_);
     }
 
-    /// "1 (a), -4 (b), 2 (c)", "0.585786 <- t": where no words stand before the first value, the labels stand behind.
+    /// "1 (a), -4 (b), 2 (c)", "0.585786 <- t": if no words stand before the first value, the labels follow the values.
     void read_labels_behind() {
         std::vector<PrintedValue>& values = reading_.values;
         if (values.empty() || !values.front().label.empty() || values.front().numbers.empty()) return;
@@ -176,7 +175,7 @@ class Reader {
         values.back().after = last;
     }
 
-    /// The words between the last value and `end`, up to their first '=', without the punctuation around them.
+    /// The words between the last value and `end`, up to their first '=', without punctuation around them.
     std::string label(std::size_t end) const {
         std::string_view words = line_.substr(label_begin_, end - label_begin_);
         if (words.size() > longest_label) words.remove_prefix(words.size() - longest_label);
@@ -199,7 +198,7 @@ class Reader {
         // "P_s = {x = 2": component x of P_s.
         last_part.remove_prefix(std::min(last_part.find_first_not_of("([{<"), last_part.size()));
         if (last_part == "x" && first_part.data() != last_part.data()) return std::string(first_part) + " x";
-        // A remark behind the value before: "t = 0.58 (the smaller root), hit = …".
+        // Skips a remark about the previous value: "t = 0.58 (the smaller root), hit = …".
         if (label_begin_ > 0 && !first_part.empty() && first_part.front() == '(') {
             const std::size_t close = first_part.find(')');
             if (close != std::string_view::npos) {
@@ -210,7 +209,7 @@ class Reader {
         return std::string(first_part);
     }
 
-    /// A lone whole number within a sentence: "if there are 2 positive roots".
+    /// Whether the value is a lone whole number in a sentence: "if there are 2 positive roots".
     bool is_prose(const PrintedValue& value, const NumberGroup& found) const {
         if (value.numbers.size() != 1 || value.numbers[0].decimals != 0 || found.first == 0) return false;
         static const RE2 counted(R"((?i)of|to|by|than|for|from|question|step|part)");
@@ -222,7 +221,7 @@ class Reader {
         return gap <= 1 && value.label.find(' ') != std::string::npos;
     }
 
-    /// The 0 of "a t^2 + b t + c = 0", which is no answer.
+    /// Whether the value is the 0 of "a t^2 + b t + c = 0", which is not an answer.
     static bool is_equation(const PrintedValue& value) {
         const bool zero = value.numbers.size() == 1 && value.numbers[0].value == 0 && value.numbers[0].decimals == 0;
         return zero && value.label.find('+') != std::string::npos;

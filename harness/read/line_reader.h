@@ -4,17 +4,17 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/transcript.h"
+#include "harness/read/printed_value.h"
 
 namespace harness {
 
 struct LineReading {
     std::vector<PrintedValue> values;
-    bool has_words = false;  ///< the line holds a word that belongs to no value's type
+    bool has_words = false;  ///< the line contains a word other than a type name
 };
 
-/// Reads the values of a line of clean text. Numbers that are part of prose or of a formula are no values: in
-/// "5/3 = 1.66667" the value is 1.66667, in "b*b - 4*a*c = 8" it is 8, in "0 <= u" there is none.
+/// Reads the values of a line of clean text. Numbers that are part of prose or of a formula are not values: in "5/3 =
+/// 1.66667" the value is 1.66667, in "b*b - 4*a*c = 8" it is 8, in "0 <= u" there is none.
 LineReading read_line(std::string_view line);
 
 }  // namespace harness

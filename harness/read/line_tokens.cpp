@@ -1,10 +1,10 @@
-#include "harness/line_tokens.h"
+#include "harness/read/line_tokens.h"
 
 #include <re2/re2.h>
 
 namespace harness {
 
-/// Every opening bracket's partner is found once, so that unbalanced brackets cost no repeated search.
+/// Finds all partners in a single pass, so that unbalanced brackets cause no repeated searches.
 LineTokens::LineTokens(std::string_view line)
     : line_(line), tokens_(tokenize(line)), partner_(tokens_.size(), tokens_.size()) {
     std::vector<std::size_t> open;

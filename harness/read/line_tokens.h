@@ -4,30 +4,30 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/token.h"
+#include "harness/read/token.h"
 
 namespace harness {
 
-/// A 4 x 4 matrix has 16 numbers in brackets two deep. Beyond these a bracket is no value; they keep reading linear in
-/// the line's length whatever the brackets.
+/// A 4 x 4 matrix has 16 numbers in brackets two deep. A bracket beyond these limits is not read as a value. The limits
+/// keep reading linear in the line's length.
 constexpr std::size_t deepest_bracket = 4;
 constexpr std::size_t most_tokens_in_bracket = 128;
 
 class LineTokens {
   public:
-    /// `line` must outlive it.
+    /// `line` must outlive this object.
     explicit LineTokens(std::string_view line);
 
     std::size_t size() const { return tokens_.size(); }
     const Token& operator[](std::size_t i) const { return tokens_[i]; }
-    /// Whether there is an i-th token, of this kind.
+    /// Whether token i exists and has this kind.
     bool is(std::size_t i, Token::Kind kind) const { return i < tokens_.size() && tokens_[i].kind == kind; }
     std::string_view text(std::size_t i) const {
         return line_.substr(tokens_[i].begin, tokens_[i].end - tokens_[i].begin);
     }
-    /// The bracket that closes the i-th token; size() when that is no opening bracket or never closed.
+    /// The index of the bracket that closes token i; size() if token i is not an opening bracket or is never closed.
     std::size_t partner(std::size_t i) const { return partner_[i]; }
-    /// A name such as "glm::vec3" or "dmat4" before a bracket: "mat3(vec3(…), vec3(…))".
+    /// Whether token i is a type name such as "glm::vec3" or "dmat4" before a bracket: "mat3(vec3(…), vec3(…))".
     bool is_type(std::size_t i) const;
 
   private:

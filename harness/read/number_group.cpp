@@ -1,4 +1,4 @@
-#include "harness/number_group.h"
+#include "harness/read/number_group.h"
 
 #include <re2/re2.h>
 
@@ -23,7 +23,7 @@ class GroupReader {
                 break;
             }
             if (is_named_index(number.next)) return std::nullopt;
-            // "Root 1 = 3.41", "row 0: 1 0 0": here too.
+            // The number is an index too in "Root 1 = 3.41" and "row 0: 1 0 0".
             if (!found.numbers.empty() && is(number.next, Kind::equals)) break;
             found.numbers.push_back(number.number);
             found.numbers.back().value *= found.numbers.size() == 1 ? sign_apart(i) : 1.0;
@@ -85,7 +85,7 @@ class GroupReader {
             ++i;
         }
         if (found.numbers.empty() || depth != 0) return std::nullopt;
-        // "[0 2 -2; 0 4 4; 1 0 0]": rows divided by semicolons, as "[1; 2; 3]" is not.
+        // "[0 2 -2; 0 4 4; 1 0 0]" has rows divided by semicolons; "[1; 2; 3]" is a single vector.
         const bool in_rows = found.groups == 1 && rows > 1 && static_cast<int>(found.numbers.size()) % rows == 0;
         if (in_rows && static_cast<int>(found.numbers.size()) > rows) found.groups = rows;
         return found;
@@ -95,7 +95,7 @@ class GroupReader {
     bool is(std::size_t i, Kind kind) const { return tokens_.is(i, kind); }
     std::string_view text(std::size_t i) const { return tokens_.text(i); }
 
-    /// Whether number token `i`, a fraction up to `end`, is a term of a formula or of a comparison.
+    /// Whether the number in tokens [i, end) is a term of a formula or of a comparison.
     bool is_term(std::size_t i, std::size_t end) const {
         const bool compared = is(end, Kind::compare) && !(i > 0 && is(i - 1, Kind::equals));  // not "t = 0.9 > 0"
         if (is(end, Kind::op) || compared) return true;
@@ -103,7 +103,7 @@ class GroupReader {
         const bool glued = tokens_.size() == 3 && is(0, Kind::word) && i == 2 && tokens_[0].end == tokens_[1].begin;
         if (glued && text(1) == "-" && tokens_[1].end == tokens_[2].begin) return false;  // "b-3.5"
         if (is(i - 1, Kind::compare)) return true;
-        // A '-' after '=', ',' or a bracket is a sign that stands apart, and one at the line's start is a bullet.
+        // A '-' after '=', ',' or a bracket is a detached sign; a '-' at the start of the line is a bullet.
         return is(i - 1, Kind::op) && i >= 2 && !is(i - 2, Kind::equals) && !is(i - 2, Kind::open) &&
                !is(i - 2, Kind::comma);
     }
@@ -129,13 +129,13 @@ class GroupReader {
         return i > 0 && is(i - 1, Kind::op) && text(i - 1) == "-" && i >= 2 ? -1.0 : 1.0;
     }
 
-    /// "col 1 (t): 0 0 -1": a number that is a label's index.
+    /// Whether the number before `next` is the index of a label, as in "col 1 (t): 0 0 -1".
     bool is_named_index(std::size_t next) const {
         return is(next, Kind::open) && is(next + 1, Kind::word) && is(next + 2, Kind::close) &&
                is(next + 3, Kind::equals);
     }
 
-    /// "0.9, 0.2 and 0.3".
+    /// Whether token i is the "and" before a list's last number: "0.9, 0.2 and 0.3".
     bool joins_last(std::size_t i, std::size_t count) const {
         return count >= 2 && is(i, Kind::word) && text(i) == "and" && is(i + 1, Kind::number);
     }

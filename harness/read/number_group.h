@@ -4,26 +4,26 @@
 #include <optional>
 #include <vector>
 
-#include "harness/line_tokens.h"
+#include "harness/read/line_tokens.h"
 
 namespace harness {
 
 struct NumberGroup {
     std::vector<PrintedNumber> numbers;  ///< at least one
     int groups = 1;                      ///< rows or columns of equal size, in brackets or divided by semicolons
-    int bar_after = 0;                   ///< the numbers before a '|', as in "0 2 -2 | 0"; 0 without
-    std::size_t first;                   ///< its tokens are [first, last)
+    int bar_after = 0;                   ///< how many numbers stand before a '|': 3 in "0 2 -2 | 0"; 0 without a bar
+    std::size_t first;                   ///< the group's tokens are [first, last)
     std::size_t last;
 };
 
-/// The number at `begin` and those that follow in a row without words between: "1 -4 2", "0, 0, -2", "0 2 -2 | 0".
-/// Empty where it is a term of a formula or an index.
+/// Reads the number at `begin` and the numbers that follow it without words between: "1 -4 2", "0, 0, -2", "0 2 -2 |
+/// 0". Empty if the number is a term of a formula or an index.
 std::optional<NumberGroup> read_row(const LineTokens& tokens, std::size_t begin);
 
-/// "(0, 0, -2)" or "((1, 0), (0, 1))": a bracket that holds numbers only.
+/// Reads a bracket that holds only numbers: "(0, 0, -2)" or "((1, 0), (0, 1))".
 std::optional<NumberGroup> read_bracket(const LineTokens& tokens, std::size_t begin);
 
-/// "row 1", "column 0": the number is part of the label.
+/// Whether number i is part of a label: "row 1", "column 0".
 bool is_index(const LineTokens& tokens, std::size_t i);
 
 }  // namespace harness

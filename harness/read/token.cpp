@@ -1,4 +1,4 @@
-#include "harness/token.h"
+#include "harness/read/token.h"
 
 #include <algorithm>
 #include <array>
@@ -9,9 +9,6 @@
 namespace harness {
 namespace {
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
 }
@@ -137,8 +134,8 @@ class Lexer {
         tokens_.back().number = parse(begin, sign, mantissa_end, digits_end, decimals, exponent);
     }
 
-    /// A label printed without a separator before it, as in "a=1b=-4c=2" or "t: 0.5858P_s: …": a word up to an '=' or
-    /// ':'.
+    /// Whether a label starts without a separator before it, as in "a=1b=-4c=2" or "t: 0.5858P_s: …": a word before '='
+    /// or ':'.
     bool starts_glued_label(std::size_t ahead) const {
         constexpr std::size_t longest = 24;
         if (!is_letter(peek(ahead)) || tokens_.empty() || tokens_.back().kind != Token::Kind::equals) return false;
@@ -206,7 +203,7 @@ class Lexer {
         if (letters < length) take_number();
     }
 
-    /// How much of the word here is a label when a number is glued to it, as in "t1.58579"; else all of it.
+    /// The length of the letters before a number that is glued to them, as in "t1.58579"; else `length`.
     std::size_t letters_before_number(std::size_t length) const {
         if (peek(length) != '.' || !is_digit(peek(length + 1)) || !is_letter(peek())) return length;
         std::size_t letters = 0;

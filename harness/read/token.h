@@ -7,10 +7,14 @@
 namespace harness {
 
 /// A number as a program printed it.
+inline bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
 struct PrintedNumber {
     double value = 0;     ///< may be infinite or not a number
-    int decimals = 0;     ///< of its last digit: 1.50 has 2, 1.5e-3 has 4, 1.5e+03 has -2
-    int significant = 0;  ///< digits from the first that is not 0
+    int decimals = 0;     ///< decimal places of the last digit: 1.50 has 2, 1.5e-3 has 4, 1.5e+03 has -2
+    int significant = 0;  ///< significant digits, counted from the first nonzero digit
     bool exact = false;   ///< a fraction such as 5/3, which has no last digit
 };
 
@@ -19,7 +23,7 @@ struct Token {
         word,  ///< letters, digits and '_' that begin with a letter; "P_VCS", "t1", "b'", "P.x", "M[0]", "glm::vec3"
         number,
         open,     ///< ( [ { or < before a number
-        close,    ///< ) ] } or > that closes such a <
+        close,    ///< ) ] } or the > that closes a list opened by <
         comma,    ///< , or ;
         equals,   ///< = : -> => := or == between a label and its value
         compare,  ///< < > <= >= !=

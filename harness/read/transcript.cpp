@@ -1,23 +1,23 @@
-#include "harness/transcript.h"
+#include "harness/read/transcript.h"
 
 #include <re2/re2.h>
 
 #include <algorithm>
 #include <optional>
 
-#include "harness/clean_text.h"
-#include "harness/heading.h"
-#include "harness/line_reader.h"
+#include "harness/read/clean_text.h"
+#include "harness/read/heading.h"
+#include "harness/read/line_reader.h"
 
 namespace harness {
 namespace {
 
 struct Line {
     std::string_view text;
-    int number;  ///< 1-based; several pieces of a line share theirs
+    int number;  ///< 1-based; pieces of the same line share it
 };
 
-/// Appends a line; in pieces where a heading follows a value without a line break: "t: 0.61Question 7:".
+/// Appends a line. Splits it where a heading follows a value without a line break: "t: 0.61Question 7:".
 void append_line(std::vector<Line>& lines, std::string_view text, int number) {
     static const RE2 heading(
         R"((?:[\d)\]}>.;]\s*|\s\s)((?:Question|QUESTION|Quest|Ques|Exercise|EXERCISE|Problem|PROBLEM|Q)[\s_.]*#?\s?\d{1,2}\s?[:.)\]\-]))");
@@ -42,7 +42,7 @@ std::vector<Line> split_lines(std::string_view text) {
     return lines;
 }
 
-/// "t: none", "hit point = no hit", "N -> (not defined)": a label, then words that say there is no value.
+/// Reads a label and words that say that there is no value: "t: none", "hit point = no hit", "N -> (not defined)".
 std::optional<PrintedValue> read_no_value(std::string_view line) {
     constexpr std::size_t longest = 300;
     static const RE2 pattern(
@@ -65,7 +65,7 @@ std::optional<PrintedValue> read_no_value(std::string_view line) {
     return value;
 }
 
-/// "t = -1 (-1 means no hit)": the number stands for no value.
+/// Whether the line says that its number stands for "no value": "t = -1 (-1 means no hit)".
 bool says_what_its_number_means(std::string_view line) {
     static const RE2 pattern(
         R"((?i)\(\s*-?[\d.]+\s*(?:means|stands for|is|=|->|:|for)\s*(?:that )?(?:there (?:is|was) |the ray )?(?:no\b|none|miss|not? hit))");
@@ -128,8 +128,7 @@ std::vector<PrintedValue> join_components(std::vector<PrintedValue> values) {
     return joined;
 }
 
-/// Joins numbers that stand one below the other under a label of their own, "column 0" or "N", into one list of three
-/// or four.
+/// Joins three or four numbers that are stacked under their own label, such as "column 0" or "N", into one list.
 std::vector<PrintedValue> join_stacks(std::vector<PrintedValue> values) {
     std::vector<PrintedValue> joined;
     for (std::size_t i = 0; i < values.size();) {
@@ -159,7 +158,7 @@ std::vector<PrintedValue> join_stacks(std::vector<PrintedValue> values) {
     return joined;
 }
 
-/// Drops the middle of what no question asks for that often: a loop without end.
+/// Drops the middle of very many values, which come from an endless loop.
 void keep_ends(std::vector<PrintedValue>& values) {
     constexpr std::ptrdiff_t end = most_values_in_section / 2;
     if (values.size() > most_values_in_section) values.erase(values.begin() + end, values.end() - end);
@@ -217,7 +216,7 @@ class TranscriptReader {
 
     Transcript transcript_;
     std::string above_;            ///< the last line of words, until a value takes it
-    bool above_is_title_ = false;  ///< it is the rest of a heading
+    bool above_is_title_ = false;  ///< above_ is the rest of a heading
 };
 
 }  // namespace

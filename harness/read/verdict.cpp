@@ -1,4 +1,4 @@
-#include "harness/verdict_reader.h"
+#include "harness/read/verdict.h"
 
 #include <algorithm>
 #include <array>
@@ -9,12 +9,12 @@ namespace {
 
 using reference::Verdict;
 
-constexpr std::size_t longest_line = 400;
+constexpr std::size_t longest_verdict_line = 400;
 
 std::vector<std::string> words_of(std::string_view line) {
     std::vector<std::string> words;
     bool in_word = false;
-    for (char c : line.substr(0, longest_line)) {
+    for (char c : line.substr(0, longest_verdict_line)) {
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
         const bool letter = (c >= 'a' && c <= 'z') || c == '\'';
         if (letter && !in_word) words.emplace_back();
@@ -48,7 +48,7 @@ Verdict other_than(Verdict object) {
     return object == Verdict::sphere_first ? Verdict::triangle_first : Verdict::sphere_first;
 }
 
-/// "does not hit triangle first": whether the words before the object deny it.
+/// Whether the words before the object deny it: "does not hit triangle first".
 bool is_denied(const std::vector<std::string>& words, std::size_t object) {
     constexpr std::array<std::string_view, 4> denials = {"not", "doesn't", "isn't", "never"};
     constexpr std::size_t reach = 4;
@@ -59,8 +59,8 @@ bool is_denied(const std::vector<std::string>& words, std::size_t object) {
     return false;
 }
 
-/// The object named nearest before the word "first", else the one nearest behind it. One that is denied to be first
-/// means the other, where that is named too.
+/// The nearest object before the word "first", else the nearest object after it. If the words deny that this object is
+/// first, the result is the other object, provided that it is named too.
 std::optional<Verdict> object_at_first(const std::vector<std::string>& words) {
     constexpr std::size_t reach = 6;
     std::optional<Verdict> found;
@@ -144,11 +144,10 @@ bool is_about_a_number(std::string_view line) {
 
 std::optional<PrintedVerdict> read_verdict(const std::vector<PrintedLine>& lines, VerdictPlace place) {
     std::optional<PrintedVerdict> plain;        // a sentence
-    std::optional<PrintedVerdict> with_number;  // "closest hit: sphere at t = 0.58", if there is no plain one
+    std::optional<PrintedVerdict> with_number;  // "closest hit: sphere at t = 0.58"; used if there is no plain verdict
     for (const auto& [text, number] : lines) {
         const auto verdict = verdict_of(text, place);
         if (!verdict) continue;
-        constexpr std::size_t longest_printed = 200;
         const std::size_t begin = std::min(text.find_first_not_of(" \t:-*#>="), text.size());
         PrintedVerdict printed{*verdict, text.substr(begin, longest_printed), number};
         (is_about_a_number(text) ? with_number : plain) = std::move(printed);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/transcript.h"
+#include "harness/read/transcript.h"
 #include "reference/stages/first_hit.h"
 
 namespace harness {
@@ -16,10 +16,11 @@ struct PrintedVerdict {
     int line;             ///< 1-based, in the program's output
 };
 
-/// Whether the lines stand under question 10's heading. Elsewhere only a sentence with "first" is a verdict.
+/// Whether the lines stand under question 10's heading. Elsewhere, only a sentence with "first" is a verdict.
 enum class VerdictPlace { own_section, elsewhere };
 
-/// The verdict that the lines state; where several do, the last. A line about one object's t is none.
+/// The last verdict that the lines state. A line with digits counts only if no line without digits states a verdict. A
+/// line that only reports an object's t states none.
 std::optional<PrintedVerdict> read_verdict(const std::vector<PrintedLine>& lines, VerdictPlace place);
 
 }  // namespace harness

@@ -1,22 +1,23 @@
-#include "harness/class_reports.h"
+#include "harness/results/reports.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <set>
 #include <sstream>
 #include <utility>
 
-#include "harness/clean_text.h"
-#include "harness/failure.h"
-#include "harness/folder_writer.h"
-#include "harness/in_threads.h"
-#include "harness/report/class_report.h"
-#include "harness/report/report.h"
-#include "harness/report/student_page.h"
-#include "harness/results_folder.h"
-#include "harness/sandbox/file_descriptor.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/file_descriptor.h"
+#include "harness/machine/fresh_file.h"
+#include "harness/report/class/page.h"
+#include "harness/report/data/grades_csv.h"
+#include "harness/report/data/grades_json.h"
+#include "harness/report/page/student_page.h"
+#include "harness/report/text/feedback.h"
+#include "harness/text/utf8.h"
 
 namespace harness {
 namespace {
@@ -24,25 +25,39 @@ namespace {
 namespace fs = std::filesystem;
 
 void write_feedback(const ClassResults& results, std::size_t index, report::StudentPages& pages,
-                    FolderWriter& feedback) {
+                    const fs::path& folder) {
     const Graded& one = results.graded[index];
     const std::string name = feedback_name(one.submission.id, index);
-    feedback.write(name + ".md", report::feedback_markdown(one, results.marking));
-    feedback.write(name + ".html", pages.page(one));
+    write_file(folder / (name + ".md"), report::feedback_markdown(one, results.marking));
+    write_file(folder / (name + ".html"), pages.page(one));
 }
 
-void write_all_feedback(const ClassResults& results, FolderWriter& feedback) {
-    in_threads(results.graded.size(), [&] {
-        return [&, pages = report::StudentPages(results.marking)](std::size_t i) mutable {
-            write_feedback(results, i, pages, feedback);
-        };
-    });
-    feedback.remove_others({".md", ".html"});
+/// Removes the feedback of students who are no longer in the class, and files that a killed command left unfinished.
+void remove_other_feedback(const ClassResults& results, const fs::path& folder) {
+    std::set<std::string> kept;
+    for (std::size_t i = 0; i < results.graded.size(); ++i) {
+        const std::string name = feedback_name(results.graded[i].submission.id, i);
+        kept.insert({name + ".md", name + ".html"});
+    }
+    std::vector<fs::path> others;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const bool is_ours =
+            is_unfinished(entry.path()) || entry.path().extension() == ".md" || entry.path().extension() == ".html";
+        const bool is_folder = entry.symlink_status().type() == fs::file_type::directory;
+        if (is_ours && !is_folder && !kept.contains(entry.path().filename().string())) others.push_back(entry.path());
+    }
+    for (const fs::path& other : others) fs::remove(other);
+}
+
+void write_all_feedback(const ClassResults& results, const fs::path& folder) {
+    report::StudentPages pages(results.marking);
+    for (std::size_t i = 0; i < results.graded.size(); ++i) write_feedback(results, i, pages, folder);
+    remove_other_feedback(results, folder);
 }
 
 std::optional<report::CanvasImport> write_canvas(const ClassResults& results, const fs::path& file) {
     if (!results.canvas) {
-        fs::remove(file);  // of an earlier run, whose marks are not to be imported any more
+        fs::remove(file);  // left by an earlier run; its marks must not be imported any more
         return std::nullopt;
     }
     report::CanvasImport import = report::canvas_import(*results.canvas, results.graded);
@@ -71,7 +86,7 @@ std::optional<report::FeedbackZip> write_zip(const ClassResults& results, const 
     return zip;
 }
 
-/// After a power cut a file that was written over could hold what it held before, which may be another student's.
+/// Without a sync, renamed files could be empty after a power cut.
 void put_on_disk(const fs::path& folder) {
     const FileDescriptor opened(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (!opened || syncfs(opened.get()) != 0) fail_to_write(folder, errno);
@@ -80,7 +95,6 @@ void put_on_disk(const fs::path& folder) {
 }  // namespace
 
 std::vector<std::string> marks_of_results() {
-    // The last may be all that a run which was killed has left.
     return {"grades.json", gradebook_name, place_beside("grades.json")};
 }
 
@@ -105,38 +119,26 @@ std::optional<report::MoodleWorksheet> read_worksheet(const std::optional<KeptIn
     return report::read_moodle_worksheet(input->content, columns);
 }
 
-ReportsAhead::ReportsAhead(const ClassResults& results, fs::path folder)
-    : results_(results),
-      folder_(std::move(folder)),
-      json_(folder_ / "grades.json"),
-      page_(folder_ / "report.html"),
-      ahead_(std::async(std::launch::async, [this] {
-          json_.write([&](std::ostream& stream) {
-              report::write_grades_json(stream, results_.graded, results_.marking, results_.tier);
-          });
-          page_.write([&](std::ostream& stream) {
-              report::write_class_report(stream, results_.graded, results_.marking, results_.tier);
-          });
-      })) {}
-
-HandedBack ReportsAhead::put_in_place(std::optional<std::size_t> only) {
+HandedBack write_reports(const ClassResults& results, const fs::path& folder, std::optional<std::size_t> only) {
     try {
-        FolderWriter feedback(folder_ / "feedback");
         if (only) {
-            report::StudentPages pages(results_.marking);
-            write_feedback(results_, *only, pages, feedback);
+            report::StudentPages pages(results.marking);
+            write_feedback(results, *only, pages, folder / "feedback");
         } else {
-            write_all_feedback(results_, feedback);
+            write_all_feedback(results, folder / "feedback");
         }
         HandedBack handed_back;
-        handed_back.canvas = write_canvas(results_, folder_ / canvas_import_name);
-        handed_back.moodle = write_moodle(results_, folder_ / moodle_import_name);
-        write_file(folder_ / "grades.csv", report::grades_csv(results_.graded));
-        handed_back.feedback = write_zip(results_, folder_ / feedback_zip_name);
-        ahead_.get();
-        json_.put_in_place();
-        page_.put_in_place();
-        put_on_disk(folder_);
+        handed_back.canvas = write_canvas(results, folder / canvas_import_name);
+        handed_back.moodle = write_moodle(results, folder / moodle_import_name);
+        write_file(folder / "grades.csv", report::grades_csv(results.graded));
+        handed_back.feedback = write_zip(results, folder / feedback_zip_name);
+        write_file(folder / "grades.json", [&](std::ostream& stream) {
+            report::write_grades_json(stream, results.graded, results.marking, results.tier);
+        });
+        write_file(folder / "report.html", [&](std::ostream& stream) {
+            report::write_class_report(stream, results.graded, results.marking, results.tier);
+        });
+        put_on_disk(folder);
         return handed_back;
     } catch (const fs::filesystem_error& error) {
         throw HarnessError(fmt::format("{}: can't be written: {}", error.path1().string(), error.code().message()));
@@ -155,7 +157,7 @@ bool class_reports_are_as_left(const std::vector<Graded>& graded, const fs::path
         return !error && written <= saved;
     };
     for (const char* report : {"grades.json", "report.html"}) {
-        if (fs::exists(place_beside(folder / report), error)) return false;  // of a run that was killed
+        if (fs::exists(place_beside(folder / report), error)) return false;  // a killed command left it
     }
     if (error || !is_as_left(folder / "grades.csv") || !is_as_left(folder / "grades.json") ||
         !is_as_left(folder / "report.html")) {

@@ -1,4 +1,4 @@
-#include "harness/results_database.h"
+#include "harness/run/cache_database.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fcntl.h>
@@ -63,7 +63,7 @@ std::unique_ptr<SQLite::Database> open_results(const fs::path& file) {
         database->exec(table);
         database->exec(fmt::format("PRAGMA user_version = {}", version));
     }
-    // Also finds out whether the table has the columns it should.
+    // Also checks that the table has these columns.
     SQLite::Statement(*database, "SELECT seal, used, bytes, output, errors_truncated FROM results LIMIT 1")
         .executeStep();
     return database;

@@ -1,4 +1,4 @@
-#include "harness/doctor.h"
+#include "harness/run/doctor.h"
 
 #include <fmt/format.h>
 #include <sys/statvfs.h>
@@ -13,19 +13,19 @@
 #include <future>
 #include <thread>
 
-#include "harness/failure.h"
-#include "harness/names.h"
-#include "harness/run.h"
-#include "harness/sandbox/canary.h"
-#include "harness/sandbox/find_on_path.h"
-#include "harness/sandbox/scratch.h"
-#include "harness/workshop.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/find_on_path.h"
+#include "harness/run/run.h"
+#include "harness/run/runner.h"
+#include "harness/sandbox/host/canary.h"
+#include "harness/sandbox/host/scratch.h"
+#include "harness/text/printable.h"
 
 namespace harness {
 namespace {
 
 using Level = Finding::Level;
-constexpr double mebibyte = 1024.0 * 1024.0;
+constexpr double bytes_per_mib = 1024.0 * 1024.0;
 
 Finding good(std::string what, std::string detail) {
     return {std::move(what), Level::good, std::move(detail), {}};
@@ -35,7 +35,7 @@ std::string first_line(const std::string& text) {
     return text.substr(0, text.find('\n'));
 }
 
-/// The summary, then a line for each attempt.
+/// The summary, then one line per attempt.
 std::string attempts_of(const CanaryReport& report) {
     std::string text = printable(report.summary());
     for (const Attempt& attempt : report.attempts) {
@@ -44,7 +44,7 @@ std::string attempts_of(const CanaryReport& report) {
     return text;
 }
 
-/// One line of a file of /proc; empty when there is none.
+/// The first line of a file in /proc; empty if it can't be read.
 std::string read_setting(const char* path) {
     std::ifstream file(path);
     std::string line;
@@ -52,7 +52,7 @@ std::string read_setting(const char* path) {
     return line;
 }
 
-/// What would make the tier hold, as far as that can be told from here.
+/// How to make the tier work, as far as raygrade can tell.
 std::string way_to(Tier tier) {
     if (tier == Tier::landlock) {
         return "The kernel needs Landlock (5.13 or newer, \"landlock\" among the lsm= of its command line).";
@@ -70,7 +70,7 @@ std::string way_to(Tier tier) {
            "--security-opt systempaths=unconfined); not in a chroot, which forbids them.";
 }
 
-/// A tier that does not hold is a warning while another one does.
+/// `when_not` is the level if the tier does not hold: only a warning if another tier does.
 Finding finding_of(const CanaryReport& report, Level when_not) {
     const std::string what = "sandbox " + std::string(to_string(report.tier));
     if (report.held()) return good(what, attempts_of(report));
@@ -85,7 +85,7 @@ CanaryReport examine_tier(Tier tier) {
     }
 }
 
-/// Each tier, and which of them grades.
+/// Examines each tier and says which one is used for grading.
 std::vector<Finding> examine_sandboxes() {
     std::vector<CanaryReport> reports = {examine_tier(Tier::bwrap), examine_tier(Tier::landlock)};
     const auto best =
@@ -103,15 +103,15 @@ std::vector<Finding> examine_sandboxes() {
     return findings;
 }
 
-/// In the best sandbox there is, so that what else is amiss is found too.
-Workshop any_workshop() {
-    return open_workshop({.sandbox = "auto", .unsafe = true, .limits = {}}, {});
+/// Opens a runner with the strongest sandbox that works, even none, so that other problems are found too.
+Runner any_runner() {
+    return open_runner({.sandbox = "auto", .unsafe = true, .limits = {}}, {});
 }
 
-Finding examine_compiler(const Workshop& workshop) {
-    const BuildSettings& settings = workshop.build;
+Finding examine_compiler(const Runner& runner) {
+    const BuildSettings& settings = runner.build;
     if (settings.compiler.empty()) return {"compiler", Level::bad, "no g++ in a folder of PATH", "apt install g++"};
-    const Scratch scratch(workshop.sandbox->workspace());
+    const Scratch scratch(runner.sandbox->workspace());
     Command command;
     command.argv = {settings.compiler.string(), "--version"};
     command.working_directory = scratch.path();
@@ -119,7 +119,7 @@ Finding examine_compiler(const Workshop& workshop) {
     command.account = scratch.account();
     command.environment = {"LC_ALL=C"};
     command.limits = settings.limits;
-    const ProcessResult result = run_process(command, *workshop.sandbox);
+    const ProcessResult result = run_process(command, *runner.sandbox);
     const std::string name = printable(settings.compiler.native());
     if (result.ended == Ended::exited && result.exit_code == 0) {
         return good("compiler", name + ": " + printable(first_line(result.output)));
@@ -127,35 +127,35 @@ Finding examine_compiler(const Workshop& workshop) {
     return {"compiler", Level::bad, name + " --version does not work", "Install it again: apt install --reinstall g++"};
 }
 
-/// The whole chain on the smallest program that needs what every submission needs.
-Finding examine_chain(const Workshop& workshop) {
+/// Compiles and runs the smallest program that needs what every submission needs.
+Finding examine_chain(const Runner& runner) {
     Submission submission;
     submission.id = "doctor";
     submission.source =
         "#include <iostream>\n#include <glm/glm.hpp>\n#include <glm/gtx/string_cast.hpp>\n"
         "int main() { std::cout << glm::to_string(glm::cross(glm::vec3(1, 0, 0), glm::vec3(0, 1, 0))); }\n";
-    const Scratch scratch(workshop.sandbox->workspace());
-    const Build built = build(submission, workshop.build, *workshop.sandbox, scratch);
+    const Scratch scratch(runner.sandbox->workspace());
+    const Build built = build(submission, runner.build, *runner.sandbox, scratch);
     const std::string what = "compiling and running with GLM";
     if (!built.program) {
         return {what, Level::bad, "does not compile: " + printable(first_line(built.diagnostics)),
                 "Install the headers: apt install libglm-dev g++"};
     }
-    const ProcessResult result = run(built, workshop.run, *workshop.sandbox, scratch);
+    const ProcessResult result = run(built, runner.run, *runner.sandbox, scratch);
     if (result.ended != Ended::exited || result.output != "vec3(0.000000, 0.000000, 1.000000)") {
         return {what, Level::bad, "the program printed " + in_quotes(result.output),
                 "Try it by hand: compile a small program with glm::to_string."};
     }
     return good(what, fmt::format("{:.1f} s to compile, {} ms to run, {:.1f} MiB",
                                   std::chrono::duration<double>(built.wall).count(), result.wall.count(),
-                                  static_cast<double>(result.peak_memory_bytes) / mebibyte));
+                                  static_cast<double>(result.peak_memory_bytes) / bytes_per_mib));
 }
 
 Finding examine_scratch() {
     const Workspace workspace;
     struct statvfs disk {};
     if (statvfs(workspace.path().c_str(), &disk) != 0) throw HarnessError("Could not ask for the space on the disk.");
-    const double free_mib = static_cast<double>(disk.f_bavail) * static_cast<double>(disk.f_frsize) / mebibyte;
+    const double free_mib = static_cast<double>(disk.f_bavail) * static_cast<double>(disk.f_frsize) / bytes_per_mib;
     const std::string detail = fmt::format("{}, {:.0f} MiB free", in_quotes(workspace_root()), free_mib);
     constexpr double enough_mib = 256;
     if (free_mib >= enough_mib) return good("scratch folder", detail);
@@ -196,11 +196,11 @@ struct Examination {
 }  // namespace
 
 std::vector<Finding> examine_machine() {
-    // Without one, each that needs it tells why.
-    const std::shared_future<Workshop> workshop = std::async(std::launch::deferred, any_workshop);
+    // If no runner can be opened, get() throws in each check that needs one, and its finding says why.
+    const std::shared_future<Runner> runner = std::async(std::launch::deferred, any_runner);
     const Examination examinations[] = {
-        {"compiler", [&] { return examine_compiler(workshop.get()); }},
-        {"compiling and running with GLM", [&] { return examine_chain(workshop.get()); }},
+        {"compiler", [&] { return examine_compiler(runner.get()); }},
+        {"compiling and running with GLM", [&] { return examine_chain(runner.get()); }},
         {"scratch folder", examine_scratch},
         {"cores", examine_cores},
         {"memory", examine_memory},

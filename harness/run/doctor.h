@@ -14,12 +14,12 @@ struct Finding {
     };
     std::string what;  ///< a few words: "compiler"
     Level level = Level::good;
-    std::string detail;   ///< what was found, with versions, paths and times; a line, or more for what was tried
+    std::string detail;   ///< what was found, with versions, paths and times; several lines if it lists attempts
     std::string way_out;  ///< a command or an action; empty when good
 };
 
-/// Looks, really attacks each sandbox and compiles and runs a small GLM program in the best; some two seconds. Never
-/// throws: what fails is a finding.
+/// Examines the machine: attacks each sandbox from inside, then compiles and runs a small GLM program in the strongest
+/// one. Takes about two seconds. Never throws: a failure becomes a finding.
 std::vector<Finding> examine_machine();
 
 }  // namespace harness

@@ -1,4 +1,4 @@
-#include "harness/limit_settings.h"
+#include "harness/run/limits.h"
 
 #include <fmt/format.h>
 
@@ -105,18 +105,18 @@ const Setting settings[] = {
      "A compiler that needs more, as for deep nesting, breaks down: `compile_error`."},
 };
 
-struct Stage {
+struct LimitedStage {
     std::string_view name;
     Limits StageLimits::*limits;
     std::string_view Setting::*consequence;
 };
 
-const Stage stages[] = {{"run", &StageLimits::run, &Setting::of_program},
-                        {"compile", &StageLimits::compile, &Setting::of_compiler}};
+const LimitedStage stages[] = {{"run", &StageLimits::run, &Setting::of_program},
+                               {"compile", &StageLimits::compile, &Setting::of_compiler}};
 
 /// Sets the limit called `name`. Throws LimitError.
 void set(StageLimits& limits, std::string_view name, double value) {
-    for (const Stage& stage : stages) {
+    for (const LimitedStage& stage : stages) {
         for (const Setting& setting : settings) {
             if (name != fmt::format("{}.{}", stage.name, setting.name)) continue;
             const bool fits = setting.least <= value && value <= setting.most;
@@ -128,7 +128,7 @@ void set(StageLimits& limits, std::string_view name, double value) {
             return;
         }
     }
-    // A name without its stage, or of the other one, is the likeliest slip.
+    // The likeliest mistake is a name without its stage, or with the wrong stage.
     const std::string_view without_stage = name.substr(name.find('.') + 1);
     std::string meant, names;
     for (const LimitDescription& limit : describe_limits()) {
@@ -147,7 +147,7 @@ double read_value(std::string_view text) {
     throw LimitError(fmt::format("\"{}\" is not a number", text));
 }
 
-/// "name=value" of the command line; the name is added to `given`.
+/// Sets a limit from "name=value" on the command line and adds the name to `given`.
 void set_from_command_line(StageLimits& limits, const std::string& text, std::set<std::string>& given) {
     const std::size_t middle = text.find('=');
     const std::string name = text.substr(0, middle);
@@ -165,7 +165,7 @@ void set_from_command_line(StageLimits& limits, const std::string& text, std::se
 std::vector<LimitDescription> describe_limits() {
     const StageLimits limits = default_limits();
     std::vector<LimitDescription> descriptions;
-    for (const Stage& stage : stages) {
+    for (const LimitedStage& stage : stages) {
         for (const Setting& setting : settings) {
             descriptions.push_back({fmt::format("{}.{}", stage.name, setting.name),
                                     fmt::format("{:g}", setting.get(limits.*stage.limits)),
@@ -188,7 +188,7 @@ StageLimits read_limits(const std::vector<reference::LimitEntry>& from_assignmen
         given.insert(entry.name);
     }
     for (const std::string& text : from_command_line) set_from_command_line(limits, text, given);
-    for (const Stage& stage : stages) {
+    for (const LimitedStage& stage : stages) {
         Limits& one = limits.*stage.limits;
         if (!given.contains(fmt::format("{}.wall_seconds", stage.name))) one.wall = std::max(one.wall, 5 * one.cpu);
     }

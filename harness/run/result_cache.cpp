@@ -1,4 +1,4 @@
-#include "harness/store.h"
+#include "harness/run/result_cache.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
@@ -10,11 +10,11 @@
 #include <system_error>
 #include <utility>
 
-#include "harness/ended_words.h"
-#include "harness/failure.h"
-#include "harness/fingerprint.h"
-#include "harness/names.h"
-#include "harness/results_database.h"
+#include "harness/execution/process_result.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/fingerprint.h"
+#include "harness/run/cache_database.h"
+#include "harness/text/printable.h"
 
 namespace harness {
 namespace {
@@ -36,7 +36,8 @@ std::string seal(const std::string& key, const Execution& execution) {
     return seal.add(run.errors_truncated).hex();
 }
 
-/// Ready for its next use however this one ends: left in the middle it would hold on to the database as it is now.
+/// Resets a statement at the end of its use, also after an exception. A statement that is not reset would keep a read
+/// transaction open.
 class InUse {
   public:
     explicit InUse(SQLite::Statement& statement) : statement_(statement) {}
@@ -59,8 +60,8 @@ std::int64_t now() {
 
 }  // namespace
 
-/// With what is asked for each submission of a class prepared once.
-struct Store::Opened {
+/// The open database, with the statements for each submission prepared once.
+struct ResultCache::Opened {
     explicit Opened(std::unique_ptr<SQLite::Database> opened)
         : database(std::move(opened)),
           contains(*database, "SELECT 1 FROM results WHERE key = ?"),
@@ -85,12 +86,12 @@ bool is_worth_keeping(const Execution& execution) {
     const ProcessResult& run = execution.run;
     const bool killed_from_outside =
         run.ended == Ended::signalled && (run.signal == SIGKILL || run.signal == SIGTERM || run.signal == SIGHUP);
-    // Of a bomb that is stopped it depends on the moment what it has printed by then.
+    // The output of a fork bomb depends on the moment it was stopped.
     return build.tried && !build.depends_on_load && run.ended != Ended::wall_limit &&
            run.ended != Ended::process_limit && !killed_from_outside;
 }
 
-Store::Store(fs::path folder, const StoreBounds& bounds)
+ResultCache::ResultCache(fs::path folder, const ResultCacheBounds& bounds)
     : folder_(std::move(folder)), file_(folder_ / "results.sqlite"), bounds_(bounds) {
     try {
         fs::create_directories(folder_);
@@ -101,18 +102,18 @@ Store::Store(fs::path folder, const StoreBounds& bounds)
     }
 }
 
-Store::~Store() {
+ResultCache::~ResultCache() {
     trim();
 }
 
-void Store::trim() {
+void ResultCache::trim() {
     attempt<bool>([&] {
         evict();
         return true;
     });
 }
 
-void Store::open() {
+void ResultCache::open() {
     const ResultsLock lock(folder_);
     try {
         opened_ = std::make_unique<Opened>(open_results(file_));
@@ -124,8 +125,8 @@ void Store::open() {
     }
 }
 
-/// With the folder's lock held.
-void Store::rebuild(const std::string& why) {
+/// Requires the folder's lock.
+void ResultCache::rebuild(const std::string& why) {
     opened_.reset();
     const fs::path aside = set_results_aside(file_);
     problems_.push_back(
@@ -134,7 +135,7 @@ void Store::rebuild(const std::string& why) {
     opened_ = std::make_unique<Opened>(open_results(file_));
 }
 
-void Store::give_up(const std::string& why) {
+void ResultCache::give_up(const std::string& why) {
     opened_.reset();
     problems_.push_back(
         fmt::format("Results can't be kept in {}: {}. Everything is compiled and run anew; to change "
@@ -142,15 +143,16 @@ void Store::give_up(const std::string& why) {
                     in_quotes(folder_), why));
 }
 
-/// What `work` gives; nothing when the database fails, which is then told, rebuilt or done without.
+/// Returns the result of `work`. If the database fails, returns an empty result; a corrupt database is rebuilt, after
+/// any other failure but a busy database the cache gives up.
 template <class Result, class Work>
-Result Store::attempt(Work work) {
+Result ResultCache::attempt(Work work) {
     const std::lock_guard guard(mutex_);
     if (!opened_) return Result();
     try {
         return work();
     } catch (const SQLite::Exception& error) {
-        if (error.getErrorCode() == SQLITE_BUSY) return Result();  // another run is slow; this one result is not kept
+        if (error.getErrorCode() == SQLITE_BUSY) return Result();  // another run is busy writing; skips this result
         try {
             if (!is_corrupt(error)) throw;
             const ResultsLock lock(folder_);
@@ -164,7 +166,7 @@ Result Store::attempt(Work work) {
     return Result();
 }
 
-bool Store::contains(const std::string& key) {
+bool ResultCache::contains(const std::string& key) {
     return attempt<bool>([&] {
         SQLite::Statement& query = opened_->contains;
         const InUse in_use(query);
@@ -173,7 +175,7 @@ bool Store::contains(const std::string& key) {
     });
 }
 
-std::optional<Execution> Store::find(const std::string& key) {
+std::optional<Execution> ResultCache::find(const std::string& key) {
     return attempt<std::optional<Execution>>([&]() -> std::optional<Execution> {
         SQLite::Statement& query = opened_->find;
         const InUse in_use(query);
@@ -205,38 +207,15 @@ std::optional<Execution> Store::find(const std::string& key) {
     });
 }
 
-void Store::keep(const std::string& key, const Execution& execution) {
+void ResultCache::keep(const std::string& key, const Execution& execution) {
     if (!is_worth_keeping(execution)) return;
     attempt<bool>([&] {
-        if (holds_back_) {
-            held_.emplace_back(key, execution);
-        } else {
-            insert(key, execution);
-        }
+        insert(key, execution);
         return true;
     });
 }
 
-void Store::hold_back() {
-    const std::lock_guard guard(mutex_);
-    holds_back_ = true;
-}
-
-std::vector<std::pair<std::string, Execution>> Store::take_held() {
-    const std::lock_guard guard(mutex_);
-    holds_back_ = false;
-    return std::exchange(held_, {});
-}
-
-void Store::keep_held() {
-    for (const auto& [key, execution] : take_held()) keep(key, execution);
-}
-
-void Store::forget_held() {
-    take_held();
-}
-
-void Store::insert(const std::string& key, const Execution& execution) {
+void ResultCache::insert(const std::string& key, const Execution& execution) {
     const Build& build = execution.build;
     const ProcessResult& run = execution.run;
     SQLite::Statement statement(*opened_->database,
@@ -267,12 +246,12 @@ void Store::insert(const std::string& key, const Execution& execution) {
     statement.exec();
 }
 
-void Store::evict() {
-    constexpr std::int64_t overhead = 512;  // of a row, about
+void ResultCache::evict() {
+    constexpr std::int64_t overhead = 512;  // approximate size of a row besides its texts
     constexpr std::int64_t day = 24 * 60 * 60;
     const auto age = std::chrono::duration_cast<std::chrono::seconds>(bounds_.age).count();
     SQLite::Transaction transaction(*opened_->database, SQLite::TransactionBehavior::IMMEDIATE);
-    // By the day is near enough, and spares most regrades the writing.
+    // Updating only once a day is exact enough, and most regrades then write nothing.
     SQLite::Statement touch(*opened_->database, "UPDATE results SET used = ?1 WHERE key = ?2 AND used < ?1 - ?3");
     for (const std::string& key : used_) {
         touch.bind(1, now());
@@ -294,7 +273,7 @@ void Store::evict() {
     used_.clear();
 }
 
-std::vector<std::string> Store::problems() const {
+std::vector<std::string> ResultCache::problems() const {
     const std::lock_guard guard(mutex_);
     return problems_;
 }

@@ -1,4 +1,4 @@
-#include "harness/run.h"
+#include "harness/run/run.h"
 
 namespace harness {
 
@@ -6,7 +6,7 @@ ProcessResult run(const Build& build, const Limits& limits, const Sandbox& sandb
                   const std::vector<std::string>& more_environment) {
     if (!build.program) return {};
     Command command;
-    // From the working directory, as the program finds that elsewhere than the harness does.
+    // Relative to the working directory, because inside the sandbox that has another path than outside.
     command.argv = {"./" + build.program->lexically_relative(scratch.path()).string()};
     command.working_directory = scratch.path();
     command.purpose = Purpose::run;

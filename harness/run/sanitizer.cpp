@@ -1,4 +1,4 @@
-#include "harness/sanitizer.h"
+#include "harness/run/sanitizer.h"
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ void add(std::vector<std::string>& findings, std::string finding) {
     findings.push_back(std::move(finding));
 }
 
-/// "null pointer of type 'X'" and not the address in it.
+/// Replaces each address by "0x…".
 std::string without_addresses(std::string_view line) {
     std::string text;
     for (std::size_t i = 0; i < line.size() && text.size() < longest;) {
@@ -30,7 +30,7 @@ std::string without_addresses(std::string_view line) {
     return text;
 }
 
-/// The line number behind "ray_cast.cpp:"; empty when there is none.
+/// The line number after "ray_cast.cpp:"; empty if there is none.
 std::string_view line_number(std::string_view frame) {
     const std::size_t found = frame.find(source);
     if (found == std::string_view::npos) return {};
@@ -45,7 +45,7 @@ std::vector<std::string> sanitizer_flags() {
 }
 
 std::vector<std::string> sanitizer_environment() {
-    // Leaks cost a ray caster nothing, and looking for them takes ptrace, which the sandbox has not.
+    // Leaks do not matter in a ray caster, and detecting them needs ptrace, which the sandbox forbids.
     return {"ASAN_OPTIONS=detect_leaks=0:color=never", "UBSAN_OPTIONS=print_stacktrace=0:color=never"};
 }
 
@@ -59,7 +59,7 @@ Limits sanitizer_limits(Limits limits) {
 
 std::vector<std::string> sanitizer_findings(std::string_view errors) {
     std::vector<std::string> findings;
-    std::string kind;  // of AddressSanitizer's finding whose place is still to come
+    std::string kind;  // kind of the AddressSanitizer finding whose line has not been read yet
     while (!errors.empty()) {
         const std::size_t end = std::min(errors.find('\n'), errors.size());
         const std::string_view line = errors.substr(0, end);
@@ -70,7 +70,7 @@ std::vector<std::string> sanitizer_findings(std::string_view errors) {
             kind = without_addresses(what.substr(0, what.find(' ')));
         } else if (!kind.empty()) {
             const std::string_view number = line_number(line);
-            // The summary comes after the stack, so no line of the student's is in it.
+            // The summary follows the stack, so a finding that is still open here has no line in the student's source.
             const bool last = line.find("SUMMARY: ") != std::string_view::npos;
             if (number.empty() && !last) continue;
             add(findings, number.empty() ? kind : "line " + std::string(number) + ": " + kind);

@@ -1,8 +1,8 @@
-#include "harness/timeline.h"
+#include "harness/run/timeline.h"
 
 #include <nlohmann/json.hpp>
 
-#include "harness/names.h"
+#include "harness/text/printable.h"
 
 namespace harness {
 namespace {

@@ -1,4 +1,4 @@
-// When what was done, for a person who wonders where the time went.
+// Records what was done when, to show where the time went.
 #pragma once
 
 #include <atomic>
@@ -16,12 +16,12 @@ enum class Stage { header, build, run, read, score };
 /// The name in a trace.
 std::string_view to_string(Stage stage);
 
-/// Filled by several threads at a time.
+/// Safe to use from several threads.
 class Timeline {
   public:
     using Clock = std::chrono::steady_clock;
 
-    /// Counts from its making on to its end.
+    /// Adds the time from its construction to its destruction.
     class Span {
       public:
         Span(Timeline& timeline, Stage stage, std::string of)
@@ -39,15 +39,15 @@ class Timeline {
 
     /// `of`: a submission's id, or what a header stands for.
     void add(Stage stage, std::string of, Clock::time_point begin, Clock::time_point end);
-    /// Of all spans of this stage together, those at the same time counted each.
+    /// The sum over all spans of this stage; spans that overlap in time each count in full.
     std::chrono::milliseconds total(Stage stage) const;
     /// In Chrome's trace format, for chrome://tracing or ui.perfetto.dev. Each thread has a row; names are printable.
     std::string chrome_trace() const;
 
     std::atomic<std::size_t> finished = 0;    ///< submissions
-    std::atomic<std::size_t> from_store = 0;  ///< those of them that neither were compiled nor run
-    std::atomic<std::size_t> by_header = 0;   ///< those of them that were compiled with a precompiled header
-    std::atomic<std::size_t> alike = 0;       ///< those that printed what another had, and were marked as that
+    std::atomic<std::size_t> from_cache = 0;  ///< submissions that were neither compiled nor run
+    std::atomic<std::size_t> by_header = 0;   ///< submissions compiled with a precompiled header
+    std::atomic<std::size_t> alike = 0;  ///< submissions with the same output as an earlier one, whose marks they got
 
   private:
     struct Event {

@@ -1,11 +1,12 @@
-#include "harness/report/markup.h"
+#include "harness/text/markup.h"
 
-#include "harness/clean_text.h"
+#include "harness/text/escape.h"
 
-namespace harness::report {
+namespace harness {
 namespace {
 
-/// In parts of the size, as in Helvetica and Arial; 0 for a byte that continues a character.
+/// The width of a character as a fraction of the font size, as in Helvetica and Arial; 0 for a byte that continues a
+/// character.
 double advance(char c) {
     const auto byte = static_cast<unsigned char>(c);
     if ((byte & 0xC0U) == 0x80U) return 0;
@@ -41,4 +42,4 @@ double text_width(std::string_view text, double font_size) {
     return width * font_size;
 }
 
-}  // namespace harness::report
+}  // namespace harness

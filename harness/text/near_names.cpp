@@ -1,4 +1,4 @@
-#include "harness/near_names.h"
+#include "harness/text/near_names.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ std::string in_lower_case(std::string_view name) {
     return lower;
 }
 
-/// How many letters must be put in, left out, changed or exchanged with the next one (optimal string alignment).
+/// How many letters must be inserted, deleted, changed or swapped with the next letter (optimal string alignment).
 std::size_t changes_between(const std::string& a, const std::string& b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});

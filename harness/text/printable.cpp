@@ -1,4 +1,4 @@
-#include "harness/names.h"
+#include "harness/text/printable.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -28,7 +28,7 @@ std::size_t character_length(std::string_view text, std::size_t at) {
     return length;
 }
 
-/// C0, DEL and C1 (U+0080 to U+009F), which terminals obey as well, and what turns the order of text around.
+/// C0, DEL, C1 (U+0080 to U+009F), which terminals obey as well, and the characters that reverse the order of text.
 bool is_control(std::string_view character) {
     constexpr std::string_view turning[] = {"\u061C", "\u200E", "\u200F", "\u2028", "\u2029", "\u202A", "\u202B",
                                             "\u202C", "\u202D", "\u202E", "\u2066", "\u2067", "\u2068", "\u2069"};

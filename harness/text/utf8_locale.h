@@ -1,12 +1,12 @@
-// Names in archives are UTF-8, whatever the machine's language.
+// Reads names in archives as UTF-8, whatever the machine's language.
 #pragma once
 
 #include <clocale>
 
 namespace harness {
 
-/// While it lives, this thread's names are UTF-8: libarchive converts names by the thread's locale, and stops at the
-/// first that is not ASCII in the C locale.
+/// Sets this thread's character encoding to UTF-8 while it lives. libarchive converts names by the thread's locale; in
+/// the C locale it stops at the first name that is not ASCII.
 class Utf8Names {
   public:
     Utf8Names() : utf8_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)), before_(uselocale(utf8_)) {}

@@ -5,8 +5,8 @@
 #include "reference/kernel/sphere.h"
 #include "reference/kernel/triangle.h"
 
-// The machine chooses among vectors of its own length when the program starts. No clone may fuse a * b + c (the build
-// says -ffp-contract=off), so that each gives the same bits.
+// The clone for the machine's vector length is chosen when the program starts. No clone may fuse a * b + c (the build
+// says -ffp-contract=off), so that all give the same bits.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
 #define EVERY_VECTOR_LENGTH __attribute__((target_clones("avx2", "default")))
 #else
@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::size_t block_size = 128;
 
-/// What the filter says of a block of rays. Words as long as a double, so that comparisons stay in the vectors.
+/// What the filter says about a block of rays. The words are as long as a double, so that comparisons stay in vector
+/// registers.
 struct Block {
     std::array<std::int64_t, block_size> known;
     std::array<std::int64_t, block_size> hit;

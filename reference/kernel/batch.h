@@ -1,5 +1,6 @@
-// Many rays at one object, coordinate by coordinate: the first level of the kernel in the machine's vectors, the rays
-// that it leaves open one by one. Every result is the one that sphere.h and triangle.h give for its ray.
+// Tests many rays against one object. The rays are stored by coordinate, so that the filters run in vector
+// instructions; rays that a filter leaves open are decided one by one. Every result equals that of sphere.h or
+// triangle.h for the same ray.
 #pragma once
 
 #include <array>
@@ -10,7 +11,7 @@
 
 namespace reference::kernel {
 
-/// Six columns of one length: ray i has the numbers at i.
+/// Six columns of equal length. Ray i consists of the numbers at index i.
 template <class T>
 struct Rays {
     std::array<std::span<const T>, 3> origin;
@@ -23,13 +24,13 @@ struct Rays {
     }
 };
 
-/// decide() of each ray; `results` has the rays' size.
+/// Calls decide() for each ray; results.size() is rays.size().
 void decide(const Rays<float>& rays, const Sphere<float>& sphere, std::span<SphereResult> results);
 void decide(const Rays<double>& rays, const Sphere<double>& sphere, std::span<SphereResult> results);
 void decide(const Rays<float>& rays, const Triangle<float>& triangle, std::span<TriangleResult> results);
 void decide(const Rays<double>& rays, const Triangle<double>& triangle, std::span<TriangleResult> results);
 
-/// intersect_to_float() of each ray; `results` and `t` have the rays' size.
+/// Calls intersect_to_float() for each ray; `results` and `t` are as long as `rays`.
 void intersect_to_float(const Rays<float>& rays, const Sphere<float>& sphere, std::span<SphereResult> results,
                         std::span<double> t);
 void intersect_to_float(const Rays<double>& rays, const Sphere<double>& sphere, std::span<SphereResult> results,

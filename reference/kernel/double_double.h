@@ -36,7 +36,7 @@ class DoubleDouble {
         const DoubleDouble rest = x - y * DoubleDouble(quotient);
         return fast_two_sum(quotient, rest.high_ / y.high_);
     }
-    /// Relative error below 16u²: one step of Newton's from the double's root. x > 0, or 0.
+    /// Relative error below 16u²: one Newton step from the double's root. x >= 0.
     friend DoubleDouble sqrt(const DoubleDouble& x) {
         if (!(x.high_ > 0)) return DoubleDouble();
         const double root = std::sqrt(x.high_);
@@ -74,7 +74,7 @@ class DoubleDouble {
 #endif
     }
 #ifndef FP_FAST_FMA
-    /// Veltkamp: halves of 26 bits.
+    /// Veltkamp's splitting into halves of 26 bits.
     static DoubleDouble split(double a) {
         const double c = 134217729.0 * a;  // 2^27 + 1
         const double high = c - (c - a);

@@ -12,7 +12,8 @@ struct Candidate {
     double t;
 };
 
-/// Both t's are within one unit in the last place: a difference of 8u of the larger decides, if nothing is subnormal.
+/// Both t's are within one unit in the last place, so a difference above 8u of the larger t decides, if nothing is
+/// subnormal.
 std::partial_ordering filtered_order(double one, double other) {
     const double slack = 0x1p-50 * std::max(one, other);
     if (!(slack > 0x1p-1000) || !std::isfinite(slack)) return std::partial_ordering::unordered;
@@ -25,8 +26,9 @@ std::partial_ordering reversed(std::partial_ordering order) {
     return 0 <=> order;
 }
 
-/// The sign of (the sphere's t) - (the triangle's t), both hit. With t = N/det for the triangle, det > 0: P = aN² + 2hN
-/// det + c det² tells whether it lies between the roots, L = aN + h det on which side of their middle.
+/// The sign of (the sphere's t) - (the triangle's t), where both are hit. Let N/det be the triangle's t, with det > 0.
+/// The sign of P = aN² + 2hN det + c det² tells whether it lies between the roots, and the sign of L = aN + h det on
+/// which side of their middle.
 template <class Quadratic, class Determinants>
 std::partial_ordering exact_order(const Quadratic& sphere, const Determinants& triangle) {
     const auto N = triangle.t();
@@ -51,7 +53,7 @@ std::partial_ordering sign_of_root_sum(const X& x, int p, const D& d, int q, con
     const auto rest = sign_of(x);
     if (rest == 0 || roots == rest) return roots;
     if (roots == 0) return rest;
-    // They pull apart: compare (p√d + q√e)² = d + e + 2pq√(de) with x².
+    // The roots and x have opposite signs: compare (p√d + q√e)² = d + e + 2pq√(de) with x².
     const auto y = d + e - x * x;
     const auto de = d * e;
     const auto product = de + de + (de + de);
@@ -68,14 +70,14 @@ std::partial_ordering sign_of_root_sum(const X& x, int p, const D& d, int q, con
     return roots_win > 0 ? roots : rest;
 }
 
-/// Of two spheres that are hit.
+/// The order of two spheres that are hit.
 template <class A, class H, class C>
 std::partial_ordering exact_order(const HalfQuadratic<A, H, C>& one, const HalfQuadratic<A, H, C>& other) {
     return sign_of_root_sum(other.h - one.h, one.smaller_is_first() ? -1 : 1, one.D(),
                             other.smaller_is_first() ? 1 : -1, other.D());
 }
 
-/// Of two triangles that are hit.
+/// The order of two triangles that are hit.
 template <class N, class E>
 std::partial_ordering exact_order(const Determinants<N, E>& one, const Determinants<N, E>& other) {
     const auto one_det = one.det();
@@ -91,7 +93,7 @@ auto exact_form(const auto& whole, const Ray<double>& ray, const Triangle<double
     return determinants_of(whole, ray, triangle);
 }
 
-/// Of two objects that are hit, a sphere before a triangle.
+/// The order of two objects that are hit. A sphere must come before a triangle.
 template <class One, class Other>
 std::partial_ordering exact_order(const Ray<double>& ray, const One& one, const Other& other) {
     return in_whole_numbers(Scales(ray, one, other), [&](const auto& whole) {
@@ -99,7 +101,7 @@ std::partial_ordering exact_order(const Ray<double>& ray, const One& one, const 
     });
 }
 
-/// The order of a's t and b's t, where a is a sphere if only one of them is.
+/// The order of a's t and b's t. If only one of them is a sphere, it must be a.
 std::partial_ordering order(const Ray<double>& ray, const std::vector<Sphere<double>>& spheres,
                             const std::vector<Triangle<double>>& triangles, const Candidate& a, const Candidate& b) {
     const auto filtered = filtered_order(a.t, b.t);
@@ -109,7 +111,7 @@ std::partial_ordering order(const Ray<double>& ray, const std::vector<Sphere<dou
     return exact_order(ray, spheres[a.index], triangles[b.index]);
 }
 
-/// Spheres come before triangles, as `order` asks.
+/// Visits spheres before triangles, as `order` requires.
 template <class Visit>
 void for_each_hit(const Cast& cast, Visit visit) {
     for (std::size_t i = 0; i < cast.spheres.size(); ++i) {

@@ -1,4 +1,4 @@
-// Which of a scene's objects a ray hits first, without a wrong decision.
+// Finds the object that a ray hits first, without a wrong decision.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ struct First {
     enum class Kind {
         sphere,
         triangle,
-        tie,      ///< two objects or more are hit at the same t exactly, and none before them
+        tie,      ///< two or more objects are hit at exactly the same t, and none before them
         none,     ///< nothing is hit
         invalid,  ///< the ray or one of the objects is invalid
     };
@@ -28,22 +28,23 @@ struct Cast {
     First first;
 };
 
-/// Every object on its own, and the first of them. Writes into `result`, whose memory it keeps from ray to ray.
+/// Intersects the ray with every object and finds the first hit. Overwrites `result`, whose memory is reused from ray
+/// to ray.
 void cast_ray(const Ray<double>& ray, const std::vector<Sphere<double>>& spheres,
               const std::vector<Triangle<double>>& triangles, Cast& result);
 
-/// The same for one sphere and one triangle, with the first t as far as a float goes; 0 for none and invalid.
+/// The first hit of one sphere and one triangle. t has a relative error of at most 2^-26; it is 0 for none and invalid.
 struct FirstHit {
     First::Kind kind;
     double t;
 };
-/// The sign of (the sphere's t) - (the triangle's t), both hit. Exact, and slow.
+/// The sign of (the sphere's t) - (the triangle's t), where both are hit. Exact, but slow.
 std::partial_ordering order_exactly(const Ray<double>& ray, const Sphere<double>& sphere,
                                     const Triangle<double>& triangle);
 std::partial_ordering order_exactly(const Ray<float>& ray, const Sphere<float>& sphere,
                                     const Triangle<float>& triangle);
 
-/// With the two t's each known to 2^-26, a difference of 2^-24 of the smaller decides.
+/// Each t is known to a relative error of 2^-26, so a difference above 2^-24 of the smaller t decides the order.
 template <class T>
 KERNEL_INLINE FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, const PreparedTriangle<T>& triangle) {
     const auto at_sphere = intersect_to_float(ray, sphere);
@@ -61,7 +62,7 @@ KERNEL_INLINE FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, cons
         if (order == 0) return {First::Kind::tie, at_sphere.t};
         sphere_is_nearer = order < 0;
     }
-    // Chosen by an index, not by a branch that nobody can foretell.
+    // Selected by index, because a branch here would be unpredictable.
     const bool sphere_is_first = sphere_is_hit & (!triangle_is_hit | sphere_is_nearer);
     const std::array kinds{First::Kind::none, First::Kind::triangle, First::Kind::sphere, First::Kind::sphere};
     const std::array ts{at_triangle.t, at_sphere.t};

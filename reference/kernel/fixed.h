@@ -1,4 +1,4 @@
-// Whole numbers of a fixed size, for the exact level of the kernel. The size is part of the type and grows with each
+// Integers of a fixed size, for the exact level of the kernel. The size is part of the type and grows with each
 // operation, so that no result overflows and none is longer than its formula needs.
 #pragma once
 
@@ -33,7 +33,7 @@ class Fixed {
         }
     }
 
-    /// Word i of the number, of its endless two's complement.
+    /// Word i of the number, sign-extended without end.
     std::uint64_t word(std::size_t i) const { return i < words ? word_[i] : sign_word(); }
     /// All ones below zero, else all zeros.
     std::uint64_t sign_word() const {
@@ -57,7 +57,7 @@ class Fixed {
     template <int n, int m>
     friend auto operator*(const Fixed<n>& x, const Fixed<m>& y);
 
-    /// Word `from` and all above it less y's.
+    /// Subtracts y & mask from word `from` and all words above it.
     template <int m>
     void subtract_above(std::size_t from, const Fixed<m>& y, std::uint64_t mask) {
         std::uint64_t borrow = 0;
@@ -95,8 +95,8 @@ auto operator-(const Fixed<n>& x, const Fixed<m>& y) {
     return difference;
 }
 
-/// By words as if both were unsigned: that counts y's words too often by 2^64k for an x of k words below zero, and the
-/// same the other way round.
+/// Multiplies word by word as if both were unsigned. For a negative x of k words, that adds 2^(64k) y too much, which
+/// is subtracted at the end; likewise for a negative y.
 template <int n, int m>
 auto operator*(const Fixed<n>& x, const Fixed<m>& y) {
     Fixed<n + m> product;

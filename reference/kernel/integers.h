@@ -1,16 +1,47 @@
-// The exact level of the kernel: its formulas over whole numbers. Lengths are multiplied by one power of two and
-// directions by another, which changes no sign, so that doubles of any size become whole; how many bits they take then
-// chooses the type that holds them.
+// The exact level of the kernel: its formulas over integers. All lengths are multiplied by one power of two and all
+// directions by a second one, so that doubles of any size become integers; this changes no sign. The number of bits
+// they then need selects the integer type.
 #pragma once
+
+#include <gmpxx.h>
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <compare>
+#include <cstdint>
+#include <utility>
 
 #include "reference/kernel/fixed.h"
 #include "reference/kernel/ray.h"
-#include "reference/kernel/whole.h"
 
 namespace reference::kernel {
+
+/// Like Fixed, but of any size: for numbers whose sizes differ by hundreds of bits.
+class Integer {
+  public:
+    Integer() = default;
+    /// mantissa * 2^shift, shift >= 0.
+    Integer(std::int64_t mantissa, int shift) : value_(static_cast<long>(mantissa)) {
+        value_ <<= static_cast<mp_bitcnt_t>(shift);
+    }
+    /// x is a whole number.
+    explicit Integer(double x) : value_(x) {}
+    const mpz_class& value() const { return value_; }
+    /// A double within one unit in the last place; infinite outside the range of doubles.
+    double as_double() const {
+        return mpz_sizeinbase(value_.get_mpz_t(), 2) > 1023 ? sgn(value_) * HUGE_VAL : value_.get_d();
+    }
+
+    friend Integer operator+(const Integer& x, const Integer& y) { return Integer(mpz_class(x.value_ + y.value_)); }
+    friend Integer operator-(const Integer& x, const Integer& y) { return Integer(mpz_class(x.value_ - y.value_)); }
+    friend Integer operator*(const Integer& x, const Integer& y) { return Integer(mpz_class(x.value_ * y.value_)); }
+    friend std::partial_ordering sign_of(const Integer& x) { return sgn(x.value_) <=> 0; }
+
+  private:
+    explicit Integer(mpz_class x) : value_(std::move(x)) {}
+    mpz_class value_ = 0;
+};
 
 /// A finite double as mantissa * 2^exponent.
 struct Binary {
@@ -27,7 +58,7 @@ struct Binary {
     }
 };
 
-/// The range of the bits that a set of finite doubles has, without the zeros at their ends.
+/// The range of bit positions that a set of finite doubles uses, without trailing zeros.
 class Scale {
   public:
     void cover(double x) {
@@ -47,12 +78,12 @@ class Scale {
     int bits() const { return is_empty() ? 0 : most_ - least_; }
 
     int end() const { return exponent() + bits(); }
-    /// No square of the largest number is near the ends of the range of doubles, nor is its cube.
+    /// Neither the square nor the cube of the largest number is near the ends of the range of doubles.
     bool is_near_one() const { return std::abs(end()) < 150; }
     /// A power of two that brings the largest number near 1.
     double to_one() const { return std::ldexp(1.0, std::clamp(-end(), -1000, 1000)); }
 
-    /// The number of these bits as an N.
+    /// x * 2^-exponent() as an N, for an x that cover() was called with.
     template <class N>
     N whole(double x) const {
         const Binary binary(x);
@@ -67,7 +98,7 @@ class Scale {
     int most_ = -(1 << 20);
 };
 
-/// Of a ray and objects. Their t's have a common scale as well: the true t is that of the whole numbers times
+/// The scales of a ray and objects. Their t's have a common scale as well: the true t is the t of the integers times
 /// 2^(lengths.exponent() - directions.exponent()).
 struct Scales {
     Scale lengths;
@@ -76,8 +107,8 @@ struct Scales {
     int bits() const { return std::max(lengths.bits(), directions.bits()); }
     bool are_near_one() const { return lengths.is_near_one() && directions.is_near_one(); }
 
-    /// The same case with all sizes near 1. What becomes subnormal thereby is rounded, by no more than an underflow
-    /// costs, which the filters allow for many times over.
+    /// The same ray or object with all sizes near 1. Numbers that become subnormal are rounded. That error is at most
+    /// the error of an underflow, and the filters allow for many times as much.
     Ray<double> to_one(const Ray<double>& ray) const {
         return {scaled(ray.origin, lengths.to_one()), scaled(ray.direction, directions.to_one())};
     }
@@ -128,7 +159,7 @@ auto cross(const Point<N>& p, const Point<M>& q) {
     return Point{p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
 }
 
-/// Makes N of the numbers that the scales cover.
+/// Converts the numbers that the scales cover to N.
 template <class N>
 class Whole {
   public:
@@ -146,8 +177,8 @@ class Whole {
 
 inline constexpr int longest_fixed = 125;
 
-/// Calls `decide` with a Whole of the shortest numbers that hold what the scales cover. The sizes are those with which
-/// c of a sphere takes one word, two and four: with L bits a length it is below 2^(2L + 5).
+/// Calls `decide` with a Whole of the shortest type that holds the numbers that the scales cover. The sizes are chosen
+/// so that c of a sphere takes one, two or four words: with lengths of L bits, c is below 2^(2L + 5).
 template <class Decide>
 auto in_whole_numbers(const Scales& scales, Decide decide) {
     const int bits = scales.bits();
@@ -165,7 +196,7 @@ struct HalfQuadratic {
     C c;
     /// A quarter of the discriminant.
     auto D() const { return h * h - a * c; }
-    /// Of a sphere that is hit: t is the smaller root.
+    /// For a sphere that is hit: whether t is the smaller root.
     bool smaller_is_first() const { return sign_of(c) > 0 || (sign_of(c) == 0 && sign_of(h) < 0); }
 };
 
@@ -177,7 +208,7 @@ auto quadratic_of(const Whole<N>& whole, const Ray<double>& ray, const Sphere<do
     return HalfQuadratic{dot(d, d), dot(d, f), dot(f, f) - R * R};
 }
 
-/// Cramer's rule for A + u(B-A) + v(C-A) = S + tV, each determinant when it is asked for.
+/// Cramer's rule for A + u(B-A) + v(C-A) = S + tV, each determinant computed on request.
 template <class N, class E>
 struct Determinants {
     Point<N> d;  ///< V

@@ -1,5 +1,5 @@
-// The sign of a sum of products of two doubles, of whatever sizes: each product is added, bit by bit in its place, to
-// one of two long numbers, of the positive and of the negative products.
+// The exact sign of a sum of products of two doubles of any size. Each product is added at its place to one of two long
+// integers: one for the positive products, one for the negative products.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ class ProductSum {
         std::fill_n(negative_.begin(), words_, 0);
     }
 
-    /// 2^doublings x y.
+    /// Adds 2^doublings x y.
     void add(double x, double y, int doublings = 0) { add(Binary(x), Binary(y), doublings); }
     void subtract(double x, double y, int doublings = 0) { add(Binary(-x), Binary(y), doublings); }
 
@@ -31,7 +31,8 @@ class ProductSum {
     }
 
   private:
-    /// Twice the range of a double's bits, 2,098, and some; three words more, as a product may reach into them.
+    /// Twice the 2,098 bits of a double's range, with some room; and three more words, since a product may reach into
+    /// them.
     using Words = std::array<std::uint64_t, 72>;
 
     void add(const Binary& x, const Binary& y, int doublings) {

@@ -1,4 +1,4 @@
-#include "reference/cast.h"
+#include "reference/kernel/queries.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "reference/cast_query.h"
 #include "reference/kernel/first.h"
+#include "reference/kernel/query.h"
 
 namespace reference {
 namespace {
@@ -83,7 +83,7 @@ void append(Text& text, const kernel::Cast& cast) {
     append(text, "\"}\n");
 }
 
-/// The message may quote the line, so it is escaped, and what is not UTF-8 in it replaced.
+/// The message may quote the line, so it is escaped and invalid UTF-8 in it is replaced.
 void append_error(Text& text, const MalformedQuery& error, long line) {
     const nlohmann::ordered_json json{{"error", error.what()}, {"line", line}};
     append(text, json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");

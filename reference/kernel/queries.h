@@ -5,19 +5,19 @@
 
 namespace reference {
 
-/// Reads queries, one a line:
+/// Reads queries, one per line:
 ///   {"origin":[x,y,z],"direction":[x,y,z],"spheres":[{"center":[x,y,z],"radius":r}],"triangles":[[[x,y,z],[x,y,z],[x,y,z]]]}
 /// Keys may come in any order; spheres and triangles may be left out. A number is a JSON number, which becomes the
 /// nearest double, or a string with a hex float ("0x1.8p+1"), "inf", "-inf" or "nan".
 ///
-/// Writes one line a query, in order:
+/// Writes one line per query, in order:
 ///   {"spheres":[{"result":"hit","t":0.5}],"triangles":[{"result":"hit","t":3,"u":0.25,"v":0.25}],"first":"sphere 0"}
-/// with the results of kernel/ray.h: hit, miss, tangent, coplanar, degenerate, invalid; t, u and v stand only beside
-/// hit and tangent, and t is null where it is beyond the doubles. `first` is "sphere 0", "triangle 0" (counted from 0),
+/// with the results of kernel/ray.h: hit, miss, tangent, coplanar, degenerate, invalid; t, u and v appear only with hit
+/// and tangent, and t is null if it exceeds the range of doubles. `first` is "sphere 0", "triangle 0" (counted from 0),
 /// "tie", "none" or "invalid".
 ///
-/// A line that is no query gives {"error":"...","line":7}, lines counted from 1, and the rest are still answered.
-/// Returns how many such lines there were.
+/// A malformed line gives {"error":"...","line":7}, with lines counted from 1; the other lines are still answered.
+/// Returns the number of malformed lines.
 long cast(std::istream& queries, std::ostream& answers);
 
 }  // namespace reference

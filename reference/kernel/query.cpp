@@ -1,4 +1,4 @@
-#include "reference/cast_query.h"
+#include "reference/kernel/query.h"
 
 #include <fmt/format.h>
 #include <simdjson.h>
@@ -89,7 +89,7 @@ Triangle<double> triangle(const json::element& element) {
     return {A, B, next()};
 }
 
-/// The keys of a query that were met; each may come once.
+/// The keys of a query that were already read; each may occur once.
 enum Key : unsigned { origin = 1, direction = 2, spheres = 4, triangles = 8 };
 
 Key key_of(std::string_view name) {

@@ -1,4 +1,4 @@
-// One query of `raygrade cast`, read from its line. The only file that knows the JSON parser is cast_query.cpp.
+// One query of `raygrade cast`, read from its line. The only file that knows the JSON parser is query.cpp.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@ struct CastQuery {
     std::vector<Triangle<double>> triangles;
 };
 
-/// The line is no query; what() says why.
+/// The line is not a valid query; what() says why.
 class MalformedQuery : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -29,7 +29,7 @@ class CastQueryReader {
     CastQueryReader(const CastQueryReader&) = delete;
     CastQueryReader& operator=(const CastQueryReader&) = delete;
 
-    /// Writes into `query`, whose memory it keeps from line to line. Throws MalformedQuery.
+    /// Overwrites `query`, whose memory is reused from line to line. Throws MalformedQuery.
     void read(const std::string& line, CastQuery& query);
 
   private:

@@ -1,5 +1,6 @@
-// What the certified kernel takes and gives. Inputs are floats or doubles, exactly as they are; a float becomes the
-// same double. The policy is closed: t >= 0 is a hit, edges and vertices belong to the triangle, a tangent touches.
+// The inputs and results of the certified kernel. Inputs are floats or doubles and count as exact; a float becomes the
+// same double. All bounds are closed: t >= 0 is a hit, edges and vertices belong to the triangle, a tangent ray touches
+// the sphere.
 #pragma once
 
 #include <bit>
@@ -8,9 +9,9 @@
 #include <optional>
 #include <type_traits>
 
-#include "reference/scene.h"
+#include "reference/stages/scene.h"
 
-/// The filters are a few dozen operations of one straight line, where a call costs as much as it does.
+/// A filter is a few dozen operations without a branch. Calling it would cost as much as running it.
 #define KERNEL_INLINE inline __attribute__((always_inline))
 
 namespace reference::kernel {
@@ -37,14 +38,14 @@ enum class TriangleResult {
     invalid,     ///< a number is not finite, or the direction is zero
 };
 
-/// t is within one unit in the last place of the true value, and exactly 0 where that is 0; +0, never -0. Infinite
-/// where the true value is beyond the doubles. 0 without a hit.
+/// t is within one unit in the last place of the true value, and exactly +0 if the true value is 0 (never -0). It is
+/// infinite if the true value exceeds the range of doubles, and 0 without a hit.
 struct SphereHit {
     SphereResult result;
     double t;
 };
 
-/// As SphereHit, for t, u and v.
+/// t, u and v follow the rules of SphereHit::t.
 struct TriangleHit {
     TriangleResult result;
     double t;
@@ -52,8 +53,8 @@ struct TriangleHit {
     double v;
 };
 
-/// A decision with t to a relative error of 2^-26, a quarter of a float's last place; where t lies below the normal
-/// doubles, to one unit in its last place. 0 without a hit, by a product and not by a branch that nobody can foretell.
+/// A decision, with t to a relative error of 2^-26 (a quarter of a float's last place), or to one unit in the last
+/// place if t is subnormal. Without a hit t is 0: it is set by a product, because a branch would be unpredictable.
 template <class Result>
 struct FloatHit {
     Result result;
@@ -83,7 +84,7 @@ KERNEL_INLINE Triangle<double> as_double(const Triangle<T>& triangle) {
     return {Vec3<double>(triangle.A), Vec3<double>(triangle.B), Vec3<double>(triangle.C)};
 }
 
-/// The numbers in another scalar that is made from a double.
+/// p over a scalar type that can be made from a double.
 template <class S>
 Vec3<S> over(const Vec3<double>& p) {
     return Vec3<S>(S(p.x), S(p.y), S(p.z));

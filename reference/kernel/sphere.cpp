@@ -1,25 +1,24 @@
 #include "reference/kernel/sphere.h"
 
-#include "reference/exact/certified.h"
 #include "reference/kernel/double_double.h"
 #include "reference/kernel/integers.h"
 #include "reference/kernel/product_sum.h"
+#include "reference/numbers/certified.h"
 #include "reference/stages/sphere.h"
 
 namespace reference::kernel {
 namespace {
 
-/// The quadratic in double-double and how far its numbers may be off. With the u, f and m of SphereFilter,
-/// double-double has c off by at most 20u²m, b = 2h by 22u²|d||f| and d = b² - 4ac by 4 * 64u²am (summing the bounds of
-/// double_double.h); the formulas below are more than twice that. Empty where a product could leave the range of
-/// doubles.
-struct Level {
+/// The quadratic in double-double, and bounds of its errors. With the u, f and m of SphereFilter, c in double-double is
+/// off by at most 20u²m, b = 2h by 22u²|d||f| and d = b² - 4ac by 4 * 64u²am (summing the bounds of double_double.h);
+/// the formulas below give more than twice that. Empty where a product could leave the range of doubles.
+struct SphereLevel {
     Quadratic<DoubleDouble> quadratic;
     double b_error;
     double c_error;
     double d_error;
 
-    static std::optional<Level> of(const Ray<double>& ray, const Sphere<double>& sphere) {
+    static std::optional<SphereLevel> of(const Ray<double>& ray, const Sphere<double>& sphere) {
         using S = DoubleDouble;
         const Vec3<double> f = ray.origin - sphere.center;
         const double a = dot(ray.direction, ray.direction);
@@ -27,14 +26,14 @@ struct Level {
         const auto in_range = [](double x) { return 0x1p-450 < x && x < 0x1p450; };
         if (!in_range(a) || !in_range(m)) return std::nullopt;
         constexpr double unit = 0x1p-101;
-        return Level{sphere_quadratic(over<S>(ray.origin), over<S>(ray.direction),
-                                      Sphere<S>{over<S>(sphere.center), S(sphere.radius)}),
-                     16 * unit * std::sqrt(a) * std::sqrt(m), 8 * unit * m, 128 * unit * a * m};
+        return SphereLevel{sphere_quadratic(over<S>(ray.origin), over<S>(ray.direction),
+                                            Sphere<S>{over<S>(sphere.center), S(sphere.radius)}),
+                           16 * unit * std::sqrt(a) * std::sqrt(m), 8 * unit * m, 128 * unit * a * m};
     }
 };
 
-/// c of the quadratic, from whole numbers: for a ray that starts so near the surface that nothing is left of it
-/// otherwise. Empty where it is not zero and far from the middle of the doubles' range.
+/// c of the quadratic, computed in integers: for a ray that starts so near the surface that rounding leaves no digit of
+/// c. Empty where c is not zero but its size is near the ends of the range of doubles.
 std::optional<DoubleDouble> exact_c(const Ray<double>& ray, const Sphere<double>& sphere) {
     const Scales scales(ray, sphere);
     const Integer c = quadratic_of(Whole<Integer>(scales), ray, sphere).c;
@@ -49,7 +48,7 @@ std::optional<DoubleDouble> exact_c(const Ray<double>& ray, const Sphere<double>
 
 /// t of a hit in double-double; empty where its relative error cannot be held below 2^-56.
 std::optional<double> root_in_double_double(const Ray<double>& ray, const Sphere<double>& sphere, SphereResult result) {
-    const auto level = Level::of(ray, sphere);
+    const auto level = SphereLevel::of(ray, sphere);
     if (!level) return std::nullopt;
     const auto& [a, b, rounded_c, d] = level->quadratic;
     const double b_size = std::abs(static_cast<double>(b));
@@ -83,7 +82,7 @@ double root_by_balls(const Ray<double>& ray, const Sphere<double>& sphere) {
     return root(quadratic, choose_root(quadratic, Boundary::nonnegative))->enclosure().nearest;
 }
 
-/// From the signs, each asked for only where it matters.
+/// The result from the signs. Each sign is computed only where it matters.
 template <class C, class H, class D>
 SphereResult result_of(C sign_of_c, H sign_of_h, D sign_of_D) {
     const std::partial_ordering c = sign_of_c();

@@ -1,5 +1,5 @@
-// Ray and sphere without a wrong decision: a static error filter on plain doubles, here and inline, and whole numbers
-// for the few rays that it leaves open.
+// Ray and sphere without a wrong decision: a static error filter on doubles, inline in this file, and integers for the
+// few rays that the filter leaves open.
 #pragma once
 
 #include "reference/kernel/ray.h"
@@ -10,18 +10,18 @@ namespace reference::kernel {
 ///
 /// With u = 2^-53, f = origin - center and m = |f|² + R², while nothing underflows: a is off by at most 3ua, f by u of
 /// itself, h by 4u|d||f|, c by 6um; so h² by 9uam, a c by 10uam and D by 21uam. The bounds are 32um and 32uam, which
-/// hold what computing them loses too. Floats stay far inside the range of doubles. With doubles an underflow costs a
-/// product at most 2^-1075, and so a 2^-1073, h 2^-1073, c 2^-1072 and D 2^-1071 (a + m + 1): k = 2^-500 added to a and
-/// m holds that. Where anything overflows, D's bound does before. Of a NaN, an infinity, a zero direction or a radius
-/// that is not above 0 nothing is known.
+/// also cover the rounding of the bounds themselves. Floats stay far inside the range of doubles. With doubles an
+/// underflow costs a product at most 2^-1075, and so a 2^-1073, h 2^-1073, c 2^-1072 and D 2^-1071 (a + m + 1): k =
+/// 2^-500 added to a and m covers that. Where anything overflows, D's bound overflows first. For a NaN, an infinity, a
+/// zero direction or a radius that is not above 0, nothing is known.
 struct SphereFilter {
     double a;
     double h;
     double c;
     double D;
     double m;
-    double am;       ///< times overflow_room for doubles
-    double am_unit;  ///< 32u for that am
+    double am;       ///< a m, for doubles times overflow_room
+    double am_unit;  ///< 32u, for doubles divided by overflow_room
     bool valid_radius;
 
     template <class T>
@@ -46,17 +46,17 @@ struct SphereFilter {
         valid_radius = is_above_zero(sphere.radius);
     }
 
-    /// c and D are known to 1/margin of themselves, and the ray and the sphere are valid. Then h² = D + a c > 11uam for
-    /// a c > 0 and D > 0, so that the sign of h is known as well.
+    /// Whether c and D are known to a relative error of 1/margin, and the ray and the sphere are valid. If so, h² = D +
+    /// a c > 11uam for a c > 0 and D > 0, so the sign of h is known as well.
     bool is_known(double margin) const {
         return D_is_known(margin) && std::abs(c) > (margin * 0x1p-48) * m && valid_radius;
     }
     bool D_is_known(double margin) const { return std::abs(D) > (margin * am_unit) * am; }
-    /// If it is known: D > 0, and c < 0 or h < 0.
+    /// Requires is_known(1): D > 0, and c < 0 or h < 0.
     bool is_hit() const { return (~sign(D) & (sign(c) | sign(h))) != 0; }
-    /// If it is known to margin_for_t and hit: the root in a form without cancellation; a number in any case. With c
-    /// and D known to 2^-28 of themselves, so is √D to 2^-29, and q to little more, as h is known to 2^-51 √am and √D >
-    /// 2^-10 √am. That makes 2^-27 for t.
+    /// Requires is_known(margin_for_t). For a hit it is the root for t, in a form without cancellation; for a miss it
+    /// is some number, not NaN. As c and D are known to a relative error of 2^-28, √D is known to 2^-29 and q to little
+    /// more, because h is known to 2^-51 √am and √D > 2^-10 √am. So t is known to 2^-27.
     double root() const {
         const double q = std::abs(h) + std::sqrt(std::abs(D));
         const bool from_inside = (c < 0) & (h < 0);
@@ -67,13 +67,13 @@ struct SphereFilter {
   private:
     static constexpr double overflow_room = 0x1p4;
     static std::uint64_t sign(double x) { return std::bit_cast<std::uint64_t>(x) >> 63U; }
-    /// Or not a number. As whole numbers, which cost nothing beside the doubles.
+    /// Also true for a positive NaN. Compared as integers, which costs nothing while the double units compute.
     static bool is_above_zero(float x) { return std::bit_cast<std::int32_t>(x) > 0; }
     static bool is_above_zero(double x) { return std::bit_cast<std::int64_t>(x) > 0; }
 };
 
-/// What the filter cannot tell, and whatever else: exact, and slower. Takes floats as they are, so that the fast path
-/// has nothing to prepare for it.
+/// Decides every case exactly, including those that the filter leaves open, but slower. Takes floats directly, so that
+/// the fast path has nothing to convert.
 SphereResult decide_exactly(const Ray<double>& ray, const Sphere<double>& sphere);
 SphereResult decide_exactly(const Ray<float>& ray, const Sphere<float>& sphere);
 
@@ -90,7 +90,7 @@ KERNEL_INLINE SphereResult decide(const Ray<T>& ray, const Sphere<T>& sphere) {
 SphereHit intersect(const Ray<double>& ray, const Sphere<double>& sphere);
 SphereHit intersect(const Ray<float>& ray, const Sphere<float>& sphere);
 
-/// decide(), with t as far as a float goes.
+/// decide(), with t to the accuracy of FloatHit.
 template <class T>
 KERNEL_INLINE FloatHit<SphereResult> intersect_to_float(const Ray<T>& ray, const Sphere<T>& sphere) {
     const SphereFilter filter(ray, sphere);

@@ -1,8 +1,8 @@
 #include "reference/kernel/triangle.h"
 
-#include "reference/exact/rational.h"
 #include "reference/kernel/double_double.h"
 #include "reference/kernel/integers.h"
+#include "reference/numbers/rational.h"
 #include "reference/stages/triangle.h"
 
 namespace reference::kernel {
@@ -12,15 +12,15 @@ double size(const Vec3<double>& p) {
     return std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
 }
 
-/// Cramer's rule in double-double and how far its results may be off: with the n of TriangleFilter at most 24u² of
-/// |V|₁n², or of n³ for t (summing the bounds of double_double.h), and 16 * 32u² is far more.
-struct Level {
+/// Cramer's rule in double-double, and bounds of its errors. With the n of TriangleFilter, an error is at most 24u² of
+/// |V|₁n², or of n³ for t (summing the bounds of double_double.h); 16 * 32u² is far more.
+struct TriangleLevel {
     CramerSolution<DoubleDouble> solution;
     double error;
     double t_error;
     bool in_range;  ///< no product could leave the range of doubles
 
-    Level(const Ray<double>& ray, const Triangle<double>& triangle)
+    TriangleLevel(const Ray<double>& ray, const Triangle<double>& triangle)
         : solution(solve_by_cramer(triangle_system(
               over<DoubleDouble>(ray.origin), over<DoubleDouble>(ray.direction),
               reference::Triangle<DoubleDouble>{over<DoubleDouble>(triangle.A), over<DoubleDouble>(triangle.B),
@@ -34,7 +34,7 @@ struct Level {
     }
 };
 
-/// numerator / det, when both are known to 2^-57 of themselves.
+/// numerator / det, if both are known to a relative error of 2^-57.
 std::optional<double> quotient(const DoubleDouble& numerator, const DoubleDouble& det, double error, double det_error) {
     const bool known = error < 0x1p-57 * std::abs(static_cast<double>(numerator)) &&
                        det_error < 0x1p-57 * std::abs(static_cast<double>(det));
@@ -57,11 +57,11 @@ double exact_quotient(const Integer& numerator, const Integer& det, long exponen
 
 struct Decision {
     TriangleResult result;
-    bool is_at_start;  ///< a hit whose t is 0, as where a picture's plane lies in the triangle's
+    bool is_at_start;  ///< a hit with t = 0, e.g. where the picture's plane is the triangle's plane
 };
 
 TriangleHit solve(const Ray<double>& ray, const Triangle<double>& triangle, bool is_at_start) {
-    const Level level(ray, triangle);
+    const TriangleLevel level(ray, triangle);
     const CramerSolution<DoubleDouble>& solution = level.solution;
     if (level.in_range) {
         const auto t =
@@ -100,7 +100,7 @@ Decision decision_of(const Determinants<N, E>& exact) {
     return {TriangleResult::hit, sign_of(t) == 0};
 }
 
-/// What the filter left open.
+/// Decides what the filter left open.
 Decision decide_open(const Ray<double>& ray, const Triangle<double>& triangle) {
     if (!is_valid(ray) || !is_finite(triangle.A) || !is_finite(triangle.B) || !is_finite(triangle.C)) {
         return {TriangleResult::invalid, false};

@@ -1,12 +1,12 @@
-// Ray and triangle without a wrong decision: a static error filter on plain doubles, here and inline, and whole numbers
-// for the few rays that it leaves open.
+// Ray and triangle without a wrong decision: a static error filter on doubles, inline in this file, and integers for
+// the few rays that the filter leaves open.
 #pragma once
 
 #include "reference/kernel/ray.h"
 
 namespace reference::kernel {
 
-/// What the filter takes of a triangle alone. Made once, it serves many rays.
+/// The part of the filter that depends on the triangle alone. Computed once, it serves many rays.
 template <class T>
 struct PreparedTriangle {
     Triangle<T> triangle;
@@ -27,14 +27,15 @@ struct PreparedTriangle {
     static double norm(const Vec3<double>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 };
 
-/// Cramer's rule in doubles with det > 0, and how far its numbers may be off: u, v, w = 1 - u - v and t times det.
+/// Cramer's rule in doubles, with the signs turned so that det > 0: det, and u, v, w = 1 - u - v and t, each times det.
+/// Also bounds of their errors.
 ///
 /// With u = 2^-53, e = |B-A|₁ + |C-A|₁ and n = e + |S-A|₁, while nothing underflows: det, U and V are sums of products
 /// of three factors, off by at most 7u of the product of the factors' norms, and these three products add up to |V|₁en
-/// at most; W is off by 9u|V|₁en and T by 8ue²n. The bounds are 16u|V|₁en and 16ue²n, which hold what computing them
-/// loses too. Floats stay far inside the range of doubles. With doubles an underflow costs at most 2^-1072 (|V|₁ + n +
-/// 1): k = 2^-300 added to |V|₁ and e holds that; and sizes beyond 2^300, where a product could overflow, make the
-/// bounds infinite. Of a NaN, an infinity, a zero direction or a triangle without an area nothing is known.
+/// at most; W is off by 9u|V|₁en and T by 8ue²n. The bounds are 16u|V|₁en and 16ue²n, which also cover the rounding of
+/// the bounds themselves. Floats stay far inside the range of doubles. With doubles an underflow costs at most 2^-1072
+/// (|V|₁ + n + 1): k = 2^-300 added to |V|₁ and e covers that; and sizes beyond 2^300, where a product could overflow,
+/// make the bounds infinite. For a NaN, an infinity, a zero direction or a triangle without area, nothing is known.
 struct TriangleFilter {
     double det;
     double t_numerator;
@@ -69,29 +70,29 @@ struct TriangleFilter {
         t_error = unit * e;
     }
 
-    /// The signs of all of them are, or of a triangle that is missed at least enough.
+    /// Whether the deciding signs are known: the signs of det, of t and of the least of u, v and w.
     bool is_known() const { return det > error && std::abs(inside) > error && std::abs(t_numerator) > t_error; }
-    /// If it is known.
+    /// Requires is_known().
     bool is_hit() const { return (sign(inside) | sign(t_numerator)) == 0; }
-    /// Beside that, T is known to 2^-28 of itself. So is the det of a hit: its point is at most e from A, so t|V|₁ <=
-    /// n, and det = T/t > 2^28 * 16ue²|V|₁, of which the 2u|V|₁e² that det may be off is less than 2^-30. t = T/det is
-    /// then known to 2^-27.
+    /// Whether in addition T is known to a relative error of 2^-28. Then the det of a hit is, too: the hit point is at
+    /// most e from A, so t|V|₁ <= n and det = T/t > 2^28 * 16ue²|V|₁, while det is off by at most 2u|V|₁e², which is
+    /// less than 2^-30 of it. So t = T/det is known to 2^-27.
     bool is_known_with_t() const {
         return det > error && std::abs(inside) > error && std::abs(t_numerator) > 0x1p28 * t_error;
     }
-    /// Of a hit that is known so; a number in any case.
+    /// Requires is_known_with_t(). It is t for a hit; for a miss it is some number, not NaN.
     double t() const { return t_numerator / det; }
 
   private:
     static std::uint64_t sign(double x) { return std::bit_cast<std::uint64_t>(x) >> 63U; }
 };
 
-/// What the filter cannot tell, and whatever else: exact, and slower. Takes floats as they are, so that the fast path
-/// has nothing to prepare for it.
+/// Decides every case exactly, including those that the filter leaves open, but slower. Takes floats directly, so that
+/// the fast path has nothing to convert.
 TriangleResult decide_exactly(const Ray<double>& ray, const Triangle<double>& triangle);
 TriangleResult decide_exactly(const Ray<float>& ray, const Triangle<float>& triangle);
 
-/// Exact; an edge that two triangles share is never missed between them. Never over- or underflows.
+/// Exact: no ray slips through between two triangles that share an edge. Never over- or underflows.
 template <class T>
 KERNEL_INLINE TriangleResult decide(const Ray<T>& ray, const PreparedTriangle<T>& triangle) {
     const TriangleFilter filter(ray, triangle);
@@ -108,7 +109,7 @@ KERNEL_INLINE TriangleResult decide(const Ray<T>& ray, const Triangle<T>& triang
 TriangleHit intersect(const Ray<double>& ray, const Triangle<double>& triangle);
 TriangleHit intersect(const Ray<float>& ray, const Triangle<float>& triangle);
 
-/// decide(), with t as far as a float goes.
+/// decide(), with t to the accuracy of FloatHit.
 template <class T>
 KERNEL_INLINE FloatHit<TriangleResult> intersect_to_float(const Ray<T>& ray, const PreparedTriangle<T>& triangle) {
     const TriangleFilter filter(ray, triangle);

@@ -1,9 +1,9 @@
-#include "reference/allowance.h"
+#include "reference/key/allowance.h"
 
 #include <algorithm>
 
-#include "reference/affine.h"
-#include "reference/formulations.h"
+#include "reference/numbers/affine.h"
+#include "reference/stages/formulations.h"
 
 namespace reference {
 namespace {
@@ -14,8 +14,9 @@ bool is_bounded(const std::vector<Range>& ranges) {
     return std::all_of(ranges.begin(), ranges.end(), [](const Range& x) { return x.is_bounded(); });
 }
 
-/// Collects, item by item, the hull of the formulations that are bounded: one that may divide by zero on this scene is
-/// not held correct on it while another is. Whole lines where none is bounded.
+/// Collects, item by item, the hull of the bounded formulations. A formulation that may divide by zero on this scene
+/// does not count as correct here, as long as a different formulation is bounded. The hull is the whole line where none
+/// is bounded.
 class Hulls {
   public:
     template <class Value>
@@ -46,7 +47,7 @@ Affine<T> read_number(const Rational& x, Roundings& roundings) {
     return {Range(static_cast<double>(around.lo()), static_cast<double>(around.hi())), roundings};
 }
 
-/// The hull of the bounded ways to compute one number, as a number of its own.
+/// The hull of the bounded ways to compute a number, as a new number.
 template <class S>
 S any_of(const std::vector<S>& formulations, Roundings& roundings) {
     Hulls hulls;
@@ -66,7 +67,7 @@ Vec3<S> P_VCS_of(const Window<S>& window, const Pixel& pixel, PixelConvention co
             coordinate(window.clip_bottom, window.clip_top, pixel.y, window.height), -window.clip_near};
 }
 
-/// A program's ways through questions 1 to 5 from a basis on, one for each way to question 4.
+/// The ways in which a program may answer questions 1 to 5 once it has a basis: one for each way to answer question 4.
 template <class S>
 std::vector<CameraAnswers<S>> camera_ways(const Vec3<S>& p, const Basis<S>& basis, const Vec3<S>& eye) {
     std::vector<CameraAnswers<S>> ways;
@@ -82,36 +83,36 @@ std::vector<CameraAnswers<S>> camera_ways(const Vec3<S>& p, const Basis<S>& basi
 template <class S>
 void add_camera(Hulls& hulls, const CameraAnswers<S>& ray) {
     const Mat4<S>& M = ray.M_VCS_to_WCS;
-    hulls.add({1, "P_VCS"}, ray.P_VCS);
-    hulls.add({2, "X_vcs"}, ray.basis.X_vcs);
-    hulls.add({2, "Y_vcs"}, ray.basis.Y_vcs);
-    hulls.add({2, "Z_vcs"}, ray.basis.Z_vcs);
-    // As the columns of an inverted view matrix.
-    hulls.add({2, "X_vcs"}, Vec3<S>(M[0]));
-    hulls.add({2, "Y_vcs"}, Vec3<S>(M[1]));
-    hulls.add({2, "Z_vcs"}, Vec3<S>(M[2]));
-    hulls.add({3, "M_VCS_to_WCS"}, M);
-    hulls.add({4, "P_WCS"}, ray.P_WCS);
-    hulls.add({5, "V"}, ray.V);
+    hulls.add(item::P_VCS, ray.P_VCS);
+    hulls.add(item::X_vcs, ray.basis.X_vcs);
+    hulls.add(item::Y_vcs, ray.basis.Y_vcs);
+    hulls.add(item::Z_vcs, ray.basis.Z_vcs);
+    // The axes as columns of an inverted view matrix.
+    hulls.add(item::X_vcs, Vec3<S>(M[0]));
+    hulls.add(item::Y_vcs, Vec3<S>(M[1]));
+    hulls.add(item::Z_vcs, Vec3<S>(M[2]));
+    hulls.add(item::M_VCS_to_WCS, M);
+    hulls.add(item::P_WCS, ray.P_WCS);
+    hulls.add(item::V, ray.V);
 }
 
 template <class S>
 void add_sphere(Hulls& hulls, const CameraAnswers<S>& ray, const Sphere<S>& sphere, RootChoice choice) {
     const Quadratic<S> quadratic = sphere_quadratic(ray.P_WCS, ray.V, sphere);
     const S half_b = dot(ray.V, Vec3<S>(ray.P_WCS - sphere.center));
-    hulls.add({6, "a"}, quadratic.a);
-    hulls.add({6, "b"}, quadratic.b);
-    hulls.add({6, "c"}, quadratic.c);
-    hulls.add({6, "d"}, quadratic.d);
-    hulls.add({6, "d"}, S(4) * (half_b * half_b - quadratic.a * quadratic.c));
+    hulls.add(item::sphere::a, quadratic.a);
+    hulls.add(item::sphere::b, quadratic.b);
+    hulls.add(item::sphere::c, quadratic.c);
+    hulls.add(item::sphere::d, quadratic.d);
+    hulls.add(item::sphere::d, S(4) * (half_b * half_b - quadratic.a * quadratic.c));
     if (choice != RootChoice::smaller && choice != RootChoice::larger) return;
     for (const S& t : sphere_roots(quadratic, choice)) {
         const Vec3<S> hit = point_on_ray(ray.P_WCS, ray.V, t);
         const Vec3<S> outward = hit - sphere.center;
-        hulls.add({6, "t"}, t);
-        hulls.add({6, "hit"}, hit);
-        hulls.add({7, "normal"}, unit_vector(outward));
-        hulls.add({7, "normal"}, scaled(outward, S(S(1) / sphere.radius)));
+        hulls.add(item::sphere::t, t);
+        hulls.add(item::sphere::hit, hit);
+        hulls.add(item::sphere::normal, unit_vector(outward));
+        hulls.add(item::sphere::normal, scaled(outward, S(S(1) / sphere.radius)));
     }
 }
 
@@ -119,20 +120,21 @@ template <class S>
 void add_triangle(Hulls& hulls, const CameraAnswers<S>& ray, const Triangle<S>& triangle, bool has_solution) {
     const LinearSystem<S> system = triangle_system(ray.P_WCS, ray.V, triangle);
     const Vec3<S> normal = unit_vector(cross(system.matrix[1], system.matrix[2]));
-    hulls.add({8, "matrix"}, system.matrix);
-    hulls.add({8, "rhs"}, system.rhs);
-    hulls.add({9, "normal"}, normal);
+    hulls.add(item::triangle::matrix, system.matrix);
+    hulls.add(item::triangle::rhs, system.rhs);
+    hulls.add(item::triangle::normal, normal);
     if (!has_solution) return;
     for (const Vec3<S>& solution : triangle_solutions(system)) {
-        hulls.add({8, "t"}, solution.x);
-        hulls.add({8, "u"}, solution.y);
-        hulls.add({8, "v"}, solution.z);
-        hulls.add({8, "hit"}, point_on_ray(ray.P_WCS, ray.V, solution.x));
-        hulls.add({8, "hit"}, triangle.A + scaled(system.matrix[1], solution.y) + scaled(system.matrix[2], solution.z));
+        hulls.add(item::triangle::t, solution.x);
+        hulls.add(item::triangle::u, solution.y);
+        hulls.add(item::triangle::v, solution.z);
+        hulls.add(item::triangle::hit, point_on_ray(ray.P_WCS, ray.V, solution.x));
+        hulls.add(item::triangle::hit,
+                  triangle.A + scaled(system.matrix[1], solution.y) + scaled(system.matrix[2], solution.z));
     }
     const S t = plane_distance(system, normal);
-    hulls.add({8, "t"}, t);
-    hulls.add({8, "hit"}, point_on_ray(ray.P_WCS, ray.V, t));
+    hulls.add(item::triangle::t, t);
+    hulls.add(item::triangle::hit, point_on_ray(ray.P_WCS, ray.V, t));
 }
 
 template <class T>

@@ -2,21 +2,21 @@
 // usual formulations (formulations.h) may give in float32, whatever its roundings were.
 #pragma once
 
-#include "reference/exact/rational.h"
-#include "reference/item_values.h"
+#include "reference/numbers/rational.h"
+#include "reference/stages/item_values.h"
 
 namespace reference {
 
 /// The arithmetic whose roundings an allowance covers.
 enum class Arithmetic {
     float_,
-    double_,  ///< float32 bounds no value of this item here: a division by what may be zero, or an overflow
-    none,     ///< nor does double
+    double_,  ///< float32 gives no bound for this item here: a divisor may be zero, or an overflow
+    none,     ///< double gives no bound either
 };
 std::string_view to_string(Arithmetic arithmetic);
 
-/// What the exact decisions chose: the objects asked about and the root. A program that decides otherwise is not held
-/// correct by an allowance, but by the boundary policy and by following through from its own values.
+/// What the exact decisions chose: the objects asked about and the root. A program that decides otherwise is not
+/// covered by an allowance, but by the boundary policy and by follow-through from its own values.
 struct Branches {
     std::size_t sphere_index = 0;
     RootChoice root = RootChoice::miss;

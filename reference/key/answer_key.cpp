@@ -1,4 +1,4 @@
-#include "reference/answer_key.h"
+#include "reference/key/answer_key.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "reference/reading_answers.h"
+#include "reference/key/certified_answers.h"
 
 namespace reference {
 namespace {
@@ -78,7 +78,7 @@ void note_policy(AnswerKey& key) {
     if (convention) key.decisions.policy.emplace_back("pixel convention");
 }
 
-/// As a double, and never -0: the key's zeros have no sign.
+/// The value in doubles, without -0: the key's zeros have no sign.
 template <class S>
 Value plain(const ItemValue<S>& value) {
     if (const Verdict* verdict = std::get_if<Verdict>(&value)) return *verdict;
@@ -88,7 +88,7 @@ Value plain(const ItemValue<S>& value) {
     return numbers;
 }
 
-/// What a right program that computes in S finds.
+/// The answers of a right program that computes in S.
 template <class S>
 ReadingAnswers answer_in(const Assignment& assignment, const Reading& reading) {
     const Scene<S> scene = convert_scene<S>(assignment.scene, [](const Decimal& x) { return scalar_from<S>(x); });
@@ -116,7 +116,7 @@ void refuse_unsure(const Decisions& decisions, const Assignment& assignment, Pre
     }
 }
 
-/// A tolerance narrower than what a correct program may be off by would cost that program its marks.
+/// A tolerance below the error of a correct program would cost that program its marks.
 void refuse_narrow_tolerance(const AnswerKey& key, const Rubric& rubric) {
     for (const KeyQuestion& question : key.questions) {
         for (const KeyItem& item : question.items) {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "reference/allowance.h"
-#include "reference/assignment.h"
-#include "reference/decisions.h"
-#include "reference/item_values.h"
-#include "reference/items.h"
+#include "reference/key/allowance.h"
+#include "reference/stages/decisions.h"
+#include "reference/stages/item_values.h"
+#include "reference/stages/items.h"
+#include "reference/toml/assignment.h"
 
 namespace reference {
 
@@ -17,7 +17,7 @@ using Numbers = std::vector<double>;
 
 using Value = ItemValue<double>;
 
-/// How one right program may read the handout where the handout leaves it open.
+/// How a right program may interpret what the handout leaves open.
 struct Reading {
     PixelConvention convention;
     Boundary boundary;
@@ -28,11 +28,11 @@ struct Answer {
     Value value;
     Reading reading;
 
-    // By component, of a certified key only, and empty for NoValue and verdicts.
+    // By component. Filled in a certified key only; empty for NoValue and verdicts.
     Numbers lo = {};  ///< lo <= true value <= hi, proven; lo = hi where the true value is a double
     Numbers hi = {};  ///< else neighbouring doubles, and `value` is the nearer one
     Numbers allowance =
-        {};  ///< what a correct program may be off from [lo, hi]; >= 0, infinite where nothing bounds it
+        {};  ///< how far a correct program may be outside [lo, hi]; >= 0, infinite where nothing bounds it
     Arithmetic allowance_from = Arithmetic::float_;  ///< the arithmetic whose roundings the allowance covers
 };
 
@@ -54,12 +54,12 @@ struct AnswerKey {
     std::string assignment;
     Precision precision;
     Reading canonical;                   ///< the reading of every item's first answer
-    std::vector<KeyQuestion> questions;  ///< those the scene calls for, by number
+    std::vector<KeyQuestion> questions;  ///< the questions that the scene calls for, by number
     Decisions decisions;
     std::vector<std::string> notes;  ///< what an instructor should know about the scene; from the Assignment
 };
 
-/// What makes `answer` right beside the canonical one, as a phrase that follows "accepted because": "the rubric accepts
+/// Why `answer` is right besides the canonical answer, as a phrase that follows "accepted because": "the rubric accepts
 /// the grid pixel convention". Empty for the canonical reading.
 std::string reason(const Answer& answer, const AnswerKey& key);
 
@@ -72,7 +72,7 @@ AnswerKey make_key(const Assignment& assignment, Precision precision);
 /// One value as a right program prints it: 0.585786, vec3(0.000000, 0.000000, -2.000000), a sentence, or "none".
 std::string value_text(const Value& value, Shape shape);
 
-/// As a right program prints it: the handout's questions, one labelled answer a line, in glm::to_string's format.
+/// As a right program prints it: the handout's questions, one labelled answer per line, in glm::to_string's format.
 std::string to_text(const AnswerKey& key);
 
 /// The format raygrade/key/1, indented, with a final newline. Numbers read back as the same doubles.

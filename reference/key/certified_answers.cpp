@@ -1,18 +1,13 @@
+#include "reference/key/certified_answers.h"
+
 #include <cmath>
 #include <memory>
 #include <stdexcept>
 
-#include "reference/certified_scene.h"
-#include "reference/reading_answers.h"
+#include "reference/stages/scene_numbers.h"
 
 namespace reference {
 namespace {
-
-Rational exact(const Decimal& number) {
-    const std::optional<Rational> x = to_rational(number);
-    if (!x) throw std::domain_error(number.text() + " is too large or too small for a certified key");
-    return *x;
-}
 
 Branches branches_of(const SceneAnswers<Certified>& answers) {
     Branches branches{answers.sphere_index, RootChoice::miss, answers.triangle_index, false};
@@ -21,7 +16,7 @@ Branches branches_of(const SceneAnswers<Certified>& answers) {
     return branches;
 }
 
-/// The distance from [lo, hi] to the farther end of what correct programs find, rounded up.
+/// The distance from [lo, hi] to the farther end of the range of correct programs, rounded up.
 double allowance(double lo, double hi, double least, double most) {
     const double farther = std::max(lo - least, most - hi);
     return farther > 0 ? std::nextafter(farther, HUGE_VAL) : 0.0;
@@ -41,15 +36,6 @@ void enclose_numbers(Answer& answer, const std::vector<Certified>& numbers, cons
 }
 
 }  // namespace
-
-Scene<Rational> rational_scene(const Scene<Decimal>& scene) {
-    return convert_scene<Rational>(scene, exact);
-}
-
-Scene<Certified> certified_scene(const Scene<Rational>& scene) {
-    const auto basis = std::make_shared<RootBasis>();
-    return convert_scene<Certified>(scene, [&](const Rational& x) { return Certified(FieldNumber(x, basis)); });
-}
 
 ReadingAnswers certified_answers(const Assignment& assignment, const Reading& reading) {
     const Scene<Rational> rationals = rational_scene(assignment.scene);

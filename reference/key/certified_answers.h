@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "reference/answer_key.h"
+#include "reference/key/answer_key.h"
 
 namespace reference {
 
@@ -13,7 +13,7 @@ struct ReadingAnswers {
 };
 
 /// Exact decisions, proven enclosures and allowances. Throws std::domain_error for a number that to_rational refuses
-/// and for a degenerate camera or triangle; parse_assignment lets neither through.
+/// and for a degenerate camera or triangle; parse_assignment rejects both.
 ReadingAnswers certified_answers(const Assignment& assignment, const Reading& reading);
 
 }  // namespace reference

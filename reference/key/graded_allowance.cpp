@@ -1,4 +1,4 @@
-#include "reference/tolerance.h"
+#include "reference/key/graded_allowance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,11 +6,11 @@
 namespace reference {
 namespace {
 
-/// Where nothing bounds how far float arithmetic may be off, as at a tangent, an answer is held to this share of its
-/// size.
+/// The accepted error as a share of the answer's size where nothing bounds the error of float arithmetic, e.g. at a
+/// tangent.
 constexpr double allowance_without_bound = 0.01;
 
-/// What a key without certified allowances is held to: some roundings of float, beside the item's size.
+/// The accepted error as a share of the item's size for a key without certified allowances: some roundings of float.
 constexpr double uncertified_allowance = 1e-4;
 
 }  // namespace

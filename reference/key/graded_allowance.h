@@ -1,12 +1,12 @@
-// What marking forgives: the key's allowances with the rubric's tolerance.
+// The error that marking accepts: the key's allowances, widened by the rubric's tolerance.
 #pragma once
 
-#include "reference/answer_key.h"
+#include "reference/key/answer_key.h"
 
 namespace reference {
 
 /// By component, how far an answer may be from the key's enclosure: the certified allowance, or more where the rubric
-/// widens it; finite also where nothing bounds what a correct program finds. Empty for NoValue and verdicts.
+/// widens it. It is finite even where nothing bounds a correct program's value. Empty for NoValue and verdicts.
 Numbers graded_allowance(const KeyItem& item, const Answer& answer, const Rubric& rubric);
 
 }  // namespace reference

@@ -1,10 +1,11 @@
 // The answer key written for a person and for a program.
+#include "reference/key/key_formats.h"
+
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
-#include "reference/answer_key.h"
-#include "reference/value_json.h"
+#include "reference/key/answer_key.h"
 
 namespace reference {
 namespace {
@@ -63,7 +64,7 @@ ordered_json item_json(const KeyItem& item, const AnswerKey& key) {
     return json;
 }
 
-/// As dump(2), but a number has 17 significant digits, which show where it lies among the doubles.
+/// Writes like dump(2), but numbers have 17 significant digits, so that neighbouring doubles look different.
 void write(const ordered_json& json, const std::string& new_line, std::string& text) {
     if (json.is_number_float()) {
         text += fmt::format("{:.17g}", json.get<double>());

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "reference/answer_key.h"
+#include "reference/key/answer_key.h"
 
 namespace reference {
 

@@ -1,4 +1,4 @@
-#include "reference/affine.h"
+#include "reference/numbers/affine.h"
 
 #include <array>
 #include <cmath>
@@ -8,11 +8,11 @@
 namespace reference {
 namespace {
 
-/// Above the errors of a sum of up to thousands of doubles, relative to the sum of their sizes: each term is off by a
-/// few 2^-53, and summing n of them adds n 2^-53.
+/// An upper bound of the error of a sum of up to thousands of doubles, relative to the sum of their sizes: each term is
+/// off by a few 2^-53, and summing n terms adds n 2^-53.
 constexpr double own_error = 0x1p-40;
 
-/// Sums in lanes, as the compiler may not reorder additions of doubles to use vectors.
+/// Sums in lanes, because the compiler may not reorder additions of doubles to vectorise them.
 using Lanes = std::array<double, 8>;
 
 double sum(const Lanes& lanes) {
@@ -43,7 +43,7 @@ Sizes combine(double* r, double p, const double* x, double q, const double* y, s
     return {sum(results), sum(operands)};
 }
 
-/// r = p x for n numbers; the sum of their sizes.
+/// r = p x for n numbers. Returns the sum of their sizes.
 double scale(double* r, double p, const double* x, std::size_t n) {
     Lanes results{};
     const auto add = [&](std::size_t i, std::size_t lane) {
@@ -120,13 +120,13 @@ Affine<T> Affine<T>::combination(double p, const Affine& x, double q, const Affi
     const Deviations& longer = x.deviations_.size() < y.deviations_.size() ? y.deviations_ : x.deviations_;
     const std::size_t common = std::min(x.deviations_.size(), y.deviations_.size());
     const double factor = &longer == &x.deviations_ ? p : q;
-    // With room for the rounding that follows.
+    // Reserves room for the rounding that follows.
     if (result.roundings_ != nullptr) result.deviations_.reserve(result.roundings_->count() + 1);
     result.deviations_.resize(longer.size(), boost::container::default_init);
     const Sizes sizes = combine(result.deviations_.data(), p, x.deviations_.data(), q, y.deviations_.data(), common);
     result.sizes_ = sizes.results +
                     scale(result.deviations_.data() + common, factor, longer.data() + common, longer.size() - common);
-    // What cancels here does so up to the roundings of the two products.
+    // Terms that cancel here leave the roundings of the two products.
     result.slack_ += 0x1p-51 * (1 + own_error) * sizes.operands;
     result.slack_ += 0x1p-51 * (std::abs(p * x.center_) + std::abs(q * y.center_));
     return result;
@@ -165,7 +165,7 @@ Affine<T> Affine<T>::minus(const Affine& y) const {
 template <std::floating_point T>
 Affine<T> Affine<T>::exact_product(const Affine& y) const {
     Affine result = combination(y.center_, *this, center_, y);
-    // combination has the product of the centers twice.
+    // combination() counts the product of the centers twice.
     result.center_ = center_ * y.center_;
     result.slack_ += radius() * y.radius();
     result.add_own_errors();
@@ -202,7 +202,7 @@ Affine<T> Affine<T>::root() const {
     if (!(center_ + r >= 0) || !std::isfinite(r)) return unbounded();
     if (is_exactly(0)) return *this;
     if (center_ - r > 0) {
-        // √(c + x) = √c + x/(2√c) - x²/(2√c (√c + √(c+x))²), and the last is at most x²/(2 c √c).
+        // √(c + x) = √c + x/(2√c) - x²/(2√c (√c + √(c+x))²), and the last term is at most x²/(2 c √c).
         const double root = std::sqrt(center_);
         Affine result = combination(1 / (2 * root), *this, 0, Affine());
         result.center_ = root;

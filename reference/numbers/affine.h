@@ -1,7 +1,7 @@
-// Every value that a program's variable may have when it computes in T, whatever its roundings were: an interval that
-// remembers which roundings it depends on. Plain intervals forget, for instance, that V has length 1, and bound the
-// handout's t a hundred times too widely. De Figueiredo and Stolfi, "Affine arithmetic: concepts and applications"
-// (2004).
+// Affine arithmetic: intervals that remember which roundings they depend on. They contain every value that a variable
+// of a program computing in T may have, whatever the roundings were. Plain intervals forget, for instance, that V has
+// length 1, and bound the handout's t a hundred times too widely. De Figueiredo and Stolfi, "Affine arithmetic:
+// concepts and applications" (2004).
 #pragma once
 
 #include <boost/container/vector.hpp>
@@ -9,30 +9,31 @@
 #include <cstddef>
 #include <limits>
 
-#include "reference/interval.h"
+#include "reference/numbers/interval.h"
 
 namespace reference {
 
-/// Numbers the roundings of one run; outlives its numbers.
+/// Numbers the roundings of one run. Must outlive the Affine values made with it.
 class Roundings {
   public:
     std::size_t next() { return count_++; }
     std::size_t count() const { return count_; }
-    /// Gives the numbers from `count` on away again. The numbers made since are not used with what is made later.
+    /// Reuses the numbers from `count` on. Values made since must not be combined with values made later.
     void restart_at(std::size_t count) { count_ = count; }
 
   private:
     std::size_t count_ = 0;
 };
 
-/// center + sum of deviation_i e_i + rest, where each e_i in [-1, 1] belongs to one rounding and |rest| <= slack. All
-/// in double; its own roundings are in the slack. T is float or double, rounding to nearest.
+/// center + sum of deviation_i e_i + rest, where each e_i in [-1, 1] belongs to one rounding and |rest| <= slack.
+/// Everything is computed in double; the errors of that are part of the slack. T is float or double, rounding to
+/// nearest.
 template <std::floating_point T>
 class Affine {
   public:
     Affine() = default;
     explicit Affine(int x) : center_(x) {}
-    /// Some number of the interval, whose uses all mean the same one.
+    /// An unknown number of the interval. All uses of it mean the same number.
     Affine(const Interval<double>& range, Roundings& roundings);
 
     /// Where the values lie; the whole line when they cannot be bounded.
@@ -44,20 +45,20 @@ class Affine {
     Affine& operator*=(const Affine& y) { return *this = *this * y; }
     Affine& operator/=(const Affine& y) { return *this = *this / y; }
 
-    // Each is rounded to T once, but a sum with zero and a product with zero or one, which are exact.
+    // Each result is rounded to T once, except sums with zero and products with zero or one, which are exact.
     friend Affine operator+(const Affine& x, const Affine& y) { return x.plus(y); }
     friend Affine operator-(const Affine& x, const Affine& y) { return x.minus(y); }
     friend Affine operator*(const Affine& x, const Affine& y) { return x.times(y); }
     /// Unbounded where y may be zero.
     friend Affine operator/(const Affine& x, const Affine& y) { return x.over(y); }
-    /// Of what is not negative in x; unbounded when all of x is negative.
+    /// The root of the part of x that is not negative; unbounded when all of x is negative.
     friend Affine sqrt(const Affine& x) { return x.root(); }
 
-    /// Unordered where the range has zero and other numbers in it.
+    /// Unordered where the range contains zero and other numbers.
     friend std::partial_ordering sign_of(const Affine& x) { return sign_of(x.range()); }
 
   private:
-    /// Its elements need not be set to zero before they are computed.
+    /// Unlike std::vector, it can grow without setting the new elements to zero.
     using Deviations = boost::container::vector<double>;
 
     Affine plus(const Affine& y) const;
@@ -69,12 +70,12 @@ class Affine {
     static Affine unbounded();
     void deviate(double size);
     bool is_exactly(double x) const { return deviations_.empty() && slack_ == 0 && center_ == x; }
-    /// At least how far a value may be from the center.
+    /// An upper bound of a value's distance from the center.
     double radius() const;
     /// p x + q y for the deviations, and p center + q center: the linear part of every operation.
     static Affine combination(double p, const Affine& x, double q, const Affine& y);
     Affine exact_product(const Affine& y) const;
-    /// Adds the rounding of the result to T, and what computing it here in double may be off by.
+    /// Adds the rounding of the result to T and the errors of computing it here in double.
     Affine rounded() &&;
     void add_own_errors();
 
@@ -82,7 +83,7 @@ class Affine {
     double center_ = 0;
     double slack_ = 0;       ///< infinite when nothing is known
     double sizes_ = 0;       ///< the sum of the deviations' sizes
-    Deviations deviations_;  ///< by the rounding's number; what is missing at the end is 0
+    Deviations deviations_;  ///< by the rounding's number; those missing at the end are 0
 };
 
 extern template class Affine<float>;

@@ -1,4 +1,4 @@
-#include "reference/exact/ball.h"
+#include "reference/numbers/ball.h"
 
 #include <flint/flint.h>
 #include <unistd.h>
@@ -22,7 +22,8 @@ std::pair<double, double> ends(const arb_t& x, arf_rnd_t below, arf_rnd_t above)
 }  // namespace
 
 void Ball::tidy_up_with_this_thread() {
-    // The first thread's goes with the process, after whatever still holds a Ball.
+    // The first thread does not clean up: its memory goes with the process, because static objects may hold a Ball
+    // until then.
     struct Tidying {
         bool is_first = gettid() == getpid();
         ~Tidying() {

@@ -5,12 +5,12 @@
 
 #include <compare>
 
-#include "reference/exact/rational.h"
+#include "reference/numbers/rational.h"
 
 namespace reference {
 
-/// Bits of Arb's midpoint. 80 settle every item of a usual scene; what they do not settle is done again with twice as
-/// many.
+/// Bits of Arb's midpoint. 80 bits suffice for every item of a usual scene. Where first_bits do not suffice, the
+/// computation is repeated with twice as many, up to most_bits.
 using Bits = slong;
 inline constexpr Bits first_bits = 128;
 inline constexpr Bits most_bits = 4096;
@@ -31,23 +31,24 @@ class Ball {
     }
     ~Ball() { arb_clear(value_); }
 
-    /// Of the numbers in the ball that are not negative: the caller knows that the true value is one.
+    /// The roots of the numbers in the ball that are not negative. The caller knows that the true value is not
+    /// negative.
     Ball sqrt(Bits bits) const;
-    /// Everything where y may be zero.
+    /// The whole line where y may be zero.
     static Ball divide(const Ball& x, const Ball& y, Bits bits);
     static Ball multiply(const Ball& x, const Ball& y, Bits bits);
     static Ball add(const Ball& x, const Ball& y, Bits bits);
     static Ball subtract(const Ball& x, const Ball& y, Bits bits);
 
-    /// Unordered where the ball holds zero and other numbers.
+    /// Unordered where the ball contains zero and other numbers.
     std::partial_ordering sign() const;
-    /// The tightest doubles around the whole ball; `nearest` is that of the midpoint.
+    /// The tightest doubles around the whole ball; `nearest` is the double nearest to the midpoint.
     Enclosure enclosure() const;
-    /// All numbers of the ball round to the same double.
+    /// Whether all numbers of the ball round to the same double.
     bool settles_a_double() const;
 
   private:
-    /// FLINT keeps what a thread has freed until that thread tells it that it ends.
+    /// FLINT caches the memory that a thread has freed until the thread tells FLINT that it ends.
     static void tidy_up_with_this_thread();
     arb_t value_;
 };

@@ -1,4 +1,4 @@
-#include "reference/exact/certified.h"
+#include "reference/numbers/certified.h"
 
 #include <stdexcept>
 #include <utility>
@@ -8,7 +8,7 @@ namespace reference {
 struct Certified::Node {
     Operation operation;
     FieldNumber exact;                        ///< the value, when the operation is `exact`
-    std::shared_ptr<const Node> x = nullptr;  ///< the operands, else
+    std::shared_ptr<const Node> x = nullptr;  ///< otherwise the operands
     std::shared_ptr<const Node> y = nullptr;
     mutable Ball known = {};  ///< the last evaluation, to known_bits
     mutable Bits known_bits = 0;

@@ -5,13 +5,13 @@
 #include <compare>
 #include <memory>
 
-#include "reference/exact/field.h"
+#include "reference/numbers/field.h"
 
 namespace reference {
 
-/// A real number kept as the way it was computed: exactly in a field of square roots as long as that goes (all of the
-/// handout's camera and triangle), and beyond it (the root of an irrational discriminant) as an expression that is
-/// evaluated in balls of whatever precision is asked for. Immutable; copies share.
+/// A real number. It is kept exactly in a field of square roots as long as possible, which covers the handout's camera
+/// and triangle. Beyond the field (the root of an irrational discriminant) it is kept as an expression, which is
+/// evaluated in balls of any precision. Immutable; copies share their data.
 class Certified {
   public:
     /// Zero.
@@ -29,10 +29,10 @@ class Certified {
     friend Certified operator*(const Certified& x, const Certified& y);
     /// Throws std::domain_error where y is exactly zero.
     friend Certified operator/(const Certified& x, const Certified& y);
-    /// Of a number that is known not to be negative; throws std::domain_error where it is provably negative.
+    /// x must not be negative; throws std::domain_error where it is provably negative.
     friend Certified sqrt(const Certified& x);
 
-    /// Exact for every number of the field. For an expression beyond it: unordered when `most_bits` cannot tell.
+    /// Exact for every number of the field. For an expression beyond it: unordered when `most_bits` do not suffice.
     friend std::partial_ordering sign_of(const Certified& x);
 
     /// Doubles around the true value: equal where it is a double, else neighbours. For an expression beyond the field

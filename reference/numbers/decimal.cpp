@@ -1,4 +1,4 @@
-#include "reference/decimal.h"
+#include "reference/numbers/decimal.h"
 
 #include <algorithm>
 #include <charconv>
@@ -13,7 +13,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// The characters of `text` from `at` that are digits; moves `at` past them.
+/// Counts the digits of `text` from `at` on and moves `at` past them.
 std::size_t skip_digits(std::string_view text, std::size_t& at) {
     const std::size_t start = at;
     while (at < text.size() && is_digit(text[at])) ++at;

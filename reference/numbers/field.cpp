@@ -1,4 +1,4 @@
-#include "reference/exact/field.h"
+#include "reference/numbers/field.h"
 
 #include <bit>
 #include <stdexcept>

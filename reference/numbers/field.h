@@ -8,25 +8,25 @@
 #include <optional>
 #include <vector>
 
-#include "reference/exact/ball.h"
+#include "reference/numbers/ball.h"
 
 namespace reference {
 
-/// The roots that span a field. A new one joins only if its product with any product of the others is no perfect
+/// The roots that span a field. A new root joins only if its product with any product of the others is no perfect
 /// square; then all their products are linearly independent over Q, and a number is zero only if all its coordinates
 /// are.
 class RootBasis {
   public:
-    /// The camera needs three and every object may add one; each doubles the coordinates of a number.
+    /// The camera needs three roots and every object may add a root. Each root doubles the number of coordinates.
     static constexpr std::size_t most_roots = 8;
     std::vector<Rational> squares;
 };
 
 class FieldNumber {
   public:
-    /// Zero, of every field.
+    /// Zero, which belongs to every field.
     FieldNumber() = default;
-    /// A rational of the field whose roots `basis` collects; of every field when that is null.
+    /// A rational number. It belongs to the field whose roots `basis` collects, or to every field when `basis` is null.
     explicit FieldNumber(const Rational& x, std::shared_ptr<RootBasis> basis = nullptr);
 
     FieldNumber operator-() const;
@@ -35,15 +35,14 @@ class FieldNumber {
     friend FieldNumber operator*(const FieldNumber& x, const FieldNumber& y);
     /// 1 / x. Throws std::domain_error when x is zero.
     FieldNumber inverse() const;
-    /// Of a rational that is not negative; adds a root to the field where it is needed. Empty when the root lies
-    /// outside the field: x is irrational, or the field has most_roots already. Throws std::domain_error when x is
-    /// negative.
+    /// The root of a rational x >= 0; adds the root to the field where needed. Empty when the root lies outside the
+    /// field: x is irrational, or the field has most_roots already. Throws std::domain_error when x is negative.
     std::optional<FieldNumber> sqrt() const;
 
     bool is_zero() const { return terms_.empty(); }
     /// The value where it is rational.
     std::optional<Rational> rational() const;
-    /// Exact: by coordinates for zero, else by balls of growing precision, which must end.
+    /// Exact: by the coordinates for zero, else by balls of growing precision, which always comes to an end.
     std::strong_ordering sign() const;
     Ball ball(Bits bits) const;
 

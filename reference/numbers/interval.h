@@ -1,6 +1,6 @@
-// An interval that contains the true value whatever the roundings of T were. Where the stages run over Interval<float>
-// they bound every float32 program that computes by the same formulas; over Interval<double> they bound what follows
-// from numbers that are known to some digits only.
+// An interval that contains the true value whatever the roundings of T were. Run over Interval<float>, the stages bound
+// the results of every float32 program that uses the same formulas. Run over Interval<double>, they bound what follows
+// from numbers of which only some digits are known.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ class Interval {
     Interval() = default;
     /// Exactly x; the whole line when x is NaN.
     explicit Interval(T x) : Interval(x, x) {}
-    /// The whole number, widened where T cannot hold it.
+    /// The integer x, widened where T cannot hold it.
     explicit Interval(int x) : Interval(static_cast<T>(x)) {
         if (static_cast<double>(lo_) != static_cast<double>(x)) *this = widened(lo_, hi_);
     }
@@ -63,7 +63,7 @@ class Interval {
         return hull_of(x.lo_ / y.lo_, x.lo_ / y.hi_, x.hi_ / y.lo_, x.hi_ / y.hi_);
     }
 
-    /// Of what is not negative in x; the whole line when all of x is negative.
+    /// The root of the part of x that is not negative; the whole line when all of x is negative.
     friend Interval sqrt(const Interval& x) {
         if (x.hi_ < 0) return whole();
         if (x.is_zero()) return x;
@@ -76,7 +76,7 @@ class Interval {
         return Interval(std::min(x.lo_, y.lo_), std::max(x.hi_, y.hi_));
     }
 
-    /// Unordered where the interval has zero and other numbers in it.
+    /// Unordered where the interval contains zero and other numbers.
     friend std::partial_ordering sign_of(const Interval& x) {
         if (x.lo_ > 0) return std::partial_ordering::greater;
         if (x.hi_ < 0) return std::partial_ordering::less;
@@ -86,8 +86,8 @@ class Interval {
   private:
     static constexpr T infinity = std::numeric_limits<T>::infinity();
 
-    /// std::nextafter(x, infinity), inlined: most of an interval's time would go into calls of it. The bits of floats
-    /// are in the order of their sizes.
+    /// std::nextafter(x, infinity), inlined, because calls of it would take most of an interval's time. The bits of
+    /// floats, read as integers, are ordered by their sizes.
     static T above(T x) {
         using Bits = std::conditional_t<std::is_same_v<T, float>, std::uint32_t, std::uint64_t>;
         static_assert(sizeof(Bits) == sizeof(T));
@@ -97,7 +97,7 @@ class Interval {
         return std::bit_cast<T>(static_cast<Bits>(x > 0 ? bits + 1 : bits - 1));
     }
 
-    /// Of four bounds; 0 * infinity among them is NaN and makes it the whole line.
+    /// The hull of four bounds, widened. A NaN among them, from 0 * infinity, makes it the whole line.
     static Interval hull_of(T p, T q, T r, T s) {
         if (std::isnan(p) || std::isnan(q) || std::isnan(r) || std::isnan(s)) return whole();
         return widened(std::min({p, q, r, s}), std::max({p, q, r, s}));

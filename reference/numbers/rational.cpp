@@ -1,4 +1,4 @@
-#include "reference/exact/rational.h"
+#include "reference/numbers/rational.h"
 
 #include <mpfr.h>
 
@@ -11,7 +11,7 @@ namespace {
 constexpr long least_exponent = -300;
 constexpr long most_exponent = 150;
 
-/// The exponent written after e, and false where it has more digits than any number in range.
+/// Reads the exponent after e. Returns false if it has more digits than that of any number in range.
 bool read_exponent(std::string_view text, long& exponent) {
     if (!text.empty() && text.front() == '+') text.remove_prefix(1);
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), exponent);
@@ -38,7 +38,7 @@ std::optional<Rational> to_rational(const Decimal& number) {
         digits.erase(point, 1);
     }
     const mpz_class mantissa(digits, 10);
-    // 10^(size - 1) <= |mantissa| < 10^size: what is far out of range goes before its power of ten is built.
+    // 10^(size - 1) <= |mantissa| < 10^size: a number far out of range is rejected before its power of ten is built.
     const auto size = static_cast<long>(mantissa.get_str().size()) - (mantissa < 0 ? 1 : 0);
     if (size + exponent < least_exponent || size - 1 + exponent > most_exponent) return std::nullopt;
     Rational x =
@@ -59,7 +59,7 @@ std::optional<Rational> rational_sqrt(const Rational& x) {
 }
 
 Enclosure enclose(const Rational& x) {
-    // Through 53 bits first and then into a double would round twice below 1e-308; the bounds stay bounds either way.
+    // Below 1e-308 this rounds twice: to 53 bits and then to a double. The bounds remain bounds.
     mpfr_t rounded;
     mpfr_init2(rounded, 53);
     const auto to_double = [&](mpfr_rnd_t direction) {

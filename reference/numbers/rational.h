@@ -5,14 +5,14 @@
 
 #include <optional>
 
-#include "reference/decimal.h"
+#include "reference/numbers/decimal.h"
 
 namespace reference {
 
 using Rational = mpq_class;
 
-/// The number exactly as written. Empty where it is not zero and its size is outside [1e-300, 1e150]: within, every
-/// item of a key is a finite double and no fraction grows beyond a few thousand bits.
+/// The number exactly as written. Empty where it is not zero and its size is outside [1e-300, 1e150]. Inside that range
+/// every item of a key is a finite double and no fraction grows beyond a few thousand bits.
 std::optional<Rational> to_rational(const Decimal& number);
 
 /// The square root where it is rational; x >= 0.

@@ -45,7 +45,7 @@ Vec3<S> scaled(const Vec3<S>& p, const S& factor) {
     return Vec3<S>(p.x * factor, p.y * factor, p.z * factor);
 }
 
-/// The unit vector along p; not a number in every component when p is the zero vector.
+/// The unit vector along p; NaN in every component when p is the zero vector.
 template <class S>
 Vec3<S> normalized(const Vec3<S>& p) {
     const S norm = length(p);
@@ -53,7 +53,7 @@ Vec3<S> normalized(const Vec3<S>& p) {
 }
 
 /// The sign of x: less, equivalent or greater than zero, unordered where x cannot tell (NaN, or an interval around
-/// zero). A scalar class overloads this beside itself; every decision of the stages goes through it.
+/// zero). A scalar class comes with its own overload; every decision of the stages goes through it.
 inline std::partial_ordering sign_of(float x) {
     return x <=> 0.0F;
 }

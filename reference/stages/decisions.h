@@ -5,12 +5,12 @@
 #include <string_view>
 #include <vector>
 
-#include "reference/scene_answers.h"
+#include "reference/stages/scene_answers.h"
 
 namespace reference {
 
-/// Empty for what the scene does not hold. Of several spheres it is the one that the ray hits first, else the first one
-/// written; the same for triangles.
+/// A decision is empty if the scene has no such object. With several spheres, `sphere` is about the sphere that the ray
+/// hits first, or about the first in the file if it hits none; likewise for triangles.
 struct Decisions {
     std::string sphere;               ///< hit, miss, tangent, boundary (the ray starts on the sphere) or unsure
     std::string triangle;             ///< hit, miss, boundary (t = 0), coplanar or unsure
@@ -53,7 +53,7 @@ inline std::string_view first_decision(std::optional<Verdict> verdict) {
     return "";
 }
 
-/// Under the boundary that the answers were made with.
+/// The decisions under the boundary that the answers were made with.
 template <class S>
 Decisions decisions_of(const SceneAnswers<S>& answers) {
     Decisions decisions;

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "reference/vector.h"
+#include "reference/numbers/vector.h"
 
 namespace reference {
 

@@ -2,19 +2,19 @@
 // numbers and differ in their roundings only; over Interval<float> they bound what correct programs print.
 #pragma once
 
-#include "reference/pipeline.h"
+#include "reference/stages/pipeline.h"
 
 namespace reference {
 
-/// As GLM normalises, by the reciprocal of the length. Dividing by the length leaves out one of its roundings, so a
-/// bound of this one holds for that one too.
+/// Normalises as GLM does, by multiplying by the reciprocal of the length. Dividing by the length has one rounding
+/// less, so a bound of this formula holds for the division too.
 template <class S>
 Vec3<S> unit_vector(const Vec3<S>& p) {
     return scaled(p, S(S(1) / length(p)));
 }
 
-/// One coordinate of question 1. `offset_halves` is 1 for a pixel's centre and 0 for its corner; `steps` the pixels, or
-/// one less for the grid.
+/// One coordinate of question 1. `offset_halves` is 1 for a pixel's centre and 0 for its corner; `steps` is the number
+/// of pixels, or one less for the grid.
 template <class S>
 std::vector<S> window_coordinates(const S& from, const S& to, int index, int steps, int offset_halves) {
     const S n(steps);
@@ -25,7 +25,7 @@ std::vector<S> window_coordinates(const S& from, const S& to, int index, int ste
             from + (S(2) * S(index) + S(offset_halves)) * (to - from) / (S(2) * n)};
 }
 
-/// Question 2: from unit vectors, with vup as it is or normalised, or from plain ones that are normalised last.
+/// Question 2: from unit vectors, with vup as given or normalised, or from vectors that are normalised last.
 /// glm::lookAt has the same axes in its rows.
 template <class S>
 std::vector<Basis<S>> bases(const Camera<S>& camera) {

@@ -6,7 +6,8 @@
 #include <utility>
 #include <variant>
 
-#include "reference/scene_answers.h"
+#include "reference/stages/items.h"
+#include "reference/stages/scene_answers.h"
 
 namespace reference {
 
@@ -18,9 +19,6 @@ struct NoValue {
 /// The components of a scalar, a vector or a matrix, a matrix column by column (GLM's order); or the verdict.
 template <class S>
 using ItemValue = std::variant<NoValue, std::vector<S>, Verdict>;
-
-/// Question and name, as in ItemSpec.
-using ItemId = std::pair<int, std::string_view>;
 
 template <class S>
 using ItemValues = std::map<ItemId, ItemValue<S>>;
@@ -53,36 +51,36 @@ ItemValue<S> present(const std::optional<T>& value) {
 template <class S>
 ItemValues<S> values_of(const SceneAnswers<S>& answers, Boundary boundary) {
     const CameraAnswers<S>& camera = answers.camera;
-    ItemValues<S> values{{{1, "P_VCS"}, components(camera.P_VCS)},
-                         {{2, "X_vcs"}, components(camera.basis.X_vcs)},
-                         {{2, "Y_vcs"}, components(camera.basis.Y_vcs)},
-                         {{2, "Z_vcs"}, components(camera.basis.Z_vcs)},
-                         {{3, "M_VCS_to_WCS"}, components(camera.M_VCS_to_WCS)},
-                         {{4, "P_WCS"}, components(camera.P_WCS)},
-                         {{5, "V"}, components(camera.V)}};
+    ItemValues<S> values{{item::P_VCS, components(camera.P_VCS)},
+                         {item::X_vcs, components(camera.basis.X_vcs)},
+                         {item::Y_vcs, components(camera.basis.Y_vcs)},
+                         {item::Z_vcs, components(camera.basis.Z_vcs)},
+                         {item::M_VCS_to_WCS, components(camera.M_VCS_to_WCS)},
+                         {item::P_WCS, components(camera.P_WCS)},
+                         {item::V, components(camera.V)}};
     if (answers.sphere) {
         const Quadratic<S>& quadratic = answers.sphere->quadratic;
-        values[{6, "a"}] = components(quadratic.a);
-        values[{6, "b"}] = components(quadratic.b);
-        values[{6, "c"}] = components(quadratic.c);
-        values[{6, "d"}] = components(quadratic.d);
-        values[{6, "t"}] = present<S>(answers.sphere->t);
-        values[{6, "hit"}] = present<S>(answers.sphere->hit);
-        values[{7, "normal"}] = present<S>(answers.sphere->normal);
+        values[item::sphere::a] = components(quadratic.a);
+        values[item::sphere::b] = components(quadratic.b);
+        values[item::sphere::c] = components(quadratic.c);
+        values[item::sphere::d] = components(quadratic.d);
+        values[item::sphere::t] = present<S>(answers.sphere->t);
+        values[item::sphere::hit] = present<S>(answers.sphere->hit);
+        values[item::sphere::normal] = present<S>(answers.sphere->normal);
     }
     if (answers.triangle) {
         const TriangleAnswers<S>& triangle = *answers.triangle;
         const bool no_hit_at_start =
             triangle.classification == TriangleHit::boundary && !hit_distance(triangle, boundary);
-        values[{8, "matrix"}] = components(triangle.system.matrix);
-        values[{8, "rhs"}] = components(triangle.system.rhs);
-        values[{8, "t"}] = present<S>(triangle.t);
-        values[{8, "u"}] = present<S>(triangle.u);
-        values[{8, "v"}] = present<S>(triangle.v);
-        values[{8, "hit"}] = no_hit_at_start ? ItemValue<S>() : present<S>(triangle.hit);
-        values[{9, "normal"}] = components(triangle.normal);
+        values[item::triangle::matrix] = components(triangle.system.matrix);
+        values[item::triangle::rhs] = components(triangle.system.rhs);
+        values[item::triangle::t] = present<S>(triangle.t);
+        values[item::triangle::u] = present<S>(triangle.u);
+        values[item::triangle::v] = present<S>(triangle.v);
+        values[item::triangle::hit] = no_hit_at_start ? ItemValue<S>() : present<S>(triangle.hit);
+        values[item::triangle::normal] = components(triangle.normal);
     }
-    if (answers.sphere && answers.triangle && answers.verdict) values[{10, "verdict"}] = *answers.verdict;
+    if (answers.sphere && answers.triangle && answers.verdict) values[item::verdict] = *answers.verdict;
     return values;
 }
 

@@ -1,4 +1,4 @@
-#include "reference/items.h"
+#include "reference/stages/items.h"
 
 #include <array>
 

@@ -1,15 +1,14 @@
-// Question 10 of the handout without a square root: which of two hits on one ray has the smaller t, decided by the
-// signs of polynomials, so that equal means equal. Each result is unordered where a sign could not be told (see
-// sign_of).
+// Question 10 of the handout without a square root: which of two hits on one ray has the smaller t. The signs of
+// polynomials decide it, so that a tie is exact. Each result is unordered where a sign could not be told (see sign_of).
 #pragma once
 
 #include "reference/stages/triangle.h"
 
 namespace reference {
 
-/// The sign of (the sphere's t) - (the triangle's t). `choice` is smaller or larger; the triangle's det is not 0.
-/// With N/D the triangle's t, D > 0: P = aN² + bND + cD² tells whether it lies between the roots, L = 2aN + bD on which
-/// side of their middle.
+/// The sign of (the sphere's t) - (the triangle's t). `choice` is smaller or larger; the triangle's det is not 0. Let
+/// N/D be the triangle's t, with D > 0. The sign of P = aN² + bND + cD² tells whether N/D lies between the roots, and
+/// the sign of L = 2aN + bD on which side of their middle.
 template <class S>
 std::partial_ordering order_of(const Quadratic<S>& quadratic, RootChoice choice, const CramerSolution<S>& solution) {
     const bool flipped = sign_of(solution.det) < 0;
@@ -31,7 +30,7 @@ std::partial_ordering order_of(const Quadratic<S>& quadratic, RootChoice choice,
     return L < 0 ? std::partial_ordering::greater : std::partial_ordering::less;
 }
 
-/// The sign of one triangle's t minus another's; neither det is 0.
+/// The sign of (the t of `one`) - (the t of `other`) for two triangles; neither det is 0.
 template <class S>
 std::partial_ordering order_of(const CramerSolution<S>& one, const CramerSolution<S>& other) {
     const S difference = one.t_numerator * other.det - other.t_numerator * one.det;
@@ -50,7 +49,7 @@ std::partial_ordering sign_of_root_sum(const S& x, int p, const S& d, int q, con
     if (rest == unknown || roots == unknown) return unknown;
     if (rest == equal || roots == rest) return roots;
     if (roots == equal) return rest;
-    // They pull apart: compare (p√d + q√e)² = d + e + 2pq√(de) with x².
+    // The roots and x have opposite signs: compare (p√d + q√e)² = d + e + 2pq√(de) with x².
     const S y = d + e - x * x;
     const S product = S(4) * d * e;
     const auto more = times(p * q, sign_of(product));
@@ -67,7 +66,8 @@ std::partial_ordering sign_of_root_sum(const S& x, int p, const S& d, int q, con
     return roots_win > 0 ? roots : rest;
 }
 
-/// The sign of one sphere's t minus another's along the same ray, so that both quadratics have the same a.
+/// The sign of (the t of `one`) - (the t of `other`) for two spheres. Both are on the same ray, so both quadratics have
+/// the same a.
 template <class S>
 std::partial_ordering order_of(const Quadratic<S>& one, RootChoice choice, const Quadratic<S>& other,
                                RootChoice other_choice) {

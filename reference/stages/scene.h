@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "reference/vector.h"
+#include "reference/numbers/vector.h"
 
 namespace reference {
 
@@ -54,7 +54,7 @@ struct Scene {
     std::vector<Triangle<S>> triangles;
 };
 
-/// The same scene over another scalar; `convert` turns one number into one number.
+/// The same scene over another scalar; `convert` converts a single number.
 template <class To, class From, class Convert>
 Scene<To> convert_scene(const Scene<From>& scene, Convert convert) {
     const auto vec = [&](const Vec3<From>& p) { return Vec3<To>(convert(p.x), convert(p.y), convert(p.z)); };

@@ -3,13 +3,13 @@
 
 #include <utility>
 
-#include "reference/pipeline.h"
 #include "reference/stages/order.h"
+#include "reference/stages/pipeline.h"
 
 namespace reference {
 
-/// Every answer to the scene. Where it holds several spheres, the questions about the sphere are about the one that the
-/// ray hits first, and about the first one written where it hits none or two at once; the same for triangles.
+/// Every answer to the scene. With several spheres, the questions about the sphere are about the sphere that the ray
+/// hits first, or about the first in the file where it hits none or two at once; likewise for triangles.
 template <class S>
 struct SceneAnswers {
     CameraAnswers<S> camera;

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "reference/scene.h"
+#include "reference/stages/scene.h"
 
 namespace reference {
 

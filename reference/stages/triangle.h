@@ -42,7 +42,7 @@ enum class TriangleHit {
     hit,       ///< t > 0, u >= 0, v >= 0, u + v <= 1
     boundary,  ///< the same with t = 0 exactly: a hit or a miss as the boundary policy says
     miss,
-    parallel,  ///< det = 0: the ray runs beside the triangle's plane; t, u and v do not exist
+    parallel,  ///< det = 0: the ray is parallel to the triangle's plane and outside it; t, u and v do not exist
     coplanar,  ///< det = 0 and the ray lies in the plane; t, u and v do not exist
     unsure,    ///< a sign could not be told (see sign_of)
 };

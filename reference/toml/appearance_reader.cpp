@@ -1,4 +1,4 @@
-#include "reference/look_reader.h"
+#include "reference/toml/appearance_reader.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -36,21 +36,21 @@ Vec3<double> read_place(const TomlTable& table, std::string_view key) {
     return read_numbers(table, key, -largest_length, largest_length);
 }
 
-void read_light(const TomlTable& table, Look& look) {
+void read_light(const TomlTable& table, Appearance& appearance) {
     table.allow_only({"position", "direction", "color"});
     if (table.has("position") == table.has("direction")) {
         table.fail("position", "or direction, one of the two, says where the light comes from");
     }
     const Color color = read_numbers(table, "color", 0, brightest_light);
     if (table.has("position")) {
-        look.point_lights.push_back({read_place(table, "position"), color});
+        appearance.point_lights.push_back({read_place(table, "position"), color});
         return;
     }
     const Vec3<double> direction = read_place(table, "direction");
     if (std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)}) < 1 / largest_length) {
         table.fail("direction", "is zero; write the direction in which the light travels, such as [0, -1, 0]");
     }
-    look.directional_lights.push_back({direction, color});
+    appearance.directional_lights.push_back({direction, color});
 }
 
 Material read_material(const TomlTable& table) {
@@ -70,8 +70,8 @@ Material read_material(const TomlTable& table) {
     return material;
 }
 
-/// The materials' names, in the order of Look::materials.
-std::vector<std::string> read_materials(const TomlTable& root, Look& look) {
+/// The materials' names, in the order of Appearance::materials.
+std::vector<std::string> read_materials(const TomlTable& root, Appearance& appearance) {
     std::vector<std::string> names;
     for (const TomlTable& table : root.tables("material")) {
         const std::string name = table.string("name");
@@ -79,7 +79,7 @@ std::vector<std::string> read_materials(const TomlTable& root, Look& look) {
             table.fail("name", fmt::format("\"{}\" is another material's already", name));
         }
         names.push_back(name);
-        look.materials.push_back(read_material(table));
+        appearance.materials.push_back(read_material(table));
     }
     return names;
 }
@@ -108,25 +108,28 @@ int read_samples(const TomlTable& table) {
 
 }  // namespace
 
-Look read_look(const TomlTable& root, const std::filesystem::path& path) {
-    Look look;
-    for (const TomlTable& light : root.tables("light")) read_light(light, look);
-    const std::vector<std::string> names = read_materials(root, look);
-    for (const TomlTable& sphere : root.tables("sphere")) look.sphere_materials.push_back(read_choice(sphere, names));
+Appearance read_appearance(const TomlTable& root, const std::filesystem::path& path) {
+    Appearance appearance;
+    for (const TomlTable& light : root.tables("light")) read_light(light, appearance);
+    const std::vector<std::string> names = read_materials(root, appearance);
+    for (const TomlTable& sphere : root.tables("sphere"))
+        appearance.sphere_materials.push_back(read_choice(sphere, names));
     for (const TomlTable& triangle : root.tables("triangle")) {
-        look.triangle_materials.push_back(read_choice(triangle, names));
+        appearance.triangle_materials.push_back(read_choice(triangle, names));
     }
     for (const TomlTable& mesh : root.tables("mesh")) {
         mesh.allow_only({"file", "material"});
-        look.meshes.push_back({path.parent_path() / mesh.string("file"), read_choice(mesh, names), mesh.place("file")});
+        appearance.meshes.push_back(
+            {path.parent_path() / mesh.string("file"), read_choice(mesh, names), mesh.place("file")});
     }
-    if (!root.has("render")) return look;
+    if (!root.has("render")) return appearance;
     const TomlTable render = root.table("render");
     render.allow_only({"ambient_light", "background", "samples_per_pixel"});
-    if (render.has("ambient_light")) look.ambient_light = read_numbers(render, "ambient_light", 0, brightest_light);
-    if (render.has("background")) look.background = read_numbers(render, "background", 0, 1);
-    if (render.has("samples_per_pixel")) look.samples_per_pixel = read_samples(render);
-    return look;
+    if (render.has("ambient_light"))
+        appearance.ambient_light = read_numbers(render, "ambient_light", 0, brightest_light);
+    if (render.has("background")) appearance.background = read_numbers(render, "background", 0, 1);
+    if (render.has("samples_per_pixel")) appearance.samples_per_pixel = read_samples(render);
+    return appearance;
 }
 
 }  // namespace reference

@@ -1,4 +1,4 @@
-#include "reference/assignment.h"
+#include "reference/toml/assignment.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,12 +8,11 @@
 #include <fstream>
 #include <sstream>
 
-#include "reference/assignment_file.h"
-#include "reference/look_reader.h"
-#include "reference/rubric_reader.h"
-#include "reference/scene_reader.h"
-#include "reference/toml_table.h"
-#include "reference/variant_reader.h"
+#include "reference/toml/appearance_reader.h"
+#include "reference/toml/other_scenes_reader.h"
+#include "reference/toml/rubric_reader.h"
+#include "reference/toml/scene_reader.h"
+#include "reference/toml/toml_table.h"
 
 namespace reference {
 namespace {
@@ -31,7 +30,7 @@ std::string names_in(const std::filesystem::path& directory) {
 std::vector<LimitEntry> read_limits(const TomlTable& stages) {
     std::vector<LimitEntry> limits;
     for (const std::string& stage : stages.keys()) {
-        if (!stages.is_table(stage)) {  // a limit without its stage, which is told to whoever wrote it
+        if (!stages.is_table(stage)) {  // a limit without its stage; the code that enforces limits reports it
             limits.push_back({stage, stages.decimal(stage).to_double(), stages.place(stage)});
             continue;
         }
@@ -54,8 +53,8 @@ Assignment parse(std::string_view toml, const std::filesystem::path& path, Pixel
     assignment.scene = read_scene(root, assignment.notes, pixel);
     if (root.has("rubric")) assignment.rubric = read_rubric(root.table("rubric"));
     if (root.has("limits")) assignment.limits = read_limits(root.table("limits"));
-    assignment.variants = read_variants(root, assignment.scene, path);
-    assignment.look = read_look(root, path);
+    assignment.variants = read_other_scenes(root, assignment.scene, path);
+    assignment.appearance = read_appearance(root, path);
     return assignment;
 }
 

@@ -9,14 +9,14 @@
 #include <string_view>
 #include <vector>
 
-#include "reference/decimal.h"
-#include "reference/look.h"
-#include "reference/scene.h"
+#include "reference/numbers/decimal.h"
 #include "reference/stages/camera.h"
+#include "reference/stages/scene.h"
+#include "reference/toml/appearance.h"
 
 namespace reference {
 
-/// How a hit at t = 0 exactly counts in marking; `either` accepts each verdict that is consistent with itself.
+/// How a hit at exactly t = 0 counts in marking. `either` accepts a hit and a miss, if the answers are consistent.
 enum class BoundaryPolicy { positive, nonnegative, either };
 
 /// How the assignment is marked. Every field is an optional key of [rubric] with the default given here.
@@ -31,14 +31,14 @@ struct Rubric {
     double follow_through_cap = 1.0;
     /// The share of its points that a late hand-in loses, 0 to 1.
     double late_deduction = 0;
-    /// Points for answers on other scenes (`grade --variants`), beside those of the questions; 0 for none.
-    double variant_points = 0;
-    /// Whether a student may see the right values beside what was printed.
+    /// Points for answers on other scenes (`grade --variants`), in addition to those of the questions; 0 for none.
+    double other_scene_points = 0;
+    /// Whether a student may see the right values next to the printed values.
     bool show_expected = false;
-    /// An answer is never held to fewer printed decimals than this: half a unit of its last decimal is forgiven,
-    /// counted at min_decimals where fewer were printed. 0 to 9.
+    /// Half a unit of an answer's last printed decimal is forgiven. An answer with fewer decimals than this counts as
+    /// if it had this many. 0 to 9.
     int min_decimals = 2;
-    /// Points of a question by its number; a question that is not listed has points_per_question.
+    /// Points of a question by its number; questions that are not listed have points_per_question.
     std::map<int, double> points;
     /// Points of single items, by question and item name; the question's points are shared equally without them.
     std::map<int, std::map<std::string, double>> item_points;
@@ -52,19 +52,19 @@ struct Rubric {
     std::map<std::string, double> item_tolerance;
 
     double points_of(int question) const;
-    /// The most special tolerance that is given: of the item, else of the question, else `tolerance`; empty for none.
+    /// The most specific tolerance given: the item's, else the question's, else `tolerance`; empty for none.
     std::optional<double> tolerance_of(int question, const std::string& item) const;
 };
 
-/// A limit of [limits] as it was read. Which limits there are is for those to say who enforce them.
+/// A limit of [limits] as it was read. The code that enforces the limits checks their names.
 struct LimitEntry {
     std::string name;   ///< "run.cpu_seconds"
     double value;       ///< finite
     std::string place;  ///< for messages: file, line and key
 };
 
-/// Another scene for the same program, which tells a computed answer from a printed one.
-struct SceneVariant {
+/// A further scene for the same program. It tells computed answers from constants that the program prints.
+struct OtherScene {
     std::string name;  ///< for people
     Scene<Decimal> scene;
 };
@@ -74,11 +74,11 @@ struct Assignment {
     std::string title;  ///< for people
     Scene<Decimal> scene;
     Rubric rubric;
-    std::vector<LimitEntry> limits;      ///< in the file's order
-    std::vector<SceneVariant> variants;  ///< in the file's order; each with what it leaves as it is
-    /// What is allowed in the scene and worth saying: a mirrored window. Whole sentences.
+    std::vector<LimitEntry> limits;    ///< in the file's order
+    std::vector<OtherScene> variants;  ///< in the file's order; each is complete, with what it leaves unchanged
+    /// What is allowed in the scene but unusual: a mirrored window. Whole sentences.
     std::vector<std::string> notes;
-    Look look;  ///< for pictures; nothing in marking reads it
+    Appearance appearance;  ///< for pictures; nothing in marking reads it
 };
 
 /// The largest size of a component.
@@ -87,7 +87,7 @@ double largest_component(const std::vector<double>& key_value);
 /// What a tolerance is relative to: the largest component of the key's value, or 1 where that is below 1.
 double unit_of(const std::vector<double>& key_value);
 
-/// The assignment can't be used. what() is a complete message: file, line, key, what is wrong and the way out.
+/// The assignment can't be used. what() is a complete message: file, line, key, what is wrong and how to fix it.
 class AssignmentError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -97,11 +97,20 @@ class AssignmentError : public std::runtime_error {
 Assignment parse_assignment(std::string_view toml, const std::filesystem::path& path);
 
 /// Finds and reads an assignment: an existing file, or else the name of one in `directory` (with or without ".toml").
-/// Throws AssignmentError, which lists the names there are when this one isn't among them.
+/// Throws AssignmentError; if the name does not exist, the message lists the existing names.
 Assignment load_assignment(const std::string& name_or_file, const std::filesystem::path& directory);
 
 /// Reads a scene file: an assignment that may leave out window.pixel, since nothing is asked about it; its pixel is
 /// then the middle one. Throws AssignmentError.
 Assignment load_scene(const std::filesystem::path& file);
+
+/// The file of an assignment before it is parsed, for callers that keep its text.
+struct AssignmentFile {
+    std::filesystem::path path;  ///< canonical
+    std::string toml;            ///< its text, for parse_assignment
+};
+
+/// Finds the same file as load_assignment and reads its text. Throws AssignmentError likewise.
+AssignmentFile read_assignment_file(const std::string& name_or_file, const std::filesystem::path& directory);
 
 }  // namespace reference

@@ -1,8 +1,8 @@
-#include "reference/variant_reader.h"
+#include "reference/toml/other_scenes_reader.h"
 
 #include <fmt/format.h>
 
-#include "reference/scene_toml.h"
+#include "reference/toml/scene_toml.h"
 
 namespace reference {
 namespace {
@@ -50,12 +50,12 @@ void change_triangle(const TomlTable& variant, Scene<Decimal>& scene) {
 
 }  // namespace
 
-std::vector<SceneVariant> read_variants(const TomlTable& root, const Scene<Decimal>& scene,
-                                        const std::filesystem::path& path) {
-    std::vector<SceneVariant> variants;
+std::vector<OtherScene> read_other_scenes(const TomlTable& root, const Scene<Decimal>& scene,
+                                          const std::filesystem::path& path) {
+    std::vector<OtherScene> variants;
     for (const TomlTable& table : root.tables("variant")) {
         table.allow_only({"name", "camera", "window", "sphere", "triangle"});
-        SceneVariant variant{fmt::format("variant {}", variants.size() + 1), scene};
+        OtherScene variant{fmt::format("variant {}", variants.size() + 1), scene};
         if (table.has("name")) variant.name = table.string("name");
         if (table.has("camera")) change_camera(table.table("camera"), variant.scene.camera);
         if (table.has("window")) change_pixel(table.table("window"), variant.scene);

@@ -1,10 +1,10 @@
-#include "reference/rubric_reader.h"
+#include "reference/toml/rubric_reader.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "reference/items.h"
+#include "reference/stages/items.h"
 
 namespace reference {
 namespace {
@@ -30,7 +30,7 @@ double read_amount(const TomlTable& table, std::string_view key, double least, d
     return value;
 }
 
-/// Refuses what is not an item of the question, so that a misspelt one is not silently ignored.
+/// Refuses a name that is not an item of the question, so that a misspelt name is not silently ignored.
 void check_item(const TomlTable& items, int question, const std::string& item) {
     std::string names;
     for (const ItemSpec& spec : all_items()) {
@@ -102,7 +102,7 @@ Rubric read_rubric(const TomlTable& table) {
     if (table.has("follow_through")) rubric.follow_through = read_amount(table, "follow_through", 0, 1);
     if (table.has("follow_through_cap")) rubric.follow_through_cap = read_amount(table, "follow_through_cap", 0, 1);
     if (table.has("late_deduction")) rubric.late_deduction = read_amount(table, "late_deduction", 0, 1);
-    if (table.has("variant_points")) rubric.variant_points = read_amount(table, "variant_points", 0, most_points);
+    if (table.has("variant_points")) rubric.other_scene_points = read_amount(table, "variant_points", 0, most_points);
     if (table.has("min_decimals")) rubric.min_decimals = table.integer("min_decimals", 0, 9);
     if (table.has("show_expected")) rubric.show_expected = table.boolean("show_expected");
     if (table.has("points")) read_points(table.table("points"), rubric);

@@ -1,16 +1,16 @@
-#include "reference/scene_reader.h"
+#include "reference/toml/scene_reader.h"
 
 #include <fmt/format.h>
 
-#include "reference/exact/rational.h"
+#include "reference/numbers/rational.h"
 
 namespace reference {
 namespace {
 
-/// Twice as many, the denominator of a pixel's centre, is still an int.
+/// Twice this number, the denominator of a pixel's centre, still fits an int.
 constexpr int most_pixels_per_side = 1 << 29;
 
-/// In range, as to_rational demands.
+/// The exact value. Fails if it is out of to_rational's range.
 Rational exact(const TomlTable& table, std::string_view key, const Decimal& number) {
     const std::optional<Rational> x = to_rational(number);
     if (!x) {
@@ -65,8 +65,7 @@ Camera<Decimal> read_camera(const TomlTable& table) {
     return camera;
 }
 
-/// The window's extent along one axis must not be empty; where it runs backwards the picture is mirrored, which is
-/// said.
+/// The window's extent along one axis must not be empty. If it runs backwards, the picture is mirrored; a note says so.
 void check_extent(const TomlTable& table, std::string_view from, std::string_view to, std::string_view effect,
                   std::vector<std::string>& notes) {
     const Rational low = exact(table, from, table.decimal(from));

@@ -1,8 +1,8 @@
-// The scene of an assignment, from its TOML tables, and everything that can be wrong with one.
+// Reads the scene of an assignment from its TOML tables and checks it.
 #pragma once
 
-#include "reference/assignment.h"
-#include "reference/toml_table.h"
+#include "reference/toml/assignment.h"
+#include "reference/toml/toml_table.h"
 
 namespace reference {
 
@@ -10,12 +10,12 @@ namespace reference {
 enum class PixelKey { required, optional };
 
 /// Every scene that is returned can be marked: the tests are exact, on the numbers as written. Throws AssignmentError,
-/// which names file, line and key and says the cure, for
+/// which names file, line and key and says how to fix it, for
 /// - a number that is not finite, or is not zero and has a size outside [1e-300, 1e150];
-/// - a radius or clip_near that is not above 0; an eye in lookat; a vup parallel to the view;
+/// - a radius or clip_near that is not above 0; an eye equal to lookat; a vup parallel to the view;
 /// - a window without width or height; a pixel count below 1; a pixel outside the window;
 /// - a triangle without area.
-/// Adds a sentence to `notes` for a mirrored window, which is allowed. Any number of spheres and triangles is.
+/// A mirrored window is allowed and adds a sentence to `notes`. Any number of spheres and triangles is allowed.
 Scene<Decimal> read_scene(const TomlTable& root, std::vector<std::string>& notes, PixelKey pixel);
 
 }  // namespace reference

@@ -1,9 +1,9 @@
-#include "reference/scene_toml.h"
+#include "reference/toml/scene_toml.h"
 
 #include <fmt/format.h>
 
-#include "reference/scene_reader.h"
-#include "reference/toml_table.h"
+#include "reference/toml/scene_reader.h"
+#include "reference/toml/toml_table.h"
 
 namespace reference {
 namespace {

@@ -1,4 +1,4 @@
-#include "reference/toml_table.h"
+#include "reference/toml/toml_table.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "reference/assignment.h"
+#include "reference/toml/assignment.h"
 
 namespace reference {
 namespace {
@@ -51,7 +51,7 @@ struct TomlTable::Impl {
         return fmt::format("{}:{}: {}{}", document->path, std::max<std::size_t>(line, 1), way, key);
     }
 
-    /// That of the key, or of its table when it is absent.
+    /// The line of the key, or of its table if the key is absent.
     std::size_t line_of(std::string_view key) const {
         const toml::node* node = table->get(key);
         return node == nullptr ? table->source().begin.line : node->source().begin.line;

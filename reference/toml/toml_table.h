@@ -10,16 +10,16 @@
 #include <utility>
 #include <vector>
 
-#include "reference/decimal.h"
+#include "reference/numbers/decimal.h"
 
 namespace reference {
 
 class TomlDocument;
 
-/// One table of the file, with the way to it for messages. Valid as long as its TomlDocument.
+/// One table of the file, with its path in the file for messages. Valid as long as its TomlDocument.
 class TomlTable {
   public:
-    /// Refuses a key that is not in the list, so that a misspelt one is not silently ignored.
+    /// Refuses a key that is not in the list, so that a misspelt key is not silently ignored.
     void allow_only(std::initializer_list<std::string_view> keys) const;
 
     bool has(std::string_view key) const;
@@ -49,7 +49,7 @@ class TomlTable {
         fail(key, "\"" + given + "\" is not one of " + names);
     }
 
-    /// Where this key is, for messages: "file:line: way.key".
+    /// Where this key is, for messages: "file:line: path.key".
     std::string place(std::string_view key) const;
     /// Throws an AssignmentError about this key, at its line when the key is there.
     [[noreturn]] void fail(std::string_view key, const std::string& what) const;

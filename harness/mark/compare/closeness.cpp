@@ -1,4 +1,4 @@
-#include "harness/closeness.h"
+#include "harness/mark/compare/closeness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ Closeness compare_numbers(const std::vector<PrintedNumber>& given, const Target&
     if (target.no_value || given.size() != target.components.size()) return {};
     Closeness closeness{true, 0.0};
     for (std::size_t i = 0; i < given.size(); ++i) {
-        const Real& real = target.components[i];
+        const Interval& real = target.components[i];
         const double component_allowance = target.allowance.empty() ? allowance : target.allowance[i];
         if (!is_within(given[i], real, component_allowance, min_decimals)) closeness.within = false;
         const double distance = std::max({real.lo() - given[i].value, given[i].value - real.hi(), 0.0});
@@ -44,29 +44,29 @@ double half_unit(const PrintedNumber& number, int min_decimals) {
     return 0.5 * std::pow(10.0, -std::min(stream_decimals, std::max(number.decimals, min_decimals)));
 }
 
-bool is_within(const PrintedNumber& given, const Real& target, double allowance, int min_decimals) {
+bool is_within(const PrintedNumber& given, const Interval& target, double allowance, int min_decimals) {
     const double slack = allowance + half_unit(given, min_decimals);
     return std::isfinite(given.value) && target.lo() - slack <= given.value && given.value <= target.hi() + slack;
 }
 
-bool is_multiple(const PrintedNumber& given, const Real& target, const Real& factor, double allowance,
+bool is_multiple(const PrintedNumber& given, const Interval& target, const Interval& factor, double allowance,
                  int min_decimals) {
     if (!std::isfinite(given.value) || !factor.is_bounded() || factor.contains(0.0)) return false;
     const double half = half_unit(given, min_decimals);
     const double forgiven = std::max(half, 0.5 * std::pow(10.0, -min_decimals));
     const double slack = allowance + std::min(half / std::min(std::abs(factor.lo()), std::abs(factor.hi())), forgiven);
-    const Real undone = Real(given.value) / factor;
+    const Interval undone = Interval(given.value) / factor;
     return target.lo() - slack <= undone.hi() && undone.lo() <= target.hi() + slack;
 }
 
-Real enclosure_of(const PrintedNumber& number, Digits digits) {
+Interval enclosure_of(const PrintedNumber& number, Digits digits) {
     const bool whole = number.decimals == 0 && (digits == Digits::as_printed || number.value == 0);
-    if (number.exact || whole || !std::isfinite(number.value)) return Real(number.value);
+    if (number.exact || whole || !std::isfinite(number.value)) return Interval(number.value);
     double half = 0.5 * std::pow(10.0, -number.decimals);
     if (digits == Digits::of_stream && number.significant < stream_digits)
         half *= std::pow(10.0, number.significant - stream_digits);
-    if (number.value == 0) return std::signbit(number.value) ? Real(-half, 0.0) : Real(0.0, half);
-    return Real::widened(number.value - half, number.value + half);
+    if (number.value == 0) return std::signbit(number.value) ? Interval(-half, 0.0) : Interval(0.0, half);
+    return Interval::widened(number.value - half, number.value + half);
 }
 
 std::vector<PrintedNumber> by_columns(const MatchedItem& printed) {
@@ -87,8 +87,8 @@ Closeness compare(const MatchedItem& printed, const Target& target, double allow
         const PrintedNumber w = numbers.back();
         numbers.pop_back();
         Closeness closeness = compare_numbers(numbers, target, allowance, min_decimals);
-        const bool homogeneous =
-            is_within(w, Real(1.0), allowance, min_decimals) || is_within(w, Real(0.0), allowance, min_decimals);
+        const bool homogeneous = is_within(w, Interval(1.0), allowance, min_decimals) ||
+                                 is_within(w, Interval(0.0), allowance, min_decimals);
         closeness.within = closeness.within && homogeneous;
         return closeness;
     }

@@ -1,4 +1,4 @@
-#include "harness/equivalence.h"
+#include "harness/mark/compare/equivalent_forms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,75 +43,78 @@ std::size_t at(int column, std::size_t row) {
     return static_cast<std::size_t>(column) * 3 + row;
 }
 
-double middle(const Real& x) {
+double middle(const Interval& x) {
     return 0.5 * (x.lo() + x.hi());
 }
 
-/// Whether the printed d may be b^2 - factor ac: by the digits of all, and by four roundings of float.
+/// Whether the printed d may be b^2 - factor ac, given the digits of all four numbers and four float roundings.
 bool is_possible(const PrintedNumber& d, const PrintedNumber& a, const PrintedNumber& b, const PrintedNumber& c,
-                 const Real& factor, Digits digits) {
-    const Real square = enclosure_of(b, digits) * enclosure_of(b, digits);
-    const Real product = factor * enclosure_of(a, digits) * enclosure_of(c, digits);
-    const Real given = enclosure_of(d, digits);
+                 const Interval& factor, Digits digits) {
+    const Interval square = enclosure_of(b, digits) * enclosure_of(b, digits);
+    const Interval product = factor * enclosure_of(a, digits) * enclosure_of(c, digits);
+    const Interval given = enclosure_of(d, digits);
     const double roundings =
         4 * 0x1p-24 * (std::abs(square.hi()) + std::max(std::abs(product.lo()), std::abs(product.hi())));
-    const Real difference = square - product + Real(-roundings, roundings);
+    const Interval difference = square - product + Interval(-roundings, roundings);
     return given.lo() <= difference.hi() && difference.lo() <= given.hi();
 }
 
-/// Whether the number is the target with its allowance, divided by `divisor` and then multiplied.
-bool is_right_multiple(const PrintedNumber& number, const Target& target, int divisor, const Real& factor,
+/// Whether the number is the target, within its allowance, divided by `divisor` and multiplied by `factor`.
+bool is_right_multiple(const PrintedNumber& number, const Target& target, int divisor, const Interval& factor,
                        int min_decimals) {
-    return is_multiple(number, target.components.front() / Real(divisor), factor, target.allowance.front(),
+    return is_multiple(number, target.components.front() / Interval(divisor), factor, target.allowance.front(),
                        min_decimals);
 }
 
-QuadraticForm find_quadratic_form(const PrintedQuadratic& printed, std::span<const Known> keys, int min_decimals) {
+QuadraticForm find_quadratic_form(const PrintedQuadratic& printed, std::span<const ItemTargets> keys,
+                                  int min_decimals) {
     const PrintedNumber* a = number_of(printed.a);
     const PrintedNumber* b = number_of(printed.b);
     const PrintedNumber* c = number_of(printed.c);
     const PrintedNumber* d = number_of(printed.d);
     if (a == nullptr || b == nullptr || c == nullptr || d == nullptr) return QuadraticForm::full;
-    const auto is_discriminant = [&](const Real& factor) {
+    const auto is_discriminant = [&](const Interval& factor) {
         return is_possible(*d, *a, *b, *c, factor, Digits::as_printed) ||
                is_possible(*d, *a, *b, *c, factor, Digits::of_stream);
     };
-    if (!is_discriminant(Real(1))) return QuadraticForm::full;
-    if (!is_discriminant(Real(4))) return QuadraticForm::half_b;
+    if (!is_discriminant(Interval(1))) return QuadraticForm::full;
+    if (!is_discriminant(Interval(4))) return QuadraticForm::half_b;
     const auto is_b_over = [&](int divisor) {
-        return std::any_of(keys.begin(), keys.end(), [&](const Known& key) {
-            const Target* target = key.number({6, "b"});
-            return target != nullptr && is_right_multiple(*b, *target, divisor, Real(1.0), min_decimals);
+        return std::any_of(keys.begin(), keys.end(), [&](const ItemTargets& key) {
+            const Target* target = key.number(item::sphere::b);
+            return target != nullptr && is_right_multiple(*b, *target, divisor, Interval(1.0), min_decimals);
         });
     };
     return is_b_over(2) && !is_b_over(1) ? QuadraticForm::half_b : QuadraticForm::full;
 }
 
-/// What a, b and c of the key are all multiplied by; empty when they are not, or by 1.
-std::optional<Real> find_factor(const PrintedQuadratic& printed, const Known& key, QuadraticForm form,
-                                int min_decimals) {
+/// The common factor of the printed a, b and c over the key's; empty if there is none or if it is 1.
+std::optional<Interval> find_factor(const PrintedQuadratic& printed, const ItemTargets& key, QuadraticForm form,
+                                    int min_decimals) {
     const PrintedNumber* a = number_of(printed.a);
     const PrintedNumber* b = number_of(printed.b);
     const PrintedNumber* c = number_of(printed.c);
-    const Target* key_a = key.number({6, "a"});
-    const Target* key_b = key.number({6, "b"});
-    const Target* key_c = key.number({6, "c"});
+    const Target* key_a = key.number(item::sphere::a);
+    const Target* key_b = key.number(item::sphere::b);
+    const Target* key_c = key.number(item::sphere::c);
     if (a == nullptr || b == nullptr || c == nullptr || key_a == nullptr || key_b == nullptr || key_c == nullptr)
         return std::nullopt;
     const int b_divisor = form == QuadraticForm::half_b ? 2 : 1;
-    const auto multiplied_by = [&](const Real& factor) {
+    const auto multiplied_by = [&](const Interval& factor) {
         return is_right_multiple(*b, *key_b, b_divisor, factor, min_decimals) &&
                is_right_multiple(*c, *key_c, 1, factor, min_decimals);
     };
-    // By 1 when a alone is wrong, or the digits are too few to tell.
-    if (is_right_multiple(*a, *key_a, 1, Real(1.0), min_decimals) || multiplied_by(Real(1.0))) return std::nullopt;
-    const Real factor = enclosure_of(*a, Digits::as_printed) / key_a->components.front();
+    // The factor is 1 if b and c are right and a is wrong, or if the digits are too few to tell.
+    if (is_right_multiple(*a, *key_a, 1, Interval(1.0), min_decimals) || multiplied_by(Interval(1.0)))
+        return std::nullopt;
+    const Interval factor = enclosure_of(*a, Digits::as_printed) / key_a->components.front();
     return multiplied_by(factor) ? std::optional(factor) : std::nullopt;
 }
 
-/// The factor between the student's row and the target's, from the target's largest component; 1 for a row of zeros.
-Real estimate_factor(const std::vector<PrintedNumber>& given, const std::array<int, 3>& column, const Target& matrix,
-                     std::size_t row) {
+/// The factor of the student's row over the target's row, taken at the target's largest component; 1 for a row of
+/// zeros.
+Interval estimate_factor(const std::vector<PrintedNumber>& given, const std::array<int, 3>& column,
+                         const Target& matrix, std::size_t row) {
     int largest = 0;
     for (int j = 1; j < 3; ++j) {
         if (std::abs(middle(matrix.components[at(j, row)])) > std::abs(middle(matrix.components[at(largest, row)])))
@@ -119,9 +122,9 @@ Real estimate_factor(const std::vector<PrintedNumber>& given, const std::array<i
     }
     const PrintedNumber& number = given[at(column[static_cast<std::size_t>(largest)], row)];
     const double allowance = allowance_of(matrix, at(largest, row), 0.0);
-    const Real target = matrix.components[at(largest, row)] + Real(-allowance, allowance);
-    const Real factor = enclosure_of(number, Digits::as_printed) / target;
-    return !factor.is_bounded() || factor.contains(0.0) || factor.contains(1.0) ? Real(1.0) : factor;
+    const Interval target = matrix.components[at(largest, row)] + Interval(-allowance, allowance);
+    const Interval factor = enclosure_of(number, Digits::as_printed) / target;
+    return !factor.is_bounded() || factor.contains(0.0) || factor.contains(1.0) ? Interval(1.0) : factor;
 }
 
 bool fits(const std::vector<PrintedNumber>& given, const SystemForm& form, const Target& matrix, double allowance,
@@ -160,23 +163,23 @@ int solved_unknowns(const MatchedItem& printed, const MatchedItem* printed_rhs, 
     const Target rhs = printed_target(*printed_rhs, Digits::as_printed);
     if (rhs.components.size() != 3) return 0;
     const auto column = [&](std::size_t j) {
-        return reference::Vec3<Real>(matrix.components[3 * j], matrix.components[3 * j + 1],
-                                     matrix.components[3 * j + 2]);
+        return reference::Vec3<Interval>(matrix.components[3 * j], matrix.components[3 * j + 1],
+                                         matrix.components[3 * j + 2]);
     };
-    const reference::Vec3<Real> right(rhs.components[0], rhs.components[1], rhs.components[2]);
+    const reference::Vec3<Interval> right(rhs.components[0], rhs.components[1], rhs.components[2]);
     const auto solved =
-        reference::solve_by_cramer(reference::LinearSystem<Real>{{column(0), column(1), column(2)}, right});
-    const auto fits = [&](const MatchedItem* unknown, const Real& numerator) {
+        reference::solve_by_cramer(reference::LinearSystem<Interval>{{column(0), column(1), column(2)}, right});
+    const auto fits = [&](const MatchedItem* unknown, const Interval& numerator) {
         const PrintedNumber* number = number_of(unknown);
-        const Real value = numerator / solved.det;
+        const Interval value = numerator / solved.det;
         return number != nullptr && value.is_bounded() && is_within(*number, value, 0.0, min_decimals) ? 1 : 0;
     };
     return fits(solution.t, solved.t_numerator) + fits(solution.u, solved.u_numerator) +
            fits(solution.v, solved.v_numerator);
 }
 
-/// The first order of rows and columns in which the printed matrix, with the row factors that `factors` gives, is
-/// `matrix`.
+/// Finds the first order of rows and columns in which the printed matrix is `matrix` with the row factors from
+/// `factors`.
 std::optional<SystemForm> find_form(const MatchedItem& printed, const Target& matrix, double allowance,
                                     int min_decimals, auto factors, auto accepts) {
     if (matrix.components.size() != 9 || printed.value->numbers.size() != 9) return std::nullopt;
@@ -192,10 +195,11 @@ std::optional<SystemForm> find_form(const MatchedItem& printed, const Target& ma
 
 }  // namespace
 
-QuadraticScale find_quadratic_scale(const PrintedQuadratic& printed, std::span<const Known> keys, int min_decimals) {
+QuadraticScale find_quadratic_scale(const PrintedQuadratic& printed, std::span<const ItemTargets> keys,
+                                    int min_decimals) {
     QuadraticScale scale;
     scale.form = find_quadratic_form(printed, keys, min_decimals);
-    for (const Known& key : keys) {
+    for (const ItemTargets& key : keys) {
         const auto factor = find_factor(printed, key, scale.form, min_decimals);
         if (!factor) continue;
         scale.factor = *factor;
@@ -204,7 +208,7 @@ QuadraticScale find_quadratic_scale(const PrintedQuadratic& printed, std::span<c
     return scale;
 }
 
-bool is_one(const Real& factor) {
+bool is_one(const Interval& factor) {
     return factor.lo() == 1 && factor.hi() == 1;
 }
 
@@ -235,7 +239,7 @@ std::optional<SystemForm> find_column_order(const MatchedItem& printed, const Ta
     return find_form(
         printed, matrix, allowance, min_decimals,
         [](const auto&, const auto&) {
-            return std::array<Real, 3>{Real(1.0), Real(1.0), Real(1.0)};
+            return std::array<Interval, 3>{Interval(1.0), Interval(1.0), Interval(1.0)};
         },
         [](const SystemForm&) { return true; });
 }
@@ -244,7 +248,7 @@ std::optional<SystemForm> find_multiplied_form(const MatchedItem& printed, const
                                                const Target& matrix, const Target& rhs, double allowance,
                                                int min_decimals) {
     const auto factors = [&](const std::vector<PrintedNumber>& given, const std::array<int, 3>& column) {
-        std::array<Real, 3> factor{};
+        std::array<Interval, 3> factor{};
         for (std::size_t row = 0; row < 3; ++row) factor[row] = estimate_factor(given, column, matrix, row);
         return factor;
     };
@@ -273,7 +277,7 @@ SystemForm likeliest_column_order(const MatchedItem& printed, const MatchedItem*
     for (const bool by_rows : possible_orders(printed.order)) {
         const std::vector<PrintedNumber> given = columns_of(printed, by_rows);
         for (const auto& permutation : permutations) {
-            const SystemForm form{permutation, {Real(1.0), Real(1.0), Real(1.0)}, by_rows};
+            const SystemForm form{permutation, {Interval(1.0), Interval(1.0), Interval(1.0)}, by_rows};
             const std::pair<int, double> fit{solved_unknowns(printed, printed_rhs, solution, form, min_decimals),
                                              -distance(given, permutation, matrix)};
             if (fit <= best) continue;

@@ -1,4 +1,4 @@
-#include "harness/own_verdict.h"
+#include "harness/mark/compare/first_hit.h"
 
 #include <algorithm>
 
@@ -9,15 +9,15 @@ using reference::Boundary;
 using reference::Verdict;
 using enum Hits;
 
-/// Whether x >= 0, for a student who may forgive `allowance` below it.
-Hits not_negative(const Real& x, double allowance) {
+/// Whether x >= 0, if a student may tolerate values down to -`allowance`.
+Hits not_negative(const Interval& x, double allowance) {
     if (x.lo() >= 0) return yes;
     return x.hi() + allowance < 0 ? no : maybe;
 }
 
-Hits is_in_front(const Real& t, double allowance, Boundary boundary) {
+Hits is_in_front(const Interval& t, double allowance, Boundary boundary) {
     if (boundary == Boundary::nonnegative) return not_negative(t, allowance);
-    if (t.lo() > allowance) return yes;  // a student may ask for t > 1e-6, so as not to hit where the ray starts
+    if (t.lo() > allowance) return yes;  // a student may require t > 1e-6 to avoid a hit at the ray's start
     return t.hi() + allowance < 0 || t.is_zero() ? no : maybe;
 }
 
@@ -25,8 +25,8 @@ Hits worst(std::initializer_list<Hits> answers) {
     return std::max(answers);
 }
 
-/// Who is first where both are hit: by digits that may leave it open.
-std::vector<Verdict> order_of(const Real& sphere_t, const Real& triangle_t) {
+/// Which object is first if both are hit. All orders are possible if the digits leave it open.
+std::vector<Verdict> order_of(const Interval& sphere_t, const Interval& triangle_t) {
     if (sphere_t.hi() < triangle_t.lo()) return {Verdict::sphere_first};
     if (triangle_t.hi() < sphere_t.lo()) return {Verdict::triangle_first};
     return {Verdict::tie, Verdict::sphere_first, Verdict::triangle_first};
@@ -44,7 +44,7 @@ Hits hits_triangle(const HitValues& values, Boundary boundary) {
     if (!values.triangle_t) return no;
     const Hits in_front = is_in_front(*values.triangle_t, values.t_allowance, boundary);
     if (!values.u || !values.v) return in_front;
-    const Real rest = Real(1) - *values.u - *values.v;
+    const Interval rest = Interval(1) - *values.u - *values.v;
     return worst({in_front, not_negative(*values.u, values.uv_allowance), not_negative(*values.v, values.uv_allowance),
                   not_negative(rest, 2 * values.uv_allowance)});
 }

@@ -1,4 +1,4 @@
-#include "harness/known.h"
+#include "harness/mark/compare/item_targets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@ namespace harness {
 namespace {
 
 template <int N>
-glm::mat<N, N, Real> matrix_of(const std::vector<Real>& components) {
-    glm::mat<N, N, Real> M(Real(0.0));
+glm::mat<N, N, Interval> matrix_of(const std::vector<Interval>& components) {
+    glm::mat<N, N, Interval> M(Interval(0.0));
     for (int column = 0; column < N; ++column) {
         for (int row = 0; row < N; ++row) M[column][row] = components[static_cast<std::size_t>(column * N + row)];
     }
@@ -16,7 +16,7 @@ glm::mat<N, N, Real> matrix_of(const std::vector<Real>& components) {
 }
 
 template <int N>
-Target target_of_matrix(const glm::mat<N, N, Real>& M) {
+Target target_of_matrix(const glm::mat<N, N, Interval>& M) {
     Target target;
     for (int column = 0; column < N; ++column) {
         for (int row = 0; row < N; ++row) target.components.push_back(M[column][row]);
@@ -24,41 +24,40 @@ Target target_of_matrix(const glm::mat<N, N, Real>& M) {
     return target;
 }
 
-/// The longest chain of float roundings that one stage puts on one of its inputs: the length in a unit vector, a dot
-/// product of three terms in a root. A result with that many roundings is the exact result of inputs so many roundings
-/// away.
+/// The longest chain of float roundings that a stage applies to an input: normalising a vector takes the root of a dot
+/// product of three terms. The rounded result is the exact result for inputs that are as many roundings away.
 constexpr double roundings_of_stage = 8;
 
-Real rounded_by_stage(const Real& x) {
+Interval rounded_by_stage(const Interval& x) {
     const double slack = roundings_of_stage * 0x1p-24 * std::max(std::abs(x.lo()), std::abs(x.hi()));
-    return x.is_zero() ? x : x + Real(-slack, slack);
+    return x.is_zero() ? x : x + Interval(-slack, slack);
 }
 
 }  // namespace
 
-const Target* Known::find(const ItemId& id, std::size_t components) const {
+const Target* ItemTargets::find(const ItemId& id, std::size_t components) const {
     const auto found = targets_.find(id);
     if (found == targets_.end() || found->second.components.size() != components) return nullptr;
     return &found->second;
 }
 
-std::optional<Real> Known::scalar(const ItemId& id) const {
+std::optional<Interval> ItemTargets::scalar(const ItemId& id) const {
     const Target* target = find(id, 1);
     return target == nullptr ? std::nullopt : std::optional(target->components[0]);
 }
 
-std::optional<reference::Vec3<Real>> Known::vector(const ItemId& id) const {
+std::optional<reference::Vec3<Interval>> ItemTargets::vector(const ItemId& id) const {
     const Target* target = find(id, 3);
     if (target == nullptr) return std::nullopt;
-    return reference::Vec3<Real>(target->components[0], target->components[1], target->components[2]);
+    return reference::Vec3<Interval>(target->components[0], target->components[1], target->components[2]);
 }
 
-std::optional<reference::Mat3<Real>> Known::matrix3(const ItemId& id) const {
+std::optional<reference::Mat3<Interval>> ItemTargets::matrix3(const ItemId& id) const {
     const Target* target = find(id, 9);
     return target == nullptr ? std::nullopt : std::optional(matrix_of<3>(target->components));
 }
 
-std::optional<reference::Mat4<Real>> Known::matrix4(const ItemId& id) const {
+std::optional<reference::Mat4<Interval>> ItemTargets::matrix4(const ItemId& id) const {
     const Target* target = find(id, 16);
     return target == nullptr ? std::nullopt : std::optional(matrix_of<4>(target->components));
 }
@@ -72,16 +71,16 @@ Target printed_target(const MatchedItem& printed, Digits digits) {
     return target;
 }
 
-Target target_of(const Real& x) {
+Target target_of(const Interval& x) {
     return {false, {x}, {}};
 }
-Target target_of(const reference::Vec3<Real>& p) {
+Target target_of(const reference::Vec3<Interval>& p) {
     return {false, {p.x, p.y, p.z}, {}};
 }
-Target target_of(const reference::Mat3<Real>& M) {
+Target target_of(const reference::Mat3<Interval>& M) {
     return target_of_matrix<3>(M);
 }
-Target target_of(const reference::Mat4<Real>& M) {
+Target target_of(const reference::Mat4<Interval>& M) {
     return target_of_matrix<4>(M);
 }
 Target no_value() {
@@ -93,7 +92,7 @@ Target target_of(const reference::Answer& answer) {
     if (numbers == nullptr) return no_value();
     Target target;
     for (std::size_t i = 0; i < numbers->size(); ++i) {
-        target.components.push_back(answer.lo.empty() ? Real((*numbers)[i]) : Real(answer.lo[i], answer.hi[i]));
+        target.components.push_back(answer.lo.empty() ? Interval((*numbers)[i]) : Interval(answer.lo[i], answer.hi[i]));
     }
     return target;
 }

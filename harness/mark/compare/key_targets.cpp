@@ -1,8 +1,8 @@
-#include "harness/tolerance.h"
+#include "harness/mark/compare/key_targets.h"
 
 #include <algorithm>
 
-#include "reference/tolerance.h"
+#include "reference/key/graded_allowance.h"
 
 namespace harness {
 namespace {
@@ -11,7 +11,8 @@ using reference::Answer;
 using reference::KeyItem;
 using reference::PixelConvention;
 
-/// The item's first answer with the convention, or else its first: answers that several readings share are listed once.
+/// The item's first answer with the convention; else its first answer, because an answer that several readings share is
+/// listed once.
 const Answer& answer_under(PixelConvention convention, const KeyItem& item) {
     const auto found = std::find_if(item.answers.begin(), item.answers.end(),
                                     [&](const Answer& answer) { return answer.reading.convention == convention; });
@@ -26,10 +27,10 @@ Target target_with_allowance(const KeyItem& item, const Answer& answer, const re
     return target;
 }
 
-std::vector<Known> keys_by_convention(const reference::AnswerKey& key, const reference::Rubric& rubric) {
-    std::vector<Known> keys;
+std::vector<ItemTargets> keys_by_convention(const reference::AnswerKey& key, const reference::Rubric& rubric) {
+    std::vector<ItemTargets> keys;
     for (const PixelConvention convention : rubric.pixel_conventions) {
-        Known& known = keys.emplace_back();
+        ItemTargets& known = keys.emplace_back();
         for (const reference::KeyQuestion& question : key.questions) {
             for (const KeyItem& item : question.items) {
                 known.set({question.number, item.spec.name},
@@ -40,12 +41,12 @@ std::vector<Known> keys_by_convention(const reference::AnswerKey& key, const ref
     return keys;
 }
 
-Known widened_by_allowance(const Known& key) {
-    Known known;
+ItemTargets widened_by_allowance(const ItemTargets& key) {
+    ItemTargets known;
     for (auto [id, target] : key.targets()) {
         for (std::size_t i = 0; i < target.allowance.size(); ++i) {
             const double allowance = target.allowance[i];
-            if (allowance > 0) target.components[i] += Real(-allowance, allowance);
+            if (allowance > 0) target.components[i] += Interval(-allowance, allowance);
         }
         target.allowance.clear();
         known.set(id, std::move(target));

@@ -1,11 +1,11 @@
-#include "harness/real_scene.h"
+#include "harness/mark/diagnose/interval_scene.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "reference/double_scene.h"
-#include "reference/scene_answers.h"
+#include "reference/stages/scene_answers.h"
+#include "reference/stages/scene_numbers.h"
 
 namespace harness {
 namespace {
@@ -31,10 +31,10 @@ double size_of(const reference::Scene<double>& scene) {
 
 }  // namespace
 
-RealScene real_scene(const reference::Assignment& assignment, const reference::Reading& reading) {
+IntervalScene real_scene(const reference::Assignment& assignment, const reference::Reading& reading) {
     const auto scene = reference::in_double(assignment.scene);
     const auto answers = reference::answer_scene(scene, reading.convention, reading.boundary);
-    RealScene real{reference::convert_scene<Real>(scene, [](double x) { return Real(x); }), {}};
+    IntervalScene real{reference::convert_scene<Interval>(scene, [](double x) { return Interval(x); }), {}};
     if (!real.spheres.empty()) std::swap(real.spheres.front(), real.spheres[answers.sphere_index]);
     if (!real.triangles.empty()) std::swap(real.triangles.front(), real.triangles[answers.triangle_index]);
     real.size = size_of(scene);

@@ -1,5 +1,5 @@
 // The named mistakes of questions 1 to 5.
-#include "harness/mistakes.h"
+#include "harness/mark/diagnose/mistake_parts.h"
 #include "reference/stages/camera.h"
 
 namespace harness {
@@ -9,25 +9,27 @@ using namespace mistakes;
 using reference::cross;
 using reference::normalized;
 
-constexpr ItemId P_VCS{1, "P_VCS"}, X{2, "X_vcs"}, Y{2, "Y_vcs"}, Z{2, "Z_vcs"}, M{3, "M_VCS_to_WCS"},
-    P_WCS{4, "P_WCS"}, V{5, "V"};
+using namespace item;
+constexpr ItemId X = X_vcs, Y = Y_vcs, Z = Z_vcs, M = M_VCS_to_WCS;
 
-Vec view(const RealScene& scene) {
+Vec view(const IntervalScene& scene) {
     return scene.camera.eye - scene.camera.lookat;
 }
 
-Vec pixel_at(const RealScene& scene, const Real& x, const Real& y) {
+Vec pixel_at(const IntervalScene& scene, const Interval& x, const Interval& y) {
     const auto& window = scene.window;
-    const auto along = [](const Real& from, const Real& to, const Real& share) { return from + (to - from) * share; };
+    const auto along = [](const Interval& from, const Interval& to, const Interval& share) {
+        return from + (to - from) * share;
+    };
     return Vec(along(window.clip_left, window.clip_right, x), along(window.clip_bottom, window.clip_top, y),
                -window.clip_near);
 }
 
-Real share(double index, int count) {
-    return Real(index) / Real(count);
+Interval share(double index, int count) {
+    return Interval(index) / Interval(count);
 }
 
-Targets with_every_convention(const RealScene& scene, auto change) {
+Targets with_every_convention(const IntervalScene& scene, auto change) {
     Targets targets;
     for (const auto convention :
          {reference::PixelConvention::centre, reference::PixelConvention::grid, reference::PixelConvention::corner}) {
@@ -36,91 +38,91 @@ Targets with_every_convention(const RealScene& scene, auto change) {
     return targets;
 }
 
-Targets positive_z(const Known&, const RealScene& scene) {
+Targets positive_z(const ItemTargets&, const IntervalScene& scene) {
     return with_every_convention(scene, [](const Vec& p) { return Vec(p.x, p.y, -p.z); });
 }
-Targets unit_z(const Known&, const RealScene& scene) {
-    return with_every_convention(scene, [](const Vec& p) { return Vec(p.x, p.y, Real(-1)); });
+Targets unit_z(const ItemTargets&, const IntervalScene& scene) {
+    return with_every_convention(scene, [](const Vec& p) { return Vec(p.x, p.y, Interval(-1)); });
 }
-Targets zero_z(const Known&, const RealScene& scene) {
-    return with_every_convention(scene, [](const Vec& p) { return Vec(p.x, p.y, Real(0)); });
+Targets zero_z(const ItemTargets&, const IntervalScene& scene) {
+    return with_every_convention(scene, [](const Vec& p) { return Vec(p.x, p.y, Interval(0)); });
 }
-Targets integer_division(const Known&, const RealScene& scene) {
-    return just(pixel_at(scene, Real(0), Real(0)));
+Targets integer_division(const ItemTargets&, const IntervalScene& scene) {
+    return just(pixel_at(scene, Interval(0), Interval(0)));
 }
-Targets pixel_corner(const Known&, const RealScene& scene) {
+Targets pixel_corner(const ItemTargets&, const IntervalScene& scene) {
     return just(reference::pixel_to_vcs(scene.window, scene.pixel, reference::PixelConvention::corner));
 }
-Targets pixel_upside_down(const Known&, const RealScene& scene) {
-    RealScene flipped = scene;
+Targets pixel_upside_down(const ItemTargets&, const IntervalScene& scene) {
+    IntervalScene flipped = scene;
     flipped.pixel.y = scene.window.height - 1 - scene.pixel.y;
     return with_every_convention(flipped, [](const Vec& p) { return p; });
 }
-Targets window_ignored(const Known&, const RealScene& scene) {
+Targets window_ignored(const ItemTargets&, const IntervalScene& scene) {
     const auto& window = scene.window;
-    const Real x = share(scene.pixel.x + 0.5, window.width), y = share(scene.pixel.y + 0.5, window.height);
-    return {target_of(Vec(Real(2) * x - Real(1), Real(2) * y - Real(1), -window.clip_near)),
+    const Interval x = share(scene.pixel.x + 0.5, window.width), y = share(scene.pixel.y + 0.5, window.height);
+    return {target_of(Vec(Interval(2) * x - Interval(1), Interval(2) * y - Interval(1), -window.clip_near)),
             target_of(Vec(x, y, -window.clip_near))};
 }
-Targets window_not_shifted(const Known&, const RealScene& scene) {
+Targets window_not_shifted(const ItemTargets&, const IntervalScene& scene) {
     const auto& window = scene.window;
     return just(Vec((window.clip_right - window.clip_left) * share(scene.pixel.x + 0.5, window.width),
                     (window.clip_top - window.clip_bottom) * share(scene.pixel.y + 0.5, window.height),
                     -window.clip_near));
 }
-Targets one_pixel_too_far(const Known&, const RealScene& scene) {
+Targets one_pixel_too_far(const ItemTargets&, const IntervalScene& scene) {
     return just(pixel_at(scene, share(scene.pixel.x + 1.0, scene.window.width),
                          share(scene.pixel.y + 1.0, scene.window.height)));
 }
-Targets sides_mixed_up(const Known&, const RealScene& scene) {
+Targets sides_mixed_up(const ItemTargets&, const IntervalScene& scene) {
     return just(pixel_at(scene, share(scene.pixel.x + 0.5, scene.window.height),
                          share(scene.pixel.y + 0.5, scene.window.width)));
 }
 
-Targets z_forward(const Known&, const RealScene& scene) {
+Targets z_forward(const ItemTargets&, const IntervalScene& scene) {
     return just(normalized(Vec(-view(scene))));
 }
-Targets z_long(const Known&, const RealScene& scene) {
+Targets z_long(const ItemTargets&, const IntervalScene& scene) {
     return {target_of(view(scene)), target_of(Vec(-view(scene)))};
 }
-Targets z_is_eye(const Known&, const RealScene& scene) {
+Targets z_is_eye(const ItemTargets&, const IntervalScene& scene) {
     return just(normalized(scene.camera.eye));
 }
-Targets x_order(const Known& known, const RealScene& scene) {
+Targets x_order(const ItemTargets& known, const IntervalScene& scene) {
     return from([&](const Vec& z) { return normalized(cross(z, scene.camera.vup)); }, known.vector(Z));
 }
-Targets x_long(const Known& known, const RealScene& scene) {
+Targets x_long(const ItemTargets& known, const IntervalScene& scene) {
     Targets targets = from([&](const Vec& z) { return cross(scene.camera.vup, z); }, known.vector(Z));
     targets.push_back(target_of(cross(scene.camera.vup, view(scene))));
     return targets;
 }
-Targets y_order(const Known& known, const RealScene&) {
+Targets y_order(const ItemTargets& known, const IntervalScene&) {
     return from([](const Vec& x, const Vec& z) { return cross(x, z); }, known.vector(X), known.vector(Z));
 }
-Targets y_is_vup(const Known&, const RealScene& scene) {
+Targets y_is_vup(const ItemTargets&, const IntervalScene& scene) {
     return {target_of(scene.camera.vup), target_of(normalized(scene.camera.vup))};
 }
 
-using Matrix = reference::Mat4<Real>;
+using Matrix = reference::Mat4<Interval>;
 
 Matrix view_matrix(const Matrix& m) {
-    Matrix inverse(Real(0.0));
+    Matrix inverse(Interval(0.0));
     for (int i = 0; i < 3; ++i) {
         for (int k = 0; k < 3; ++k) inverse[i][k] = m[k][i];
         inverse[3][i] = -(m[i][0] * m[3][0] + m[i][1] * m[3][1] + m[i][2] * m[3][2]);
     }
-    inverse[3][3] = Real(1);
+    inverse[3][3] = Interval(1);
     return inverse;
 }
 
 Matrix without_translation(const Matrix& m) {
     Matrix rotation = m;
-    for (int i = 0; i < 3; ++i) rotation[3][i] = Real(0);
+    for (int i = 0; i < 3; ++i) rotation[3][i] = Interval(0);
     return rotation;
 }
 
 Matrix transposed(const Matrix& m) {
-    Matrix result(Real(0.0));
+    Matrix result(Interval(0.0));
     for (int i = 0; i < 4; ++i) {
         for (int k = 0; k < 4; ++k) result[i][k] = m[k][i];
     }
@@ -139,50 +141,50 @@ Matrix axes_in_rows(const Matrix& m) {
     return result;
 }
 
-/// The right matrix for the known axes, changed.
+/// The right matrix for the known axes, with `Change` applied.
 template <Matrix (*Change)(const Matrix&)>
-Targets matrix_with(const Known& known, const RealScene& scene) {
+Targets matrix_with(const ItemTargets& known, const IntervalScene& scene) {
     return from(
         [&](const Vec& x, const Vec& y, const Vec& z) {
-            return Change(reference::vcs_to_wcs(reference::Basis<Real>{x, y, z}, scene.camera.eye));
+            return Change(reference::vcs_to_wcs(reference::Basis<Interval>{x, y, z}, scene.camera.eye));
         },
         known.vector(X), known.vector(Y), known.vector(Z));
 }
 
 template <Matrix (*Change)(const Matrix&)>
-Targets point_by(const Known& known, const RealScene&) {
+Targets point_by(const ItemTargets& known, const IntervalScene&) {
     return from([](const Matrix& m, const Vec& p) { return reference::pixel_to_wcs(Change(m), p); }, known.matrix4(M),
                 known.vector(P_VCS));
 }
 
-Targets v_long(const Known& known, const RealScene& scene) {
+Targets v_long(const ItemTargets& known, const IntervalScene& scene) {
     return from([&](const Vec& p) { return Vec(p - scene.camera.eye); }, known.vector(P_WCS));
 }
-Targets v_with_w(const Known& known, const RealScene& scene) {
+Targets v_with_w(const ItemTargets& known, const IntervalScene& scene) {
     return from(
         [&](const Vec& p) {
             const Vec way = p - scene.camera.eye;
-            return reference::scaled(way, Real(1) / sqrt(reference::dot(way, way) + Real(1)));
+            return reference::scaled(way, Interval(1) / sqrt(reference::dot(way, way) + Interval(1)));
         },
         known.vector(P_WCS));
 }
-Targets v_backward(const Known& known, const RealScene& scene) {
+Targets v_backward(const ItemTargets& known, const IntervalScene& scene) {
     return from([&](const Vec& p) { return normalized(Vec(scene.camera.eye - p)); }, known.vector(P_WCS));
 }
-Targets v_from_origin(const Known& known, const RealScene&) {
+Targets v_from_origin(const ItemTargets& known, const IntervalScene&) {
     return from([](const Vec& p) { return normalized(p); }, known.vector(P_WCS));
 }
-Targets v_in_vcs(const Known& known, const RealScene&) {
+Targets v_in_vcs(const ItemTargets& known, const IntervalScene&) {
     return from([](const Vec& p) { return normalized(p); }, known.vector(P_VCS));
 }
-Targets v_to_lookat(const Known&, const RealScene& scene) {
+Targets v_to_lookat(const ItemTargets&, const IntervalScene& scene) {
     return just(normalized(Vec(-view(scene))));
 }
 
 }  // namespace
 
-const std::vector<Misconception>& mistakes::of_camera() {
-    static const std::vector<Misconception> table = {
+const std::vector<Mistake>& mistakes::of_camera() {
+    static const std::vector<Mistake> table = {
         {"positive z", "The camera looks along -z: the image plane lies at z = -clipNear.", P_VCS, positive_z},
         {"integer division",
          "The pixel's number is divided by the number of pixels in integers, which gives 0; divide as floating point.",

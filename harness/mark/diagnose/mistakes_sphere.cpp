@@ -1,5 +1,5 @@
 // The named mistakes of questions 6 and 7.
-#include "harness/mistakes.h"
+#include "harness/mark/diagnose/mistake_parts.h"
 
 namespace harness {
 namespace {
@@ -8,33 +8,35 @@ using namespace mistakes;
 using reference::dot;
 using reference::normalized;
 
-constexpr ItemId P_WCS{4, "P_WCS"}, V{5, "V"}, a{6, "a"}, b{6, "b"}, c{6, "c"}, d{6, "d"}, t{6, "t"}, hit{6, "hit"},
-    normal{7, "normal"};
+using item::P_WCS, item::V;
+using namespace item::sphere;
 
-const reference::Sphere<Real>& sphere(const RealScene& scene) {
+const reference::Sphere<Interval>& sphere(const IntervalScene& scene) {
     return scene.spheres.front();
 }
-Real radius_squared(const RealScene& scene) {
+Interval radius_squared(const IntervalScene& scene) {
     return sphere(scene).radius * sphere(scene).radius;
 }
 
 template <int Factor>
-Targets b_times(const Known& known, const RealScene& scene) {
+Targets b_times(const ItemTargets& known, const IntervalScene& scene) {
     return from([&](const Vec& p,
-                    const Vec& direction) { return Real(Factor) * dot(direction, Vec(p - sphere(scene).center)); },
+                    const Vec& direction) { return Interval(Factor) * dot(direction, Vec(p - sphere(scene).center)); },
                 known.vector(P_WCS), known.vector(V));
 }
-Targets b_from_eye(const Known& known, const RealScene& scene) {
+Targets b_from_eye(const ItemTargets& known, const IntervalScene& scene) {
     return from(
-        [&](const Vec& direction) { return Real(2) * dot(direction, Vec(scene.camera.eye - sphere(scene).center)); },
+        [&](const Vec& direction) {
+            return Interval(2) * dot(direction, Vec(scene.camera.eye - sphere(scene).center));
+        },
         known.vector(V));
 }
-Targets b_without_center(const Known& known, const RealScene&) {
-    return from([](const Vec& p, const Vec& direction) { return Real(2) * dot(direction, p); }, known.vector(P_WCS),
+Targets b_without_center(const ItemTargets& known, const IntervalScene&) {
+    return from([](const Vec& p, const Vec& direction) { return Interval(2) * dot(direction, p); }, known.vector(P_WCS),
                 known.vector(V));
 }
 
-Targets c_plus(const Known& known, const RealScene& scene, const Real& term) {
+Targets c_plus(const ItemTargets& known, const IntervalScene& scene, const Interval& term) {
     return from(
         [&](const Vec& p) {
             const Vec from_center = p - sphere(scene).center;
@@ -42,92 +44,106 @@ Targets c_plus(const Known& known, const RealScene& scene, const Real& term) {
         },
         known.vector(P_WCS));
 }
-Targets c_radius_not_squared(const Known& known, const RealScene& scene) {
+Targets c_radius_not_squared(const ItemTargets& known, const IntervalScene& scene) {
     return c_plus(known, scene, -sphere(scene).radius);
 }
-Targets c_without_radius(const Known& known, const RealScene& scene) {
-    return c_plus(known, scene, Real(0));
+Targets c_without_radius(const ItemTargets& known, const IntervalScene& scene) {
+    return c_plus(known, scene, Interval(0));
 }
-Targets c_radius_added(const Known& known, const RealScene& scene) {
+Targets c_radius_added(const ItemTargets& known, const IntervalScene& scene) {
     return c_plus(known, scene, radius_squared(scene));
 }
-Targets c_from_eye(const Known&, const RealScene& scene) {
+Targets c_from_eye(const ItemTargets&, const IntervalScene& scene) {
     const Vec from_center = scene.camera.eye - sphere(scene).center;
     return {target_of(dot(from_center, from_center) - radius_squared(scene))};
 }
-Targets c_without_center(const Known& known, const RealScene& scene) {
+Targets c_without_center(const ItemTargets& known, const IntervalScene& scene) {
     return from([&](const Vec& p) { return dot(p, p) - radius_squared(scene); }, known.vector(P_WCS));
 }
 
-Targets d_by(const Known& known, auto compute) {
+Targets d_by(const ItemTargets& known, auto compute) {
     return from(compute, known.scalar(a), known.scalar(b), known.scalar(c));
 }
 template <int Factor>
-Targets d_with(const Known& known, const RealScene&) {
-    return d_by(known, [](const Real& p, const Real& q, const Real& r) { return q * q + Real(Factor) * p * r; });
+Targets d_with(const ItemTargets& known, const IntervalScene&) {
+    return d_by(known, [](const Interval& p, const Interval& q, const Interval& r) {
+        return q * q + Interval(Factor) * p * r;
+    });
 }
-Targets d_root(const Known& known, const RealScene&) {
-    return d_by(known, [](const Real& p, const Real& q, const Real& r) { return sqrt(q * q - Real(4) * p * r); });
+Targets d_root(const ItemTargets& known, const IntervalScene&) {
+    return d_by(known, [](const Interval& p, const Interval& q, const Interval& r) {
+        return sqrt(q * q - Interval(4) * p * r);
+    });
 }
-Targets d_b_not_squared(const Known& known, const RealScene&) {
-    return d_by(known, [](const Real& p, const Real& q, const Real& r) { return q - Real(4) * p * r; });
+Targets d_b_not_squared(const ItemTargets& known, const IntervalScene&) {
+    return d_by(known, [](const Interval& p, const Interval& q, const Interval& r) { return q - Interval(4) * p * r; });
 }
 
-/// compute(a, b, d), when there are real roots.
-Targets root_by(const Known& known, auto compute) {
+/// compute(a, b, d); empty without real roots.
+Targets root_by(const ItemTargets& known, auto compute) {
     const auto discriminant = known.scalar(d);
     if (!discriminant || discriminant->lo() < 0) return {};
     return from(compute, known.scalar(a), known.scalar(b), discriminant);
 }
-Targets t_far_root(const Known& known, const RealScene&) {
+Targets t_far_root(const ItemTargets& known, const IntervalScene&) {
     return both(
-        root_by(known, [](const Real& p, const Real& q, const Real& e) { return (-q + sqrt(e)) / (Real(2) * p); }),
-        root_by(known, [](const Real& p, const Real& q, const Real& e) { return (-q + sqrt(e)) / p; }));
+        root_by(known, [](const Interval& p, const Interval& q,
+                          const Interval& e) { return (-q + sqrt(e)) / (Interval(2) * p); }),
+        root_by(known, [](const Interval& p, const Interval& q, const Interval& e) { return (-q + sqrt(e)) / p; }));
 }
-Targets t_precedence(const Known& known, const RealScene&) {
-    return both(
-        both(root_by(known, [](const Real& p, const Real& q, const Real& e) { return -q - sqrt(e) / Real(2) * p; }),
-             root_by(known, [](const Real& p, const Real& q, const Real& e) { return -q - sqrt(e) / (Real(2) * p); })),
-        root_by(known, [](const Real& p, const Real& q, const Real& e) { return (-q - sqrt(e)) / Real(2) * p; }));
+Targets t_precedence(const ItemTargets& known, const IntervalScene&) {
+    return both(both(root_by(known, [](const Interval& p, const Interval& q,
+                                       const Interval& e) { return -q - sqrt(e) / Interval(2) * p; }),
+                     root_by(known, [](const Interval& p, const Interval& q,
+                                       const Interval& e) { return -q - sqrt(e) / (Interval(2) * p); })),
+                root_by(known, [](const Interval& p, const Interval& q, const Interval& e) {
+                    return (-q - sqrt(e)) / Interval(2) * p;
+                }));
 }
-Targets t_not_halved(const Known& known, const RealScene&) {
-    return root_by(known, [](const Real& p, const Real& q, const Real& e) { return (-q - sqrt(e)) / p; });
+Targets t_not_halved(const ItemTargets& known, const IntervalScene&) {
+    return root_by(known, [](const Interval& p, const Interval& q, const Interval& e) { return (-q - sqrt(e)) / p; });
 }
-Targets t_without_root(const Known& known, const RealScene&) {
-    return root_by(known, [](const Real& p, const Real& q, const Real& e) { return (-q - e) / (Real(2) * p); });
+Targets t_without_root(const ItemTargets& known, const IntervalScene&) {
+    return root_by(
+        known, [](const Interval& p, const Interval& q, const Interval& e) { return (-q - e) / (Interval(2) * p); });
 }
-Targets t_sign_of_b(const Known& known, const RealScene&) {
-    return both(
-        root_by(known, [](const Real& p, const Real& q, const Real& e) { return (q - sqrt(e)) / (Real(2) * p); }),
-        root_by(known, [](const Real& p, const Real& q, const Real& e) { return (q + sqrt(e)) / (Real(2) * p); }));
+Targets t_sign_of_b(const ItemTargets& known, const IntervalScene&) {
+    return both(root_by(known, [](const Interval& p, const Interval& q,
+                                  const Interval& e) { return (q - sqrt(e)) / (Interval(2) * p); }),
+                root_by(known, [](const Interval& p, const Interval& q, const Interval& e) {
+                    return (q + sqrt(e)) / (Interval(2) * p);
+                }));
 }
-Targets t_behind(const Known& known, const RealScene&) {
-    return root_by(known, [](const Real& p, const Real& q, const Real& e) { return (-q - sqrt(e)) / (Real(2) * p); });
+Targets t_behind(const ItemTargets& known, const IntervalScene&) {
+    return root_by(known, [](const Interval& p, const Interval& q, const Interval& e) {
+        return (-q - sqrt(e)) / (Interval(2) * p);
+    });
 }
-Targets t_of_closest_approach(const Known& known, const RealScene&) {
-    return from([](const Real& p, const Real& q) { return -q / (Real(2) * p); }, known.scalar(a), known.scalar(b));
+Targets t_of_closest_approach(const ItemTargets& known, const IntervalScene&) {
+    return from([](const Interval& p, const Interval& q) { return -q / (Interval(2) * p); }, known.scalar(a),
+                known.scalar(b));
 }
 
-Targets hit_from_eye(const Known& known, const RealScene& scene) {
+Targets hit_from_eye(const ItemTargets& known, const IntervalScene& scene) {
     return point_with(known, t, scene.camera.eye, 1);
 }
-Targets hit_without_start(const Known& known, const RealScene&) {
-    return point_with(known, t, Vec(Real(0.0)), 1);
+Targets hit_without_start(const ItemTargets& known, const IntervalScene&) {
+    return point_with(known, t, Vec(Interval(0.0)), 1);
 }
-Targets hit_backward(const Known& known, const RealScene&) {
+Targets hit_backward(const ItemTargets& known, const IntervalScene&) {
     return point_with(known, t, known.vector(P_WCS), -1);
 }
 
-Targets n_inward(const Known& known, const RealScene& scene) {
+Targets n_inward(const ItemTargets& known, const IntervalScene& scene) {
     return from([&](const Vec& p) { return normalized(Vec(sphere(scene).center - p)); }, known.vector(hit));
 }
-Targets n_long(const Known& known, const RealScene& scene) {
+Targets n_long(const ItemTargets& known, const IntervalScene& scene) {
     return from([&](const Vec& p) { return Vec(p - sphere(scene).center); }, known.vector(hit));
 }
-Targets n_without_center(const Known& known, const RealScene&) {
+Targets n_without_center(const ItemTargets& known, const IntervalScene&) {
     return from([](const Vec& p) { return normalized(p); }, known.vector(hit));
 }
-Targets n_added(const Known& known, const RealScene& scene) {
+Targets n_added(const ItemTargets& known, const IntervalScene& scene) {
     return from([&](const Vec& p) { return normalized(Vec(p + sphere(scene).center)); }, known.vector(hit));
 }
 
@@ -136,8 +152,8 @@ constexpr std::string_view subtract_center = "The sphere's centre must be subtra
 
 }  // namespace
 
-const std::vector<Misconception>& mistakes::of_sphere() {
-    static const std::vector<Misconception> table = {
+const std::vector<Mistake>& mistakes::of_sphere() {
+    static const std::vector<Mistake> table = {
         {"ray starts at the eye", starts_at_eye, b, b_from_eye},
         {"factor 2 missing", "The coefficient of t is twice the dot product.", b, b_times<1>},
         {"sign of b", "The vector from the centre to the start of the ray is the other way round.", b, b_times<-2>},

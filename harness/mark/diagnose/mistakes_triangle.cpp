@@ -1,5 +1,5 @@
 // The named mistakes of questions 8 and 9.
-#include "harness/mistakes.h"
+#include "harness/mark/diagnose/mistake_parts.h"
 
 namespace harness {
 namespace {
@@ -7,104 +7,104 @@ namespace {
 using namespace mistakes;
 using reference::cross;
 using reference::normalized;
-using Matrix = reference::Mat3<Real>;
-using Solved = reference::CramerSolution<Real>;
+using Matrix = reference::Mat3<Interval>;
+using Solved = reference::CramerSolution<Interval>;
 
-constexpr ItemId P_WCS{4, "P_WCS"}, V{5, "V"}, matrix{8, "matrix"}, rhs{8, "rhs"}, t{8, "t"}, u{8, "u"}, v{8, "v"},
-    hit{8, "hit"}, normal{9, "normal"};
+using item::P_WCS, item::V;
+using namespace item::triangle;
 
-const reference::Triangle<Real>& triangle(const RealScene& scene) {
+const reference::Triangle<Interval>& triangle(const IntervalScene& scene) {
     return scene.triangles.front();
 }
-Vec edge1(const RealScene& scene) {
+Vec edge1(const IntervalScene& scene) {
     return triangle(scene).B - triangle(scene).A;
 }
-Vec edge2(const RealScene& scene) {
+Vec edge2(const IntervalScene& scene) {
     return triangle(scene).C - triangle(scene).A;
 }
 
-Targets system_with(const Known& known, auto columns) {
+Targets system_with(const ItemTargets& known, auto columns) {
     return from([&](const Vec& direction) { return columns(direction); }, known.vector(V));
 }
-Targets v_not_negated(const Known& known, const RealScene& scene) {
+Targets v_not_negated(const ItemTargets& known, const IntervalScene& scene) {
     return system_with(known, [&](const Vec& direction) { return Matrix(direction, edge1(scene), edge2(scene)); });
 }
-Targets edges_reversed(const Known& known, const RealScene& scene) {
+Targets edges_reversed(const ItemTargets& known, const IntervalScene& scene) {
     return system_with(known, [&](const Vec& direction) { return Matrix(-direction, -edge1(scene), -edge2(scene)); });
 }
-Targets vertices_for_edges(const Known& known, const RealScene& scene) {
+Targets vertices_for_edges(const ItemTargets& known, const IntervalScene& scene) {
     return system_with(known,
                        [&](const Vec& direction) { return Matrix(-direction, triangle(scene).B, triangle(scene).C); });
 }
-Targets transposed_system(const Known& known, const RealScene& scene) {
+Targets transposed_system(const ItemTargets& known, const IntervalScene& scene) {
     return system_with(known, [&](const Vec& direction) {
         const Matrix m(-direction, edge1(scene), edge2(scene));
         return Matrix(Vec(m[0][0], m[1][0], m[2][0]), Vec(m[0][1], m[1][1], m[2][1]), Vec(m[0][2], m[1][2], m[2][2]));
     });
 }
 
-Targets rhs_reversed(const Known& known, const RealScene& scene) {
+Targets rhs_reversed(const ItemTargets& known, const IntervalScene& scene) {
     return from([&](const Vec& p) { return Vec(triangle(scene).A - p); }, known.vector(P_WCS));
 }
-Targets rhs_from_eye(const Known&, const RealScene& scene) {
+Targets rhs_from_eye(const ItemTargets&, const IntervalScene& scene) {
     return just(Vec(scene.camera.eye - triangle(scene).A));
 }
-Targets rhs_without_a(const Known& known, const RealScene&) {
+Targets rhs_without_a(const ItemTargets& known, const IntervalScene&) {
     return from([](const Vec& p) { return p; }, known.vector(P_WCS));
 }
 
-/// The right solution for a ray from `start`, when there is one.
-std::optional<Solved> solve(const Known& known, const RealScene& scene, const std::optional<Vec>& start) {
+/// The right solution for a ray from `start`; empty if there is none.
+std::optional<Solved> solve(const ItemTargets& known, const IntervalScene& scene, const std::optional<Vec>& start) {
     const auto direction = known.vector(V);
     if (!start || !direction) return std::nullopt;
     const Solved solution = reference::solve_by_cramer(reference::triangle_system(*start, *direction, triangle(scene)));
     const auto det = sign_of(solution.det);
     return det < 0 || det > 0 ? std::optional(solution) : std::nullopt;
 }
-template <Real Solved::*Numerator, int Sign = 1>
-Targets unknown(const Known& known, const RealScene& scene) {
-    return from([](const Solved& s) { return Real(Sign) * s.*Numerator / s.det; },
+template <Interval Solved::*Numerator, int Sign = 1>
+Targets unknown(const ItemTargets& known, const IntervalScene& scene) {
+    return from([](const Solved& s) { return Interval(Sign) * s.*Numerator / s.det; },
                 solve(known, scene, known.vector(P_WCS)));
 }
-template <Real Solved::*Numerator>
-Targets undivided(const Known& known, const RealScene& scene) {
+template <Interval Solved::*Numerator>
+Targets undivided(const ItemTargets& known, const IntervalScene& scene) {
     return from([](const Solved& s) { return s.*Numerator; }, solve(known, scene, known.vector(P_WCS)));
 }
-Targets weight_of_a(const Known& known, const RealScene& scene) {
-    return from([](const Solved& s) { return Real(1) - (s.u_numerator + s.v_numerator) / s.det; },
+Targets weight_of_a(const ItemTargets& known, const IntervalScene& scene) {
+    return from([](const Solved& s) { return Interval(1) - (s.u_numerator + s.v_numerator) / s.det; },
                 solve(known, scene, known.vector(P_WCS)));
 }
-Targets t_from_eye(const Known& known, const RealScene& scene) {
+Targets t_from_eye(const ItemTargets& known, const IntervalScene& scene) {
     return from([](const Solved& s) { return s.t_numerator / s.det; }, solve(known, scene, scene.camera.eye));
 }
 
-Targets hit_from_eye(const Known& known, const RealScene& scene) {
+Targets hit_from_eye(const ItemTargets& known, const IntervalScene& scene) {
     return point_with(known, t, scene.camera.eye, 1);
 }
-Targets hit_without_start(const Known& known, const RealScene&) {
-    return point_with(known, t, Vec(Real(0.0)), 1);
+Targets hit_without_start(const ItemTargets& known, const IntervalScene&) {
+    return point_with(known, t, Vec(Interval(0.0)), 1);
 }
-Targets hit_backward(const Known& known, const RealScene&) {
+Targets hit_backward(const ItemTargets& known, const IntervalScene&) {
     return point_with(known, t, known.vector(P_WCS), -1);
 }
-Targets hit_without_a(const Known& known, const RealScene& scene) {
+Targets hit_without_a(const ItemTargets& known, const IntervalScene& scene) {
     return from(
-        [&](const Real& p, const Real& q) {
+        [&](const Interval& p, const Interval& q) {
             return Vec(reference::scaled(edge1(scene), p) + reference::scaled(edge2(scene), q));
         },
         known.scalar(u), known.scalar(v));
 }
 
-Targets n_order(const Known&, const RealScene& scene) {
+Targets n_order(const ItemTargets&, const IntervalScene& scene) {
     return just(normalized(cross(edge2(scene), edge1(scene))));
 }
-Targets n_long(const Known&, const RealScene& scene) {
+Targets n_long(const ItemTargets&, const IntervalScene& scene) {
     return just(cross(edge1(scene), edge2(scene)));
 }
-Targets n_order_and_long(const Known&, const RealScene& scene) {
+Targets n_order_and_long(const ItemTargets&, const IntervalScene& scene) {
     return just(cross(edge2(scene), edge1(scene)));
 }
-Targets n_of_vertices(const Known&, const RealScene& scene) {
+Targets n_of_vertices(const ItemTargets&, const IntervalScene& scene) {
     const auto& corners = triangle(scene);
     return {target_of(normalized(cross(corners.B, corners.C))), target_of(normalized(cross(corners.A, corners.B))),
             target_of(normalized(cross(corners.A, corners.C)))};
@@ -117,8 +117,8 @@ constexpr std::string_view divide_by_det = "Cramer's rule divides by the determi
 
 }  // namespace
 
-const std::vector<Misconception>& mistakes::of_triangle() {
-    static const std::vector<Misconception> table = {
+const std::vector<Mistake>& mistakes::of_triangle() {
+    static const std::vector<Mistake> table = {
         {"V not negated", "Brought to the side of u and v, V changes its sign.", matrix, v_not_negated},
         {"edges the wrong way round", "The columns for u and v are B - A and C - A.", matrix, edges_reversed},
         {"vertices for edges", "The columns for u and v are the edges B - A and C - A, not the vertices.", matrix,

@@ -1,8 +1,8 @@
-#include "harness/score.h"
+#include "harness/mark/score/score.h"
 
 #include <algorithm>
 
-#include "harness/judge.h"
+#include "harness/mark/score/judge.h"
 
 namespace harness {
 namespace {
@@ -19,7 +19,7 @@ double share_of(ItemVerdict verdict, double follow) {
     return 0.0;
 }
 
-/// How bad a verdict is for its question.
+/// How bad a verdict is for its question; larger is worse.
 int rank(ItemVerdict verdict) {
     switch (verdict) {
         case ItemVerdict::right: return 0;
@@ -31,7 +31,7 @@ int rank(ItemVerdict verdict) {
     return 3;
 }
 
-/// The item's points: as the rubric lists them, else an equal share of the question's.
+/// The item's points as the rubric lists them; else an equal share of the question's points.
 double item_points(const reference::Rubric& rubric, const reference::KeyQuestion& question,
                    const reference::ItemSpec& spec) {
     const auto listed = rubric.item_points.find(question.number);
@@ -41,14 +41,17 @@ double item_points(const reference::Rubric& rubric, const reference::KeyQuestion
     return points == listed->second.end() ? 0.0 : points->second;
 }
 
-/// Everything but the points.
-QuestionScore judge_question(const reference::KeyQuestion& question, Judge& judge, const reference::Rubric& rubric) {
+/// Judges the items and adds to the evidence what they tell; leaves the points for award().
+QuestionScore judge_question(const reference::KeyQuestion& question, const Judge& judge, Evidence& evidence,
+                             const reference::Rubric& rubric) {
     QuestionScore score;
     score.number = question.number;
     score.max_points = rubric.points_of(question.number);
     score.items.reserve(question.items.size());
     for (const reference::KeyItem& item : question.items) {
-        ItemScore judged = judge.judge(item);
+        Judgement judgement = judge.judge(item, evidence);
+        learn(evidence, judgement);
+        ItemScore judged = std::move(judgement.score);
         judged.max_points = item_points(rubric, question, item.spec);
         if (rank(judged.verdict) > rank(score.verdict)) score.verdict = judged.verdict;
         score.items.push_back(std::move(judged));
@@ -57,7 +60,7 @@ QuestionScore judge_question(const reference::KeyQuestion& question, Judge& judg
     return score;
 }
 
-/// The points of all follow-through answers, before their share of them.
+/// The full points of all follow-through answers, before the follow-through share applies.
 double followed_points(const Score& score) {
     double sum = 0;
     for (const QuestionScore& question : score.questions) {
@@ -67,7 +70,7 @@ double followed_points(const Score& score) {
 }
 
 void award(QuestionScore& question, double follow) {
-    double lost = 0;  // counted down from the whole, so that a question without a mistake has exactly its points
+    double lost = 0;  // subtracted from the maximum, so that a question without a mistake gets exactly its points
     for (ItemScore& item : question.items) {
         item.points = item.max_points * share_of(item.verdict, follow);
         lost += item.max_points - item.points;
@@ -110,11 +113,12 @@ Score score(const Transcript& transcript, const reference::AnswerKey& key, const
         for (const reference::KeyItem& item : question.items) items.push_back(item.spec);
     }
     const std::vector<MatchedItem> matched = match(transcript, items);
-    Judge judge(matched, key, assignment);
+    Gathered gathered = gather(matched, key, assignment);
+    const Judge judge(matched, gathered.findings, key, assignment);
     Score score;
     score.questions.reserve(key.questions.size());
     for (const reference::KeyQuestion& question : key.questions) {
-        score.questions.push_back(judge_question(question, judge, assignment.rubric));
+        score.questions.push_back(judge_question(question, judge, gathered.evidence, assignment.rubric));
         score.max_points += score.questions.back().max_points;
     }
     award_points(score, assignment.rubric);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/transcript.h"
-#include "reference/answer_key.h"
+#include "harness/read/transcript.h"
+#include "reference/key/answer_key.h"
 
 namespace harness {
 
@@ -15,7 +15,7 @@ enum class ItemVerdict {
     follow,  ///< wrong, but it follows from the student's own earlier wrong values
     wrong,
     missing,
-    unreadable,  ///< something was printed for it that has another shape
+    unreadable,  ///< a value of another shape was printed for it
 };
 
 /// The name in reports and in grades.json.
@@ -33,16 +33,15 @@ struct ItemScore {
     std::string accepted_as;      ///< why another form or reading is right; empty for the canonical one
     std::string diagnosis;        ///< the mistake's name, e.g. "far root"; empty when unknown
     std::string advice;           ///< one sentence about the mistake; never the expected value
-    // How it was read, which `printed` alone does not tell: "none (d < 0)" has a number in it.
-    bool no_value = false;    ///< as "none"
-    bool not_finite = false;  ///< nan or inf is among its numbers
-    double half_unit = 0;     ///< half a unit of the last digit printed, the largest of its numbers'
+    // How the value was read. `printed` alone does not tell: "none (d < 0)" contains a number.
+    bool no_value = false;    ///< read as "none"
+    bool not_finite = false;  ///< its numbers include nan or inf
+    double half_unit = 0;     ///< half a unit of the last printed digit; the largest among its numbers
 };
 
 struct QuestionScore {
     int number = 0;
-    ItemVerdict verdict =
-        ItemVerdict::right;  ///< the worst of its items: wrong, missing, follow, right; unreadable counts as wrong
+    ItemVerdict verdict = ItemVerdict::right;  ///< worst of its items: wrong or unreadable, missing, follow, right
     double points = 0;
     double max_points = 0;
     std::vector<ItemScore> items;
@@ -57,8 +56,8 @@ struct ScenesScore {
 struct Score {
     double points = 0;
     double max_points = 0;
-    std::optional<ScenesScore> other_scenes;  ///< in both of these; empty where the rubric gives nothing for them
-    std::optional<double> follow_cap;         ///< the rubric's cap on follow-through, in points, where it has cut some
+    std::optional<ScenesScore> other_scenes;  ///< included in both sums above; empty if the rubric gives none
+    std::optional<double> follow_cap;         ///< the rubric's cap on follow-through in points, if it cut some
     std::vector<QuestionScore> questions;     ///< in the handout's order
 };
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "reference/accuracy/assignment_accuracy.h"
+#include "reference/accuracy/measure/assignment_accuracy.h"
 
 namespace harness::report {
 

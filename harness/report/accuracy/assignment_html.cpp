@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include "harness/report/accuracy_assignment.h"
-#include "harness/report/accuracy_numbers.h"
-#include "harness/report/accuracy_sentences.h"
-#include "harness/report/markup.h"
+#include "harness/report/accuracy/assignment.h"
+#include "harness/report/accuracy/sentences.h"
+#include "harness/report/plot/numbers.h"
+#include "harness/text/markup.h"
 
 namespace harness::report {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "harness/clean_text.h"
-#include "harness/report/accuracy_assignment.h"
-#include "harness/report/accuracy_numbers.h"
-#include "harness/report/accuracy_sentences.h"
+#include "harness/report/accuracy/assignment.h"
+#include "harness/report/accuracy/sentences.h"
+#include "harness/report/plot/numbers.h"
+#include "harness/text/escape.h"
 
 namespace harness::report {
 
@@ -13,7 +13,7 @@ using namespace reference::accuracy;
 
 namespace {
 
-/// In lines of at most 110 characters, but for words that are longer; all but the first are indented.
+/// Breaks into lines of at most 110 characters, except for longer words; indents all lines but the first.
 std::string wrapped(const std::string& sentence) {
     constexpr std::size_t most = 110;
     std::string text;

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "harness/report/accuracy_report.h"
-#include "harness/report/csv_cell.h"
+#include "harness/report/accuracy/report.h"
+#include "harness/report/data/csv_cell.h"
 
 namespace harness::report {
 

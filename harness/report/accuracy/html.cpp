@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include "harness/report/accuracy_assignment.h"
-#include "harness/report/accuracy_numbers.h"
-#include "harness/report/accuracy_panels.h"
-#include "harness/report/accuracy_report.h"
-#include "harness/report/markup.h"
+#include "harness/report/accuracy/assignment.h"
+#include "harness/report/accuracy/panels.h"
+#include "harness/report/accuracy/report.h"
+#include "harness/report/plot/numbers.h"
+#include "harness/text/markup.h"
 
 namespace harness::report {
 namespace {
@@ -65,15 +65,15 @@ constexpr const char* reading_aid = R"(
 <li>Each mark is a method, with its name beside it: a circle computes in float, a square in double, a diamond in something
 else.</li>
 <li>Wrong means a hit taken for a miss, a miss for a hit, or the wrong order of two hits. A mark in the green band made no
-wrong decision at all; its height within the band means nothing, there the fastest is on top.</li>
-<li>The stepped line is the frontier. A method on it, in bold, is beaten by no other in both at once; whatever lies above the
-line and to its right costs more or errs more than it needs to.</li>
-<li>An upright bar is the 95 % interval of the rate: from so many rays it can't be known better. It rises from the band too:
+wrong decision at all; its height within the band means nothing: the fastest is on top.</li>
+<li>The stepped line is the frontier. No other method beats a method on it, in bold, in both at once; whatever lies above
+the line and to its right costs more or errs more than it needs to.</li>
+<li>An upright bar is the 95 % interval of the rate: so many rays can't tell it more exactly. It rises from the band too:
 no wrong decision among a hundred thousand does not mean that there never is one. A level bar shows the quartiles of the
 time.</li>
 <li>Where a few methods are far slower than the rest, the grey part on the right packs their times closer together.</li>
 <li>Benign rays are those of a usual picture. Hard rays aim at what rounding gets wrong, such as spheres just grazed and edges
-just met; a rate on those says how a method fails where it matters, not how often it fails in a picture.</li>
+just met; their rate says how a method fails where it matters, not how often it fails in a picture.</li>
 </ul>
 </section>
 )";

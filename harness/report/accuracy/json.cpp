@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
-#include "harness/clean_text.h"
-#include "harness/report/accuracy_report.h"
+#include "harness/report/accuracy/report.h"
+#include "harness/text/escape.h"
 
 namespace harness::report {
 namespace {

@@ -1,12 +1,12 @@
-#include "harness/report/accuracy_panels.h"
+#include "harness/report/accuracy/panels.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "harness/report/accuracy_numbers.h"
-#include "harness/report/log_axis.h"
+#include "harness/report/plot/log_axis.h"
+#include "harness/report/plot/numbers.h"
 
 namespace harness::report {
 namespace {
@@ -22,7 +22,7 @@ Mark mark_of(const std::string& scalar) {
     return scalar == "double" ? Mark::square : Mark::diamond;
 }
 
-/// The scale begins a decade below where one wrong ray of all judged would be, or below the least that was found.
+/// The scale begins at the power of ten below the rate of one wrong ray among `rays`, or below the lowest rate found.
 void set_wrong_scale(Scatter& scatter, double rays) {
     double least = rays > 0 ? million / rays : 1;
     for (const ScatterPoint& point : scatter.points) {
@@ -120,7 +120,7 @@ Scatter wrong_scatter(const Panel& panel, const std::string& id) {
 }
 
 Scatter error_scatter(const Panel& panel, const std::string& id) {
-    // Below, an error is far beyond what a double can hold of a t.
+    // A smaller error is far beyond what a double can hold of a t.
     constexpr double least_shown = 1e-12;
     Scatter scatter{id,
                     fmt::format("{}, {}: t", title_of(panel.primitive), panel.distribution),

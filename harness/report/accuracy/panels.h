@@ -1,8 +1,8 @@
-// From a measurement to its pictures.
+// Turns a measurement into pictures.
 #pragma once
 
-#include "harness/report/accuracy_summary.h"
-#include "harness/report/scatter.h"
+#include "harness/report/accuracy/summary.h"
+#include "harness/report/plot/scatter.h"
 
 namespace harness::report {
 
@@ -14,12 +14,12 @@ struct Panel {
     std::vector<const reference::accuracy::Row*> rows;
 };
 
-/// By primitive and distribution in the measurement's order; they point into it.
+/// One panel per primitive and distribution, in the measurement's order. The panels point into `measured`.
 std::vector<Panel> panels_of(const reference::accuracy::Measurement& measured);
 
 Scatter summary_scatter(const PrimitiveSummary& summary);
 Scatter wrong_scatter(const Panel& panel, const std::string& id);
-/// Of the methods that give a t; without points where none does.
+/// Shows only methods that give a t; has no points if none does.
 Scatter error_scatter(const Panel& panel, const std::string& id);
 
 }  // namespace harness::report

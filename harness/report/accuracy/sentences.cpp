@@ -1,10 +1,10 @@
-#include "harness/report/accuracy_sentences.h"
+#include "harness/report/accuracy/sentences.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "harness/report/accuracy_numbers.h"
+#include "harness/report/plot/numbers.h"
 
 namespace harness::report {
 namespace {

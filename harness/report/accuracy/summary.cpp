@@ -1,9 +1,9 @@
-#include "harness/report/accuracy_summary.h"
+#include "harness/report/accuracy/summary.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "reference/accuracy/statistics.h"
+#include "reference/accuracy/measure/statistics.h"
 
 namespace harness::report {
 namespace {

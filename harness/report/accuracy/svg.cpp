@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "harness/report/accuracy_panels.h"
-#include "harness/report/accuracy_report.h"
-#include "harness/report/markup.h"
+#include "harness/report/accuracy/panels.h"
+#include "harness/report/accuracy/report.h"
+#include "harness/text/markup.h"
 
 namespace harness::report {
 

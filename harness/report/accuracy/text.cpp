@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "harness/clean_text.h"
-#include "harness/report/accuracy_assignment.h"
-#include "harness/report/accuracy_numbers.h"
-#include "harness/report/accuracy_panels.h"
-#include "harness/report/accuracy_report.h"
+#include "harness/report/accuracy/assignment.h"
+#include "harness/report/accuracy/panels.h"
+#include "harness/report/accuracy/report.h"
+#include "harness/report/plot/numbers.h"
+#include "harness/text/escape.h"
 
 namespace harness::report {
 namespace {
@@ -19,7 +19,7 @@ std::string shown_name(const std::string& kernel, const std::string& scalar) {
     return escape_control(method_name(kernel, scalar));
 }
 
-/// For names of a group; longer ones push their line to the right.
+/// The width for a group's names; longer names push their line to the right.
 std::size_t name_width(const std::vector<std::string>& names) {
     std::size_t width = std::string_view("method").size();
     for (const std::string& name : names) width = std::max(width, fmt::formatted_size("{:<1}", name));

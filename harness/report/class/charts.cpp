@@ -1,10 +1,10 @@
-#include "harness/report/class_pictures.h"
+#include "harness/report/class/charts.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "harness/report/report.h"
+#include "harness/text/points.h"
 
 namespace harness::report {
 namespace {
@@ -57,7 +57,8 @@ std::string distribution_picture(const ClassStatistics& statistics) {
         std::max<std::size_t>(1, *std::max_element(statistics.distribution.begin(), statistics.distribution.end()));
     std::string svg = fmt::format(
         "<svg class=\"histogram\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" "
-        "aria-labelledby=\"points-t points-d\">\n<title id=\"points-t\">How many have how many points</title>\n"
+        "aria-labelledby=\"points-t points-d\">\n<title id=\"points-t\">How many students have how many "
+        "points</title>\n"
         "<desc id=\"points-d\">By tenths of the points: {}.</desc>\n",
         width, height, described(statistics));
     for (std::size_t bin = 0; bin < ClassStatistics::bins; ++bin) svg += bar(statistics, bin, tallest);

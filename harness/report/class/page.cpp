@@ -1,18 +1,19 @@
-#include "harness/report/class_report.h"
+#include "harness/report/class/page.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <ostream>
 
-#include "harness/report/class_pictures.h"
-#include "harness/report/class_sheet.h"
-#include "harness/report/class_statistics.h"
-#include "harness/report/page_template.h"
-#include "harness/report/pages/pages.h"
-#include "harness/report/report.h"
-#include "harness/report/verdict_words.h"
-#include "harness/report/wrong_answers.h"
+#include "harness/execution/tier.h"
+#include "harness/report/class/charts.h"
+#include "harness/report/class/sheet.h"
+#include "harness/report/class/statistics.h"
+#include "harness/report/class/wrong_answers.h"
+#include "harness/report/page/page_template.h"
+#include "harness/report/page/templates.h"
+#include "harness/report/text/verdict_words.h"
+#include "harness/text/points.h"
 
 namespace harness::report {
 namespace {
@@ -31,7 +32,7 @@ PageData tiles_of(const ClassStatistics& statistics) {
     if (statistics.mean) add("mean", points_text(*statistics.mean) + most);
     if (statistics.median) add("median", points_text(*statistics.median) + most);
     if (statistics.late > 0) add("late", std::to_string(statistics.late));
-    if (statistics.flagged > 0) add("to look at", std::to_string(statistics.flagged));
+    if (statistics.flagged > 0) add("flagged", std::to_string(statistics.flagged));
     if (statistics.overridden > 0) add("with an override", std::to_string(statistics.overridden));
     return tiles;
 }
@@ -42,7 +43,7 @@ PageData outcomes_of(const ClassStatistics& statistics, const std::vector<Graded
         PageData outcome;
         outcome["outcome"] = outcome_words(each.outcome);
         outcome["count"] = std::to_string(each.who.size());
-        // The many that ran to their end are the table's to list.
+        // Most programs ran to their end; the table lists those anyway.
         outcome["who"] = each.outcome == Outcome::graded ? "all others" : links_to(each.who, graded);
         outcomes.push_back(outcome);
     }
@@ -66,7 +67,7 @@ PageData items_of(const ClassStatistics& statistics) {
     return items;
 }
 
-/// The wrong answers, of all questions, that most students share.
+/// The wrong answers, of all questions, that the most students share.
 PageData most_shared(const std::vector<QuestionMistakes>& mistakes) {
     constexpr std::size_t most = 6;
     std::vector<const WrongAnswer*> answers;
@@ -98,7 +99,7 @@ PageData group_of(const WrongAnswer& answer, const std::vector<Graded>& graded) 
     group["count"] = std::to_string(answer.who.size());
     group["name"] = answer.whole_question ? "all of it" : std::string(answer.spec.name);
     group["verdict"] = std::string(to_string(answer.verdict));
-    group["verdict_word"] = answer.differing ? "wrong, each in another way" : std::string(word_of(answer.verdict));
+    group["verdict_word"] = answer.differing ? "wrong, each in a different way" : std::string(word_of(answer.verdict));
     set_text(group, "diagnosis", answer.diagnosis);
     set_text(group, "printed", answer.printed);
     set_text(group, "sentence", answer.sentence);
@@ -110,11 +111,11 @@ PageData group_of(const WrongAnswer& answer, const std::vector<Graded>& graded) 
 void write_head(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking, Tier tier,
                 const std::vector<QuestionMistakes>& mistakes) {
     const ClassStatistics statistics = class_statistics(graded);
-    const std::string style = std::string(pages::page_css) + std::string(pages::class_css);
+    const std::string style = std::string(templates::page_css) + std::string(templates::class_css);
     PageData data;
-    data["policy"] = security_policy({style}, pages::class_js);
+    data["policy"] = security_policy({style}, templates::class_js);
     data["style"] = style;
-    data["script"] = std::string(pages::class_js);
+    data["script"] = std::string(templates::class_js);
     data["title"] = marking.assignment.title;
     data["assignment"] = marking.assignment.name;
     set_text(data, "warning", sandbox_warning(tier));
@@ -127,12 +128,12 @@ void write_head(std::ostream& out, const std::vector<Graded>& graded, const Mark
     data["has_items"] = !statistics.items.empty();
     data["printed"] = std::to_string(statistics.printed);
     data["items"] = items_of(statistics);
-    out << page_beginning << PageTemplate(pages::class_head_mustache).fill_in(data);
+    out << page_beginning << PageTemplate(templates::class_head_mustache).fill_in(data);
 }
 
 void write_mistakes(std::ostream& out, const std::vector<Graded>& graded,
                     const std::vector<QuestionMistakes>& mistakes) {
-    PageTemplate section(pages::class_groups_mustache);
+    PageTemplate section(templates::class_groups_mustache);
     out << "<section aria-labelledby=\"mistakes\">\n<h2 id=\"mistakes\">The same mistakes, question by question</h2>\n";
     for (const QuestionMistakes& question : mistakes) {
         if (question.answers.empty()) continue;
@@ -140,7 +141,7 @@ void write_mistakes(std::ostream& out, const std::vector<Graded>& graded,
         data["number"] = std::to_string(question.question);
         data["question_title"] = std::string(reference::question_title(question.question));
         if (question.following > 0) {
-            data["following"] = fmt::format("Off in {} more {}, but only because of earlier answers.",
+            data["following"] = fmt::format("Wrong in {} more {}, but only because of earlier answers.",
                                             question.following, question.following == 1 ? "program" : "programs");
         }
         PageData groups(PageData::type::list);
@@ -177,13 +178,13 @@ void write_class_report(std::ostream& out, const std::vector<Graded>& graded, co
         outcomes.push_back(outcome);
     }
     head["outcomes"] = std::move(outcomes);
-    out << PageTemplate(pages::class_table_mustache).fill_in(head);
+    out << PageTemplate(templates::class_table_mustache).fill_in(head);
     for (std::size_t i = 0; i < graded.size(); ++i) out << sheets.row(graded[i], i);
     out << "</tbody></table></div>\n</section>\n<section id=\"each\" aria-labelledby=\"each-title\">\n"
            "<h2 id=\"each-title\">Each student</h2>\n"
         << sheets.shared_part();
     for (std::size_t i = 0; i < graded.size(); ++i) out << sheets.sheet(graded[i], i);
-    out << "</section>\n</main>\n" << pages::class_panel_mustache << "</body>\n</html>\n";
+    out << "</section>\n</main>\n" << templates::class_panel_mustache << "</body>\n</html>\n";
 }
 
 }  // namespace harness::report

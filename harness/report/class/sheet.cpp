@@ -1,27 +1,29 @@
-#include "harness/report/class_sheet.h"
+#include "harness/report/class/sheet.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "harness/final_mark.h"
-#include "harness/override_place.h"
-#include "harness/report/class_statistics.h"
-#include "harness/report/expected_text.h"
-#include "harness/report/look_first.h"
-#include "harness/report/markup.h"
-#include "harness/report/pages/pages.h"
-#include "harness/report/report.h"
-#include "harness/report/verdict_words.h"
+#include "harness/grade/final_mark.h"
+#include "harness/grade/override_place.h"
+#include "harness/report/class/statistics.h"
+#include "harness/report/page/templates.h"
+#include "harness/report/text/expected_text.h"
+#include "harness/report/text/look_first.h"
+#include "harness/report/text/sentences.h"
+#include "harness/report/text/verdict_words.h"
+#include "harness/text/markup.h"
+#include "harness/text/points.h"
 
 namespace harness::report {
 namespace {
 
-/// Of each text from a submission: the feedback holds all of it.
+/// Limit for each text from a submission; the feedback holds all of it.
 constexpr std::size_t most_text_bytes = 4 << 10U;
 
-/// Of all pictures together: a report of a thousand is to open at once. Who comes after has theirs in the feedback.
+/// Limit for all pictures together, so that a report of a thousand students opens at once. Later students have their
+/// picture in the feedback only.
 constexpr std::size_t most_picture_bytes = 6 << 20U;
 
 std::string late_text(const Graded& graded) {
@@ -92,9 +94,9 @@ bool lost_geometry(const Graded& graded) {
 
 std::string override_text(const Graded& graded, const Override& each) {
     const bool counts = find_override(graded, each.question, each.item) == &each;
-    const std::string_view why_not = !points_at(graded.score, each) ? " (there are no such points any more)"
+    const std::string_view why_not = !points_at(graded.score, each) ? " (the rubric has no such points any more)"
                                      : counts                       ? ""
-                                                                    : " (a later one counts)";
+                                                                    : " (a later override counts)";
     return fmt::format("Override: {} points for {}, by {}, {}: {}{}", points_text(each.points), place_in_words(each),
                        each.by, each.when, each.why, why_not);
 }
@@ -152,9 +154,9 @@ std::string links_to(const std::vector<std::size_t>& who, const std::vector<Grad
 ClassSheets::ClassSheets(const Marking& marking, bool named)
     : named_(named),
       asked_(expected_texts(marking.key)),
-      row_(pages::class_row_mustache),
-      sheet_(pages::class_student_mustache),
-      item_(pages::class_item_mustache),
+      row_(templates::class_row_mustache),
+      sheet_(templates::class_student_mustache),
+      item_(templates::class_item_mustache),
       evidence_("h4", most_text_bytes),
       pictures_(marking, true, "all-") {}
 

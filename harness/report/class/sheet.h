@@ -4,21 +4,22 @@
 #include <map>
 #include <string>
 
-#include "harness/grade.h"
-#include "harness/report/evidence.h"
-#include "harness/report/explaining_picture.h"
-#include "harness/report/page_template.h"
-#include "reference/item_values.h"
+#include "harness/grade/graded.h"
+#include "harness/grade/marking.h"
+#include "harness/report/page/evidence.h"
+#include "harness/report/page/page_template.h"
+#include "harness/report/picture/picture.h"
+#include "reference/stages/item_values.h"
 
 namespace harness::report {
 
-/// What the report calls a student: the name that the learning management system gave, else the submission's id.
+/// What the report calls a student: the name from the learning management system, else the submission's id.
 std::string label_of(const Graded& graded);
 
 /// "compile error".
 std::string outcome_words(Outcome outcome);
 
-/// "<a href="#s3">…</a>, …", escaped, to the sheets of these.
+/// Links to the sheets of the students `who`, escaped: "<a href="#s3">…</a>, …".
 std::string links_to(const std::vector<std::size_t>& who, const std::vector<Graded>& graded);
 
 class ClassSheets {
@@ -26,7 +27,7 @@ class ClassSheets {
     /// `named`: the table has columns for names and late hand-ins.
     ClassSheets(const Marking& marking, bool named);
 
-    /// What the sheets' pictures share, to stand before them.
+    /// What the sheets' pictures share; must stand before them.
     std::string shared_part() const { return pictures_.shared_part(); }
     std::string row(const Graded& graded, std::size_t index);
     std::string sheet(const Graded& graded, std::size_t index);

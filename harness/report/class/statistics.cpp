@@ -1,10 +1,10 @@
-#include "harness/report/class_statistics.h"
+#include "harness/report/class/statistics.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "harness/final_mark.h"
+#include "harness/grade/final_mark.h"
 
 namespace harness::report {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/report/wrong_answers.h"
+#include "harness/report/class/wrong_answers.h"
 
 #include <fmt/format.h>
 
@@ -7,13 +7,13 @@
 #include <map>
 #include <tuple>
 
-#include "harness/report/class_statistics.h"
-#include "harness/report/report.h"
+#include "harness/report/class/statistics.h"
+#include "harness/report/text/sentences.h"
 
 namespace harness::report {
 namespace {
 
-/// The numbers of "vec3(1.0, -0.50000, 2)" are 1, -0.5 and 2: a digit that continues a name begins none.
+/// The numbers of "vec3(1.0, -0.50000, 2)" are 1, -0.5 and 2: a digit within a name begins no number.
 std::string numbers_of(std::string_view printed) {
     std::string numbers;
     char before = ' ';
@@ -69,7 +69,8 @@ bool only_follows(const QuestionScore& question) {
     return question.verdict == ItemVerdict::follow;
 }
 
-/// The item's place in its question, verdict, diagnosis and gist; of a question missing as a whole a place before all.
+/// The item's place in its question, verdict, diagnosis and gist; a wholly missing question has a place before all
+/// items.
 using Gist = std::tuple<std::size_t, ItemVerdict, std::string, std::string>;
 using Gathered = std::map<Gist, WrongAnswer>;
 
@@ -98,7 +99,7 @@ void gather(Gathered& gathered, const Graded& graded, const QuestionScore& quest
     }
 }
 
-/// Answers without a name that nobody shares are one entry for their item: a list of them teaches nothing.
+/// Answers without a diagnosis that nobody shares become one entry per item, because a list of them teaches nothing.
 std::vector<WrongAnswer> arrange(Gathered gathered) {
     std::vector<WrongAnswer> shared;
     std::map<std::size_t, WrongAnswer> alone;

@@ -1,10 +1,10 @@
-#include "harness/report/csv_cell.h"
+#include "harness/report/data/csv_cell.h"
 
 #include <csv.h>
 
 #include <string_view>
 
-#include "harness/clean_text.h"
+#include "harness/text/escape.h"
 
 namespace harness::report {
 namespace {

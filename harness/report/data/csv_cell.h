@@ -5,10 +5,11 @@
 
 namespace harness::report {
 
-/// Quoted as RFC 4180 has it, control bytes escaped. What a spreadsheet would compute is text behind an apostrophe.
+/// Quotes as in RFC 4180 and escapes control bytes. Puts an apostrophe before text that a spreadsheet would take for a
+/// formula.
 std::string csv_cell(const std::string& text);
 
-/// The very bytes of a cell that was in a file before, in quotes only where it needs them.
+/// Keeps the exact bytes of a cell that was read from a file, in quotes only if it needs them.
 std::string csv_cell_as_it_is(const std::string& text, char separator = ',');
 
 }  // namespace harness::report

@@ -1,15 +1,17 @@
+#include "harness/report/data/grades_csv.h"
+
 #include <fmt/format.h>
 
-#include "harness/final_mark.h"
-#include "harness/override_place.h"
-#include "harness/report/csv_cell.h"
-#include "harness/report/report.h"
+#include "harness/grade/final_mark.h"
+#include "harness/grade/override_place.h"
+#include "harness/report/data/csv_cell.h"
+#include "harness/text/points.h"
 
 namespace harness::report {
 
 namespace {
 
-/// Where the instructor's marks stand in place of the automatic ones: "6.t 8".
+/// The places where the instructor has overridden automatic marks: "6.t 8".
 std::string overridden(const Graded& graded) {
     std::string places;
     for (const Override& given : graded.overrides) places += (places.empty() ? "" : " ") + place_of(given);

@@ -1,3 +1,5 @@
+#include "harness/report/data/grades_json.h"
+
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -5,18 +7,18 @@
 #include <sstream>
 #include <utility>
 
-#include "harness/clean_text.h"
-#include "harness/final_mark.h"
-#include "harness/report/report.h"
-#include "harness/stress/stress_json.h"
-#include "reference/value_json.h"
+#include "harness/execution/tier.h"
+#include "harness/grade/final_mark.h"
+#include "harness/grade/hard_scenes_json.h"
+#include "harness/text/escape.h"
+#include "reference/key/key_formats.h"
 
 namespace harness::report {
 namespace {
 
 using nlohmann::ordered_json;
 
-/// Marks are sums of shares; what is left of the rounding is cut off at a millionth of a point.
+/// Marks are sums of shares; rounding to a millionth of a point removes what adding them up got wrong.
 double tidy(double points) {
     return std::round(points * 1e6) / 1e6;
 }
@@ -29,7 +31,7 @@ ordered_json or_null(const std::string& text) {
     return text.empty() ? ordered_json(nullptr) : ordered_json(escape_control(text));
 }
 
-/// The canonical values of a key. They are not kept with each submission: of ten thousand that would be 40 MB.
+/// The canonical values of a key. They are not kept with each submission: ten thousand submissions would need 40 MB.
 class Expected {
   public:
     explicit Expected(const reference::AnswerKey& key) {
@@ -46,8 +48,8 @@ class Expected {
     std::map<reference::ItemId, ordered_json> values_;
 };
 
-/// An object's fields, put one behind the other: a list in braces makes an array of each name and value at first, and
-/// nine tenths of a class's JSON are items.
+/// Adds an object's fields one by one: a list in braces first makes an array of each name and value, and nine tenths of
+/// a class's JSON are items.
 class Fields {
   public:
     explicit Fields(std::size_t count) { fields_.reserve(count); }
@@ -116,7 +118,7 @@ ordered_json run_json(const ProcessResult& run) {
             {"peak_memory_bytes", run.peak_memory_bytes}};
 }
 
-/// Null is what nothing is known of.
+/// What is unknown is null.
 ordered_json student_json(const std::optional<LmsName>& name) {
     if (!name) return {{"name", nullptr}, {"lms_user_id", nullptr}, {"late", nullptr}};
     return {{"name", or_null(name->student)},
@@ -124,19 +126,19 @@ ordered_json student_json(const std::optional<LmsName>& name) {
             {"late", name->late ? ordered_json(*name->late) : ordered_json(nullptr)}};
 }
 
-/// What the program did on other scenes; null when it was not tried.
-ordered_json variants_json(const std::optional<variants::VariantReport>& report) {
+/// What the program did on other scenes; null if none was tried.
+ordered_json other_scenes_json(const std::optional<scenes::OtherScenesReport>& report) {
     if (!report) return nullptr;
     ordered_json runs = ordered_json::array();
-    for (const variants::VariantRun& run : report->runs)
+    for (const scenes::OtherSceneRun& run : report->runs)
         runs.push_back(
             {{"name", run.name}, {"changes", run.changes}, {"ended_well", run.ended_well}, {"share", run.share}});
     ordered_json not_tried = ordered_json::array();
-    for (const variants::UntriedScene& scene : report->not_tried)
+    for (const scenes::UntriedScene& scene : report->not_tried)
         not_tried.push_back({{"name", or_null(scene.name)}, {"changes", or_null(scene.changes)}, {"why", scene.why}});
-    const auto items_json = [&](const std::vector<variants::ItemOnVariant>& items) {
+    const auto items_json = [&](const std::vector<scenes::ItemOnOtherScene>& items) {
         ordered_json array = ordered_json::array();
-        for (const variants::ItemOnVariant& item : items) {
+        for (const scenes::ItemOnOtherScene& item : items) {
             array.push_back({{"question", item.question},
                              {"item", item.item},
                              {"run", report->runs.at(item.run).name},
@@ -156,7 +158,7 @@ ordered_json variants_json(const std::optional<variants::VariantReport>& report)
             {"seed", report->seed ? ordered_json(*report->seed) : ordered_json(nullptr)}};
 }
 
-/// What the rubric gives for answers on other scenes; null where it gives nothing, or nothing was graded.
+/// The points for other scenes; null if the rubric gives none or the submission was not graded.
 ordered_json scenes_json(const Graded& graded) {
     if (!graded.score.other_scenes || graded.outcome == Outcome::not_graded) return nullptr;
     return {{"points", tidy(final_scenes_points(graded))},
@@ -197,16 +199,16 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
         {"automatic_points", marked ? ordered_json(tidy(graded.score.points)) : ordered_json(nullptr)},
         {"late_deduction", mark ? ordered_json(tidy(mark->late_deduction)) : ordered_json(nullptr)},
         {"overrides", overrides_json(graded)},
-        {"variants", variants_json(graded.other_scenes)},
+        {"variants", other_scenes_json(graded.other_scenes)},
         {"other_scenes", scenes_json(graded)},
-        {"stress", graded.hard_scenes ? stress::stress_json(*graded.hard_scenes) : ordered_json(nullptr)}};
+        {"stress", graded.hard_scenes ? scenes::hard_scenes_json(*graded.hard_scenes) : ordered_json(nullptr)}};
 }
 
 }  // namespace
 
 void write_grades_json(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking, Tier tier) {
-    // By the submission: ten thousand of them as one JSON value take gigabytes. And each on a line, which is half the
-    // bytes of one with a line for each field.
+    // Writes submission by submission: ten thousand in one JSON value take gigabytes. One line per submission takes
+    // half the bytes of one line per field.
     const auto text = [](const ordered_json& json, int indentation) {
         return json.dump(indentation, ' ', false, ordered_json::error_handler_t::replace);
     };

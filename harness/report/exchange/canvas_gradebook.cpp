@@ -1,4 +1,4 @@
-#include "harness/report/canvas.h"
+#include "harness/report/exchange/canvas_gradebook.h"
 
 #include <fmt/format.h>
 
@@ -9,15 +9,15 @@
 #include <set>
 #include <utility>
 
-#include "harness/final_mark.h"
-#include "harness/report/csv_cell.h"
+#include "harness/grade/final_mark.h"
+#include "harness/report/data/csv_cell.h"
 
 namespace harness::report {
 namespace {
 
-/// Of "Title (number)".
+/// The parts of "Title (number)".
 struct AssignmentColumn {
-    std::string title, number;  ///< empty for another header
+    std::string title, number;  ///< empty if the header has another form
 };
 
 AssignmentColumn read_column(const std::string& header) {
@@ -47,7 +47,7 @@ std::string choose_column(const Row& header, const std::string& wanted) {
                       way_out);
 }
 
-/// The rows of the students by what they may be found by, the surest key first.
+/// Finds students' rows by several keys, the most reliable first.
 class Index {
   public:
     explicit Index(const CanvasRoster& roster) {
@@ -67,7 +67,7 @@ class Index {
         }
     }
 
-    /// The rows of each who handed it in.
+    /// For each submitter, the rows that fit.
     std::vector<std::set<std::size_t>> find(const Submission& submission) const {
         if (submission.lms && !submission.lms->submitters.empty()) {
             std::vector<std::set<std::size_t>> rows;
@@ -75,7 +75,7 @@ class Index {
                 rows.push_back(rows_of({"", one.sid, one.email, name_key(one.name)}));
             return rows;
         }
-        // Another system's number of a student may be Canvas's of somebody else.
+        // Another system's number of a student may be somebody else's number in Canvas.
         const bool of_another = submission.lms && submission.lms->system != Lms::canvas;
         const std::string number = of_another ? "" : submission.lms ? submission.lms->id : submission.id;
         const std::string name = submission.lms ? submission.lms->student : submission.id;

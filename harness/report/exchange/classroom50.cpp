@@ -1,4 +1,4 @@
-#include "harness/report/classroom50.h"
+#include "harness/report/exchange/classroom50.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "harness/final_mark.h"
-#include "harness/report/item_text.h"
+#include "harness/grade/final_mark.h"
+#include "harness/report/text/item_text.h"
 
 namespace harness::report {
 namespace {
@@ -16,12 +16,12 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t longest_output = 5'000;
 
-/// Halves up; what a sum of shares lacks to a half through rounding is forgiven.
+/// Rounds halves up, also if rounding in a sum of shares left it slightly below the half.
 long whole(double points) {
     return std::max(0L, std::lround(points + 1e-9));
 }
 
-/// The tests' whole points: each what the sum so far grows by when it is rounded, so that nothing is lost or won.
+/// The tests with whole points: each gets what the rounded sum so far grows by, so that no point is lost or gained.
 class Tests {
   public:
     void add(const std::string& name, double own, double own_most, bool passed, const std::string& output) {

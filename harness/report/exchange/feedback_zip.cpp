@@ -1,4 +1,4 @@
-#include "harness/report/feedback_zip.h"
+#include "harness/report/exchange/feedback_zip.h"
 
 #include <archive.h>
 #include <archive_entry.h>
@@ -9,18 +9,18 @@
 #include <memory>
 #include <ostream>
 
-#include "harness/clean_text.h"
-#include "harness/failure.h"
-#include "harness/names.h"
-#include "harness/report/student_page.h"
-#include "harness/utf8_names.h"
+#include "harness/machine/errors.h"
+#include "harness/report/page/student_page.h"
+#include "harness/text/printable.h"
+#include "harness/text/utf8.h"
+#include "harness/text/utf8_locale.h"
 
 namespace harness::report {
 namespace {
 
 constexpr const char* page_name = "feedback.html";
 
-/// A student's name as part of a file's, without what parts the fields or paths; bytes that are no character as %XX.
+/// A student's name as part of a file's name, without separators of fields or paths; invalid bytes become %XX.
 std::string safe_name(const std::string& name) {
     constexpr std::size_t longest = 100;
     std::string safe = printable(name);
@@ -44,7 +44,8 @@ bool is_anonymous(const std::string& id) {
            });
 }
 
-/// Canvas's number of the graded file; a page goes back by any of the student's files, so else of another one.
+/// Canvas's number of the graded file or, if unknown, of another file of the student: Canvas returns a page by any of
+/// them.
 std::string attachment_of(const Submission& submission) {
     const auto graded = read_canvas_name(submission.file.filename().string());
     const bool known = graded && graded->id == submission.lms->id && !graded->attachment.empty();
@@ -72,7 +73,7 @@ class ZipWriter {
   public:
     explicit ZipWriter(std::ostream& out) : writer_(archive_write_new(), archive_write_free) {
         check(archive_write_set_format_zip(writer_.get()));
-        // Pages shrink to a fifth at the fastest level, hardly below it at the slowest.
+        // Pages shrink to a fifth at the fastest level, and hardly more at the slowest.
         check(archive_write_set_options(writer_.get(), "zip:hdrcharset=UTF-8,zip:compression-level=1"));
         check(archive_write_set_bytes_in_last_block(writer_.get(), 1));
         const auto write = [](archive*, void* stream, const void* bytes, std::size_t size) -> la_ssize_t {
@@ -89,7 +90,7 @@ class ZipWriter {
         archive_entry_set_filetype(entry.get(), AE_IFREG);
         archive_entry_set_perm(entry.get(), 0644);
         archive_entry_set_size(entry.get(), static_cast<la_int64_t>(bytes.size()));
-        // Without a time of its own an entry is of 1980, the earliest there is, in every time zone.
+        // An entry without a time gets 1980, the earliest time in a zip, in every time zone.
         check(archive_write_header(writer_.get(), entry.get()));
         if (archive_write_data(writer_.get(), bytes.data(), bytes.size()) != static_cast<la_ssize_t>(bytes.size()))
             check(ARCHIVE_FATAL);
@@ -138,7 +139,7 @@ FeedbackZip write_feedback_zip(std::ostream& out, const std::vector<Graded>& gra
             zip.left_out.push_back(one.submission.id + ": another submission has the same number, " +
                                    one.submission.lms->id);
         } else if (!path) {
-            zip.left_out.push_back(one.submission.id + ": no file of theirs is in Canvas that it could go back with");
+            zip.left_out.push_back(one.submission.id + ": Canvas has no file of this student to return the page with");
         } else {
             writer.add(*path, student_page(one, marking));
             ++zip.pages;

@@ -1,19 +1,19 @@
-#include "harness/report/gradescope.h"
+#include "harness/report/exchange/gradescope_results.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "harness/final_mark.h"
-#include "harness/report/item_text.h"
+#include "harness/grade/final_mark.h"
+#include "harness/report/text/item_text.h"
 
 namespace harness::report {
 namespace {
 
 using nlohmann::ordered_json;
 
-// Ten questions and the whole: below 100,000.
+// Ten questions and the whole together stay below 100,000.
 constexpr std::size_t longest_of_the_whole = 40'000;
 constexpr std::size_t longest_of_a_question = 5'000;
 
@@ -38,7 +38,8 @@ ordered_json test_json(const Graded& graded, const QuestionScore& question, cons
 
 ordered_json scenes_json(const Graded& graded) {
     const double points = final_scenes_points(graded), most = graded.score.other_scenes->max_points;
-    // Without a number it is its place in the list, which is a question's where the scene asks some of them only.
+    // Without a number, Gradescope takes the place in the list, which is a question's number if the scene asks only
+    // some.
     return {{"name", "Other scenes"},
             {"number", "11"},
             {"score", two_decimals(points)},

@@ -1,4 +1,4 @@
-#include "harness/report/junit.h"
+#include "harness/report/exchange/junit.h"
 
 #include <fmt/format.h>
 
@@ -7,17 +7,17 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "harness/clean_text.h"
-#include "harness/final_mark.h"
-#include "harness/report/item_text.h"
-#include "harness/report/report.h"
+#include "harness/grade/final_mark.h"
+#include "harness/report/text/item_text.h"
+#include "harness/report/text/sentences.h"
+#include "harness/text/escape.h"
 
 namespace harness::report {
 namespace {
 
 constexpr const char* does_not_compile = "The program does not compile.";
 
-/// Beside control bytes, XML 1.0 has no U+FFFE and U+FFFF.
+/// XML 1.0 allows neither control bytes nor U+FFFE and U+FFFF.
 std::string xml_text(std::string_view text) {
     std::string safe = escape_control(text);
     for (const std::string_view none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"}) {
@@ -39,13 +39,13 @@ struct Case {
     std::chrono::milliseconds time{0};
     Result result = Result::passed;
     std::string message = {};  ///< a sentence
-    std::string text = {};     ///< all there is to say
+    std::string text = {};     ///< the details
 };
 
 Case answer_case(const Graded& graded, const QuestionScore& question, const ItemScore& item, const Marking& marking) {
     Case one{fmt::format("{}.question {}", graded.submission.id, question.number), std::string(item.spec.name)};
     const bool of_question = find_override(graded, question.number, "") != nullptr;
-    // Points that the instructor gave to a question as a whole are not any item's.
+    // Points that the instructor gave to a whole question belong to no single item.
     const bool passed = of_question ? is_passed(final_points(graded, question), question.max_points, question.verdict)
                                     : is_passed(final_points(graded, question, item), item.max_points, item.verdict);
     one.text = item_text(graded, question, item, marking) + override_text(find_override(graded, question.number, ""));
@@ -62,7 +62,7 @@ Case answer_case(const Graded& graded, const QuestionScore& question, const Item
     return one;
 }
 
-/// What the rubric gives for answers on other scenes.
+/// The points for other scenes.
 Case scenes_case(const Graded& graded) {
     Case one{graded.submission.id, "other scenes"};
     if (graded.outcome == Outcome::compile_error) {
@@ -179,7 +179,7 @@ void write_junit(std::ostream& out, const std::vector<Graded>& graded, const Mar
     for (const Graded& one : graded) {
         for (const Case& each : cases_of(one, marking)) all.add(each);
     }
-    // By the submission: of ten thousand, the tree would be most of raygrade's memory.
+    // Writes one tree per submission: a tree of ten thousand would take most of raygrade's memory.
     pugi::xml_document head;
     pugi::xml_node suites = head.append_child("testsuites");
     set(suites, "name", marking.assignment.title);
@@ -187,7 +187,7 @@ void write_junit(std::ostream& out, const std::vector<Graded>& graded, const Mar
     std::ostringstream opening;
     head.print(opening, "  ", pugi::format_raw);
     std::string tag = std::move(opening).str();
-    tag.erase(tag.rfind('/'), 1);  // "/>": what follows belongs into it
+    tag.erase(tag.rfind('/'), 1);  // turns "/>" into ">", as the suites go inside
     out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" << tag << "\n";
     for (const Graded& one : graded) {
         pugi::xml_document document;

@@ -1,4 +1,4 @@
-#include "harness/report/moodle.h"
+#include "harness/report/exchange/moodle_grades.h"
 
 #include <fmt/format.h>
 
@@ -6,13 +6,13 @@
 #include <map>
 #include <set>
 
-#include "harness/final_mark.h"
-#include "harness/report/csv_cell.h"
+#include "harness/grade/final_mark.h"
+#include "harness/report/data/csv_cell.h"
 
 namespace harness::report {
 namespace {
 
-/// Nothing but the ASCII letters and digits of a name: what no packer and no file system writes in another way.
+/// Only the ASCII letters and digits of a name, which every archiver and file system writes the same way.
 std::string plain_letters(std::string_view name) {
     std::string letters;
     for (const char c : name) {
@@ -22,7 +22,7 @@ std::string plain_letters(std::string_view name) {
     return letters;
 }
 
-/// Whether `part` is left when letters are taken out of `whole`.
+/// Whether removing letters from `whole` can give `part`.
 bool is_within(std::string_view part, std::string_view whole) {
     for (const char c : whole) {
         if (!part.empty() && part.front() == c) part.remove_prefix(1);
@@ -30,7 +30,7 @@ bool is_within(std::string_view part, std::string_view whole) {
     return part.empty();
 }
 
-/// The participants by what they may be found by, and their names.
+/// Finds participants by their number or name.
 class Participants {
   public:
     explicit Participants(const MoodleWorksheet& worksheet) : worksheet_(worksheet) {
@@ -42,7 +42,7 @@ class Participants {
         }
     }
 
-    /// The rows of each who handed it in.
+    /// For each submitter, the rows that fit.
     std::vector<std::set<std::size_t>> find(const Submission& submission) const {
         const auto& lms = submission.lms;
         if (lms && lms->system == Lms::moodle) return {find(by_number_, lms->id)};
@@ -52,8 +52,8 @@ class Participants {
         return rows;
     }
 
-    /// A download may put the group before the name, a worksheet a mark behind it, and a name is "Participant" while
-    /// marking is blind.
+    /// Whether the names contradict each other. A download may put the group before the name, a worksheet may put a
+    /// mark behind it, and every name is "Participant" while marking is blind.
     bool contradicts(const Submission& submission, std::size_t row) const {
         if (!submission.lms || submission.lms->system != Lms::moodle) return false;
         const std::string handed_in = plain_letters(submission.lms->student);
@@ -63,7 +63,7 @@ class Participants {
         return !is_within(handed_in, here) && !is_within(here, handed_in);
     }
 
-    /// For messages.
+    /// The participant's name for messages.
     std::string called(std::size_t row) const {
         const std::string name = cell_of(worksheet_.rows[row], worksheet_.name);
         return name.empty() ? cell_of(worksheet_.rows[row], worksheet_.identifier) : name;
@@ -81,7 +81,7 @@ class Participants {
     Rows by_number_, by_name_;
 };
 
-/// Fills in the grade of one row, or says why not.
+/// Fills in the grade of one row, or records why not.
 void fill_in(MoodleImport& import, const MoodleWorksheet& worksheet, Row& row, const Graded& graded) {
     const std::string& id = graded.submission.id;
     const auto mark = final_mark(graded);

@@ -1,4 +1,4 @@
-// Which column of a worksheet is which, whatever the language.
+// Finds out which column of a worksheet is which, in any language.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,12 +7,12 @@
 #include <set>
 #include <tuple>
 
-#include "harness/report/moodle.h"
+#include "harness/report/exchange/moodle_grades.h"
 
 namespace harness::report {
 namespace {
 
-/// What a column is for, by the word that --moodle-column takes, and its heading in English.
+/// What a column is for: its word for --moodle-column and its English heading.
 struct Role {
     std::string_view word;
     std::string_view heading;
@@ -24,7 +24,7 @@ constexpr Role maximum_role{"maximum", "Maximum grade"};
 constexpr Role changeable_role{"changeable", "Grade can be changed"};
 constexpr std::array roles = {identifier_role, name_role, grade_role, maximum_role, changeable_role};
 
-/// In the languages that Moodle is most used in, as name_key has them.
+/// In the languages in which Moodle is used most, as name_key() writes them.
 constexpr std::array<std::string_view, 25> words_for_yes = {
     "yes", "ja",   "oui",   "sí",  "sì",  "si", "sim",  "tak", "ano",  "áno", "igen", "da", "да",
     "так", "evet", "kyllä", "ναι", "bai", "是", "はい", "예",  "taip", "jah", "نعم",  "כן"};
@@ -52,12 +52,12 @@ char separator_of(std::string_view csv) {
 
 using Column = std::optional<std::size_t>;
 
-/// The columns of one worksheet, as they are found.
+/// Finds the columns of one worksheet.
 class Columns {
   public:
     Columns(const Row& header, const std::vector<Row>& rows, const std::vector<std::string>& named)
         : header_(header), named_(named) {
-        // A spreadsheet may have left empty ones.
+        // A spreadsheet may have left empty rows.
         std::copy_if(rows.begin(), rows.end(), std::back_inserter(rows_), [](const Row& row) {
             return std::any_of(row.begin(), row.end(), [](const std::string& cell) { return !cell.empty(); });
         });
@@ -74,7 +74,7 @@ class Columns {
         }
     }
 
-    /// By what the instructor says or by its English heading; of several of that one, none.
+    /// The column that the instructor named, else the only column with the English heading.
     Column called(const Role& role) const {
         const std::string said = std::string(role.word) + '=';
         for (const std::string& name : named_) {
@@ -100,7 +100,7 @@ class Columns {
         fail(identifier_role, "\"Participant 123\" and the like");
     }
 
-    /// Of the grades and, right of them, the maximum.
+    /// The columns of the grades and, right of them, of the maximum.
     std::pair<std::size_t, std::size_t> grade_and_maximum(std::size_t identifier) const {
         const Column grade = called(grade_role);
         const Column maximum = called(maximum_role);
@@ -113,8 +113,8 @@ class Columns {
         }
         if (found.size() != 1) {
             fail(grade ? maximum_role : grade_role,
-                 found.empty() ? "grades with the same maximum in every row right of them; a scale can't be filled in"
-                               : "that only, but several do");
+                 found.empty() ? "grades with the same maximum in every row right of them (a scale can't be filled in)"
+                               : "grades beyond doubt, as several columns may hold them");
         }
         return {grade.value_or(found.front()), maximum.value_or(found.front() + 1)};
     }
@@ -130,7 +130,7 @@ class Columns {
 
     Column changeable(std::size_t maximum) const {
         if (const Column column = called(changeable_role)) return column;
-        // The state of a marking workflow may be between them.
+        // The column with a marking workflow's state may be between them.
         for (const std::size_t column : {maximum + 1, maximum + 2}) {
             const bool all = column < header_.size() && std::all_of(rows_.begin(), rows_.end(), [&](const Row& row) {
                                  return is_yes(cell_of(row, column)) || is_no(cell_of(row, column));
@@ -188,8 +188,9 @@ void check_that_all_differ(const MoodleWorksheet& worksheet) {
     }
     for (const std::size_t column : all) {
         if (std::count(all.begin(), all.end(), column) == 1) continue;
-        throw RosterError(fmt::format("has one column, \"{}\", for two things; name others with --moodle-column",
-                                      worksheet.header[column]));
+        throw RosterError(
+            fmt::format("has one column, \"{}\", for two purposes; name different columns with --moodle-column",
+                        worksheet.header[column]));
     }
 }
 

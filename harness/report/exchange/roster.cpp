@@ -1,4 +1,4 @@
-#include "harness/report/roster.h"
+#include "harness/report/exchange/roster.h"
 
 #include <csv.h>
 
@@ -23,7 +23,7 @@ int nothing_is_blank(unsigned char) {
     return 0;
 }
 
-/// Whom a list of those left out names: the submission's id, with the name behind it of the one of a group.
+/// A submitter in a list of those left out: the submission's id; for a group, followed by the member's name.
 std::string called_in(const Submission& submission, std::size_t submitter) {
     if (!submission.lms || submission.lms->submitters.size() < 2) return submission.id;
     return submission.id + " (" + submission.lms->submitters[submitter].name + ")";

@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/grade.h"
+#include "harness/grade/graded.h"
 
 namespace harness::report {
 
-/// The roster can't be used: what() says why and the way out, to be read after the file's name.
+/// The roster can't be used. what() says why and what to do; it is read after the file's name.
 class RosterError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -25,10 +25,10 @@ using Row = std::vector<std::string>;
 /// What is done with blanks around a cell that is not in quotes.
 enum class Blanks { trim, keep };
 
-/// RFC 4180 with the byte order mark that spreadsheets put before it. Empty lines are no rows.
+/// Parses RFC 4180, also with the byte order mark that spreadsheets put before it. Skips empty lines.
 std::vector<Row> parse_csv(std::string_view text, char separator = ',', Blanks blanks = Blanks::trim);
 
-/// The first column with just this name.
+/// The first column with exactly this name.
 std::optional<std::size_t> column_of(const Row& header, std::string_view name);
 
 /// Empty where the row is too short, or there is no such column.
@@ -37,19 +37,19 @@ std::string cell_of(const Row& row, std::optional<std::size_t> column);
 /// "87.50" or "87,50", as grades are written: digits, at most one decimal sign; empty for anything else.
 std::optional<double> read_grade(std::string_view cell);
 
-/// A name as it is compared, and as Canvas writes it in a download: in lower case, without anything but letters, digits
-/// and '_'. "Doe, Jane" is "doejane". Empty for what is no UTF-8: such a name finds nobody. Letters are those of the
-/// locale, which raygrade sets to C.UTF-8.
+/// A name in the form in which names are compared and Canvas writes them in a download: lower case, only letters,
+/// digits and '_'. "Doe, Jane" becomes "doejane". Empty if the name is not UTF-8, so that it matches nobody. The locale
+/// decides what a letter is; raygrade sets it to C.UTF-8.
 std::string name_key(std::string_view name);
 
-/// Which submissions a roster's rows get, and whom none or several fit.
+/// The submissions matched to each row, and those that match no row or several.
 struct RowMatches {
-    std::map<std::size_t, std::vector<const Graded*>> of_row;  ///< each once
-    std::vector<std::string> unmatched;                        ///< ids, with the name behind it of the one of a group
-    std::vector<std::string> ambiguous;                        ///< with the names of the rows
+    std::map<std::size_t, std::vector<const Graded*>> of_row;  ///< no submission twice in a row
+    std::vector<std::string> unmatched;                        ///< ids; for a group, followed by the member's name
+    std::vector<std::string> ambiguous;                        ///< likewise, followed by the names in the rows
 };
 
-/// `find(submission)` gives the rows that fit each of its submitters, `name_of(row)` the name there.
+/// `find(submission)` gives, for each submitter, the rows that fit; `name_of(row)` gives the name in a row.
 RowMatches match_rows(const std::vector<Graded>& graded,
                       const std::function<std::vector<std::set<std::size_t>>(const Submission&)>& find,
                       const std::function<std::string(std::size_t)>& name_of);

@@ -1,10 +1,10 @@
-#include "harness/report/evidence.h"
+#include "harness/report/page/evidence.h"
 
-#include "harness/report/compiler_messages.h"
-#include "harness/report/pages/pages.h"
-#include "harness/report/report.h"
-#include "harness/stress/stress_sentences.h"
-#include "harness/variants/variant_sentences.h"
+#include "harness/grade/hard_scenes_sentences.h"
+#include "harness/grade/other_scenes_sentences.h"
+#include "harness/report/page/templates.h"
+#include "harness/report/text/compiler_messages.h"
+#include "harness/report/text/sentences.h"
 
 namespace harness::report {
 namespace {
@@ -20,8 +20,8 @@ PageData list_of(const std::vector<std::string>& texts, std::size_t most_bytes) 
 Evidence::Evidence(std::string_view heading, std::size_t most_bytes)
     : heading_(heading),
       most_bytes_(most_bytes),
-      messages_(pages::messages_mustache),
-      others_(pages::evidence_mustache) {}
+      messages_(templates::messages_mustache),
+      others_(templates::evidence_mustache) {}
 
 std::string Evidence::compiler(const Graded& graded) {
     const std::string& diagnostics = graded.build.diagnostics;
@@ -61,12 +61,12 @@ std::string Evidence::others(const Graded& graded) {
     data["has_findings"] = !graded.sanitizer.empty();
     data["findings"] = list_of(graded.sanitizer, most_bytes_);
     std::vector<std::string> other_scenes;
-    if (graded.other_scenes) other_scenes = variants::variant_sentences(*graded.other_scenes);
+    if (graded.other_scenes) other_scenes = scenes::other_scenes_sentences(*graded.other_scenes);
     data["scenes_worth"] = graded.score.other_scenes ? scenes_sentence(graded) : "This costs no points.";
     data["has_other_scenes"] = !other_scenes.empty();
     data["other_scenes"] = list_of(other_scenes, most_bytes_);
     std::vector<std::string> hard_scenes;
-    if (graded.hard_scenes) hard_scenes = stress::stress_sentences(*graded.hard_scenes);
+    if (graded.hard_scenes) hard_scenes = scenes::hard_scenes_sentences(*graded.hard_scenes);
     data["has_hard_scenes"] = !hard_scenes.empty();
     data["hard_scenes"] = list_of(hard_scenes, most_bytes_);
     data["has_notes"] = !notes.empty();

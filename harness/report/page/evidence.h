@@ -4,15 +4,15 @@
 #include <string>
 #include <string_view>
 
-#include "harness/grade.h"
-#include "harness/report/page_template.h"
+#include "harness/grade/graded.h"
+#include "harness/report/page/page_template.h"
 
 namespace harness::report {
 
 class Evidence {
   public:
-    /// `heading` is the element of its headings, "h2"; of each text from the submission no more than `most_bytes` are
-    /// shown.
+    /// `heading` is the element for headings, such as "h2". Shows at most `most_bytes` of each text from the
+    /// submission.
     Evidence(std::string_view heading, std::size_t most_bytes);
 
     /// Errors and warnings by line, and the messages word for word; empty when there are none.

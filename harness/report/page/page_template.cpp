@@ -1,4 +1,4 @@
-#include "harness/report/page_template.h"
+#include "harness/report/page/page_template.h"
 
 #include <fmt/format.h>
 #include <sodium.h>
@@ -6,13 +6,13 @@
 #include <array>
 #include <stdexcept>
 
-#include "harness/failure.h"
-#include "harness/report/markup.h"
+#include "harness/machine/errors.h"
+#include "harness/text/markup.h"
 
 namespace harness::report {
 namespace {
 
-/// A source expression of a policy: what has this hash may run, or style.
+/// A source expression of a policy: it allows the script or style with this hash.
 std::string hash_source(std::string_view content) {
     if (sodium_init() < 0) throw HarnessError("libsodium could not be set up: no random numbers on this machine.");
     std::array<unsigned char, crypto_hash_sha256_BYTES> hash;

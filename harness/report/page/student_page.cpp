@@ -1,21 +1,23 @@
-#include "harness/report/student_page.h"
+#include "harness/report/page/student_page.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "harness/final_mark.h"
-#include "harness/override_place.h"
-#include "harness/report/expected_text.h"
-#include "harness/report/look_first.h"
-#include "harness/report/pages/pages.h"
-#include "harness/report/report.h"
-#include "harness/report/verdict_words.h"
+#include "harness/execution/tier.h"
+#include "harness/grade/final_mark.h"
+#include "harness/grade/override_place.h"
+#include "harness/report/page/templates.h"
+#include "harness/report/text/expected_text.h"
+#include "harness/report/text/look_first.h"
+#include "harness/report/text/sentences.h"
+#include "harness/report/text/verdict_words.h"
+#include "harness/text/points.h"
 
 namespace harness::report {
 namespace {
 
-/// Of the compiler's messages and of each other text; the Markdown beside the page has all of it.
+/// Limit for the compiler's messages and for each other text; the Markdown file beside the page has all of it.
 constexpr std::size_t most_bytes = 64 << 10U;
 
 bool has_marks(const Graded& graded) {
@@ -27,7 +29,7 @@ bool all_have(const QuestionScore& question, ItemVerdict verdict) {
                        [&](const ItemScore& item) { return item.verdict == verdict; });
 }
 
-/// Whether there is anything to say of it beyond that it is right.
+/// Whether there is more to say than that the question is right.
 bool is_worth_a_section(const Graded& graded, const QuestionScore& question) {
     if (is_without_answers(graded)) return false;
     return std::any_of(question.items.begin(), question.items.end(),
@@ -45,7 +47,7 @@ std::string who_of(const Submission& submission) {
     return file.empty() ? who : who + ", " + file;
 }
 
-/// What makes the points other than the sum of the automatic ones.
+/// Why the points differ from the sum of the automatic ones.
 PageData list_of_changes(const Graded& graded, const std::optional<FinalMark>& mark) {
     PageData list(PageData::type::list);
     const auto add = [&](const std::string& text) {
@@ -91,9 +93,11 @@ std::string note_of(const Graded& graded, const QuestionScore& question, const s
         look && std::find(look->following.begin(), look->following.end(), question.number) != look->following.end();
     if (!follows) return "";
     if (!look->is_only || look->is_missing)
-        return "Nothing is wrong here by itself: it follows from your earlier answers, and comes right with them.";
-    return fmt::format("Nothing is wrong here by itself: it follows from question {}, and comes right with it.",
-                       look->question);
+        return "Nothing is wrong here by itself: it follows from your earlier answers and will be right once you fix "
+               "those.";
+    return fmt::format(
+        "Nothing is wrong here by itself: it follows from question {} and will be right once you fix that.",
+        look->question);
 }
 
 }  // namespace
@@ -102,10 +106,10 @@ StudentPages::StudentPages(const Marking& marking)
     : marking_(marking),
       asked_(marking.assignment.rubric.show_expected ? expected_texts(marking.key)
                                                      : std::map<reference::ItemId, std::string>()),
-      style_(pages::page_css),
+      style_(templates::page_css),
       policy_(security_policy({style_})),
-      page_(pages::student_mustache),
-      question_(pages::question_mustache),
+      page_(templates::student_mustache),
+      question_(templates::question_mustache),
       evidence_("h2", most_bytes),
       pictures_(marking, marking.assignment.rubric.show_expected, "scene-") {}
 
@@ -184,7 +188,7 @@ std::string StudentPages::page(const Graded& graded) {
             cells.push_back(cell_of(graded, each));
             if (is_worth_a_section(graded, each)) sections += question(graded, each);
         }
-        // Where nothing is to be looked at, a picture of it is time and bytes for nothing.
+        // If there is nothing to look at, a picture would waste time and bytes.
         if (!sections.empty()) data["picture"] = pictures_.whole_picture(&graded, "scene-");
     }
     data["questions"] = std::move(cells);

@@ -4,16 +4,17 @@
 #include <map>
 #include <string>
 
-#include "harness/grade.h"
-#include "harness/report/evidence.h"
-#include "harness/report/explaining_picture.h"
-#include "harness/report/page_template.h"
-#include "reference/item_values.h"
+#include "harness/grade/graded.h"
+#include "harness/grade/marking.h"
+#include "harness/report/page/evidence.h"
+#include "harness/report/page/page_template.h"
+#include "harness/report/picture/picture.h"
+#include "reference/stages/item_values.h"
 
 namespace harness::report {
 
-/// The pages of one assignment. Each is whole and self-contained: no script, no request, safe under a strict
-/// Content-Security-Policy, well-formed as XML too. Never an expected value unless the rubric says so
+/// Makes the students' pages of one assignment. Each page is self-contained: no script, no request, safe under a strict
+/// Content-Security-Policy, well-formed as XML too. No expected values unless the rubric shows them
 /// (Rubric::show_expected).
 class StudentPages {
   public:
@@ -24,11 +25,11 @@ class StudentPages {
 
   private:
     std::string question(const Graded& graded, const QuestionScore& question);
-    /// `said`: the question's own note tells why it is not right.
+    /// `said`: the question's note already tells why the item is not right.
     PageData item(const Graded& graded, const QuestionScore& question, const ItemScore& item, bool said) const;
 
     const Marking& marking_;
-    std::map<reference::ItemId, std::string> asked_;  ///< empty where the rubric does not show it
+    std::map<reference::ItemId, std::string> asked_;  ///< expected values; empty if the rubric does not show them
     std::string style_;
     std::string policy_;
     PageTemplate page_;

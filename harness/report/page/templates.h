@@ -1,10 +1,10 @@
-// The texts that pages are made of, each the file of its name in this folder: *.mustache are templates (mustache(5)),
-// page.css is every page's style, class.css and class.js the class report's own.
+// The texts that pages are made of, named like their files in templates/: *.mustache are templates (mustache(5)),
+// page.css is every page's style, class.css and class.js belong to the class report.
 #pragma once
 
 #include <string_view>
 
-namespace harness::report::pages {
+namespace harness::report::templates {
 
 extern const std::string_view page_css;
 extern const std::string_view class_css;
@@ -22,4 +22,4 @@ extern const std::string_view class_student_mustache;
 extern const std::string_view class_table_mustache;
 extern const std::string_view class_item_mustache;
 
-}  // namespace harness::report::pages
+}  // namespace harness::report::templates

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/double_scene.h"
-#include "reference/pipeline.h"
+#include "reference/stages/pipeline.h"
+#include "reference/stages/scene_numbers.h"
 
 namespace harness::report::picture {
 namespace {
@@ -36,7 +36,7 @@ double number_of(const AnswerKey& key, int question, std::string_view name) {
     return numbers != nullptr && numbers->size() == 1 ? numbers->front() : std::nan("");
 }
 
-/// The index of what differs least; the first such one, and 0 where nothing can be told.
+/// The index of the thing that differs least, the first of several; 0 if none can be told.
 template <class T, class Difference>
 std::size_t nearest(const std::vector<T>& things, Difference difference) {
     std::size_t best = 0;
@@ -109,7 +109,7 @@ void draw_sphere_hit(const RightValues& right, const AnswerKey& key, Sketch& ske
 void draw_triangle_hit(const RightValues& right, const AnswerKey& key, const DoubleScene& scene, Sketch& sketch) {
     const std::string& decision = key.decisions.triangle;
     const bool met = decision == "hit" || decision == "boundary";
-    // Where t = 0 does not count the key has no hit point, and yet the ray starts there.
+    // If t = 0 does not count as a hit, the key has no hit point, although the ray starts there.
     const std::optional<Point> P_t = decision == "boundary" ? right.P_WCS : right.P_t;
     if (P_t) sketch.dots.push_back({*P_t, "P_t", Ink::triangle, met ? Mark::dot : Mark::ring});
     if (right.triangle_normal) {
@@ -141,7 +141,7 @@ void tell_first(const AnswerKey& key, Sketch& sketch) {
     }
 }
 
-/// Some of a kind where there are many, then without names; `asked` is always among them.
+/// If there are many things of a kind, draws only some, without names; `asked` is always among them.
 template <class T, class Draw>
 void draw_objects(const std::vector<T>& things, std::size_t asked, std::string_view what, Draw draw, Sketch& sketch) {
     constexpr std::size_t most = 6;

@@ -24,7 +24,7 @@ std::vector<Spot> crossings(const Spot& middle, double radius, const Spot& from,
     return spots;
 }
 
-/// Clockwise from one spot of a circle to another is it more than half a turn?
+/// Whether it is more than half a turn clockwise from one spot of a circle to another.
 bool is_large_arc(const Spot& middle, const Spot& from, const Spot& to) {
     const double cross = (from.x - middle.x) * (to.y - middle.y) - (from.y - middle.y) * (to.x - middle.x);
     return cross < 0;  // y counts downwards

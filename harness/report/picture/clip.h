@@ -1,4 +1,4 @@
-// Cutting what is drawn to a box, in the plane or in space.
+// Clips what is drawn to a box, in the plane or in space.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "harness/report/label_placement.h"
+#include "harness/report/plot/label_placement.h"
 
 namespace harness::report::picture {
 
@@ -27,7 +27,7 @@ Coordinates<N> between(const Coordinates<N>& from, const Coordinates<N>& to, dou
     return result;
 }
 
-/// The part inside, if any (Liang and Barsky 1984). Empty for numbers that are not finite.
+/// The part of a segment inside the region, if any (Liang and Barsky 1984). Empty for numbers that are not finite.
 template <std::size_t N>
 std::optional<std::pair<Coordinates<N>, Coordinates<N>>> clip_segment(const Coordinates<N>& from,
                                                                       const Coordinates<N>& to,
@@ -50,7 +50,7 @@ std::optional<std::pair<Coordinates<N>, Coordinates<N>>> clip_segment(const Coor
     return std::pair(enter == 0 ? from : between(from, to, enter), leave == 1 ? to : between(from, to, leave));
 }
 
-/// What is inside of a convex polygon, corner by corner (Sutherland and Hodgman 1974); empty when nothing is.
+/// The corners of the part of a convex polygon inside the region (Sutherland and Hodgman 1974); empty if there is none.
 template <std::size_t N>
 std::vector<Coordinates<N>> clip_polygon(std::vector<Coordinates<N>> corners, const Region<N>& region) {
     for (std::size_t i = 0; i < 2 * N; ++i) {
@@ -81,13 +81,13 @@ struct Arc {
     bool is_large = false;  ///< more than half of the circle
 };
 
-/// What a box shows of a disc.
+/// The part of a disc inside a box.
 struct DiscInBox {
-    bool is_whole = false;     ///< then the rest is empty
-    bool fills_box = false;    ///< all of the box is inside; likewise
+    bool is_whole = false;     ///< the disc is inside the box; everything else is then empty
+    bool fills_box = false;    ///< the box is inside the disc; everything else is then empty
     std::vector<Arc> arcs;     ///< the circle's parts in the box, clockwise
-    std::vector<Spot> border;  ///< the disc's part of the box, clockwise: an arc goes from a `leaves` spot to the next
-    std::vector<bool> leaves;  ///< by spot of `border`: here the border leaves the box's side for the circle
+    std::vector<Spot> border;  ///< outline of the part, clockwise: an arc leads from a `leaves` spot to the next spot
+    std::vector<bool> leaves;  ///< for each spot of `border`: the outline leaves the box's side there for the circle
 };
 DiscInBox clip_disc(const Spot& middle, double radius, const Box& box);
 

@@ -9,10 +9,10 @@
 namespace harness::report::picture {
 namespace {
 
-constexpr double margin = 0.07;      ///< around what is in the frame, as a share of its longest side
-constexpr double least_side = 0.4;   ///< of the longest: a flat scene still gets a picture
-constexpr double farthest = 25;      ///< what is left out is so many times as far from the eye as the image plane
-constexpr double best_arrow = 0.33;  ///< of a unit vector, in frame units
+constexpr double margin = 0.07;     ///< around what is in the frame, as a share of its longest side
+constexpr double least_side = 0.4;  ///< as a share of the longest, so that a flat scene still gets a picture
+constexpr double farthest = 25;  ///< beyond so many times the image plane's distance from the eye, things are left out
+constexpr double best_arrow = 0.33;  ///< length of a unit vector, in frame units
 
 struct Bounds {
     Point low;
@@ -26,7 +26,7 @@ struct Bounds {
     }
 };
 
-/// 1 where a vector of that length is neither lost in the frame nor fills it, else 1, 2 or 5 times a power of ten.
+/// 1 if a vector of that length is neither too short for the frame nor too long, else 1, 2 or 5 times a power of ten.
 double arrow_for(double unit) {
     constexpr double shortest = 0.17;
     constexpr double longest = 0.55;
@@ -53,7 +53,7 @@ class FrameChoice {
   public:
     FrameChoice(const Point& eye, double limit, Bounds bounds) : eye_(eye), limit_(limit), bounds_(bounds) {}
 
-    /// Whether it is near enough to be in.
+    /// Takes the points into the frame if all are near enough; returns whether it did.
     bool take(const std::vector<Point>& points, double around = 0) {
         for (const Point& point : points) {
             if (!(distance(point, eye_) + around <= limit_)) return false;
@@ -94,7 +94,8 @@ Frame choose_frame(const DoubleScene& scene, const std::vector<Point>& more, Roo
                    std::vector<std::string>& notes) {
     const reference::Window<double>& window = scene.window;
     const Point& eye = scene.camera.eye;
-    // Wherever X_vcs and Y_vcs point: where nothing more is known the frame must not tell.
+    // Leaves room for X_vcs and Y_vcs in any direction: if the answers are not to be shown, the frame must not tell
+    // them.
     const double around = std::hypot(std::max(std::abs(window.clip_left), std::abs(window.clip_right)),
                                      std::max(std::abs(window.clip_bottom), std::abs(window.clip_top)));
     const Point middle_of_window = eye + view_direction(scene.camera) * window.clip_near;
@@ -118,7 +119,7 @@ Frame choose_frame(const DoubleScene& scene, const std::vector<Point>& more, Roo
     tell(left_out[0], scene.triangles.size(), "triangle");
     tell(left_out[1], scene.spheres.size(), "sphere");
     Frame frame = frame_around(choice.bounds());
-    // The camera's axes have room in any case.
+    // There is always room for the camera's axes.
     bounds = choice.bounds();
     bounds.hold(eye, frame.arrow);
     return frame_around(bounds);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "harness/report/picture/sketch.h"
-#include "reference/scene.h"
+#include "reference/stages/scene.h"
 
 namespace harness::report::picture {
 
@@ -16,7 +16,7 @@ struct Frame {
     Point middle;
     double unit = 1;   ///< the longest half side, in world units; > 0
     Point half;        ///< its half sides, in frame units: at most 1
-    double arrow = 1;  ///< how long a unit vector is drawn, in world units: 1 where that is a good size
+    double arrow = 1;  ///< length at which a unit vector is drawn, in world units; 1 if that is a good size
 
     /// Into frame units.
     Point inside(const Point& world) const { return (world - middle) / unit; }
@@ -25,12 +25,11 @@ struct Frame {
 
 enum class Room {
     for_scene,
-    for_mistakes,  ///< also for an image plane that was turned any other way, behind the eye too
+    for_mistakes,  ///< also holds an image plane turned any other way, even behind the eye
 };
 
-/// Eye and image plane are in it, everything else that is not very much farther away than they are. It comes of what
-/// the handout gives and of `more` alone: the image plane's corners and what else is known. What it leaves out is told
-/// in `notes`.
+/// Holds the eye, the image plane and everything that is not very much farther from the eye. Depends only on what the
+/// handout gives and on `more`: the image plane's corners and whatever else is known. `notes` tells what is left out.
 Frame choose_frame(const DoubleScene& scene, const std::vector<Point>& more, Room room,
                    std::vector<std::string>& notes);
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/report/markup.h"
+#include "harness/text/markup.h"
 
 namespace harness::report::picture {
 namespace {
@@ -29,7 +29,7 @@ Box window_in(const reference::Window<double>& window, const Box& box) {
     return {left, top, left + wide, top + wide / shape};
 }
 
-/// Where a point of the image plane is on the page; outside of `box` for one outside of the window.
+/// Where a point of the image plane is on the page; outside of `box` if the point is outside of the window.
 Spot place(const DoubleScene& scene, const Point& P_VCS, const Box& box) {
     const auto& window = scene.window;
     const double x = (P_VCS.x - window.clip_left) / (window.clip_right - window.clip_left);
@@ -58,7 +58,7 @@ Box field_of(const DoubleScene& scene, const Box& box) {
             box.bottom - row * height};
 }
 
-/// The extents at the window's sides, each where it belongs.
+/// The window's extents, each written at its side.
 std::string extents(const DoubleScene& scene, const Box& box, const Box& window) {
     const auto& clip = scene.window;
     const double middle = (box.left + box.right) / 2;

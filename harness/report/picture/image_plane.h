@@ -10,19 +10,19 @@ namespace harness::report::picture {
 struct ImagePlane {
     std::string svg;  ///< without the names in it
     Box window;       ///< on the page
-    Box room;         ///< for names: a narrow window has too little
+    Box room;         ///< for names, as a narrow window has too little room
     std::vector<Name> names;
     std::vector<Box> taken;  ///< where no name may stand
 };
 
-/// Without the right P_VCS the pixel's place is shown no finer than by a raster of a few fields.
+/// Without the right P_VCS, shows the pixel only as a field of a coarse raster, so as not to give the answer away.
 ImagePlane draw_image_plane(const DoubleScene& scene, const std::optional<Point>& P_VCS, const Box& box);
 
-/// What a printed P_VCS adds to it: nothing but a note where it is outside of the window.
+/// Draws a printed P_VCS; if it is outside of the window, only adds a note.
 Panel draw_printed_pixel(const DoubleScene& scene, const Point& P_VCS, bool is_right, const Box& window,
                          std::vector<std::string>& notes);
 
-/// The names in the window or beside it.
+/// Places the names in the window or beside it.
 Names place_names_in(const ImagePlane& plane, const std::vector<Name>& names, const std::vector<Box>& taken);
 
 }  // namespace harness::report::picture

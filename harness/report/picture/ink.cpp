@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "harness/report/markup.h"
+#include "harness/text/markup.h"
 
 namespace harness::report::picture {
 namespace {
@@ -49,7 +49,7 @@ std::string_view colour_of(Ink ink) {
     return "";
 }
 
-// What lies behind each other in a view is one line; a level or upright one needs but one more number.
+// Lines that coincide in a view are drawn once; a horizontal or vertical line needs only one more number.
 void Strokes::line(const Segment& segment, Ink ink, Stroke stroke) {
     std::string x = coordinate(segment.to.x);
     std::string y = coordinate(segment.to.y);

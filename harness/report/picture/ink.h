@@ -1,24 +1,24 @@
-// Pieces of SVG: short, deterministic, and never a number that is none.
+// Pieces of SVG: short, deterministic, and without nan or inf.
 #pragma once
 
 #include <map>
 #include <string>
 #include <string_view>
 
-#include "harness/report/label_placement.h"
 #include "harness/report/picture/sketch.h"
+#include "harness/report/plot/label_placement.h"
 
 namespace harness::report::picture {
 
-/// At most one decimal, as "12.3", "12", "-0.5". Not finite numbers are 0.
+/// With at most one decimal: "12.3", "12", "-0.5". A number that is not finite becomes 0.
 std::string coordinate(double x);
 /// "x y", as short as SVG reads it.
 std::string coordinates(const Spot& spot);
 
-/// A world number for people: at most four digits, "-0" is "0".
+/// A number of the scene for people: at most four digits; "-0" becomes "0".
 std::string figure(double x);
 
-/// Readable on white and on black; what belongs to the camera has the colour of the text around.
+/// Readable on white and on black; what belongs to the camera has the colour of the surrounding text.
 std::string_view colour_of(Ink ink);
 
 /// Lines of the same look become one <path>.
@@ -27,7 +27,7 @@ class Strokes {
     void line(const Segment& segment, Ink ink, Stroke stroke);
     void line_to_tip(const Segment& segment, Ink ink, Stroke stroke);  ///< with an arrow's head at its end
     void mark(const Spot& at, Ink ink, Mark mark);
-    /// A piece of path data.
+    /// Adds a piece of path data.
     void add(const std::string& path, Ink ink, Stroke stroke) { paths_[{ink, stroke}] += path; }
     std::string svg() const;
 
@@ -37,7 +37,7 @@ class Strokes {
     std::map<Ink, std::string> marks_;
 };
 
-/// A line of text, at whole units; `more` are further attributes, each after a blank.
+/// A line of text, placed at whole units; `more` holds further attributes, each after a blank.
 std::string text_at(double x, double y, std::string_view content, std::string_view more = "");
 
 }  // namespace harness::report::picture

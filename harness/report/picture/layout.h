@@ -1,7 +1,7 @@
 // Where the parts of a picture stand on its page.
 #pragma once
 
-#include "harness/report/label_placement.h"
+#include "harness/report/plot/label_placement.h"
 
 namespace harness::report::picture {
 

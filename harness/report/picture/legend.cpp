@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "harness/report/markup.h"
+#include "harness/text/markup.h"
 
 namespace harness::report::picture {
 namespace {
@@ -97,7 +97,7 @@ NoteLines draw_notes(const std::vector<std::string>& notes, double width, double
     }
     if (lines.size() > most_lines) {
         lines.resize(most_lines);
-        lines.back() = "(and more, which is left out here)";
+        lines.back() = "(more notes are left out here)";
     }
     NoteLines result{"", first_baseline - line_height};
     for (const std::string& line : lines) {

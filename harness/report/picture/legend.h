@@ -1,4 +1,4 @@
-// What stands beside and below the views, in words.
+// The key beside the views and the notes below them.
 #pragma once
 
 #include "harness/report/picture/panel.h"
@@ -9,17 +9,17 @@ struct KeyLines {
     std::string svg;
     Spot next;  ///< where a further line begins
 };
-/// What each colour stands for, with the objects' own numbers; `first` is the middle of the first line's left end.
+/// Says what each colour stands for, with the objects' numbers; `first` is the middle of the first line's left end.
 KeyLines draw_key(const DoubleScene& scene, bool with_answers, const Spot& first);
 
-/// What the marks of printed answers stand for, as the key's further lines.
+/// Further lines of the key: what the marks of printed answers stand for.
 std::string draw_printed_key(bool with_answers, const Spot& first);
 
 struct NoteLines {
     std::string svg;
     double bottom = 0;  ///< of the last line
 };
-/// Broken into lines; beyond some twenty the rest is left out, and that is said.
+/// Breaks the notes into lines; after some twenty lines, a last line says that more are left out.
 NoteLines draw_notes(const std::vector<std::string>& notes, double width, double first_baseline);
 
 }  // namespace harness::report::picture

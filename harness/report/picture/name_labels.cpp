@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/report/markup.h"
 #include "harness/report/picture/panel.h"
+#include "harness/text/markup.h"
 
 namespace harness::report::picture {
 namespace {
 
 constexpr double name_height = 14;
 constexpr double baseline = 3.5;  ///< above a name's bottom
-constexpr double side_room = 2;   ///< faces differ in width, and places are rounded
+constexpr double side_room = 2;   ///< fonts differ in width, and places are rounded
 constexpr double mark_radius = 6;
 
 std::vector<Name> merged(const std::vector<Name>& names) {

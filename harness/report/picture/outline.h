@@ -8,10 +8,10 @@
 
 namespace harness::report::picture {
 
-/// The whole of it, filled; a circle where it is one.
+/// The whole ellipse, filled; a <circle> if it is one.
 std::string ellipse_svg(const Ellipse& ellipse);
 
-/// Spots of it, evenly by angle.
+/// Spots on the ellipse, at even angles.
 std::vector<Spot> spots_of(const Ellipse& ellipse, int count);
 
 }  // namespace harness::report::picture

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "harness/report/markup.h"
 #include "harness/report/picture/clip.h"
 #include "harness/report/picture/outline.h"
+#include "harness/text/markup.h"
 
 namespace harness::report::picture {
 namespace {
@@ -32,9 +32,9 @@ std::string path_of(const std::vector<Coordinates<2>>& corners) {
     return path.empty() ? "" : path + "Z";
 }
 
-class Drawing {
+class PanelDrawing {
   public:
-    Drawing(const View& view, const Frame& frame) : view_(view), frame_(frame), box_(inner(view.box, edge)) {
+    PanelDrawing(const View& view, const Frame& frame) : view_(view), frame_(frame), box_(inner(view.box, edge)) {
         space_ = {{-frame.half.x, -frame.half.y, -frame.half.z}, {frame.half.x, frame.half.y, frame.half.z}};
     }
 
@@ -88,7 +88,7 @@ class Drawing {
         if (!seen) return;
         const Segment segment{{seen->first[0], seen->first[1]}, {seen->second[0], seen->second[1]}};
         panel_.drawn.push_back(segment);
-        constexpr double end_on = 5;  // such an arrow is seen, and named, in another view
+        constexpr double end_on = 5;  // a shorter arrow is shown and named in another view
         if (std::hypot(segment.to.x - segment.from.x, segment.to.y - segment.from.y) < end_on) return;
         strokes_.line_to_tip(segment, arrow.ink, arrow.stroke);
         panel_.names.push_back({segment.to, arrow.name});
@@ -135,13 +135,13 @@ class Drawing {
         if (view_.distance > 0 && outline.across > large_enough) draw_equator(center, radius);
     }
 
-    /// Level with the world, so that the ball looks round.
+    /// Level in the world, so that the ball looks round.
     void draw_equator(const Point& center, double radius) {
         int up = 0;
         for (int i = 1; i < 3; ++i) {
             if (std::abs(view_.up[i]) > std::abs(view_.up[up])) up = i;
         }
-        // Between two touching spots the curve leans on the corner where their tangents meet.
+        // The curve's control point between two of its spots is where the tangents there meet.
         constexpr int count = 8;
         const auto at = [&](double turns, double reach) {
             Point place = center;
@@ -231,7 +231,7 @@ class Drawing {
     Panel panel_;
 };
 
-/// What is farther away comes first and shines through what is nearer.
+/// Farther things come first and show through nearer ones.
 template <class T, class Middle>
 std::vector<const T*> far_to_near(const std::vector<T>& things, const View& view, Middle middle) {
     std::vector<const T*> order;
@@ -245,7 +245,7 @@ std::vector<const T*> far_to_near(const std::vector<T>& things, const View& view
 }  // namespace
 
 Panel draw_panel(const View& view, const Frame& frame, const Sketch& sketch) {
-    Drawing drawing(view, frame);
+    PanelDrawing drawing(view, frame);
     for (const Ball* ball :
          far_to_near(sketch.balls, view, [&](const Ball& each) { return frame.inside(each.center); }))
         drawing.draw(*ball);

@@ -11,20 +11,20 @@ struct Name {
     std::string text;
 };
 
-/// What is drawn of a sketch, cut to the view's box.
+/// The drawing of a sketch, clipped to the view's box.
 struct Panel {
     std::string shapes;  ///< SVG
     std::vector<Name> names;
-    std::vector<Segment> drawn;  ///< what names should rather not hide
+    std::vector<Segment> drawn;  ///< lines that names should not hide
 };
 Panel draw_panel(const View& view, const Frame& frame, const Sketch& sketch);
 
-/// Names beside their points, as SVG. Names of one spot become one, as "B, C".
+/// Names beside their points, as SVG. Names of the same spot are joined: "B, C".
 struct Names {
     std::string svg;
-    std::vector<Box> taken;  ///< by them and their points' marks
+    std::vector<Box> taken;  ///< by the names and their points' marks
 };
-/// No name touches another or what is `taken`; where there is too little room the last ones are left out.
+/// No name touches another name or a `taken` box. If there is too little room, the last names are left out.
 Names place_names(const std::vector<Name>& names, const Box& box, const std::vector<Segment>& drawn,
                   const std::vector<Box>& taken);
 

@@ -8,7 +8,7 @@ namespace harness::report::picture {
 namespace {
 
 constexpr double axis_length = 17;
-constexpr double around_axes = 30;  ///< of their origin to the box taken
+constexpr double around_axes = 30;  ///< from the axes' origin to the edge of the box that they take
 
 Spot origin_of_axes(const Box& box) {
     return {box.left + around_axes, box.bottom - around_axes};

@@ -1,4 +1,4 @@
-#include "harness/report/explaining_picture.h"
+#include "harness/report/picture/picture.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,13 +7,13 @@
 #include <mutex>
 #include <optional>
 
-#include "harness/report/markup.h"
 #include "harness/report/picture/image_plane.h"
 #include "harness/report/picture/layout.h"
 #include "harness/report/picture/legend.h"
 #include "harness/report/picture/panel.h"
 #include "harness/report/picture/printed_sketch.h"
-#include "harness/report/scatter.h"
+#include "harness/report/plot/scatter.h"
+#include "harness/text/markup.h"
 
 namespace harness::report {
 
@@ -21,7 +21,7 @@ using namespace picture;
 
 namespace {
 
-/// Whatever is to be seen of the base, for the perspective view to fill its box with.
+/// The points that the perspective view must show, and with which it fills its box.
 std::vector<Point> content_of(const Sketch& sketch, const Frame& frame) {
     std::vector<Point> content;
     const auto add = [&](const Point& world) {
@@ -35,7 +35,7 @@ std::vector<Point> content_of(const Sketch& sketch, const Frame& frame) {
     for (const Ball& ball : sketch.balls) {
         const Point around(ball.radius, ball.radius, ball.radius);
         if (!frame.holds(ball.center - around) || !frame.holds(ball.center + around)) continue;
-        // As large as it looks from near by.
+        // A near ball looks larger than its radius.
         for (int i = 0; i < 27; ++i) {
             const Point direction(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
             constexpr double nearer = 1.12;
@@ -44,7 +44,7 @@ std::vector<Point> content_of(const Sketch& sketch, const Frame& frame) {
                     frame.inside(ball.center + reference::normalized(direction) * (nearer * ball.radius)));
         }
     }
-    if (content.size() < 3) {  // nothing but a camera far from everything: all of the frame
+    if (content.size() < 3) {  // only a camera far from everything: show the whole frame
         for (int i = 0; i < 8; ++i)
             content.push_back({(i & 1) == 0 ? frame.half.x : -frame.half.x, (i & 2) == 0 ? frame.half.y : -frame.half.y,
                                (i & 4) == 0 ? frame.half.z : -frame.half.z});
@@ -62,12 +62,12 @@ void append(Sketch& sketch, Sketch&& more) {
     move(sketch.notes, more.notes);
 }
 
-/// One view of what is the same for all.
+/// One view of what all pictures share.
 struct BaseView {
     View view;
     std::string box;
     Panel panel;
-    std::optional<Names> names;  ///< of the panel, where nobody's answers are in the way
+    std::optional<Names> names;  ///< of the panel, for pictures without printed answers
 };
 
 std::string describe(const DoubleScene& scene, const std::vector<std::string>& notes) {
@@ -78,10 +78,10 @@ std::string describe(const DoubleScene& scene, const std::vector<std::string>& n
 
 }  // namespace
 
-/// Whether names of the scene and of what was printed are placed at once, or the latter around the former.
+/// Whether the names of the scene and of printed answers are placed together, or the latter around the former.
 enum class Together { yes, no };
 
-/// All of it comes of the assignment, and of the key only where `with_answers`.
+/// What all pictures share. Depends only on the assignment and, only if `with_answers`, on the key.
 struct ExplainingPictures::Base {
     /// With Together::yes the scene's own names are not placed yet.
     Base(const Marking& marking, bool answers, Room room, Together names);
@@ -95,12 +95,12 @@ struct ExplainingPictures::Base {
     std::vector<std::string> notes;
     KeyLines key;
     std::string beside;    ///< image plane and key, as SVG
-    Names names_in_plane;  ///< where nobody's answers are in the way
+    Names names_in_plane;  ///< for pictures without printed answers
 
     /// A whole <svg> element around `body`.
     std::string page(const std::string& id_prefix, bool is_graded, const std::vector<std::string>& told,
                      const std::string& body) const;
-    /// What can be drawn of one student's answers; `told` gets what can't.
+    /// What can be drawn of one student's answers; `told` gets notes on the rest.
     PrintedSketch printed(const Graded& graded, std::vector<std::string>& told) const;
     /// Beside the views: the printed pixel, and what the marks mean.
     std::string beside_printed(const PrintedSketch& printed, Together together, std::vector<std::string>& told) const;
@@ -180,7 +180,7 @@ std::string ExplainingPictures::Base::beside_printed(const PrintedSketch& printe
            (any ? draw_printed_key(with_answers, key.next) : "");
 }
 
-// Names that give way to those of this student's answers.
+// Places the scene's names together with the names of this student's answers.
 std::string ExplainingPictures::Base::whole(const Graded* graded, std::vector<std::string>& told) const {
     PrintedSketch own;
     if (graded != nullptr) own = printed(*graded, told);
@@ -199,8 +199,8 @@ std::string ExplainingPictures::Base::whole(const Graded* graded, std::vector<st
     return body + beside + beside_printed(own, Together::yes, told);
 }
 
-/// What was drawn before, by what it depends on. Students of one course often make the same mistake with the same
-/// digits, and names take their time to find a place.
+/// A cache of drawings, by what they depend on. Students of one course often make the same mistake with the same
+/// digits, and placing names takes long.
 struct ExplainingPictures::Drawings {
     struct Drawing {
         std::string body;
@@ -210,7 +210,7 @@ struct ExplainingPictures::Drawings {
     std::mutex mutex;
     std::map<std::string, Drawing> known;
 
-    /// The points and vectors, as they were printed, and which are right: all that a picture shows of a student.
+    /// The points and vectors as printed, and which are right. A picture shows nothing else of a student.
     static std::string key_of(const Graded* graded) {
         std::string key;
         if (graded == nullptr) return key;
@@ -224,7 +224,7 @@ struct ExplainingPictures::Drawings {
         return key;
     }
 
-    /// What `draw` gives for `key`, which tells the kind of picture too.
+    /// The result of `draw` for `key`, from the cache if it is there. `key` must also tell the kind of picture.
     template <class Draw>
     Drawing find_or(const std::string& key, Draw draw) {
         {

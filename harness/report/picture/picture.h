@@ -4,19 +4,20 @@
 #include <memory>
 #include <string>
 
-#include "harness/grade.h"
+#include "harness/grade/graded.h"
+#include "harness/grade/marking.h"
 
 namespace harness::report {
 
-/// One self-contained <svg> element, to be a file or to be put into a page; ids in it begin with `id_prefix`, so that
-/// several fit one page. With `graded`, what that student printed and got wrong is drawn too. What the key alone tells,
-/// such as the right hit point, is drawn only where `with_answers`: without, all that the student printed is drawn, and
-/// neither text nor coordinates hold more of the key than that. No style, no script, nothing loaded: it is safe under
-/// any Content-Security-Policy. Its lines and letters have the colour of the text around it.
+/// One self-contained <svg> element, for a file or a page. Its ids begin with `id_prefix`, so that a page can hold
+/// several. With `graded`, it also shows what that student printed and got wrong. It shows what only the key tells,
+/// such as the right hit point, only with `with_answers`. Without, it shows everything that the student printed, and
+/// neither its text nor its coordinates give away more of the key. It has no style and no script and loads nothing, so
+/// it is safe under any Content-Security-Policy. Its lines and letters take the colour of the surrounding text.
 std::string explaining_picture(const Marking& marking, const Graded* graded, bool with_answers,
                                const std::string& id_prefix);
 
-/// The same for many students of one class: what is the same for all is drawn once.
+/// The same for a whole class: draws only once what all students' pictures share.
 class ExplainingPictures {
   public:
     ExplainingPictures(const Marking& marking, bool with_answers, const std::string& id_prefix);
@@ -24,19 +25,19 @@ class ExplainingPictures {
     ExplainingPictures(ExplainingPictures&&) noexcept;
     ExplainingPictures& operator=(ExplainingPictures&&) noexcept;
 
-    /// To stand once in the page that holds the pictures, before them: an <svg> that takes no room.
+    /// Must stand once in the page, before the pictures: an <svg> that takes no room.
     std::string shared_part() const;
-    /// One student's, without the shared part; it shows nothing by itself. Its own prefix, unlike all others in the
+    /// One student's picture without the shared part; it shows nothing by itself. `id_prefix` must be unique in the
     /// page. Safe to call from several threads at a time.
     std::string picture(const Graded* graded, const std::string& id_prefix) const;
-    /// One student's, self-contained.
+    /// One student's picture, self-contained.
     std::string whole_picture(const Graded* graded, const std::string& id_prefix) const;
 
   private:
     struct Base;
     struct Drawings;
     std::unique_ptr<const Base> base_;
-    std::unique_ptr<Drawings> drawings_;  ///< of students who printed the same
+    std::unique_ptr<Drawings> drawings_;  ///< cache, as students often print the same
     std::string id_;                      ///< of the shared part
     friend std::string explaining_picture(const Marking&, const Graded*, bool, const std::string&);
 };

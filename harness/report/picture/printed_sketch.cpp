@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/transcript.h"
+#include "harness/read/transcript.h"
 
 namespace harness::report::picture {
 namespace {
@@ -32,9 +32,9 @@ struct Answer {
 };
 
 /// Draws one submission's answers; the sketch grows call by call.
-class Drawing {
+class PrintedDrawing {
   public:
-    Drawing(const Score& score, const DoubleScene& scene, const RightValues* right, const Frame& frame)
+    PrintedDrawing(const Score& score, const DoubleScene& scene, const RightValues* right, const Frame& frame)
         : score_(score), scene_(scene), right_(right), frame_(frame) {}
 
     PrintedSketch draw() {
@@ -47,7 +47,7 @@ class Drawing {
     }
 
   private:
-    /// Empty where nothing was printed that can be drawn, which is noted, or where it is right and not to be drawn.
+    /// Empty if what was printed can't be drawn, which is noted, or if it is right and need not be drawn.
     std::optional<Answer> answer(int question, std::string_view name) {
         const ItemScore* item = find(question, name);
         if (item == nullptr || item->printed.empty()) return std::nullopt;
@@ -73,7 +73,7 @@ class Drawing {
         result_.sketch.notes.push_back(fmt::format("{} (question {}) {}", name_of(spec), spec.question, what));
     }
 
-    /// Whether it was near enough to be drawn.
+    /// Returns whether the point was near enough to be drawn.
     bool draw_point(int question, std::string_view name, const Answer& answer) {
         const reference::ItemSpec& spec = find(question, name)->spec;
         if (!frame_.holds(answer.value)) {
@@ -118,7 +118,7 @@ class Drawing {
             axes.push_back(*axis);
         }
         if (right_ != nullptr || axes.size() != 3) return;
-        // The image plane as these axes put it; where they are no axes at all it would be anything.
+        // Draws the image plane as these axes put it, unless their lengths show that they are not axes.
         for (const Answer& axis : axes) {
             const double length = distance(axis.value, Point(0, 0, 0));
             constexpr double doubled = 2;
@@ -149,7 +149,7 @@ class Drawing {
         result_.sketch.lines.push_back(ray);
     }
 
-    /// Where a printed normal stands: at the printed hit point, else at the right one.
+    /// The start of a printed normal: the printed hit point, else the right one.
     Point foot(int question, const std::optional<Point>& right_hit, const Point& otherwise) {
         const auto hit = answer(question, "hit");
         if (hit && draw_point(question, "hit", *hit)) return hit->value;
@@ -191,14 +191,14 @@ std::optional<Point> printed_vector(const std::string& printed) {
             if (numbers.size() == 1) single.push_back(numbers[0].value);
         }
     }
-    // One component a line, as they are joined then.
+    // One component per line; here they are joined.
     if (single.size() != 3 && single.size() != 4) return std::nullopt;
     return Point(single[0], single[1], single[2]);
 }
 
 PrintedSketch printed_sketch(const Score& score, const DoubleScene& scene, const RightValues* right,
                              const Frame& frame) {
-    return Drawing(score, scene, right, frame).draw();
+    return PrintedDrawing(score, scene, right, frame).draw();
 }
 
 }  // namespace harness::report::picture

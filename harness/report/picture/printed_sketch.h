@@ -1,12 +1,12 @@
 // What a student printed, as far as it can be drawn.
 #pragma once
 
+#include "harness/mark/score/score.h"
 #include "harness/report/picture/assignment_sketch.h"
-#include "harness/score.h"
 
 namespace harness::report::picture {
 
-/// The printed point or vector: its first three numbers; empty where there are fewer. Not always finite.
+/// The first three numbers of a printed point or vector; empty if there are fewer. They may be infinite or nan.
 std::optional<Point> printed_vector(const std::string& printed);
 
 struct PrintedSketch {
@@ -15,8 +15,8 @@ struct PrintedSketch {
     bool is_P_VCS_right = false;
 };
 
-/// With `right` only what is not right, beside the right things; without, all that was printed, by itself: nothing of
-/// it comes from the key then.
+/// With `right`, draws only the wrong answers, beside the right ones. Without, draws all that was printed and nothing
+/// that comes from the key.
 PrintedSketch printed_sketch(const Score& score, const DoubleScene& scene, const RightValues* right,
                              const Frame& frame);
 

@@ -1,21 +1,21 @@
-// What an explaining picture shows, in the world's coordinates, before anybody looks at it from anywhere.
+// What an explaining picture shows, in world coordinates, before it is drawn in a view.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "reference/vector.h"
+#include "reference/numbers/vector.h"
 
 namespace harness::report::picture {
 
 using Point = reference::Vec3<double>;
 
-/// What a thing belongs to; each has a colour of its own. What comes later is drawn over what comes before.
+/// What a thing belongs to. Each has its own colour and is drawn over those before it.
 enum class Ink { sphere, triangle, camera, ray, printed };
 
 enum class Stroke {
     plain,
-    thin,    ///< what helps to see the rest
+    thin,    ///< lines that only help to see the rest
     dashed,  ///< what was printed
 };
 
@@ -59,7 +59,7 @@ struct Ball {
     double radius = 0;
 };
 
-/// Names are placed in this order, so that the first ones keep theirs where there is too little room.
+/// Names are placed in this order, so that the first things keep their names if there is too little room.
 struct Sketch {
     std::vector<Ball> balls;
     std::vector<Polygon> polygons;

@@ -13,10 +13,10 @@ namespace {
 constexpr double distance_of_look = 4;
 constexpr double room_for_names = 16;  ///< at each side of a box
 
-/// The world's axes by what they mean to a camera.
+/// The roles of the world's axes for a camera.
 struct Roles {
     int up;       ///< nearest to vup
-    int forward;  ///< of the other two, nearest to the view
+    int forward;  ///< of the other two axes, the one nearest to the view's direction
     Point sign;   ///< by axis: up points up, forward where the camera looks
     bool looks_along_up;
 };
@@ -64,7 +64,7 @@ View look_from(const Point& from, const Point& up) {
     return view;
 }
 
-/// How much is seen of the ray's way and of the triangle, from 0 for an end-on or an edge-on look.
+/// How much a view shows of the ray and of the triangle; 0 if it sees the ray end-on or the triangle edge-on.
 double worth(const DoubleScene& scene, const Point& toward) {
     const double along = reference::dot(view_direction(scene.camera), toward);
     double seen = std::sqrt(std::max(0.0, 1 - along * along));
@@ -84,8 +84,8 @@ Spot View::spot(const Point& point) const {
             middle.y - scale * nearer * reference::dot(point, up)};
 }
 
-// The cone of sight that touches the ball, cut by the page: with the half angle s around a direction that is o off the
-// middle, k = cos²o - sin²s; its half axes are f sin s cos s / k and f sin s / √k.
+// The outline is the cone of sight that touches the ball, cut by the page. With the cone's half angle s, the angle o
+// between its axis and the view's middle, and k = cos²o - sin²s, the half axes are f sin s cos s / k and f sin s / √k.
 std::optional<Ellipse> View::outline(const Point& center, double radius) const {
     if (distance == 0) return Ellipse{spot(center), radius * scale, radius * scale, 0};
     const double x = reference::dot(center, right);
@@ -142,7 +142,7 @@ View perspective_view(const DoubleScene& scene, const Box& box, const std::vecto
     const Point up = axis(roles, roles.up);
     const Point forward = axis(roles, roles.forward);
     const Point aside = reference::cross(forward, up);
-    // From behind and the right at first; another corner of the room only where much more is seen from it.
+    // Prefers to look from behind and the right; chooses another corner of the room only if it shows much more.
     constexpr double back = 0.5;
     constexpr double sideways = 0.8;
     constexpr double height = 0.42;

@@ -1,7 +1,7 @@
 // Coordinate descent: each label in turn goes where it costs least while the others stay, until none moves. A place
-// costs its distance from the point, much more for what it hides or its leader line crosses, and most for another
-// label.
-#include "harness/report/label_placement.h"
+// costs its distance from the point, much more if it hides something or its leader line crosses something, and most if
+// it overlaps another label.
+#include "harness/report/plot/label_placement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +16,8 @@ namespace {
 
 constexpr double gap = 2;           ///< between two labels, and a label and a point's mark
 constexpr double mark_radius = 6;   ///< of a point
-constexpr double first_radius = 9;  ///< of the places around a point, from its middle to the label
-constexpr double growth = 0.3;      ///< each is so much larger than the one before,
+constexpr double first_radius = 9;  ///< of the nearest places, from the point's middle to the label
+constexpr double growth = 0.3;      ///< each radius is larger than the one before by this share,
 constexpr double most_growth = 17;  ///< but no more than this: the height of a label and its gap
 constexpr int directions = 32;
 constexpr int most_passes = 12;
@@ -27,10 +27,10 @@ constexpr double price_of_mark = 2e4;
 constexpr double price_of_leader_over_label = 1500;
 constexpr double price_of_crossing = 200;
 constexpr double price_of_leader_over_mark = 1000;
-constexpr double price_of_doubt = 40;  ///< nearer to another point than to its own
+constexpr double price_of_doubt = 40;  ///< for a label nearer to another point than to its own
 
-/// A far place costs more than its distance, so that no label pays for the comfort of many. On the level of its point a
-/// label reads best, to the right at first.
+/// A far place costs more than its distance, so that no single label goes far away to spare many others a little. A
+/// label reads best level with its point, preferably to the right.
 double price_of_place(double radius, double angle) {
     constexpr double far = 10;
     constexpr double slant = 4;
@@ -67,7 +67,7 @@ bool passes(const Segment& line, const Box& box) {
 }
 
 double distance(const Spot& one, const Spot& other) {
-    // Not hypot, which need not be rounded alike everywhere, and takes longer.
+    // Not hypot, which may round differently on another machine and takes longer.
     const double x = one.x - other.x;
     const double y = one.y - other.y;
     return std::sqrt(x * x + y * y);
@@ -91,8 +91,8 @@ Box mark_of(const Label& label) {
 
 struct Place {
     Box box;
-    double price;                       ///< by where it is; then
-    std::optional<double> hiding = {};  ///< by what it hides but other labels, once that has been asked
+    double price;                       ///< of the position alone
+    std::optional<double> hiding = {};  ///< price of what it hides, except other labels; computed when first needed
 };
 
 std::vector<Place> places_for(const Label& label, const Box& area, double most) {
@@ -112,8 +112,8 @@ std::vector<Place> places_for(const Label& label, const Box& area, double most) 
     return places;
 }
 
-/// The places of all labels and what each costs apart from the other labels. Most are never asked for, as a near one
-/// that hides nothing is cheaper.
+/// The places of all labels and their prices without the other labels. Prices are computed on demand: most are never
+/// needed, as a near place that hides nothing is cheaper.
 class Places {
   public:
     Places(const std::vector<Label>& labels, const Box& area, const std::vector<Segment>& drawn,
@@ -124,7 +124,7 @@ class Places {
 
     std::vector<Place>& of(std::size_t i) { return places_[i]; }
 
-    /// Of one of label i's places.
+    /// The price of one of label i's places.
     double price(std::size_t i, Place& place) {
         if (!place.hiding) place.hiding = price_of_hiding(labels_[i], place.box);
         return place.price + *place.hiding;
@@ -161,12 +161,12 @@ class Places {
     std::vector<std::vector<Place>> places_;
 };
 
-class Desk {
+class Arrangement {
   public:
-    Desk(const std::vector<Label>& labels, Places& places)
+    Arrangement(const std::vector<Label>& labels, Places& places)
         : labels_(&labels), places_(&places), chosen_(labels.size()), prices_(labels.size()) {}
 
-    /// Whether any label moved.
+    /// Returns whether any label moved.
     bool pass(const std::vector<std::size_t>& order) {
         bool moved = false;
         for (const std::size_t i : order) {
@@ -232,10 +232,10 @@ class Desk {
     const std::vector<Label>* labels_;
     Places* places_;
     std::vector<std::optional<Box>> chosen_;
-    std::vector<double> prices_;  ///< of each label's place, the others left out
+    std::vector<double> prices_;  ///< of each label's place, without the other labels
 };
 
-/// What comes first finds the best places, so many orders are tried.
+/// The first labels find the best places, so many orders are tried.
 std::vector<std::vector<std::size_t>> orders_of(const std::vector<Label>& labels, int shuffled) {
     std::vector<std::size_t> order(labels.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -251,7 +251,7 @@ std::vector<std::vector<std::size_t>> orders_of(const std::vector<Label>& labels
     add([](const Label& label) { return label.width; });
     std::mt19937 random(1);  // NOLINT(cert-msc51-cpp): the same picture every time
     for (int i = 0; i < shuffled; ++i) {
-        // std::shuffle may do otherwise with another library.
+        // std::shuffle may give another order with another standard library.
         for (std::size_t last = order.size(); last > 1; --last) std::swap(order[last - 1], order[random() % last]);
         orders.push_back(order);
     }
@@ -267,12 +267,12 @@ Spot nearest_on(const Box& box, const Spot& point) {
 Placement place_labels(const std::vector<Label>& labels, const Box& area, const std::vector<Segment>& drawn,
                        const PlaceSearch& search) {
     Places places(labels, area, drawn, search);
-    std::optional<Desk> best;
+    std::optional<Arrangement> best;
     for (const std::vector<std::size_t>& order : orders_of(labels, search.shuffled)) {
-        Desk desk(labels, places);
-        for (int i = 0; i < most_passes && desk.pass(order); ++i) {
+        Arrangement arrangement(labels, places);
+        for (int i = 0; i < most_passes && arrangement.pass(order); ++i) {
         }
-        if (!best || desk.price() < best->price()) best = std::move(desk);
+        if (!best || arrangement.price() < best->price()) best = std::move(arrangement);
     }
     return best->placement();
 }

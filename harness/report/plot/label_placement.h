@@ -1,4 +1,4 @@
-// Where the names of points go in a crowded picture: beside their points, none over another.
+// Places the names of points in a crowded picture: beside their points, without overlaps.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ struct Box {
     double bottom = 0;
 };
 
-/// Something drawn that a name should rather not hide: a step of the frontier, an interval's bar.
+/// A drawn line that a name should not hide: a step of the frontier, an interval's bar.
 struct Segment {
     Spot from;
     Spot to;
@@ -30,20 +30,19 @@ struct Label {
 };
 
 struct Placement {
-    std::vector<Box> boxes;  ///< one a label, inside the area
-    bool is_clear = false;   ///< no box touches another or hides a point
+    std::vector<Box> boxes;  ///< one per label, inside the area
+    bool is_clear = false;   ///< no box touches another box or hides a point
 };
 
-/// How places are looked for.
+/// Settings of the search for places.
 struct PlaceSearch {
-    std::vector<Box> taken = {};  ///< where a label would hide what stands there already
-    int shuffled = 32;            ///< random starting orders, beside the seven that are always tried
-    double farthest = 1e9;        ///< of a place from its point
+    std::vector<Box> taken = {};  ///< where something stands already
+    int shuffled = 32;            ///< random starting orders, besides the seven fixed ones
+    double farthest = 1e9;        ///< largest distance of a place from its point
     double price_of_drawn = 12;   ///< for each line that a label hides, in units of distance
 };
 
-/// Always the same for the same input. Where the area is too small for all labels, boxes overlap and `is_clear` says
-/// so.
+/// Deterministic. If the area is too small for all labels, boxes overlap and `is_clear` is false.
 Placement place_labels(const std::vector<Label>& labels, const Box& area, const std::vector<Segment>& drawn,
                        const PlaceSearch& search = {});
 

@@ -1,9 +1,9 @@
-#include "harness/report/log_axis.h"
+#include "harness/report/plot/log_axis.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "harness/report/accuracy_numbers.h"
+#include "harness/report/plot/numbers.h"
 
 namespace harness::report {
 
@@ -43,7 +43,7 @@ std::vector<Tick> LogAxis::ticks() const {
 
 namespace {
 
-/// Six times the median, if that sets a part of at least a tenfold range aside and leaves most of the values before it.
+/// The bend: six times the median, if the values reach more than ten times beyond it; else `most`, for no bend.
 double bend_for(std::vector<double> values, double most) {
     if (values.empty()) return most;
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

@@ -1,4 +1,5 @@
-// A logarithmic scale from values to places in a picture, with a band at its low end for what a logarithm can't show.
+// A logarithmic scale from values to places in a picture, with a band at its low end for values that a logarithm can't
+// show.
 #pragma once
 
 #include <string>
@@ -13,16 +14,16 @@ struct Tick {
 
 class LogAxis {
   public:
-    /// From `least` at `from` to `most` at `to`, in the picture's units, either way round. `band` is the width set
-    /// aside before `least` for values below it, zero above all; 0 for none.
+    /// Maps `least` to `from` and `most` to `to`, in the picture's units; `from` may be greater than `to`. `band` is
+    /// the width before `least` that is set aside for lower values, mainly zero; 0 for no band.
     LogAxis(double least, double most, double from, double to, double band = 0);
 
-    /// Beyond the scale at its end; in the band's middle below `least`, where there is a band.
+    /// Values beyond the scale are placed at its end, values below `least` in the band's middle if there is a band.
     double place(double value) const;
     bool is_in_band(double value) const { return band_ != 0 && value < least_; }
     double band_edge() const { return start_; }
 
-    /// Powers of ten, labelled as far as they have room; where those are few also their two- and fivefold.
+    /// Powers of ten, labelled if there is room; if they are few, also two and five times each.
     std::vector<Tick> ticks() const;
 
   private:
@@ -34,11 +35,10 @@ class LogAxis {
     double band_;
 };
 
-/// Two scales in a row: the second, beyond `bend`, packs what is far slower than most into little room.
+/// Two scales in a row. The second, beyond `bend`, packs the values far above most others into little room.
 class BentAxis {
   public:
-    /// The values from `least` to `most` between `from` and `to`, `from` < `to`; bent where a few are far above the
-    /// rest.
+    /// Maps `least` to `from` and `most` to `to`, with `from` < `to`. Bends if a few values are far above the rest.
     BentAxis(const std::vector<double>& values, double least, double most, double from, double to);
 
     double place(double value) const { return value > bend_ ? beyond_.place(value) : usual_.place(value); }
@@ -56,7 +56,7 @@ class BentAxis {
     LogAxis beyond_;
 };
 
-/// The power of ten at or below, or at or above.
+/// The nearest power of ten at or below the value, or at or above it.
 double decade_below(double value);
 double decade_above(double value);
 

@@ -1,4 +1,4 @@
-#include "harness/report/accuracy_numbers.h"
+#include "harness/report/plot/numbers.h"
 
 #include <fmt/format.h>
 

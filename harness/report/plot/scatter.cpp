@@ -1,11 +1,11 @@
-#include "harness/report/scatter.h"
+#include "harness/report/plot/scatter.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "harness/report/markup.h"
-#include "harness/report/scatter_layout.h"
+#include "harness/report/plot/scatter_layout.h"
+#include "harness/text/markup.h"
 
 namespace harness::report {
 namespace {
@@ -35,7 +35,7 @@ std::string area(const Box& box, std::string_view more) {
                        box.right - box.left, box.bottom - box.top, more);
 }
 
-/// Its title stands in two lines where the scale's figures stand.
+/// Writes its title in two lines, in the column of the scale's figures.
 std::string draw_band(const std::string& title, const Frame& frame) {
     if (title.empty()) return "";
     std::string svg =
@@ -125,7 +125,7 @@ std::string draw_names(const Scatter& scatter, const Layout& layout) {
                                                      "stroke-opacity=\"0.7\"",
                                                      colour));
         }
-        // textLength keeps the name in its box whatever face the reader's machine has.
+        // textLength keeps the name in its box with any font on the reader's machine.
         names += fmt::format(
             "<text class=\"name\" x=\"{:.1f}\" y=\"{:.1f}\" textLength=\"{:.1f}\" lengthAdjust=\"spacingAndGlyphs\" "
             "fill=\"{}\"{}>{}</text>\n",

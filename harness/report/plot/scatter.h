@@ -1,4 +1,4 @@
-// A picture of points with their names beside them: time across, what is wrong upwards.
+// A scatter plot with names beside its points: time on the x axis, errors on the y axis.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace harness::report {
 
-/// Told apart by shape as well as colour.
+/// Marks differ in shape as well as in colour.
 enum class Mark {
     circle,   ///< float
     square,   ///< double
@@ -16,13 +16,13 @@ enum class Mark {
 
 struct ScatterPoint {
     std::string name;
-    std::string told;  ///< a sentence with the numbers, for who points at it or listens
+    std::string told;  ///< a sentence with the numbers, for the tooltip and for screen readers
     Mark mark = Mark::circle;
     double x = 0;
     double x_low = 0;
     double x_high = 0;
     double y = 0;
-    double y_low = 0;  ///< y_low = y_high where there is no interval
+    double y_low = 0;  ///< y_low = y_high if there is no interval
     double y_high = 0;
     bool on_frontier = false;
 };
@@ -35,8 +35,8 @@ struct Scatter {
     std::string y_title;
     std::string band_title;         ///< what the band below the scale stands for; empty for no band
     double least = 0;               ///< values below are in the band; > 0
-    double most = 0;                ///< where the scale ends at the least
-    std::optional<double> ceiling;  ///< where it ends in any case
+    double most = 0;                ///< the scale ends at this value or higher
+    std::optional<double> ceiling;  ///< the scale never ends higher than this
     std::vector<ScatterPoint> points;
 };
 
@@ -48,7 +48,7 @@ struct Drawing {
 
 Drawing draw(const Scatter& scatter);
 
-/// The face of all text in pictures.
+/// The font of all text in pictures.
 inline constexpr const char* font_family = "Helvetica, Arial, 'Liberation Sans', sans-serif";
 
 }  // namespace harness::report

@@ -1,9 +1,9 @@
-#include "harness/report/scatter_layout.h"
+#include "harness/report/plot/scatter_layout.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "harness/report/markup.h"
+#include "harness/text/markup.h"
 
 namespace harness::report {
 namespace {
@@ -82,7 +82,7 @@ std::vector<Spot> spots_in(const Frame& frame, const Scatter& scatter, const std
     return spots;
 }
 
-/// The part of an interval that is in the band is not drawn: there lines mean nothing.
+/// Leaves out the part of an interval that is in the band, where heights mean nothing.
 std::vector<Segment> bars_of(const ScatterPoint& point, const Spot& spot, const Frame& frame) {
     std::vector<Segment> bars;
     if (point.x_low < point.x_high)
@@ -94,8 +94,8 @@ std::vector<Segment> bars_of(const ScatterPoint& point, const Spot& spot, const 
     return bars;
 }
 
-/// From above down to the fastest, and on to each slower one that is better; on to the right edge, unless it ends in
-/// the band, below which there is nothing.
+/// The steps go from the top down to the fastest method, then to each slower but better one, then to the right edge,
+/// unless the last is in the band, where nothing can be better.
 std::vector<Segment> frontier_of(const Scatter& scatter, const std::vector<Spot>& spots, const Frame& frame) {
     std::vector<std::size_t> best;
     for (std::size_t i = 0; i < spots.size(); ++i) {

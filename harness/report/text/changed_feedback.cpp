@@ -1,8 +1,8 @@
-#include "harness/report/feedback_changes.h"
+#include "harness/report/text/changed_feedback.h"
 
 #include <fmt/format.h>
 
-#include "harness/report/columns.h"
+#include "harness/report/text/columns.h"
 
 namespace harness::report {
 namespace {
@@ -16,7 +16,7 @@ std::string part_text(const PartChange& change) {
         comma = ", ";
     };
     add(change.fresh, "new in");
-    add(change.other, "another in");
+    add(change.other, "changed in");
     add(change.gone, "gone from");
     if (change.gone > 0) text += fmt::format(" (see {})", change.option);
     return text;
@@ -28,9 +28,9 @@ std::string feedback_changes_text(const FeedbackChanges& changes) {
     std::string text;
     for (const PartChange& change : changes.parts) text += (text.empty() ? "" : "; ") + part_text(change);
     if (changes.remeasured > 0) {
-        text += fmt::format("{}nothing but time and memory in {}", text.empty() ? "" : "; ", changes.remeasured);
+        text += fmt::format("{}only time and memory in {}", text.empty() ? "" : "; ", changes.remeasured);
     }
-    return text.empty() ? "" : fmt::format("Beside the marks: {}.\n", text);
+    return text.empty() ? "" : fmt::format("Apart from the marks, by number of submissions: {}.\n", text);
 }
 
 }  // namespace harness::report

@@ -1,11 +1,11 @@
-#include "harness/report/class_changes.h"
+#include "harness/report/text/changed_marks.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "harness/report/columns.h"
-#include "harness/report/report.h"
+#include "harness/report/text/columns.h"
+#include "harness/text/points.h"
 
 namespace harness::report {
 namespace {
@@ -31,7 +31,7 @@ std::string reasons_of(const MarkChange& change) {
     return text;
 }
 
-/// The groups with the word that begins their lines, what an instructor must see last.
+/// A group and the word that begins its lines. The group that an instructor must see comes last.
 struct Titled {
     std::string_view word;
     const Group& group;
@@ -80,7 +80,7 @@ std::string changes_summary(const ClassChanges& changes) {
     if (!changes.fresh.empty()) text += fmt::format(", {} new", counted(changes.fresh.size(), "is", "are"));
     if (!changes.gone.empty()) text += fmt::format(", {} gone", counted(changes.gone.size(), "is", "are"));
     if (changes.most_before != changes.most_after) {
-        text += fmt::format(".\nMarks are of {} points now, of {} before", points_text(changes.most_after),
+        text += fmt::format(".\nMarks are now out of {} points, previously out of {}", points_text(changes.most_after),
                             points_text(changes.most_before));
     }
     return text + ".";

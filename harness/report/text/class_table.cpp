@@ -1,12 +1,15 @@
+#include "harness/report/text/class_table.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 
-#include "harness/final_mark.h"
-#include "harness/override_place.h"
-#include "harness/report/columns.h"
-#include "harness/report/report.h"
+#include "harness/execution/tier.h"
+#include "harness/grade/final_mark.h"
+#include "harness/grade/override_place.h"
+#include "harness/report/text/columns.h"
+#include "harness/text/points.h"
 
 namespace harness::report {
 namespace {
@@ -21,7 +24,7 @@ std::string row_of(const Graded& graded, std::size_t id_width) {
     return row + fmt::format("  {:>6}{}\n", points ? points_text(*points) : "-", graded.overrides.empty() ? "" : "*");
 }
 
-/// What the instructor gave in place of the automatic marks, and what a late hand-in has lost.
+/// The instructor's overrides and the late deductions.
 std::string departures(const std::vector<Graded>& graded) {
     std::string text;
     for (const Graded& one : graded) {

@@ -1,8 +1,8 @@
-#include "harness/report/columns.h"
+#include "harness/report/text/columns.h"
 
 #include <algorithm>
 
-#include "harness/clean_text.h"
+#include "harness/text/escape.h"
 
 namespace harness::report {
 namespace {

@@ -1,10 +1,10 @@
-#include "harness/report/compiler_messages.h"
+#include "harness/report/text/compiler_messages.h"
 
 #include <algorithm>
 #include <charconv>
 #include <optional>
 
-#include "harness/clean_text.h"
+#include "harness/text/utf8.h"
 
 namespace harness::report {
 namespace {

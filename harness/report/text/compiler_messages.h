@@ -10,14 +10,14 @@ namespace harness::report {
 struct CompilerMessage {
     int line = 0;      ///< of the source, 1-based
     std::string kind;  ///< "error" or "warning"
-    std::string text;  ///< hostile bytes, as the compiler wrote them
+    std::string text;  ///< untrusted bytes, as the compiler wrote them
 };
 
-/// The errors and warnings about the submission's own lines, errors first, at most `most` of them. What is about a
-/// header, or continues a message, is left out: the messages as a whole are there for that.
+/// The errors and warnings about the submission's own lines, errors first, at most `most` of them. Leaves out messages
+/// about headers and continuation lines, which the complete messages show.
 std::vector<CompilerMessage> compiler_messages(std::string_view diagnostics, std::size_t most = 20);
 
-/// At most `most` bytes of a text from a submission, cut at the end of a line where there is one.
+/// At most `most` bytes of a text from a submission, cut at the end of a line if possible.
 std::string beginning_of(const std::string& text, std::size_t most);
 
 }  // namespace harness::report

@@ -1,4 +1,4 @@
-#include "harness/report/expected_text.h"
+#include "harness/report/text/expected_text.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@ std::string number_text(double x) {
     return fmt::format("{:.6g}", x == 0 ? 0.0 : x);  // no "-0"
 }
 
-/// A column-major matrix, one row a line.
+/// A column-major matrix, one row per line.
 std::string matrix_text(const Numbers& columns, std::size_t size) {
     std::string text;
     for (std::size_t row = 0; row < size; ++row) {

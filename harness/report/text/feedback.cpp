@@ -1,14 +1,18 @@
+#include "harness/report/text/feedback.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "harness/clean_text.h"
-#include "harness/final_mark.h"
-#include "harness/override_place.h"
-#include "harness/report/look_first.h"
-#include "harness/report/report.h"
-#include "harness/stress/stress_sentences.h"
-#include "harness/variants/variant_sentences.h"
+#include "harness/execution/tier.h"
+#include "harness/grade/final_mark.h"
+#include "harness/grade/hard_scenes_sentences.h"
+#include "harness/grade/other_scenes_sentences.h"
+#include "harness/grade/override_place.h"
+#include "harness/report/text/look_first.h"
+#include "harness/report/text/sentences.h"
+#include "harness/text/escape.h"
+#include "harness/text/points.h"
 
 namespace harness::report {
 namespace {
@@ -23,7 +27,7 @@ std::size_t longest_run_of_backticks(std::string_view text) {
     return longest;
 }
 
-/// Text from the submission within a line: a code span that no backtick in it can end.
+/// Text from the submission within a line, as a code span that no backtick in the text can end.
 std::string code(const std::string& text) {
     std::string safe = escape_control(text);
     std::replace(safe.begin(), safe.end(), '\n', ' ');
@@ -38,7 +42,7 @@ std::string code_block(const std::string& text) {
     return fmt::format("{0}\n{1}{2}{0}\n", fence, safe, safe.ends_with('\n') ? "" : "\n");
 }
 
-/// Text within a line that is none of ours: a character that Markdown or HTML would take for more is itself.
+/// Untrusted text within a line: escapes the characters that Markdown or HTML would interpret.
 std::string plain(const std::string& text) {
     std::string safe;
     for (const char c : escape_control(text)) {
@@ -78,7 +82,7 @@ std::string from_the_instructor(const Graded& graded) {
     return text.empty() ? "" : text + "\n";
 }
 
-/// The mark, and why it is not the sum of the questions where it is not.
+/// The mark and, if it is not the sum of the questions, why.
 std::string mark_lines(const Graded& graded) {
     const auto mark = final_mark(graded);
     if (!mark) return "";
@@ -123,12 +127,12 @@ std::string list_of(const std::vector<std::string>& sentences) {
 
 /// What the other scenes showed; empty when none was tried.
 std::vector<std::string> other_scenes_of(const Graded& graded) {
-    return graded.other_scenes ? variants::variant_sentences(*graded.other_scenes) : std::vector<std::string>();
+    return graded.other_scenes ? scenes::other_scenes_sentences(*graded.other_scenes) : std::vector<std::string>();
 }
 
-/// What the hard scenes showed, likewise.
+/// What the hard scenes showed; empty when none was tried.
 std::vector<std::string> hard_scenes_of(const Graded& graded) {
-    return graded.hard_scenes ? stress::stress_sentences(*graded.hard_scenes) : std::vector<std::string>();
+    return graded.hard_scenes ? scenes::hard_scenes_sentences(*graded.hard_scenes) : std::vector<std::string>();
 }
 
 }  // namespace
@@ -165,7 +169,7 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     const std::string items = graded.outcome == Outcome::compile_error ? "" : items_worth_saying(graded);
     if (!items.empty()) text += "\n## Answers to look at\n\n" + items;
     if (!graded.flags.empty()) {
-        text += "\n## For a person to look at\n\n";
+        text += "\n## A person should look at this\n\n";
         for (const Flag& flag : graded.flags) {
             text += fmt::format("- {}: {}\n", plain(flag_title(flag)), code(flag.evidence));
         }

@@ -1,13 +1,16 @@
-#include "harness/report/item_text.h"
+#include "harness/report/text/item_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "harness/clean_text.h"
-#include "harness/final_mark.h"
-#include "harness/report/report.h"
-#include "harness/variants/variant_sentences.h"
+#include "harness/execution/tier.h"
+#include "harness/grade/final_mark.h"
+#include "harness/grade/other_scenes_sentences.h"
+#include "harness/report/text/sentences.h"
+#include "harness/text/escape.h"
+#include "harness/text/points.h"
+#include "harness/text/utf8.h"
 
 namespace harness::report {
 namespace {
@@ -25,7 +28,7 @@ std::string right_value(const ItemScore& item, const Marking& marking) {
 }  // namespace
 
 bool is_passed(double points, double max_points, ItemVerdict verdict) {
-    constexpr double rounding = 1e-9;  // of the shares that points are sums of
+    constexpr double rounding = 1e-9;  // error in the shares that points are sums of
     if (max_points > 0) return points >= max_points - rounding;
     return verdict == ItemVerdict::right || verdict == ItemVerdict::follow;
 }
@@ -47,7 +50,7 @@ std::string item_text(const Graded& graded, const QuestionScore& question, const
         text += "  " + sentence + (item.diagnosis.empty() ? "" : fmt::format(" ({})", item.diagnosis)) + "\n";
     }
     const bool is_shown = marking.assignment.rubric.show_expected && item.verdict != ItemVerdict::right;
-    if (is_shown) text += "  Right is " + right_value(item, marking) + "\n";
+    if (is_shown) text += "  Right value: " + right_value(item, marking) + "\n";
     const std::string word = override_text(find_override(graded, question.number, std::string(item.spec.name)));
     return text + (word.empty() ? "" : "  " + word);
 }
@@ -55,7 +58,7 @@ std::string item_text(const Graded& graded, const QuestionScore& question, const
 std::string scenes_text(const Graded& graded) {
     std::string text;
     if (graded.other_scenes) {
-        for (const std::string& sentence : variants::variant_sentences(*graded.other_scenes))
+        for (const std::string& sentence : scenes::other_scenes_sentences(*graded.other_scenes))
             text += escape_control(sentence) + "\n";
     }
     return text + override_text(find_override(graded, 0, std::string(other_scenes_place)));

@@ -1,4 +1,4 @@
-#include "harness/report/look_first.h"
+#include "harness/report/text/look_first.h"
 
 #include <fmt/format.h>
 
@@ -76,9 +76,9 @@ std::string look_first_sentence(const Graded& graded) {
     if (!look) return "";
     std::string text = fmt::format("Look at question {} first: ", look->question);
     if (look->is_missing) {
-        text += "it is the earliest with an answer missing.";
+        text += "it is the earliest with a missing answer.";
     } else {
-        text += look->is_only ? "it is the one with a wrong answer." : "it is the earliest with a wrong answer.";
+        text += look->is_only ? "it is the only one with a wrong answer." : "it is the earliest with a wrong answer.";
     }
     if (look->following.empty()) return text;
     const bool one = look->following.size() == 1;

@@ -1,9 +1,11 @@
+#include "harness/report/text/sentences.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "harness/final_mark.h"
-#include "harness/report/report.h"
+#include "harness/grade/final_mark.h"
+#include "harness/text/points.h"
 
 namespace harness::report {
 namespace {
@@ -24,7 +26,7 @@ bool holds_no_number(const ItemScore& item) {
            (item.printed.find("nan") != std::string::npos || item.printed.find("inf") != std::string::npos);
 }
 
-/// The program did not come to its own end, so that what is missing may have been still to come.
+/// Whether the program was cut short, so that it might still have printed what is missing.
 bool was_cut_short(Outcome outcome) {
     switch (outcome) {
         case Outcome::crashed:
@@ -40,13 +42,6 @@ bool was_cut_short(Outcome outcome) {
 }
 
 }  // namespace
-
-std::string points_text(double points) {
-    std::string text = fmt::format("{:.2f}", points);
-    while (text.back() == '0') text.pop_back();
-    if (text.back() == '.') text.pop_back();
-    return text == "-0" ? "0" : text;
-}
 
 std::string scenes_sentence(const Graded& graded) {
     return fmt::format("Other scenes: {} of {} points.", points_text(final_scenes_points(graded)),
@@ -68,7 +63,7 @@ std::string reason_for_student(const Submission& submission) {
 }
 
 std::string flag_title(const Flag& flag) {
-    if (flag.kind == "nondeterministic") return "The program does not answer the same each time";
+    if (flag.kind == "nondeterministic") return "The program's answers differ from run to run";
     if (flag.kind == "hard_coded") return "The printed numbers do not change when the scene in the source does";
     if (flag.kind == "variants_not_tried") return "The program could not be tried in full on other scenes";
     return flag.kind;
@@ -84,7 +79,8 @@ std::string item_sentence(const ItemScore& item, Outcome outcome) {
             return fmt::format("Not found in the output. Print {} with a label under this question's heading.",
                                expected_shape(item.spec.shape));
         case ItemVerdict::unreadable:
-            return fmt::format("This can't be read as an answer; {} is asked for.", expected_shape(item.spec.shape));
+            return fmt::format("This can't be read as an answer. The question asks for {}.",
+                               expected_shape(item.spec.shape));
         case ItemVerdict::wrong: break;
     }
     if (holds_no_number(item))

@@ -1,4 +1,4 @@
-#include "harness/report/verdict_words.h"
+#include "harness/report/text/verdict_words.h"
 
 #include <algorithm>
 

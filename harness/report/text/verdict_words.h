@@ -4,20 +4,20 @@
 #include <string>
 #include <string_view>
 
-#include "harness/score.h"
+#include "harness/mark/score/score.h"
 
 namespace harness::report {
 
 /// "right", "follows", "wrong", "missing" or "unreadable".
 std::string_view word_of(ItemVerdict verdict);
 
-/// Of a question: "unreadable" where all of it is.
+/// A question's verdict; "unreadable" if all its answers are.
 std::string word_of(const QuestionScore& question);
 
-/// A single character for the eye alone: ✓ ↳ ✗ –.
+/// A single character, which pages hide from screen readers: ✓ ↳ ✗ –.
 std::string_view symbol_of(const QuestionScore& question);
 
-/// right, follow, wrong or missing.
+/// The HTML class: right, follow, wrong or missing.
 std::string_view class_of(const QuestionScore& question);
 
 }  // namespace harness::report

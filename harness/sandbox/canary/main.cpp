@@ -1,5 +1,5 @@
-// raygrade-canary DECOY PORT PID: does what no program in a sandbox may do, and tells how it fared: a line for each
-// attempt with its name and errno, 0 for one that succeeded. Nothing it does harms a machine without a sandbox.
+// raygrade-canary DECOY PORT PID: tries what no program in a sandbox may do. Prints a line for each attempt with its
+// name and errno, 0 for success. Nothing it does harms a machine without a sandbox.
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <netinet/in.h>
@@ -22,7 +22,7 @@ void tell(const char* attempt, bool succeeded) {
     std::cout << attempt << ' ' << error << std::endl;
 }
 
-/// Prints what it read, for the harness to find.
+/// Prints what it read, so that the harness sees whether reading succeeded.
 bool read_file(const char* path) {
     const int file = open(path, O_RDONLY);
     char text[256];
@@ -57,7 +57,7 @@ bool connect_to(const char* port) {
     return connect(connection, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0;
 }
 
-/// More than any limit lets live, and each for a second at most.
+/// Starts more processes than any limit allows; each lives for at most a second.
 int start_processes() {
     constexpr int many = 64;
     int started = 0;

@@ -1,4 +1,4 @@
-#include "harness/sandbox/bwrap.h"
+#include "harness/sandbox/host/bwrap.h"
 
 #include <initializer_list>
 #include <system_error>
@@ -18,7 +18,7 @@ class Arguments {
     std::vector<std::string> words_;
 };
 
-/// /lib and the like, which on Debian 12 are links into /usr.
+/// Adds /lib and the like, which on Debian 12 are links into /usr.
 void add_links(Arguments& arguments) {
     for (const char* name : {"/bin", "/lib", "/lib32", "/lib64", "/libx32"}) {
         std::error_code error;
@@ -32,21 +32,20 @@ void add_links(Arguments& arguments) {
 std::vector<std::string> bwrap_arguments(const Command& command, const Sandbox& sandbox) {
     Arguments arguments;
     arguments.add({sandbox.bwrap().string()});
-    // Named beside --unshare-all, which only tries it.
+    // --unshare-user is needed as well, because --unshare-all only tries to make a user namespace.
     arguments.add({"--unshare-all", "--unshare-user", "--disable-userns", "--new-session", "--as-pid-1"});
     arguments.add({"--hostname", "sandbox"});
     for (const auto& folder : system_folders(command.purpose)) arguments.show(folder);
     add_links(arguments);
     for (const auto& path : command.readable) arguments.show(path);
     arguments.add({"--proc", "/proc", "--dev", "/dev"});
-    arguments.add({"--ro-bind", sandbox.shim().string(), "/shim"});
+    arguments.add({"--ro-bind", sandbox.supervisor().string(), "/supervisor"});
     const std::string inside = sandbox.inside(command.working_directory).string();
     arguments.add({command.purpose == Purpose::compile ? "--bind" : "--ro-bind", command.working_directory.string(),
                    inside, "--chdir", inside});
-    // What bwrap mounts itself has no limit of its size.
-    // And what can be written in /proc has consequences outside, such as which process the kernel ends when memory runs
-    // out.
-    arguments.add({"--remount-ro", "/dev", "--remount-ro", "/proc", "--remount-ro", "/", "--", "/shim"});
+    // The file systems that bwrap mounts itself have no size limit. Writing to /proc has effects outside the sandbox,
+    // e.g. on which process the kernel kills when memory runs out.
+    arguments.add({"--remount-ro", "/dev", "--remount-ro", "/proc", "--remount-ro", "/", "--", "/supervisor"});
     return arguments.take();
 }
 

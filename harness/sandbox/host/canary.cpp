@@ -1,4 +1,4 @@
-#include "harness/sandbox/canary.h"
+#include "harness/sandbox/host/canary.h"
 
 #include <arpa/inet.h>
 #include <fcntl.h>
@@ -14,11 +14,11 @@
 #include <sstream>
 #include <system_error>
 
-#include "harness/failure.h"
-#include "harness/names.h"
-#include "harness/sandbox/file_descriptor.h"
-#include "harness/sandbox/find_on_path.h"
-#include "harness/sandbox/scratch.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/file_descriptor.h"
+#include "harness/machine/find_on_path.h"
+#include "harness/sandbox/host/scratch.h"
+#include "harness/text/printable.h"
 
 namespace harness {
 namespace {
@@ -29,7 +29,7 @@ using namespace std::chrono_literals;
 constexpr const char* secret = "canary decoy: no program may read this";
 constexpr int processes_allowed = 4;
 
-/// A port of this machine that somebody listens at.
+/// Listens at a port of this machine.
 class Listener {
   public:
     Listener() : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
@@ -42,7 +42,7 @@ class Listener {
                              getsockname(socket_.get(), reinterpret_cast<sockaddr*>(&address), &size) == 0;
         if (listens) port_ = ntohs(address.sin_port);
     }
-    /// 0 on a machine without loopback, where nothing can be connected to either.
+    /// 0 on a machine without loopback, where no program can connect anywhere either.
     int port() const { return port_; }
     bool was_called() const { return FileDescriptor(accept(socket_.get(), nullptr, nullptr)).operator bool(); }
 
@@ -53,7 +53,7 @@ class Listener {
 
 fs::path make_decoy(const Workspace& workspace) {
     const fs::path decoy = workspace.path() / "decoy";
-    // Readable for everyone: what keeps the canary out is to be the sandbox, not the file's mode.
+    // Everyone may read and write it, so that the sandbox and not the file's mode keeps the canary out.
     std::ofstream(decoy) << secret;
     fs::permissions(decoy, static_cast<fs::perms>(0666));
     return decoy;
@@ -85,7 +85,7 @@ ProcessResult run_canary(const Sandbox& sandbox, const Scratch& scratch, const f
     return run_process(command, sandbox);
 }
 
-/// errno by the attempt's name.
+/// Parses the canary's output into errno by the attempt's name.
 std::map<std::string, int> told(const std::string& output) {
     std::map<std::string, int> attempts;
     std::istringstream lines(output);
@@ -102,7 +102,8 @@ std::string word_of(int error) {
     return error == 0 ? "it succeeded" : std::generic_category().message(error);
 }
 
-/// Where the canary's word and what is seen from here differ, the worse one counts; so does its silence.
+/// If the canary's report and what this process sees differ, the worse result counts. A missing report counts as
+/// success of the attack.
 Attempt judge(const std::map<std::string, int>& told, const char* name, const char* what, bool seen_from_here) {
     const auto word = told.find(name);
     if (seen_from_here) return {what, false, "seen to succeed"};
@@ -161,7 +162,7 @@ CanaryReport try_canary(const Sandbox& sandbox) {
 Choice choose_sandbox(std::optional<Tier> only, WithoutSandbox without) {
     Choice choice;
     std::string reasons;
-    { const Workspace probe; }  // without room for one, nothing can be said of sandboxes
+    { const Workspace probe; }  // without room for a workspace, no sandbox can be tested
     for (const Tier tier : {Tier::bwrap, Tier::landlock}) {
         if (only && *only != tier) continue;
         CanaryReport report{tier, {}, {}};
@@ -180,7 +181,7 @@ Choice choose_sandbox(std::optional<Tier> only, WithoutSandbox without) {
         choice.sandbox = std::make_unique<Sandbox>(Tier::unsafe);
         return choice;
     }
-    throw HarnessError("This machine holds no sandbox, so strangers' programs are not run:" + reasons +
+    throw HarnessError("No sandbox works on this machine, so strangers' programs are not run:" + reasons +
                        "\nSee `raygrade doctor` for what would help. --unsafe runs them with limits alone.");
 }
 

@@ -1,4 +1,4 @@
-// Finding out which sandbox this machine holds, by attacking it before the first submission does.
+// Finds out which sandbox works on this machine, by attacking it before the first submission can.
 #pragma once
 
 #include <memory>
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/sandbox/sandbox.h"
+#include "harness/sandbox/host/sandbox.h"
 
 namespace harness {
 
@@ -14,35 +14,35 @@ namespace harness {
 struct Attempt {
     std::string what;    ///< "read a file of raygrade's"
     bool held = false;   ///< whether the sandbox held
-    std::string detail;  ///< the kernel's word: "No such file or directory"
+    std::string detail;  ///< the kernel's message: "No such file or directory"
 };
 
-/// How a tier fared.
+/// The result of attacking a tier.
 struct CanaryReport {
     Tier tier;
-    std::string failure;            ///< why nothing could be run in it; empty when something could
-    std::vector<Attempt> attempts;  ///< all of them, in their order; none under `failure`
+    std::string failure;            ///< why nothing could be run in it; empty if the canary ran
+    std::vector<Attempt> attempts;  ///< all of them in a fixed order; none after a failure
 
     bool held() const;
-    /// A line on what did not hold, or that all did.
+    /// One line: what did not hold, or that everything did.
     std::string summary() const;
 };
 
 /// Runs raygrade-canary in the sandbox: it tries to read and overwrite a decoy file, to connect to a listener of this
-/// process, to signal this process, to make a user namespace, to leave a file behind and to start processes without
-/// end. Whether it succeeded is decided from outside, where that can be seen from there. Some 40 ms.
+/// process, to signal this process, to make a user namespace, to leave a file behind and to start more processes than
+/// allowed. Where the result is visible from outside, this process checks it itself. Takes some 40 ms.
 CanaryReport try_canary(const Sandbox& sandbox);
 
-/// What to do on a machine that holds no sandbox.
+/// What to do if no sandbox works on this machine.
 enum class WithoutSandbox { refuse, run_unsafe };
 
 struct Choice {
     std::unique_ptr<Sandbox> sandbox;   ///< of the strongest tier that held
-    std::vector<CanaryReport> reports;  ///< of each tier tried, the chosen one last; none of Tier::unsafe
+    std::vector<CanaryReport> reports;  ///< one per tier tried, the chosen tier last; none for Tier::unsafe
 };
 
-/// Tries `only`, or else bwrap and then landlock. Throws HarnessError, with what failed and the way out, when none held
-/// and that is refused.
+/// Tries only the tier `only`, if given, else bwrap and then landlock. If none holds and `without` is refuse, throws
+/// HarnessError with what failed and how to fix it.
 Choice choose_sandbox(std::optional<Tier> only, WithoutSandbox without);
 
 }  // namespace harness

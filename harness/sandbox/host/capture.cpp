@@ -1,4 +1,4 @@
-#include "harness/sandbox/capture.h"
+#include "harness/sandbox/host/capture.h"
 
 #include <algorithm>
 #include <boost/asio/buffer.hpp>

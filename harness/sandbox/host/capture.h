@@ -1,4 +1,4 @@
-// Reading one pipe of a program to its end, in bounded memory.
+// Reads a program's pipe to its end, in bounded memory.
 #pragma once
 
 #include <array>
@@ -8,23 +8,23 @@
 #include <functional>
 #include <string>
 
-#include "harness/sandbox/file_descriptor.h"
+#include "harness/machine/file_descriptor.h"
 
 namespace harness {
 
-/// Keeps the first `limit` bytes of a pipe, and reads and drops the rest. Reads while the io_context runs.
+/// Keeps the first `limit` bytes of a pipe; reads the rest and drops it. Reads while the io_context runs.
 class Capture {
   public:
     Capture(boost::asio::io_context& io, FileDescriptor pipe, std::uint64_t limit);
 
-    /// Begins. `on_more` is called once if there is more than the limit; `on_end` once, at the pipe's end or after
-    /// stop().
+    /// Starts reading. `on_more` is called once if there is more than the limit; `on_end` once, at the pipe's end or
+    /// after stop().
     void start(std::function<void()> on_more, std::function<void()> on_end);
     /// Closes the pipe without reading on.
     void stop();
     /// Whether there was more than the limit.
     bool truncated() const { return truncated_; }
-    /// What was read; to be called once, after the end.
+    /// What was kept. Call it once, after the end.
     std::string take() { return std::move(kept_); }
 
   private:

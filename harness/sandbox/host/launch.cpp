@@ -1,11 +1,11 @@
 // Boost.Process v2 as of 1.81 has defects this file works around: it leaks descriptors into the child (so: an own
-// initialiser with close_range), allocates in the child, where another thread's lock may be held for ever (so: vfork,
-// during which the other threads go on), drops an initialiser's error when errno is 0, flushes the parent's stdio in a
-// child that failed to exec and leaves it a zombie (so: _exit and waitpid here), crashes in bind_fd (so: dup2), never
-// gives EOF with a named process_stdio (so: own pipes), and its async_wait can hang (so: an own pidfd, then detach).
-// Header-only mode leaves parts undefined, hence the separate compilation in this one file.
+// initialiser with close_range), allocates in the child, where the lock of another thread may be held for ever (so:
+// vfork, during which the other threads go on), drops an initialiser's error when errno is 0, flushes the parent's
+// stdio in a child that failed to exec and leaves it a zombie (so: _exit and waitpid here), crashes in bind_fd (so:
+// dup2), never gives EOF with a named process_stdio (so: own pipes), and its async_wait can hang (so: an own pidfd,
+// then detach). Header-only mode leaves parts undefined, hence the separate compilation in this one file.
 
-#include "harness/sandbox/launch.h"
+#include "harness/sandbox/host/launch.h"
 
 #include <fcntl.h>
 #include <linux/close_range.h>
@@ -17,7 +17,7 @@
 #include <system_error>
 #include <vector>
 
-// With std::filesystem, Boost.Process forgets these two.
+// Boost.Process with std::filesystem uses these two headers without including them.
 #include <boost/optional.hpp>
 #include <boost/type_traits.hpp>
 
@@ -28,10 +28,10 @@
 #include <boost/process/v2/process.hpp>
 #include <boost/process/v2/src.hpp>
 
-#include "harness/failure.h"
-#include "harness/names.h"
-#include "harness/sandbox/bwrap.h"
-#include "harness/sandbox/shim_protocol.h"
+#include "harness/machine/errors.h"
+#include "harness/sandbox/host/bwrap.h"
+#include "harness/sandbox/supervisor/protocol.h"
+#include "harness/text/printable.h"
 
 namespace harness {
 namespace {
@@ -51,7 +51,7 @@ Pipe make_pipe() {
     return {FileDescriptor(ends[0]), FileDescriptor(ends[1])};
 }
 
-/// A closed stdin, stdout or stderr would give its number to a pipe, which the child then overwrites.
+/// If stdin, stdout or stderr is closed, a pipe may get its number, and the child would then overwrite the pipe.
 void keep_standard_descriptors_taken() {
     static const bool done = [] {
         for (int fd = 0; fd <= 2; ++fd) {
@@ -62,12 +62,13 @@ void keep_standard_descriptors_taken() {
     if (!done) throw HarnessError("Could not open /dev/null. Run with stdin, stdout and stderr open.");
 }
 
-/// Prepares the child between vfork and exec. It has its own descriptors and credentials but this process's memory.
-struct ShimSetup {
+/// Prepares the child between vfork and exec. The child has its own descriptors and credentials but shares this
+/// process's memory.
+struct SupervisorSetup {
     int output_fd, error_fd, status_fd, lifeline_fd;
     const char* const* environment;
-    int lock_fd;             ///< of the workspace, which has to stay until the last process in it is gone
-    const Account* account;  ///< whom to become before anything else is started; null for nobody
+    int lock_fd;             ///< keeps the workspace until the last process in it is gone
+    const Account* account;  ///< the account to change to before exec; null for no change
 
     template <class Launcher>
     error_code on_setup(Launcher& launcher, const std::filesystem::path&, const char* const*&) const {
@@ -78,8 +79,8 @@ struct ShimSetup {
         return {};
     }
 
-    /// When memory runs out, the kernel is to end something of this tree and not the harness. Written by root it can't
-    /// be lowered again. Where it can't be written, the machine's own choice has to do.
+    /// Makes the kernel kill a process of this tree rather than the harness when memory runs out. If root has written
+    /// the value, the program can't lower it again. If it can't be written, the kernel chooses by itself.
     static void be_the_first_to_go() {
         const int file = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
         [[maybe_unused]] const ssize_t size = write(file, "1000", 4);
@@ -97,7 +98,7 @@ struct ShimSetup {
         return ready ? error_code() : error_code(errno, boost::system::system_category());
     }
 
-    /// The launcher would call exit() and so write the parent's buffered output a second time.
+    /// Without this, the launcher would call exit() and write the parent's buffered output a second time.
     template <class... Anything>
     void on_exec_error(Anything&&...) const {
         _exit(127);
@@ -119,8 +120,8 @@ std::vector<const char*> pointers_to(const std::vector<std::string>& texts) {
     return pointers;
 }
 
-/// In namespaces everything inside has the program's account, the shim too, which is out of reach as their first
-/// process. Without them the shim keeps its own, and the program alone becomes another.
+/// With namespaces, the supervisor has the program's account too; the program can't reach it because it is their first
+/// process. Without namespaces, the supervisor keeps its account and only the program changes to another.
 const Account* account_before_exec(const Command& command, const Sandbox& sandbox) {
     return command.account && sandbox.tier() == Tier::bwrap ? &*command.account : nullptr;
 }
@@ -133,12 +134,12 @@ std::vector<std::string> readable_by(const Command& command) {
 }
 
 std::vector<std::string> command_line(const Command& command, const Sandbox& sandbox, int status_fd, int lifeline_fd) {
-    ShimOrders orders;
+    SupervisorOrders orders;
     orders.status_fd = status_fd;
     orders.lifeline_fd = lifeline_fd;
     orders.tier = sandbox.tier();
     orders.purpose = command.purpose;
-    // The kernel counts an account's processes for each user namespace on its own.
+    // The kernel counts an account's processes separately in each user namespace.
     orders.counted_alone = sandbox.tier() == Tier::bwrap || command.account;
     orders.limits = command.limits;
     orders.working_directory = sandbox.inside(command.working_directory).string();
@@ -149,7 +150,7 @@ std::vector<std::string> command_line(const Command& command, const Sandbox& san
     if (sandbox.tier() == Tier::bwrap) {
         words = bwrap_arguments(command, sandbox);
     } else {
-        words = {sandbox.shim().string()};
+        words = {sandbox.supervisor().string()};
     }
     const auto more = to_arguments(orders);
     words.insert(words.end(), more.begin(), more.end());
@@ -158,45 +159,46 @@ std::vector<std::string> command_line(const Command& command, const Sandbox& san
 
 }  // namespace
 
-void Shim::end() {
+void Supervisor::end() {
     lifeline.close();
     if (pid > 0) waitpid(std::exchange(pid, -1), nullptr, 0);
 }
 
-void launch(Shim& shim, const Command& command, const Sandbox& sandbox) {
+void launch(Supervisor& supervisor, const Command& command, const Sandbox& sandbox) {
     keep_standard_descriptors_taken();
     Pipe output = make_pipe(), errors = make_pipe(), status = make_pipe(), lifeline = make_pipe();
     const auto variables = environment_of(command, sandbox);
     const auto environment = pointers_to(variables);
     const auto words = command_line(command, sandbox, status.write_end.get(), lifeline.read_end.get());
-    const ShimSetup setup = {output.write_end.get(),
-                             errors.write_end.get(),
-                             status.write_end.get(),
-                             lifeline.read_end.get(),
-                             environment.data(),
-                             sandbox.workspace().lock().get(),
-                             account_before_exec(command, sandbox)};
+    const SupervisorSetup setup = {output.write_end.get(),
+                                   errors.write_end.get(),
+                                   status.write_end.get(),
+                                   lifeline.read_end.get(),
+                                   environment.data(),
+                                   sandbox.workspace().lock().get(),
+                                   account_before_exec(command, sandbox)};
     const std::filesystem::path program = words.front();
     const std::vector<std::string> arguments(words.begin() + 1, words.end());
     boost::process::v2::posix::vfork_launcher launcher;
     error_code error;
     try {
-        // One of its own: a context that has waited for something would be changed by the child for both.
+        // A new context for each launch. The child shares this process's memory and would change a context that has
+        // waited for something.
         boost::asio::io_context io;
         auto process = launcher(io.get_executor(), error, program, arguments, setup);
         if (!error) process.detach();
     } catch (const boost::system::system_error& failure) {
-        error = failure.code();  // too many open files, perhaps after the shim had started
+        error = failure.code();  // e.g. too many open files, perhaps after the supervisor has started
     }
-    shim.pid = launcher.pid;
-    shim.lifeline = std::move(lifeline.write_end);
-    shim.output = std::move(output.read_end);
-    shim.errors = std::move(errors.read_end);
-    shim.status = std::move(status.read_end);
-    if (!error) shim.gone = FileDescriptor(static_cast<int>(syscall(SYS_pidfd_open, shim.pid, 0)));
-    if (!error && !shim.gone) error = error_code(errno, boost::system::system_category());
+    supervisor.pid = launcher.pid;
+    supervisor.lifeline = std::move(lifeline.write_end);
+    supervisor.output = std::move(output.read_end);
+    supervisor.errors = std::move(errors.read_end);
+    supervisor.status = std::move(status.read_end);
+    if (!error) supervisor.gone = FileDescriptor(static_cast<int>(syscall(SYS_pidfd_open, supervisor.pid, 0)));
+    if (!error && !supervisor.gone) error = error_code(errno, boost::system::system_category());
     if (!error) return;
-    shim.end();
+    supervisor.end();
     throw HarnessError("Could not start " + in_quotes(program) + ": " + error.message() +
                        ". Grade fewer submissions at a time (-j), or build raygrade again.");
 }

@@ -1,10 +1,11 @@
-// Running a stranger's program.
+// Runs a student's program.
 //
-// Theory of operation. run_process starts the shim (shim.cpp), not the program. Four pipes join them: the program's
-// stdout and stderr, the shim's status line, and the lifeline, whose write end only this process holds; closing it, or
-// dying, makes the shim kill everything. One io_context per run reads the three pipes in bounded pieces, waits for the
-// shim through a pidfd, and keeps one timer: while the shim lives, its last-resort deadline; once it is gone, the 250
-// ms a pipe may still take to run dry. The shim decides how the program ended; only the output limit is noticed here.
+// Theory of operation. run_process starts the supervisor (supervisor.cpp), not the program. Four pipes join them: the
+// program's stdout and stderr, the supervisor's status line, and the lifeline, whose write end only this process holds;
+// closing it, or dying, makes the supervisor kill everything. One io_context per run reads the three pipes in bounded
+// pieces, waits for the supervisor through a pidfd, and keeps one timer. While the supervisor lives, the timer is its
+// last-resort deadline; once it is gone, the timer gives the pipes 250 ms to run empty. The supervisor decides how the
+// program ended; only the output limit is noticed here.
 //
 #include <signal.h>
 #include <unistd.h>
@@ -19,13 +20,13 @@
 #include <optional>
 #include <system_error>
 
-#include "harness/failure.h"
-#include "harness/names.h"
-#include "harness/sandbox/capture.h"
-#include "harness/sandbox/launch.h"
-#include "harness/sandbox/process_tree.h"
-#include "harness/sandbox/sandbox.h"
-#include "harness/sandbox/shim_protocol.h"
+#include "harness/machine/errors.h"
+#include "harness/sandbox/host/capture.h"
+#include "harness/sandbox/host/launch.h"
+#include "harness/sandbox/host/sandbox.h"
+#include "harness/sandbox/supervisor/process_tree.h"
+#include "harness/sandbox/supervisor/protocol.h"
+#include "harness/text/printable.h"
 
 namespace harness {
 namespace {
@@ -34,23 +35,23 @@ using boost::asio::posix::stream_descriptor;
 using boost::system::error_code;
 
 constexpr std::chrono::milliseconds drain_time{250};
-/// Beyond the wall limit, for a shim that can't kill or was itself stopped.
-constexpr std::chrono::seconds grace_for_the_shim{10};
+/// Time beyond the wall limit, in case the supervisor can't kill or was itself stopped.
+constexpr std::chrono::seconds grace_for_the_supervisor{10};
 constexpr std::uint64_t longest_status = 1024;
 
-/// One shim from start to end.
+/// One supervisor from start to end.
 class Supervision {
   public:
     Supervision(const Command& command, const Sandbox& sandbox);
     Supervision(const Supervision&) = delete;
     Supervision& operator=(const Supervision&) = delete;
 
-    /// Returns when the shim is reaped and its pipes are done with.
+    /// Returns when the supervisor is reaped and its pipes are read.
     void wait();
     ProcessResult result();
 
   private:
-    void reap_shim();
+    void reap_supervisor();
     void force_end();
     void pipe_ended();
     void output_limit_reached();
@@ -58,18 +59,18 @@ class Supervision {
     const Command& command_;
     boost::asio::io_context io_{1};
     boost::asio::steady_timer timer_{io_};
-    Shim shim_;
+    Supervisor supervisor_;
     std::optional<Capture> output_, errors_, status_;
-    stream_descriptor shim_gone_{io_};
+    stream_descriptor supervisor_gone_{io_};
     int open_pipes_ = 3;
 };
 
 Supervision::Supervision(const Command& command, const Sandbox& sandbox) : command_(command) {
-    launch(shim_, command, sandbox);
-    output_.emplace(io_, std::move(shim_.output), command.limits.output_bytes);
-    errors_.emplace(io_, std::move(shim_.errors), command.limits.error_bytes);
-    status_.emplace(io_, std::move(shim_.status), longest_status);
-    shim_gone_.assign(shim_.gone.release());
+    launch(supervisor_, command, sandbox);
+    output_.emplace(io_, std::move(supervisor_.output), command.limits.output_bytes);
+    errors_.emplace(io_, std::move(supervisor_.errors), command.limits.error_bytes);
+    status_.emplace(io_, std::move(supervisor_.status), longest_status);
+    supervisor_gone_.assign(supervisor_.gone.release());
 }
 
 void Supervision::wait() {
@@ -78,16 +79,16 @@ void Supervision::wait() {
     output_->start([this] { output_limit_reached(); }, ended);
     errors_->start(nothing, ended);
     status_->start(nothing, ended);
-    shim_gone_.async_wait(stream_descriptor::wait_read, [this](error_code) { reap_shim(); });
-    timer_.expires_after(command_.limits.wall + grace_for_the_shim);
+    supervisor_gone_.async_wait(stream_descriptor::wait_read, [this](error_code) { reap_supervisor(); });
+    timer_.expires_after(command_.limits.wall + grace_for_the_supervisor);
     timer_.async_wait([this](error_code error) {
         if (!error) force_end();
     });
     io_.run();
 }
 
-void Supervision::reap_shim() {
-    shim_.end();
+void Supervision::reap_supervisor() {
+    supervisor_.end();
     if (open_pipes_ == 0) {
         timer_.cancel();
         return;
@@ -101,40 +102,40 @@ void Supervision::reap_shim() {
     });
 }
 
-/// The shim is stopped or stuck. It can't reap, so the tree stays where it is and can be killed from here.
+/// The supervisor is stopped or stuck. It can't reap, so the process tree stays intact and can be killed from here.
 void Supervision::force_end() {
-    for (int i = 0; i < 10; ++i) kill_below(shim_.pid);
-    kill(shim_.pid, SIGKILL);
+    for (int i = 0; i < 10; ++i) kill_below(supervisor_.pid);
+    kill(supervisor_.pid, SIGKILL);
 }
 
 void Supervision::pipe_ended() {
-    if (--open_pipes_ == 0 && shim_.pid < 0) timer_.cancel();
+    if (--open_pipes_ == 0 && supervisor_.pid < 0) timer_.cancel();
 }
 
 void Supervision::output_limit_reached() {
-    shim_.lifeline.close();
+    supervisor_.lifeline.close();
     output_->stop();
 }
 
-[[noreturn]] void throw_not_executed(const Command& command, const ShimStatus& status) {
+[[noreturn]] void throw_not_executed(const Command& command, const SupervisorStatus& status) {
     const auto what = status.step == "chdir" ? command.working_directory : std::filesystem::path(command.argv[0]);
     throw HarnessError("Could not run " + in_quotes(what) + ": " + std::generic_category().message(status.number) +
                        " (" + status.step + "). Check that it is there and that " +
                        (command.account ? "other accounts than root" : "you") + " may use it.");
 }
 
-/// `errors` is what bwrap said, if it is that which failed, or else the program.
+/// `errors` is bwrap's stderr if bwrap failed, else the program's.
 [[noreturn]] void throw_cut_short(const Command& command, const std::string& errors) {
     constexpr std::size_t enough = 200;
     const std::string said = printable(errors.substr(0, std::min(errors.find('\n'), enough)));
-    throw HarnessError("No word from the supervisor (raygrade-shim) about " + in_quotes(command.argv[0]) +
+    throw HarnessError("No word from the supervisor (raygrade-supervisor) about " + in_quotes(command.argv[0]) +
                        ": it could not start, or was killed" + (said.empty() ? "" : "; the last words: " + said) +
                        ". Try again with more free memory, and see `raygrade doctor`.");
 }
 
-/// A program can be made so that the kernel does not start it, with an interpreter that does not exist for one. That is
-/// its own affair, as long as the file is there and may be executed.
-bool is_the_programs_own_fault(const Command& command, const ShimStatus& status) {
+/// A program may be built so that the kernel does not start it, e.g. with an interpreter that does not exist. That is
+/// the program's fault if the file is there and may be executed.
+bool is_the_programs_own_fault(const Command& command, const SupervisorStatus& status) {
     constexpr std::array about_the_file = {ENOEXEC, ENOENT, EACCES, EINVAL, ELIBBAD};
     const bool of_the_file =
         std::find(about_the_file.begin(), about_the_file.end(), status.number) != about_the_file.end();
@@ -142,27 +143,28 @@ bool is_the_programs_own_fault(const Command& command, const ShimStatus& status)
            access((command.working_directory / command.argv[0]).c_str(), X_OK) == 0;
 }
 
-/// The kernel ends what it likes when there is no memory left; neither a program nor a compiler is to blame then.
-void refuse_a_machine_without_memory(const Command& command, const ShimStatus& status) {
-    const bool ended_well = status.how == ShimStatus::How::exited && status.number == 0;
+/// When the machine has no memory left, the kernel kills processes of its own choice. Neither a program nor a compiler
+/// is to blame then.
+void refuse_a_machine_without_memory(const Command& command, const SupervisorStatus& status) {
+    const bool ended_well = status.how == SupervisorStatus::How::exited && status.number == 0;
     if (!status.machine_ran_out_of_memory || ended_well) return;
     throw HarnessError("The machine ran out of memory while " + in_quotes(command.argv[0]) +
                        " ran, so its end is not to be believed. Grade fewer submissions at a time (-j).");
 }
 
-Ended ended(const Command& command, const ShimStatus& status, const std::string& errors) {
+Ended ended(const Command& command, const SupervisorStatus& status, const std::string& errors) {
     refuse_a_machine_without_memory(command, status);
     switch (status.how) {
-        case ShimStatus::How::exited: return Ended::exited;
-        case ShimStatus::How::signalled: return Ended::signalled;
-        case ShimStatus::How::cpu_limit: return Ended::cpu_limit;
-        case ShimStatus::How::wall_limit: return Ended::wall_limit;
-        case ShimStatus::How::memory_limit: return Ended::memory_limit;
-        case ShimStatus::How::process_limit: return Ended::process_limit;
-        case ShimStatus::How::not_executed:
+        case SupervisorStatus::How::exited: return Ended::exited;
+        case SupervisorStatus::How::signalled: return Ended::signalled;
+        case SupervisorStatus::How::cpu_limit: return Ended::cpu_limit;
+        case SupervisorStatus::How::wall_limit: return Ended::wall_limit;
+        case SupervisorStatus::How::memory_limit: return Ended::memory_limit;
+        case SupervisorStatus::How::process_limit: return Ended::process_limit;
+        case SupervisorStatus::How::not_executed:
             if (is_the_programs_own_fault(command, status)) return Ended::refused;
             throw_not_executed(command, status);
-        case ShimStatus::How::lifeline_cut: break;
+        case SupervisorStatus::How::lifeline_cut: break;
     }
     throw_cut_short(command, errors);
 }
@@ -172,7 +174,7 @@ ProcessResult Supervision::result() {
     ProcessResult result;
     result.errors = errors_->take();
     if (!status) throw_cut_short(command_, result.errors);
-    // Whatever ended first, the reader sees an output that is cut off.
+    // The output limit comes first, whatever else ended the program: the output is cut off.
     result.ended = output_->truncated() ? Ended::output_limit : ended(command_, *status, result.errors);
     if (result.ended == Ended::exited) result.exit_code = status->number;
     if (result.ended == Ended::signalled) result.signal = status->number;

@@ -1,4 +1,4 @@
-#include "harness/sandbox/removal.h"
+#include "harness/sandbox/host/removal.h"
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "harness/sandbox/file_descriptor.h"
+#include "harness/machine/file_descriptor.h"
 
 namespace harness {
 namespace {
 
 std::vector<std::string> names_in(int folder) {
     std::vector<std::string> names;
-    // fdopendir takes its descriptor over, and a duplicate shares the reading position, hence a new opening.
+    // Opens the folder again because fdopendir takes over its descriptor and a duplicate shares the reading position.
     const int own = openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (own < 0) return names;
     const std::unique_ptr<DIR, int (*)(DIR*)> listing(fdopendir(own), closedir);
@@ -28,7 +28,7 @@ std::vector<std::string> names_in(int folder) {
     return names;
 }
 
-/// Removes what is not a folder; gives a folder all of its owner's permissions and says true.
+/// Removes anything but a folder. Gives a folder all permissions of its owner and returns true.
 bool is_folder_after_removal(int parent, const std::string& name) {
     struct stat info {};
     if (fstatat(parent, name.c_str(), &info, AT_SYMLINK_NOFOLLOW) != 0) return false;
@@ -40,9 +40,9 @@ bool is_folder_after_removal(int parent, const std::string& name) {
     return true;
 }
 
-/// Empties the folder without recursion and with two descriptors: each folder's folders move up to `top` under a new
-/// name first. A student's loop of mkdir and chdir makes paths longer than any path may be, which a recursive removal
-/// can't open.
+/// Empties the folder without recursion and with two descriptors: first moves the folders within each folder up to
+/// `top` under new names. A student's loop of mkdir and chdir makes paths longer than any path may be, which a
+/// recursive removal can't open.
 void empty(int top) {
     std::size_t moved = 0;
     bool progress = true;

@@ -1,22 +1,22 @@
-#include "harness/sandbox/sandbox.h"
+#include "harness/sandbox/host/sandbox.h"
 
 #include <unistd.h>
 
 #include <system_error>
 
-#include "harness/failure.h"
-#include "harness/names.h"
-#include "harness/sandbox/find_on_path.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/find_on_path.h"
+#include "harness/text/printable.h"
 
 namespace harness {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Where every account can reach it, wherever raygrade itself lies.
-fs::path copy_shim(const Workspace& workspace) {
-    const fs::path from = find_companion("raygrade-shim", RAYGRADE_SHIM);
-    const fs::path copy = workspace.path() / "shim";
+/// Copies it to where every account can reach it, as raygrade itself may lie in a private folder.
+fs::path copy_supervisor(const Workspace& workspace) {
+    const fs::path from = find_companion("raygrade-supervisor", RAYGRADE_SUPERVISOR);
+    const fs::path copy = workspace.path() / "supervisor";
     std::error_code error;
     fs::copy_file(from, copy, error);
     constexpr auto everyone_may_execute = static_cast<fs::perms>(0555);
@@ -41,7 +41,7 @@ bool is_there_itself(const fs::path& path) {
 
 }  // namespace
 
-Sandbox::Sandbox(Tier tier) : tier_(tier), shim_(copy_shim(workspace_)) {
+Sandbox::Sandbox(Tier tier) : tier_(tier), supervisor_(copy_supervisor(workspace_)) {
     if (tier == Tier::bwrap) bwrap_ = find_bwrap();
 }
 

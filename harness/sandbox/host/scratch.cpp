@@ -1,4 +1,4 @@
-#include "harness/sandbox/scratch.h"
+#include "harness/sandbox/host/scratch.h"
 
 #include <stdlib.h>
 #include <sys/stat.h>
@@ -8,15 +8,16 @@
 #include <string>
 #include <system_error>
 
-#include "harness/failure.h"
-#include "harness/names.h"
-#include "harness/sandbox/removal.h"
+#include "harness/machine/errors.h"
+#include "harness/sandbox/host/removal.h"
+#include "harness/text/printable.h"
 
 namespace harness {
 
 namespace {
 
-/// The harness keeps its way in through its group, also as a root that is held to permissions.
+/// Gives the folder to `account` and to the harness's group, through which even a root that must obey permissions keeps
+/// access.
 bool give_to(const Account& account, const std::filesystem::path& folder) {
     constexpr mode_t owner_and_group = 0770;
     return chmod(folder.c_str(), owner_and_group) == 0 && chown(folder.c_str(), account.uid, getegid()) == 0;

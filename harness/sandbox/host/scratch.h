@@ -1,18 +1,18 @@
-// A folder for one submission's source, program and whatever the program leaves, gone when the submission is done.
+// A temporary folder for one submission: its source, its program and whatever the program leaves.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 
-#include "harness/sandbox/account.h"
-#include "harness/sandbox/workspace.h"
+#include "harness/sandbox/host/workspace.h"
+#include "harness/sandbox/supervisor/account.h"
 
 namespace harness {
 
 class Scratch {
   public:
-    /// A new empty folder of `workspace` that only its account and the harness's group may enter. Throws HarnessError
-    /// with the path and the way out when the disk is full.
+    /// Makes a new empty folder in `workspace` that only its account and the harness's group may enter. Throws
+    /// HarnessError with the path and how to fix it if the disk is full.
     explicit Scratch(const Workspace& workspace);
     ~Scratch();
     Scratch(const Scratch&) = delete;
@@ -20,7 +20,7 @@ class Scratch {
 
     /// Absolute.
     const std::filesystem::path& path() const { return path_; }
-    /// Whom the programs of this submission run as, and whose folder this is; empty for the harness's own account.
+    /// The account that owns this folder and runs the submission's programs; empty for the harness's own account.
     const std::optional<Account>& account() const { return account_; }
 
   private:

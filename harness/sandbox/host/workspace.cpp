@@ -1,4 +1,4 @@
-#include "harness/sandbox/workspace.h"
+#include "harness/sandbox/host/workspace.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -10,9 +10,9 @@
 #include <string>
 #include <system_error>
 
-#include "harness/failure.h"
-#include "harness/names.h"
-#include "harness/sandbox/removal.h"
+#include "harness/machine/errors.h"
+#include "harness/sandbox/host/removal.h"
+#include "harness/text/printable.h"
 
 namespace harness {
 namespace {
@@ -27,7 +27,7 @@ bool take_lock(const FileDescriptor& folder) {
     return folder && flock(folder.get(), LOCK_EX | LOCK_NB) == 0;
 }
 
-/// Whether `folder` is what lies at `path`, and ours: anybody may make folders of any name in /tmp.
+/// Whether `folder` lies at `path` and belongs to this user: anybody may make folders of any name in /tmp.
 bool is_ours_at(const FileDescriptor& folder, const std::filesystem::path& path) {
     struct stat opened {
     }, there{};
@@ -35,7 +35,8 @@ bool is_ours_at(const FileDescriptor& folder, const std::filesystem::path& path)
            opened.st_dev == there.st_dev && opened.st_uid == geteuid();
 }
 
-/// A lock ends with its process, however that ends. So a folder that can be locked is one nobody uses.
+/// Removes the folders that no run uses. A lock ends with its process, however that ends, so nobody uses a folder that
+/// can be locked.
 void reclaim(const std::filesystem::path& root) {
     std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator(root, ignored)) {
@@ -60,7 +61,7 @@ std::filesystem::path workspace_root() {
 
 Workspace::Workspace() {
     reclaim(workspace_root());
-    // Between being made and being locked a folder may be taken for one that was left behind; then there is another.
+    // Another run may remove the folder before it is locked; then make a new one.
     constexpr int tries = 100;
     for (int i = 0; i < tries && !lock_; ++i) {
         std::string name = (workspace_root() / (std::string(prefix) + "XXXXXX")).string();

@@ -1,4 +1,4 @@
-#include "harness/sandbox/account.h"
+#include "harness/sandbox/supervisor/account.h"
 
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -11,13 +11,13 @@
 namespace harness {
 namespace {
 
-/// The numbers [first, first + count) that /proc/self/uid_map or gid_map gives.
+/// A range of numbers [first, first + count) in /proc/self/uid_map or gid_map.
 struct Range {
     std::uint64_t first = 0, count = 0;
     bool holds(std::uint64_t number) const { return first <= number && number - first < count; }
 };
 
-/// The largest range of the map, which is all numbers outside user namespaces.
+/// The largest range of the map. Outside user namespaces it holds all numbers.
 Range largest_range(const char* map) {
     std::ifstream file(map);
     Range largest;
@@ -27,8 +27,8 @@ Range largest_range(const char* map) {
     return largest;
 }
 
-/// Above all numbers that people, services and containers get. pid_max is at most 2^22, so that the accounts of two
-/// runs of raygrade differ, and 256 are more than run at a time.
+/// Lies above all numbers that people, services and containers get. pid_max is at most 2^22, so two runs of raygrade
+/// get different accounts. 256 is more than the programs that run at the same time.
 std::uint64_t wanted_number(unsigned turn) {
     constexpr std::uint64_t first = std::uint64_t{1} << 30U;
     constexpr unsigned in_a_run = 256;
@@ -54,7 +54,7 @@ std::optional<Account> spare_account() {
     return Account{static_cast<uid_t>(*uid), static_cast<gid_t>(*gid)};
 }
 
-// Not through the C library, whose setuid asks every thread of the process to do the same.
+// Makes the system calls directly, because the C library's setuid changes every thread of the process.
 bool become(const Account& account) {
     return syscall(SYS_setgroups, 0, nullptr) == 0 &&
            syscall(SYS_setresgid, account.gid, account.gid, account.gid) == 0 &&

@@ -1,4 +1,4 @@
-#include "harness/sandbox/landlock.h"
+#include "harness/sandbox/supervisor/landlock.h"
 
 #include <fcntl.h>
 #include <linux/landlock.h>
@@ -9,12 +9,12 @@
 #include <cerrno>
 #include <cstdint>
 
-#include "harness/sandbox/file_descriptor.h"
+#include "harness/machine/file_descriptor.h"
 
 namespace harness {
 namespace {
 
-// As the kernel has them; Debian 12's headers end at version 2.
+// The kernel's definitions, as Debian 12's headers end at version 2.
 struct RulesetAttributes {
     std::uint64_t files;
     std::uint64_t network;  // since version 4

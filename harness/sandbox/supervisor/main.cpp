@@ -1,23 +1,23 @@
-// The shim: a small process between the harness and a stranger's program.
+// The supervisor: a small process between the harness and a student's program.
 //
-// Theory of operation. The harness starts one shim per run. The shim makes itself the reaper of all its descendants, so
-// that a daemon that leaves its parent and its session falls to the shim and not to init: as long as a process of the
-// program lives, the shim has a child, and when wait says there is none, none is left. It starts the program
-// (shim_program.cpp) and then sleeps until a child ends, 20 ms are over, or the lifeline closes. The lifeline is a pipe
-// whose other end only the harness holds: it closes when the harness wants an end, and when the harness dies, even of
-// SIGKILL. Every 20 ms the shim adds up processor time, resident memory and tasks of the whole tree. When the program
-// ends or a limit is reached, it kills and reaps until nothing is left, and writes one status line to a descriptor the
-// program never had.
+// Theory of operation. The harness starts one supervisor per run. The supervisor makes itself the reaper of all its
+// descendants, so that a daemon that leaves its parent and its session becomes a child of the supervisor and not of
+// init. As long as a process of the program lives, the supervisor has a child; when wait reports no child, no process
+// is left. It starts the program (program.cpp) and then sleeps until a child ends, 20 ms are over, or the lifeline
+// closes. The lifeline is a pipe whose other end only the harness holds: it closes when the harness wants to end the
+// run and when the harness dies, even of SIGKILL. Every 20 ms the supervisor adds up the processor time, memory and
+// tasks of the whole tree. When the program ends or a limit is reached, it kills and reaps until nothing is left, and
+// writes one status line to a descriptor the program never had.
 //
-// The shim measures because nobody else can: a child's peak memory starts at that of the process it was forked from,
-// and the harness is big; the processor time of the whole tree is known only to the one who reaps it all. Statically
+// The supervisor measures because no other process can: a child's peak memory starts at that of the process it was
+// forked from, and the harness is big; only the process that reaps the whole tree learns its processor time. Statically
 // linked, it starts in a millisecond and needs nothing inside a sandbox. It trusts its command line, which only the
 // harness writes.
 //
-// It is out of the program's reach: in namespaces as their first process, which the kernel lets nobody inside end;
-// below Landlock by the filter of system calls, or as root's while the program has another account. Without a sandbox a
-// program of the same user can kill or stop it. Then there is no status line, or none in time, which is the harness's
-// matter.
+// The program can't reach the supervisor. With namespaces the supervisor is their first process, which the kernel lets
+// nobody inside kill. With Landlock the filter of system calls protects it, or it belongs to root while the program has
+// another account. Without a sandbox a program of the same user can kill or stop it; then the harness gets no status
+// line, or none in time, and handles that.
 
 #include <fcntl.h>
 #include <poll.h>
@@ -38,21 +38,21 @@
 #include <string>
 #include <vector>
 
-#include "harness/sandbox/file_descriptor.h"
-#include "harness/sandbox/process_tree.h"
-#include "harness/sandbox/shim_program.h"
-#include "harness/sandbox/shim_protocol.h"
+#include "harness/machine/file_descriptor.h"
+#include "harness/sandbox/supervisor/process_tree.h"
+#include "harness/sandbox/supervisor/program.h"
+#include "harness/sandbox/supervisor/protocol.h"
 
 namespace harness {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using How = ShimStatus::How;
+using How = SupervisorStatus::How;
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
 constexpr milliseconds between_checks{20};
-/// Sooner, as what a program does at once is often all it does.
+/// Sooner than the later checks, because many programs run only briefly.
 constexpr milliseconds before_first_check{5};
 
 microseconds total(const rusage& usage) {
@@ -60,7 +60,7 @@ microseconds total(const rusage& usage) {
            microseconds(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
 
-/// How many processes the kernel has ended for want of memory since it was started.
+/// How many processes the kernel has killed for lack of memory since it started.
 std::uint64_t out_of_memory_kills() {
     std::ifstream file("/proc/vmstat");
     for (std::string name, value; file >> name >> value;) {
@@ -73,14 +73,14 @@ std::uint64_t out_of_memory_kills() {
 struct Watch {
     const Limits& limits;
     pid_t program;
-    std::vector<pid_t> strangers;  ///< sorted; older than the program, so never below it as long as they live
+    std::vector<pid_t> strangers;  ///< sorted; older than the program, so never below it while they live
     Clock::time_point start = Clock::now();
     std::optional<int> wait_status{};  ///< of the program, once it has ended
     std::uint64_t peak_memory_bytes = 0;
     std::uint64_t kills_before = 0;  ///< out_of_memory_kills
 };
 
-/// Reaps every child that has ended. False when there is no child at all any more.
+/// Reaps every child that has ended. Returns false if no child is left.
 bool reap(Watch& watch) {
     for (;;) {
         int status = 0;
@@ -101,7 +101,7 @@ microseconds reaped_cpu() {
     return total(usage);
 }
 
-/// The limit the living tree has gone beyond, if any.
+/// The limit that the living tree has exceeded, if any.
 std::optional<How> check_tree(Watch& watch) {
     microseconds cpu = reaped_cpu();
     std::uint64_t memory_bytes = 0;
@@ -118,11 +118,11 @@ std::optional<How> check_tree(Watch& watch) {
     return std::nullopt;
 }
 
-/// Sleeps until a child ends, the lifeline closes or `longest` is over. True when the lifeline is closed.
+/// Sleeps until a child ends, the lifeline closes or `longest` is over. Returns true if the lifeline is closed.
 bool sleep_until_news(int child_fd, int lifeline_fd, milliseconds longest) {
     pollfd waiting[2] = {{child_fd, POLLIN, 0}, {lifeline_fd, 0, 0}};
     poll(waiting, 2, static_cast<int>(std::max(longest.count(), milliseconds::rep{0})));
-    // Once: a storm of ending children could keep a loop busy.
+    // One read only: a flood of ending children could keep a loop busy.
     signalfd_siginfo ignored;
     [[maybe_unused]] const ssize_t size = read(child_fd, &ignored, sizeof ignored);
     return (waiting[1].revents & (POLLHUP | POLLERR | POLLNVAL)) != 0;
@@ -137,7 +137,7 @@ std::optional<How> watch_tree(Watch& watch, int child_fd, int lifeline_fd) {
         if (watch.wait_status) return std::nullopt;
         const auto now = Clock::now();
         if (now >= end) return How::wall_limit;
-        // Only when its time has come: a storm of ending children must not make the shim walk /proc all the time.
+        // Checks only when due: a flood of ending children must not make the supervisor walk /proc all the time.
         if (now >= next_check) {
             if (const auto limit = check_tree(watch)) return limit;
             next_check = Clock::now() + between_checks;
@@ -155,10 +155,10 @@ void end_tree(Watch& watch, int child_fd, int lifeline_fd) {
     }
 }
 
-/// The limits decide, also when a program slipped past one between two checks and ended by itself: the same program is
-/// to get the same verdict every time.
-ShimStatus conclude(const Watch& watch, std::optional<How> cause, microseconds wall) {
-    ShimStatus status;
+/// A program that exceeded a limit gets that verdict even if it ended by itself between two checks, so that the same
+/// program always gets the same verdict.
+SupervisorStatus conclude(const Watch& watch, std::optional<How> cause, microseconds wall) {
+    SupervisorStatus status;
     status.cpu = reaped_cpu();
     status.wall = wall;
     status.peak_memory_bytes = watch.peak_memory_bytes;
@@ -172,20 +172,21 @@ ShimStatus conclude(const Watch& watch, std::optional<How> cause, microseconds w
     return status;
 }
 
-/// Out of the program's reach as far as this goes without a sandbox. Null, or the step that failed.
+/// Protects the supervisor from the program as far as possible without a sandbox. Returns null, or the step that
+/// failed.
 const char* harden() {
     if (prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0) != 0) return "subreaper";
     if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return "no_new_privs";
     if (prctl(PR_SET_DUMPABLE, 0, 0, 0, 0) != 0) return "dumpable";
-    // A fork bomb of a thousand processes would leave the shim a thousandth of the processor to end it with. Only root
-    // is allowed this, but only root needs it: for others the kernel keeps RLIMIT_NPROC. The program does not inherit
-    // it.
+    // Real-time priority: a fork bomb of a thousand processes would leave the supervisor a thousandth of the processor
+    // time. Only root may set it, and only root needs it: for other users the kernel enforces RLIMIT_NPROC. The program
+    // does not inherit it.
     const sched_param lowest_real_time = {.sched_priority = 1};
     sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &lowest_real_time);
     return nullptr;
 }
 
-/// Every signal that can be blocked is; ended children are read from the descriptor returned.
+/// Blocks every signal that can be blocked. The returned descriptor reports ended children.
 FileDescriptor listen_for_children() {
     sigset_t all;
     sigfillset(&all);
@@ -209,14 +210,14 @@ std::vector<pid_t> running_now() {
     return pids;
 }
 
-ShimStatus not_executed(int error, const std::string& step) {
-    ShimStatus status;
+SupervisorStatus not_executed(int error, const std::string& step) {
+    SupervisorStatus status;
     status.number = error;
     status.step = step;
     return status;
 }
 
-ShimStatus supervise(const ShimOrders& orders) {
+SupervisorStatus supervise(const SupervisorOrders& orders) {
     fcntl(orders.status_fd, F_SETFD, FD_CLOEXEC);
     fcntl(orders.lifeline_fd, F_SETFD, FD_CLOEXEC);
     if (const char* failed = harden()) return not_executed(errno, failed);
@@ -228,13 +229,13 @@ ShimStatus supervise(const ShimOrders& orders) {
     const auto start = Clock::now();
     const StartedProgram program = start_program(orders);
     if (program.pid < 0) return not_executed(program.failed_errno, program.failed_step);
-    // The pipes are to close when the program's last process is gone; the shim must not hold them open.
+    // The supervisor must not hold the pipes open: they should close when the program's last process is gone.
     silence(STDOUT_FILENO);
     silence(STDERR_FILENO);
     Watch watch{orders.limits, program.pid, strangers, start};
     watch.kills_before = kills_before;
     auto cause = watch_tree(watch, child_fd.get(), orders.lifeline_fd);
-    // A program that ended before the next check must not leave more behind than it may have.
+    // The processes that an ended program leaves behind are checked against the limits, too.
     if (!cause && reap(watch)) cause = check_tree(watch);
     const auto wall = std::chrono::duration_cast<microseconds>(Clock::now() - start);
     end_tree(watch, child_fd.get(), orders.lifeline_fd);

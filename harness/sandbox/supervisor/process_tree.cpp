@@ -1,4 +1,4 @@
-#include "harness/sandbox/process_tree.h"
+#include "harness/sandbox/supervisor/process_tree.h"
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -15,12 +15,12 @@
 #include <string>
 #include <string_view>
 
-#include "harness/sandbox/file_descriptor.h"
+#include "harness/machine/file_descriptor.h"
 
 namespace harness {
 namespace {
 
-/// A small file of /proc, which gives its whole text in one read.
+/// Reads a small file of /proc, which returns its whole text in one read.
 std::string read_small_file(int folder, const char* name) {
     const FileDescriptor file(openat(folder, name, O_RDONLY | O_CLOEXEC));
     if (!file) return {};
@@ -29,8 +29,8 @@ std::string read_small_file(int folder, const char* name) {
     return size > 0 ? std::string(text, static_cast<std::size_t>(size)) : std::string();
 }
 
-/// The fields of a stat line from the third on (proc(5) counts from 1). The second, the name in parentheses, is chosen
-/// by the program and may hold blanks and parentheses itself; hence the last one is looked for.
+/// The fields of a stat line from the third on (proc(5) counts from 1). The program chooses the second field, the name
+/// in parentheses, which may hold blanks and parentheses itself. So the search is for the last closing parenthesis.
 std::vector<std::string_view> stat_fields(std::string_view line) {
     std::vector<std::string_view> fields;
     std::size_t at = line.rfind(')');
@@ -65,7 +65,7 @@ ProcessRecord to_record(const std::vector<std::string_view>& fields, pid_t pid) 
     return record;
 }
 
-/// Of a process, or of a thread with the memory of its process. Empty when there is none, or no longer.
+/// Reads the record of a process, or of a thread with its process's memory. Empty if it does not exist (any more).
 std::optional<ProcessRecord> read_entry(int proc, pid_t pid) {
     const std::string line = read_small_file(proc, (std::to_string(pid) + "/stat").c_str());
     const auto fields = stat_fields(line);
@@ -73,7 +73,7 @@ std::optional<ProcessRecord> read_entry(int proc, pid_t pid) {
     return to_record(fields, pid);
 }
 
-/// A process whose first thread has ended looks like a zombie without memory. Its other threads tell.
+/// A process whose first thread has ended looks like a zombie without memory. Its other threads show whether it lives.
 void look_at_other_threads(int proc, ProcessRecord& record) {
     const std::string tasks = std::to_string(record.pid) + "/task";
     const int descriptor = openat(proc, tasks.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -102,14 +102,13 @@ bool by_parent(const ProcessRecord& a, const ProcessRecord& b) {
     return a.parent < b.parent;
 }
 
-/// A group is killed in one step of the kernel, which no fork can slip through: a fork bomb outruns any killing one by
-/// one.
+/// The kernel kills a group in one step, which no fork can escape. Killing processes singly is slower than a fork bomb.
 void kill_group(pid_t group) {
     if (group > 1 && group != getpgrp()) kill(-group, SIGKILL);
 }
 
-/// An orphan that forks and exits in a loop lives for some 100 µs and is gone before a walk through /proc comes to it.
-/// It is a child of `root`, and its number is among the last ones given, which /proc/loadavg tells.
+/// An orphan that forks and exits in a loop lives for some 100 µs and is gone before a walk through /proc reaches it.
+/// It is a child of `root`, and its number is near the latest one, which /proc/loadavg shows.
 void kill_newest_children(int proc, pid_t root) {
     const std::string load = read_small_file(proc, "loadavg");
     const auto newest = static_cast<pid_t>(number(std::string_view(load).substr(load.rfind(' ') + 1)));
@@ -154,7 +153,7 @@ std::vector<ProcessRecord> below(pid_t root, std::vector<ProcessRecord> processe
         found.insert(found.end(), first, last);
     };
     add_children_of(root);
-    // The list is no snapshot: a number used twice within one walk could close a circle, hence the bound.
+    // The list is no snapshot: a number reused during one walk could close a cycle, hence the bound.
     for (std::size_t i = 0; i < found.size() && found.size() <= processes.size(); ++i) add_children_of(found[i].pid);
     return found;
 }
@@ -178,7 +177,7 @@ void kill_below(pid_t root) {
     std::set<pid_t> groups;
     const auto processes = below(root, list_processes());
     for (const auto& process : processes) {
-        // Once for each group: a thousand times a thousand members would keep the kernel busy for minutes.
+        // Once per group: killing a group of a thousand a thousand times would keep the kernel busy for minutes.
         if (groups.insert(process.group).second) kill_group(process.group);
     }
     for (const auto& process : processes) {

@@ -1,4 +1,4 @@
-#include "harness/sandbox/shim_program.h"
+#include "harness/sandbox/supervisor/program.h"
 
 #include <fcntl.h>
 #include <linux/close_range.h>
@@ -15,15 +15,15 @@
 #include <fstream>
 #include <vector>
 
-#include "harness/sandbox/file_descriptor.h"
-#include "harness/sandbox/landlock.h"
-#include "harness/sandbox/system_calls.h"
+#include "harness/machine/file_descriptor.h"
+#include "harness/sandbox/supervisor/landlock.h"
+#include "harness/sandbox/supervisor/system_calls.h"
 
 namespace harness {
 namespace {
 
-/// What the child writes when a step fails. The pipe closes silently at a successful exec, so that a program that exits
-/// with 127 is never mistaken for one that did not run.
+/// What the child writes to the pipe if a step fails. A successful exec closes the pipe without a message, so a program
+/// that exits with 127 never looks like a program that did not run.
 struct Failure {
     int error = 0;
     std::array<char, 32> step{};
@@ -37,7 +37,7 @@ struct Failure {
     _exit(127);
 }
 
-/// The machine's own hard limit wins where it is lower.
+/// Sets a limit, but never above the machine's own hard limit.
 bool limit(__rlimit_resource_t resource, std::uint64_t value) {
     rlimit current{};
     if (getrlimit(resource, &current) != 0) return false;
@@ -46,7 +46,7 @@ bool limit(__rlimit_resource_t resource, std::uint64_t value) {
     return setrlimit(resource, &lowered) == 0;
 }
 
-/// The tasks of the whole machine, an upper bound of those this user has.
+/// The number of tasks on the whole machine, an upper bound for this user's tasks.
 std::uint64_t tasks_on_this_machine() {
     std::ifstream file("/proc/loadavg");
     std::string word;
@@ -55,25 +55,26 @@ std::uint64_t tasks_on_this_machine() {
     return slash == std::string::npos ? 0 : std::strtoull(word.c_str() + slash + 1, nullptr, 10);
 }
 
-/// How many tasks the program's account may have. Where it has no others the kernel counts this tree, with room for the
-/// shim and for the shim to see that a bomb is one; else a bomb can only be kept from filling the machine.
-std::uint64_t task_limit(const ShimOrders& orders) {
+/// How many tasks the program's account may have. If the account has no other tasks, the kernel counts this tree
+/// exactly; there is room for the supervisor and for exceeding the limit, so that the supervisor sees a fork bomb.
+/// Otherwise the limit only keeps a fork bomb from filling the machine.
+std::uint64_t task_limit(const SupervisorOrders& orders) {
     constexpr std::uint64_t room = 16;
     constexpr std::uint64_t tasks_for_parallel_runs = 512;
     if (orders.counted_alone) return static_cast<std::uint64_t>(orders.limits.processes) + room;
     return tasks_on_this_machine() + tasks_for_parallel_runs;
 }
 
-/// A net below the shim's own checks, for what can happen between two of them. RLIMIT_CPU is therefore above the shim's
-/// limit.
-void set_limits(const ShimOrders& orders, int report_fd) {
+/// Sets the kernel's limits, which catch what happens between two checks of the supervisor. RLIMIT_CPU is therefore
+/// above the supervisor's limit.
+void set_limits(const SupervisorOrders& orders, int report_fd) {
     const Limits& limits = orders.limits;
     constexpr std::uint64_t signals_waiting = 256;
     const auto cpu_seconds = static_cast<std::uint64_t>(limits.cpu.count()) / 1000 + 3;
     if (!limit(RLIMIT_CPU, cpu_seconds)) give_up(report_fd, "setrlimit-cpu");
     if (!limit(RLIMIT_FSIZE, limits.file_bytes)) give_up(report_fd, "setrlimit-file-size");
     if (!limit(RLIMIT_STACK, limits.stack_bytes)) give_up(report_fd, "setrlimit-stack");
-    // Not 0: a program that takes the core through a pipe, as core(5) allows, would be started for that.
+    // Not 0: the kernel would then still start the machine's program that takes core dumps through a pipe, see core(5).
     if (!limit(RLIMIT_CORE, 1)) give_up(report_fd, "setrlimit-core");
     if (!limit(RLIMIT_SIGPENDING, signals_waiting)) give_up(report_fd, "setrlimit-signals");
     if (!limit(RLIMIT_NOFILE, static_cast<std::uint64_t>(limits.open_files)))
@@ -81,8 +82,8 @@ void set_limits(const ShimOrders& orders, int report_fd) {
     if (!limit(RLIMIT_NPROC, task_limit(orders))) give_up(report_fd, "setrlimit-processes");
 }
 
-/// Takes from this process what the tier takes. The kernel's own means, so that nothing of it depends on the program.
-void confine(const ShimOrders& orders, int report_fd) {
+/// Applies the tier's restrictions to this process. The kernel enforces them, whatever the program does.
+void confine(const SupervisorOrders& orders, int report_fd) {
     if (orders.account && !become(*orders.account)) give_up(report_fd, "account");
     if (orders.tier == Tier::unsafe) return;
     ForbiddenCalls more;
@@ -94,15 +95,16 @@ void confine(const ShimOrders& orders, int report_fd) {
         std::vector<std::string> writable = {"/dev/null"};
         (compiles ? writable : readable).push_back(orders.working_directory);
         if (!restrict_files(readable, writable)) give_up(report_fd, "landlock");
-        // An account of its own has nobody else to signal.
+        // A program with its own account has nobody else to signal.
         more.signals = landlock_version() < since_signals && !orders.account;
-        // The linker makes its output executable, and nothing it reads can make a compiler change other files.
+        // Compiling needs these calls, as the linker makes its output executable; and nothing a compiler reads can make
+        // it change other files.
         more.file_attributes = !compiles;
     }
     if (!forbid_system_calls(more)) give_up(report_fd, "seccomp");
 }
 
-/// The program is to find signals as a shell would leave them, whatever the harness and the shim did to theirs.
+/// Restores the signal handling a shell would give the program, whatever the harness and the supervisor changed.
 void restore_signals() {
     for (int number = 1; number < NSIG; ++number) signal(number, SIG_DFL);
     sigset_t none;
@@ -110,16 +112,16 @@ void restore_signals() {
     sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-[[noreturn]] void become_program(const ShimOrders& orders, pid_t shim, int report_fd) {
+[[noreturn]] void become_program(const SupervisorOrders& orders, pid_t supervisor, int report_fd) {
     if (setsid() < 0) give_up(report_fd, "setsid");
     restore_signals();
     set_limits(orders, report_fd);
     if (chdir(orders.working_directory.c_str()) != 0) give_up(report_fd, "chdir");
     confine(orders, report_fd);
-    // A shim that is killed takes at least the first process with it. The kernel forgets this when the account changes;
-    // asked for before the look at the parent, which may be gone already.
+    // If the supervisor is killed, the kernel kills at least the first process. The kernel forgets this setting when
+    // the account changes, so it comes after confine. The parent may be gone already, so check for it afterwards.
     if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) give_up(report_fd, "pdeathsig");
-    if (getppid() != shim) _exit(127);
+    if (getppid() != supervisor) _exit(127);
     if (close_range(3, ~0U, CLOSE_RANGE_CLOEXEC) != 0) give_up(report_fd, "close_range");
     std::vector<char*> argv;
     for (const auto& argument : orders.argv) argv.push_back(const_cast<char*>(argument.c_str()));
@@ -130,15 +132,15 @@ void restore_signals() {
 
 }  // namespace
 
-StartedProgram start_program(const ShimOrders& orders) {
+StartedProgram start_program(const SupervisorOrders& orders) {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) return {-1, errno, "pipe"};
     const FileDescriptor read_end(ends[0]);
     FileDescriptor write_end(ends[1]);
-    const pid_t shim = getpid();
+    const pid_t supervisor = getpid();
     const pid_t pid = fork();
     if (pid < 0) return {-1, errno, "fork"};
-    if (pid == 0) become_program(orders, shim, write_end.get());
+    if (pid == 0) become_program(orders, supervisor, write_end.get());
     write_end.close();
     Failure failure;
     ssize_t size = 0;

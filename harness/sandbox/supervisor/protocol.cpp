@@ -1,4 +1,4 @@
-#include "harness/sandbox/shim_protocol.h"
+#include "harness/sandbox/supervisor/protocol.h"
 
 #include <algorithm>
 #include <array>
@@ -56,7 +56,7 @@ std::string word(std::string_view name, Number value) {
 
 }  // namespace
 
-std::vector<std::string> to_arguments(const ShimOrders& orders) {
+std::vector<std::string> to_arguments(const SupervisorOrders& orders) {
     const Limits& limits = orders.limits;
     std::vector<std::string> arguments = {
         word("status-fd", orders.status_fd),
@@ -83,7 +83,7 @@ std::vector<std::string> to_arguments(const ShimOrders& orders) {
     return arguments;
 }
 
-std::optional<ShimOrders> from_arguments(const std::vector<std::string>& arguments) {
+std::optional<SupervisorOrders> from_arguments(const std::vector<std::string>& arguments) {
     Words words;
     std::size_t i = 0;
     for (; i < arguments.size() && arguments[i] != "--"; ++i) {
@@ -91,7 +91,7 @@ std::optional<ShimOrders> from_arguments(const std::vector<std::string>& argumen
     }
     const auto directory = words.find("directory");
     if (i + 1 >= arguments.size() || directory == words.end()) return std::nullopt;
-    ShimOrders orders;
+    SupervisorOrders orders;
     Limits& limits = orders.limits;
     orders.working_directory = directory->second;
     orders.argv.assign(arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1, arguments.end());
@@ -115,14 +115,14 @@ std::optional<ShimOrders> from_arguments(const std::vector<std::string>& argumen
     return orders;
 }
 
-std::string to_line(const ShimStatus& status) {
+std::string to_line(const SupervisorStatus& status) {
     return "how=" + std::string(how_names[static_cast<std::size_t>(status.how)]) + ' ' + word("number", status.number) +
            ' ' + word("cpu-us", status.cpu.count()) + ' ' + word("wall-us", status.wall.count()) + ' ' +
            word("peak-bytes", status.peak_memory_bytes) + ' ' +
            word("out-of-memory", status.machine_ran_out_of_memory ? 1 : 0) + " step=" + status.step + '\n';
 }
 
-std::optional<ShimStatus> from_line(std::string_view line) {
+std::optional<SupervisorStatus> from_line(std::string_view line) {
     if (!line.ends_with('\n')) return std::nullopt;
     line.remove_suffix(1);
     if (line.find('\n') != std::string_view::npos) return std::nullopt;
@@ -132,7 +132,7 @@ std::optional<ShimStatus> from_line(std::string_view line) {
         if (!add_word(words, line.substr(0, end))) return std::nullopt;
         line.remove_prefix(std::min(end + 1, line.size()));
     }
-    ShimStatus status;
+    SupervisorStatus status;
     int out_of_memory = 0;
     const bool complete =
         take(words, "number", status.number) && take_duration(words, "cpu-us", status.cpu) &&
@@ -143,7 +143,7 @@ std::optional<ShimStatus> from_line(std::string_view line) {
     status.step = words.find("step")->second;
     for (std::size_t i = 0; i < how_names.size(); ++i) {
         if (how_names[i] != words.find("how")->second) continue;
-        status.how = static_cast<ShimStatus::How>(i);
+        status.how = static_cast<SupervisorStatus::How>(i);
         return status;
     }
     return std::nullopt;

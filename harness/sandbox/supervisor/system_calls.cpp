@@ -1,4 +1,4 @@
-#include "harness/sandbox/system_calls.h"
+#include "harness/sandbox/supervisor/system_calls.h"
 
 #include <asm/sockios.h>
 #include <fcntl.h>
@@ -17,12 +17,11 @@
 namespace harness {
 namespace {
 
-// Younger than Debian 12's headers; new calls have one number everywhere.
+// These calls are newer than Debian 12's headers. New calls have the same number on every architecture.
 constexpr int fchmodat2 = 452, statmount = 457, listmount = 458, setxattrat = 463, getxattrat = 464, listxattrat = 465,
               removexattrat = 466, file_setattr = 469;
 
-/// A filter under construction. Each step returns 0 or a negative errno, as libseccomp does, and the first that failed
-/// stays.
+/// A filter under construction. Keeps the first error as a negative errno, as libseccomp returns it, or 0.
 class Filter {
   public:
     Filter() : context_(seccomp_init(SCMP_ACT_ALLOW)) {
@@ -37,7 +36,7 @@ class Filter {
     void forbid(std::initializer_list<int> calls) {
         for (const int call : calls) add(SCMP_ACT_ERRNO(EPERM), call, {});
     }
-    /// Those calls alone whose arguments compare so.
+    /// Forbids the call only for arguments that compare like this.
     void forbid_if(int call, std::initializer_list<scmp_arg_cmp> arguments) {
         add(SCMP_ACT_ERRNO(EPERM), call, arguments);
     }
@@ -54,7 +53,7 @@ class Filter {
         if (failed_ != 0) return;
         failed_ = seccomp_rule_add_array(context_, action, call, static_cast<unsigned>(arguments.size()),
                                          arguments.size() == 0 ? nullptr : arguments.begin());
-        // Not a call of this machine's architecture, so nobody can make it.
+        // This architecture has no such call, so nobody can make it.
         if (failed_ == -EDOM) failed_ = 0;
     }
 
@@ -62,7 +61,7 @@ class Filter {
     int failed_ = 0;
 };
 
-/// The kernel looks at the lower half of such an argument alone, so the upper one must not hide it from the filter.
+/// The kernel reads only the lower half of such an argument, so the filter must ignore the upper half.
 scmp_arg_cmp argument_is(unsigned number, std::uint64_t value) {
     constexpr std::uint64_t lower_half = 0xffffffff;
     return SCMP_CMP64(number, SCMP_CMP_MASKED_EQ, lower_half, value);
@@ -70,7 +69,7 @@ scmp_arg_cmp argument_is(unsigned number, std::uint64_t value) {
 
 void forbid_what_reaches_out(Filter& filter) {
     filter.forbid({SCMP_SYS(socket), SCMP_SYS(socketpair), SCMP_SYS(socketcall)});
-    // To make them and to use those of others.
+    // Both making such objects and using existing ones.
     filter.forbid({SCMP_SYS(ipc), SCMP_SYS(shmget), SCMP_SYS(shmat), SCMP_SYS(shmctl), SCMP_SYS(msgget),
                    SCMP_SYS(msgsnd), SCMP_SYS(msgrcv), SCMP_SYS(msgctl), SCMP_SYS(semget), SCMP_SYS(semop),
                    SCMP_SYS(semtimedop), SCMP_SYS(semctl), SCMP_SYS(mq_open), SCMP_SYS(mq_unlink),
@@ -83,12 +82,12 @@ void forbid_what_reaches_out(Filter& filter) {
                    SCMP_SYS(fsopen), SCMP_SYS(fsconfig), SCMP_SYS(fsmount), SCMP_SYS(fspick), SCMP_SYS(open_tree),
                    SCMP_SYS(move_mount), SCMP_SYS(mount_setattr), SCMP_SYS(open_by_handle_at), statmount, listmount});
     filter.forbid({SCMP_SYS(unshare), SCMP_SYS(setns), SCMP_SYS(personality)});
-    // Terminal input typed for somebody else.
+    // Injecting input into a terminal.
     filter.forbid_if(SCMP_SYS(ioctl), {argument_is(1, TIOCSTI)});
     filter.forbid_if(SCMP_SYS(ioctl), {argument_is(1, TIOCLINUX)});
 }
 
-/// clone's flags are its first argument, its second on s390.
+/// clone's flags are its first argument, but its second on s390.
 void forbid_new_namespaces(Filter& filter) {
 #if defined(__s390__)
     constexpr unsigned flags = 1;
@@ -96,12 +95,12 @@ void forbid_new_namespaces(Filter& filter) {
     constexpr unsigned flags = 0;
 #endif
     filter.forbid_if(SCMP_SYS(clone), {SCMP_CMP64(flags, SCMP_CMP_MASKED_EQ, CLONE_NEWUSER, CLONE_NEWUSER)});
-    // Its flags lie in memory, where a filter can't look.
+    // clone3's flags lie in memory, which a filter can't read.
     filter.pretend_missing(SCMP_SYS(clone3));
 }
 
-/// The supervisor has the same user as the program, in namespaces as well. A program that takes its processor time or
-/// its descriptors away would run without a supervisor.
+/// The supervisor has the same user as the program, even with namespaces. A program that takes away the supervisor's
+/// processor time or descriptors would run without a supervisor.
 void forbid_meddling_with_processes(Filter& filter) {
     filter.forbid({SCMP_SYS(ptrace), SCMP_SYS(process_vm_readv), SCMP_SYS(process_vm_writev), SCMP_SYS(process_madvise),
                    SCMP_SYS(process_mrelease), SCMP_SYS(kcmp), SCMP_SYS(pidfd_getfd), SCMP_SYS(move_pages),
@@ -111,7 +110,7 @@ void forbid_meddling_with_processes(Filter& filter) {
     filter.forbid_if(SCMP_SYS(sched_setparam), {SCMP_A0_32(SCMP_CMP_NE, 0)});
     filter.forbid_if(SCMP_SYS(sched_setattr), {SCMP_A0_32(SCMP_CMP_NE, 0)});
     filter.forbid_if(SCMP_SYS(sched_setaffinity), {SCMP_A0_32(SCMP_CMP_NE, 0)});
-    // Of a process, and that is 0, itself: not of a group, and not of all that an account runs.
+    // Allowed only for the calling process itself (0), not for a group or a whole account.
     constexpr std::uint32_t io_of_a_process = 1;  // IOPRIO_WHO_PROCESS
     filter.forbid_if(SCMP_SYS(setpriority), {SCMP_A0_32(SCMP_CMP_NE, PRIO_PROCESS)});
     filter.forbid_if(SCMP_SYS(setpriority), {SCMP_A1_32(SCMP_CMP_NE, 0)});
@@ -125,7 +124,7 @@ void forbid_signals_to_others(Filter& filter) {
     filter.forbid_if(SCMP_SYS(tgkill), {SCMP_A0_32(SCMP_CMP_NE, own)});
     filter.forbid({SCMP_SYS(tkill), SCMP_SYS(rt_sigqueueinfo), SCMP_SYS(pidfd_send_signal)});
     filter.forbid_if(SCMP_SYS(rt_tgsigqueueinfo), {SCMP_A0_32(SCMP_CMP_NE, own)});
-    // A descriptor whose owner is another process sends it a signal of the program's choice.
+    // Making another process a descriptor's owner would send it signals of the program's choice.
     for (const std::uint64_t command : {F_SETOWN, F_SETOWN_EX})
         filter.forbid_if(SCMP_SYS(fcntl), {argument_is(1, command)});
     for (const std::uint64_t request : {FIOSETOWN, SIOCSPGRP})
@@ -133,12 +132,12 @@ void forbid_signals_to_others(Filter& filter) {
 }
 
 void forbid_uncounted_use(Filter& filter) {
-    // Also that of /dev/zero. MAP_SHARED_VALIDATE has this bit as well.
+    // Shared mappings, also of /dev/zero. MAP_SHARED_VALIDATE has this bit as well.
     constexpr unsigned flags = 3;
     for (const int call : {SCMP_SYS(mmap), SCMP_SYS(mmap2)}) {
         filter.forbid_if(call, {SCMP_CMP64(flags, SCMP_CMP_MASKED_EQ, MAP_SHARED, MAP_SHARED)});
     }
-    // Pages that only a pipe holds.
+    // vmsplice leaves pages that only a pipe holds.
     filter.forbid({SCMP_SYS(vmsplice)});
     filter.forbid_if(SCMP_SYS(rt_sigaction), {argument_is(0, SIGCHLD), SCMP_A1_64(SCMP_CMP_NE, 0)});
 }

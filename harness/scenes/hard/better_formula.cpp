@@ -1,4 +1,4 @@
-#include "harness/stress/better_formula.h"
+#include "harness/scenes/hard/better_formula.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,11 +10,11 @@
 #include <optional>
 #include <utility>
 
-#include "harness/variants/drawing.h"
-#include "reference/accuracy/assignment_accuracy.h"
-#include "reference/accuracy/method.h"
+#include "harness/scenes/source/drawing.h"
+#include "reference/accuracy/measure/assignment_accuracy.h"
+#include "reference/accuracy/methods/method.h"
 
-namespace harness::stress {
+namespace harness::scenes {
 namespace {
 
 using reference::ItemId;
@@ -45,7 +45,7 @@ int whole_digits(double scale, double error) {
     return static_cast<int>(std::clamp(std::floor(std::log10(scale / error)), 0.0, double{DBL_DIG}));
 }
 
-/// How many digits of t a method keeps; none where it decides otherwise.
+/// How many digits of t a method keeps; empty if it decides otherwise about hit or miss.
 std::optional<int> kept(const reference::accuracy::Answer& answer, const std::optional<double>& t) {
     const bool hit = answer.outcome != reference::accuracy::Outcome::miss;
     if (hit != t.has_value()) return {};
@@ -58,8 +58,9 @@ std::string told(const std::string& name, const std::optional<int>& digits, cons
     return t && *t != 0 ? fmt::format("{} keeps {} digits of t", name, *digits) : name + " decides right";
 }
 
-/// The textbook's own way of this scalar, and the first after it that keeps as many digits as float holds. Formulas
-/// only: wider numbers and the certified kernel are no student's.
+/// Tells of the textbook's method in this scalar, and of the first method after it that keeps nearly a float's digits
+/// (FLT_DIG - 1). Only methods with a formula count, because students use neither wider numbers nor the certified
+/// kernel.
 template <template <class> class Problem>
 void tell_scalar(std::vector<std::string>& sentences, const std::vector<Method<Problem>>& methods,
                  const std::string& scalar, const Problem<double>& problem, const std::optional<double>& t) {
@@ -78,7 +79,7 @@ void tell_scalar(std::vector<std::string>& sentences, const std::vector<Method<P
     sentences.push_back(fmt::format("no method in {} keeps {}", scalar, FLT_DIG - 1));
 }
 
-/// `t` is that of the hit; none for a miss.
+/// `t` is the t of the hit, empty for a miss.
 template <template <class> class Problem>
 std::string tell_ladder(const std::vector<Method<Problem>>& methods, const Problem<double>& problem,
                         const std::optional<double>& t) {
@@ -92,14 +93,15 @@ std::optional<double> number(const reference::AnswerKey& key, const ItemId& id) 
     return numbers == nullptr ? std::nullopt : std::optional(numbers->front());
 }
 
-/// The system's solution is a t for rays beside the triangle, too.
+/// The t of the hit. It is checked against the decision, because the linear system also has a t for rays that miss the
+/// triangle.
 std::optional<double> t_of_triangle(const reference::AnswerKey& key) {
     const bool is_hit = key.decisions.triangle == "hit" || key.decisions.triangle == "boundary";
     return is_hit ? number(key, {8, "t"}) : std::nullopt;
 }
 
-/// Whether the ladder of the sphere (6 but for the coefficients, 7) or of the triangle (8 but for the system) is about
-/// this item.
+/// The comparison of methods that is about this item: 6 for the sphere's (questions 6 and 7 without the coefficients),
+/// 8 for the triangle's (question 8 without the system), 0 for none.
 int ladder_of(const HardItem& item) {
     const bool is_given =
         item.item == "a" || item.item == "b" || item.item == "c" || item.item == "matrix" || item.item == "rhs";
@@ -108,14 +110,14 @@ int ladder_of(const HardItem& item) {
     return item.question == 8 ? 8 : 0;
 }
 
-/// Where the ray itself lost digits, no formula for what it hits brings them back.
+/// Whether a better formula could help: not if the ray itself lost digits, because no later formula brings them back.
 bool concerns(const std::vector<HardItem>& lost, int ladder) {
     const bool ray = std::any_of(lost.begin(), lost.end(), [](const HardItem& item) { return item.question <= 5; });
     return !ray &&
            std::any_of(lost.begin(), lost.end(), [&](const HardItem& item) { return ladder_of(item) == ladder; });
 }
 
-/// The handout's own steps for what no ladder is about; of many items the first few.
+/// Tells how much the handout's own steps keep, for the first few items that no comparison of methods is about.
 std::string tell_steps(const std::vector<HardItem>& lost, const Marking& marking) {
     constexpr std::size_t most = 3;
     std::vector<std::string> told;
@@ -163,7 +165,7 @@ std::string_view formula_of(std::string_view kernel) {
 std::vector<std::string> better_formulas(const std::vector<HardItem>& lost, const Marking& marking) {
     std::vector<std::string> sentences;
     const auto& scene = marking.assignment.scene;
-    const reference::Scene<double> in_double = variants::in_double(scene);
+    const reference::Scene<double> in_double = scenes::in_double(scene);
     if (concerns(lost, 6) && scene.spheres.size() == 1) {
         sentences.push_back(tell_ladder<SphereProblem>(reference::accuracy::sphere_methods(),
                                                        {ray_of(marking.key), in_double.spheres.front()},
@@ -178,4 +180,4 @@ std::vector<std::string> better_formulas(const std::vector<HardItem>& lost, cons
     return sentences;
 }
 
-}  // namespace harness::stress
+}  // namespace harness::scenes

@@ -1,18 +1,20 @@
 #include <cmath>
 
-#include "harness/stress/hard_recipe.h"
+#include "harness/run/timeline.h"
+#include "harness/scenes/hard/recipe.h"
 
-namespace harness::stress {
+namespace harness::scenes {
 namespace {
 
-using variants::Draw;
-using variants::rounded;
-using variants::ScenePart;
+using scenes::Draw;
+using scenes::rounded;
+using scenes::ScenePart;
 
-/// Off every axis, and of the whole length 7.
+/// A vector off every axis, with the whole-number length 7.
 const Point slanted(2, 3, 6);
 
-/// Objects back before the camera, where the source lets them be moved: the sphere is hit, the triangle behind it.
+/// Puts the objects back in front of the camera if they were located in the source: the ray hits the sphere and, behind
+/// it, the triangle.
 void put_objects(Scene& scene, const Stage& stage, double distance) {
     const auto ray = reference::answer_camera(scene, stage.convention);
     const Point middle = ray.P_WCS + distance * ray.V;
@@ -52,7 +54,7 @@ Scene draw_far_from_origin(const Stage& stage, Draw& /*draw*/) {
     return scene;
 }
 
-/// Whatever rounding made of P_WCS in double, the eye and what it looks at are where they are said to be.
+/// Checks only that V is finite: rounding may spoil P_WCS in double, but eye and lookat are exact.
 double is_sound(const Answers& answers, const Scene& /*scene*/) {
     const Point& V = answers.camera.V;
     return std::isfinite(V.x) && std::isfinite(V.y) && std::isfinite(V.z) ? 1 : not_wanted;
@@ -86,4 +88,4 @@ std::vector<HardRecipe> camera_recipes() {
     };
 }
 
-}  // namespace harness::stress
+}  // namespace harness::scenes

@@ -1,4 +1,4 @@
-#include "harness/stress/hard_scenes.h"
+#include "harness/scenes/hard/generate.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,17 +7,18 @@
 #include <cmath>
 #include <iterator>
 
-#include "harness/stress/hard_recipe.h"
-#include "reference/certified_scene.h"
-#include "reference/scene_toml.h"
+#include "harness/run/timeline.h"
+#include "harness/scenes/hard/recipe.h"
+#include "reference/stages/scene_numbers.h"
+#include "reference/toml/scene_toml.h"
 
-namespace harness::stress {
+namespace harness::scenes {
 namespace {
 
 using reference::Assignment;
-using variants::ScenePart;
+using scenes::ScenePart;
 
-/// The fewest digits that give the double are its very value.
+/// Whether the shortest decimal that reads back as this double equals it exactly.
 bool is_short(double x) {
     constexpr double largest = 1e6, parts = 256;
     return std::abs(x) < largest && x * parts == std::round(x * parts);
@@ -26,9 +27,9 @@ bool is_short(const Point& p) {
     return is_short(p.x) && is_short(p.y) && is_short(p.z);
 }
 
-Stage stage_of(const Assignment& assignment, reference::PixelConvention convention, const variants::PartSet& located) {
-    Stage stage{variants::in_double(assignment.scene), convention, {}, {}, false};
-    for (const ScenePart part : variants::all_parts) {
+Stage stage_of(const Assignment& assignment, reference::PixelConvention convention, const scenes::PartSet& located) {
+    Stage stage{scenes::in_double(assignment.scene), convention, {}, {}, false};
+    for (const ScenePart part : scenes::all_parts) {
         if (located.contains(part) && has_part(assignment.scene, part)) stage.located.insert(part);
     }
     stage.ray = reference::answer_camera(stage.scene, convention);
@@ -49,8 +50,8 @@ bool has_all(const Scene& scene, const std::vector<ScenePart>& parts) {
     });
 }
 
-/// Empty where they all were.
-std::string missing_parts(const HardRecipe& recipe, const variants::PartSet& located) {
+/// Says which of the needed parts were not located; empty if all were.
+std::string missing_parts(const HardRecipe& recipe, const scenes::PartSet& located) {
     std::vector<std::string_view> names;
     for (const ScenePart part : recipe.needs) {
         if (!located.contains(part)) names.push_back(to_string(part));
@@ -64,7 +65,8 @@ Scene with_moved_objects_alone(Scene scene) {
     return scene;
 }
 
-/// The questions are about the object that the ray hits first, which may be another than the one that was moved.
+/// Whether the questions are about the objects that were moved. They are about the object that the ray hits first,
+/// which may be a different one.
 bool asks_about_moved(const HardRecipe& recipe, const Scene& scene, reference::PixelConvention convention) {
     for (const auto boundary : {reference::Boundary::positive, reference::Boundary::nonnegative}) {
         const Answers answers = reference::answer_scene(scene, convention, boundary);
@@ -76,9 +78,9 @@ bool asks_about_moved(const HardRecipe& recipe, const Scene& scene, reference::P
     return true;
 }
 
-/// Gives it its scene, or says why it can't be had.
+/// Sets the scene of `hard`, or `why_not` if it can't be made.
 void draw_scene(HardScene& hard, const HardRecipe& recipe, const Stage& stage, std::uint64_t seed) {
-    variants::Draw draw(seed);
+    scenes::Draw draw(seed);
     std::optional<Scene> best;
     double most = 0;
     hard.why_not = "this assignment's ray and window do not allow it";
@@ -97,7 +99,7 @@ void draw_scene(HardScene& hard, const HardRecipe& recipe, const Stage& stage, s
     }
     if (!best) return;
     try {
-        hard.scene = reference::check_scene(variants::in_decimal(*best), "a hard scene");
+        hard.scene = reference::check_scene(scenes::in_decimal(*best), "a hard scene");
         hard.why_not.clear();
     } catch (const reference::AssignmentError&) {
         hard.why_not = "this assignment's ray and window do not allow it";
@@ -106,18 +108,18 @@ void draw_scene(HardScene& hard, const HardRecipe& recipe, const Stage& stage, s
 
 }  // namespace
 
-Point across(const Stage& stage, variants::Draw& draw) {
-    return variants::across(stage.ray.V, draw);
+Point across(const Stage& stage, scenes::Draw& draw) {
+    return scenes::across(stage.ray.V, draw);
 }
 
 void put_sphere_away(Scene& scene, const Stage& stage) {
     if (scene.spheres.empty() || !stage.located.contains(ScenePart::center)) return;
     reference::Sphere<double>& sphere = scene.spheres.front();
-    sphere.center = variants::rounded(stage.ray.P_WCS - (2 * sphere.radius + 5) * stage.ray.V);
+    sphere.center = scenes::rounded(stage.ray.P_WCS - (2 * sphere.radius + 5) * stage.ray.V);
 }
 
 std::vector<HardScene> hard_scenes(const Assignment& assignment, reference::PixelConvention convention,
-                                   const variants::PartSet& located) {
+                                   const scenes::PartSet& located) {
     const Stage stage = stage_of(assignment, convention, located);
     std::vector<HardScene> scenes;
     std::uint64_t seed = 0;
@@ -140,4 +142,4 @@ std::size_t most_hard_scenes() {
     return sphere_recipes().size() + triangle_recipes().size() + camera_recipes().size();
 }
 
-}  // namespace harness::stress
+}  // namespace harness::scenes

@@ -1,22 +1,22 @@
-#include "harness/stress/losses.h"
+#include "harness/scenes/hard/losses.h"
 
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <optional>
 
-namespace harness::stress {
+namespace harness::scenes {
 namespace {
 
 using reference::KeyItem;
 
-/// log10(scale / error), as a number of digits; none where nothing is to be counted.
+/// The number of digits, log10(scale / error); empty if there is nothing to count.
 std::optional<double> digits(double scale, double error) {
     if (!(scale > 0) || !std::isfinite(error)) return {};
     return error > 0 ? std::log10(scale / error) : HUGE_VAL;
 }
 
-/// What the digits of an item count from: its largest component, for u and v 1, the whole edge.
+/// The magnitude from which the digits of an item count: its largest component, or 1, the whole edge, for u and v.
 double scale_of(const KeyItem& item) {
     if (item.spec.name == "u" || item.spec.name == "v") return 1;
     const auto* numbers = std::get_if<reference::Numbers>(&item.answers.front().value);
@@ -36,14 +36,15 @@ const ItemScore* find(const Score& score, const reference::ItemSpec& spec) {
     return nullptr;
 }
 
-/// Whether the verdict was accepted for another reason than that the key holds it.
+/// Whether the verdict was accepted although the key does not hold it.
 bool is_forgiven(const ItemScore& item, const KeyItem& key_item, const reference::AnswerKey& key) {
     return std::none_of(key_item.answers.begin(), key_item.answers.end(), [&](const reference::Answer& answer) {
         return reference::reason(answer, key) == item.accepted_as;
     });
 }
 
-/// The answers that the key takes all have a value, or none does: it can be told who is right about that.
+/// The loss if the program wrongly decided about hit or miss. This is only clear if all answers of the key have a value
+/// or none has.
 std::optional<Loss> wrong_decision(const ItemScore& item, const KeyItem& key_item) {
     const auto& answers = key_item.answers;
     if (item.no_value && std::none_of(answers.begin(), answers.end(), is_none)) return Loss::hit_missed;
@@ -60,9 +61,9 @@ void count_digits(HardItem& lost, const ItemScore& item, const KeyItem& key_item
     lost.digits_kept = std::min(lost.digits_printed, count(digits(scale, *item.error).value_or(0)));
 }
 
-/// None when nothing is lost.
+/// The loss of an item; empty if nothing is lost.
 std::optional<HardItem> loss_of(const ItemScore& item, const KeyItem& key_item, const reference::AnswerKey& key) {
-    constexpr int of_rounding = 1;  // one digit either way is what rounding does anywhere
+    constexpr int of_rounding = 1;  // rounding may cost one digit in any scene
     HardItem lost{key_item.spec.question, std::string(key_item.spec.name), Loss::wrong, 0, 0, item.diagnosis};
     const bool right = item.verdict == ItemVerdict::right;
     if (item.verdict == ItemVerdict::follow) return {};
@@ -119,4 +120,4 @@ reference::PixelConvention own_convention(const Score& base, const reference::An
     return key.canonical.convention;
 }
 
-}  // namespace harness::stress
+}  // namespace harness::scenes

@@ -1,24 +1,26 @@
-// How a hard scene is made: what it needs of a source, and how it is drawn around the assignment's ray.
+// The recipe of a hard scene: which parts it needs located in the source, and how it is drawn around the assignment's
+// ray.
 #pragma once
 
 #include <limits>
 #include <span>
 #include <vector>
 
-#include "harness/variants/drawing.h"
-#include "reference/scene_answers.h"
+#include "harness/run/timeline.h"
+#include "harness/scenes/source/drawing.h"
+#include "reference/stages/scene_answers.h"
 
-namespace harness::stress {
+namespace harness::scenes {
 
 using Scene = reference::Scene<double>;
 using Answers = reference::SceneAnswers<double>;
 using Point = reference::Vec3<double>;
 
-/// Where a scene is drawn: the assignment's scene and the ray through its pixel.
+/// What a scene is drawn from: the assignment's scene and the ray through its pixel.
 struct Stage {
     Scene scene;
     reference::PixelConvention convention;
-    variants::PartSet located;
+    scenes::PartSet located;
     reference::CameraAnswers<double> ray;  ///< of `scene`
     /// The ray's start and eye are short decimals, so that points on the ray can be stated exactly.
     bool is_exact = false;
@@ -27,18 +29,18 @@ struct Stage {
     Point on_ray(double k) const { return scene.camera.eye + k * (ray.P_WCS - scene.camera.eye); }
 };
 
-/// How well a drawn scene is what is wanted; below 0 when it is not. `answers` are about the sphere and the triangle
-/// that a recipe moves, the first ones, whatever stands before them.
+/// Rates how well a drawn scene meets the recipe; below 0 if it does not. `answers` are those of the scene with only
+/// the first sphere and the first triangle, which are the ones that a recipe moves.
 using Worth = double (*)(const Answers& answers, const Scene& scene);
 constexpr double not_wanted = -1;
 
 struct HardRecipe {
     std::string_view name;
     std::string_view asks;
-    std::vector<variants::ScenePart> needs;
-    int attempts;  ///< the best of so many
+    std::vector<scenes::ScenePart> needs;
+    int attempts;  ///< how many scenes are drawn; the best is taken
     bool needs_exact;
-    Scene (*draw)(const Stage& stage, variants::Draw& draw);
+    Scene (*draw)(const Stage& stage, scenes::Draw& draw);
     Worth worth;
 };
 
@@ -46,10 +48,11 @@ std::vector<HardRecipe> sphere_recipes();
 std::vector<HardRecipe> triangle_recipes();
 std::vector<HardRecipe> camera_recipes();
 
-/// A unit vector across the ray, drawn.
-Point across(const Stage& stage, variants::Draw& draw);
+/// A random unit vector perpendicular to the ray.
+Point across(const Stage& stage, scenes::Draw& draw);
 
-/// The sphere behind the ray's start, where the source lets it be moved: out of the triangle's way.
+/// Moves the sphere behind the ray's start, out of the triangle's way, if the sphere's center was located in the
+/// source.
 void put_sphere_away(Scene& scene, const Stage& stage);
 
-}  // namespace harness::stress
+}  // namespace harness::scenes

@@ -1,4 +1,4 @@
-#include "harness/stress/run_stress.h"
+#include "harness/scenes/hard/run.h"
 
 #include <fmt/format.h>
 
@@ -7,29 +7,31 @@
 #include <map>
 #include <utility>
 
-#include "harness/clean_text.h"
-#include "harness/stress/better_formula.h"
-#include "harness/stress/hard_scenes.h"
-#include "harness/stress/losses.h"
-#include "harness/variants/rewritten.h"
+#include "harness/run/runner.h"
+#include "harness/run/timeline.h"
+#include "harness/scenes/hard/better_formula.h"
+#include "harness/scenes/hard/generate.h"
+#include "harness/scenes/hard/losses.h"
+#include "harness/scenes/run/run_rewritten.h"
+#include "harness/text/escape.h"
 
-namespace harness::stress {
+namespace harness::scenes {
 namespace {
 
-using variants::MarkedScene;
-using variants::PartSet;
-using variants::Rewritten;
-using variants::SceneRun;
+using scenes::MarkedScene;
+using scenes::PartSet;
+using scenes::Rewritten;
+using scenes::SceneRun;
 
-/// The hard scenes for programs alike: the same parts located, the same place in the pixel.
+/// The hard scenes for all programs with the same located parts and the same pixel convention.
 struct HardSet {
     std::vector<HardScene> scenes;
-    std::vector<MarkedScene> marked;  ///< of those that can be had
-    std::exception_ptr fault = {};    ///< what kept them from being made, and then there are none
+    std::vector<MarkedScene> marked;  ///< the scenes that could be made
+    std::exception_ptr fault = {};    ///< why the scenes could not be made; then there are none
 };
 
-/// Held to one reading of the handout, and with the certified allowance alone: a rubric's tolerance is made for its own
-/// scene.
+/// The marking for hard scenes: it accepts one pixel convention, and only the certified allowance, because a rubric's
+/// tolerance is made for its own scene.
 Marking for_hard_scenes(const Marking& marking, reference::PixelConvention convention) {
     Marking held = marking;
     held.assignment.rubric.pixel_conventions = {convention};
@@ -38,7 +40,7 @@ Marking for_hard_scenes(const Marking& marking, reference::PixelConvention conve
     return held;
 }
 
-/// Empty when it ended by itself.
+/// How the program ended on the scene; empty if it ended by itself.
 std::string_view ended_there(Outcome outcome) {
     switch (outcome) {
         case Outcome::crashed: return "The program crashed there.";
@@ -58,7 +60,7 @@ HardSet hard_set(const Marking& marking, reference::PixelConvention convention, 
     const Marking held = for_hard_scenes(marking, convention);
     for (HardScene& hard : set.scenes) {
         if (!hard.scene) continue;
-        if (auto marked = variants::with_key({hard.name, *hard.scene}, held)) {
+        if (auto marked = scenes::with_key({hard.name, *hard.scene}, held)) {
             set.marked.push_back(std::move(*marked));
         } else {
             hard.why_not = "there is no certified key of it";
@@ -67,14 +69,14 @@ HardSet hard_set(const Marking& marking, reference::PixelConvention convention, 
     return set;
 }
 
-class StressedClass {
+class ClassOnHardScenes {
   public:
-    StressedClass(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking)
+    ClassOnHardScenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking)
         : graded_(graded), sources_(sources), marking_(marking) {}
 
-    void run(const Workshop& workshop, int jobs, Timeline& timeline) {
-        variants::run_rewritten(
-            graded_, sources_, marking_.assignment.scene, workshop, jobs, timeline,
+    void run(const Runner& runner, int jobs, Timeline& timeline) {
+        scenes::run_rewritten(
+            graded_, sources_, marking_.assignment.scene, runner, jobs, timeline,
             [this](std::size_t index, const PartSet& located) -> const auto& { return set_of(index, located).marked; },
             [this](const Rewritten& one) { conclude(one); });
     }
@@ -93,7 +95,7 @@ class StressedClass {
         return set;
     }
 
-    /// What goes wrong in feedback takes nobody's marks.
+    /// A failure here concerns only feedback and changes no marks.
     void conclude(const Rewritten& one) {
         Graded& graded = graded_[one.index];
         try {
@@ -106,11 +108,11 @@ class StressedClass {
         }
     }
 
-    StressReport report_of(const Rewritten& one, const Graded& graded) {
+    HardScenesReport report_of(const Rewritten& one, const Graded& graded) {
         const HardSet& set = set_of(one.index, one.literals.located);
         if (set.fault) std::rethrow_exception(set.fault);
-        StressReport report;
-        report.not_found = variants::parts_not_found(marking_.assignment.scene, one.literals.located);
+        HardScenesReport report;
+        report.not_found = scenes::parts_not_found(marking_.assignment.scene, one.literals.located);
         auto run = one.runs.begin();
         for (const HardScene& hard : set.scenes) {
             HardResult result;
@@ -124,8 +126,8 @@ class StressedClass {
     }
 
     void tell(HardResult& result, const SceneRun& run, const Graded& base) const {
-        const Marking& marking = run.scene->marking.get();
-        result.changes = variants::described(marking.assignment.scene, marking_.assignment.scene);
+        const Marking& marking = *run.scene->marking;
+        result.changes = scenes::described(marking.assignment.scene, marking_.assignment.scene);
         if (!run.graded) {
             result.skipped = "its numbers do not fit where the source has whole ones";
             return;
@@ -134,7 +136,7 @@ class StressedClass {
         if (outcome == Outcome::compile_error) result.skipped = "the source does not compile with its numbers";
         if (outcome == Outcome::not_graded) result.skipped = "it could not be run here";
         if (!result.skipped.empty()) return;
-        // What ends early on its own scene does so for another reason than that a scene is hard.
+        // A program that ends early also on the assignment's scene does not do so because the scene is hard.
         if (base.outcome == Outcome::graded) result.ended = ended_there(outcome);
         result.items = losses(base.score, run.graded->score, marking);
         result.better = better_formulas(result.items, marking);
@@ -148,9 +150,9 @@ class StressedClass {
 
 }  // namespace
 
-void run_stress(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
-                const Workshop& workshop, int jobs, Timeline& timeline) {
-    StressedClass(graded, sources, marking).run(workshop, jobs, timeline);
+void run_hard_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
+                     const Runner& runner, int jobs, Timeline& timeline) {
+    ClassOnHardScenes(graded, sources, marking).run(runner, jobs, timeline);
 }
 
-}  // namespace harness::stress
+}  // namespace harness::scenes

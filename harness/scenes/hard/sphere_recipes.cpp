@@ -1,16 +1,17 @@
 #include <cmath>
 
-#include "harness/stress/hard_recipe.h"
+#include "harness/run/timeline.h"
+#include "harness/scenes/hard/recipe.h"
 
-namespace harness::stress {
+namespace harness::scenes {
 namespace {
 
-using variants::Draw;
-using variants::rounded;
-using variants::ScenePart;
+using scenes::Draw;
+using scenes::rounded;
+using scenes::ScenePart;
 
-/// How far within the sphere the ray passes: 1 through its center, 0 at its rim, below 0 beside it. V has length 1, so
-/// that d = 4 (R^2 - distance^2).
+/// How far inside the sphere the ray passes: 1 at its center, 0 at its rim, below 0 outside. V has length 1, so that d
+/// = 4 (R^2 - distance^2).
 double share(const Answers& answers, const Scene& scene) {
     const double radius = scene.spheres.front().radius;
     return answers.sphere->quadratic.d / (4 * radius * radius);
@@ -20,7 +21,7 @@ bool is_ahead(const Answers& answers) {
     return answers.sphere->quadratic.b < 0 && answers.sphere->quadratic.c > 0;
 }
 
-/// Whole numbers of some thousands come within a millionth of the rim when enough of them are drawn.
+/// With whole numbers of some thousands, some draws come within a millionth of the rim if enough are made.
 Scene draw_at_rim(const Stage& stage, Draw& draw) {
     Scene scene = stage.scene;
     reference::Sphere<double>& sphere = scene.spheres.front();
@@ -99,4 +100,4 @@ std::vector<HardRecipe> sphere_recipes() {
     };
 }
 
-}  // namespace harness::stress
+}  // namespace harness::scenes

@@ -1,17 +1,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/stress/hard_recipe.h"
+#include "harness/run/timeline.h"
+#include "harness/scenes/hard/recipe.h"
 
-namespace harness::stress {
+namespace harness::scenes {
 namespace {
 
-using variants::Draw;
-using variants::rounded;
-using variants::ScenePart;
+using scenes::Draw;
+using scenes::rounded;
+using scenes::ScenePart;
 
-/// How far inside its nearest edge the triangle is hit, as a barycentric coordinate; nothing when the system has no
-/// solution or the hit lies behind the start.
+/// The distance of the hit from the triangle's nearest edge, as a barycentric coordinate; empty if the system has no
+/// solution or the hit lies behind the ray's start.
 std::optional<double> margin(const Answers& answers) {
     const reference::TriangleAnswers<double>& triangle = *answers.triangle;
     if (!triangle.t || *triangle.t < 0.5) return {};
@@ -36,7 +37,7 @@ double always(const Answers& /*answers*/, const Scene& /*scene*/) {
     return 1;
 }
 
-/// `p` and `q` are across the ray and each other.
+/// `p` and `q` are perpendicular to the ray and to each other.
 struct Frame {
     Point p, q;
 };
@@ -76,7 +77,7 @@ Scene draw_sliver(const Stage& stage, Draw& draw) {
                          rounded(middle + 3.0 * q + 5.0 * stage.ray.V));
 }
 
-/// The edges behind the vertex lie on both sides of the ray, so that it is the vertex that is met.
+/// The edges that start at the vertex lie on both sides of the ray, so the ray meets the vertex.
 Scene draw_vertex(const Stage& stage, Draw& draw) {
     const auto [p, q] = frame(stage, draw);
     const Point A = stage.on_ray(5);
@@ -91,7 +92,7 @@ Scene draw_parallel(const Stage& stage, Draw& draw) {
     return with_triangle(stage, A, A + (stage.on_ray(7) - stage.on_ray(3)), A + rounded(9.0 * p - 4.0 * q));
 }
 
-/// The start is the middle of the triangle: its corners sum up to three times the start.
+/// The ray's start is the middle of the triangle: the corners add up to three times the start.
 Scene draw_at_start(const Stage& stage, Draw& draw) {
     const auto [p, q] = frame(stage, draw);
     const Point a = rounded(7.0 * p + 3.0 * stage.ray.V), b = rounded(-4.0 * p + 6.0 * q + 2.0 * stage.ray.V);
@@ -119,4 +120,4 @@ std::vector<HardRecipe> triangle_recipes() {
     };
 }
 
-}  // namespace harness::stress
+}  // namespace harness::scenes

@@ -1,4 +1,4 @@
-#include "harness/variants/generate_variants.h"
+#include "harness/scenes/other/generate.h"
 
 #include <fmt/format.h>
 
@@ -6,17 +6,17 @@
 #include <cmath>
 #include <optional>
 
-#include "harness/variants/drawing.h"
-#include "reference/item_values.h"
-#include "reference/scene_toml.h"
+#include "harness/scenes/source/drawing.h"
+#include "reference/stages/item_values.h"
+#include "reference/toml/scene_toml.h"
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
 using reference::Assignment;
 using reference::Decimal;
+using reference::OtherScene;
 using reference::Scene;
-using reference::SceneVariant;
 using reference::Vec3;
 
 enum class Kind { off_axis, triangle_first, sphere_missed, grazing };
@@ -36,7 +36,7 @@ bool is_zero(const Vec3<double>& p) {
     return p.x == 0 && p.y == 0 && p.z == 0;
 }
 
-/// Draws scenes of one kind. Lengths grow with how far away the kind's objects are.
+/// Draws scenes of one kind. Lengths grow with the distance of the kind's objects.
 class Painter {
   public:
     Painter(const Assignment& assignment, const PartSet& located, Kind kind)
@@ -77,7 +77,7 @@ class Painter {
         }
     }
 
-    /// How far from the ray the sphere's center is, in radii.
+    /// The distance of the sphere's center from the ray, in radii.
     double draw_offset(Draw& draw) const {
         switch (kind_) {
             case Kind::off_axis:
@@ -88,7 +88,7 @@ class Painter {
         return 0;
     }
 
-    /// About the ray, so that it mostly hits.
+    /// Draws the triangle around the ray, so that the ray mostly hits it.
     void paint_triangle(Scene<double>& scene, const reference::CameraAnswers<double>& ray, Draw& draw) const {
         const Vec3<double> p = across(ray.V, draw);
         const Vec3<double> q = reference::cross(ray.V, p);
@@ -120,7 +120,7 @@ Answers answer(const Scene<double>& scene, const Assignment& assignment) {
                                    reference::Boundary::nonnegative);
 }
 
-/// Nothing of the camera is close to undefined.
+/// Whether the camera is far from any undefined case.
 bool is_sound(const Scene<double>& scene) {
     const Vec3<double> view = scene.camera.eye - scene.camera.lookat;
     if (reference::dot(view, view) < 4 || is_zero(scene.camera.vup)) return false;
@@ -148,7 +148,7 @@ bool triangle_is_hit(const Answers& answers) {
            1 - *triangle.u - *triangle.v > margin;
 }
 
-/// As far as what was located lets it.
+/// Whether the scene has its kind's property, as far as the located parts allow it.
 bool has_property(const Answers& answers, const Scene<double>& scene, const PartSet& located, Kind kind) {
     const bool sphere = located.contains(ScenePart::center);
     const bool triangle = located.contains(ScenePart::A);
@@ -159,7 +159,7 @@ bool has_property(const Answers& answers, const Scene<double>& scene, const Part
     return kind == Kind::triangle_first ? lead > 0.3 : std::abs(lead) > 0.3;
 }
 
-/// Farther apart than rounding and short decimals are.
+/// Whether two values differ by more than rounding and short decimals explain.
 bool differ(const reference::ItemValue<double>& one, const reference::ItemValue<double>& other) {
     const auto* a = std::get_if<std::vector<double>>(&one);
     const auto* b = std::get_if<std::vector<double>>(&other);
@@ -180,14 +180,15 @@ int differences(const Answers& answers, const reference::ItemValues<double>& bas
     return count;
 }
 
-/// None when no scene of the kind could be drawn.
+/// Empty if no scene of the kind could be drawn.
 std::optional<Scene<double>> draw_scene(const Assignment& assignment, const PartSet& located, Kind kind, Draw draw) {
     const Painter painter(assignment, located, kind);
     const auto base =
         reference::values_of(answer(in_double(assignment.scene), assignment), reference::Boundary::nonnegative);
     constexpr int attempts = 400;
     constexpr int property = 1000;  // weighs more than all differences
-    // a stays 1, as V has length 1, P_VCS stays where the pixel does, and the verdict has few values.
+    // Three items need not differ: a is always 1, because V has length 1; P_VCS only depends on the pixel; and the
+    // verdict has few values.
     const int enough = property + static_cast<int>(base.size()) - 3;
     std::optional<Scene<double>> best;
     int most = -1;
@@ -205,7 +206,7 @@ std::optional<Scene<double>> draw_scene(const Assignment& assignment, const Part
     return most > 0 ? best : std::nullopt;
 }
 
-/// The assignment's scene with the located parts of another.
+/// The assignment's scene with the located parts taken from `variant`.
 DecimalScene restricted(const DecimalScene& scene, const DecimalScene& variant, const PartSet& located) {
     DecimalScene result = scene;
     for (const ScenePart part : all_parts) {
@@ -220,18 +221,18 @@ bool is_another_scene(const DecimalScene& scene, const Assignment& assignment) {
         reference::check_scene(scene, "a variant");
         return true;
     } catch (const reference::AssignmentError&) {
-        return false;  // such as an eye that was moved into a lookat that could not be moved with it
+        return false;  // e.g. the eye was moved onto a lookat that was not located
     }
 }
 
 }  // namespace
 
-std::vector<SceneVariant> variants_for(const Assignment& assignment, const PartSet& located, int count,
-                                       std::uint64_t seed) {
-    std::vector<SceneVariant> variants;
+std::vector<OtherScene> other_scenes_for(const Assignment& assignment, const PartSet& located, int count,
+                                         std::uint64_t seed) {
+    std::vector<OtherScene> variants;
     if (located.empty()) return variants;
     const auto wanted = static_cast<std::size_t>(count);
-    for (const SceneVariant& variant : assignment.variants) {
+    for (const OtherScene& variant : assignment.variants) {
         DecimalScene scene = restricted(assignment.scene, variant.scene, located);
         if (variants.size() < wanted && is_another_scene(scene, assignment))
             variants.push_back({variant.name, std::move(scene)});
@@ -248,4 +249,4 @@ std::vector<SceneVariant> variants_for(const Assignment& assignment, const PartS
     return variants;
 }
 
-}  // namespace harness::variants
+}  // namespace harness::scenes

@@ -1,15 +1,15 @@
-#include "harness/variants/variant_points.h"
+#include "harness/scenes/other/points.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "harness/report/report.h"
-#include "harness/variants/rewritten.h"
-#include "harness/variants/variant_sentences.h"
+#include "harness/grade/other_scenes_sentences.h"
+#include "harness/scenes/run/run_rewritten.h"
+#include "harness/text/points.h"
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
 double share_on_own_scene(const Score& score) {
@@ -19,16 +19,16 @@ double share_on_own_scene(const Score& score) {
 double share_of_points(const Graded& graded) {
     const double own = share_on_own_scene(graded.score);
     if (!graded.other_scenes) return own;
-    const std::vector<VariantRun>& runs = graded.other_scenes->runs;
+    const std::vector<OtherSceneRun>& runs = graded.other_scenes->runs;
     const std::size_t not_tried = graded.other_scenes->not_tried.size();
     if (runs.size() + not_tried == 0) return own;
     double sum = static_cast<double>(not_tried) * own;
-    for (const VariantRun& run : runs) sum += run.share;
+    for (const OtherSceneRun& run : runs) sum += run.share;
     return sum / static_cast<double>(runs.size() + not_tried);
 }
 
-/// Of eye, center and triangle, without which one scene is much like another, those that stay as they are.
-std::vector<std::string> unchanging(const VariantReport& report) {
+/// Which of eye, center and triangle stay the same on every scene. Without them, the scenes differ little.
+std::vector<std::string> unchanging(const OtherScenesReport& report) {
     const auto stays = [&](const char* part) {
         return std::find(report.not_found.begin(), report.not_found.end(), part) != report.not_found.end();
     };
@@ -40,7 +40,8 @@ std::vector<std::string> unchanging(const VariantReport& report) {
     return parts;
 }
 
-/// Sentences; empty when it was tried on every scene.
+/// Sentences about what the program was not tried on; empty if it was tried on every scene with eye, center and
+/// triangle changed.
 std::string what_was_not_tried(const Graded& graded) {
     if (!graded.other_scenes) {
         return has_right_answer(graded) ? "raygrade failed to run the program on other scenes."
@@ -56,20 +57,19 @@ std::string what_was_not_tried(const Graded& graded) {
 
 }  // namespace
 
-void require_variants(const reference::Assignment& assignment, int count) {
-    if (assignment.rubric.variant_points == 0 || count > 0) return;
+void require_other_scenes(const reference::Assignment& assignment, int count) {
+    if (assignment.rubric.other_scene_points == 0 || count > 0) return;
     throw reference::AssignmentError(
         fmt::format("{}: gives {} points for answers on other scenes (variant_points of [rubric]), so say on how many "
                     "each program is to run: --variants 4, for example",
-                    assignment.name, report::points_text(assignment.rubric.variant_points)));
+                    assignment.name, points_text(assignment.rubric.other_scene_points)));
 }
 
-void award_variant_points(std::vector<Graded>& graded, const reference::Rubric& rubric) {
-    if (rubric.variant_points == 0) return;
-    using report::points_text;
+void award_other_scene_points(std::vector<Graded>& graded, const reference::Rubric& rubric) {
+    if (rubric.other_scene_points == 0) return;
     for (Graded& one : graded) {
         const double own = share_on_own_scene(one.score);
-        const ScenesScore scenes{share_of_points(one) * rubric.variant_points, rubric.variant_points};
+        const ScenesScore scenes{share_of_points(one) * rubric.other_scene_points, rubric.other_scene_points};
         one.score.other_scenes = scenes;
         one.score.points += scenes.points;
         one.score.max_points += scenes.max_points;
@@ -84,4 +84,4 @@ void award_variant_points(std::vector<Graded>& graded, const reference::Rubric& 
     }
 }
 
-}  // namespace harness::variants
+}  // namespace harness::scenes

@@ -1,30 +1,32 @@
-#include "harness/variants/run_variants.h"
+#include "harness/scenes/other/run.h"
 
 #include <map>
 
-#include "harness/variants/generate_variants.h"
-#include "harness/variants/rewritten.h"
-#include "harness/variants/variant_sentences.h"
-#include "harness/variants/written_answers.h"
+#include "harness/grade/other_scenes_sentences.h"
+#include "harness/run/runner.h"
+#include "harness/run/timeline.h"
+#include "harness/scenes/other/generate.h"
+#include "harness/scenes/run/run_rewritten.h"
+#include "harness/scenes/source/written_answers.h"
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
-/// The other scenes for programs alike: the same parts located.
+/// The other scenes for all programs in which the same parts were located.
 struct SceneSet {
     std::vector<MarkedScene> marked;
-    std::vector<UntriedScene> not_had;  ///< with those all that were asked for
+    std::vector<UntriedScene> not_had;  ///< scenes that can't be tried; with `marked`, all that were asked for
 };
 
-class VariantClass {
+class ClassOnOtherScenes {
   public:
-    VariantClass(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
-                 const VariantOptions& options)
+    ClassOnOtherScenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
+                       const OtherScenesOptions& options)
         : graded_(graded), sources_(sources), marking_(marking), options_(options) {}
 
-    void run(const Workshop& workshop, int jobs, Timeline& timeline) {
+    void run(const Runner& runner, int jobs, Timeline& timeline) {
         run_rewritten(
-            graded_, sources_, marking_.assignment.scene, workshop, jobs, timeline,
+            graded_, sources_, marking_.assignment.scene, runner, jobs, timeline,
             [this](std::size_t /*index*/, const PartSet& located) -> const auto& { return set_of(located).marked; },
             [this](Rewritten one) { conclude(std::move(one)); });
     }
@@ -38,7 +40,7 @@ class VariantClass {
     SceneSet new_set(const PartSet& located) const {
         const auto asked = static_cast<std::size_t>(options_.count);
         SceneSet set;
-        for (auto& variant : variants_for(marking_.assignment, located, options_.count, options_.seed)) {
+        for (auto& variant : other_scenes_for(marking_.assignment, located, options_.count, options_.seed)) {
             UntriedScene without_key{variant.name, described(variant.scene, marking_.assignment.scene),
                                      "there is no certified key of it"};
             if (auto marked = with_key(std::move(variant), marking_)) {
@@ -53,9 +55,9 @@ class VariantClass {
         return set;
     }
 
-    VariantRun run_of(SceneRun& run) const {
+    OtherSceneRun run_of(SceneRun& run) const {
         const DecimalScene& base = marking_.assignment.scene;
-        const reference::SceneVariant& scene = run.scene->scene;
+        const reference::OtherScene& scene = run.scene->scene;
         return {scene.name, described(scene.scene, base), described(base, scene.scene),
                 run.graded->outcome == Outcome::graded, std::move(run.graded->score)};
     }
@@ -63,14 +65,14 @@ class VariantClass {
     void conclude(Rewritten one) {
         Graded& graded = graded_[one.index];
         const DecimalScene& scene = marking_.assignment.scene;
-        std::vector<VariantRun> runs;
+        std::vector<OtherSceneRun> runs;
         std::vector<UntriedScene> not_tried = set_of(one.literals.located).not_had;
         for (SceneRun& each : one.runs) {
             std::string why = why_not_tried(each);
             if (why.empty()) {
                 runs.push_back(run_of(each));
             } else {
-                const reference::SceneVariant& other = each.scene->scene;
+                const reference::OtherScene& other = each.scene->scene;
                 not_tried.push_back({other.name, described(other.scene, scene), std::move(why)});
             }
         }
@@ -78,7 +80,7 @@ class VariantClass {
         graded.other_scenes =
             compare(graded.score, std::move(runs), std::move(not_tried), parts_not_found(scene, one.literals.located));
         graded.other_scenes->seed = options_.seed;
-        if (graded.other_scenes->verdict == VariantVerdict::does_not_move) {
+        if (graded.other_scenes->verdict == OtherSceneVerdict::does_not_move) {
             graded.flags.push_back({"hard_coded", unmoved_evidence(*graded.other_scenes)});
         } else if (nothing_tried) {
             constexpr std::size_t fewest = 3;  // one or two may be a coincidence
@@ -90,15 +92,15 @@ class VariantClass {
     std::vector<Graded>& graded_;
     const std::vector<std::string>& sources_;
     const Marking& marking_;
-    const VariantOptions& options_;
-    std::map<unsigned long, SceneSet> sets_;  ///< by what was located
+    const OtherScenesOptions& options_;
+    std::map<unsigned long, SceneSet> sets_;  ///< by the located parts
 };
 
 }  // namespace
 
-void run_variants(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
-                  const Workshop& workshop, int jobs, const VariantOptions& options, Timeline& timeline) {
-    if (options.count > 0) VariantClass(graded, sources, marking, options).run(workshop, jobs, timeline);
+void run_other_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
+                      const Runner& runner, int jobs, const OtherScenesOptions& options, Timeline& timeline) {
+    if (options.count > 0) ClassOnOtherScenes(graded, sources, marking, options).run(runner, jobs, timeline);
 }
 
-}  // namespace harness::variants
+}  // namespace harness::scenes

@@ -1,24 +1,26 @@
-#include "harness/variants/rewritten.h"
+#include "harness/scenes/run/run_rewritten.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <span>
 
-#include "harness/batch.h"
-#include "harness/clean_text.h"
-#include "harness/failure.h"
+#include "harness/batch/batch.h"
+#include "harness/machine/errors.h"
+#include "harness/run/runner.h"
+#include "harness/run/timeline.h"
+#include "harness/text/escape.h"
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
-/// A part of a class, all its rewritten sources in one batch.
+/// A part of a class, whose rewritten sources form one batch.
 class RewrittenPart {
   public:
     RewrittenPart(const std::vector<Graded>& graded, const std::vector<std::string>& sources, const DecimalScene& scene)
         : graded_(graded), sources_(sources), scene_(scene) {}
 
-    /// All of it or, where something is thrown, nothing.
+    /// Adds a submission on all its scenes, or nothing if it throws.
     void add(std::size_t index, const ScenesFor& scenes_for) {
         if (!has_right_answer(graded_[index])) return;
         Rewritten one{index, find_scene(sources_[index], scene_), {}};
@@ -33,9 +35,8 @@ class RewrittenPart {
         rewritten_.push_back(std::move(one));
     }
 
-    std::vector<Rewritten> run(const Workshop& workshop, int jobs, Timeline& timeline) {
-        std::vector<Graded> results =
-            grade_each(std::move(submissions_), std::move(markings_), workshop, jobs, timeline);
+    std::vector<Rewritten> run(const Runner& runner, int jobs, Timeline& timeline) {
+        std::vector<Graded> results = grade_each(std::move(submissions_), markings_, runner, jobs, timeline);
         for (std::size_t i = 0; i < results.size(); ++i)
             rewritten_[places_[i].first].runs[places_[i].second].graded = std::move(results[i]);
         return std::move(rewritten_);
@@ -49,7 +50,7 @@ class RewrittenPart {
         submission.file = graded_[one.index].submission.file;
         submission.source = std::move(source);
         submissions_.push_back(std::move(submission));
-        markings_.push_back(scene.marking);
+        markings_.push_back(scene.marking.get());
         places_.emplace_back(rewritten_.size(), run);
     }
 
@@ -58,8 +59,8 @@ class RewrittenPart {
     const DecimalScene& scene_;
     std::vector<Rewritten> rewritten_;
     std::vector<Submission> submissions_;
-    std::vector<std::shared_future<Marking>> markings_;
-    std::vector<std::pair<std::size_t, std::size_t>> places_;  ///< of each submission: in rewritten_, among its runs
+    std::vector<const Marking*> markings_;
+    std::vector<std::pair<std::size_t, std::size_t>> places_;  ///< of each submission: in rewritten_, and in its runs
 };
 
 void note_fault(Graded& graded, const std::string& what) {
@@ -67,7 +68,7 @@ void note_fault(Graded& graded, const std::string& what) {
     graded.submission.notes.push_back("Other scenes: " + escape_control(what));
 }
 
-/// Calls `work` for these submissions, of which those with a right answer bear what goes wrong.
+/// Calls `work` for these submissions. If it fails, the submissions with a right answer get a note about it.
 template <class Work>
 void or_noted(std::span<Graded> graded, Work work) {
     const auto note = [&](const auto& of_one) {
@@ -92,15 +93,13 @@ bool is_our_fault(const SceneRun& run) {
 
 }  // namespace
 
-std::optional<MarkedScene> with_key(reference::SceneVariant scene, const Marking& base) {
+std::optional<MarkedScene> with_key(reference::OtherScene scene, const Marking& base) {
     reference::Assignment assignment = base.assignment;
     assignment.scene = scene.scene;
     assignment.name = fmt::format("{} ({})", assignment.name, scene.name);
     try {
-        reference::AnswerKey key = reference::make_key(assignment, reference::Precision::certified);
-        std::promise<Marking> made;
-        made.set_value(Marking{std::move(assignment), std::move(key)});
-        return MarkedScene{std::move(scene), made.get_future().share()};
+        auto marking = std::make_shared<const Marking>(make_marking(std::move(assignment)));
+        return MarkedScene{std::move(scene), std::move(marking)};
     } catch (const reference::AssignmentError&) {
         return {};
     } catch (const std::domain_error&) {
@@ -137,9 +136,9 @@ bool has_right_answer(const Graded& graded) {
 }
 
 void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& sources, const DecimalScene& scene,
-                   const Workshop& workshop, int jobs, Timeline& timeline, const ScenesFor& scenes_for,
+                   const Runner& runner, int jobs, Timeline& timeline, const ScenesFor& scenes_for,
                    const std::function<void(Rewritten)>& conclude) {
-    // A few at a time: the sources of all scenes together would take several times a class's memory.
+    // In parts, because the sources of all scenes together would take several times the memory of the class.
     constexpr std::size_t at_a_time = 256;
     for (std::size_t begin = 0; begin < graded.size(); begin += at_a_time) {
         const std::span<Graded> some(graded.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -148,7 +147,7 @@ void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& 
         for (std::size_t i = 0; i < some.size(); ++i)
             or_noted(some.subspan(i, 1), [&] { part.add(begin + i, scenes_for); });
         std::vector<Rewritten> done;
-        or_noted(some, [&] { done = part.run(workshop, jobs, timeline); });
+        or_noted(some, [&] { done = part.run(runner, jobs, timeline); });
         for (Rewritten& one : done) {
             Graded& base = graded[one.index];
             const auto failed = std::find_if(one.runs.begin(), one.runs.end(), is_our_fault);
@@ -175,4 +174,4 @@ std::vector<std::string> parts_not_found(const DecimalScene& scene, const PartSe
     return names;
 }
 
-}  // namespace harness::variants
+}  // namespace harness::scenes

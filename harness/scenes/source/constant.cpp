@@ -1,4 +1,4 @@
-#include "harness/variants/constant.h"
+#include "harness/scenes/source/constant.h"
 
 #include <fmt/format.h>
 
@@ -6,11 +6,11 @@
 #include <charconv>
 #include <cmath>
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
 constexpr std::size_t longest_expression = 40;
-/// Below this every whole number is a float.
+/// Every whole number up to this is exact in float.
 constexpr double largest_integer = 1 << 24;
 
 std::string lower_case(std::string_view text) {
@@ -152,4 +152,4 @@ std::optional<std::string> spell(double value, const Constant& like) {
     return text + like.suffix;
 }
 
-}  // namespace harness::variants
+}  // namespace harness::scenes

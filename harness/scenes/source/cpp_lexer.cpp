@@ -1,11 +1,11 @@
-// Each function that reads a token moves on past what it read and never comes back, which makes the time linear.
-#include "harness/variants/cpp_lexer.h"
+// Each function that reads a token moves past it and never goes back, so the time is linear.
+#include "harness/scenes/source/cpp_lexer.h"
 
 #include <algorithm>
 #include <array>
 #include <string>
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
 constexpr std::array<std::string_view, 25> long_symbols{"<<=", ">>=", "<=>", "->*", "...", "::", "->", "++", "--",
@@ -17,7 +17,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// Bytes from 0x80 on are of characters that g++ takes in names.
+/// Bytes from 0x80 on belong to characters that g++ accepts in names.
 bool begins_name(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$' ||
            static_cast<unsigned char>(c) >= 0x80;
@@ -46,7 +46,7 @@ class Lexer {
     }
 
   private:
-    /// Where in its line a token stands decides what '#' and '<' are.
+    /// The place of a token in its line. It decides what '#' and '<' mean.
     enum class Line { begun, directive, include, other };
 
     char peek(std::size_t ahead = 0) const { return at_ + ahead < source_.size() ? source_[at_ + ahead] : '\0'; }
@@ -69,7 +69,7 @@ class Lexer {
         }
     }
 
-    /// The length of a line's end at this place; 0 when there is none.
+    /// The length of the line end at this place; 0 if there is none.
     std::size_t line_end_length(std::size_t at) const {
         if (at >= source_.size()) return 0;
         if (source_[at] == '\n') return 1;
@@ -77,7 +77,7 @@ class Lexer {
         return at + 1 < source_.size() && source_[at + 1] == '\n' ? 2 : 1;
     }
 
-    /// A backslash that joins its line to the next; g++ allows blanks between. Moves past it.
+    /// Moves past a backslash that joins its line to the next line; g++ allows blanks after the backslash.
     bool skip_splice() {
         if (peek() != '\\') return false;
         std::size_t at = at_ + 1;
@@ -153,7 +153,7 @@ class Lexer {
         }
     }
 
-    /// R"delimiter( ... )delimiter". False when it is none after all; then nothing was skipped.
+    /// Skips R"delimiter( ... )delimiter". Returns false and skips nothing if this is not a raw string.
     bool skip_raw_string() {
         constexpr std::size_t longest = 16;
         std::size_t open = at_ + 1;
@@ -231,4 +231,4 @@ std::vector<Token> lex_cpp(std::string_view source) {
     return Lexer(source).lex();
 }
 
-}  // namespace harness::variants
+}  // namespace harness::scenes

@@ -1,17 +1,17 @@
-#include "harness/variants/drawing.h"
+#include "harness/scenes/source/drawing.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-namespace harness::variants {
+namespace harness::scenes {
 
 reference::Vec3<double> rounded(const reference::Vec3<double>& p) {
     return {std::round(p.x) + 0.0, std::round(p.y) + 0.0, std::round(p.z) + 0.0};
 }
 
 reference::Vec3<double> across(const reference::Vec3<double>& V, Draw& draw) {
-    // In this order, from the last to the first: classes have been graded on scenes that were drawn so.
+    // Keep this order, z before y before x: classes have been graded on scenes drawn this way.
     const double z = draw.between(-1, 1);
     const double y = draw.between(-1, 1);
     const double x = draw.between(-1, 1);
@@ -23,4 +23,4 @@ DecimalScene in_decimal(const reference::Scene<double>& scene) {
         scene, [](double x) { return reference::Decimal::parse(fmt::format("{}", x)).value(); });
 }
 
-}  // namespace harness::variants
+}  // namespace harness::scenes

@@ -1,19 +1,19 @@
-// Numbers for scenes that are drawn: the same ones on every machine.
+// Random numbers for scenes, the same on every machine.
 #pragma once
 
 #include <cstdint>
 
-#include "harness/variants/scene_part.h"
-#include "reference/double_scene.h"
+#include "harness/scenes/source/scene_part.h"
+#include "reference/stages/scene_numbers.h"
 
-namespace harness::variants {
+namespace harness::scenes {
 
-/// splitmix64 (Steele, Lea and Flood 2014): the standard library's distributions differ between machines.
+/// splitmix64 (Steele, Lea and Flood 2014), because the standard library's distributions differ between machines.
 class Draw {
   public:
     explicit Draw(std::uint64_t seed) : state_(seed) {}
 
-    /// Whole, in [least, most].
+    /// A whole number in [least, most].
     int whole(int least, int most) {
         return least + static_cast<int>(next() % static_cast<std::uint64_t>(most - least + 1));
     }
@@ -39,14 +39,14 @@ class Draw {
     std::uint64_t state_;
 };
 
-/// To whole numbers, which every program can state; no -0.
+/// Rounds to whole numbers, which every program can state. Never gives -0.
 reference::Vec3<double> rounded(const reference::Vec3<double>& p);
 
-/// Across `V`, of length 1, by whatever angle around it.
+/// A random unit vector perpendicular to `V`.
 reference::Vec3<double> across(const reference::Vec3<double>& V, Draw& draw);
 
 using reference::in_double;
-/// Each number by the fewest digits that give the same double.
+/// Writes each number with the fewest digits that give the same double.
 DecimalScene in_decimal(const reference::Scene<double>& scene);
 
-}  // namespace harness::variants
+}  // namespace harness::scenes

@@ -1,19 +1,19 @@
-#include "harness/variants/part_name.h"
+#include "harness/scenes/source/part_name.h"
 
 #include <algorithm>
 #include <initializer_list>
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
-/// "spheres[0].C" is "C".
+/// The last word of a name: "C" of "spheres[0].C".
 std::string_view last_word(std::string_view name) {
     name = name.substr(0, name.find('['));
     return name.substr(name.find_last_of('.') + 1);
 }
 
-/// In lower case and without underscores.
-std::string plain(std::string_view name) {
+/// The name in lower case and without underscores.
+std::string plain_name(std::string_view name) {
     std::string result;
     for (const char c : name) {
         if (c != '_') result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -30,7 +30,7 @@ bool holds_one_of(std::string_view name, std::initializer_list<std::string_view>
                        [&](std::string_view word) { return name.find(word) != std::string_view::npos; });
 }
 
-/// The window's right edge is called r or clipR, so "r" alone says nothing.
+/// Whether the name may mean the radius. "r" alone does not: the window's right edge is called r or clipR.
 bool may_name_radius(std::string_view written, std::string_view name) {
     if (written == "R") return true;
     if (name.find("grad") != std::string_view::npos) return false;
@@ -49,7 +49,7 @@ bool is_vertex(std::string_view name, char letter, char number) {
 
 bool may_name(std::string_view name, ScenePart part) {
     const std::string_view written = last_word(name);
-    const std::string word = plain(written);
+    const std::string word = plain_name(written);
     switch (part) {
         case ScenePart::eye:
             return holds_one_of(word, {"eye", "cam", "oeil", "ojo", "viewpoint"}) ||
@@ -71,4 +71,4 @@ bool may_name(std::string_view name, ScenePart part) {
     return false;
 }
 
-}  // namespace harness::variants
+}  // namespace harness::scenes

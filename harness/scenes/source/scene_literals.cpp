@@ -1,20 +1,20 @@
-#include "harness/variants/scene_literals.h"
+#include "harness/scenes/source/scene_literals.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
-#include "harness/variants/part_name.h"
-#include "harness/variants/stated_numbers.h"
+#include "harness/scenes/source/part_name.h"
+#include "harness/scenes/source/stated_numbers.h"
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
 constexpr std::array vector_parts{ScenePart::eye, ScenePart::lookat, ScenePart::vup, ScenePart::center,
                                   ScenePart::A,   ScenePart::B,      ScenePart::C};
 
-/// Values that stand in any program: the zero vector, a unit vector along an axis, (1, 1, 1).
+/// Whether the value may stand in any program: the zero vector, a unit vector along an axis, (1, 1, 1).
 bool is_common(const std::array<double, 3>& value) {
     const auto is = [&](double x) { return std::count(value.begin(), value.end(), x); };
     if (is(0) == 3 || is(1) == 3) return true;
@@ -62,7 +62,7 @@ class Locator {
 
     // Vectors
 
-    /// Those whose neighbours say what they are: lookAt(eye, at, up) and the like, the vertices in a row, a center
+    /// Places vectors by their neighbours: lookAt(eye, at, up) and similar calls, the vertices in a row, a center
     /// before its radius.
     void place_by_neighbours() {
         for (const StatedList& list : numbers_.lists) {
@@ -120,7 +120,7 @@ class Locator {
             take_vector(vector, *part);
             return;
         }
-        // Something else has this value: that has a name of its own, or is part of a longer list such as a matrix.
+        // The value belongs to something else, which has its own name or is part of a longer list such as a matrix.
         const bool something_else =
             with_name.empty() && is_common(vector.value) && (!vector.name.empty() || vector.weak);
         if (something_else) return;
@@ -134,7 +134,7 @@ class Locator {
         }
         for (std::size_t k = 0; k < 3; ++k) take(vector.numbers[k], part, k);
         if (part != ScenePart::center || !vector.following || !value_.contains(ScenePart::radius)) return;
-        // Sphere(1, 1, 0, 2); the fourth of a homogeneous point is 1.
+        // In Sphere(1, 1, 0, 2) the fourth number is the radius; in a homogeneous point it is 1.
         const double radius = value_.at(ScenePart::radius)[0];
         if (vector.following->constant.value == radius && radius != 1) take(*vector.following, ScenePart::radius, 0);
     }
@@ -153,7 +153,8 @@ class Locator {
         }
     }
 
-    /// The pixel is two numbers that no formula holds by itself, each time the one and then, soon, the other.
+    /// Finds the pixel as two numbers that always occur in turn: x, then y. Small numbers and the window's size say too
+    /// little.
     void find_pixel() {
         const std::array<double, 3> pixel = value_.at(ScenePart::pixel);
         constexpr double smallest = 10;
@@ -222,7 +223,7 @@ class Locator {
     const DecimalScene& scene_;
     SourceNumbers numbers_;
     std::map<ScenePart, std::array<double, 3>> value_;  ///< of the parts that the scene has
-    std::vector<std::optional<ScenePart>> placed_;      ///< by vector, what its neighbours say it is
+    std::vector<std::optional<ScenePart>> placed_;      ///< for each vector, the part that its neighbours show
     std::vector<SceneLiteral> literals_;
     PartSet doubtful_;
 };
@@ -263,4 +264,4 @@ std::optional<std::string> with_scene(std::string_view source, const SceneLitera
     return text.append(source.substr(at));
 }
 
-}  // namespace harness::variants
+}  // namespace harness::scenes

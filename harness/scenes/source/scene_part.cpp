@@ -1,14 +1,14 @@
-#include "harness/variants/scene_part.h"
+#include "harness/scenes/source/scene_part.h"
 
 #include <fmt/format.h>
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
 using reference::Decimal;
 using reference::Vec3;
 
-/// The vector that the part is; null for the radius and the pixel.
+/// The part's vector; null for the radius and the pixel.
 template <class Scene>
 auto* vector_of(Scene& scene, ScenePart part) {
     switch (part) {
@@ -88,4 +88,4 @@ std::string describe(const DecimalScene& scene, ScenePart part) {
     }
 }
 
-}  // namespace harness::variants
+}  // namespace harness::scenes

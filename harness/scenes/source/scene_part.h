@@ -1,4 +1,4 @@
-// The numbers of a scene, by what they are.
+// The parts of a scene and their numbers.
 #pragma once
 
 #include <array>
@@ -6,12 +6,12 @@
 #include <string>
 #include <string_view>
 
-#include "reference/decimal.h"
-#include "reference/scene.h"
+#include "reference/numbers/decimal.h"
+#include "reference/stages/scene.h"
 
-namespace harness::variants {
+namespace harness::scenes {
 
-/// What a variant may change. Of several spheres or triangles the first one.
+/// The parts that other scenes may change. With several spheres or triangles, the first.
 enum class ScenePart { eye, lookat, vup, center, radius, A, B, C, pixel };
 
 inline constexpr std::array all_parts{ScenePart::eye,    ScenePart::lookat, ScenePart::vup,
@@ -31,24 +31,24 @@ class PartSet {
     std::bitset<all_parts.size()> bits_;
 };
 
-/// The handout's word for it, e.g. "eye" or "A".
+/// The handout's word for the part, e.g. "eye" or "A".
 std::string_view to_string(ScenePart part);
 
 using DecimalScene = reference::Scene<reference::Decimal>;
 
-/// Whether the scene has it: one without a sphere has no center.
+/// Whether the scene has the part: a scene without a sphere has no center.
 bool has_part(const DecimalScene& scene, ScenePart part);
 
-/// How many numbers it is: 3, 2 for the pixel, 1 for the radius.
+/// How many numbers the part has: 2 for the pixel, 1 for the radius, else 3.
 std::size_t size_of(ScenePart part);
 
-/// Its numbers, as many as size_of says, the others 0. The scene must have it.
+/// The part's numbers, as many as size_of says; the rest is 0. The scene must have the part.
 std::array<double, 3> value_of(const DecimalScene& scene, ScenePart part);
 
-/// `to` with the part as `from` has it. Both must have it.
+/// Copies the part from `from` to `to`. Both must have the part.
 void copy_part(DecimalScene& to, const DecimalScene& from, ScenePart part);
 
 /// "eye = (0, 0, 4)"
 std::string describe(const DecimalScene& scene, ScenePart part);
 
-}  // namespace harness::variants
+}  // namespace harness::scenes

@@ -1,9 +1,9 @@
-#include "harness/variants/source_names.h"
+#include "harness/scenes/source/source_names.h"
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
-/// A word that can stand before a bracket or a name without giving it a type.
+/// Whether the word can stand before a bracket or a name without being its type.
 bool is_keyword(std::string_view name) {
     for (const std::string_view keyword :
          {"return", "new", "throw", "else", "case", "if", "while", "for", "switch", "sizeof"}) {
@@ -20,7 +20,7 @@ SourceNames::SourceNames(const std::vector<Word>& words) : words_(words), is_blo
     }
 }
 
-/// The place before an index such as [3] that ends at `at`; `at` itself where there is none.
+/// The place before an index such as [3] that ends at `at`; `at` itself if there is no index.
 std::size_t SourceNames::before_index(std::size_t at) const {
     while (at != nowhere && at < words_.size() && is(at, "]") && words_[at].partner != nowhere &&
            words_[at].partner > 0)
@@ -40,8 +40,8 @@ std::string SourceNames::left_of(std::size_t equals) const {
     return name;
 }
 
-/// Whether the name at `at`, before a bracket, is declared there: after its type, or in a list of declarations or
-/// of a constructor's members.
+/// Whether the name at `at`, which stands before a bracket, is declared there: after its type, in a list of
+/// declarations or in a constructor's member initialisers.
 bool SourceNames::is_declared(std::size_t at) const {
     if (at == 0) return false;
     const Word& before = words_[at - 1];
@@ -73,13 +73,13 @@ Naming SourceNames::of_list(std::size_t open) const {
     } else if (is(at, "=")) {
         result.name = left_of(at);
     } else if (is(at, "{") || is(at, "(")) {
-        // eye{{0, 0, 4}}, eye({0, 0, 4}), which mean what one bracket does
+        // eye{{0, 0, 4}} and eye({0, 0, 4}) mean the same as a single pair of brackets
         if (words_[at].partner == words_[open].partner + 1) return one_bracket_further_out(at);
     }
     return result;
 }
 
-/// The same, one bracket further out and no further.
+/// Like of_list, for the next bracket outwards; goes no further.
 Naming SourceNames::one_bracket_further_out(std::size_t open) const {
     if (open == 0) return {};
     const std::size_t at = before_index(open - 1);
@@ -89,4 +89,4 @@ Naming SourceNames::one_bracket_further_out(std::size_t open) const {
     return {};
 }
 
-}  // namespace harness::variants
+}  // namespace harness::scenes

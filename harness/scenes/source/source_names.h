@@ -1,13 +1,13 @@
-// By which names a source calls the lists and values it states.
+// The names that a source gives to its lists and values.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "harness/variants/words.h"
+#include "harness/scenes/source/words.h"
 
-namespace harness::variants {
+namespace harness::scenes {
 
 /// What a list initialises, and the type or function before it; both may be empty.
 struct Naming {
@@ -17,16 +17,16 @@ struct Naming {
 
 class SourceNames {
   public:
-    /// `words` must outlive it.
+    /// `words` must outlive this object.
     explicit SourceNames(const std::vector<Word>& words);
 
-    /// Whether that bracket holds statements rather than a list.
+    /// Whether the bracket at `open` holds statements rather than a list.
     bool is_block(std::size_t open) const { return is_block_[open]; }
 
     /// The name on the left of '=' at `equals`: "eye", "eye.x", "eye[0]".
     std::string left_of(std::size_t equals) const;
 
-    /// Of the list that the bracket `open`, which has its end, begins.
+    /// The names of the list that begins with the bracket at `open`. The bracket must have a partner.
     Naming of_list(std::size_t open) const;
 
   private:
@@ -36,7 +36,7 @@ class SourceNames {
     Naming one_bracket_further_out(std::size_t open) const;
 
     const std::vector<Word>& words_;
-    std::vector<bool> is_block_;  ///< by place of the bracket
+    std::vector<bool> is_block_;  ///< by index of the opening bracket
 };
 
-}  // namespace harness::variants
+}  // namespace harness::scenes

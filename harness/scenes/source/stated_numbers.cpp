@@ -1,14 +1,14 @@
-#include "harness/variants/stated_numbers.h"
+#include "harness/scenes/source/stated_numbers.h"
 
 #include <algorithm>
 #include <map>
 
-#include "harness/variants/source_names.h"
+#include "harness/scenes/source/source_names.h"
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
-/// A range of words, without its end.
+/// A range of words [begin, end).
 struct Range {
     std::size_t begin, end;
 };
@@ -36,7 +36,7 @@ class Finder {
 
   private:
     bool is(std::size_t at, std::string_view text) const { return is_symbol(words_, at, text); }
-    /// Of a list: a bracket ( or { that has its end.
+    /// Whether a list may open here: a bracket ( or { that has a partner.
     bool is_opening(std::size_t at) const { return (is(at, "(") || is(at, "{")) && words_[at].partner != nowhere; }
 
     std::optional<StatedNumber> constant(Range range) const {
@@ -49,7 +49,7 @@ class Finder {
                             certain(words_[range.begin]) && certain(last)};
     }
 
-    /// From `begin` on to the next comma outside of brackets, or to `end`.
+    /// The place of the next comma from `begin` on that is outside of brackets; else `end`.
     std::size_t element_end(std::size_t begin, std::size_t end) const {
         std::size_t at = begin;
         while (at < end && !is(at, ",") && !is(at, ";")) {
@@ -85,7 +85,7 @@ class Finder {
         if (end - hash < 3 || !is_name(words_[hash + 1])) return;
         const std::string name(words_[hash + 1].text);
         const Range body{hash + 2, end};
-        // A macro with parameters has its bracket right behind its name.
+        // A macro with parameters has its bracket directly after its name.
         if (is(body.begin, "(") && words_[body.begin].begin == words_[hash + 1].begin + name.size()) return;
         if (const auto number = constant(body)) {
             found_.named.push_back({name, *number});
@@ -110,10 +110,10 @@ class Finder {
         if (!vectors && parts.size() > 1) lists_.push_back(open);
     }
 
-    /// Whether the list itself holds the numbers of one vector or more.
+    /// Adds the vectors whose numbers the list itself holds. Returns whether there are any.
     bool add_vectors(const std::vector<Range>& parts, const Naming& naming_of_list, std::size_t open = nowhere) {
         constexpr std::size_t longest = 48;
-        std::vector<StatedNumber> numbers;  // those the list begins with
+        std::vector<StatedNumber> numbers;  // the numbers at the start of the list
         for (const Range& part : parts) {
             if (numbers.size() > longest) break;
             const auto number = constant(part);
@@ -151,7 +151,7 @@ class Finder {
         found_.vectors.push_back(std::move(vector));
     }
 
-    /// The list with those of its elements that are vectors, as in Camera({0, 0, 4}, vec3(0), up).
+    /// Adds a list that has vectors among its elements, as in Camera({0, 0, 4}, vec3(0), up).
     void list_of_vectors(std::size_t open) {
         StatedList result{names_.of_list(open).callee, {}};
         bool any = false;
@@ -171,7 +171,7 @@ class Finder {
         if (any) found_.lists.push_back(std::move(result));
     }
 
-    /// "eyeX", "eye_x", "eye.x", "eye[0]" without what says which component it is, and that component.
+    /// Splits "eyeX", "eye_x", "eye.x" or "eye[0]" into the name "eye" and the component.
     static std::optional<std::pair<std::string, std::size_t>> component_of(const std::string& name) {
         std::string stem = name;
         char axis = stem.back();
@@ -198,7 +198,7 @@ class Finder {
         }
     }
 
-    /// Vectors stated component by component, each of them once.
+    /// Adds vectors that are stated component by component, each component once.
     void vectors_by_component() {
         std::map<std::string, std::array<std::vector<std::size_t>, 3>> stems;
         for (std::size_t i = 0; i < found_.named.size(); ++i) {
@@ -223,7 +223,7 @@ class Finder {
     const std::vector<Word>& words_;
     SourceNames names_;
     SourceNumbers found_;
-    std::vector<std::size_t> lists_;                     ///< the opening brackets of those that may hold vectors
+    std::vector<std::size_t> lists_;                     ///< the opening brackets of lists that may hold vectors
     std::map<std::size_t, std::size_t> vector_at_;       ///< by opening bracket
     std::map<std::size_t, std::string> name_of_define_;  ///< #define EYE vec3(0, 0, 4), by opening bracket
 };
@@ -234,4 +234,4 @@ SourceNumbers stated_numbers(const std::vector<Word>& words) {
     return Finder(words).find();
 }
 
-}  // namespace harness::variants
+}  // namespace harness::scenes

@@ -1,5 +1,4 @@
-// The points and numbers that a source states, with the names it gives them. What they mean is for scene_literals to
-// say.
+// The points and numbers that a source states, with their names. scene_literals decides what they mean.
 #pragma once
 
 #include <array>
@@ -8,17 +7,17 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/variants/constant.h"
-#include "harness/variants/words.h"
+#include "harness/scenes/source/constant.h"
+#include "harness/scenes/source/words.h"
 
-namespace harness::variants {
+namespace harness::scenes {
 
-/// A constant, and the bytes of the source that state it.
+/// A constant and its place in the source.
 struct StatedNumber {
     Constant constant;
     std::size_t begin = 0;
     std::size_t end = 0;
-    bool in_define = false;  ///< where a negative number goes into brackets
+    bool in_define = false;  ///< there a negative number needs brackets
     bool certain = true;     ///< surely compiled
 };
 
@@ -31,10 +30,10 @@ struct NamedNumber {
 /// Three constants that stand together.
 struct StatedVector {
     std::array<double, 3> value{};
-    std::vector<StatedNumber> numbers;      ///< three; one where it stands for all three, as in vec3(2)
-    std::optional<StatedNumber> following;  ///< the constant behind them in the same brackets
-    std::string name;                       ///< of what it initialises; empty where that has none
-    std::string_view callee;                ///< what stands before its bracket, such as "vec3"; may be empty
+    std::vector<StatedNumber> numbers;      ///< three; or a single number for all three, as in vec3(2)
+    std::optional<StatedNumber> following;  ///< the constant after them in the same brackets
+    std::string name;                       ///< of the variable that it initialises; empty if it has no name
+    std::string_view callee;                ///< the type or function before its bracket, such as "vec3"; may be empty
     bool weak = false;                      ///< part of a longer list, which may mean something else
 };
 
@@ -52,11 +51,11 @@ struct StatedList {
 struct SourceNumbers {
     std::vector<StatedVector> vectors;
     std::vector<NamedNumber> named;
-    std::vector<StatedList> lists;       ///< that hold at least one vector
+    std::vector<StatedList> lists;       ///< lists that hold at least one vector
     std::vector<StatedNumber> literals;  ///< every number literal by itself, in order
 };
 
-/// In time linear in the number of words.
+/// Takes time linear in the number of words.
 SourceNumbers stated_numbers(const std::vector<Word>& words);
 
-}  // namespace harness::variants
+}  // namespace harness::scenes

@@ -1,12 +1,12 @@
-#include "harness/variants/words.h"
+#include "harness/scenes/source/words.h"
 
 #include <set>
 #include <string>
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
-/// Whether what stands between #if and #endif is compiled.
+/// Whether the text between #if and #endif is compiled.
 enum class Part { compiled, left_out, unsure };
 
 char closing_of(char open) {
@@ -58,7 +58,7 @@ class Reader {
         if (bracket && closing_of(word.text[0]) != '\0') open_.push_back(index);
     }
 
-    /// The words of the line from the directive's name on, without spaces; stands behind it then.
+    /// The words of the line from the directive's name on, without spaces. Moves to the line's end.
     std::vector<Token> rest_of_line() {
         std::vector<Token> rest;
         for (; at_ < tokens_.size() && tokens_[at_].kind != TokenKind::line_end; ++at_) {
@@ -124,9 +124,9 @@ class Reader {
     std::vector<Token> tokens_;
     std::size_t at_ = 0;
     std::vector<Word> words_;
-    std::vector<std::size_t> open_;  ///< brackets that wait for their end
-    std::size_t barrier_ = 0;        ///< how many of them can't end here, as a #define began since
-    std::vector<Part> parts_;        ///< of the conditions around this place
+    std::vector<std::size_t> open_;  ///< brackets that are still open
+    std::size_t barrier_ = 0;        ///< how many of them can't close inside the current #define
+    std::vector<Part> parts_;        ///< one for each #if around this place
     std::set<std::string, std::less<>> defined_;
     bool in_define_ = false;
 };
@@ -145,4 +145,4 @@ bool is_symbol(const std::vector<Word>& words, std::size_t at, std::string_view 
     return at < words.size() && words[at].kind == TokenKind::symbol && words[at].text == text;
 }
 
-}  // namespace harness::variants
+}  // namespace harness::scenes

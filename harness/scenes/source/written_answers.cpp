@@ -1,19 +1,20 @@
-#include "harness/variants/written_answers.h"
+#include "harness/scenes/source/written_answers.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "harness/variants/cpp_lexer.h"
+#include "harness/scenes/source/cpp_lexer.h"
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
 constexpr std::string_view of_numbers = "0123456789.";
 
-/// The numbers in a text, without their signs, each with where it begins.
+/// The numbers in a text, without their signs, as views into the text.
 std::vector<std::string_view> numbers_in(std::string_view text) {
     std::vector<std::string_view> numbers;
     for (std::size_t at = text.find_first_of(of_numbers); at != std::string_view::npos;) {
@@ -24,8 +25,8 @@ std::vector<std::string_view> numbers_in(std::string_view text) {
     return numbers;
 }
 
-/// Without zeros that say nothing, so that 0.5857860 and 0.585786 are one number.
-std::string plain(std::string_view number) {
+/// The number without redundant zeros, so that 0.5857860 and 0.585786 are equal.
+std::string plain_number(std::string_view number) {
     std::string text(number);
     if (text.find('.') != std::string::npos) {
         while (text.back() == '0') text.pop_back();
@@ -42,7 +43,7 @@ bool is_telling(const std::string& number) {
     return number.size() - first - (number.find('.') > first ? 1 : 0) >= fewest;
 }
 
-/// The telling numbers of the source's strings and literals, each with its first line.
+/// The numbers in the source's strings and literals that are long enough to count, each with its first line.
 std::map<std::string, std::size_t> numbers_of(std::string_view source) {
     std::map<std::string, std::size_t> lines;
     std::size_t line = 1;
@@ -50,7 +51,7 @@ std::map<std::string, std::size_t> numbers_of(std::string_view source) {
         const std::string_view text = source.substr(token.begin, token.end - token.begin);
         if (token.kind == TokenKind::text || token.kind == TokenKind::number) {
             for (const std::string_view number : numbers_in(text)) {
-                const std::string known = plain(number);
+                const std::string known = plain_number(number);
                 if (is_telling(known)) lines.try_emplace(known, line);
             }
         }
@@ -65,14 +66,15 @@ std::vector<WrittenAnswer> written_answers(std::string_view source, const Score&
     std::map<std::string, std::size_t> lines = numbers_of(source);
     for (const ScenePart part : all_parts) {
         if (!has_part(scene, part)) continue;
-        for (const double number : value_of(scene, part)) lines.erase(plain(fmt::format("{}", std::abs(number))));
+        for (const double number : value_of(scene, part))
+            lines.erase(plain_number(fmt::format("{}", std::abs(number))));
     }
     std::vector<WrittenAnswer> written;
     for (const QuestionScore& question : score.questions) {
         for (const ItemScore& item : question.items) {
             if (item.verdict != ItemVerdict::right) continue;
             for (const std::string_view number : numbers_in(item.printed)) {
-                const auto found = lines.find(plain(number));
+                const auto found = lines.find(plain_number(number));
                 if (found == lines.end()) continue;
                 written.push_back({question.number, std::string(item.spec.name), std::string(number), found->second});
                 break;
@@ -82,4 +84,11 @@ std::vector<WrittenAnswer> written_answers(std::string_view source, const Score&
     return written;
 }
 
-}  // namespace harness::variants
+std::string written_evidence(const std::vector<WrittenAnswer>& written) {
+    std::vector<std::string> places;
+    for (const WrittenAnswer& answer : written)
+        places.push_back(fmt::format("{}.{}: {} in line {}", answer.question, answer.item, answer.number, answer.line));
+    return fmt::format("Printed answers stand in the source as they are printed: {}.", fmt::join(places, ", "));
+}
+
+}  // namespace harness::scenes

@@ -1,7 +1,7 @@
-// Every wait has a deadline that counts from the beginning of what is waited for, so a client that sends a byte a
-// second gains nothing by it. What a client still sends and nobody reads any more is drained for a moment before its
-// connection is closed: closing at once would reset it, and the client would never see why.
-#include "harness/serve/conversation.h"
+// Every read and write has one deadline from its beginning, so a client that sends a byte a second gains nothing.
+// Before closing a connection, the server reads and drops for a moment what the client still sends: closing at once
+// would reset the connection, and the client would never see the answer.
+#include "harness/serve/http/conversation.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include <boost/beast/http/serializer.hpp>
 #include <boost/beast/http/write.hpp>
 
-#include "harness/serve/http_message.h"
+#include "harness/serve/http/http_message.h"
 
 namespace harness::serve {
 namespace {
@@ -25,7 +25,7 @@ using boost::system::error_code;
 
 constexpr auto as_awaitable = asio::as_tuple(asio::use_awaitable);
 
-/// What one connection holds of the common budget for bodies.
+/// One connection's share of the common budget for bodies.
 class Share {
   public:
     explicit Share(std::size_t& total) : total_(total) {}
@@ -66,7 +66,7 @@ asio::awaitable<Body> read_body(Connection& connection, Common& common, Parser& 
     co_return Body::whole;
 }
 
-/// What the site answers; a fault of the machine's or ours is told in the log and to the client.
+/// Returns the site's answer. An error of the machine or of raygrade goes to the log and to the client.
 template <class Ask>
 auto answer_or_fail(const Common& common, const Head& head, Ask ask) -> decltype(ask()) {
     try {
@@ -79,10 +79,10 @@ auto answer_or_fail(const Common& common, const Head& head, Ask ask) -> decltype
 
 struct Answer {
     Response response;
-    bool is_whole = false;  ///< all of the request was read, so that another may follow
+    bool is_whole = false;  ///< the whole request was read, so the next can follow
 };
 
-/// Empty when the client is gone.
+/// Empty if the client is gone.
 asio::awaitable<std::optional<Answer>> answer_program(Connection& connection, Common& common, Parser& parser,
                                                       const Head& head) {
     Share share(common.body_bytes);
@@ -121,11 +121,11 @@ asio::awaitable<void> linger(Connection& connection, const ServerLimits& limits)
     }
 }
 
-/// One request and its answer. False when there will be no other.
+/// Handles one request. Returns false if no further request will be read.
 asio::awaitable<bool> exchange(Connection& connection, Common& common, bool is_last) {
     Parser parser;
     parser.header_limit(static_cast<std::uint32_t>(common.limits.head_bytes));
-    parser.body_limit(boost::none);  // which would refuse a request before there is a head to answer to
+    parser.body_limit(boost::none);  // a limit would refuse the request before its head is known
     connection.stream.expires_after(common.limits.head_time);
     connection.idle_since = std::chrono::steady_clock::now();
     const auto [failure, size] =
@@ -147,7 +147,7 @@ asio::awaitable<bool> exchange(Connection& connection, Common& common, bool is_l
     const Message message = message_of(std::move(answer->response), parser.get().version(), goes_on);
     if (!co_await write(connection, common.limits, message, head.method == Method::head)) co_return false;
     if (!goes_on) co_await linger(connection, common.limits);
-    // While it was answered everything may have been told to stop, which closes only who waits for nothing.
+    // The server may have begun to close meanwhile, which closes only idle connections at once.
     co_return goes_on && !common.is_closing;
 }
 

@@ -1,4 +1,4 @@
-// One client's connection: its requests one after the other, each answered before the next is read.
+// Serves one client's connection: reads a request, answers it, then reads the next.
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
@@ -9,16 +9,16 @@
 #include <optional>
 #include <string>
 
-#include "harness/serve/server.h"
-#include "harness/serve/site.h"
+#include "harness/serve/http/server.h"
+#include "harness/serve/site/site.h"
 
 namespace harness::serve {
 
 struct Connection {
     boost::beast::tcp_stream stream;
     std::string client;                ///< its address
-    boost::beast::flat_buffer buffer;  ///< read and not yet parsed: of pipelined requests the next ones
-    /// Since when no request is under way; empty while one is.
+    boost::beast::flat_buffer buffer;  ///< read but not yet parsed, e.g. pipelined requests
+    /// When the connection became idle; empty while a request is under way.
     std::optional<std::chrono::steady_clock::time_point> idle_since{};
 };
 
@@ -26,11 +26,11 @@ struct Connection {
 struct Common {
     Site& site;
     const ServerLimits& limits;
-    std::size_t body_bytes = 0;  ///< held for all of them
-    bool is_closing = false;     ///< the next answer of each is its last
+    std::size_t body_bytes = 0;  ///< held by all connections together
+    bool is_closing = false;     ///< each connection's next answer is its last
 };
 
-/// Ends when the client is done, breaks a limit or is gone; the connection is closed then.
+/// Serves the connection until the client is done, breaks a limit or is gone, and then closes it.
 boost::asio::awaitable<void> converse(Connection& connection, Common& common);
 
 }  // namespace harness::serve

@@ -1,4 +1,4 @@
-#include "harness/serve/http_message.h"
+#include "harness/serve/http/http_message.h"
 
 #include <boost/beast/http/error.hpp>
 #include <boost/beast/http/field.hpp>
@@ -51,11 +51,11 @@ Message message_of(Response response, unsigned version, bool keep_alive) {
     message.set(http::field::content_type, response.type);
     message.set(http::field::cache_control, "no-store");
     message.set("X-Content-Type-Options", "nosniff");
-    // Not "no-referrer", under which browsers hide from us that a form is our own.
+    // Not "no-referrer": browsers would then hide that a form comes from this site.
     message.set("Referrer-Policy", "same-origin");
     message.set("Cross-Origin-Opener-Policy", "same-origin");
     message.set("Cross-Origin-Resource-Policy", "same-origin");
-    // For what is no page, should a browser show it as one; pages bring their own.
+    // For anything but a page, in case a browser shows it as a page; pages bring their own policy.
     message.set("Content-Security-Policy", "default-src 'none'; frame-ancestors 'none'");
     for (const auto& [name, value] : response.fields) message.set(name, value);
     message.body() = std::move(response.body);

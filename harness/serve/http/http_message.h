@@ -1,4 +1,4 @@
-// Between HTTP as Boost.Beast reads and writes it and exchange.h.
+// Converts between Boost.Beast's HTTP messages and exchange.h.
 #pragma once
 
 #include <boost/beast/http/message.hpp>
@@ -7,20 +7,21 @@
 #include <optional>
 #include <string>
 
-#include "harness/serve/exchange.h"
+#include "harness/serve/site/exchange.h"
 
 namespace harness::serve {
 
 using Parser = boost::beast::http::request_parser<boost::beast::http::string_body>;
 using Message = boost::beast::http::response<boost::beast::http::string_body>;
 
-/// Of a parser that has read the head. `client` is the address of the connection.
+/// The head of the request. `parser` must have read it. `client` is the address of the connection.
 Head head_of(const Parser& parser, const std::string& client);
 
-/// With the fields that every response has: nothing of it is kept by browsers, guessed at, framed or told to others.
+/// Adds the fields that every response has. They keep browsers from caching it, guessing its type, framing it and
+/// sending its address to other sites.
 Message message_of(Response response, unsigned version, bool keep_alive);
 
-/// The status that answers what could not be read; empty where the client is gone and there is nobody to answer.
+/// The status for a request that could not be read; empty if the client is gone.
 std::optional<int> status_of(const boost::system::error_code& error);
 
 }  // namespace harness::serve

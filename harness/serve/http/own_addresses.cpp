@@ -1,4 +1,4 @@
-#include "harness/serve/own_addresses.h"
+#include "harness/serve/http/own_addresses.h"
 
 #include <fmt/format.h>
 #include <ifaddrs.h>
@@ -13,7 +13,7 @@
 #include <memory>
 #include <optional>
 
-#include "harness/serve/host_names.h"
+#include "harness/serve/site/host_names.h"
 
 namespace harness::serve {
 namespace {

@@ -1,7 +1,7 @@
 // Theory of operation. One thread, one io_context; each connection is a coroutine (conversation.h). Memory is bounded
-// by the number of connections and what each may hold. At that number the connection that has asked nothing for the
-// longest time makes room, so idle and slow clients can't keep others out; one address can't have them all.
-#include "harness/serve/server.h"
+// by the number of connections and what each may hold. At the limit, the connection that has been idle longest is
+// closed for a new one, so idle and slow clients can't keep others out. One address can't use all connections.
+#include "harness/serve/http/server.h"
 
 #include <fmt/format.h>
 
@@ -18,8 +18,8 @@
 #include <list>
 #include <map>
 
-#include "harness/serve/conversation.h"
-#include "harness/serve/own_addresses.h"
+#include "harness/serve/http/conversation.h"
+#include "harness/serve/http/own_addresses.h"
 
 namespace harness::serve {
 namespace {
@@ -29,7 +29,7 @@ using asio::ip::tcp;
 using boost::system::error_code;
 using namespace std::chrono_literals;
 
-constexpr auto as_awaitable = asio::as_tuple(asio::use_awaitable);
+constexpr auto as_awaitable_accept = asio::as_tuple(asio::use_awaitable);
 
 constexpr std::string_view busy =
     "HTTP/1.1 503 Service Unavailable\r\nContent-Type: text/plain\r\nCache-Control: no-store\r\nRetry-After: 5\r\n"
@@ -38,7 +38,8 @@ constexpr std::string_view busy =
 void listen(tcp::acceptor& acceptor, const std::string& address, std::uint16_t port) {
     error_code error;
     const auto parsed = asio::ip::make_address(address == "localhost" ? "127.0.0.1" : address, error);
-    if (error) throw ListenError(fmt::format("{}: is no IP address; --host takes one of this machine's", address));
+    if (error)
+        throw ListenError(fmt::format("{}: is not an IP address; --host takes an IP address of this machine", address));
     const tcp::endpoint endpoint(parsed, port);
     acceptor.open(endpoint.protocol(), error);
     if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
@@ -46,14 +47,16 @@ void listen(tcp::acceptor& acceptor, const std::string& address, std::uint16_t p
     if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
     if (error == asio::error::address_in_use) {
         throw ListenError(fmt::format(
-            "port {} is in use; name another with --port, or let raygrade find a free one with --port 0", port));
+            "port {} is in use; choose a different one with --port, or let raygrade find a free one with --port 0",
+            port));
     }
     if (error == boost::system::errc::address_not_available) {
         std::string own;
         for (const std::string& each : own_addresses()) own += each + ", ";
-        throw ListenError(fmt::format(
-            "{} is no address of this machine; --host takes {}127.0.0.1 for this machine alone, or 0.0.0.0 for all",
-            address, own));
+        throw ListenError(
+            fmt::format("{} is not an address of this machine; --host takes {}127.0.0.1 (this machine only) or 0.0.0.0 "
+                        "(all addresses)",
+                        address, own));
     }
     if (error) throw ListenError(fmt::format("can't listen at {}, port {}: {}", address, port, error.message()));
 }
@@ -62,8 +65,8 @@ void listen(tcp::acceptor& acceptor, const std::string& address, std::uint16_t p
 
 class Server::Network {
   public:
-    Network(const ServerLimits& limits, bool behind_proxy, Site& site, Desk& desk)
-        : limits_(limits), behind_proxy_(behind_proxy), desk_(desk), common_{site, limits_} {}
+    Network(const ServerLimits& limits, bool behind_proxy, Site& site, Queue& queue)
+        : limits_(limits), behind_proxy_(behind_proxy), queue_(queue), common_{site, limits_} {}
 
     void stop();
     void run(std::chrono::milliseconds grace);
@@ -80,14 +83,14 @@ class Server::Network {
     bool has_room_for(const std::string& client);
     void admit(tcp::socket socket);
     void forget(Connections::iterator connection);
-    asio::awaitable<void> wait_for_the_desk();
+    asio::awaitable<void> wait_for_the_queue();
     void tell_what_is_left() const;
     void close();
 
     asio::steady_timer last_moment_{io};
     const ServerLimits limits_;
     const bool behind_proxy_;
-    Desk& desk_;
+    Queue& queue_;
     Common common_;
     Connections connections_;
     std::map<std::string, std::size_t> connections_of_;  ///< how many each address has
@@ -104,7 +107,7 @@ void Server::Network::run(std::chrono::milliseconds grace) {
 
 asio::awaitable<void> Server::Network::wait_for_signals() {
     while (!common_.is_closing) {
-        const auto [error, signal] = co_await signals.async_wait(as_awaitable);
+        const auto [error, signal] = co_await signals.async_wait(as_awaitable_accept);
         if (error) co_return;
         stop();
     }
@@ -112,36 +115,36 @@ asio::awaitable<void> Server::Network::wait_for_signals() {
 
 void Server::Network::stop() {
     asio::post(io, [this] {
-        desk_.close();
+        queue_.close();
         if (++stops_ == 1) {
             tell_what_is_left();
-            asio::co_spawn(io, wait_for_the_desk(), asio::detached);
+            asio::co_spawn(io, wait_for_the_queue(), asio::detached);
         } else {
             close();
         }
     });
 }
 
-/// At once, as what is left may take all of the grace.
+/// Prints how much work is left. Called right at the stop, because the work may take the whole grace period.
 void Server::Network::tell_what_is_left() const {
-    const std::size_t left = desk_.unfinished();
+    const std::size_t left = queue_.unfinished();
     if (left == 0 || grace_ == 0ms) return;
-    fmt::print(stderr, "stopping: {} {} to be checked, up to {:g} s more; Ctrl-C again ends now\n", left,
+    fmt::print(stderr, "stopping: {} {} still to check, for up to {:g} s; press Ctrl-C again to stop now\n", left,
                left == 1 ? "program" : "programs", std::chrono::duration<double>(grace_).count());
 }
 
-/// Meanwhile students go on reading.
-asio::awaitable<void> Server::Network::wait_for_the_desk() {
+/// Students can still read their results meanwhile.
+asio::awaitable<void> Server::Network::wait_for_the_queue() {
     const auto end = std::chrono::steady_clock::now() + grace_;
     asio::steady_timer timer(io);
-    while (!common_.is_closing && !desk_.is_idle() && std::chrono::steady_clock::now() < end) {
+    while (!common_.is_closing && !queue_.is_idle() && std::chrono::steady_clock::now() < end) {
         timer.expires_after(20ms);
-        co_await timer.async_wait(as_awaitable);
+        co_await timer.async_wait(as_awaitable_accept);
     }
     close();
 }
 
-/// Answers under way are given a moment. run returns when the last coroutine has ended.
+/// Gives answers under way a moment to finish. run returns when the last coroutine has ended.
 void Server::Network::close() {
     if (common_.is_closing) return;
     common_.is_closing = true;
@@ -161,15 +164,15 @@ void Server::Network::close() {
 
 asio::awaitable<void> Server::Network::accept() {
     while (!common_.is_closing) {
-        auto [error, socket] = co_await acceptor.async_accept(as_awaitable);
+        auto [error, socket] = co_await acceptor.async_accept(as_awaitable_accept);
         if (common_.is_closing) co_return;
         if (!error) {
             admit(std::move(socket));
             continue;
         }
-        // No more files may be open, or the client has gone: another moment is another chance.
+        // Too many files are open, or the client is gone: try again in a moment.
         asio::steady_timer timer(io, 50ms);
-        co_await timer.async_wait(as_awaitable);
+        co_await timer.async_wait(as_awaitable_accept);
     }
 }
 
@@ -201,13 +204,13 @@ void Server::Network::admit(tcp::socket socket) {
         return;
     }
     ++connections_of_[client];
-    // Room for a head and for what one read brings beyond it.
+    // Room for a head and for what one read returns beyond it.
     const std::size_t most_bytes = 2 * limits_.head_bytes;
     const auto connection = connections_.insert(
         connections_.end(),
         Connection{boost::beast::tcp_stream(std::move(socket)), client, boost::beast::flat_buffer(most_bytes)});
     asio::co_spawn(io, converse(*connection, common_), [this, connection](const std::exception_ptr& failure) {
-        if (failure) fmt::print(stderr, "raygrade: a connection was closed by a fault of raygrade\n");
+        if (failure) fmt::print(stderr, "raygrade: closed a connection because of an internal error\n");
         forget(connection);
     });
 }
@@ -220,8 +223,8 @@ void Server::Network::forget(Connections::iterator connection) {
 }
 
 Server::Server(const std::string& address, std::uint16_t port, const ServerLimits& limits, bool behind_proxy,
-               Site& site, Desk& desk)
-    : network_(std::make_unique<Network>(limits, behind_proxy, site, desk)) {
+               Site& site, Queue& queue)
+    : network_(std::make_unique<Network>(limits, behind_proxy, site, queue)) {
     listen(network_->acceptor, address, port);
 }
 

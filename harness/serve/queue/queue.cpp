@@ -1,37 +1,38 @@
-#include "harness/serve/desk.h"
+#include "harness/serve/queue/queue.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "harness/failure.h"
-#include "harness/serve/result_address.h"
+#include "harness/machine/errors.h"
+#include "harness/serve/queue/result_address.h"
 
 namespace harness::serve {
 namespace {
 
-/// More are forgotten: where so many could not be written, the disk has been full for hours.
+/// Further lost programs are not remembered: with so many, the disk has been full for hours.
 constexpr std::size_t most_lost = 1'000;
 
 }  // namespace
 
-Desk::Desk(Spool& spool, std::size_t longest_queue) : spool_(spool), longest_queue_(longest_queue) {
-    for (std::string& key : spool.waiting()) waiting_.push_back(std::move(key));
+Queue::Queue(KeptPrograms& kept_programs, std::size_t longest_queue)
+    : kept_programs_(kept_programs), longest_queue_(longest_queue) {
+    for (std::string& key : kept_programs.waiting()) waiting_.push_back(std::move(key));
 }
 
-std::optional<Refusal> Desk::refusal() const {
+std::optional<Refusal> Queue::refusal() const {
     const std::lock_guard guard(mutex_);
     if (closed_) return Refusal::closed;
     if (waiting_.size() >= longest_queue_) return Refusal::full;
     return {};
 }
 
-std::variant<std::string, Refusal> Desk::accept(const std::string& source, const std::string& file) {
+std::variant<std::string, Refusal> Queue::accept(const std::string& source, const std::string& file) {
     if (const auto why = refusal()) return *why;
     const std::string address = new_result_address();
     const std::string key = key_of(address);
     try {
-        spool_.add(key, source, file);
+        kept_programs_.add(key, source, file);
     } catch (const HarnessError& error) {
         fmt::print(stderr, "raygrade: {}\n", error.what());
         return Refusal::no_room_on_disk;
@@ -42,7 +43,7 @@ std::variant<std::string, Refusal> Desk::accept(const std::string& source, const
     return address;
 }
 
-Standing Desk::standing(const std::string& result_address) const {
+Standing Queue::standing(const std::string& result_address) const {
     const std::string key = key_of(result_address);
     {
         const std::lock_guard guard(mutex_);
@@ -53,18 +54,18 @@ Standing Desk::standing(const std::string& result_address) const {
         if (at_work_.contains(key)) return BeingGraded{};
         if (lost_.contains(key)) return Lost{};
     }
-    const auto result = spool_.points(key);
+    const auto result = kept_programs_.points(key);
     if (!result) return Unknown{};
     return Done{result->points, result->max_points};
 }
 
-std::optional<std::string> Desk::page(const std::string& result_address) const {
-    auto result = spool_.result(key_of(result_address));
+std::optional<std::string> Queue::page(const std::string& result_address) const {
+    auto result = kept_programs_.result(key_of(result_address));
     if (!result) return {};
     return std::move(result->page);
 }
 
-std::optional<Task> Desk::next() {
+std::optional<Task> Queue::next() {
     for (;;) {
         Task task;
         {
@@ -77,7 +78,7 @@ std::optional<Task> Desk::next() {
             task.number = ++begun_;
         }
         try {
-            Program program = spool_.begin(task.key);
+            Program program = kept_programs_.begin(task.key);
             task.source = std::move(program.source);
             task.file = std::move(program.file);
             return task;
@@ -88,15 +89,15 @@ std::optional<Task> Desk::next() {
     }
 }
 
-void Desk::lose(const std::string& key) {
+void Queue::lose(const std::string& key) {
     const std::lock_guard guard(mutex_);
     at_work_.erase(key);
     if (lost_.size() < most_lost) lost_.insert(key);
 }
 
-void Desk::finish(const Task& task, const Result& result) {
+void Queue::finish(const Task& task, const Result& result) {
     try {
-        spool_.finish(task.key, result);
+        kept_programs_.finish(task.key, result);
     } catch (const HarnessError& error) {
         fmt::print(stderr, "raygrade: {}\n", error.what());
         lose(task.key);
@@ -106,26 +107,26 @@ void Desk::finish(const Task& task, const Result& result) {
     at_work_.erase(task.key);
 }
 
-void Desk::close() {
+void Queue::close() {
     const std::lock_guard guard(mutex_);
     closed_ = true;
     grew_.notify_all();
 }
 
-std::size_t Desk::unfinished() const {
+std::size_t Queue::unfinished() const {
     const std::lock_guard guard(mutex_);
     return waiting_.size() + at_work_.size();
 }
 
-std::size_t Desk::leave() {
+std::size_t Queue::leave() {
     const std::lock_guard guard(mutex_);
     closed_ = left_ = true;
     grew_.notify_all();
-    for (const std::string& key : at_work_) spool_.give_back(key);
+    for (const std::string& key : at_work_) kept_programs_.give_back(key);
     return waiting_.size() + at_work_.size();
 }
 
-std::size_t Desk::queue_length() const {
+std::size_t Queue::queue_length() const {
     const std::lock_guard guard(mutex_);
     return waiting_.size();
 }

@@ -1,4 +1,4 @@
-// Where programs wait for being graded, and results for being picked up.
+// The queue of programs to grade, and access to their results.
 #pragma once
 
 #include <condition_variable>
@@ -10,61 +10,62 @@
 #include <string>
 #include <variant>
 
-#include "harness/serve/spool.h"
+#include "harness/serve/queue/spool.h"
 
 namespace harness::serve {
 
-/// How a program stands, by its result address.
+/// The states of a program.
 struct Waiting {
-    std::size_t position;  ///< 1 for the next
+    std::size_t position;  ///< 1 for the next program
     std::size_t length;    ///< of the queue
 };
 struct BeingGraded {};
 struct Done {
-    std::optional<double> points;  ///< empty when it was not graded
+    std::optional<double> points;  ///< empty if it was not graded
     double max_points;
 };
-/// The disk failed it; the next start may find it there still.
+/// A disk error kept it from being graded; after the next start it may still be there.
 struct Lost {};
 struct Unknown {};
 using Standing = std::variant<Waiting, BeingGraded, Done, Lost, Unknown>;
 
-/// Why a program is not taken.
+/// Why a program is not accepted.
 enum class Refusal { full, closed, no_room_on_disk };
 
 /// A program for a grader.
 struct Task {
     std::string key;
     std::string source;
-    std::string file{};      ///< its name, for the page
+    std::string file{};      ///< the file's name, for the page
     std::size_t number = 0;  ///< counted from 1 in each run, for the log
 };
 
-/// The queue in memory, all else in the spool. Safe to use from several threads.
-class Desk {
+/// Keeps the queue in memory and everything else in the spool. Safe to use from several threads.
+class Queue {
   public:
-    /// Goes on with what the spool holds, which may be more than `longest_queue`. Throws HarnessError.
-    Desk(Spool& spool, std::size_t longest_queue);
+    /// Starts with the programs waiting in the spool, which may be more than `longest_queue`. Throws HarnessError.
+    Queue(KeptPrograms& kept_programs, std::size_t longest_queue);
 
-    /// The program's result address. It is on the disk then. `file` is the name that its page shows.
+    /// Adds a program and returns its result address. The program is then on the disk. `file` is the name that its page
+    /// shows.
     std::variant<std::string, Refusal> accept(const std::string& source, const std::string& file = "");
-    /// Whether accept would refuse now.
+    /// Why accept would refuse now, if it would.
     std::optional<Refusal> refusal() const;
     Standing standing(const std::string& result_address) const;
-    /// The page of a result; empty when it is not Done. Throws HarnessError.
+    /// The page of a result; empty if it is not Done. Throws HarnessError.
     std::optional<std::string> page(const std::string& result_address) const;
 
-    /// The next program; waits for one. Empty when there will be none any more.
+    /// Waits for the next program and returns it. Empty if there will be no more.
     std::optional<Task> next();
     void finish(const Task& task, const Result& result);
 
-    /// Takes no more; graders get what still waits.
+    /// Accepts no more programs; graders still get those that wait.
     void close();
-    /// How many wait or are being graded.
+    /// How many programs wait or are being graded.
     std::size_t unfinished() const;
     bool is_idle() const { return unfinished() == 0; }
-    /// What waits stays in the spool: graders get no more, and what they are at does not count as an attempt. How many
-    /// are left for the next start. Throws HarnessError.
+    /// Stops handing out programs; those that wait stay in the spool for the next start. The current grading of a
+    /// program does not count as an attempt. Returns how many programs are left. Throws HarnessError.
     std::size_t leave();
 
     std::size_t queue_length() const;
@@ -72,9 +73,9 @@ class Desk {
   private:
     void lose(const std::string& key);
 
-    Spool& spool_;
+    KeptPrograms& kept_programs_;
     const std::size_t longest_queue_;
-    mutable std::mutex mutex_;  ///< over all that follows
+    mutable std::mutex mutex_;  ///< guards all that follows
     std::condition_variable grew_;
     std::deque<std::string> waiting_;  ///< keys
     std::set<std::string> at_work_;

@@ -1,12 +1,12 @@
-#include "harness/serve/result_address.h"
+#include "harness/serve/queue/result_address.h"
 
 #include <sodium.h>
 
 #include <algorithm>
 #include <array>
 
-#include "harness/failure.h"
-#include "harness/fingerprint.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/fingerprint.h"
 
 namespace harness::serve {
 namespace {

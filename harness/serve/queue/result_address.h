@@ -1,4 +1,4 @@
-// Where a student finds a result: an address nobody can guess stands in for an account.
+// The address of a student's result. Nobody can guess it, so students need no account.
 #pragma once
 
 #include <string>
@@ -6,12 +6,13 @@
 
 namespace harness::serve {
 
-/// 128 random bits as 32 lower-case hexadecimal digits. Throws HarnessError when the machine has no random numbers.
+/// 128 random bits as 32 lower-case hexadecimal digits. Throws HarnessError if the machine has no random numbers.
 std::string new_result_address();
 
 bool is_result_address(std::string_view text);
 
-/// Under what the spool keeps a result: a hash, so that nobody who reads the spool or its backups learns an address.
+/// The key of a result in the spool: a hash of its address, so that nobody who reads the spool or its backups learns
+/// the address.
 std::string key_of(const std::string& result_address);
 
 }  // namespace harness::serve

@@ -1,4 +1,4 @@
-#include "harness/serve/spool.h"
+#include "harness/serve/queue/spool.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
@@ -7,11 +7,10 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "harness/failure.h"
-#include "harness/find_submissions.h"
-#include "harness/fingerprint.h"
-#include "harness/names.h"
-#include "harness/serve/spool_file.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/fingerprint.h"
+#include "harness/serve/queue/spool_file.h"
+#include "harness/text/printable.h"
 
 namespace harness::serve {
 namespace {
@@ -50,26 +49,27 @@ std::optional<fs::path> state_folder(const std::string& assignment, const std::s
     return {};
 }
 
-Spool::Spool(const fs::path& folder, const SpoolBounds& bounds)
+KeptPrograms::KeptPrograms(const fs::path& folder, const SpoolBounds& bounds)
     : file_(folder / spool_name), bounds_(bounds), lock_(take_spool_folder(folder)) {
     open();
 }
 
-Spool::~Spool() = default;
+KeptPrograms::~KeptPrograms() = default;
 
-/// What `work` gives; a HarnessError when the database fails.
+/// Returns the result of `work`. Throws HarnessError if the database fails.
 template <class Work>
-auto Spool::attempt(const char* what, Work work) {
+auto KeptPrograms::attempt(const char* what, Work work) {
     const std::lock_guard guard(mutex_);
     try {
         return work();
     } catch (const SQLite::Exception& error) {
-        throw HarnessError(fmt::format("{} can't be {}: {}. Make room on its disk and see that it can be written to.",
-                                       in_quotes(file_), what, error.what()));
+        throw HarnessError(
+            fmt::format("{} can't be {}: {}. Make room on its disk and make sure that it can be written.",
+                        in_quotes(file_), what, error.what()));
     }
 }
 
-void Spool::open() {
+void KeptPrograms::open() {
     std::string why;
     try {
         database_ = open_spool_file(file_);
@@ -89,14 +89,14 @@ void Spool::open() {
     const fs::path aside = file_.string() + ".set-aside";
     std::error_code error;
     fs::rename(file_, aside, error);
-    // A log left behind would be applied to the new database.
+    // Otherwise SQLite would apply the old log to the new database.
     for (const char* part : {"-wal", "-shm"}) fs::remove(file_.string() + part, error);
-    problem_ = fmt::format("{} {}. It is now {}, what was handed in there is not graded, and a new one is begun.",
+    problem_ = fmt::format("{} {}. It was renamed to {}; the programs in it are not graded. A new database was made.",
                            in_quotes(file_), why, in_quotes(aside.filename()));
     attempt("opened", [&] { database_ = open_spool_file(file_); });
 }
 
-void Spool::take_for(const std::string& assignment, const std::string& toml) {
+void KeptPrograms::take_for(const std::string& assignment, const std::string& toml) {
     const std::string fingerprint = Fingerprint("raygrade/serve-assignment/1").add(toml).hex();
     const std::size_t count = waiting().size();
     attempt("written", [&] {
@@ -104,10 +104,10 @@ void Spool::take_for(const std::string& assignment, const std::string& toml) {
         if (query.executeStep() && count > 0 && query.getColumn(1).getString() != fingerprint) {
             const std::string earlier = query.getColumn(0).getString();
             throw UsageError(fmt::format(
-                "{}: {} {} there for the assignment {}{}. Start serve with that until nothing waits, name another "
-                "folder with --state, or remove this one to give up what it holds.",
+                "{}: {} {} there for the assignment {}{}. Start serve with that assignment until nothing waits, "
+                "choose a different folder with --state, or delete this folder and the programs in it.",
                 in_quotes(file_.parent_path()), count, count == 1 ? "program waits" : "programs wait",
-                printable(earlier), earlier == assignment ? ", whose file was another one then" : ""));
+                printable(earlier), earlier == assignment ? ", whose file has changed since" : ""));
         }
         SQLite::Transaction transaction(*database_);
         database_->exec("DELETE FROM assignment");
@@ -119,7 +119,7 @@ void Spool::take_for(const std::string& assignment, const std::string& toml) {
     });
 }
 
-std::vector<std::string> Spool::without_page(const char* attempts) {
+std::vector<std::string> KeptPrograms::without_page(const char* attempts) {
     return attempt("read", [&] {
         std::vector<std::string> keys;
         SQLite::Statement query(
@@ -131,15 +131,15 @@ std::vector<std::string> Spool::without_page(const char* attempts) {
     });
 }
 
-std::vector<std::string> Spool::waiting() {
+std::vector<std::string> KeptPrograms::waiting() {
     return without_page("<");
 }
 
-std::vector<std::string> Spool::given_up() {
+std::vector<std::string> KeptPrograms::given_up() {
     return without_page(">=");
 }
 
-void Spool::add(const std::string& key, const std::string& source, const std::string& file) {
+void KeptPrograms::add(const std::string& key, const std::string& source, const std::string& file) {
     attempt("written", [&] {
         SQLite::Statement insert(*database_, "INSERT INTO submissions (key, source, file) VALUES (?, ?, ?)");
         insert.bind(1, key);
@@ -149,7 +149,7 @@ void Spool::add(const std::string& key, const std::string& source, const std::st
     });
 }
 
-Program Spool::begin(const std::string& key) {
+Program KeptPrograms::begin(const std::string& key) {
     return attempt("read", [&]() -> Program {
         SQLite::Statement count(*database_, "UPDATE submissions SET attempts = attempts + 1 WHERE key = ?");
         count.bind(1, key);
@@ -161,7 +161,7 @@ Program Spool::begin(const std::string& key) {
     });
 }
 
-void Spool::give_back(const std::string& key) {
+void KeptPrograms::give_back(const std::string& key) {
     attempt("written", [&] {
         SQLite::Statement count(*database_, "UPDATE submissions SET attempts = max(0, attempts - 1) WHERE key = ?");
         count.bind(1, key);
@@ -169,7 +169,7 @@ void Spool::give_back(const std::string& key) {
     });
 }
 
-void Spool::finish(const std::string& key, const Result& result) {
+void KeptPrograms::finish(const std::string& key, const Result& result) {
     attempt("written", [&] {
         SQLite::Statement update(
             *database_,
@@ -188,7 +188,7 @@ void Spool::finish(const std::string& key, const Result& result) {
     });
 }
 
-std::optional<Result> Spool::find(const std::string& key, const char* page) {
+std::optional<Result> KeptPrograms::find(const std::string& key, const char* page) {
     return attempt("read", [&]() -> std::optional<Result> {
         SQLite::Statement query(*database_, fmt::format("SELECT points, max_points, {} FROM submissions WHERE key = ? "
                                                         "AND page IS NOT NULL AND finished > ?",
@@ -204,15 +204,15 @@ std::optional<Result> Spool::find(const std::string& key, const char* page) {
     });
 }
 
-std::optional<Result> Spool::result(const std::string& key) {
+std::optional<Result> KeptPrograms::result(const std::string& key) {
     return find(key, "page");
 }
 
-std::optional<Result> Spool::points(const std::string& key) {
+std::optional<Result> KeptPrograms::points(const std::string& key) {
     return find(key, "NULL");
 }
 
-void Spool::trim() {
+void KeptPrograms::trim() {
     attempt("written", [&] {
         SQLite::Statement old(*database_, "DELETE FROM submissions WHERE finished <= ?");
         old.bind(1, now() - bounds_.age.count());
@@ -225,7 +225,7 @@ void Spool::trim() {
         surplus.bind(1, static_cast<std::int64_t>(bounds_.bytes));
         surplus.bind(2, static_cast<std::int64_t>(bounds_.results));
         surplus.exec();
-        // The log holds earlier pages as they were, and in them sources that have been deleted.
+        // The log still holds earlier database pages, and in them deleted sources.
         database_->exec("PRAGMA wal_checkpoint(TRUNCATE)");
     });
 }

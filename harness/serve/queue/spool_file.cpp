@@ -1,4 +1,4 @@
-#include "harness/serve/spool_file.h"
+#include "harness/serve/queue/spool_file.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fcntl.h>
@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "harness/failure.h"
-#include "harness/names.h"
-#include "harness/results_folder.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
+#include "harness/text/printable.h"
 
 namespace harness::serve {
 namespace {
@@ -42,7 +42,8 @@ constexpr const char* tables_since_2 = R"(
         fingerprint TEXT NOT NULL);                -- of its whole text
 )";
 
-/// For the owner alone, also in a folder that others may look into. SQLite gives its log the same mode.
+/// Makes the file readable for its owner alone, even in a folder that others may read. SQLite gives its log the same
+/// mode.
 FileDescriptor open_own(const fs::path& file) {
     return FileDescriptor(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR));
 }
@@ -86,16 +87,16 @@ FileDescriptor take_spool_folder(const fs::path& folder) {
 }
 
 std::unique_ptr<SQLite::Database> open_spool_file(const fs::path& file) {
-    open_own(file);  // SQLite tells when that failed.
+    open_own(file);  // If this fails, SQLite reports it.
     auto database = std::make_unique<SQLite::Database>(
         file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_FULLMUTEX);
     bring_up_to_date(*database);
     database->exec("PRAGMA journal_mode = WAL");
-    // With every transaction on the disk: what a student is told to be kept is kept, also in a power cut.
+    // Every transaction is on the disk before it counts: what a student was told is kept survives a power cut.
     database->exec("PRAGMA synchronous = FULL");
     database->exec("PRAGMA secure_delete = ON");
     database->exec("PRAGMA trusted_schema = OFF");
-    // Also finds out whether the tables have the columns they should.
+    // Fails if a table does not have the expected columns.
     for (const char* columns :
          {"number, key, attempts, source, file, page, points, max_points, finished FROM submissions",
           "name, fingerprint FROM assignment"}) {

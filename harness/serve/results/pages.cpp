@@ -1,4 +1,4 @@
-#include "harness/serve/pages.h"
+#include "harness/serve/results/pages.h"
 
 #include <fmt/format.h>
 #include <sodium.h>
@@ -6,14 +6,11 @@
 #include <array>
 #include <string_view>
 
-#include "harness/report/markup.h"
-#include "harness/report/report.h"
+#include "harness/text/markup.h"
+#include "harness/text/points.h"
 
 namespace harness::serve {
 namespace {
-
-using report::escape_markup;
-using report::points_text;
 
 constexpr std::string_view nothing_else =
     "default-src 'none'; base-uri 'none'; frame-ancestors 'none'; img-src 'self'; ";
@@ -28,7 +25,7 @@ std::string page(const std::string& title, const std::string& to_top, const std:
         title, to_top, more_head, body);
 }
 
-/// None where there is nothing to say.
+/// Empty if the sentence is empty.
 std::string paragraph(const std::string& sentence, std::string_view look = "") {
     return sentence.empty() ? "" : fmt::format("<p{}>{}</p>\n", look, escape_markup(sentence));
 }
@@ -56,9 +53,9 @@ std::string sha256_source(std::string_view text) {
 }  // namespace
 
 std::string not_shown(const About& about) {
-    if (about.variant_points == 0) return "";
-    return fmt::format("Points for answers on other scenes, up to {}, are not part of what is shown here.",
-                       points_text(about.variant_points));
+    if (about.other_scene_points == 0) return "";
+    return fmt::format("The points shown here do not include the points for other scenes (up to {}).",
+                       points_text(about.other_scene_points));
 }
 
 std::string front_page(const About& about) {
@@ -79,12 +76,11 @@ std::string front_page(const About& about) {
         fmt::format(
             "<header>\n<p class=\"facts\">{}</p>\n<h1>Check your ray_cast.cpp</h1>\n</header>\n<main>\n"
             "<p>Your program is compiled and run just as it will be for its marks. Each of its answers then gets a "
-            "verdict and, where it is wrong, a hint at what may be amiss. <strong>This is a check for yourself: "
-            "nothing "
-            "is handed in.</strong></p>\n{}<div class=\"pair\">\n{}{}</div>\n"
-            "<p class=\"facts\">One source file of at most 1 MiB. The result has an address of its own that nobody can "
-            "guess; whoever you give it to can read the result. It is kept for {}, your program only until the result "
-            "is there.</p>\n</main>\n",
+            "verdict and, if it is wrong, a hint at the cause. <strong>This is only a check for yourself: nothing is "
+            "handed in.</strong></p>\n{}<div class=\"pair\">\n{}{}</div>\n"
+            "<p class=\"facts\">One source file of at most 1 MiB. The result gets an address that nobody can guess; "
+            "anyone you give the address to can read the result. The result is kept for {}, your program only until "
+            "the result is ready.</p>\n</main>\n",
             title, paragraph(not_shown(about)), upload, paste, hours_text(about.keep)));
 }
 
@@ -99,24 +95,23 @@ std::string sentence_of(const Standing& standing) {
         return fmt::format("{} of {} points", points_text(*done->points), points_text(done->max_points));
     }
     if (std::holds_alternative<Lost>(standing)) {
-        return "Your program could not be checked, as the disk of this machine is full or failing. Please tell your "
-               "instructor, and send it again later.";
+        return "Your program could not be checked because the disk of this machine is full or failing. Please tell "
+               "your instructor, and send your program again later.";
     }
-    return "There is no result at this address. It may be mistyped, or the result was kept as long as results are.";
+    return "There is no result at this address. The address may be mistyped, or the result was deleted because it was "
+           "too old.";
 }
 
 std::string waiting_page(const About& about, const std::string& result_address, const Standing& standing) {
     return page(
         "Checking: " + escape_markup(about.title), "..",
-        // For browsers without script; those with it read out what changes, and reload nothing before there is a
-        // result.
+        // For browsers without script. With script, the page announces changes and reloads only when there is a result.
         "<noscript><meta http-equiv=\"refresh\" content=\"3\"></noscript>\n",
-        fmt::format(
-            "<header>\n<p class=\"facts\">{0}</p>\n<h1>Your program is being checked</h1>\n</header>\n<main>\n"
-            "<p class=\"standing\" id=\"standing\" role=\"status\" data-standing=\"{1}/standing\">{2}</p>\n"
-            "<p>The result will appear here by itself. You may also close this page and come back to its address "
-            "later, within {3}.</p>\n<p><a href=\"{1}\">Look again now</a></p>\n</main>\n",
-            escape_markup(about.title), result_address, sentence_of(standing), hours_text(about.keep)));
+        fmt::format("<header>\n<p class=\"facts\">{0}</p>\n<h1>Your program is being checked</h1>\n</header>\n<main>\n"
+                    "<p class=\"standing\" id=\"standing\" role=\"status\" data-standing=\"{1}/standing\">{2}</p>\n"
+                    "<p>The result will appear here by itself. You may close this page and open its address again "
+                    "within {3}.</p>\n<p><a href=\"{1}\">Look again now</a></p>\n</main>\n",
+                    escape_markup(about.title), result_address, sentence_of(standing), hours_text(about.keep)));
 }
 
 std::string message_page(const About& about, const std::string& heading, const std::string& sentence,
@@ -128,7 +123,7 @@ std::string message_page(const About& about, const std::string& heading, const s
                             escape_markup(about.title), safe, escape_markup(sentence), to_top));
 }
 
-// All that is a student's is escaped, so the first <main> and the first <body> are the page's own.
+// All text from students is escaped, so the first <main> and the first <body> are the page's own.
 std::string as_result(const About& about, std::string student_page) {
     constexpr std::string_view main = "<main>\n";
     if (const auto at = student_page.find(main); at != std::string::npos)

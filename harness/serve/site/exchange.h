@@ -1,4 +1,4 @@
-// What a browser asks and what it gets, apart from how that travels.
+// Requests and responses, independent of the HTTP library.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,25 @@ namespace harness::serve {
 
 enum class Method { get, head, post, other };
 
-/// What comes before the body. All text is the client's: any bytes, at most as many as the server reads.
+/// The request without its body. All text comes from the client: it may hold any bytes, at most as many as the server
+/// reads.
 struct Head {
     Method method = Method::other;
     std::string path;                   ///< begins with '/', without the query; not decoded
-    std::string host;                   ///< empty when there is none, or more than one
+    std::string host;                   ///< empty if there is no Host field, or more than one
     std::string client;                 ///< the address the connection came from
-    std::string forwarded_for;          ///< X-Forwarded-For, all of them in order, joined by commas
-    std::optional<std::string> origin;  ///< of the page that asks
+    std::string forwarded_for;          ///< all X-Forwarded-For fields in order, joined by commas
+    std::optional<std::string> origin;  ///< Origin: the site of the page that sends the request
     std::string fetch_site;             ///< Sec-Fetch-Site
     std::string content_type;
-    bool wants_json = false;  ///< a script asks
+    bool wants_json = false;  ///< the client asks for JSON, as a script does
 };
 
 struct Response {
     int status = 200;
     std::string type;  ///< Content-Type
     std::string body;
-    std::vector<std::pair<std::string, std::string>> fields{};  ///< beside those that every response has
+    std::vector<std::pair<std::string, std::string>> fields{};  ///< in addition to those that every response has
 };
 
 }  // namespace harness::serve

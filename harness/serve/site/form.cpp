@@ -1,18 +1,19 @@
-#include "harness/serve/form.h"
+#include "harness/serve/site/form.h"
 
 #include <algorithm>
 #include <cctype>
 
-#include "harness/clean_text.h"
-#include "harness/intake.h"
-#include "harness/names.h"
-#include "harness/no_source.h"
+#include "harness/intake/intake.h"
+#include "harness/intake/not_a_source.h"
+#include "harness/intake/source_file.h"
+#include "harness/text/printable.h"
+#include "harness/text/utf8.h"
 
 namespace harness::serve {
 namespace {
 
 constexpr std::string_view line_end = "\r\n";
-/// The form has one; a few more may come from whoever writes a form of their own.
+/// This site's form has one part; a client of somebody's own may send a few more.
 constexpr std::size_t most_parts = 8;
 constexpr std::size_t longest_head = 4096;
 
@@ -32,7 +33,7 @@ struct Parameter {
     std::string value;
 };
 
-/// Takes `; name=value` or `; name="value"` from the front of `text`; empty when that is not what it begins with.
+/// Takes `; name=value` or `; name="value"` from the front of `text`; empty if the text begins with something else.
 std::optional<Parameter> take_parameter(std::string_view& text) {
     text = trimmed(text);
     if (!text.starts_with(';')) return {};
@@ -58,7 +59,7 @@ std::optional<Parameter> take_parameter(std::string_view& text) {
     return {};
 }
 
-/// Name and kind of a part, from its header lines; empty when they name none.
+/// Reads a part's name and kind from its header lines; empty if they have no name.
 std::optional<Part> part_with(std::string_view head) {
     std::optional<Part> part;
     while (!head.empty()) {
@@ -82,7 +83,7 @@ std::optional<Part> part_with(std::string_view head) {
     return part;
 }
 
-/// Without the folders that some browsers put before it.
+/// The file's name, without the folders that some browsers put before it.
 std::string shown_name(const Part& part) {
     if (!part.is_file) return "pasted text";
     constexpr std::size_t longest = 100;
@@ -121,7 +122,7 @@ std::optional<std::string> boundary_of(std::string_view content_type) {
 
 std::optional<std::vector<Part>> parts_of(std::string_view body, std::string_view boundary) {
     const std::string delimiter = "\r\n--" + std::string(boundary);
-    // The first delimiter needs no line before it.
+    // The first delimiter needs no line end before it.
     if (!body.starts_with(std::string_view(delimiter).substr(line_end.size()))) return {};
     body.remove_prefix(delimiter.size() - line_end.size());
     std::vector<Part> parts;
@@ -145,7 +146,8 @@ std::optional<std::vector<Part>> parts_of(std::string_view body, std::string_vie
 HandedIn source_of(std::string_view content_type, std::string_view body) {
     const auto boundary = boundary_of(content_type);
     const auto parts = boundary ? parts_of(body, *boundary) : std::nullopt;
-    if (!parts) return {{}, "That was no form of this page, or it broke off on the way. Please send it again."};
+    if (!parts)
+        return {{}, "This did not come from the form of this page, or part of it is missing. Please send it again."};
     const Part* found = nullptr;
     for (const Part& part : *parts) {
         if (part.name != "source") continue;

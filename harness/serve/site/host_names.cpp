@@ -1,4 +1,4 @@
-#include "harness/serve/host_names.h"
+#include "harness/serve/site/host_names.h"
 
 #include <algorithm>
 #include <boost/asio/ip/address.hpp>
@@ -62,7 +62,7 @@ bool is_for_us(const Head& head, const Reach& reach) {
 
 bool is_from_us(const Head& head, const Reach& reach) {
     if (!head.fetch_site.empty() && head.fetch_site != "same-origin" && head.fetch_site != "none") return false;
-    if (!head.origin) return true;  // no browser posts without
+    if (!head.origin) return true;  // browsers always send Origin with a POST
     const std::string origin = lower(*head.origin);
     const std::string host = lower(head.host);
     return origin == "http://" + host || (reach.behind_proxy && origin == "https://" + host);

@@ -1,4 +1,4 @@
-#include "harness/serve/rate_limit.h"
+#include "harness/serve/site/rate_limit.h"
 
 #include <algorithm>
 #include <boost/asio/ip/address.hpp>
@@ -19,7 +19,7 @@ std::chrono::seconds RateLimit::wait_of(const std::string& client, Clock::time_p
     const auto found = buckets_.find(client);
     if (found == buckets_.end()) return std::chrono::seconds(0);
     const double missing = 1 - turns_at(found->second, now);
-    // A rounding error is not worth a second.
+    // Ignores rounding errors, which would cost a second.
     constexpr double nothing = 1e-6;
     if (missing <= nothing) return std::chrono::seconds(0);
     return std::chrono::seconds(static_cast<std::int64_t>(std::ceil(missing / turns_a_second_)));
@@ -31,8 +31,8 @@ void RateLimit::take(const std::string& client, Clock::time_point now) {
     bucket = {turns_at(bucket, now) - 1, now};
 }
 
-/// Those whose bucket is full again, which changes nothing; where that is too few, also half of the others, the least
-/// recently used.
+/// Forgets the clients whose bucket is full again, which changes nothing. If those are too few, also forgets the least
+/// recently used half of the others.
 void RateLimit::forget_some(Clock::time_point now) {
     std::erase_if(buckets_, [&](const auto& one) { return turns_at(one.second, now) >= burst_; });
     if (buckets_.size() < clients_) return;

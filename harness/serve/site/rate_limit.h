@@ -1,4 +1,4 @@
-// How often one client may hand in.
+// Limits how often a client may submit.
 #pragma once
 
 #include <chrono>
@@ -8,24 +8,24 @@
 
 namespace harness::serve {
 
-/// Every client has a bucket of `burst` turns, which fills up again at an even rate. For one thread.
+/// Each client has a bucket of `burst` turns, which refills at an even rate. Use it from one thread only.
 class RateLimit {
   public:
     using Clock = std::chrono::steady_clock;
 
-    /// Of at most `clients` buckets that are not full the last used ones are remembered, so that memory has a bound.
+    /// Remembers at most `clients` buckets that are not full, those used last, so that memory is bounded.
     RateLimit(double turns_a_minute, int burst, std::size_t clients = 10'000);
 
-    /// How long until the client has a turn, in whole seconds rounded up; 0 when it has one now.
+    /// How long until the client has a turn, in whole seconds rounded up; 0 if it has a turn now.
     std::chrono::seconds wait_of(const std::string& client, Clock::time_point now) const;
-    /// Takes a turn, which wait_of says there is.
+    /// Takes a turn. Call it only if wait_of returned 0.
     void take(const std::string& client, Clock::time_point now);
     std::size_t remembered() const { return buckets_.size(); }
 
   private:
     struct Bucket {
         double turns;
-        Clock::time_point at;  ///< when it held so many
+        Clock::time_point at;  ///< when the bucket held `turns`
     };
     double turns_at(const Bucket& bucket, Clock::time_point now) const;
     void forget_some(Clock::time_point now);
@@ -35,8 +35,8 @@ class RateLimit {
     std::unordered_map<std::string, Bucket> buckets_;
 };
 
-/// By what a client is counted: an IPv4 address by itself, an IPv6 address by its network of 64 bits, which is what a
-/// household or a laptop is given. Text that is no address counts as itself.
+/// The name under which a client is counted: an IPv4 address itself, or the 64-bit network of an IPv6 address, because
+/// a household or a laptop gets such a network. Other text is returned unchanged.
 std::string client_of(const std::string& address);
 
 }  // namespace harness::serve

@@ -1,11 +1,12 @@
-// Sends the forms without leaving the page, so that what was typed is still there when it is refused, and follows a
-// program through the queue. Without it everything works too: forms are posted, and the waiting page asks anew.
+// Sends the forms without leaving the page, so that the typed text is still there if the server refuses it, and shows a
+// program's progress through the queue. The site also works without it: browsers post the forms, and the waiting page
+// reloads itself.
 'use strict';
 
 const largestSource = 1 << 20;
 const sending = new WeakSet();
 
-/** What the server says to a form: where the result will be, or why there will be none. */
+/** Posts a form and returns the result's address, or the error. */
 async function post(form) {
     const answer = await fetch(form.action, {
         method: 'POST', body: new FormData(form), headers: {Accept: 'application/json'}});
@@ -26,7 +27,7 @@ async function send(form) {
     }
     sending.add(form);
     status.textContent = 'Sending…';
-    // Not `disabled`, which would take the focus away.
+    // Not `disabled`, which would remove the focus from the button.
     button.setAttribute('aria-disabled', 'true');
     let said;
     try {
@@ -44,7 +45,7 @@ async function send(form) {
     }
 }
 
-/** Asks how the program stands until its result is there. */
+/** Shows the program's state until its result is there. */
 async function follow(place) {
     let pause = 300;
     for (;;) {
@@ -62,7 +63,7 @@ async function follow(place) {
             sentence = 'The page can’t be reached just now. Your program is not lost; trying again.';
             pause = Math.min(2 * pause, 10000);
         }
-        // What has not changed is not to be read out again.
+        // Screen readers read out every change of the text, so leave it if it is the same.
         if (place.textContent !== sentence) place.textContent = sentence;
     }
 }

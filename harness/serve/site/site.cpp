@@ -1,4 +1,4 @@
-#include "harness/serve/site.h"
+#include "harness/serve/site/site.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "harness/serve/assets.h"
-#include "harness/serve/form.h"
-#include "harness/serve/result_address.h"
+#include "harness/serve/queue/result_address.h"
+#include "harness/serve/site/assets.h"
+#include "harness/serve/site/form.h"
 
 namespace harness::serve {
 namespace {
@@ -24,11 +24,11 @@ Response page(int status, std::string html, std::string policy) {
 }
 
 Response as_json(int status, const json& value) {
-    // A sentence may hold bytes of the client's; whatever they are, there is an answer.
+    // A sentence may hold any bytes of the client; invalid UTF-8 is replaced instead of failing.
     return {status, "application/json", value.dump(-1, ' ', false, json::error_handler_t::replace), {}};
 }
 
-/// The way from a path to the front page: one step up for each folder in it.
+/// The relative path from `path` to the front page: one step up for each folder.
 std::string way_to_top(std::string_view path) {
     constexpr std::ptrdiff_t deepest = 8;
     const auto folders = std::count(path.begin(), path.end(), '/') - 1;
@@ -50,18 +50,20 @@ std::string_view name_of(const Standing& standing) {
 }
 
 std::optional<Response> asset(const std::string& path) {
-    if (path == "/style.css") return Response{200, "text/css; charset=utf-8", std::string(style), {}};
-    if (path == "/script.js") return Response{200, "text/javascript; charset=utf-8", std::string(script), {}};
-    // Browsers ask for the second for a page that names none.
-    if (path == "/icon.svg" || path == "/favicon.ico") return Response{200, "image/svg+xml", std::string(icon), {}};
+    if (path == "/style.css") return Response{200, "text/css; charset=utf-8", std::string(assets::style_css), {}};
+    if (path == "/script.js")
+        return Response{200, "text/javascript; charset=utf-8", std::string(assets::script_js), {}};
+    // Browsers ask for /favicon.ico if a page names no icon.
+    if (path == "/icon.svg" || path == "/favicon.ico")
+        return Response{200, "image/svg+xml", std::string(assets::icon_svg), {}};
     return {};
 }
 
 }  // namespace
 
-Site::Site(SiteSettings settings, Desk& desk)
+Site::Site(SiteSettings settings, Queue& queue)
     : settings_(std::move(settings)),
-      desk_(desk),
+      queue_(queue),
       rate_(settings_.turns_a_minute, std::max(1, static_cast<int>(settings_.turns_a_minute))) {}
 
 Response Site::say(const Head& head, int status, const std::string& heading, const std::string& sentence) const {
@@ -73,7 +75,7 @@ std::optional<Response> Site::answer(const Head& head) {
     if (head.host.empty() || !head.path.starts_with('/')) return problem(head, 400);
     if (!is_for_us(head, settings_.reach)) {
         return say(head, 421, "Not at this address",
-                   "This server does not go by the name in your browser's address bar. Please use the address your "
+                   "This server does not answer to the name in your browser's address bar. Please use the address your "
                    "instructor gave you; instructors, see --name in `raygrade serve --help`.");
     }
     const bool is_check = head.path == "/check";
@@ -98,11 +100,12 @@ std::optional<Response> Site::answer(const Head& head) {
 
 std::optional<Response> Site::answer_check(const Head& head) const {
     if (!is_from_us(head, settings_.reach)) {
-        return say(head, 403, "Not from this page",
-                   "This was sent by another site than this page, so it was not looked at. Please go back to the form "
-                   "here and send your program from there.");
+        return say(
+            head, 403, "Not from this page",
+            "This was sent from a different website, so it was ignored. Please go back to the form here and send "
+            "your program from there.");
     }
-    if (const auto refusal = desk_.refusal()) return refuse(head, *refusal);
+    if (const auto refusal = queue_.refusal()) return refuse(head, *refusal);
     return too_soon(head);
 }
 
@@ -111,8 +114,8 @@ std::optional<Response> Site::too_soon(const Head& head) const {
     const auto wait = rate_.wait_of(client, RateLimit::Clock::now());
     if (wait.count() == 0) return {};
     Response response = say(head, 429, "A little slower, please",
-                            fmt::format("From where you are many programs were sent within a short time. Please send "
-                                        "yours again in {} second{}.",
+                            fmt::format("Many programs were sent from your network address within a short time. Please "
+                                        "send yours again in {} second{}.",
                                         wait.count(), wait.count() == 1 ? "" : "s"));
     response.fields.emplace_back("Retry-After", std::to_string(wait.count()));
     return response;
@@ -123,7 +126,7 @@ Response Site::refuse(const Head& head, Refusal refusal) const {
     switch (refusal) {
         case Refusal::full:
             sentence =
-                "So many programs are waiting that no more are taken just now. Please send yours again in half a "
+                "Too many programs are waiting, so no more are accepted just now. Please send yours again in half a "
                 "minute.";
             break;
         case Refusal::closed:
@@ -133,7 +136,7 @@ Response Site::refuse(const Head& head, Refusal refusal) const {
             break;
         case Refusal::no_room_on_disk:
             sentence =
-                "This machine could not keep your program, as its disk is full or failing. Please tell your "
+                "This machine could not store your program because its disk is full or failing. Please tell your "
                 "instructor.";
             break;
     }
@@ -143,11 +146,11 @@ Response Site::refuse(const Head& head, Refusal refusal) const {
 }
 
 Response Site::take_in(const Head& head, const std::string& body) {
-    // While the body came, others of the same client may have been faster.
+    // The same client may have sent other programs while this body arrived.
     if (auto response = too_soon(head)) return *response;
     const HandedIn handed = source_of(head.content_type, body);
     if (!handed.problem.empty()) return say(head, 400, "That was no program", handed.problem);
-    const auto accepted = desk_.accept(handed.source, handed.file);
+    const auto accepted = queue_.accept(handed.source, handed.file);
     if (const auto* refusal = std::get_if<Refusal>(&accepted)) return refuse(head, *refusal);
     rate_.take(client_of(client_address(head, settings_.reach)), RateLimit::Clock::now());
     const std::string address = "result/" + std::get<std::string>(accepted);
@@ -158,19 +161,19 @@ Response Site::take_in(const Head& head, const std::string& body) {
 }
 
 Response Site::answer_result(const Head& head, const std::string& result_address) const {
-    const Standing standing = desk_.standing(result_address);
+    const Standing standing = queue_.standing(result_address);
     if (std::holds_alternative<Waiting>(standing) || std::holds_alternative<BeingGraded>(standing)) {
         return page(200, waiting_page(settings_.about, result_address, standing), own_policy());
     }
     if (std::holds_alternative<Done>(standing)) {
-        if (const auto found = desk_.page(result_address)) return page(200, *found, student_policy(*found));
+        if (const auto found = queue_.page(result_address)) return page(200, *found, student_policy(*found));
     }
     if (std::holds_alternative<Lost>(standing)) return say(head, 500, "Not checked", sentence_of(standing));
     return say(head, 404, "No result here", sentence_of(Unknown{}));
 }
 
 Response Site::answer_standing(const std::string& result_address) const {
-    const Standing standing = desk_.standing(result_address);
+    const Standing standing = queue_.standing(result_address);
     json value = {{"standing", name_of(standing)}, {"sentence", sentence_of(standing)}};
     if (const auto* waiting = std::get_if<Waiting>(&standing)) {
         value["position"] = waiting->position;
@@ -188,7 +191,7 @@ Response Site::problem(const Head& head, int status) const {
         case 413:
             return say(head, status, "Too large",
                        "That is larger than 1 MiB. Please send the source alone, without data or output in it.");
-        case 431: return say(head, status, "Too large", "That request's header is larger than any browser's.");
+        case 431: return say(head, status, "Too large", "The header of this request is too large.");
         case 503: {
             Response response = say(head, status, "Not just now",
                                     "Too much is being sent here just now. Please try again in half a minute.");
@@ -197,9 +200,9 @@ Response Site::problem(const Head& head, int status) const {
         }
         case 500:
             return say(head, status, "Not just now",
-                       "Something went wrong on this machine. Please try again, and if it stays so, tell your "
+                       "Something went wrong on this machine. Please try again. If it happens again, tell your "
                        "instructor.");
-        default: return say(head, 400, "Not understood", "That was no request this page understands.");
+        default: return say(head, 400, "Not understood", "This server does not understand that request.");
     }
 }
 

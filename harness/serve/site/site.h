@@ -1,42 +1,42 @@
-// What the self-check page answers to what is asked of it.
+// Answers the requests to the self-check site.
 //
 //   GET  /                      the form
-//   POST /check                 a program: on to its result's address; for scripts that address as JSON
-//   GET  /result/<address>      the waiting room, then the student's page
+//   POST /check                 takes a program and redirects to its result; scripts get the address as JSON
+//   GET  /result/<address>      the waiting page, then the student's page
 //   GET  /result/<address>/standing   the same as JSON: standing, position, points
 //   GET  /style.css, /script.js, /icon.svg
 //
-// There is no list of results and no way from one to another.
+// There is no list of results and no link from one result to another.
 #pragma once
 
 #include <optional>
 #include <string>
 
-#include "harness/serve/desk.h"
-#include "harness/serve/exchange.h"
-#include "harness/serve/host_names.h"
-#include "harness/serve/pages.h"
-#include "harness/serve/rate_limit.h"
+#include "harness/serve/queue/queue.h"
+#include "harness/serve/results/pages.h"
+#include "harness/serve/site/exchange.h"
+#include "harness/serve/site/host_names.h"
+#include "harness/serve/site/rate_limit.h"
 
 namespace harness::serve {
 
 struct SiteSettings {
     About about;
     Reach reach;
-    double turns_a_minute = 10;  ///< programs of one client, as many of them at once
+    double turns_a_minute = 10;  ///< programs of one client per minute; all may come at once
 };
 
-/// For one thread. Functions throw HarnessError where the disk fails them.
+/// Use it from one thread only. Functions throw HarnessError if the disk fails.
 class Site {
   public:
-    Site(SiteSettings settings, Desk& desk);
+    Site(SiteSettings settings, Queue& queue);
 
-    /// The answer, where it does not depend on a body; empty for a program that is welcome.
+    /// The answer, if it does not depend on the body; empty if take_in should get the body.
     std::optional<Response> answer(const Head& head);
-    /// The answer to that program.
+    /// The answer to a program for which `answer` returned nothing.
     Response take_in(const Head& head, const std::string& body);
-    /// What can't be read as HTTP or is more than is read: 400, 413 or 431; 503 for too many at a time, 500 where
-    /// answering failed.
+    /// The answer to a request that failed: 400 if it is not valid HTTP, 413 or 431 if it is too large, 503 if there is
+    /// too much at a time, 500 if answering failed.
     Response problem(const Head& head, int status) const;
 
   private:
@@ -48,7 +48,7 @@ class Site {
     std::optional<Response> too_soon(const Head& head) const;
 
     SiteSettings settings_;
-    Desk& desk_;
+    Queue& queue_;
     RateLimit rate_;
 };
 

@@ -1,20 +1,20 @@
-#include "reference/accuracy/assignment_accuracy.h"
+#include "reference/accuracy/measure/assignment_accuracy.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "reference/accuracy/read_scalar.h"
-#include "reference/certified_scene.h"
-#include "reference/tolerance.h"
+#include "reference/accuracy/measure/read_scalar.h"
+#include "reference/key/graded_allowance.h"
+#include "reference/stages/scene_numbers.h"
 
 namespace reference::accuracy {
 namespace {
 
 constexpr int timed_repetitions = 41;
 
-/// A long double has more digits than one double holds, and no more than a few together.
+/// Exact: a long double is the sum of a few doubles.
 Certified exactly(long double x) {
     Rational sum;
     while (x != 0) {
@@ -25,7 +25,7 @@ Certified exactly(long double x) {
     return Certified(FieldNumber(sum));
 }
 
-/// The distance, right to a rounding of double also where it is far below one of the values.
+/// The distance, correct to a rounding of double even if it is far smaller than the values.
 double distance(const Certified& truth, long double given) {
     if (!std::isfinite(given)) return HUGE_VAL;
     return std::abs((truth - exactly(given)).enclosure().nearest);
@@ -65,7 +65,7 @@ void add_errors(std::vector<ItemAccuracy>& items, const std::string& scalar, con
     for (const KeyQuestion& question : key.questions) {
         for (const KeyItem& asked : question.items) {
             const ItemId id{question.number, asked.spec.name};
-            const auto found = values.find(id);  // none for a verdict that could not be told, as of NaN
+            const auto found = values.find(id);  // none for a verdict that could not be decided, e.g. because of NaN
             ItemError error = error_of<S>(found == values.end() ? ItemValue<S>() : found->second, truth.at(id),
                                           item->ulp, graded_allowance(asked, asked.answers.front(), assignment.rubric));
             error.scalar = scalar;

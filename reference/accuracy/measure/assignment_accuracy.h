@@ -1,23 +1,22 @@
-// Accuracy and its price for one assignment's scene and pixel: what each scalar gets wrong, which decisions hang on
-// rounding, and what the certified answer costs.
+// Accuracy and its price for one assignment's scene and pixel: what each scalar type gets wrong, which decisions depend
+// on rounding, and how much time the certified answer takes.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "reference/answer_key.h"
+#include "reference/key/answer_key.h"
 
 namespace reference::accuracy {
 
-/// An item as the stages over one scalar give it, against the truth.
+/// An item as the stages compute it in one scalar type, compared with the truth.
 struct ItemError {
-    std::string scalar;      ///< "float", "double", "long double"
-    bool otherwise = false;  ///< decided otherwise: a value where the truth has none, none where it has one, another
-                             ///< verdict; the errors are 0 then
-    double absolute = 0;     ///< the largest of the components' errors
-    double ulp = 0;          ///< the same in ItemAccuracy::ulp
-    double of_allowance =
-        0;  ///< the largest share that a component uses of what marking forgives it; > 1: marked wrong
+    std::string scalar;       ///< "float", "double", "long double"
+    bool otherwise = false;   ///< a value where the truth has none, none where it has a value, or a different verdict;
+                              ///< the errors are 0 then
+    double absolute = 0;      ///< the largest of the components' errors
+    double ulp = 0;           ///< the same in units of ItemAccuracy::ulp
+    double of_allowance = 0;  ///< the largest error of a component, as a share of its accepted error; > 1: marked wrong
 };
 
 struct ItemAccuracy {
@@ -25,7 +24,7 @@ struct ItemAccuracy {
     std::string truth;  ///< for people: "0.585786", "(0, 0, -1)", "none", the verdict's sentence; empty for a matrix
     /// A unit in the last place of float at the value's largest component, at 1 where all are 0.
     double ulp = 0;
-    /// What marking forgives, the largest over the components; 0 for what is no number.
+    /// The error that marking accepts, the largest over the components; 0 for an item that is not a number.
     double allowance = 0;
     std::vector<ItemError> errors;  ///< by scalar
 };
@@ -35,17 +34,17 @@ struct Decision {
     std::string what;    ///< "triangle: t", "sphere 2: d"
     std::string asks;    ///< "whether the triangle lies ahead of the ray's start"
     int sign = 0;        ///< of the true value
-    double value = 0;    ///< the true value, for an order of two hits its sign
+    double value = 0;    ///< the true value; for the order of two hits, its sign
     bool float_is_sure;  ///< no rounding of float arithmetic, however unlucky, changes the sign
     bool double_is_sure;
-    std::vector<std::string> wrong;  ///< the scalars whose run found another sign
+    std::vector<std::string> wrong;  ///< the scalar types whose run found a different sign
 
     bool hangs_on_rounding() const { return sign == 0 || !float_is_sure || !double_is_sure || !wrong.empty(); }
 };
 
-/// The ten answers once, over one scalar.
+/// The time to compute the ten answers once, in one scalar type.
 struct ScalarCost {
-    std::string scalar;  ///< "certified" beside those of ItemError: every decision exact, every value enclosed
+    std::string scalar;  ///< as in ItemError, or "certified": every decision exact, every value enclosed
     double ns = 0;       ///< median of the repetitions
     double to_float = 0;
 };
@@ -53,8 +52,8 @@ struct ScalarCost {
 struct AssignmentAccuracy {
     std::string assignment;
     std::string title;
-    std::vector<ItemAccuracy> items;  ///< those the scene calls for, by question
-    std::vector<Decision> decisions;  ///< those that are needed, the certain ones too
+    std::vector<ItemAccuracy> items;  ///< the items that the scene calls for, by question
+    std::vector<Decision> decisions;  ///< all that are needed, including the certain ones
     std::vector<ScalarCost> costs;    ///< float first
     int repetitions = 0;
 };
@@ -62,7 +61,7 @@ struct AssignmentAccuracy {
 /// Under the canonical reading of the handout. Throws as make_key does.
 AssignmentAccuracy assignment_accuracy(const Assignment& assignment);
 
-/// The parts of it that are functions of the assignment alone.
+/// The parts that depend on the assignment alone.
 std::vector<ItemAccuracy> item_accuracies(const Assignment& assignment, const AnswerKey& key);
 std::vector<Decision> decisions_of(const Assignment& assignment, const Reading& reading);
 

@@ -1,17 +1,17 @@
 #include <chrono>
 #include <functional>
 
-#include "reference/accuracy/assignment_accuracy.h"
-#include "reference/accuracy/read_scalar.h"
-#include "reference/accuracy/statistics.h"
-#include "reference/certified_scene.h"
+#include "reference/accuracy/measure/assignment_accuracy.h"
+#include "reference/accuracy/measure/read_scalar.h"
+#include "reference/accuracy/measure/statistics.h"
+#include "reference/stages/scene_numbers.h"
 
 namespace reference::accuracy {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What stands behind the pointer is used and may be changed, as far as the compiler knows.
+/// Makes the compiler believe that `value` is used and may be changed.
 template <class T>
 void keep(T& value) {
     asm volatile("" : : "r"(&value) : "memory");
@@ -44,7 +44,7 @@ std::function<void()> certified_answers_of(const Assignment& assignment, const R
 struct Timed {
     std::string scalar;
     std::function<void()> run;
-    int times = 1;  ///< so often in one repetition, that the clock's own steps don't count
+    int times = 1;  ///< runs per repetition, enough to make the clock's resolution negligible
     std::vector<double> ns{};
 
     void repeat() {

@@ -1,10 +1,10 @@
-// Every sign that decides what the ray hits, run over each scalar by one template: exactly, as float, double and long
-// double find it, and over intervals, which hold whatever those might find.
+// Computes every sign that decides what the ray hits. One template runs over each scalar type: exactly, in float,
+// double and long double, and over intervals, which contain whatever float and double arithmetic might find.
 #include <fmt/format.h>
 
-#include "reference/accuracy/assignment_accuracy.h"
-#include "reference/accuracy/read_scalar.h"
-#include "reference/certified_scene.h"
+#include "reference/accuracy/measure/assignment_accuracy.h"
+#include "reference/accuracy/measure/read_scalar.h"
+#include "reference/stages/scene_numbers.h"
 
 namespace reference::accuracy {
 namespace {
@@ -14,12 +14,12 @@ struct Sign {
     std::string what;
     std::string asks;
     std::partial_ordering sign;
-    std::optional<S> value;  ///< none for an order
+    std::optional<S> value;  ///< empty for an order
 };
 template <class S>
 using Signs = std::vector<Sign<S>>;
 
-/// What the exact run found, which says which signs are needed.
+/// What the exact run found. It tells which signs are needed.
 struct Truth {
     std::vector<SphereAnswers<Certified>> spheres;
     std::vector<TriangleAnswers<Certified>> triangles;

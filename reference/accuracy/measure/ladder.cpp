@@ -1,4 +1,4 @@
-#include "reference/accuracy/ladder.h"
+#include "reference/accuracy/measure/ladder.h"
 
 namespace reference::accuracy {
 namespace {

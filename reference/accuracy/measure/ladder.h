@@ -1,8 +1,8 @@
-// measure() with the methods as values: the whole ladder, or another one.
+// measure() with the methods as a parameter.
 #pragma once
 
-#include "reference/accuracy/measurement.h"
-#include "reference/accuracy/method.h"
+#include "reference/accuracy/measure/measurement.h"
+#include "reference/accuracy/methods/method.h"
 
 namespace reference::accuracy {
 

@@ -1,4 +1,4 @@
-#include "reference/accuracy/machine.h"
+#include "reference/accuracy/measure/machine.h"
 
 #include <fstream>
 

@@ -1,4 +1,4 @@
-// What a time was measured with.
+// The compiler and the processor that a time was measured with.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@ namespace reference::accuracy {
 /// With its version: "g++ 12.2.0".
 std::string compiler();
 
-/// Of the compiler, as far as arithmetic depends on them: those of the build and those of the project.
+/// The compiler flags that arithmetic depends on: the build's and the project's.
 std::string arithmetic_flags();
 
-/// Empty where the kernel of the machine gives no name.
+/// Empty if the operating system gives no name.
 std::string processor();
 
 }  // namespace reference::accuracy

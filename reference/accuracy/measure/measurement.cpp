@@ -5,14 +5,14 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "reference/accuracy/ladder.h"
-#include "reference/accuracy/machine.h"
-#include "reference/accuracy/statistics.h"
+#include "reference/accuracy/measure/ladder.h"
+#include "reference/accuracy/measure/machine.h"
+#include "reference/accuracy/measure/statistics.h"
 
 namespace reference::accuracy {
 namespace {
 
-constexpr std::uint64_t slow_share = 16;  ///< a slow method is given one ray in so many
+constexpr std::uint64_t slow_share = 16;  ///< a slow method gets one ray in this many
 
 /// How much is measured.
 struct Extent {
@@ -52,7 +52,7 @@ void refuse_unknown(const std::vector<std::string>& parts, const Ladder& ladder)
     }
 }
 
-/// How much is done, told to whoever asked for it.
+/// Reports the share that is done to options.progress.
 class Progress {
   public:
     Progress(const MeasureOptions& options, std::size_t distributions)
@@ -71,7 +71,7 @@ class Progress {
     double finished_ = 0;
 };
 
-constexpr double share_of_truth = 0.3;  ///< roughly, of a distribution's time
+constexpr double share_of_truth = 0.3;  ///< roughly, as a share of a distribution's time
 constexpr std::uint64_t rays_between_progress = 2'048;
 
 /// Rays of one distribution, and the truth about them.
@@ -100,15 +100,15 @@ std::uint64_t rays_for(const Method<Problem>& method, std::uint64_t rays) {
                                        : rays;
 }
 
-/// What this thread had of the processor: other programs' share is not counted.
+/// The processor time of this thread, without the time of other programs.
 std::chrono::nanoseconds thread_time() {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
-/// Every method once a repetition, each time in another order: what disturbs the machine hits all alike. Nanoseconds
-/// per ray, by method.
+/// Runs every method once per repetition, each time in a new random order, so that disturbances of the machine affect
+/// all methods alike. Returns nanoseconds per ray, by method.
 template <template <class> class Problem>
 std::vector<std::vector<double>> times_of(const std::vector<Method<Problem>>& methods, const Rays<Problem>& rays,
                                           int repetitions, Random& random, const Progress& progress) {
@@ -150,7 +150,7 @@ Row judged_row(const Method<Problem>& method, const Drawn<Problem>& drawn) {
     return row;
 }
 
-/// Judging comes first: it warms up what is timed next.
+/// Judges the methods first, which warms up the caches for the timing.
 template <template <class> class Problem>
 void add_rows(Measurement& measurement, Primitive primitive, const std::vector<Method<Problem>>& methods,
               const std::vector<Distribution<Problem<double>>>& distributions, Progress& progress) {

@@ -27,17 +27,17 @@ struct Row {
     std::string distribution;  ///< "grazing"
     bool hard = false;         ///< the distribution aims at what rounding gets wrong
     std::uint64_t rays = 0;    ///< how many were judged
-    double ns_per_ray = 0;  ///< median of the repetitions, in time of the thread: what other programs took is left out
-    double ns_low = 0;      ///< lower quartile
-    double ns_high = 0;     ///< upper quartile
+    double ns_per_ray = 0;    ///< median of the repetitions; CPU time of the thread, without the time of other programs
+    double ns_low = 0;        ///< lower quartile
+    double ns_high = 0;       ///< upper quartile
     std::uint64_t wrong = 0;  ///< hit for miss, miss for hit, or a wrong order
     double wrong_per_million = 0;
     double wrong_low = 0;  ///< 95 % Wilson interval of wrong_per_million
     double wrong_high = 0;
-    std::optional<TError> t_error{};  ///< none for a method that decides only, or without a hit in common
-    /// No method here is at once faster and less often wrong, nor better in one of them and equal in the other.
+    std::optional<TError> t_error{};  ///< empty for a method that only decides, or without a right hit
+    /// Pareto-optimal: no method is better in time or wrongness and at least as good in the other.
     bool pareto_wrong = false;
-    bool pareto_error = false;  ///< the same of time and mean_ulp; false without t_error
+    bool pareto_error = false;  ///< the same for time and mean_ulp; false without t_error
 };
 
 struct Measurement {
@@ -45,17 +45,17 @@ struct Measurement {
     std::uint64_t rays = 0;  ///< of each distribution
     int repetitions = 0;
     std::string compiler;   ///< with its version
-    std::string flags;      ///< those that arithmetic depends on
-    std::string processor;  ///< as the kernel of the machine names it; empty when it does not
+    std::string flags;      ///< the compiler flags that arithmetic depends on
+    std::string processor;  ///< as the operating system names it; empty if it does not
     std::vector<Row> rows;  ///< by primitive, distribution and the ladder's order of methods
 };
 
 struct MeasureOptions {
     std::uint64_t seed = 1;
-    std::uint64_t rays = 0;            ///< of each distribution; 0 for what fits the time of `quick` or not
+    std::uint64_t rays = 0;            ///< of each distribution; 0 for as many as fit the time that `quick` sets
     bool quick = false;                ///< below ten seconds in all, rather than below a minute
     std::vector<std::string> kernels;  ///< parts of the names of the methods to measure; all when empty
-    /// Called now and then with how much is done, in [0, 1].
+    /// Called now and then with the share that is done, in [0, 1].
     std::function<void(double done)> progress;
 };
 
@@ -63,7 +63,7 @@ struct MeasureOptions {
 /// `kernels` that no method has.
 Measurement measure(const MeasureOptions& options);
 
-/// The names of all methods, "half-b double", by primitive.
+/// The names of all methods of a primitive, e.g. "half-b double".
 std::vector<std::string> method_names(Primitive primitive);
 
 /// "sphere", "triangle", "cast".

@@ -1,12 +1,12 @@
-// The numbers of an assignment in a scalar, for programs that compute in it.
+// Reads the numbers of an assignment as a program does that computes in a given scalar type.
 #pragma once
 
 #include <cmath>
 #include <cstdlib>
 
-#include "reference/assignment.h"
-#include "reference/exact/rational.h"
-#include "reference/interval.h"
+#include "reference/numbers/interval.h"
+#include "reference/numbers/rational.h"
+#include "reference/toml/assignment.h"
 
 namespace reference::accuracy {
 
@@ -18,7 +18,7 @@ template <>
 struct ReadScalar<long double> {
     long double operator()(const Decimal& number) const { return std::strtold(number.text().c_str(), nullptr); }
 };
-/// The number that was read and what it may differ from the one that was written.
+/// The number that was read, widened by one step unless it is exactly the number that was written.
 template <class T>
 struct ReadScalar<Interval<T>> {
     Interval<T> operator()(const Decimal& number) const {

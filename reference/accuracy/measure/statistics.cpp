@@ -1,4 +1,4 @@
-#include "reference/accuracy/statistics.h"
+#include "reference/accuracy/measure/statistics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 namespace reference::accuracy {
 namespace {
 
-/// Time and another figure, both better when smaller.
+/// A row's time and a second figure; smaller is better for both.
 struct Place {
     double time;
     double figure;
@@ -17,7 +17,7 @@ bool is_better(const Place& one, const Place& other) {
     return one.time <= other.time && one.figure <= other.figure && (one.time < other.time || one.figure < other.figure);
 }
 
-/// figure(row) is empty for a row that takes no part.
+/// figure(row) is empty for a row that does not take part.
 template <class Figure>
 void mark(std::span<Row> rows, bool Row::*marked, Figure figure) {
     for (Row& row : rows) {

@@ -1,5 +1,5 @@
-#include "reference/accuracy/cast_methods.h"
-#include "reference/accuracy/method.h"
+#include "reference/accuracy/methods/cast_methods.h"
+#include "reference/accuracy/methods/method.h"
 
 namespace reference::accuracy {
 

@@ -1,14 +1,14 @@
-// Question 10 as programs answer it: both objects on their own, then the smaller t.
+// Question 10 as programs answer it: intersect each object on its own, then take the smaller t.
 #pragma once
 
-#include "reference/accuracy/distributions.h"
-#include "reference/accuracy/sphere_methods.h"
-#include "reference/accuracy/triangle_methods.h"
+#include "reference/accuracy/methods/sphere_methods.h"
+#include "reference/accuracy/methods/triangle_methods.h"
+#include "reference/accuracy/rays/distributions.h"
 #include "reference/kernel/first.h"
 
 namespace reference::accuracy {
 
-/// The textbook's quadratic and Cramer's rule, and t compared as it came out.
+/// The textbook's quadratic and Cramer's rule; t is compared as computed.
 template <class S>
 FirstHit<S> naive_cast(const Ray<S>& ray, const Sphere<S>& sphere, const Triangle<S>& triangle) {
     const Hit<S> round = naive_quadratic(ray, sphere);
@@ -32,14 +32,14 @@ inline Outcome outcome_of(kernel::First::Kind first) {
     return Outcome::miss;
 }
 
-/// The certified kernel's first object, with its t as far as a float goes.
+/// The certified kernel's first object, with its t to the accuracy of a float.
 template <class T>
 FirstHit<double> certified_cast(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
     const kernel::FirstHit found = kernel::first_of(ray, sphere, triangle);
     return {outcome_of(found.kind), found.t};
 }
 
-/// The certified kernel's cast of whole scenes, with the memory it keeps from ray to ray.
+/// The certified kernel's cast of whole scenes, whose memory is reused from ray to ray.
 class CertifiedCast {
   public:
     FirstHit<double> operator()(const OrderCase& c) {

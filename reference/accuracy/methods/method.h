@@ -1,5 +1,4 @@
-// A method of the ladder as a value: what it is called, and its loops over a block of rays, each compiled with the
-// method inlined.
+// A method of the ladder: its name and its loops over a block of rays. Each loop is compiled with the method inlined.
 #pragma once
 
 #include <functional>
@@ -8,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "reference/accuracy/distributions.h"
-#include "reference/accuracy/hit.h"
+#include "reference/accuracy/rays/distributions.h"
+#include "reference/accuracy/rays/hit.h"
 
 namespace reference::accuracy {
 
@@ -45,8 +44,8 @@ Rays<Problem> draw_rays(const Distribution<Problem<double>>& distribution, std::
     return rays;
 }
 
-/// What a method found, in one shape for all: t as an unevaluated sum of two doubles. A hit whose t is not finite
-/// counts as a miss.
+/// What a method found, in one type for all methods: t is an unevaluated sum of two doubles. A hit whose t is not
+/// finite counts as a miss.
 struct Answer {
     Outcome outcome = Outcome::miss;
     double t = 0;
@@ -56,7 +55,7 @@ struct Answer {
 /// A slow method is given fewer rays.
 enum class Speed { usual, slow };
 
-/// The first `count` rays are asked for, each once.
+/// `judge` and `run` call the method once for each of the first `count` rays.
 template <template <class> class Problem>
 struct Method {
     std::string kernel;
@@ -64,8 +63,8 @@ struct Method {
     std::string source;
     Speed speed = Speed::usual;
     bool gives_t = true;
-    std::function<std::vector<Answer>(const Rays<Problem>& rays, std::size_t count)> judge;  ///< to be looked at
-    std::function<void(const Rays<Problem>& rays, std::size_t count)> run;                   ///< to be timed
+    std::function<std::vector<Answer>(const Rays<Problem>& rays, std::size_t count)> judge;  ///< returns the answers
+    std::function<void(const Rays<Problem>& rays, std::size_t count)> run;                   ///< for timing
 
     std::string name() const { return kernel + " " + scalar; }
 };
@@ -109,7 +108,7 @@ std::vector<Answer> answers_of(std::span<const Problem> problems, F method) {
     return answers;
 }
 
-/// Flattened: every function that the method calls is inlined, where its source is at hand.
+/// Flattened: every function that the method calls is inlined, where its definition is visible.
 template <class Problem, class F>
 [[gnu::flatten]] void run_flat(std::span<const Problem> problems, F method) {
     for (const Problem& problem : problems) keep(method(problem));
@@ -163,7 +162,7 @@ const Triangle<T>& object_of(const TriangleProblem<T>& problem) {
     return problem.triangle;
 }
 
-/// One formula of a ray and an object, in float and in double.
+/// Adds one formula of a ray and an object, in float and in double.
 template <template <class> class Problem, class F>
 void add_both(std::vector<Method<Problem>>& methods, const std::string& kernel, const std::string& source, F formula) {
     const auto on = [formula](const auto& problem) { return formula(problem.ray, object_of(problem)); };

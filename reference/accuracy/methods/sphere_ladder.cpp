@@ -1,7 +1,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include "reference/accuracy/method.h"
-#include "reference/accuracy/sphere_methods.h"
+#include "reference/accuracy/methods/method.h"
+#include "reference/accuracy/methods/sphere_methods.h"
 #include "reference/kernel/sphere.h"
 
 namespace reference::accuracy {

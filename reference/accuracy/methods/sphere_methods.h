@@ -10,8 +10,8 @@
 #include <glm/gtx/intersect.hpp>
 #include <utility>
 
-#include "reference/accuracy/hit.h"
-#include "reference/interval.h"
+#include "reference/accuracy/rays/hit.h"
+#include "reference/numbers/interval.h"
 
 namespace reference::accuracy {
 
@@ -43,8 +43,8 @@ Hit<S> half_b(const Ray<S>& ray, const Sphere<S>& sphere) {
     return first_root(S((-b - root) / a), S((-b + root) / a));
 }
 
-/// The roots of a t² + 2bt + c without the difference of near equals: q = -b - sign(b) √D, then q/a and c/q. Press et
-/// al., "Numerical Recipes", 5.6. D is b² - ac by whatever formula.
+/// The roots of a t² + 2bt + c without subtracting nearly equal numbers: q = -b - sign(b) √D, then q/a and c/q. Press
+/// et al., "Numerical Recipes", 5.6. D is b² - ac, computed by any formula.
 template <class S>
 Hit<S> roots_by_q(const S& a, const S& b, const S& c, const S& D) {
     using std::sqrt;
@@ -101,7 +101,7 @@ Hit<S> lagrange(const Ray<S>& ray, const Sphere<S>& sphere) {
     return roots_by_q(a, b, c, S(a * sphere.radius * sphere.radius - dot(moment, moment)));
 }
 
-/// GLM's own, which asks for a unit direction and finds no hit nearer than epsilon.
+/// GLM's function, which requires a unit direction and finds no hit nearer than epsilon.
 template <class S>
 Hit<S> glm_sphere(const Ray<S>& ray, const Sphere<S>& sphere) {
     const S speed = glm::length(ray.direction);
@@ -111,8 +111,8 @@ Hit<S> glm_sphere(const Ray<S>& ray, const Sphere<S>& sphere) {
     return {hit, distance / speed};
 }
 
-/// Pharr, Jakob and Humphreys, "Physically Based Rendering" (4th ed.), 6.2.2: the quadratic in intervals; what they
-/// cannot prove to be a hit is a miss. t is the middle of its interval.
+/// Pharr, Jakob and Humphreys, "Physically Based Rendering" (4th ed.), 6.2.2: the quadratic in intervals; a hit that
+/// they cannot prove is a miss. t is the middle of its interval.
 inline Hit<float> conservative_quadratic(const Ray<float>& ray, const Sphere<float>& sphere) {
     using I = Interval<float>;
     const auto exact = [](const Vec3<float>& p) { return Vec3<I>(I(p.x), I(p.y), I(p.z)); };

@@ -1,14 +1,14 @@
 #include <memory>
 
-#include "reference/accuracy/method.h"
-#include "reference/accuracy/triangle_methods.h"
+#include "reference/accuracy/methods/method.h"
+#include "reference/accuracy/methods/triangle_methods.h"
 #include "reference/kernel/triangle.h"
 
 namespace reference::accuracy {
 namespace {
 
-/// The triangles of the rays that were judged last, prepared as a scene prepares each of its triangles once: that is
-/// not part of a ray's time.
+/// The prepared triangles of the rays that were judged last. A scene prepares each of its triangles once, so preparing
+/// is not part of a ray's time.
 template <class T>
 class PreparedTriangles {
   public:
@@ -30,7 +30,7 @@ template <class T>
     for (std::size_t i = 0; i < problems.size(); ++i) keep(triangles.decide(problems[i], i));
 }
 
-/// Judging comes before running.
+/// `judge` must be called before `run`.
 template <class T>
 Method<TriangleProblem> certified_prepared(std::string scalar) {
     const auto triangles = std::make_shared<PreparedTriangles<T>>();

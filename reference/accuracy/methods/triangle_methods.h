@@ -1,6 +1,6 @@
 // The ladder of ray and triangle: A + u(B-A) + v(C-A) = origin + t d. All follow one policy: t >= 0 is a hit, edges and
-// vertices belong to the triangle, a ray beside the plane or in it misses. No method knows the triangle beforehand, so
-// what one prepares per triangle is part of its price.
+// vertices belong to the triangle, a ray parallel to the plane or in it misses. No method knows the triangle in
+// advance, so its time includes what it prepares per triangle.
 #pragma once
 
 #ifndef GLM_ENABLE_EXPERIMENTAL
@@ -12,17 +12,17 @@
 #include <type_traits>
 #include <utility>
 
-#include "reference/accuracy/hit.h"
+#include "reference/accuracy/rays/hit.h"
 
 namespace reference::accuracy {
 
-/// False where anything is not a number.
+/// False if any of them is NaN.
 template <class S>
 bool is_inside(const S& t, const S& u, const S& v) {
     return t >= 0 && u >= 0 && v >= 0 && u + v <= 1;
 }
 
-/// The handout's linear system, solved by GLM's inverse matrix. A singular one has no finite entry.
+/// The handout's linear system, solved by GLM's inverse matrix. The inverse of a singular matrix has no finite entry.
 template <class S>
 Hit<S> by_inverse(const Ray<S>& ray, const Triangle<S>& triangle) {
     const Mat3<S> M(-ray.direction, triangle.B - triangle.A, triangle.C - triangle.A);
@@ -68,8 +68,8 @@ Hit<S> moller_trumbore(const Ray<S>& ray, const Triangle<S>& triangle) {
     return {t >= 0, t};
 }
 
-/// The same without a branch: no early exit, so nothing for the processor to guess. det = 0 leaves no finite u, v and
-/// t.
+/// Möller and Trumbore without a branch: there is no early exit, so the processor has nothing to predict. det = 0
+/// leaves no finite u, v and t.
 template <class S>
 Hit<S> moller_trumbore_branch_free(const Ray<S>& ray, const Triangle<S>& triangle) {
     const Vec3<S> p = triangle.B - triangle.A;
@@ -86,7 +86,7 @@ Hit<S> moller_trumbore_branch_free(const Ray<S>& ray, const Triangle<S>& triangl
     return {inside != 0, t};
 }
 
-/// (x, y, z) with coordinate k in front.
+/// p rotated cyclically so that coordinate k comes first.
 template <class S>
 Vec3<S> turned(const Vec3<S>& p, int k) {
     return {p[k], p[(k + 1) % 3], p[(k + 2) % 3]};
@@ -152,7 +152,7 @@ Hit<S> woop(const Ray<S>& ray, const Triangle<S>& triangle) {
     return {t >= 0, t};
 }
 
-/// GLM's own, which misses where |det| <= epsilon and leaves the sign of t to the caller.
+/// GLM's function, which misses where |det| <= epsilon and leaves the sign of t to the caller.
 template <class S>
 Hit<S> glm_triangle(const Ray<S>& ray, const Triangle<S>& triangle) {
     glm::vec<2, S> uv(0);

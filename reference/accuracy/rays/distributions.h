@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reference/accuracy/random_numbers.h"
+#include "reference/accuracy/rays/random_numbers.h"
 #include "reference/kernel/ray.h"
 
 namespace reference::accuracy {
@@ -50,7 +50,7 @@ struct Distribution {
     bool hard = true;  ///< aims at what rounding gets wrong
 
     Case make(std::uint64_t seed) const { return draw(seed, Inputs::mixed); }
-    /// Where it exists in floats: every number is one.
+    /// Every number is a float. Only for a distribution that exists in floats.
     Case make_in_floats(std::uint64_t seed) const { return draw(seed, Inputs::floats); }
 
     friend void PrintTo(const Distribution& distribution, std::ostream* out) { *out << distribution.name; }

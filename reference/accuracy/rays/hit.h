@@ -1,4 +1,4 @@
-// What a method of the ladder says of one ray.
+// What a method of the ladder finds for one ray.
 #pragma once
 
 #include <cmath>
@@ -18,17 +18,17 @@ struct Hit {
     S t{};
 };
 
-/// Of one object: miss or hit. Of a scene: miss, or what is met first.
+/// For one object: miss or hit. For a scene: miss, or what the ray hits first.
 enum class Outcome : std::uint8_t { miss, hit, sphere_first, triangle_first, tie };
 
-/// t of the object that is met first.
+/// t of the object that the ray hits first.
 template <class S>
 struct FirstHit {
     Outcome outcome = Outcome::miss;
     S t{};
 };
 
-/// False for what is not a number, so that it is never a hit.
+/// False for NaN, so that NaN is never a hit.
 template <class S>
 bool at_least_zero(const S& x) {
     return x >= 0;

@@ -1,11 +1,11 @@
 #include <array>
 
-#include "reference/accuracy/distributions.h"
+#include "reference/accuracy/rays/distributions.h"
 
 namespace reference::accuracy {
 namespace {
 
-/// A whole-number triangle in a plane z = k, and a sphere that the ray meets at z = k from above: a tie.
+/// A triangle with integer coordinates in a plane z = k, and a sphere that the ray meets at z = k from above: a tie.
 OrderCase tie(std::uint64_t seed, Inputs inputs) {
     Random random(seed, inputs);
     // (x, y, z) with length R lies on the sphere, and the ray comes down on it from above.
@@ -38,7 +38,8 @@ OrderCase tilted_tie(std::uint64_t seed, Inputs inputs) {
     if (random.whole(0, 2) == 0) c.sphere.radius = random.nudged(c.sphere.radius);
     return c;
 }
-/// Two spheres that a ray down the z axis meets in the same point, from outside, from inside, or one from each.
+/// Two spheres that a ray down the z axis hits in the same point: both from outside, both from inside, or one from each
+/// side.
 SpherePairCase sphere_tie(std::uint64_t seed, Inputs inputs) {
     Random random(seed, inputs);
     static constexpr std::array<std::array<int, 4>, 4> points{
@@ -50,7 +51,7 @@ SpherePairCase sphere_tie(std::uint64_t seed, Inputs inputs) {
         const double side = random.whole(0, 3) == 0 ? 1 : -1;
         return Sphere<double>{hit + P(q[0] * size, q[1] * size, side * q[2] * size), 1.0 * q[3] * size};
     };
-    // A step up of less than 2 * 4 stays inside a sphere whose lower half is met.
+    // A step up of less than 2 * 4 stays inside a sphere whose lower half the ray hits.
     const double up = random.whole(1, 7);
     return {{hit + P(0, 0, up), P(0, 0, -random.whole(1, 7))}, sphere_through_hit(), sphere_through_hit()};
 }

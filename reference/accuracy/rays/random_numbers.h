@@ -7,19 +7,19 @@
 #include <cstdlib>
 #include <limits>
 
-#include "reference/vector.h"
+#include "reference/numbers/vector.h"
 
 namespace reference::accuracy {
 
 using P = reference::Vec3<double>;
 
-/// Which numbers a case is written in.
+/// Which numbers a case consists of.
 enum class Inputs {
     mixed,   ///< floats or all of a double's bits, as drawn
     floats,  ///< floats only, so that methods in float and in double are given the very same problem
 };
 
-/// splitmix64 (Steele, Lea and Flood, 2014): any seed is a good one.
+/// splitmix64 (Steele, Lea and Flood, 2014): every seed is good.
 class Random {
   public:
     explicit Random(std::uint64_t seed, Inputs inputs = Inputs::mixed) : state_(seed), inputs_(inputs) {}
@@ -67,8 +67,7 @@ class Random {
     Inputs inputs_;
 };
 
-/// g++ 12 from -O2 on drops the rounding where it makes vectors of several such lines, unless something happens
-/// between.
+/// From -O2 on, g++ 12 drops the rounding where it vectorises several such lines; the asm prevents that.
 inline double as_float(double x) {
     auto rounded = static_cast<float>(x);
     asm volatile("" : "+m"(rounded));
@@ -78,7 +77,7 @@ inline P as_float(const P& p) {
     return {as_float(p.x), as_float(p.y), as_float(p.z)};
 }
 
-/// Where squares, cubes or fourth powers of the lengths leave the range of doubles, wholly or in part.
+/// A size at which squares, cubes or fourth powers of the lengths leave the range of doubles, entirely or in part.
 inline double to_the_ends(std::uint64_t seed) {
     static constexpr std::array<int, 8> exponents{-1000, -537, -530, -360, -268, 255, 340, 500};
     return std::exp2(exponents[static_cast<std::size_t>(Random(seed).whole(0, 7))]);

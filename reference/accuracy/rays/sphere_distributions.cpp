@@ -1,6 +1,6 @@
 #include <array>
 
-#include "reference/accuracy/distributions.h"
+#include "reference/accuracy/rays/distributions.h"
 
 namespace reference::accuracy {
 namespace {
@@ -45,7 +45,8 @@ SphereCase on_the_surface(std::uint64_t seed, Inputs inputs) {
     const double radius = random.between(0.5, 2);
     return as_drawn(random, {{center + scaled(random.direction(), radius), random.direction()}, {center, radius}});
 }
-/// As above with whole numbers and one of them nudged, sometimes by the smallest step a double has.
+/// A start on the surface with integer coordinates, moved off by a tiny number in y; sometimes the radius is nudged,
+/// too.
 SphereCase a_hair_off_the_surface(std::uint64_t seed, Inputs inputs) {
     Random random(seed, inputs);
     const double size = random.whole(1, 20);
@@ -73,7 +74,8 @@ SphereCase non_unit_direction(std::uint64_t seed, Inputs inputs) {
     return passing(random, random.between(0.5, 2), random.between(3, 12), near_one, std::exp2(random.between(-30, 30)));
 }
 
-/// Whole numbers: p has the length of whole number R and is perpendicular to d, so the ray touches the sphere exactly.
+/// All numbers are integers. p has the integer length R and is perpendicular to d, so the ray touches the sphere
+/// exactly.
 SphereCase exact_tangent(std::uint64_t seed, Inputs inputs) {
     Random random(seed, inputs);
     static constexpr std::array<std::array<int, 4>, 8> quadruples{{{3, 4, 0, 5},

@@ -1,6 +1,6 @@
-#include "reference/accuracy/true_answer.h"
+#include "reference/accuracy/rays/true_answer.h"
 
-#include "reference/accuracy/truth.h"
+#include "reference/accuracy/rays/truth.h"
 
 namespace reference::accuracy {
 namespace {

@@ -1,8 +1,8 @@
-// The truth about one ray in the shape of an answer.
+// The truth about one ray, as an answer.
 #pragma once
 
-#include "reference/accuracy/distributions.h"
-#include "reference/accuracy/hit.h"
+#include "reference/accuracy/rays/distributions.h"
+#include "reference/accuracy/rays/hit.h"
 
 namespace reference::accuracy {
 
@@ -13,8 +13,8 @@ struct TrueAnswer {
     double t_rest = 0;
 };
 
-/// Closed: t >= 0 is a hit, a tangent touches. A triangle without an area, or one whose plane the ray lies in, is
-/// missed.
+/// t >= 0 is a hit, and a tangent ray touches the sphere. A ray misses a triangle without area, and a triangle in whose
+/// plane it lies.
 TrueAnswer true_answer(const SphereCase& c);
 TrueAnswer true_answer(const TriangleCase& c);
 TrueAnswer true_answer(const OrderCase& c);

@@ -1,4 +1,4 @@
-#include "reference/accuracy/truth.h"
+#include "reference/accuracy/rays/truth.h"
 
 #include <cmath>
 
@@ -39,7 +39,7 @@ SphereTruth sphere(const Ray<double>& ray, const Sphere<double>& sphere) {
     SphereTruth truth{SphereResult::miss, dot(d, d), dot(d, f), dot(f, f) - R * R};
     const Rational D = truth.h * truth.h - truth.a * truth.c;
     if (D < 0) return truth;
-    // -h - √D >= 0, else -h + √D >= 0, each by its square.
+    // The smaller root counts if -h - √D >= 0, else the larger if -h + √D >= 0. Both are decided by squares.
     truth.smaller = truth.h <= 0 && truth.h * truth.h >= D;
     const bool larger = truth.h <= 0 || D >= truth.h * truth.h;
     if (truth.smaller || larger) truth.result = D == 0 ? SphereResult::tangent : SphereResult::hit;

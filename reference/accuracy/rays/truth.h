@@ -1,5 +1,5 @@
-// The truth about one ray, by rationals and by other formulas than the kernel's: nothing of the reference is used but
-// its shapes. Slow, and plain enough to be checked by reading.
+// The truth about one ray, computed in rationals by formulas that differ from the kernel's. It uses only data types of
+// the reference. Slow, but simple enough to be checked by reading.
 #pragma once
 
 #include <boost/multiprecision/gmp.hpp>
@@ -30,7 +30,7 @@ Rational dot(const Point& p, const Point& q);
 struct SphereTruth {
     SphereResult result;
     Rational a, h, c;
-    /// The hit's root is the smaller one, for a hit or tangent.
+    /// For a hit or tangent: whether t is the smaller root.
     bool smaller = true;
     Real t() const;
 };
@@ -46,7 +46,7 @@ TriangleTruth triangle(const Ray<double>& ray, const Triangle<double>& triangle)
 /// The sign of (the sphere's t) - t, for a sphere that is hit.
 int order(const SphereTruth& sphere, const Rational& t);
 
-/// `given` lies within one unit in its last place of the truth.
+/// Whether `given` lies within one unit in its last place of the truth.
 bool is_within_one_ulp(double given, const Real& truth);
 Real real(const Rational& x);
 

@@ -1,4 +1,4 @@
-#include "reference/render/explanation.h"
+#include "reference/render/picture/explanation.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ constexpr std::array switches{Switch{"illumination", &Effects::illumination}, Sw
                               Switch{"mirrors", &Effects::mirrors}, Switch{"refraction", &Effects::refraction},
                               Switch{"supersampling", &Effects::supersampling}};
 
-/// The least of three, which other work on the machine disturbed least.
+/// The shortest of three runs: the one that other work on the machine disturbed least.
 std::chrono::duration<double> time_of(const PreparedScene& scene, const Effects& effects, int jobs) {
     auto least = render(scene, effects, jobs).processor_time;
     for (int i = 0; i < 2; ++i) least = std::min(least, render(scene, effects, jobs).processor_time);
@@ -34,7 +34,7 @@ std::vector<EffectTime> time_by_effect(const PreparedScene& scene, const Effects
         if (!(effects.*effect.is_on)) continue;
         some.*effect.is_on = true;
         const auto with = time_of(scene, some, jobs);
-        // A scheduler's whim may make more of less.
+        // Noise may make a rendering with more effects the faster one.
         times.push_back({effect.effect, std::max(with - before, std::chrono::duration<double>::zero())});
         before = with;
     }

@@ -1,4 +1,4 @@
-#include "reference/render/picture.h"
+#include "reference/render/picture/picture.h"
 
 #include <png.h>
 
@@ -10,21 +10,21 @@
 namespace reference::render {
 namespace {
 
-/// Of the calling thread.
+/// The processor time of the calling thread.
 std::chrono::duration<double> processor_time() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
 }
 
-/// What one thread adds to the rendering beside its rows.
+/// What one thread adds to the rendering in addition to its rows.
 struct Share {
     RayCounts rays;
     std::chrono::duration<double> processor_time{};
     std::exception_ptr failure;
 };
 
-/// Takes rows, from the top, until there are no more.
+/// Renders rows, taken from the top, until none is left.
 Share render_rows(const PreparedScene& scene, RenderRow render_row, std::atomic<int>& next_row, Picture& picture) {
     Share share;
     try {

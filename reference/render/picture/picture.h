@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include "reference/render/rows.h"
+#include "reference/render/trace/rows.h"
 
 namespace reference::render {
 
@@ -21,13 +21,14 @@ struct Rendering {
     std::chrono::duration<double> processor_time{};  ///< of all threads together
 };
 
-/// `effects` may be others than the scene calls for: more change nothing, with fewer something is missing. jobs >= 1.
+/// `effects` may differ from what the scene calls for: additional effects change nothing, without a needed effect the
+/// picture lacks something. jobs >= 1.
 Rendering render(const PreparedScene& scene, const Effects& effects, int jobs);
 
-/// 0 to 255, the nearest to 255 x; x below 0, and what is no number, is 0, x above 1 is 255.
+/// The integer nearest to 255 x. x below 0 and NaN give 0, x above 1 gives 255.
 std::uint8_t byte_of(double x);
 
-/// The picture as a PNG file: 8 bits a channel, the same bytes for the same picture. Throws std::runtime_error where
+/// The picture as a PNG file: 8 bits per channel, the same bytes for the same picture. Throws std::runtime_error where
 /// the memory does not suffice.
 std::string to_png(const Picture& picture);
 

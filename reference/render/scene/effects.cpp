@@ -1,8 +1,8 @@
-#include "reference/render/effects.h"
+#include "reference/render/scene/effects.h"
 
 #include <algorithm>
 
-#include "reference/render/prepared_scene.h"
+#include "reference/render/scene/prepared_scene.h"
 
 namespace reference::render {
 namespace {
@@ -11,7 +11,7 @@ bool is_dark(const Color& color) {
     return color == Color(0, 0, 0);
 }
 
-/// Whether any object's surface is so.
+/// Whether the surface of any object has the property.
 template <class Property>
 bool any_surface(const PreparedScene& scene, Property property) {
     std::vector<bool> is_used(scene.surfaces.size());
@@ -26,11 +26,12 @@ bool refracts(const PreparedScene& scene) {
     return any_surface(scene, [](const Surface& surface) { return surface.material.transparency > 0; });
 }
 
-/// The window, which camera rays start on, is clearly on one side of a plane that the sphere is on the other side of.
+/// Whether a plane clearly separates the sphere from the window, on which camera rays start.
 bool is_outside(const PreparedScene& scene, const Sphere<double>& sphere) {
     Vec3<double> middle(0, 0, 0);
     for (const Vec3<double>& corner : scene.eye.corners) middle += scaled(corner, 0.25);
-    // The planes tried: across the view, and across the line from the window's middle to the sphere's.
+    // Tries two planes: perpendicular to the view, and perpendicular to the line from the window's middle to the
+    // sphere's centre.
     for (const Vec3<double>& across : {scene.eye.basis.Z_vcs, Vec3<double>(middle - sphere.center)}) {
         for (const double sign : {1.0, -1.0}) {
             const auto height = [&](const Vec3<double>& p) {

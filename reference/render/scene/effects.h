@@ -1,5 +1,5 @@
-// What simulating a scene may call for. Decided once from the scene, then compiled in: for each set of effects there is
-// a loop over the pixels that holds no test for any other.
+// The effects that rendering a scene may call for. They are decided once from the scene. For each set of effects a loop
+// over the pixels is compiled, without tests for other effects.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace reference::render {
 
 struct PreparedScene;
 
-/// Beyond primary visibility, which every picture has. Shadows only with illumination.
+/// The effects beyond primary visibility, which every picture has. Shadows exist only with illumination.
 struct Effects {
     bool illumination = false;
     bool shadows = false;
@@ -32,7 +32,7 @@ struct Decision {
 
 /// In the order of Effects. An effect is off only where the picture would be the same with it, to the last bit.
 std::vector<Decision> decide_effects(const PreparedScene& scene);
-/// What the decisions say.
+/// The effects that are on.
 Effects effects_of(const std::vector<Decision>& decisions);
 
 }  // namespace reference::render

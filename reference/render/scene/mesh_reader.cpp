@@ -1,4 +1,4 @@
-#include "reference/render/mesh_reader.h"
+#include "reference/render/scene/mesh_reader.h"
 
 #include <fmt/format.h>
 #define TINYOBJLOADER_USE_DOUBLE
@@ -7,15 +7,15 @@
 #include <cmath>
 #include <fstream>
 
-#include "reference/assignment.h"
+#include "reference/toml/assignment.h"
 
 namespace reference::render {
 namespace {
 
 constexpr double largest_coordinate = 1e30;
 
-/// What the parser tells, line by line. The first mistake is kept and the rest of the file passed over: the parser is a
-/// stranger to exceptions.
+/// What the parser reports, line by line. The first mistake is kept and the rest of the file is ignored, because
+/// exceptions must not pass through the parser.
 struct Reading {
     std::vector<Vec3<double>> vertices;
     std::vector<Triangle<double>> triangles;
@@ -25,7 +25,7 @@ struct Reading {
     void add_vertex(double x, double y, double z) {
         if (!mistake.empty()) return;
         for (const double coordinate : {x, y, z}) {
-            if (std::abs(coordinate) <= largest_coordinate) continue;  // a number, too
+            if (std::abs(coordinate) <= largest_coordinate) continue;  // false for NaN
             mistake = fmt::format("vertex {} has a coordinate beyond 1e30; scale the mesh", vertices.size() + 1);
         }
         vertices.emplace_back(x, y, z);

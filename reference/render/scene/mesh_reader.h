@@ -1,12 +1,12 @@
-// Meshes from Wavefront OBJ files: vertices and faces. Everything else in them, materials too, is passed over.
+// Meshes from Wavefront OBJ files: vertices and faces. Everything else in them is ignored, including materials.
 #pragma once
 
 #include <istream>
 #include <string>
 #include <vector>
 
-#include "reference/look.h"
-#include "reference/scene.h"
+#include "reference/stages/scene.h"
+#include "reference/toml/appearance.h"
 
 namespace reference::render {
 
@@ -14,12 +14,12 @@ constexpr std::size_t largest_mesh_file_bytes = std::size_t{1} << 28U;
 constexpr std::size_t most_triangles = std::size_t{1} << 22U;
 
 /// A face of more than three vertices becomes a fan of triangles around its first. Faces that share vertices of the
-/// file share their coordinates exactly. Throws AssignmentError, which begins with `name` and says the way out, for
-/// text that is not OBJ, for a face with less than three vertices or with one that is not there, for a coordinate
-/// beyond 1e30 in size, and for more than most_triangles or no faces at all.
+/// file share their coordinates exactly. Throws AssignmentError, which begins with `name` and says how to fix it, for
+/// text that is not OBJ, for a face with fewer than three vertices or with a vertex that does not exist, for a
+/// coordinate beyond 1e30 in size, and for more than most_triangles or no faces at all.
 std::vector<Triangle<double>> read_mesh(std::istream& obj, const std::string& name);
 
-/// From a file, of largest_mesh_file_bytes at the most.
+/// From a file of at most largest_mesh_file_bytes.
 std::vector<Triangle<double>> load_mesh(const MeshFile& mesh);
 
 }  // namespace reference::render

@@ -1,4 +1,4 @@
-#include "reference/render/prepared_scene.h"
+#include "reference/render/scene/prepared_scene.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <tuple>
 
-#include "reference/exact/rational.h"
-#include "reference/pipeline.h"
-#include "reference/render/mesh_reader.h"
+#include "reference/numbers/rational.h"
+#include "reference/render/scene/mesh_reader.h"
+#include "reference/stages/pipeline.h"
 
 namespace reference::render {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 constexpr double largest = 1e30;
 constexpr std::int64_t most_samples = std::int64_t{1} << 28U;
 
-/// The scene in doubles, within the sizes that rendering takes.
+/// The scene in doubles. Fails for sizes that rendering does not accept.
 Scene<double> scene_in_doubles(const Assignment& assignment) {
     const auto convert = [&](const Decimal& number) {
         const double x = number.to_double();
@@ -28,8 +28,8 @@ Scene<double> scene_in_doubles(const Assignment& assignment) {
     return convert_scene<double>(assignment.scene, convert);
 }
 
-/// Where in the window the samples of one axis lie: along_window() of a pixel, and for n samples a pixel in place of
-/// its point n, evenly within one pixel's width around it.
+/// Where the samples lie along one axis of the window. One sample per pixel lies at along_window(); n samples per pixel
+/// lie evenly spaced within one pixel's width around that point.
 std::vector<double> sample_coordinates(double from, double to, int pixels, int samples_per_side,
                                        PixelConvention convention) {
     std::vector<double> result;
@@ -39,7 +39,7 @@ std::vector<double> sample_coordinates(double from, double to, int pixels, int s
         convention == PixelConvention::centre || (convention == PixelConvention::grid && pixels == 1);
     const int steps = on_grid ? pixels - 1 : pixels;
     for (int i = 0; i < pixels * n; ++i) {
-        // Twice the numerator and denominator, as there.
+        // Twice the numerator and denominator, as in along_window().
         const int numerator = 2 * i + 1 - (in_middle ? 0 : n);
         result.push_back(from + (to - from) * static_cast<double>(numerator) / static_cast<double>(2 * n * steps));
     }
@@ -73,7 +73,8 @@ Vec3<double> unit(const Vec3<double>& p) {
     return normalized(scaled(p, 1 / size));
 }
 
-/// Of unit length; empty where the doubles' triangle has no area. Exact where rounding leaves little of it.
+/// The unit normal; empty where the triangle in doubles has no area. Computed exactly where rounding leaves little of
+/// it.
 std::optional<Vec3<double>> normal_of(const kernel::PreparedTriangle<double>& triangle) {
     const double size = triangle.norm(triangle.normal);
     if (size > 0x1p-30 * triangle.edges * triangle.edges) return unit(triangle.normal);
@@ -95,7 +96,7 @@ std::optional<Vec3<double>> normal_of(const kernel::PreparedTriangle<double>& tr
     return normalized(Vec3<double>(share(n.x), share(n.y), share(n.z)));
 }
 
-/// The number of a material among the scene's surfaces, the first of which is of no material.
+/// The index of a material among the scene's surfaces. Index 0 means no material.
 std::uint32_t surface_index(const std::optional<std::size_t>& material) {
     return material ? static_cast<std::uint32_t>(*material + 1) : 0;
 }
@@ -105,11 +106,11 @@ std::uint32_t surface_index(const std::vector<std::optional<std::size_t>>& mater
     return i < materials.size() ? surface_index(materials[i]) : 0;
 }
 
-std::vector<Surface> surfaces_of(const Look& look) {
+std::vector<Surface> surfaces_of(const Appearance& appearance) {
     std::vector<Surface> surfaces(1);
-    const bool has_light =
-        !look.point_lights.empty() || !look.directional_lights.empty() || look.ambient_light != Color(0, 0, 0);
-    for (const Material& material : look.materials) {
+    const bool has_light = !appearance.point_lights.empty() || !appearance.directional_lights.empty() ||
+                           appearance.ambient_light != Color(0, 0, 0);
+    for (const Material& material : appearance.materials) {
         surfaces.push_back({material, has_light, 1 - material.reflectivity - material.transparency});
     }
     return surfaces;
@@ -119,7 +120,7 @@ bool is_twin(const Sphere<double>& one, const Sphere<double>& other) {
     return one.center == other.center && one.radius == other.radius;
 }
 
-void add_spheres(const Scene<double>& scene, const Look& look, PreparedScene& prepared) {
+void add_spheres(const Scene<double>& scene, const Appearance& appearance, PreparedScene& prepared) {
     std::size_t twins = 0;
     for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
         const Sphere<double>& sphere = scene.spheres[i];
@@ -129,7 +130,7 @@ void add_spheres(const Scene<double>& scene, const Look& look, PreparedScene& pr
             continue;
         }
         prepared.spheres.push_back(sphere);
-        prepared.surface_of.push_back(surface_index(look.sphere_materials, i));
+        prepared.surface_of.push_back(surface_index(appearance.sphere_materials, i));
     }
     if (twins > 0) {
         prepared.notes.push_back(fmt::format("{} {} left out: there is the same one before.", twins,
@@ -170,10 +171,10 @@ void check_size(const Assignment& assignment, const PreparedScene& prepared) {
 }  // namespace
 
 PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureSize> size) {
-    const Look& look = assignment.look;
+    const Appearance& appearance = assignment.appearance;
     Scene<double> scene = scene_in_doubles(assignment);
     if (size) std::tie(scene.window.width, scene.window.height) = std::tuple(size->width, size->height);
-    const auto side = static_cast<int>(std::lround(std::sqrt(look.samples_per_pixel)));
+    const auto side = static_cast<int>(std::lround(std::sqrt(appearance.samples_per_pixel)));
     PreparedScene prepared{};
     prepared.width = scene.window.width;
     prepared.height = scene.window.height;
@@ -182,10 +183,10 @@ PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureS
     prepared.eye = eye_of(scene, assignment.rubric.pixel_conventions.front(), side);
     prepared.boundary =
         assignment.rubric.boundary == BoundaryPolicy::positive ? Boundary::positive : Boundary::nonnegative;
-    add_spheres(scene, look, prepared);
+    add_spheres(scene, appearance, prepared);
     add_triangles(scene.triangles, "of the scene", prepared,
-                  [&](std::size_t i) { return surface_index(look.triangle_materials, i); });
-    for (const MeshFile& mesh : look.meshes) {
+                  [&](std::size_t i) { return surface_index(appearance.triangle_materials, i); });
+    for (const MeshFile& mesh : appearance.meshes) {
         add_triangles(load_mesh(mesh), "of " + mesh.path.filename().string(), prepared,
                       [&](std::size_t) { return surface_index(mesh.material); });
         if (prepared.triangles.size() > most_triangles) {
@@ -195,12 +196,12 @@ PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureS
     }
     prepared.sphere_count = static_cast<std::uint32_t>(prepared.spheres.size());
     prepared.object_count = prepared.sphere_count + static_cast<std::uint32_t>(prepared.triangles.size());
-    prepared.surfaces = surfaces_of(look);
-    prepared.point_lights = look.point_lights;
-    prepared.directional_lights = look.directional_lights;
+    prepared.surfaces = surfaces_of(appearance);
+    prepared.point_lights = appearance.point_lights;
+    prepared.directional_lights = appearance.directional_lights;
     for (DirectionalLight& light : prepared.directional_lights) light.direction = unit(light.direction);
-    prepared.ambient_light = look.ambient_light;
-    prepared.background = look.background;
+    prepared.ambient_light = appearance.ambient_light;
+    prepared.background = appearance.background;
     if (prepared.object_count <= most_objects_without_tree) return prepared;
     std::vector<Box> boxes;
     for (const Sphere<double>& sphere : prepared.spheres) boxes.push_back(box_of(sphere));

@@ -1,4 +1,4 @@
-// A scene as rendering takes it: in doubles, with everything computed that no ray changes.
+// A scene prepared for rendering: in doubles, with everything computed that is the same for all rays.
 #pragma once
 
 #include <array>
@@ -8,18 +8,18 @@
 #include <string>
 #include <vector>
 
-#include "reference/assignment.h"
 #include "reference/kernel/triangle.h"
-#include "reference/render/tree.h"
+#include "reference/render/scene/tree.h"
 #include "reference/stages/sphere.h"
+#include "reference/toml/assignment.h"
 
 namespace reference::render {
 
-/// A material with what the scene makes of it.
+/// A material with what follows from it in this scene.
 struct Surface {
     Material material;
-    bool is_lit = false;   ///< there is a light and a material for it to act on; else the color is told by the normal
-    double own_share = 1;  ///< of the surface's own color: what is neither mirrored nor let through
+    bool is_lit = false;   ///< the scene has a light, and the surface a material; else the normal gives the color
+    double own_share = 1;  ///< the share of the surface's own color: neither mirrored nor let through
 };
 
 struct RowOfRays;
@@ -30,8 +30,8 @@ struct Eye {
     Vec3<double> position;
     std::vector<double> columns;         ///< P_VCS.x of each column of pixels, from the left
     std::vector<double> rows;            ///< P_VCS.y of each row of pixels, from the bottom
-    std::vector<double> sample_columns;  ///< the same of samples, samples_per_side a pixel
-    std::vector<double> sample_rows;     ///< the same of samples
+    std::vector<double> sample_columns;  ///< the same for samples, samples_per_side per pixel
+    std::vector<double> sample_rows;     ///< the same for samples
     double z;                            ///< P_VCS.z
     /// The corners of the window, in world coordinates.
     std::array<Vec3<double>, 4> corners;
@@ -39,15 +39,16 @@ struct Eye {
     KERNEL_INLINE RowOfRays row(double y) const;
 };
 
-/// Those through one row of the window, with what they share. Its numbers are its own, so that a loop that writes
-/// colors need not read them again.
+/// The rays through one row of the window, with what they share. It holds copies, so that a loop that writes colors
+/// need not load the numbers again.
 struct RowOfRays {
     Vec3<double> X;
     Vec3<double> up;     ///< Y_vcs times P_VCS.y
     Vec3<double> ahead;  ///< Z_vcs times P_VCS.z
     Vec3<double> eye;
 
-    /// Through x of the window. Starts at P_WCS with direction V; to the last bit what the stages make of it.
+    /// The ray through x of the window. It starts at P_WCS with direction V, both equal to the last bit to what the
+    /// stages compute.
     KERNEL_INLINE kernel::Ray<double> ray(double x) const {
         const Vec3<double> P_WCS = scaled(X, x) + up + ahead + eye;
         return {P_WCS, ray_direction(P_WCS, eye)};
@@ -58,7 +59,7 @@ KERNEL_INLINE RowOfRays Eye::row(double y) const {
     return {basis.X_vcs, scaled(basis.Y_vcs, y), scaled(basis.Z_vcs, z), position};
 }
 
-/// Objects are numbered: the spheres in the file's order, then the triangles, then those of the meshes.
+/// Objects are numbered: the spheres in the file's order, then the triangles, then the triangles of the meshes.
 struct PreparedScene {
     Eye eye;
     int width;   ///< pixels
@@ -75,7 +76,7 @@ struct PreparedScene {
     std::vector<DirectionalLight> directional_lights;  ///< the directions of unit length
     Color ambient_light;
     Color background;
-    std::optional<Tree> tree;        ///< above a few dozen objects
+    std::optional<Tree> tree;        ///< only for more than most_objects_without_tree objects
     std::vector<std::string> notes;  ///< what was left out, in whole sentences
     std::uint32_t sphere_count;      ///< of the vectors above, ready for the loops
     std::uint32_t object_count;
@@ -86,13 +87,14 @@ struct PictureSize {
     int height;
 };
 
-/// The most objects that are tried one after the other; more get a tree. A few dozen is where that pays.
+/// Up to this many objects are tried one after the other; scenes with more get a tree. A tree pays from a few dozen
+/// objects on.
 constexpr std::size_t most_objects_without_tree = 32;
 
-/// Reads the meshes and prepares the scene for a picture of `size`, or of the window's. Left out, with a note, are
-/// triangles without area in doubles and spheres that are there twice. Throws AssignmentError for a mesh that can't be
-/// read, for a coordinate beyond 1e30 or a size below 1e-30 (products of six must stay within the doubles), and for a
-/// picture with too many samples.
+/// Reads the meshes and prepares the scene for a picture of `size`, or of the window's size. Triangles without area in
+/// doubles and duplicate spheres are left out, with a note. Throws AssignmentError for a mesh that can't be read, for a
+/// coordinate beyond 1e30 or a size below 1e-30 (products of six numbers must stay within the range of doubles), and
+/// for a picture with too many samples.
 PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureSize> size);
 
 }  // namespace reference::render

@@ -1,4 +1,4 @@
-#include "reference/render/tree.h"
+#include "reference/render/scene/tree.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t objects_per_leaf = 4;
 constexpr std::size_t bin_count = 16;
-/// Deeper, a node is cut in the middle of its objects, so that the tree ends.
+/// From this depth on, a node is cut in the middle of its objects, which limits the depth of the tree.
 constexpr std::size_t deepest_by_cost = 32;
 
 struct Item {
@@ -32,14 +32,14 @@ Box box_around_middles(Items items) {
     return box;
 }
 
-/// The number of the bin that a middle falls into along an axis.
+/// The index of the bin along an axis that the item's middle falls into.
 std::size_t bin_of(const Item& item, const Box& middles, int axis) {
     const double width = middles.high[axis] - middles.low[axis];
     const double place = (item.middle[axis] - middles.low[axis]) / width * static_cast<double>(bin_count);
     return std::min(bin_count - 1, static_cast<std::size_t>(std::max(place, 0.0)));
 }
 
-/// Between which bins to cut so that a ray is expected to try the fewest objects (the surface area heuristic of
+/// Where to cut between bins so that a ray is expected to try the fewest objects (the surface area heuristic of
 /// MacDonald and Booth, 1990): bins up to `bin` go left.
 struct Cut {
     double cost;
@@ -81,7 +81,7 @@ int widest_axis(const Box& box) {
     return size.y >= size.z ? 1 : 2;
 }
 
-/// How many of the items go left; they are put there.
+/// Moves the items that go left to the front and returns their number.
 std::size_t split(Items items, int axis, std::size_t depth) {
     const Box middles = box_around_middles(items);
     if (depth < deepest_by_cost && middles.high[axis] > middles.low[axis]) {

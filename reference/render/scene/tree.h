@@ -1,6 +1,5 @@
 // A tree of boxes around the objects of a scene, so that a ray tries few of them. No hit is lost by rounding: a box
-// holds its objects as exact geometry, and whether a ray passes it by is judged with the rounding of that judgement
-// allowed for.
+// contains its objects as exact geometry, and the test of a ray with a box allows for its own rounding errors.
 #pragma once
 
 #include <cmath>
@@ -20,15 +19,15 @@ struct Box {
     double half_area() const;
 };
 
-/// Of a sphere the bounds are rounded outward; a triangle's are coordinates of its vertices.
+/// A sphere's bounds are rounded outward; a triangle's are coordinates of its vertices.
 Box box_of(const Sphere<double>& sphere);
 Box box_of(const Triangle<double>& triangle);
 
 struct Node {
     Box box;
-    std::uint32_t first;  ///< of an inner node its second child, the first being the next node; of a leaf its objects
-    std::uint32_t count;  ///< of a leaf's objects; 0 for an inner node
-    std::uint32_t axis;   ///< of an inner node: the one along which its children lie
+    std::uint32_t first;  ///< inner node: its second child (the first is the next node); leaf: its first object
+    std::uint32_t count;  ///< leaf: the number of its objects; inner node: 0
+    std::uint32_t axis;   ///< inner node: the axis along which its children lie
 };
 
 struct Tree {
@@ -36,20 +35,20 @@ struct Tree {
     std::vector<std::uint32_t> objects;  ///< in the leaves' order
 };
 
-/// At least one box; object i has boxes[i]. The same tree on every machine.
+/// boxes[i] is the box of object i; there is at least one. The tree is the same on every machine.
 Tree build_tree(std::span<const Box> boxes);
 
-/// The deepest tree: a stack for the way through it needs no more.
+/// The greatest depth of a tree. The stack for walking through a tree needs no more.
 constexpr std::size_t deepest_tree = 64;
 
-/// A ray as boxes see it. The ray may start anywhere within `uncertainty` of its origin in every coordinate.
+/// A ray prepared for tests with boxes. The ray may start anywhere within `uncertainty` of its origin in every
+/// coordinate.
 class BoxRay {
   public:
     BoxRay(const kernel::Ray<double>& ray, double uncertainty) {
         for (int i = 0; i < 3; ++i) {
             const double d = ray.direction[i];
-            // Below this the quotient may overflow, where the product with it is no bound: not a number passes all
-            // boxes.
+            // Below this the quotient may overflow, and a product with it would not be a bound. NaN passes all boxes.
             inverse_[i] = std::abs(d) < 0x1p-900 && d != 0 ? NAN : 1 / d;
             backward_[i] = std::signbit(d);
             const double towards = backward_[i] ? -uncertainty : uncertainty;
@@ -62,8 +61,8 @@ class BoxRay {
     bool goes_backward(std::uint32_t axis) const { return backward_[axis]; }
 
     /// Whether the ray may meet the box at a t from 0 to `until`. Each bound of t is off by 3u of itself at most, and
-    /// by less than 2^-1000 where it underflows. A comparison with not-a-number, as where a ray runs within a box's
-    /// side, leaves the bounds as they are.
+    /// by less than 2^-1000 where it underflows. A comparison with NaN, e.g. where a ray runs within a box's side,
+    /// leaves the bounds as they are.
     bool may_meet(const Box& box, double until) const {
         double from = 0;
         double to = until;

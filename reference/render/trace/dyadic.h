@@ -1,5 +1,5 @@
-// Exact numbers made from doubles by sums and products: a whole number times a power of two. The stages run over it;
-// and no fraction is ever reduced, which takes longer than all else.
+// Exact numbers made from doubles by sums and products: a whole number times a power of two. The stages run over it.
+// Unlike with rationals, no fraction is ever reduced, which would take most of the time.
 #pragma once
 
 #include <gmpxx.h>
@@ -22,7 +22,7 @@ class Dyadic {
         exponent_ = exponent - 53;
     }
 
-    /// Off by less than one unit in the last place; infinite or 0 beyond the doubles.
+    /// Off by less than one unit in the last place; infinite or 0 outside the range of doubles.
     double as_double() const {
         signed long exponent = 0;
         const double fraction = mpz_get_d_2exp(&exponent, mantissa_.get_mpz_t());

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/vector.h"
+#include "reference/numbers/vector.h"
 
 namespace reference::render {
 

@@ -1,8 +1,8 @@
-#include "reference/render/object_hit.h"
+#include "reference/render/trace/object_hit.h"
 
 #include <cmath>
 
-#include "reference/render/dyadic.h"
+#include "reference/render/trace/dyadic.h"
 #include "reference/stages/order.h"
 
 namespace reference::render {
@@ -37,7 +37,7 @@ Vec3<Dyadic> exact_start(const PreparedScene& scene, const SurfaceRay& ray) {
 Boundary boundary_of(const PreparedScene& scene, const CameraRay& /*ray*/) {
     return scene.boundary;
 }
-/// What a ray starts on, it has left.
+/// A surface ray has left the object that it starts on.
 Boundary boundary_of(const PreparedScene& /*scene*/, const SurfaceRay& /*ray*/) {
     return Boundary::positive;
 }
@@ -70,7 +70,7 @@ CramerSolution<Dyadic> triangle_form(const PreparedScene& scene, const AnyRay& r
         triangle_system(exact_start(scene, ray), exact(ray.ray.direction), exact(triangle_of(scene, object))));
 }
 
-/// Without cancellation.
+/// Computed without cancellation.
 double root_in_doubles(const SphereForm& form) {
     const double a = form.quadratic.a.as_double();
     const double b = form.quadratic.b.as_double();
@@ -85,14 +85,14 @@ template <class AnyRay>
 ObjectHit exact_sphere_hit(const PreparedScene& scene, const AnyRay& ray, std::uint32_t object) {
     const SphereForm form = sphere_form(scene, ray, object);
     if (form.choice == RootChoice::miss) return {};
-    // From the sphere itself, t > 0 leads through its inside.
+    // If the ray starts on the sphere, a hit at t > 0 is reached through the inside.
     const auto c = sign_of(form.quadratic.c);
     const bool crosses = sign_of(form.quadratic.b) < 0 && form.choice == RootChoice::larger;
     return {true, c < 0 || (c == 0 && crosses), root_in_doubles(form)};
 }
 
-/// t would be beyond the farthest point of the triangle: with s = S - A and e = |B-A|₁ + |C-A|₁ a hit has t|V|₁ <=
-/// |s|₁ + e, so |T| |V|₁ <= det (|s|₁ + e).
+/// Whether t would be beyond the farthest point of the triangle: with s = S - A and e = |B-A|₁ + |C-A|₁ a hit has t|V|₁
+/// <= |s|₁ + e, so |T| |V|₁ <= det (|s|₁ + e).
 template <class AnyRay>
 bool is_far_beside(const PreparedScene& scene, const AnyRay& ray, std::uint32_t object) {
     using Prepared = kernel::PreparedTriangle<double>;
@@ -147,7 +147,7 @@ ObjectHit exact_hit(const PreparedScene& scene, const CameraRay& ray, std::uint3
     const kernel::SphereHit hit = kernel::intersect(ray.ray, sphere);
     if (hit.result == kernel::SphereResult::miss) return {};
     const kernel::SphereFilter filter(ray.ray, sphere);
-    // At the sphere itself the root that counts, and from which side, is for exact numbers to say.
+    // If the ray starts on or near the sphere, exact numbers decide which root counts and from which side.
     if (!(std::abs(filter.c) > 0x1p-48 * filter.m)) return exact_hit_of(scene, ray, object);
     return {true, filter.c < 0, hit.t};
 }
@@ -170,7 +170,8 @@ bool is_hit_before_end(const PreparedScene& scene, const SurfaceRay& ray, std::u
         const auto difference = sign_of(form.t_numerator - form.det);
         return sign_of(form.det) > 0 ? difference < 0 : difference > 0;
     }
-    // The quadratic's value at 1 tells whether 1 is between the roots, the middle of the roots on which side.
+    // The quadratic's value at 1 tells whether 1 is between the roots, and the middle of the roots tells on which side
+    // it lies.
     const SphereForm form = sphere_form(scene, ray, object);
     const Quadratic<Dyadic>& quadratic = form.quadratic;
     const auto value = sign_of(quadratic.a + quadratic.b + quadratic.c);

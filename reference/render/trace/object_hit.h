@@ -1,10 +1,10 @@
-// Whether a ray of either kind hits an object, without a wrong decision: the kernel's filters here and inline, exact
-// numbers for the few rays that they leave open.
+// Whether a camera ray or a surface ray hits an object, without a wrong decision: the kernel's filters, inline in this
+// file, and exact numbers for the few rays that the filters leave open.
 #pragma once
 
 #include "reference/kernel/sphere.h"
-#include "reference/render/prepared_scene.h"
-#include "reference/render/start.h"
+#include "reference/render/scene/prepared_scene.h"
+#include "reference/render/trace/start.h"
 
 namespace reference::render {
 
@@ -37,8 +37,8 @@ inline double uncertainty_of(const SurfaceRay& ray) {
     return ray.start.uncertainty;
 }
 
-/// A start that is off by `by` in all its coordinates together changes c by at most (2|f|₁ + by) by and D by 2a of
-/// that: more than that, at the filter's unit of 2^-48, is added to m.
+/// Let the start be off by `by`, summed over its coordinates. Then c changes by at most (2|f|₁ + by) by, and D by 2a
+/// times that. More than that, in the filter's unit of 2^-48, is added to m.
 KERNEL_INLINE void allow_for_start(kernel::SphereFilter& filter, const SurfaceRay& ray, const Sphere<double>& sphere) {
     const double by = ray.start.uncertainty;
     if (by == 0) return;
@@ -50,7 +50,7 @@ KERNEL_INLINE void allow_for_start(kernel::SphereFilter& filter, const SurfaceRa
 KERNEL_INLINE void allow_for_start(kernel::SphereFilter& /*filter*/, const CameraRay& /*ray*/,
                                    const Sphere<double>& /*sphere*/) {}
 
-/// It changes u, v and w times det by at most by |V|₁e, and t times det by e².
+/// A start that is off by x changes u, v and w times det by at most x |V|₁e, and t times det by at most x e².
 KERNEL_INLINE void allow_for_start(kernel::TriangleFilter& filter, const SurfaceRay& ray, double edges) {
     const double by = ray.start.uncertainty * edges * (1 + 0x1p-40);
     filter.error += by * kernel::PreparedTriangle<double>::norm(ray.ray.direction);
@@ -88,12 +88,12 @@ KERNEL_INLINE ObjectHit hit_object(const PreparedScene& scene, const AnyRay& ray
                                        : hit_triangle(scene, ray, scene.triangles[object - scene.sphere_count], object);
 }
 
-/// Whether a ray meets the object it starts on again: only a sphere, from inside.
+/// The hit of a ray with the object that it starts on. Only a sphere can be hit again, from inside.
 inline ObjectHit hit_own(const PreparedScene& scene, const SurfaceRay& ray) {
     if (!ray.start.is_inside) return {};
     const Vec3<double>& d = ray.ray.direction;
     const double h = dot(d, Vec3<double>(ray.ray.origin - scene.spheres[ray.start.object].center));
-    // At the horizon rounding may send it outside: it then leaves where it is.
+    // For a grazing ray, rounding may point it outside. It then leaves the sphere at its start.
     return {true, true, h < 0 ? -2 * h / dot(d, d) : 0};
 }
 

@@ -1,10 +1,10 @@
-// The loops for all sets of effects over one way to find objects. Including this compiles them.
+// The loops for all sets of effects for one way to find objects. Including this file compiles them.
 #pragma once
 
 #include <array>
 #include <utility>
 
-#include "reference/render/trace.h"
+#include "reference/render/trace/trace.h"
 
 namespace reference::render {
 

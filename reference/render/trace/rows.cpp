@@ -1,4 +1,4 @@
-#include "reference/render/rows.h"
+#include "reference/render/trace/rows.h"
 
 namespace reference::render {
 

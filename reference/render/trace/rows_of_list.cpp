@@ -1,4 +1,4 @@
-#include "reference/render/row_table.h"
+#include "reference/render/trace/row_table.h"
 
 namespace reference::render {
 

@@ -1,15 +1,16 @@
-// Where a ray starts that a surface sends on: a shadow ray, a reflected or a refracted one.
+// Where a ray starts that leaves a surface: a shadow ray, a reflected ray or a refracted ray.
 //
-// Such a ray must neither hit the surface it leaves nor slip through what touches it there, and no offset is added for
-// that. Its start is a point that is exactly on the surface:
-// - On a triangle the point A + u(B-A) + v(C-A) with u and v multiples of 2^-52, u, v >= 0 and u + v <= 1. It lies in
-//   the triangle as exact geometry, whatever its coordinates round to; the ray is the one from there, and every
-//   decision about it is exact. It can't hit its own triangle, nor one in the same plane; and whether it starts before
-//   or behind a neighbour is told by the two triangles alone.
-// - A point of a sphere has no such form. It is the point with rounded coordinates, for all objects but its own sphere.
-//   To that the ray starts on it by definition, and whether it goes outside or inside is known from what it is: what is
-//   mirrored or goes to a light stays on the side that the earlier ray came from, what is refracted changes it.
-//   Outside, it never meets the sphere again; inside, at the far root of a quadratic with c = 0, which is -2h/a.
+// Such a ray must neither hit the surface it leaves nor slip through what touches that surface there. No offset is
+// added for that. Its start is a point that is exactly on the surface:
+// - On a triangle it is the point A + u(B-A) + v(C-A) with u and v multiples of 2^-52, u, v >= 0 and u + v <= 1. This
+//   point lies in the triangle as exact geometry, whatever its coordinates round to. The ray starts exactly there, and
+//   every decision about it is exact. It can't hit its own triangle or a triangle in the same plane, and whether it
+//   starts before or behind a neighbour depends on the two triangles alone.
+// - A point of a sphere has no such form. For all objects except its own sphere, the start is the point with rounded
+//   coordinates. For its own sphere, the ray starts on the sphere by definition, and its kind tells whether it goes
+//   outside or inside: a mirrored ray or a shadow ray stays on the side that the earlier ray came from, a refracted ray
+//   changes the side. Outside, it never hits the sphere again. Inside, it hits at t = -2h/a, the far root of a
+//   quadratic whose c is 0.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +20,10 @@
 namespace reference::render {
 
 struct Start {
-    std::uint32_t object;  ///< the one it is on
+    std::uint32_t object;  ///< the object that the start is on
     Vec3<double> point;    ///< rounded
-    /// Of the coordinates together, on a triangle; 0 on a sphere, where the rounded point is the start.
+    /// On a triangle: how far `point` may be off, summed over its coordinates. 0 on a sphere, where the rounded point
+    /// is the start.
     double uncertainty;
     bool is_inside;  ///< on a sphere: whether the ray goes through its inside
     double u;        ///< on a triangle
@@ -40,7 +42,7 @@ inline Start start_on(const kernel::PreparedTriangle<double>& triangle, std::uin
     const Vec3<double> s = near - triangle.A;
     const Vec3<double>& n = triangle.normal;
     const double area = dot(n, n);
-    // From 0 to 1, and so that of a number that is none becomes 0; then a multiple of 2^-52.
+    // Clamps to [0, 1], where NaN becomes 0, then rounds to a multiple of 2^-52.
     const auto share = [&](double numerator) {
         const double x = numerator / area;
         const double clamped = x > 0 ? (x < 1 ? x : 1) : 0;

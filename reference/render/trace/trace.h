@@ -1,13 +1,13 @@
-// The color that a ray brings, for a set of effects E and a way to find objects that are known when this is compiled.
+// The color that a ray brings. The set of effects E and the way to find objects are compile-time parameters.
 #pragma once
 
-#include "reference/render/fresnel.h"
-#include "reference/render/rows.h"
-#include "reference/render/visibility.h"
+#include "reference/render/trace/fresnel.h"
+#include "reference/render/trace/rows.h"
+#include "reference/render/trace/visibility.h"
 
 namespace reference::render {
 
-/// x^n by squaring: std::pow is not the same everywhere.
+/// x^n by squaring: std::pow differs between machines.
 inline double power(double x, int n) {
     double result = 1;
     for (; n > 0; n /= 2, x *= x) {
@@ -21,7 +21,7 @@ class Tracer {
   public:
     Tracer(const PreparedScene& scene, RayCounts& counts) : scene_(scene), counts_(counts) {}
 
-    /// Through x of the window.
+    /// The color of the ray through x of the window.
     KERNEL_INLINE Color camera_color(const RowOfRays& row, double x) {
         const CameraRay ray{row.ray(x)};
         const Nearest nearest = Objects::first_hit(scene_, ray);
@@ -33,7 +33,7 @@ class Tracer {
     static constexpr bool sends_on = E.mirrors || E.refraction;
     static constexpr bool has_surfaces = E.illumination || sends_on;
 
-    /// How much of the sample a ray makes, and how often it was sent on.
+    /// A ray's share of its sample, and how often it was sent on.
     struct Path {
         double share;
         int bounces;
@@ -43,7 +43,7 @@ class Tracer {
     struct Place {
         Vec3<double> V;       ///< the ray's direction
         Vec3<double> normal;  ///< of unit length, to the side that the ray comes from
-        Start start;          ///< for what goes on from here on that side
+        Start start;          ///< for rays that go on from here on that side
         bool is_inside;       ///< the ray comes from inside a sphere, or from the back of a triangle
     };
 
@@ -76,7 +76,7 @@ class Tracer {
         return color;
     }
 
-    /// What a mirror and glass send along the mirrored ray is one ray's.
+    /// A mirror and glass both send light along the mirrored ray; a single ray serves both.
     Color passed_on(const Material& material, const Place& place, const Path& path) {
         Color color(0, 0, 0);
         double reflected = 0;
@@ -116,7 +116,7 @@ class Tracer {
         return color;
     }
 
-    /// `way` leads to the light, which stands on it at t = `end`.
+    /// `way` leads to the light, which is at t = `end` along it.
     Color light_from(const Vec3<double>& way, double end, const Color& light, const Material& material,
                      const Place& place) {
         const double height = dot(way, place.normal);
@@ -132,7 +132,8 @@ class Tracer {
         return light * color;
     }
 
-    /// Of a ray that a surface sends on, which makes `share` of what came there; counted, if it is worth being shot.
+    /// The color of a ray that a surface sends on, times its `share` of the ray that arrived there. Below least_share
+    /// or above most_bounces the ray is neither traced nor counted.
     [[gnu::noinline]] Color color_on(const SurfaceRay& ray, const Path& path, double share, std::uint64_t& count) {
         const Path next{path.share * share, path.bounces + 1};
         if (next.share < least_share || next.bounces > most_bounces) return {0, 0, 0};

@@ -1,11 +1,11 @@
-// The first object on a ray's way, and whether there is any before a light: over a scene's objects one after the other,
-// or over its tree. Where two are hit at t's too close for doubles, exact arithmetic orders them; of two at the very
-// same t the one counts that the file names first.
+// Finds the first object that a ray hits, and whether an object lies before a light, either over all objects of a scene
+// or over its tree. Where two t's are too close for doubles, exact arithmetic orders them. If two objects are hit at
+// exactly the same t, the first in the file counts.
 #pragma once
 
 #include <array>
 
-#include "reference/render/object_hit.h"
+#include "reference/render/trace/object_hit.h"
 
 namespace reference::render {
 
@@ -17,8 +17,8 @@ struct Nearest {
     bool is_hit() const { return t < HUGE_VAL; }
 };
 
-/// With both t's known to 2^-26, a difference of 2^-24 of them decides. No t but 0 is anywhere near the least double:
-/// the scene's numbers are not.
+/// Both t's are known to a relative error of 2^-26, so a difference above 2^-24 of them decides. No t except 0 is near
+/// the smallest double, because no number of the scene is.
 template <class AnyRay>
 KERNEL_INLINE void take_nearer(const PreparedScene& scene, const AnyRay& ray, const ObjectHit& hit,
                                std::uint32_t object, Nearest& nearest) {
@@ -47,7 +47,7 @@ inline Nearest own_hit(const PreparedScene& scene, const SurfaceRay& ray) {
     return {hit.is_hit ? hit.t : HUGE_VAL, ray.start.object, hit.from_inside};
 }
 
-/// t ends where the light is, at 1; or nowhere, for a light at infinity.
+/// `end` is the t of the light: 1, or infinite for a light at infinity.
 KERNEL_INLINE bool is_before_end(const PreparedScene& scene, const SurfaceRay& ray, const ObjectHit& hit,
                                  std::uint32_t object, double end) {
     if (!hit.is_hit) return false;
@@ -85,7 +85,7 @@ struct ObjectList {
     }
 };
 
-/// Only those in boxes that the ray may meet.
+/// Only the objects in boxes that the ray may meet.
 struct ObjectTree {
     template <class AnyRay>
     static Nearest first_hit(const PreparedScene& scene, const AnyRay& ray) {
@@ -106,11 +106,11 @@ struct ObjectTree {
     }
 
   private:
-    /// How far something may still be hit that has to be compared with a hit at t.
+    /// The largest t of a hit that must still be compared with a hit at t.
     static double reach(double t) { return t * (1 + 0x1p-22) + 0x1p-900; }
 
     /// Calls visit(object, until) for the objects in boxes that the ray may meet before `until`, nearer boxes first as
-    /// far as the tree knows, until it returns true; whether it did.
+    /// far as the tree knows, until visit returns true. Returns whether visit did.
     template <class AnyRay, class Visit>
     static bool visit(const PreparedScene& scene, const AnyRay& ray, double until, Visit visit) {
         const Tree& tree = *scene.tree;

@@ -1,6 +1,6 @@
 
 'use strict';
-// Sorting, filtering and the panel of one student. Without this script the page says all the same.
+// Sorting, filtering and the panel of one student. Without this script the page still shows everything.
 document.documentElement.classList.add('scripted');
 document.addEventListener('DOMContentLoaded', () => {
   const byId = (id) => document.getElementById(id);
@@ -11,7 +11,7 @@ document.addEventListener('DOMContentLoaded', () => {
   const articleOf = (row) => byId(linkOf(row).hash.slice(1));
   const shownRows = () => [...body.rows].filter((row) => !row.hidden);
 
-  // Sorting: a button in each heading. What has no number is last either way round.
+  // Sorting: a button in each heading. Cells without a number come last in both directions.
   const compare = (kind, column, direction) => (a, b) => {
     const x = a.cells[column].textContent;
     const y = b.cells[column].textContent;
@@ -57,7 +57,7 @@ document.addEventListener('DOMContentLoaded', () => {
   byId('filter').addEventListener('submit', (event) => event.preventDefault());
   byId('filter').hidden = false;
 
-  // All that the table shows, one below the other.
+  // Shows all students in the table in full, one below the other.
   const showInFull = (on) => {
     byId('all').setAttribute('aria-pressed', String(on));
     byId('each').classList.toggle('shown', on);
@@ -65,7 +65,7 @@ document.addEventListener('DOMContentLoaded', () => {
   };
   byId('all').addEventListener('click', () => showInFull(byId('all').getAttribute('aria-pressed') !== 'true'));
 
-  // One student, in a panel: the sheet itself is moved there and back.
+  // Shows one student in a panel: the sheet itself is moved there and back.
   const panel = byId('panel');
   let open = null;
   const putBack = () => {

@@ -1,0 +1,245 @@
+// Theory of operation. Two teams of threads work side by side. Builders first make the precompiled headers of the plan,
+// then compile, each source as soon as its header is there; a builder whose sources all wait for headers compiles one
+// without its header. Runners run and mark what is compiled. So a program that sleeps until its time limit keeps no
+// core from compiling. A short queue stands between the teams: builders wait when it is full, or programs would fill
+// the disk.
+#include "harness/batch/batch.h"
+
+#include <malloc.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "harness/machine/errors.h"
+
+namespace harness {
+namespace {
+
+/// Which precompiled header each source gets, decided before anything is compiled. Submissions are named by their place
+/// in the class.
+struct BatchPlan {
+    std::vector<HeaderLines> headers;                   ///< the headers to make, in this order
+    std::vector<std::vector<std::size_t>> with_header;  ///< for each header, the submissions compiled with it
+    std::vector<std::size_t> at_once;                   ///< all others: cached, unreadable or compiled without a header
+};
+
+BatchPlan plan_batch(const std::vector<Submission>& submissions, const Runner& runner) {
+    BatchPlan plan;
+    std::vector<std::size_t> to_compile;
+    std::vector<HeaderLines> blocks;
+    for (std::size_t i = 0; i < submissions.size(); ++i) {
+        if (submissions[i].problem || !runner.headers || is_in_cache(submissions[i], runner)) {
+            plan.at_once.push_back(i);
+            continue;
+        }
+        to_compile.push_back(i);
+        blocks.push_back(header_lines(submissions[i].source));
+    }
+    if (to_compile.empty()) return plan;
+    HeaderPlan header_plan = plan_headers(blocks, runner.headers->made());
+    plan.headers = std::move(header_plan.headers);
+    plan.with_header.resize(plan.headers.size());
+    for (std::size_t i = 0; i < to_compile.size(); ++i) {
+        auto& group = header_plan.header_of[i] ? plan.with_header[*header_plan.header_of[i]] : plan.at_once;
+        group.push_back(to_compile[i]);
+    }
+    return plan;
+}
+
+/// A source on its way from a builder to a runner.
+struct Built {
+    std::size_t index = 0;  ///< of the submission
+    Compiled compiled;
+};
+
+class Batch {
+  public:
+    /// `memo` is for submissions that share one marking, else null.
+    Batch(std::vector<Submission> submissions, const std::vector<const Marking*>& markings, ScoreMemo* memo,
+          const Runner& runner, int jobs, Timeline& timeline)
+        : submissions_(std::move(submissions)),
+          markings_(markings),
+          memo_(memo),
+          runner_(runner),
+          jobs_(static_cast<std::size_t>(jobs)),
+          timeline_(timeline),
+          results_(submissions_.size()),
+          plan_(plan_batch(submissions_, runner)),
+          waiting_(plan_.with_header),
+          ready_(plan_.at_once.begin(), plan_.at_once.end()),
+          made_(submissions_.size()),
+          builders_(jobs_) {}
+
+    std::vector<Graded> grade() {
+        {
+            std::vector<std::jthread> teams;
+            for (std::size_t i = 0; i < jobs_; ++i) {
+                teams.emplace_back([this] { build_all(); });
+                teams.emplace_back([this] { run_all(); });
+            }
+        }
+        return std::move(results_);
+    }
+
+  private:
+    struct Task {
+        enum class Kind { make_header, build } kind;
+        std::size_t index;  ///< of the header in the plan, or of the submission
+    };
+
+    std::optional<Task> next_task();
+    void build_all();
+    void make_header(std::size_t header);
+    void build_one(std::size_t index);
+    void hand_over(Built built);
+    std::optional<Built> next_built();
+    void run_all();
+    Graded run_one(Built built);
+    void finish(std::size_t index, Graded graded);
+
+    std::vector<Submission> submissions_;  ///< each with its source until it is graded
+    const std::vector<const Marking*>& markings_;
+    ScoreMemo* const memo_;
+    const Runner& runner_;
+    const std::size_t jobs_;
+    Timeline& timeline_;
+    std::vector<Graded> results_;
+    const BatchPlan plan_;
+
+    std::mutex mutex_;  ///< guards all that follows
+    std::size_t next_header_ = 0;
+    std::vector<std::vector<std::size_t>> waiting_;       ///< for each header, the submissions that wait for it
+    std::deque<std::size_t> ready_;                       ///< submissions to be compiled now
+    std::vector<std::optional<PrecompiledHeader>> made_;  ///< for each submission, its header
+    std::deque<Built> queue_;
+    std::size_t builders_;  ///< still at work
+    std::condition_variable queue_grew_, queue_shrank_;
+};
+
+std::optional<Batch::Task> Batch::next_task() {
+    const std::lock_guard guard(mutex_);
+    if (next_header_ < plan_.headers.size()) return Task{Task::Kind::make_header, next_header_++};
+    if (!ready_.empty()) {
+        const std::size_t index = ready_.front();
+        ready_.pop_front();
+        return Task{Task::Kind::build, index};
+    }
+    for (auto& waiting : waiting_) {
+        if (waiting.empty()) continue;
+        const std::size_t index = waiting.back();
+        waiting.pop_back();
+        return Task{Task::Kind::build, index};
+    }
+    return {};
+}
+
+void Batch::build_all() {
+    while (const auto task = next_task()) {
+        switch (task->kind) {
+            case Task::Kind::make_header: make_header(task->index); break;
+            case Task::Kind::build: build_one(task->index); break;
+        }
+    }
+    const std::lock_guard guard(mutex_);
+    --builders_;
+    queue_grew_.notify_all();
+}
+
+/// If it can't be made, its sources are compiled without it; if the machine is to blame, compiling them says so.
+void Batch::make_header(std::size_t header) {
+    std::optional<PrecompiledHeader> made;
+    try {
+        const Timeline::Span span(timeline_, Stage::header, plan_.headers[header].back());
+        made = runner_.headers->get(plan_.headers[header]);
+    } catch (const HarnessError&) {
+        made.reset();
+    }
+    const std::lock_guard guard(mutex_);
+    for (const std::size_t index : waiting_[header]) {
+        made_[index] = made;
+        ready_.push_back(index);
+    }
+    waiting_[header].clear();
+}
+
+void Batch::build_one(std::size_t index) {
+    const Submission& submission = submissions_[index];
+    std::optional<Built> built;
+    Graded not_built = graded_or_not(submission, *markings_[index], runner_, [&] {
+        built = Built{index, compile(submission, runner_, made_[index], timeline_)};
+        return Graded();
+    });
+    if (built) {
+        hand_over(std::move(*built));
+    } else {
+        finish(index, std::move(not_built));
+    }
+}
+
+void Batch::hand_over(Built built) {
+    std::unique_lock lock(mutex_);
+    queue_shrank_.wait(lock, [&] { return queue_.size() < 4 * jobs_; });
+    queue_.push_back(std::move(built));
+    queue_grew_.notify_one();
+}
+
+std::optional<Built> Batch::next_built() {
+    std::unique_lock lock(mutex_);
+    queue_grew_.wait(lock, [&] { return !queue_.empty() || builders_ == 0; });
+    if (queue_.empty()) return {};
+    std::optional<Built> built = std::move(queue_.front());
+    queue_.pop_front();
+    queue_shrank_.notify_one();
+    return built;
+}
+
+void Batch::run_all() {
+    while (auto built = next_built()) {
+        const std::size_t index = built->index;
+        finish(index, run_one(std::move(*built)));
+    }
+}
+
+Graded Batch::run_one(Built built) {
+    const Submission& submission = submissions_[built.index];
+    const Marking& marking = *markings_[built.index];
+    return graded_or_not(submission, marking, runner_, [&] {
+        const Executions executions = run_compiled(std::move(built.compiled), submission, runner_, timeline_);
+        if (executions.from_cache) {
+            ++timeline_.from_cache;
+        } else if (executions.runs.front().build.by_header) {
+            ++timeline_.by_header;
+        }
+        return mark(submission, executions, marking, runner_, memo_, timeline_);
+    });
+}
+
+void Batch::finish(std::size_t index, Graded graded) {
+    results_[index] = std::move(graded);
+    submissions_[index] = {};  // frees the source: those of ten thousand submissions take 50 MB
+    // The allocator does not reuse the sources' memory for results, because other threads, with other arenas, allocate
+    // results.
+    constexpr std::size_t seldom = 512;
+    if (++timeline_.finished % seldom == 0) malloc_trim(0);
+}
+
+}  // namespace
+
+std::vector<Graded> grade_all(std::vector<Submission> submissions, const Marking& marking, const Runner& runner,
+                              int jobs, Timeline& timeline) {
+    const std::vector<const Marking*> markings(submissions.size(), &marking);
+    ScoreMemo memo;
+    return Batch(std::move(submissions), markings, &memo, runner, jobs, timeline).grade();
+}
+
+std::vector<Graded> grade_each(std::vector<Submission> submissions, const std::vector<const Marking*>& markings,
+                               const Runner& runner, int jobs, Timeline& timeline) {
+    return Batch(std::move(submissions), markings, nullptr, runner, jobs, timeline).grade();
+}
+
+}  // namespace harness

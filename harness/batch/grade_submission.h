@@ -1,0 +1,36 @@
+// The main path: a submission is compiled and run, its output is read and scored.
+#pragma once
+
+#include <exception>
+#include <functional>
+#include <string>
+
+#include "harness/batch/score_memo.h"
+#include "harness/grade/graded.h"
+#include "harness/grade/marking.h"
+#include "harness/run/execute.h"
+#include "harness/run/runner.h"
+#include "harness/run/timeline.h"
+
+namespace harness {
+
+/// Grades one submission. Never throws for what the submission, the machine or raygrade itself does wrong: then the
+/// outcome is not_graded and the explanation says why.
+Graded grade(const Submission& submission, const Marking& marking, const Runner& runner);
+
+/// Marks what a submission printed. With a memo, an output that is already in it is not read again, and the timeline
+/// counts the submission in `alike`.
+Graded mark(const Submission& submission, const Executions& executions, const Marking& marking, const Runner& runner,
+            ScoreMemo* memo, Timeline& timeline);
+
+/// A submission without marks, because of a problem of its own, of the machine or of raygrade.
+Graded ungraded(const Submission& submission, const std::string& why, const Marking& marking, const Runner& runner);
+
+/// The result of `work`; or, if the submission has a problem or `work` throws, the submission ungraded.
+Graded graded_or_not(const Submission& submission, const Marking& marking, const Runner& runner,
+                     const std::function<Graded()>& work);
+
+/// The message for a fault of raygrade's own.
+std::string fault_sentence(const std::exception& error);
+
+}  // namespace harness

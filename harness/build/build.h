@@ -1,0 +1,49 @@
+// Compiles a source to a program.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/execution/execution.h"
+#include "harness/intake/submission.h"
+#include "harness/sandbox/host/sandbox.h"
+#include "harness/sandbox/host/scratch.h"
+
+namespace harness {
+
+/// How every submission is compiled.
+struct BuildSettings {
+    std::filesystem::path compiler;   ///< absolute; empty if this machine has no compiler
+    std::vector<std::string> flags;   ///< between the compiler and the source
+    std::vector<std::string> linker;  ///< flags that choose the linker
+    Limits limits;
+};
+
+/// g++ as found on PATH; empty if there is none.
+std::filesystem::path find_compiler();
+
+/// The settings of g++ with the course's flags and the fastest linker installed.
+BuildSettings default_build_settings(const Limits& limits);
+
+/// A precompiled header that replaces the leading directives of a source.
+struct PrecompiledHeader {
+    std::filesystem::path file;  ///< absolute; the compiler uses file.gch beside it
+    std::size_t directives = 0;  ///< how many of the source's leading directives it replaces
+};
+
+/// Compiles the submission's bytes in `scratch`, an empty folder of this submission alone. Warnings are kept and cost
+/// no points. Given a header, it compiles with that first. If the compiler prints anything or fails, it compiles again
+/// without the header, and the messages and verdict of that count. So a header changes nothing but the time. A still
+/// faster way to build, such as a compiler that stays in memory, would go here too. Throws HarnessError, also if there
+/// is no compiler.
+Build build(const Submission& submission, const BuildSettings& settings, const Sandbox& sandbox, const Scratch& scratch,
+            const std::optional<PrecompiledHeader>& header = {});
+
+/// Writes `text` to the header `file` in `scratch` and precompiles it to `file`.gch there. Returns false if the
+/// compiler printed anything or failed. Throws HarnessError.
+bool precompile(const std::string& text, const std::string& file, const BuildSettings& settings, const Sandbox& sandbox,
+                const Scratch& scratch);
+
+}  // namespace harness

@@ -1,0 +1,32 @@
+// Finds the literal #define and #include lines at the beginning of a source, which a precompiled header may replace.
+//
+// A precompiled header must never change what a source means. So it holds only what the source itself begins with, in
+// the same order, and in doubt nothing. These rules come from a study of 22 programs: forcing a common set of headers
+// into them changed 12; using their own leading block changed none.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace harness {
+
+/// One directive of the block.
+struct Directive {
+    std::string text;   ///< with normalised blanks and without a comment behind it, e.g. "#include <cmath>"
+    std::size_t begin;  ///< offset of its '#' in the source
+    std::size_t end;    ///< offset behind its last character that is no blank
+};
+
+/// The source's leading directives, in order; comments and empty lines may stand between. Anything but a plain
+/// directive ends the block. Plain means: no directive or comment continues in the next line with a backslash, no
+/// #define holds a literal, and each #include names a system header (in angle brackets, or in quotes with a folder,
+/// such as "glm/glm.hpp"). Empty if the source uses __COUNTER__, __FILE__, __DATE__ or the like, or has a pragma: a
+/// precompiled header could then change its meaning.
+std::vector<Directive> include_block(std::string_view source);
+
+/// The source with its block's first `count` directives overwritten by blanks, so that every line and column stays.
+std::string without_directives(std::string_view source, const std::vector<Directive>& block, std::size_t count);
+
+}  // namespace harness

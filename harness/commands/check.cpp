@@ -1,0 +1,151 @@
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdlib>
+#include <optional>
+
+#include "harness/commands/class_run.h"
+#include "harness/commands/requested_files.h"
+#include "harness/commands/shared_options.h"
+#include "harness/commands/subcommand.h"
+#include "harness/grade/final_mark.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
+#include "harness/report/exchange/classroom50.h"
+#include "harness/report/exchange/gradescope_results.h"
+#include "harness/report/exchange/junit.h"
+#include "harness/report/page/student_page.h"
+#include "harness/report/text/feedback.h"
+#include "harness/run/runner.h"
+#include "harness/scenes/other/points.h"
+
+namespace harness {
+namespace {
+
+struct CheckOptions {
+    std::filesystem::path source;
+    std::string assignment;
+    std::optional<double> fail_under;  ///< percent of the points
+    RunnerOptions runner;
+    // Where to write what other systems read; empty for nowhere.
+    std::filesystem::path gradescope = {};   ///< results.json
+    std::filesystem::path classroom50 = {};  ///< result.json
+    std::filesystem::path junit = {};        ///< JUnit XML
+    std::filesystem::path html = {};         ///< the student's page
+    scenes::OtherScenesOptions other_scenes{};
+};
+
+std::string from_environment(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+report::Classroom50Submission read_classroom50() {
+    std::string missing;
+    const auto required = [&](const char* name) {
+        std::string value = from_environment(name);
+        if (value.empty()) missing += (missing.empty() ? "" : ", ") + std::string(name);
+        return value;
+    };
+    report::Classroom50Submission submission;
+    submission.classroom = required("CLASSROOM");
+    submission.assignment = required("ASSIGNMENT");
+    submission.tag = required("SUBMISSION_TAG");
+    submission.commit = required("COMMIT_URL");
+    submission.release = required("RELEASE_URL");
+    if (!missing.empty()) {
+        throw UsageError(fmt::format(
+            "--classroom50: not in the environment: {}. Call raygrade from an autograder.py, which the runner of "
+            "Classroom 50 gives them to",
+            missing));
+    }
+    submission.review = from_environment("REVIEW_URL");
+    if (submission.review.empty()) submission.review = submission.commit;
+    submission.owner = from_environment("OWNER");
+    if (submission.owner.empty()) submission.owner = from_environment("USERNAME");
+    submission.assignment_type = from_environment("ASSIGNMENT_TYPE");
+    const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+    submission.datetime = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+    return submission;
+}
+
+/// The files that a check writes. Their paths are checked before anything is run.
+class CheckFiles {
+  public:
+    /// Reads the environment for --classroom50. Throws UsageError.
+    explicit CheckFiles(const CheckOptions& options) : options_(options) {
+        if (!options.classroom50.empty()) classroom50_ = read_classroom50();
+        prepare_report_file(options.gradescope, "--gradescope", ".json");
+        prepare_report_file(options.classroom50, "--classroom50", ".json");
+        prepare_report_file(options.junit, "--junit", ".xml");
+    }
+
+    /// Throws HarnessError. Without points there is no result.json: Classroom 50 then reports the failure.
+    void write(const Graded& graded, const Marking& marking) const {
+        if (!options_.gradescope.empty()) write_file(options_.gradescope, report::gradescope_results(graded, marking));
+        if (classroom50_ && final_mark(graded))
+            write_file(options_.classroom50, report::classroom50_result(graded, marking, *classroom50_));
+        if (!options_.junit.empty()) write_file(options_.junit, report::junit({graded}, marking));
+    }
+
+  private:
+    const CheckOptions& options_;
+    std::optional<report::Classroom50Submission> classroom50_;
+};
+
+int check_source(const CheckOptions& options) {
+    const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
+    scenes::require_other_scenes(assignment, options.other_scenes.count);
+    const Submission submission = the_only_submission(options.source, "raygrade grade");
+    const CheckFiles files(options);
+    if (!options.html.empty()) require_place_for_page(options.html, "--html");
+    ClassRun run = open_class_run(assignment, options.runner);
+    std::vector<Graded> all{grade(submission, run.marking, run.runner)};
+    run_on_more_scenes(all, {submission.source}, run, {.other = options.other_scenes});
+    const Graded& graded = all.front();
+    tell_problems(run.runner);
+    fmt::print("{}\n\n{}", assignment.title, report::check_text(graded));
+    files.write(graded, run.marking);
+    if (!options.html.empty()) write_page(options.html, report::student_page(graded, run.marking), "--html");
+    if (graded.outcome == Outcome::not_graded) return status_of({graded});
+    const bool too_few =
+        options.fail_under && graded.score.points < *options.fail_under / 100 * graded.score.max_points;
+    return too_few ? some_not_graded : all_graded;
+}
+
+void add_options(CLI::App& command, CheckOptions& options) {
+    command.add_option("source", options.source, "The source, e.g. ray_cast.cpp")->required()->type_name("FILE");
+    add_assignment(command, options.assignment);
+    command.add_option("--fail-under", options.fail_under, "Exit with status 1 below this share of the points")
+        ->check(CLI::Range(0.0, 100.0))
+        ->type_name("PERCENT");
+    command
+        .add_option("--gradescope", options.gradescope,
+                    "Also write Gradescope's results.json, as an autograder must: see README, For an autograder")
+        ->type_name("FILE.json");
+    command
+        .add_option("--classroom50", options.classroom50,
+                    "Also write Classroom 50's result.json, by the environment of its runner; not where there are no "
+                    "marks")
+        ->type_name("FILE.json");
+    add_junit(command, options.junit);
+    command
+        .add_option("--html", options.html,
+                    "Also write the verdicts as a page for a browser; replaces only an earlier page of raygrade's")
+        ->type_name("FILE");
+    add_other_scenes(command, options.other_scenes);
+    add_runner(command, options.runner);
+    command.footer(limits_footer() + "\nExample: raygrade check ray_cast.cpp");
+}
+
+}  // namespace
+
+Subcommand check_command(CLI::App& app) {
+    return subcommand(app, "check",
+                      "Check one ray_cast.cpp before handing it in: a verdict for each answer, never the answer",
+                      add_options, check_source);
+}
+
+}  // namespace harness

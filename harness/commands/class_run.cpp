@@ -1,0 +1,82 @@
+#include "harness/commands/class_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "harness/commands/progress.h"
+#include "harness/commands/subcommand.h"
+#include "harness/intake/intake.h"
+#include "harness/machine/errors.h"
+#include "harness/run/timeline.h"
+#include "harness/scenes/hard/generate.h"
+#include "harness/scenes/hard/run.h"
+#include "harness/scenes/other/points.h"
+
+namespace harness {
+namespace {
+
+/// Calls `work` with a timeline and, if wanted, shows its progress meanwhile.
+template <class Work>
+void with_progress(const char* what, std::size_t count, bool shows_progress, Work work) {
+    Timeline timeline;
+    {
+        std::optional<Progress> progress;
+        if (shows_progress) progress.emplace(timeline, count);
+        work(timeline);
+    }
+    if (shows_progress) fmt::print(stderr, "{}: {}\n", what, closing_line(timeline));
+}
+
+}  // namespace
+
+ClassRun open_class_run(const reference::Assignment& assignment, const RunnerOptions& options) {
+    ClassRun run{make_marking(assignment), open_runner(options, assignment.limits)};
+    tell_of_the_sandbox(run.runner, options);
+    return run;
+}
+
+void tell_key_notes(const Marking& marking) {
+    for (const std::string& note : marking.key.notes) fmt::print(stderr, "note: {}\n", note);
+}
+
+void tell_problems(const Runner& runner) {
+    if (!runner.result_cache) return;
+    for (const std::string& problem : runner.result_cache->problems()) fmt::print(stderr, "note: {}\n", problem);
+}
+
+Submission the_only_submission(const std::filesystem::path& source, const std::string& command) {
+    std::vector<Submission> submissions = take_in_all({source});
+    if (submissions.size() == 1) return std::move(submissions.front());
+    throw UsageError(fmt::format("{}: holds {} submissions; this command takes one, `{}` a class", source.string(),
+                                 submissions.size(), command));
+}
+
+void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, ClassRun& run,
+                        const MoreScenes& wanted) {
+    run.runner.repetitions = 1;
+    run.runner.sanitize = false;
+    if (wanted.other.count > 0) {
+        const std::size_t count = graded.size() * static_cast<std::size_t>(wanted.other.count);
+        with_progress("other scenes", count, wanted.shows_progress, [&](Timeline& timeline) {
+            scenes::run_other_scenes(graded, sources, run.marking, run.runner, wanted.jobs, wanted.other, timeline);
+        });
+        scenes::award_other_scene_points(graded, run.marking.assignment.rubric);
+    }
+    if (wanted.hard) {
+        const std::size_t count = graded.size() * scenes::most_hard_scenes();
+        with_progress("hard scenes", count, wanted.shows_progress, [&](Timeline& timeline) {
+            scenes::run_hard_scenes(graded, sources, run.marking, run.runner, wanted.jobs, timeline);
+        });
+    }
+}
+
+int status_of(const std::vector<Graded>& graded) {
+    const auto ours = [](const Graded& one) { return one.our_fault; };
+    const auto missed = [](const Graded& one) { return one.outcome == Outcome::not_graded; };
+    if (std::any_of(graded.begin(), graded.end(), ours)) return our_fault;
+    return std::any_of(graded.begin(), graded.end(), missed) ? some_not_graded : all_graded;
+}
+
+}  // namespace harness

@@ -1,0 +1,50 @@
+// What grade, check, stress and serve have in common: the marking and the runner they begin with, the scenes they try
+// afterwards, and the exit status.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "harness/batch/grade_submission.h"
+#include "harness/run/runner.h"
+#include "harness/scenes/other/run.h"
+
+namespace harness {
+
+/// What a class, or one submission, is graded with.
+struct ClassRun {
+    Marking marking;
+    Runner runner;
+};
+
+/// Makes the assignment's key, opens the runner, and says on stderr what there is to know about the sandbox. Throws
+/// AssignmentError, LimitError and HarnessError.
+ClassRun open_class_run(const reference::Assignment& assignment, const RunnerOptions& options);
+
+/// Writes the notes of the assignment's key to stderr, e.g. that a decision is on a boundary. For the instructor.
+void tell_key_notes(const Marking& marking);
+
+/// Writes to stderr what is wrong with the result cache.
+void tell_problems(const Runner& runner);
+
+/// The only submission in `source`. Throws UsageError if there are several; `command` is the one that takes a class.
+Submission the_only_submission(const std::filesystem::path& source, const std::string& command);
+
+/// Which scenes programs are run on besides the assignment's own.
+struct MoreScenes {
+    scenes::OtherScenesOptions other{};
+    bool hard = false;
+    int jobs = 1;
+    bool shows_progress = false;
+};
+
+/// Runs the programs on the other and hard scenes in `wanted`, and awards the rubric's points for other scenes.
+/// `sources` are those of `graded`. On these scenes each program runs only once and without sanitizers.
+void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, ClassRun& run,
+                        const MoreScenes& wanted);
+
+/// The exit status: our_fault, some_not_graded or all_graded.
+int status_of(const std::vector<Graded>& graded);
+
+}  // namespace harness

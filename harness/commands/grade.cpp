@@ -1,0 +1,262 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "harness/batch/batch.h"
+#include "harness/commands/class_run.h"
+#include "harness/commands/progress.h"
+#include "harness/commands/regrade.h"
+#include "harness/commands/requested_files.h"
+#include "harness/commands/rosters.h"
+#include "harness/commands/shared_options.h"
+#include "harness/commands/subcommand.h"
+#include "harness/gradebook/gradebook.h"
+#include "harness/intake/intake.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
+#include "harness/report/exchange/junit.h"
+#include "harness/report/text/class_table.h"
+#include "harness/results/reports.h"
+#include "harness/run/timeline.h"
+#include "harness/scenes/other/points.h"
+#include "harness/text/escape.h"
+#include "reference/toml/assignment.h"
+
+namespace harness {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct GradeOptions {
+    std::vector<fs::path> paths;
+    std::string assignment;  ///< empty for the one of the results in `out`, else the default
+    fs::path out = "results";
+    int jobs = 1;
+    bool apply = false;  ///< write over the results of an earlier run; without it only show what would change
+    fs::path trace;      ///< where to write a trace of the run; empty for nowhere
+    RunnerOptions runner;
+    RosterOptions rosters;
+    fs::path junit = {};  ///< where to write JUnit XML; empty for nowhere
+    scenes::OtherScenesOptions other_scenes{};
+    bool stress = false;  ///< also run on the hard scenes
+};
+
+/// Throws UsageError before a class is graded rather than after.
+void check_trace(const fs::path& trace) {
+    const fs::path folder = fs::absolute(trace).parent_path();
+    std::error_code error;
+    if (fs::is_directory(trace, error) || access(folder.c_str(), W_OK | X_OK) != 0) {
+        throw UsageError(fmt::format("{}: can't be written; name another file with --trace", trace.string()));
+    }
+}
+
+/// Everything that is read before the first program is compiled, so that mistakes in it are told at once.
+struct Inputs {
+    reference::AssignmentFile file;
+    reference::Assignment assignment;
+    std::vector<Submission> submissions;
+    std::vector<std::string>
+        sources;  ///< for other and hard scenes; empty if there are none, because grading frees them
+    Rosters rosters;
+};
+
+Inputs read_inputs(const GradeOptions& options) {
+    Inputs inputs;
+    inputs.rosters = read_given_rosters(options.rosters);
+    inputs.file = read_assignment(options.assignment, options.out);
+    inputs.assignment = reference::parse_assignment(inputs.file.toml, inputs.file.path);
+    scenes::require_other_scenes(inputs.assignment, options.other_scenes.count);
+    inputs.submissions = take_in_all(options.paths);
+    if (options.other_scenes.count > 0 || options.stress) {
+        for (const Submission& submission : inputs.submissions) inputs.sources.push_back(submission.source);
+    }
+    return inputs;
+}
+
+/// Throws UsageError if a file that is asked for can't be written.
+void check_places(const GradeOptions& options, bool writes) {
+    if (!options.trace.empty()) check_trace(options.trace);
+    if (writes) {
+        prepare_report_file(options.junit, "--junit", ".xml");
+    } else {
+        require_place_for_report_file(options.junit, "--junit", ".xml");
+    }
+}
+
+std::vector<Graded> grade_submissions(Inputs& inputs, ClassRun& run, const GradeOptions& options) {
+    Timeline timeline;
+    std::vector<Graded> graded;
+    {
+        const Progress progress(timeline, inputs.submissions.size());
+        graded = grade_all(std::move(inputs.submissions), run.marking, run.runner, options.jobs, timeline);
+    }
+    fmt::print(stderr, "{}\n", closing_line(timeline));
+    tell_problems(run.runner);
+    if (!options.trace.empty()) write_file(options.trace, timeline.chrome_trace());
+    run_on_more_scenes(graded, inputs.sources, run,
+                       {options.other_scenes, options.stress, options.jobs, /*shows_progress=*/true});
+    return graded;
+}
+
+void tell_without_place(const std::vector<KeptOverride>& overrides) {
+    for (const KeptOverride& each : overrides) {
+        fmt::print(stderr, "note: the override of {} for {} is kept, but there is no such submission or item here\n",
+                   place_of(each.given), escape_control(each.submission));
+    }
+}
+
+/// Prints the notes of the submissions. A note that every submission has is printed once.
+void tell_notes(const std::vector<Graded>& graded) {
+    std::map<std::string_view, std::size_t> times;
+    for (const Graded& one : graded) {
+        for (const std::string& note : one.submission.notes) ++times[note];
+    }
+    const auto is_of_all = [&](const std::string& note) { return graded.size() > 1 && times[note] == graded.size(); };
+    for (const Graded& one : graded) {
+        for (const std::string& note : one.submission.notes) {
+            if (!is_of_all(note)) {
+                fmt::print(stderr, "note: {}: {}\n", one.submission.id, note);
+            } else if (&one == &graded.front()) {
+                fmt::print(stderr, "note: all {} submissions: {}\n", graded.size(), note);
+            }
+        }
+    }
+}
+
+void tell_where_results_are(const fs::path& out) {
+    fmt::print("\nresults: {}\nreport: {}\nfeedback: {}\n", (out / "grades.json").string(),
+               (out / "report.html").string(), (out / "feedback").string());
+}
+
+/// What a run reports and writes, and what it is compared with.
+struct Grading {
+    const std::vector<Graded>& graded;
+    Gradebook::Comparison comparison;
+    std::vector<KeptOverride> without_place;  ///< overrides of submissions or items that are not in this class
+    Run run;
+    ClassResults results;
+};
+
+void show(const Grading& grading, const ResultsSession& session, const Inputs& inputs, const GradeOptions& options) {
+    if (session.writes || session.of_an_older_raygrade) fmt::print("{}", report::class_table(grading.graded));
+    tell_changes(session, grading.comparison, inputs.file, grading.results.marking, options.out);
+    std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
+    tell_notes(grading.graded);
+    tell_without_place(grading.without_place);
+    if (session.writes) return;
+    tell_what_apply_writes(session, grading.comparison, grading.run, grading.results, inputs.rosters.given(),
+                           options.out);
+    if (!options.junit.empty()) fmt::print("{} was not written either and is as it was.\n", options.junit.string());
+}
+
+void write(const Grading& grading, ResultsSession& session, const Inputs& inputs, const GradeOptions& options) {
+    if (!options.junit.empty()) {
+        write_file(options.junit,
+                   [&](std::ostream& stream) { report::write_junit(stream, grading.graded, grading.results.marking); });
+    }
+    if (is_all_there(session, grading.comparison, grading.run, grading.results, options.out)) {
+        fmt::print("Nothing has changed, and nothing was written to the results.\n");
+        tell_where_results_are(options.out);
+        return;
+    }
+    session.gradebook.save(grading.run, grading.graded, grading.comparison, inputs.rosters.given());
+    const HandedBack handed_back = write_reports(grading.results, options.out);
+    session.gradebook.note_reports_written();
+    tell_handed_back(handed_back, options.out);
+    tell_where_results_are(options.out);
+}
+
+int grade_class(const GradeOptions& options) {
+    Inputs inputs = read_inputs(options);
+    const Holds holds = look_into(options.out, marks_of_results(), "feedback");
+    if (holds == Holds::nothing || options.apply) make_results_folder(options.out, "feedback");
+    const FolderLock lock(options.out);
+    ResultsSession session = open_session(options.out, holds, options.apply);
+    read_kept_rosters(inputs.rosters, options.rosters, session.gradebook, options.out);
+    check_places(options, session.writes);
+
+    ClassRun run = open_class_run(inputs.assignment, options.runner);
+    tell_key_notes(run.marking);
+    std::vector<Graded> graded = grade_submissions(inputs, run, options);
+    const auto without_place = attach(session.gradebook.overrides(), graded);
+
+    const Tier tier = run.runner.sandbox->tier();
+    const Grading grading{
+        graded, session.gradebook.compare(graded), without_place,
+        Run{0, author_now(), RAYGRADE_VERSION, inputs.assignment.name, inputs.file.path, inputs.file.toml, tier},
+        ClassResults{graded, run.marking, tier, inputs.rosters.canvas, inputs.rosters.moodle}};
+    show(grading, session, inputs, options);
+    if (session.writes) write(grading, session, inputs, options);
+    return status_of(graded);
+}
+
+/// Adds the options for student lists of other systems, and for the files that go back to them.
+void add_rosters(CLI::App& command, GradeOptions& options) {
+    command
+        .add_option("--canvas-roster", options.rosters.canvas_roster,
+                    "A gradebook exported from Canvas: also write grades-canvas.csv, which Canvas imports, and say who "
+                    "could not be matched")
+        ->type_name("FILE");
+    command
+        .add_option("--canvas-column", options.rosters.canvas_column,
+                    "The assignment's column in it, with its number or without; needed where there are several")
+        ->type_name("TITLE");
+    command
+        .add_option(
+            "--moodle-worksheet", options.rosters.moodle_worksheet,
+            "A grading worksheet downloaded from Moodle: also write grades-moodle.csv, the same with the grades "
+            "filled in, and say who could not be matched")
+        ->type_name("FILE");
+    command
+        .add_option("--moodle-column", options.rosters.moodle_columns,
+                    "What a column of it is for, where raygrade can't tell: identifier, name, grade, maximum or "
+                    "changeable, as in --moodle-column grade=Bewertung")
+        ->allow_extra_args(false)
+        ->type_name("WHAT=HEADING");
+}
+
+void add_options(CLI::App& command, GradeOptions& options) {
+    command
+        .add_option("paths", options.paths, "What to grade: files, folders and archives, in the order of the report")
+        ->required()
+        ->type_name("PATH...");
+    add_assignment(command, options.assignment)->default_str("that of the results in --out, else default");
+    options.assignment.clear();
+    command
+        .add_option(
+            "-o,--out", options.out,
+            "The folder for report.html, gradebook.sqlite, grades.json, grades.csv and feedback/<id>.html and .md")
+        ->type_name("DIR")
+        ->capture_default_str();
+    add_jobs(command, options.jobs, "How many submissions to grade at a time; changes nothing but the time");
+    command.add_flag("--apply", options.apply,
+                     "Write the new marks over those of an earlier run in the output folder; without it a regrade "
+                     "only shows who rises, who falls and why, and whose feedback changes");
+    add_rosters(command, options);
+    add_junit(command, options.junit);
+    command
+        .add_option("--trace", options.trace,
+                    "Write a trace of build, run, read and score of each submission here, for ui.perfetto.dev")
+        ->type_name("FILE");
+    add_other_scenes(command, options.other_scenes);
+    command.add_flag("--stress", options.stress,
+                     "Also run each program on the hard scenes of `raygrade stress` and put what it loses there "
+                     "into the feedback; costs no points, and some fifteen runs of each program");
+    add_runner(command, options.runner);
+    command.footer(limits_footer() + "\nExample: raygrade grade submissions/ --assignment a6-2021 --out results -j 4");
+}
+
+}  // namespace
+
+Subcommand grade_command(CLI::App& app) {
+    return subcommand(app, "grade",
+                      "Grade a class: a source, a folder of student folders or of sources, or "
+                      "the zip of Canvas, Moodle or Gradescope",
+                      add_options, grade_class);
+}
+
+}  // namespace harness

@@ -1,0 +1,117 @@
+#include "harness/commands/rosters.h"
+
+#include <fmt/format.h>
+
+#include "harness/machine/bounded_file.h"
+#include "harness/machine/errors.h"
+#include "harness/text/escape.h"
+
+namespace harness {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Throws UsageError, which names the file and the size limit.
+std::string read_roster_text(const fs::path& file) {
+    constexpr std::uintmax_t longest = std::uintmax_t{64} << 20U;
+    BoundedFile roster = read_bounded(file, longest, Links::follow);
+    if (!roster.is_whole()) {
+        throw UsageError(fmt::format("{}: can't be read: {}; give it as it was exported", file.string(),
+                                     why_not_whole(roster, longest)));
+    }
+    return std::move(roster.bytes);
+}
+
+std::optional<KeptInput> read_roster_file(const RosterOptions& options) {
+    if (options.canvas_roster.empty()) return std::nullopt;
+    return KeptInput{canvas_roster_input, options.canvas_column, read_roster_text(options.canvas_roster)};
+}
+
+std::optional<KeptInput> read_worksheet_file(const RosterOptions& options) {
+    if (options.moodle_worksheet.empty()) {
+        if (options.moodle_columns.empty()) return std::nullopt;
+        throw UsageError("--moodle-column: names a column of no worksheet; give it with --moodle-worksheet");
+    }
+    std::string columns;
+    for (const std::string& column : options.moodle_columns) columns += column + '\n';
+    KeptInput input{moodle_worksheet_input, columns, read_roster_text(options.moodle_worksheet)};
+    try {
+        read_worksheet(input);
+    } catch (const report::RosterError& error) {
+        throw UsageError(fmt::format("{} {}", options.moodle_worksheet.string(), error.what()));
+    }
+    return input;
+}
+
+/// Reads the input given in `file`, or the one of that name kept from an earlier run. Throws UsageError.
+template <class Read>
+auto read_given_or_kept(const std::optional<KeptInput>& given, const fs::path& file, const char* name,
+                        const Gradebook& gradebook, const fs::path& results, Read read) {
+    try {
+        return read(given ? given : gradebook.input(name));
+    } catch (const report::RosterError& error) {
+        throw UsageError(fmt::format("{} {}", (given ? file : results / gradebook_name).string(), error.what()));
+    }
+}
+
+void list(const char* what, const std::vector<std::string>& names) {
+    for (const std::string& name : names) fmt::print("  {}: {}\n", what, escape_control(name));
+}
+
+void tell_canvas(const report::CanvasImport& import, const fs::path& file) {
+    fmt::print("for Canvas: {}, {} matched\n", file.string(), import.matched);
+    if (import.possible) {
+        fmt::print("  Points Possible of the column are {:g}, not the assignment's: points are filled in as they are\n",
+                   *import.possible);
+    }
+    list("more than Points Possible", import.above);
+    list("ambiguous, left out", import.ambiguous);
+    list("not in the gradebook, left out", import.unmatched);
+    list("not graded, left out", import.not_graded);
+    list("nothing handed in, left as it is", import.without);
+}
+
+void tell_moodle(const report::MoodleImport& import, const fs::path& file) {
+    fmt::print("for Moodle: {}, {} filled in\n", file.string(), import.matched);
+    if (import.other_maximum) {
+        fmt::print("  the worksheet's maximum grade is {:g}, not the assignment's: points are filled in as they are\n",
+                   *import.other_maximum);
+    }
+    list("ambiguous, left out", import.ambiguous);
+    list("not in the worksheet, left out", import.unmatched);
+    list("not graded, left out", import.not_graded);
+    list("locked in Moodle, left out", import.locked);
+    list("above the maximum grade, left out", import.above);
+    list("lower than before", import.lowered);
+    list("nothing handed in, left as it is", import.without);
+}
+
+void tell_feedback(const report::FeedbackZip& zip, const fs::path& file) {
+    fmt::print("feedback to hand back: {}, {} pages\n", file.string(), zip.pages);
+    list("left out", zip.left_out);
+}
+
+}  // namespace
+
+Rosters read_given_rosters(const RosterOptions& options) {
+    Rosters rosters;
+    rosters.canvas_given = read_roster_file(options);
+    rosters.moodle_given = read_worksheet_file(options);
+    return rosters;
+}
+
+void read_kept_rosters(Rosters& rosters, const RosterOptions& options, const Gradebook& gradebook,
+                       const fs::path& results) {
+    rosters.canvas = read_given_or_kept(rosters.canvas_given, options.canvas_roster, canvas_roster_input, gradebook,
+                                        results, read_roster);
+    rosters.moodle = read_given_or_kept(rosters.moodle_given, options.moodle_worksheet, moodle_worksheet_input,
+                                        gradebook, results, read_worksheet);
+}
+
+void tell_handed_back(const HandedBack& handed_back, const fs::path& results) {
+    if (handed_back.canvas) tell_canvas(*handed_back.canvas, results / canvas_import_name);
+    if (handed_back.moodle) tell_moodle(*handed_back.moodle, results / moodle_import_name);
+    if (handed_back.feedback) tell_feedback(*handed_back.feedback, results / feedback_zip_name);
+}
+
+}  // namespace harness

@@ -1,0 +1,46 @@
+// The lists of students that Canvas and Moodle export, and the files that go back to them.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/gradebook/gradebook.h"
+#include "harness/results/reports.h"
+
+namespace harness {
+
+struct RosterOptions {
+    std::filesystem::path canvas_roster;      ///< a gradebook exported from Canvas; empty for none
+    std::string canvas_column;                ///< the assignment's column in it; empty for the only one
+    std::filesystem::path moodle_worksheet;   ///< a grading worksheet downloaded from Moodle; empty for none
+    std::vector<std::string> moodle_columns;  ///< "grade=Bewertung": columns that raygrade can't recognise
+};
+
+/// The student lists: as given now, and as used. The lists used may be kept from an earlier run.
+struct Rosters {
+    std::optional<KeptInput> canvas_given, moodle_given;
+    std::optional<report::CanvasRoster> canvas;
+    std::optional<report::MoodleWorksheet> moodle;
+
+    std::vector<KeptInput> given() const {
+        std::vector<KeptInput> inputs;
+        if (canvas_given) inputs.push_back(*canvas_given);
+        if (moodle_given) inputs.push_back(*moodle_given);
+        return inputs;
+    }
+};
+
+/// Reads the files that the options name. Throws UsageError.
+Rosters read_given_rosters(const RosterOptions& options);
+
+/// Fills in `canvas` and `moodle`: from what was given, else from what earlier runs kept in the gradebook of the folder
+/// `results`. Throws UsageError.
+void read_kept_rosters(Rosters& rosters, const RosterOptions& options, const Gradebook& gradebook,
+                       const std::filesystem::path& results);
+
+/// Prints which files go back to an LMS, and who is left out of them.
+void tell_handed_back(const HandedBack& handed_back, const std::filesystem::path& results);
+
+}  // namespace harness

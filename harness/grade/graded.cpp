@@ -1,0 +1,42 @@
+#include "harness/grade/graded.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+
+namespace harness {
+std::string_view to_string(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::graded: return "graded";
+        case Outcome::compile_error: return "compile_error";
+        case Outcome::crashed: return "crashed";
+        case Outcome::timed_out: return "timed_out";
+        case Outcome::output_limit: return "output_limit";
+        case Outcome::memory_limit: return "memory_limit";
+        case Outcome::no_output: return "no_output";
+        case Outcome::not_graded: return "not_graded";
+    }
+    return "";
+}
+
+std::string signal_name(int signal) {
+    const char* name = sigabbrev_np(signal);
+    return name == nullptr ? fmt::format("signal {}", signal) : fmt::format("SIG{}", name);
+}
+
+std::string_view limit_name(Ended ended) {
+    switch (ended) {
+        case Ended::not_started:
+        case Ended::exited:
+        case Ended::signalled:
+        case Ended::refused: return "";
+        case Ended::cpu_limit: return "run.cpu_seconds";
+        case Ended::wall_limit: return "run.wall_seconds";
+        case Ended::memory_limit: return "run.memory_mib";
+        case Ended::process_limit: return "run.processes";
+        case Ended::output_limit: return "run.output_kib";
+    }
+    return "";
+}
+
+}  // namespace harness

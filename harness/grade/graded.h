@@ -1,0 +1,75 @@
+// The record of one submission: how it ended, what it scored, and what reports are made from.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/execution/execution.h"
+#include "harness/execution/tier.h"
+#include "harness/grade/hard_scenes.h"
+#include "harness/grade/other_scenes.h"
+#include "harness/intake/submission.h"
+#include "harness/mark/score/score.h"
+
+namespace harness {
+
+/// How a submission ended. A program that ended early is still marked for what it printed.
+enum class Outcome {
+    graded,
+    compile_error,
+    crashed,  ///< ended by a signal, or for starting too many processes
+    timed_out,
+    output_limit,
+    memory_limit,
+    no_output,   ///< ended by itself without printing anything
+    not_graded,  ///< no marks: the submission could not be read, or the machine failed
+};
+
+/// The name in reports and in grades.json.
+std::string_view to_string(Outcome outcome);
+
+/// "SIGSEGV", or "signal 40" for a signal without a name.
+std::string signal_name(int signal);
+
+/// The setting of the limit that stopped the program, e.g. "run.cpu_seconds"; empty if no limit stopped it.
+std::string_view limit_name(Ended ended);
+
+/// A finding that a person should look at. It does not change the mark.
+struct Flag {
+    std::string kind;      ///< "nondeterministic", "hard_coded" or "variants_not_tried"
+    std::string evidence;  ///< a sentence
+};
+
+/// The `item`, with question 0, of an override of the points for other scenes. People write it this way too.
+inline constexpr std::string_view other_scenes_place = "variants";
+
+/// Replaces an automatic mark. The automatic mark is still shown beside it.
+struct Override {
+    int question = 0;   ///< the handout's, 1 to 10; 0 for the whole submission or for other scenes
+    std::string item;   ///< e.g. "t"; empty for the whole question or submission; or other_scenes_place
+    double points = 0;  ///< 0 or more; may exceed the rubric's, e.g. for a good idea
+    std::string why;    ///< the instructor's reason, never empty
+    std::string by;     ///< who set it
+    std::string when;   ///< in UTC, ISO 8601: 2026-11-22T09:30:00Z
+};
+
+struct Graded {
+    Submission submission;
+    Outcome outcome = Outcome::not_graded;
+    bool our_fault = false;   ///< raygrade failed, not the machine: not graded, or a note says what is missing
+    std::string explanation;  ///< a sentence about the first stage that went wrong; empty if none did
+    Tier tier = Tier::bwrap;  ///< what its programs ran under
+    Build build;
+    ProcessResult run;  ///< without the output, which was already read
+    std::vector<Flag> flags;
+    std::vector<std::string> sanitizer;                     ///< what a sanitizer build found; costs no points
+    std::optional<scenes::OtherScenesReport> other_scenes;  ///< with --variants; empty if not tried
+    std::optional<scenes::HardScenesReport> hard_scenes;    ///< with --stress; empty if not tried
+    Score score;                                            ///< all items missing if nothing was printed
+    double late_share = 0;                                  ///< share of its points lost for lateness; 0 if on time
+    std::vector<Override> overrides;  ///< the instructor's, oldest first; final_mark decides which count
+};
+
+}  // namespace harness

@@ -1,0 +1,38 @@
+// What a regrade changes apart from the marks: feedback on other and hard scenes, sanitizer findings, flags, and
+// everything else a report shows. Pure.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "harness/grade/graded.h"
+
+namespace harness {
+
+/// A part of the feedback, and in how many submissions it is new (`fresh`), gone or different (`other`).
+struct PartChange {
+    std::string part;    ///< "hard scenes", "flag hard_coded"
+    std::string option;  ///< the option that adds this part: "--stress"; empty if every submission has it
+    std::size_t fresh = 0;
+    std::size_t gone = 0;
+    std::size_t other = 0;
+};
+
+struct FeedbackChanges {
+    std::vector<PartChange> parts;  ///< those that changed
+    std::size_t differing = 0;      ///< submissions with the same marks but different feedback
+    std::size_t remeasured = 0;     ///< submissions in which nothing but time and memory differs
+};
+
+/// Whether the marks of a submission changed.
+enum class Marks { same, moved };
+
+/// Compares two gradings of one submission whose records differ. If its marks moved, only parts that are new or gone
+/// count, because the other parts are then expected to differ.
+void add_feedback(FeedbackChanges& changes, const Graded& before, const Graded& after, Marks marks);
+
+/// Adds the changes of other submissions.
+void add(FeedbackChanges& changes, const FeedbackChanges& others);
+
+}  // namespace harness

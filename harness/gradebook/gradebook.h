@@ -1,0 +1,113 @@
+// The gradebook: the marks of a class, the instructor's overrides, and who changed what when. It is one SQLite
+// database, gradebook.sqlite, in the folder of the reports, which are made from it alone.
+//
+// Each change is one transaction, so a run that is killed leaves the gradebook either as it was before or as it is
+// afterwards. The gradebook notes which reports are still to be written; the next command writes them. A gradebook that
+// is damaged or of another version is refused and never replaced, because it holds the overrides.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/grade/final_mark.h"
+#include "harness/grade/override_place.h"
+#include "harness/gradebook/changed_feedback.h"
+#include "harness/gradebook/changed_marks.h"
+
+namespace SQLite {
+class Database;
+}
+
+namespace harness {
+
+/// Who does something and when, for the audit trail.
+struct Author {
+    std::string name;
+    std::string when;  ///< in UTC, as 2026-11-22T09:30:00Z (ISO 8601)
+};
+
+/// The author of a change made now: `name`, or if it is empty, the account that runs raygrade. "user 1000" for an
+/// account without a name.
+Author author_now(const std::string& name = "");
+
+/// The gradebook's name in a folder of results.
+constexpr const char* gradebook_name = "gradebook.sqlite";
+
+/// One time that a class was graded and the results written.
+struct Run {
+    std::int64_t number = 0;  ///< from 1; given by the gradebook
+    Author author;
+    std::string raygrade;  ///< its version
+    std::string assignment;
+    std::filesystem::path assignment_file;
+    std::string toml;  ///< the assignment's text
+    Tier tier = Tier::bwrap;
+};
+
+/// A file besides the submissions that reports are made from, such as a gradebook exported from Canvas.
+struct KeptInput {
+    std::string name;    ///< "canvas-roster"
+    std::string choice;  ///< what is used of it, such as a column
+    std::string content;
+};
+
+/// Only one thread at a time may use it.
+class Gradebook {
+  public:
+    /// Opens the gradebook of a folder of results, if it has one; a gradebook is only created by save(). Throws
+    /// UsageError if it can't be used. All other members throw HarnessError if the database fails.
+    explicit Gradebook(const std::filesystem::path& folder);
+    ~Gradebook();
+    Gradebook(Gradebook&&) noexcept;
+
+    /// The run saved last; empty if none was saved.
+    std::optional<Run> last_run() const;
+    /// Whether all reports were written after the last change to the gradebook. False if a command was interrupted.
+    bool reports_are_written() const;
+    void note_reports_written();
+
+    /// All overrides, the oldest first.
+    std::vector<KeptOverride> overrides() const;
+    /// The class in the order in which it was saved, without overrides.
+    std::vector<Graded> restore() const;
+    std::optional<KeptInput> input(const std::string& name) const;
+
+    /// What a new grading of the class changes. It also tells save() which submissions need not be written again.
+    struct Comparison {
+        enum class Record { same, other, other_marks, fresh };
+        ClassChanges changes;
+        FeedbackChanges feedback;
+        std::vector<Record> records;  ///< one for each submission of the new grading
+        std::int64_t run = 0;         ///< the number of the run that it was compared with
+        bool is_in_order = true;      ///< the submissions in both gradings are in the same order
+
+        /// Whether saving the new grading would leave every submission as it is.
+        bool is_as_saved() const;
+    };
+    /// `graded` includes its overrides. Only a small part of the gradebook is in memory at a time.
+    Comparison compare(const std::vector<Graded>& graded) const;
+
+    /// Replaces the last grading by the new one; the history keeps the marks of both. Each input replaces the one of
+    /// the same name. Throws if another run was saved since the comparison.
+    void save(const Run& run, const std::vector<Graded>& graded, const Comparison& comparison,
+              const std::vector<KeptInput>& inputs);
+
+    /// Saves an override, which replaces an earlier one of the same item. `automatic` are the points it overrides;
+    /// `points` are the points of the submission that now count.
+    void put_override(const KeptOverride& kept, double automatic, const std::optional<double>& points);
+    /// Removes an override. The audit trail keeps it, with who removed it and why.
+    void remove_override(const KeptOverride& removed, const Author& author, const std::string& why,
+                         const std::optional<double>& points);
+
+  private:
+    template <class Work>
+    auto attempt(Work work) const -> decltype(work());
+    std::filesystem::path file_;
+    std::unique_ptr<SQLite::Database> database_;  ///< null until there is one
+};
+
+}  // namespace harness

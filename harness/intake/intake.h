@@ -1,0 +1,31 @@
+// Finds the submissions at the paths of the command line.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "harness/intake/submission.h"
+
+namespace harness {
+
+/// Reads one path of the command line: a source, a folder or an archive (archive.h). An archive is read like the folder
+/// it was packed from, even if that folder lies within an outer one. A source is a file whose name ends in .cpp, .cc or
+/// .cxx. Names that begin with a dot are ignored everywhere.
+///   a source file           one submission.
+///   a folder with sources   one submission per source (a flat folder: alice.cpp, bob.cpp). But if a source is called
+///                           ray_cast, the folder is one student's: one submission, which notes the other sources.
+///   a folder of folders     one submission per folder, named after it.
+///   both                    if a folder inside holds sources, it is a class: one submission per source and per
+///                           folder. Otherwise the folders are something the student has left there, and only the
+///                           sources count.
+///   an LMS's download       one submission per student (hand_in.h), packed or unpacked.
+/// Returns the submissions sorted by id. A submission that can't be graded (no source, several, a symbolic link, not a
+/// file, unreadable, too large) is never left out: it has a problem. Symbolic links inside a folder are not followed;
+/// `path` itself may be one. Throws UsageError if the path itself can't be read or holds no submission.
+std::vector<Submission> take_in(const std::filesystem::path& path);
+
+/// Reads several paths in the order given. Equal ids get as many folder names of their paths in front as are needed to
+/// make them differ (2020-s01, 2021-s01). If the same path is given twice, its ids get a number at the end.
+std::vector<Submission> take_in_all(const std::vector<std::filesystem::path>& paths);
+
+}  // namespace harness

@@ -1,0 +1,14 @@
+// Recognises files that have a source's name but are not source text: exported documents, built programs, or text in an
+// encoding that compilers don't read.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace harness {
+
+/// Why the bytes are not C++ source and what to send instead, to be put behind a file's name: "is a PDF; …". Empty if
+/// they may be source: the compiler reports everything else.
+std::string why_no_source(std::string_view bytes);
+
+}  // namespace harness

@@ -1,0 +1,22 @@
+// Failures of the machine and mistakes of the user. When the machine fails (fork fails, no compiler, the disk is full,
+// no status line), the current submission is "not graded" and the others go on. A student's failure is data, never an
+// exception. A mistake of raygrade's own is a std::logic_error.
+#pragma once
+
+#include <stdexcept>
+
+namespace harness {
+
+/// what() is a complete sentence for the instructor: what failed, on which path, and how to fix it.
+class HarnessError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A mistake in the command line: what() names the path and how to fix it.
+class UsageError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace harness

@@ -1,0 +1,83 @@
+// Forms of an answer that are equivalent to the handout's: a quadratic with b' = b/2, a linear system with reordered
+// columns or multiplied rows.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "harness/mark/compare/closeness.h"
+#include "harness/mark/compare/item_targets.h"
+
+namespace harness {
+
+/// full: the handout's quadratic. half_b: a t^2 + 2 b' t + c = 0, with d' = b'^2 - ac.
+enum class QuadraticForm { full, half_b };
+
+bool is_one(const Interval& factor);
+
+/// The form and scale that a student's items of question 6 are held to.
+struct QuadraticScale {
+    QuadraticForm form = QuadraticForm::full;
+    Interval factor = Interval(1.0);  ///< student's coefficients over the handout's, known to the printed digits
+};
+
+/// The printed a, b, c, d of question 6; null if an item was not printed readably.
+struct PrintedQuadratic {
+    const MatchedItem* a;
+    const MatchedItem* b;
+    const MatchedItem* c;
+    const MatchedItem* d;
+};
+
+/// The form of the printed quadratic. It is half-b if d' = b'^2 - a'c' holds among the printed numbers and d' = b'^2 -
+/// 4a'c' does not; if the digits leave both open, it is half-b if b is half the key's. It has a factor if a, b and c
+/// are those of one of `keys` times the same number. Otherwise it is the handout's form. `keys` have allowances.
+QuadraticScale find_quadratic_scale(const PrintedQuadratic& printed, std::span<const ItemTargets> keys,
+                                    int min_decimals);
+
+/// How a student's linear system is laid out, compared with the handout's (-V | B-A | C-A) (t, u, v) = rhs.
+struct SystemForm {
+    std::array<int, 3> column = {0, 1, 2};  ///< the student's column that holds the handout's column 0, 1, 2
+    /// The student's row is the handout's times this factor, known to the printed digits.
+    std::array<Interval, 3> row_factor = {Interval(1.0), Interval(1.0), Interval(1.0)};
+    bool by_rows = false;  ///< read the printout row by row
+
+    bool is_canonical() const;
+    bool is_scaled() const;
+    /// For a report: "columns in the order u, v, t"; empty for the canonical form.
+    std::string describe() const;
+};
+
+/// Finds the form without multiplied rows in which the printed matrix is `matrix`; empty if there is none.
+std::optional<SystemForm> find_column_order(const MatchedItem& printed, const Target& matrix, double allowance,
+                                            int min_decimals);
+
+/// Like find_column_order, but with multiplied rows. The printed right-hand side `printed_rhs` (null if there is none)
+/// must be `rhs` with the same factors.
+std::optional<SystemForm> find_multiplied_form(const MatchedItem& printed, const MatchedItem* printed_rhs,
+                                               const Target& matrix, const Target& rhs, double allowance,
+                                               int min_decimals);
+
+/// Whether the printed right-hand side is `rhs` with its rows multiplied as in `form`.
+bool is_scaled_rhs(const MatchedItem& printed, const Target& rhs, const SystemForm& form, double allowance,
+                   int min_decimals);
+
+/// The printed t, u and v; null if the item was not printed readably.
+struct PrintedSolution {
+    const MatchedItem* t;
+    const MatchedItem* u;
+    const MatchedItem* v;
+};
+
+/// The likely form of a matrix that is the key's in no form. It is the form without multiplied rows in which the
+/// largest number of the printed t, u and v solve the system with the printed right-hand side (null if there is none);
+/// among several, the form nearest to `matrix`.
+SystemForm likeliest_column_order(const MatchedItem& printed, const MatchedItem* printed_rhs,
+                                  const PrintedSolution& solution, const Target& matrix, int min_decimals);
+
+/// The printed matrix with its columns in the handout's order.
+Target in_handout_order(const MatchedItem& printed, const SystemForm& form, Digits digits);
+
+}  // namespace harness

@@ -1,0 +1,39 @@
+// Judges question 10 by values of t, u and v that are known to some digits only.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "harness/mark/compare/closeness.h"
+#include "reference/stages/first_hit.h"
+#include "reference/stages/sphere.h"
+
+namespace harness {
+
+/// The values that decide which object is first. t is empty if the ray does not hit the object. Without u or v, the
+/// point counts as inside the triangle.
+struct HitValues {
+    std::optional<Interval> sphere_t;
+    std::optional<Interval> triangle_t;
+    std::optional<Interval> u = {};
+    std::optional<Interval> v = {};
+    /// How far a correct program's t, u and v may be off. A student's test may tolerate as much ("t >= -1e-6").
+    double t_allowance = 0;
+    double uv_allowance = 0;
+};
+
+enum class Hits { yes, maybe, no };
+
+/// Whether the point is a true hit of the triangle: inside, with t > 0 or t >= 0 as `boundary` says.
+Hits hits_triangle(const HitValues& values, reference::Boundary boundary);
+
+/// Every verdict that a program with these values may print under any of `boundaries`.
+std::vector<reference::Verdict> possible_verdicts(const HitValues& values,
+                                                  std::span<const reference::Boundary> boundaries);
+
+/// Answers question 10 by the handout's words alone: "the point with smaller t", ignoring its sign and u and v. Empty
+/// if a t is missing or if the digits leave the order open.
+std::optional<reference::Verdict> smaller_t(const HitValues& values);
+
+}  // namespace harness

@@ -1,0 +1,24 @@
+// Close calls: decisions that rounding may flip in a correct float program: a ray that grazes the sphere, a hit on the
+// triangle's edge, two hits at the same t. The key decides them exactly; a correct program need not agree.
+#pragma once
+
+#include <vector>
+
+#include "harness/mark/compare/first_hit.h"
+#include "harness/mark/diagnose/follow.h"
+
+namespace harness {
+
+/// Whether a correct program may print this for the sphere's t or the triangle's hit point, which do not exist if the
+/// ray misses, and the student's own right values leave it open too. Always false for other items. If the ray meets the
+/// triangle's plane outside the triangle, the point may be printed or left out ("no hit"): both are right.
+bool is_close_call(const MatchedItem& printed, const Evidence& evidence, double allowance);
+
+/// Whether the printed value follows from close calls that went the other way. All of the student's values that it
+/// follows from must be right.
+bool follows_from_close_call(const MatchedItem& printed, const Evidence& evidence, double allowance);
+
+/// Every verdict that a correct program may print.
+std::vector<reference::Verdict> close_verdicts(const Evidence& evidence);
+
+}  // namespace harness

@@ -1,0 +1,31 @@
+// What is known about a submission while its items are judged.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "harness/mark/compare/equivalent_forms.h"
+#include "harness/mark/diagnose/interval_scene.h"
+
+namespace harness {
+
+/// What the student printed, and the key.
+struct Evidence {
+    ItemTargets key;  ///< the key's canonical values
+    IntervalScene scene;
+    int min_decimals = 2;
+    QuadraticScale quadratic;          ///< the form of the student's question 6
+    std::optional<SystemForm> system;  ///< the layout of the student's linear system, once known
+    std::map<ItemId, Target> own[2];   ///< what was printed readably, by Digits; see own_values
+    std::set<ItemId> deviating;    ///< items of own that are wrong under every accepted reading, even with few digits
+    std::set<ItemId> right;        ///< items of own that are right in some accepted form or reading
+    std::set<ItemId> close_calls;  ///< right items that are close calls (close_call.h) or follow from close calls
+    std::vector<ItemTargets> conventions;  ///< the key by pixel convention, with allowances (key_targets.h)
+    std::vector<ItemTargets> float_keys;   ///< the same, widened by the allowances
+
+    const std::map<ItemId, Target>& own_values(Digits digits) const { return own[digits == Digits::of_stream ? 0 : 1]; }
+};
+
+}  // namespace harness

@@ -1,0 +1,92 @@
+#include "harness/mark/diagnose/follow.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/mark/diagnose/derivation.h"
+
+namespace harness {
+namespace {
+
+/// A result that is wider than this, relative to its size, says nothing about the printed value.
+constexpr double widest_result = 0.05;
+
+bool says_something(const Target& target) {
+    return std::all_of(target.components.begin(), target.components.end(), [](const Interval& x) {
+        return x.is_bounded() && x.hi() - x.lo() <= widest_result * std::max(1.0, std::abs(x.lo() + x.hi()) / 2);
+    });
+}
+
+std::optional<Agreement> agrees(const MatchedItem& printed, const Target& target, const Evidence& evidence,
+                                double allowance) {
+    const ItemId id = id_of(printed.spec);
+    if (id == item::triangle::matrix) {
+        const auto form = find_column_order(printed, target, allowance, evidence.min_decimals);
+        return form ? std::optional(Agreement{form}) : std::nullopt;
+    }
+    const bool is_multiplied =
+        id == item::triangle::rhs && evidence.system && evidence.system->is_scaled() && !target.no_value;
+    const bool within = is_multiplied
+                            ? is_scaled_rhs(printed, target, *evidence.system, allowance, evidence.min_decimals)
+                            : compare(printed, target, allowance, evidence.min_decimals).within;
+    return within ? std::optional(Agreement{}) : std::nullopt;
+}
+
+/// The known values if the inputs whose bits are set in `choice` have the student's values and the others the key's.
+/// Empty if the choice takes an input that was not printed, skips a printed input that deviates, or takes no deviating
+/// input.
+std::optional<ItemTargets> choose(const Derivation& derivation, std::size_t choice, const Evidence& evidence,
+                                  Digits digits) {
+    const std::map<ItemId, Target>& own_values = evidence.own_values(digits);
+    ItemTargets known = evidence.key;
+    bool deviates = false;
+    for (std::size_t i = 0; i < derivation.inputs.size(); ++i) {
+        const ItemId& input = derivation.inputs[i];
+        const auto own = own_values.find(input);
+        const bool chosen = (choice >> i & 1U) != 0;
+        const bool must_be_chosen = own != own_values.end() && evidence.deviating.contains(input);
+        if ((chosen && own == own_values.end()) || (!chosen && must_be_chosen)) return std::nullopt;
+        if (!chosen) continue;
+        known.set(input, own->second);
+        deviates = deviates || evidence.deviating.contains(input);
+    }
+    return deviates ? std::optional(std::move(known)) : std::nullopt;
+}
+
+/// Runs one derivation with every choice of inputs.
+std::optional<Agreement> follows_by(const Derivation& derivation, const MatchedItem& printed, const Evidence& evidence,
+                                    double allowance, Digits digits) {
+    const std::size_t choices = std::size_t{1} << derivation.inputs.size();
+    for (std::size_t choice = 1; choice < choices; ++choice) {
+        const auto known = choose(derivation, choice, evidence, digits);
+        if (!known) continue;
+        for (const QuadraticForm form : {evidence.quadratic.form, QuadraticForm::full}) {
+            const std::vector<Target> results = derivation.compute(*known, evidence.scene, form);
+            if (const auto agreement = is_one_of(printed, results, evidence, allowance)) return agreement;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Agreement> is_one_of(const MatchedItem& printed, const std::vector<Target>& targets,
+                                   const Evidence& evidence, double allowance) {
+    for (const Target& target : targets) {
+        if (!says_something(target)) continue;
+        if (const auto agreement = agrees(printed, target, evidence, allowance)) return agreement;
+    }
+    return std::nullopt;
+}
+
+std::optional<Agreement> follows(const MatchedItem& printed, const Evidence& evidence, double allowance) {
+    for (const Derivation& derivation : all_derivations()) {
+        if (derivation.item != id_of(printed.spec)) continue;
+        for (const Digits digits : {Digits::of_stream, Digits::as_printed}) {
+            if (const auto agreement = follows_by(derivation, printed, evidence, allowance, digits)) return agreement;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace harness

@@ -1,0 +1,26 @@
+// Follow-through: whether a wrong answer follows from the student's own earlier wrong answers.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "harness/mark/diagnose/evidence.h"
+
+namespace harness {
+
+/// A printed value agrees with a computed one.
+struct Agreement {
+    std::optional<SystemForm> system;  ///< question 8's matrix: in which layout; empty for every other item
+};
+
+/// Agrees if a correct stage gives the printed value for the student's own inputs, and at least one input deviates from
+/// the key. The key's value may replace an input that was printed rightly, because printing rounded that input; it
+/// always replaces an input that was not printed. A result that is trivial or too wide to say anything does not count.
+std::optional<Agreement> follows(const MatchedItem& printed, const Evidence& evidence, double allowance);
+
+/// Agrees if the printed value is one of `targets`. Question 8's matrix may have any column order; its right-hand side
+/// may have the row factors of evidence.system.
+std::optional<Agreement> is_one_of(const MatchedItem& printed, const std::vector<Target>& targets,
+                                   const Evidence& evidence, double allowance);
+
+}  // namespace harness

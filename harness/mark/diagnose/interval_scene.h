@@ -1,0 +1,20 @@
+// An assignment's scene in the form that follow-through computes with.
+#pragma once
+
+#include <vector>
+
+#include "harness/mark/compare/item_targets.h"
+#include "reference/key/answer_key.h"
+
+namespace harness {
+
+/// The scene's numbers as the nearest doubles. With several spheres or triangles, the object that the questions are
+/// about comes first.
+struct IntervalScene : reference::Scene<Interval> {
+    std::vector<reference::Boundary> boundaries;  ///< how a hit at exactly t = 0 may count by the rubric
+    double size = 1;                              ///< the scene's largest coordinate, at least 1
+};
+
+IntervalScene real_scene(const reference::Assignment& assignment, const reference::Reading& reading);
+
+}  // namespace harness

@@ -1,0 +1,46 @@
+#include "harness/mark/diagnose/mistakes.h"
+
+#include "harness/mark/diagnose/mistake_parts.h"
+
+namespace harness {
+namespace {
+
+ItemTargets with_own(const Evidence& evidence, Digits digits) {
+    ItemTargets known = evidence.key;
+    for (const auto& [id, target] : evidence.own_values(digits)) known.set(id, target);
+    return known;
+}
+
+std::optional<Agreement> explains(const Mistake& mistake, const MatchedItem& printed, const Evidence& evidence,
+                                  double allowance) {
+    for (const ItemTargets& known :
+         {with_own(evidence, Digits::of_stream), with_own(evidence, Digits::as_printed), evidence.key}) {
+        const std::vector<Target> results = mistake.compute(known, evidence.scene);
+        if (const auto agreement = is_one_of(printed, results, evidence, allowance)) return agreement;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::span<const Mistake> all_mistakes() {
+    static const std::vector<Mistake> table = [] {
+        std::vector<Mistake> all = mistakes::of_camera();
+        for (const auto* more : {&mistakes::of_sphere(), &mistakes::of_triangle()})
+            all.insert(all.end(), more->begin(), more->end());
+        return all;
+    }();
+    return table;
+}
+
+std::optional<FoundMistake> find_mistake(const MatchedItem& printed, const Evidence& evidence, double allowance) {
+    for (const Mistake& mistake : all_mistakes()) {
+        if (mistake.item != id_of(printed.spec)) continue;
+        if (const auto agreement = explains(mistake, printed, evidence, allowance)) {
+            return FoundMistake{&mistake, agreement->system};
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace harness

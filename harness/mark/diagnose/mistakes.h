@@ -1,0 +1,32 @@
+// Named mistakes. Each mistake is a stage with a single change; a wrong answer that equals the result of the changed
+// stage gets the mistake's name.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "harness/mark/diagnose/follow.h"
+
+namespace harness {
+
+struct Mistake {
+    std::string_view name;    ///< a few words, e.g. "far root"
+    std::string_view advice;  ///< one sentence to the student: what happened, what is asked; never a value
+    ItemId item;              ///< the item that shows it
+    /// The results of the changed stage; none if an input is missing.
+    std::vector<Target> (*compute)(const ItemTargets& known, const IntervalScene& scene);
+};
+
+std::span<const Mistake> all_mistakes();
+
+struct FoundMistake {
+    const Mistake* mistake;
+    std::optional<SystemForm> system;  ///< as in Agreement
+};
+
+/// The mistake that explains a wrong printed value, computed from the student's own earlier values or, failing that,
+/// from the key's; empty if none does.
+std::optional<FoundMistake> find_mistake(const MatchedItem& printed, const Evidence& evidence, double allowance);
+
+}  // namespace harness

@@ -1,0 +1,186 @@
+#include "harness/mark/score/gather.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/mark/compare/key_targets.h"
+#include "harness/mark/diagnose/close_call.h"
+
+namespace harness {
+namespace {
+
+using reference::KeyItem;
+using reference::Shape;
+
+using item::triangle::matrix, item::triangle::rhs;
+
+/// Whether the value is so large that float loses the scene's numbers and their squares beside it. Only the value
+/// itself would follow from it.
+bool swallows_scene(const PrintedValue& value, const IntervalScene& scene) {
+    const double largest = 0x1p24 * scene.size * scene.size;
+    return std::any_of(value.numbers.begin(), value.numbers.end(),
+                       [&](const PrintedNumber& number) { return std::abs(number.value) > largest; });
+}
+
+class Gatherer {
+  public:
+    Gatherer(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
+             const reference::Assignment& assignment);
+    Gathered gather();
+
+  private:
+    Finding compare_with_key(const KeyItem& item, const MatchedItem& printed);
+    bool is_right_but_coarse(const KeyItem& item, const MatchedItem& printed) const;
+    bool is_right_quadratic(const KeyItem& item, const MatchedItem& printed, Finding& finding) const;
+    bool is_right_matrix(const KeyItem& item, const MatchedItem& printed, Finding& finding);
+    void remember_own_value(const ItemId& id, const MatchedItem& printed);
+
+    const std::vector<MatchedItem>& matched_;
+    const reference::AnswerKey& key_;
+    const reference::Rubric& rubric_;
+    Evidence evidence_;
+};
+
+Gatherer::Gatherer(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
+                   const reference::Assignment& assignment)
+    : matched_(matched), key_(key), rubric_(assignment.rubric) {
+    evidence_.conventions = keys_by_convention(key, rubric_);
+    for (const ItemTargets& known : evidence_.conventions) evidence_.float_keys.push_back(widened_by_allowance(known));
+    for (auto [id, target] : evidence_.conventions.front().targets()) {
+        target.allowance.clear();  // values that follow from it have their own allowances
+        evidence_.key.set(id, std::move(target));
+    }
+    evidence_.scene = real_scene(assignment, key.canonical);
+    evidence_.min_decimals = rubric_.min_decimals;
+    const PrintedQuadratic quadratic{readable(matched_, item::sphere::a), readable(matched_, item::sphere::b),
+                                     readable(matched_, item::sphere::c), readable(matched_, item::sphere::d)};
+    evidence_.quadratic = find_quadratic_scale(quadratic, evidence_.conventions, rubric_.min_decimals);
+}
+
+Gathered Gatherer::gather() {
+    Gathered gathered;
+    for (const reference::KeyQuestion& question : key_.questions) {
+        for (const KeyItem& item : question.items) {
+            const ItemId id = id_of(item.spec);
+            const MatchedItem* printed = readable(matched_, id);
+            if (printed == nullptr) continue;
+            const Finding finding = compare_with_key(item, *printed);
+            if (!swallows_scene(*printed->value, evidence_.scene)) remember_own_value(id, *printed);
+            if (!finding.right && !finding.coarse) evidence_.deviating.insert(id);
+            const double allowance = allowance_of(item, rubric_);
+            const bool close_call = !finding.right && (is_close_call(*printed, evidence_, allowance) ||
+                                                       follows_from_close_call(*printed, evidence_, allowance));
+            if (close_call) evidence_.close_calls.insert(id);
+            if (finding.right || close_call) evidence_.right.insert(id);
+            gathered.findings[id] = finding;
+        }
+    }
+    gathered.evidence = std::move(evidence_);
+    return gathered;
+}
+
+Finding Gatherer::compare_with_key(const KeyItem& item, const MatchedItem& printed) {
+    const ItemId id = id_of(item.spec);
+    Finding finding;
+    for (const reference::Answer& answer : item.answers) {
+        const Closeness closeness = compare(printed, target_with_allowance(item, answer, rubric_),
+                                            allowance_of(item, rubric_), rubric_.min_decimals);
+        if (!finding.error) finding.error = closeness.error;
+        if (!closeness.within) continue;
+        finding.right = true;
+        finding.accepted_as = reference::reason(answer, key_);
+        finding.error = closeness.error;
+        if (id == matrix) evidence_.system = SystemForm{};
+        return finding;
+    }
+    if (!printed.value->numbers.empty()) {
+        if (item.spec.question == 6 && item.spec.shape == Shape::scalar) {
+            finding.right = is_right_quadratic(item, printed, finding);
+        } else if (id == matrix) {
+            finding.right = is_right_matrix(item, printed, finding);
+        }
+    }
+    finding.coarse = !finding.right && is_right_but_coarse(item, printed);
+    return finding;
+}
+
+bool Gatherer::is_right_but_coarse(const KeyItem& item, const MatchedItem& printed) const {
+    constexpr int digits_that_tell = 3;  // too many values round to "1" to tell which was meant
+    const std::vector<PrintedNumber> numbers = by_columns(printed);
+    return std::any_of(item.answers.begin(), item.answers.end(), [&](const reference::Answer& answer) {
+        Target target = target_with_allowance(item, answer, rubric_);
+        for (std::size_t i = 0; i < std::min(numbers.size(), target.allowance.size()); ++i) {
+            if (numbers[i].significant >= digits_that_tell)
+                target.allowance[i] += 0.5 * std::pow(10.0, -numbers[i].decimals);
+        }
+        return compare(printed, target, 0.0, rubric_.min_decimals).within;
+    });
+}
+
+bool Gatherer::is_right_quadratic(const KeyItem& item, const MatchedItem& printed, Finding& finding) const {
+    const std::string_view name = printed.spec.name;
+    const bool half = evidence_.quadratic.form == QuadraticForm::half_b && (name == "b" || name == "d");
+    const Interval& k = evidence_.quadratic.factor;
+    const Interval factor = name == "d" && !is_one(k) ? k * k : k;
+    if (name == "t" || (!half && is_one(factor))) return false;
+    const Interval divisor(!half ? 1 : name == "b" ? 2 : 4);
+    const bool right = std::any_of(item.answers.begin(), item.answers.end(), [&](const reference::Answer& answer) {
+        const Target target = target_of(answer);
+        return !target.no_value && is_multiple(printed.value->numbers.front(), target.components.front() / divisor,
+                                               factor, allowance_of(item, rubric_), rubric_.min_decimals);
+    });
+    if (!right) return false;
+    finding.accepted_as =
+        half ? "the form with b' = b/2 and d' = b'^2 - ac" : "the whole equation multiplied by a number";
+    finding.error.reset();
+    return true;
+}
+
+bool Gatherer::is_right_matrix(const KeyItem& item, const MatchedItem& printed, Finding& finding) {
+    for (const reference::Answer& answer : item.answers) {
+        evidence_.system =
+            find_column_order(printed, target_of(answer), allowance_of(item, rubric_), rubric_.min_decimals);
+        if (!evidence_.system) continue;
+        finding.accepted_as = evidence_.system->describe();
+        finding.error.reset();
+        return true;
+    }
+    return false;
+}
+
+void Gatherer::remember_own_value(const ItemId& id, const MatchedItem& printed) {
+    for (const Digits digits : {Digits::of_stream, Digits::as_printed}) {
+        Target own = printed_target(printed, digits);
+        if (id == matrix && !own.no_value) {
+            const Target key =
+                target_of(evidence_.key.matrix3(matrix).value_or(reference::Mat3<Interval>(Interval(0.0))));
+            const PrintedSolution solution{readable(matched_, item::triangle::t), readable(matched_, item::triangle::u),
+                                           readable(matched_, item::triangle::v)};
+            const auto form = evidence_.system ? *evidence_.system
+                                               : likeliest_column_order(printed, readable(matched_, rhs), solution, key,
+                                                                        rubric_.min_decimals);
+            own = in_handout_order(printed, form, digits);
+        }
+        evidence_.own[digits == Digits::of_stream ? 0 : 1][id] = std::move(own);
+    }
+}
+
+}  // namespace
+
+Gathered gather(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
+                const reference::Assignment& assignment) {
+    return Gatherer(matched, key, assignment).gather();
+}
+
+const MatchedItem* readable(const std::vector<MatchedItem>& matched, const ItemId& id) {
+    const auto found =
+        std::find_if(matched.begin(), matched.end(), [&](const MatchedItem& m) { return id_of(m.spec) == id; });
+    return found != matched.end() && found->value && !found->unreadable ? &*found : nullptr;
+}
+
+double allowance_of(const KeyItem& item, const reference::Rubric& rubric) {
+    const std::vector<double> allowances = target_with_allowance(item, item.answers.front(), rubric).allowance;
+    return allowances.empty() ? 0.0 : *std::max_element(allowances.begin(), allowances.end());
+}
+
+}  // namespace harness

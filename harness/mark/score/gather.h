@@ -1,0 +1,38 @@
+// What is found out about every printed item before any is judged.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/mark/diagnose/evidence.h"
+#include "harness/match/match.h"
+#include "reference/key/answer_key.h"
+
+namespace harness {
+
+/// How a printed value compares with the key, without regard to the student's other values.
+struct Finding {
+    bool right = false;           ///< in some accepted form or reading
+    bool coarse = false;          ///< the key's, rounded to fewer decimals than the rubric's min_decimals
+    std::string accepted_as;      ///< why another form or reading is right; empty for the canonical one
+    std::optional<double> error;  ///< as in ItemScore
+};
+
+struct Gathered {
+    Evidence evidence;
+    std::map<ItemId, Finding> findings;  ///< of the items that are printed readably
+};
+
+/// Compares every readable item with the key, once, in the handout's order.
+Gathered gather(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
+                const reference::Assignment& assignment);
+
+/// The matched item; null if it was not printed, or not readably.
+const MatchedItem* readable(const std::vector<MatchedItem>& matched, const ItemId& id);
+
+/// How far a component of the item may be off, besides its rounding; the largest of its components'.
+double allowance_of(const reference::KeyItem& item, const reference::Rubric& rubric);
+
+}  // namespace harness

@@ -1,0 +1,127 @@
+// The order of the checks that lead to a verdict.
+#include "harness/mark/score/judge.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/mark/compare/key_targets.h"
+#include "harness/mark/diagnose/follow.h"
+#include "harness/mark/diagnose/mistakes.h"
+
+namespace harness {
+namespace {
+
+using reference::KeyItem;
+
+using item::triangle::matrix, item::triangle::rhs;
+
+void note_reading(ItemScore& score, const PrintedValue& value) {
+    score.no_value = value.numbers.empty();
+    for (const PrintedNumber& number : value.numbers) {
+        score.not_finite = score.not_finite || !std::isfinite(number.value);
+        if (!number.exact) score.half_unit = std::max(score.half_unit, 0.5 * std::pow(10.0, -number.decimals));
+    }
+}
+
+void accept(ItemScore& score, std::string reason) {
+    score.verdict = ItemVerdict::right;
+    score.accepted_as = std::move(reason);
+    score.error.reset();
+}
+
+}  // namespace
+
+void learn(Evidence& evidence, const Judgement& judgement) {
+    if (judgement.system) evidence.system = judgement.system;
+    if (!judgement.says_nothing) return;
+    for (auto& own : evidence.own) own.erase(id_of(judgement.score.spec));
+}
+
+Judgement Judge::judge(const KeyItem& item, const Evidence& evidence) const {
+    Judgement judgement;
+    ItemScore& score = judgement.score;
+    score.spec = item.spec;
+    score.allowance = allowance_of(item, rubric_);
+    const auto printed = std::find_if(matched_.begin(), matched_.end(),
+                                      [&](const MatchedItem& m) { return id_of(m.spec) == id_of(item.spec); });
+    if (printed == matched_.end()) return judgement;
+    if (printed->verdict) {
+        score.printed = printed->verdict->printed;
+        score.line = printed->verdict->line;
+        score.verdict = judge_verdict(item, *printed->verdict, evidence, score);
+    } else if (printed->value) {
+        score.printed = printed->value->printed;
+        score.line = printed->value->line;
+        note_reading(score, *printed->value);
+        score.verdict = ItemVerdict::unreadable;
+        if (!printed->unreadable) judge_value(item, *printed, evidence, judgement);
+    }
+    return judgement;
+}
+
+void Judge::judge_value(const KeyItem& item, const MatchedItem& printed, const Evidence& evidence,
+                        Judgement& judgement) const {
+    const ItemId id = id_of(item.spec);
+    const Finding& finding = findings_.at(id);
+    const bool is_empty = printed.value->numbers.empty();
+    ItemScore& score = judgement.score;
+    score.verdict = ItemVerdict::wrong;
+    score.error = finding.error;
+    if (finding.right) {
+        score.verdict = ItemVerdict::right;
+        score.accepted_as = finding.accepted_as;
+        return;
+    }
+    if (id == rhs && is_right_rhs(item, printed, evidence)) return accept(score, evidence.system->describe());
+    if (evidence.close_calls.contains(id)) {
+        return accept(score, is_empty ? "the ray does not hit here" : "rounding may decide here whether the ray hits");
+    }
+    if (finding.coarse) {
+        score.diagnosis = "too few decimals";
+        score.advice = "As far as it goes this is right, but it is rounded too much; print more decimals.";
+        return;
+    }
+    if (const auto agreement = follows(printed, evidence, score.allowance)) {
+        score.verdict = ItemVerdict::follow;
+        judgement.system = agreement->system;
+        return;
+    }
+    if (id == matrix && !is_empty) {
+        judgement.system = multiplied_form(printed, evidence, score.allowance);
+        if (judgement.system) return accept(score, judgement.system->describe());
+    }
+    judgement.says_nothing = is_empty;
+    Evidence without_this;  // nothing follows from a wrong "none"
+    if (is_empty) {
+        without_this = evidence;
+        learn(without_this, judgement);
+    }
+    const auto found = find_mistake(printed, is_empty ? without_this : evidence, score.allowance);
+    if (!found) return;
+    score.diagnosis = found->mistake->name;
+    score.advice = found->mistake->advice;
+    judgement.system = found->system;
+}
+
+std::optional<SystemForm> Judge::multiplied_form(const MatchedItem& printed, const Evidence& evidence,
+                                                 double allowance) const {
+    for (const ItemTargets& key : evidence.conventions) {
+        const auto system = key.targets().find(matrix), right_side = key.targets().find(rhs);
+        if (system == key.targets().end() || right_side == key.targets().end()) continue;
+        if (auto form = find_multiplied_form(printed, readable(matched_, rhs), system->second, right_side->second,
+                                             allowance, rubric_.min_decimals)) {
+            return form;
+        }
+    }
+    return std::nullopt;
+}
+
+bool Judge::is_right_rhs(const KeyItem& item, const MatchedItem& printed, const Evidence& evidence) const {
+    if (printed.value->numbers.empty() || !evidence.system || !evidence.system->is_scaled()) return false;
+    return std::any_of(item.answers.begin(), item.answers.end(), [&](const reference::Answer& answer) {
+        return is_scaled_rhs(printed, target_of(answer), *evidence.system, allowance_of(item, rubric_),
+                             rubric_.min_decimals);
+    });
+}
+
+}  // namespace harness

@@ -1,0 +1,31 @@
+// The lines that say which question follows: "Question 1:", "Q1)", "=== QUESTION #1 - title ===", "1.", "Part 1".
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace harness {
+
+struct Heading {
+    /// How the number is introduced. A program uses one style for its headings. A number in another style is something
+    /// else, such as "Step 2" within question 6.
+    enum class Style {
+        question,  ///< "Question", "Q", "Exercise", "Problem", …
+        part,      ///< "Part", "Answer", "Step", "No.", …, which may also number steps within a question
+        bare,      ///< the number alone: "1.", "2)", "--- 3 ---", "6a)"
+    };
+    int question;     ///< 1 to 99
+    std::size_t end;  ///< byte offset in the line after the number and its punctuation
+    Style style;
+};
+
+/// Reads the heading at the start of a line; empty if there is none. Linear in the line's length.
+std::optional<Heading> read_heading(std::string_view line);
+
+/// Finds the headings among `lines`. Only one style counts: the style that names the most of questions 1 to 10, with a
+/// preference for the earlier styles. Bare numbers count only if they name at least three questions. Returns one entry
+/// per line, empty if the line is not a heading.
+std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_view>& lines);
+
+}  // namespace harness

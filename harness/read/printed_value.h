@@ -1,0 +1,33 @@
+// One value of a printout, with the words around it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/read/token.h"
+
+namespace harness {
+
+/// Of what was printed for a value, this many bytes are shown.
+constexpr std::size_t longest_printed = 200;
+
+/// One thing that a student may have meant as an answer.
+struct PrintedValue {
+    std::vector<PrintedNumber> numbers;  ///< in the order printed; empty for a word such as "none" or "no hit"
+    int groups = 1;                      ///< inner brackets or rows, each of numbers.size() / groups numbers
+    int bar_after = 0;                   ///< in an augmented row [A | b]: how many numbers stand before the bar; else 0
+    bool framed = false;                 ///< printed between brackets or bars
+    bool typed = false;                  ///< printed with a GLM type name, as glm::to_string does
+    std::string label;                   ///< the words before it on its line; empty when there are none
+    std::string after;                   ///< the words after it, up to the next value; only if no words stand before it
+    std::string above;                   ///< the line of words above it; only for the first value under that line
+    bool above_is_title = false;         ///< `above` is the rest of a heading
+    std::string printed;                 ///< as printed, one line, at most 200 bytes
+    int line = 0;                        ///< 1-based, in the program's output
+    int last_line = 0;                   ///< the line of its last number
+};
+
+/// A section with more values keeps only its first and its last values, half of this number each.
+constexpr std::size_t most_values_in_section = 4000;
+
+}  // namespace harness

@@ -1,0 +1,35 @@
+// Reports of what accuracy costs in time, for people and programs. Pure functions of the measurement; they escape all
+// text.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "reference/accuracy/measure/assignment_accuracy.h"
+#include "reference/accuracy/measure/measurement.h"
+
+namespace harness::report {
+
+struct AccuracyFindings {
+    std::optional<reference::accuracy::Measurement> measured;
+    std::optional<reference::accuracy::AssignmentAccuracy> assignment;
+};
+
+/// For a terminal of 120 columns: the assignment's part, then a summary of each primitive, then every distribution. `*`
+/// marks the methods that no other method beats in both time and wrong decisions. Ends in a newline.
+std::string accuracy_text(const AccuracyFindings& findings);
+
+/// One object: seed, rays, repetitions, compiler, flags, processor and rows if something was measured, and `assignment`
+/// if an assignment was asked for. Indented, with a final newline. An error that is not finite is null.
+std::string accuracy_json(const AccuracyFindings& findings);
+
+/// Only the rows, as RFC 4180 with the JSON's names as header. A method without t has empty error cells.
+std::string accuracy_csv(const reference::accuracy::Measurement& measured);
+
+/// The summary as a standalone picture: for each primitive, time against wrong decisions.
+std::string accuracy_svg(const reference::accuracy::Measurement& measured);
+
+/// A page that has no script and loads nothing; well-formed as XML too. Precondition: `findings.measured` is set.
+std::string accuracy_html(const AccuracyFindings& findings);
+
+}  // namespace harness::report

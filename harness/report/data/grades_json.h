@@ -1,0 +1,19 @@
+// grades.json: the public format raygrade/grades/1. Text from submissions is escaped. Points are the final ones
+// (final_mark.h), with the automatic points beside them where they differ. A class graded without a sandbox is marked
+// as such.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "harness/grade/graded.h"
+#include "harness/grade/marking.h"
+
+namespace harness::report {
+
+/// The format raygrade/grades/1, indented, with a final newline. `tier` is what the programs ran under.
+void write_grades_json(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking, Tier tier);
+std::string grades_json(const std::vector<Graded>& graded, const Marking& marking, Tier tier);
+
+}  // namespace harness::report

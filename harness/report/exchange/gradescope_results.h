@@ -1,0 +1,18 @@
+// Marks for Gradescope: the results.json of an autograder.
+#pragma once
+
+#include <string>
+
+#include "harness/grade/graded.h"
+#include "harness/grade/marking.h"
+
+namespace harness::report {
+
+/// What `run_autograder` leaves at /autograder/results/results.json (gradescope/autograder_samples, docs/specs.md): the
+/// score and a test for each question. Students see all of it, so it has no expected values unless the rubric shows
+/// them. All its texts together stay below the 100,000 characters beyond which Gradescope cuts. A submission that does
+/// not compile has 0 points and the compiler's messages. A submission that was not graded has no score and no tests;
+/// Gradescope takes that for a failed autograder, never for 0 points.
+std::string gradescope_results(const Graded& graded, const Marking& marking);
+
+}  // namespace harness::report

@@ -1,0 +1,37 @@
+// Fills Mustache templates, and makes the pages' Content-Security-Policy.
+#pragma once
+
+#include <kainjow/mustache.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace harness::report {
+
+/// The values for a template. {{name}} is escaped for HTML, with control bytes and invalid UTF-8 made visible;
+/// {{{name}}} is inserted unchanged, so only for raygrade's own markup. {{#name}} takes an empty string for present:
+/// leave such a name out.
+using PageData = kainjow::mustache::data;
+
+class PageTemplate {
+  public:
+    /// Throws std::logic_error if the template is invalid, which is a bug in raygrade.
+    explicit PageTemplate(std::string_view text);
+
+    std::string fill_in(const PageData& data);
+
+  private:
+    kainjow::mustache::mustache mustache_;
+};
+
+/// Sets `name` to `text` unless the text is empty.
+void set_text(PageData& data, const char* name, const std::string& text);
+
+/// The beginning of every raygrade page, up to and including <html …>. raygrade recognises its pages by it.
+inline constexpr std::string_view page_beginning = "<!DOCTYPE html>\n<!-- a page of raygrade -->\n<html lang=\"en\">\n";
+
+/// A page's Content-Security-Policy, for the content of a <meta>: it allows the page's script (none if empty) and its
+/// <style> elements by their hashes, and forbids loading anything.
+std::string security_policy(const std::vector<std::string_view>& styles, std::string_view script = {});
+
+}  // namespace harness::report

@@ -1,0 +1,17 @@
+// What a regrade changes, for an instructor to read before applying it.
+#pragma once
+
+#include <string>
+
+#include "harness/gradebook/changed_marks.h"
+
+namespace harness::report {
+
+/// A line with the reasons for each submission that rises, falls, is new, is gone, or has the same mark for other
+/// reasons; empty if there is none.
+std::string changes_text(const ClassChanges& changes);
+
+/// "2 rise, 1 falls, 26 stay as they are." and what else changed; always says how many rise, fall and stay.
+std::string changes_summary(const ClassChanges& changes);
+
+}  // namespace harness::report

@@ -1,0 +1,21 @@
+// What a student reads: feedback as Markdown and the self-check on a terminal. Text from submissions is escaped. Points
+// are the final ones (final_mark.h), with the automatic points beside them where they differ. A class graded without a
+// sandbox is marked as such.
+#pragma once
+
+#include <string>
+
+#include "harness/grade/graded.h"
+#include "harness/grade/marking.h"
+
+namespace harness::report {
+
+/// A student's feedback as Markdown: points and, for each lost mark, question, line, what was printed and what is wrong
+/// with it. Never an expected value.
+std::string feedback_markdown(const Graded& graded, const Marking& marking);
+
+/// The same marking for a student's own check, on a terminal: a verdict for every item, with the reason. Never an
+/// expected value.
+std::string check_text(const Graded& graded);
+
+}  // namespace harness::report

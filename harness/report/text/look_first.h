@@ -1,0 +1,34 @@
+// The question that a student should look at first: the earliest mistake, as it causes others further down.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/grade/graded.h"
+
+namespace harness::report {
+
+struct LookFirst {
+    int question = 0;
+    bool is_missing = false;     ///< no answer is wrong, but this question lacks one
+    bool is_only = false;        ///< no other question is wrong
+    std::vector<int> following;  ///< questions whose only mistakes follow from earlier answers
+};
+
+/// The earliest question with a wrong answer of its own or, if there is none, the earliest with a missing answer. Empty
+/// if nothing needs a look, or if there is nothing to look at: the source does not compile, or the program was stopped
+/// before it printed an answer.
+std::optional<LookFirst> look_first(const Graded& graded);
+
+/// Whether every item is missing.
+bool holds_no_answer(const Score& score);
+
+/// Whether the program ended early or printed nothing, and no answer was found: only how it ended is then worth
+/// reporting.
+bool is_without_answers(const Graded& graded);
+
+/// The result of look_first() as plain-text sentences; empty if there is none.
+std::string look_first_sentence(const Graded& graded);
+
+}  // namespace harness::report

@@ -1,0 +1,26 @@
+// The sentences that several reports share.
+#pragma once
+
+#include <string>
+
+#include "harness/grade/graded.h"
+
+namespace harness::report {
+
+/// Why an item lost its mark or was accepted in another form, as sentences; empty for a plainly right one.
+std::string item_sentence(const ItemScore& item, Outcome outcome);
+
+/// The points for other scenes: "Other scenes: 4 of 5 points." Precondition: the rubric gives points for them.
+std::string scenes_sentence(const Graded& graded);
+
+/// Says that the rubric's cap on follow-through, in points, has cut some points.
+std::string cap_sentence(double cap);
+
+/// Tells the student why a submission has no marks, without the machine's problems and folders; the instructor finds
+/// both in the class table. May hold the student's own file names.
+std::string reason_for_student(const Submission& submission);
+
+/// What a flag means, as a sentence.
+std::string flag_title(const Flag& flag);
+
+}  // namespace harness::report

@@ -1,0 +1,65 @@
+// The files that raygrade writes next to the gradebook in a results folder. Each depends only on the gradebook, so they
+// can be written again at any time.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/gradebook/gradebook.h"
+#include "harness/report/exchange/canvas_gradebook.h"
+#include "harness/report/exchange/feedback_zip.h"
+#include "harness/report/exchange/moodle_grades.h"
+
+namespace harness {
+
+/// The names of the rosters among a gradebook's inputs, and of the files made from them.
+constexpr const char* canvas_roster_input = "canvas-roster";
+constexpr const char* canvas_import_name = "grades-canvas.csv";
+constexpr const char* moodle_worksheet_input = "moodle-worksheet";
+constexpr const char* moodle_import_name = "grades-moodle.csv";
+constexpr const char* feedback_zip_name = "feedback.zip";
+
+/// The names of the files that show that a folder holds results of raygrade.
+std::vector<std::string> marks_of_results();
+
+/// The name of a submission's feedback file, without the extension. It is made from the submission's id, which may
+/// contain a path, and is cut if it would be too long for a file name. `index` is the submission's place in the class.
+std::string feedback_name(const std::string& id, std::size_t index);
+
+/// Everything that the reports of a class are made from.
+struct ClassResults {
+    const std::vector<Graded>& graded;  ///< with their overrides
+    const Marking& marking;
+    Tier tier;
+    std::optional<report::CanvasRoster> canvas;     ///< the Canvas gradebook to fill in; empty for none
+    std::optional<report::MoodleWorksheet> moodle;  ///< the Moodle worksheet to fill in; empty for none
+};
+
+/// Read the rosters that a gradebook keeps among its inputs. Throws RosterError.
+std::optional<report::CanvasRoster> read_roster(const std::optional<KeptInput>& input);
+std::optional<report::MoodleWorksheet> read_worksheet(const std::optional<KeptInput>& input);
+
+/// What write_reports wrote for other systems, with the students left out. A member is empty if there is no such file.
+struct HandedBack {
+    std::optional<report::CanvasImport> canvas;
+    std::optional<report::MoodleImport> moodle;
+    std::optional<report::FeedbackZip> feedback;
+};
+
+/// Writes every report and removes those of students who are no longer in the class. All reports are synced to the disk
+/// when it returns. `folder` and its subfolder `feedback` must exist. `only` is the place of one submission: then the
+/// feedback files of all others stay as they are. Call it after the gradebook is saved, because no report may show what
+/// the gradebook does not hold. Throws HarnessError.
+HandedBack write_reports(const ClassResults& results, const std::filesystem::path& folder,
+                         std::optional<std::size_t> only = {});
+
+/// Whether any of these reports goes back to another system.
+bool goes_back(const ClassResults& results);
+
+/// Whether `folder` holds every report of this class, other than the files for other systems, as written when the
+/// gradebook was last saved: none is missing, none was modified since, and no killed run left an unfinished file.
+bool class_reports_are_as_left(const std::vector<Graded>& graded, const std::filesystem::path& folder);
+
+}  // namespace harness

@@ -1,0 +1,112 @@
+#include "harness/run/execute.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "harness/build/include_block.h"
+#include "harness/run/run.h"
+#include "harness/run/sanitizer.h"
+
+namespace harness {
+namespace {
+
+/// The cache keys of the runs: the first run, its repetitions, and last the sanitized run. Empty if nothing is cached.
+std::vector<std::string> keys_of(const Submission& submission, const Runner& runner) {
+    std::vector<std::string> keys;
+    if (!runner.result_cache) return keys;
+    const auto add = [&](const std::string& which) { keys.push_back(execution_key(submission.source, runner, which)); };
+    add("first");
+    for (int i = 2; i <= runner.repetitions; ++i) add("repetition " + std::to_string(i));
+    if (runner.sanitize) add("sanitized");
+    return keys;
+}
+
+std::optional<Executions> find_in_cache(const Submission& submission, const Runner& runner) {
+    if (!runner.result_cache || runner.fresh || submission.problem) return {};
+    Executions found;
+    found.from_cache = true;
+    for (const std::string& key : keys_of(submission, runner)) {
+        auto kept = runner.result_cache->find(key);
+        if (!kept) return {};
+        found.runs.push_back(std::move(*kept));
+    }
+    if (runner.sanitize) {
+        found.sanitized = std::move(found.runs.back());
+        found.runs.pop_back();
+    }
+    return found;
+}
+
+void keep(const Executions& executions, const Submission& submission, const Runner& runner) {
+    if (!runner.result_cache) return;
+    const std::vector<std::string> keys = keys_of(submission, runner);
+    for (std::size_t i = 0; i < executions.runs.size(); ++i) runner.result_cache->keep(keys[i], executions.runs[i]);
+    if (executions.sanitized) runner.result_cache->keep(keys.back(), *executions.sanitized);
+}
+
+/// The precompiled header that an earlier run made for this source, if there is one. For a single source none is made.
+std::optional<PrecompiledHeader> kept_header(const Submission& submission, const Runner& runner) {
+    if (!runner.headers || submission.problem) return {};
+    const HeaderPlan plan = plan_headers({header_lines(submission.source)}, runner.headers->made());
+    if (plan.headers.empty()) return {};
+    return runner.headers->get(plan.headers.front());
+}
+
+}  // namespace
+
+HeaderLines header_lines(const std::string& source) {
+    HeaderLines lines;
+    for (const Directive& directive : include_block(source)) lines.push_back(directive.text);
+    return lines;
+}
+
+bool is_in_cache(const Submission& submission, const Runner& runner) {
+    if (!runner.result_cache || runner.fresh || submission.problem) return false;
+    const std::vector<std::string> keys = keys_of(submission, runner);
+    return std::all_of(keys.begin(), keys.end(),
+                       [&](const std::string& key) { return runner.result_cache->contains(key); });
+}
+
+Compiled compile(const Submission& submission, const Runner& runner, const std::optional<PrecompiledHeader>& header,
+                 Timeline& timeline) {
+    Compiled compiled;
+    if (auto found = find_in_cache(submission, runner)) {
+        compiled.executions = std::move(*found);
+        return compiled;
+    }
+    const Timeline::Span span(timeline, Stage::build, submission.id);
+    Execution execution;
+    compiled.program = std::make_unique<Scratch>(runner.sandbox->workspace());
+    execution.build = build(submission, runner.build, *runner.sandbox, *compiled.program, header);
+    compiled.executions.runs.assign(static_cast<std::size_t>(runner.repetitions), execution);
+    if (!runner.sanitize) return compiled;
+    BuildSettings settings = runner.build;
+    for (const std::string& flag : sanitizer_flags()) settings.flags.push_back(flag);
+    compiled.sanitized_program = std::make_unique<Scratch>(runner.sandbox->workspace());
+    execution.build = build(submission, settings, *runner.sandbox, *compiled.sanitized_program);
+    compiled.executions.sanitized = std::move(execution);
+    return compiled;
+}
+
+Executions run_compiled(Compiled compiled, const Submission& submission, const Runner& runner, Timeline& timeline) {
+    Executions& executions = compiled.executions;
+    if (executions.from_cache) return std::move(executions);
+    {
+        const Timeline::Span span(timeline, Stage::run, submission.id);
+        for (Execution& each : executions.runs)
+            each.run = run(each.build, runner.run, *runner.sandbox, *compiled.program);
+        if (executions.sanitized) {
+            executions.sanitized->run = run(executions.sanitized->build, sanitizer_limits(runner.run), *runner.sandbox,
+                                            *compiled.sanitized_program, sanitizer_environment());
+        }
+    }
+    keep(executions, submission, runner);
+    return std::move(executions);
+}
+
+Executions execute(const Submission& submission, const Runner& runner, Timeline& timeline) {
+    const auto header = is_in_cache(submission, runner) ? std::nullopt : kept_header(submission, runner);
+    return run_compiled(compile(submission, runner, header, timeline), submission, runner, timeline);
+}
+
+}  // namespace harness

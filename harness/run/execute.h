@@ -1,0 +1,46 @@
+// From a source to what it printed: compiled and run now, or found in the cache.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/build/build.h"
+#include "harness/build/header_plan.h"
+#include "harness/execution/execution.h"
+#include "harness/intake/submission.h"
+#include "harness/run/runner.h"
+#include "harness/run/timeline.h"
+
+namespace harness {
+
+/// All runs of one source.
+struct Executions {
+    std::vector<Execution> runs;         ///< at least one; those after the first are repetitions (`--repeat`)
+    std::optional<Execution> sanitized;  ///< the run of a second build under the sanitizers (`--sanitize`)
+    bool from_cache = false;             ///< nothing was compiled or run for them
+};
+
+/// A source after compiling, before running.
+struct Compiled {
+    Executions executions;             ///< complete if they come from the cache; else they hold the builds alone
+    std::unique_ptr<Scratch> program;  ///< the folder of the program; null if there is nothing to run
+    std::unique_ptr<Scratch> sanitized_program;
+};
+
+/// Compiles and runs the submission's source, and keeps the result in the cache. Throws HarnessError.
+Executions execute(const Submission& submission, const Runner& runner, Timeline& timeline);
+
+// The two halves of execute, for a class: one thread compiles while another runs. Both throw HarnessError.
+Compiled compile(const Submission& submission, const Runner& runner, const std::optional<PrecompiledHeader>& header,
+                 Timeline& timeline);
+Executions run_compiled(Compiled compiled, const Submission& submission, const Runner& runner, Timeline& timeline);
+
+/// Whether the cache holds every run of this source. False if the runner has no cache or must not look into it.
+bool is_in_cache(const Submission& submission, const Runner& runner);
+
+/// The include directives at the beginning of the source, which a precompiled header can stand for.
+HeaderLines header_lines(const std::string& source);
+
+}  // namespace harness

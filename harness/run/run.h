@@ -1,0 +1,15 @@
+// Runs a compiled program.
+#pragma once
+
+#include "harness/build/build.h"
+#include "harness/sandbox/host/sandbox.h"
+#include "harness/sandbox/host/scratch.h"
+
+namespace harness {
+
+/// Runs the build's program, a file in `scratch`, with an empty stdin. Returns Ended::not_started for a build without a
+/// program. Throws HarnessError.
+ProcessResult run(const Build& build, const Limits& limits, const Sandbox& sandbox, const Scratch& scratch,
+                  const std::vector<std::string>& more_environment = {});
+
+}  // namespace harness

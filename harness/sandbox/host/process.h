@@ -1,0 +1,24 @@
+// The description of a program to run with limits. run_process of sandbox.h runs it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/execution/process_result.h"
+#include "harness/sandbox/supervisor/account.h"
+
+namespace harness {
+
+struct Command {
+    std::vector<std::string> argv;            ///< argv[0] is an absolute path, or one from the working directory: "./x"
+    std::filesystem::path working_directory;  ///< absolute; the program can access it
+    Purpose purpose = Purpose::run;
+    std::optional<Account> account;               ///< the account to run as, see spare_account
+    std::vector<std::filesystem::path> readable;  ///< what else it may read, under the same path: absolute, existing
+    std::vector<std::string> environment;         ///< "NAME=value"; HOME and TMPDIR, the working directory, are added
+    Limits limits;
+};
+
+}  // namespace harness

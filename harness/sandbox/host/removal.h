@@ -1,0 +1,12 @@
+// Removes a folder that a student's program has written to.
+#pragma once
+
+#include <filesystem>
+
+namespace harness {
+
+/// Removes the folder with its contents, even folders without permissions and of any depth. Does not follow links. What
+/// can't be removed (an immutable file, a mount) stays, without an error: callers could not report it.
+void remove_folder(const std::filesystem::path& folder);
+
+}  // namespace harness

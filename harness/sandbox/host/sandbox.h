@@ -1,0 +1,49 @@
+// Isolates students' programs from this machine during one run of raygrade.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "harness/execution/tier.h"
+#include "harness/sandbox/host/process.h"
+#include "harness/sandbox/host/workspace.h"
+
+namespace harness {
+
+/// A tier with the files it needs: the workspace, and a copy of the supervisor that every account can execute. Safe to
+/// use from several threads.
+class Sandbox {
+  public:
+    /// Does not check whether the tier works on this machine; choose_sandbox does (canary.h). Throws HarnessError if
+    /// there is no room for the workspace, no supervisor or no bwrap.
+    explicit Sandbox(Tier tier);
+
+    Tier tier() const { return tier_; }
+    const Workspace& workspace() const { return workspace_; }
+    /// The supervisor's copy in the workspace.
+    const std::filesystem::path& supervisor() const { return supervisor_; }
+    /// bwrap; empty in the other tiers.
+    const std::filesystem::path& bwrap() const { return bwrap_; }
+
+    /// The path under which a program finds its working directory; with namespaces it is always the same.
+    std::filesystem::path inside(const std::filesystem::path& working_directory) const;
+
+  private:
+    Tier tier_;
+    Workspace workspace_;
+    std::filesystem::path supervisor_, bwrap_;
+};
+
+/// The folders and files of this machine that every program can read under their own paths, in mounting order: the
+/// system's libraries and, for compiling, the compiler's tools and headers. Never all of /usr or /, where an instructor
+/// may keep private files.
+std::vector<std::filesystem::path> system_folders(Purpose purpose);
+
+/// Runs the command in the sandbox until it ends or exceeds a limit, with stdin from /dev/null, and leaves no process
+/// of it behind. Safe to call from several threads. A program that exceeded a limit gets that verdict even if it ended
+/// by itself first. Throws HarnessError if the machine could not run it (no such program or folder, no more processes,
+/// no sandbox) or could not tell how it ended.
+ProcessResult run_process(const Command& command, const Sandbox& sandbox);
+
+}  // namespace harness

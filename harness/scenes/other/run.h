@@ -1,0 +1,27 @@
+// Runs a class on other scenes: each source is rewritten, compiled, run and marked like any submission.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "harness/grade/graded.h"
+#include "harness/grade/marking.h"
+#include "harness/run/runner.h"
+#include "harness/run/timeline.h"
+
+namespace harness::scenes {
+
+struct OtherScenesOptions {
+    int count = 0;           ///< other scenes per submission; 0 for none
+    std::uint64_t seed = 1;  ///< of the generated scenes
+};
+
+/// Fills `other_scenes` of each result, and adds the flag "hard_coded" if answers do not change with the scene, or if
+/// the scene was not located and the source contains the answers as printed. `sources` are those of the results. A
+/// submission without a right answer is not tried. Each source is compiled, run and cached like any other. The runner's
+/// repetitions and sanitizers apply here too, so the caller turns them off.
+void run_other_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
+                      const Runner& runner, int jobs, const OtherScenesOptions& options, Timeline& timeline);
+
+}  // namespace harness::scenes

@@ -1,0 +1,66 @@
+// Runs submissions on other scenes: each source is rewritten to state the scene, then compiled, run and marked like any
+// submission.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/grade/graded.h"
+#include "harness/grade/marking.h"
+#include "harness/run/runner.h"
+#include "harness/run/timeline.h"
+#include "harness/scenes/source/scene_literals.h"
+
+namespace harness::scenes {
+
+/// A scene with its key. All submissions in which the same parts were located share it.
+struct MarkedScene {
+    reference::OtherScene scene;
+    std::shared_ptr<const Marking> marking;
+};
+
+/// Makes the marking of `base` for another scene. Empty if the scene has no certified key, e.g. because the rubric's
+/// tolerance is too narrow for it.
+std::optional<MarkedScene> with_key(reference::OtherScene scene, const Marking& base);
+
+/// A submission on one other scene.
+struct SceneRun {
+    const MarkedScene* scene;
+    std::optional<Graded> graded;  ///< empty if a number does not fit its place in the source
+};
+
+/// A clause that says why the program was not run on that scene; empty if it ran, however it ended.
+std::string why_not_tried(const SceneRun& run);
+
+/// The runs of one submission.
+struct Rewritten {
+    std::size_t index;  ///< the submission's place in the class
+    SceneLiterals literals;
+    std::vector<SceneRun> runs;  ///< in the order of the scenes
+};
+
+/// Returns the scenes for a submission in which the parts `located` were found. The reference must stay valid until
+/// run_rewritten returns.
+using ScenesFor = std::function<const std::vector<MarkedScene>&(std::size_t index, const PartSet& located)>;
+
+/// Whether the submission has a right answer, so that there is something to compare on other scenes.
+bool has_right_answer(const Graded& graded);
+
+/// Tries every submission that has a right answer; `sources` are those of `graded`. Each rewritten source is compiled,
+/// run and cached like any other. The runner's repetitions and sanitizers apply here too, so the caller turns them off.
+/// `conclude` is called in the order of the class. A failure for one submission, also in `scenes_for` and `conclude`,
+/// does not stop the others and changes no marks. The submission gets a note, and our_fault if the fault is raygrade's.
+void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& sources, const DecimalScene& scene,
+                   const Runner& runner, int jobs, Timeline& timeline, const ScenesFor& scenes_for,
+                   const std::function<void(Rewritten)>& conclude);
+
+/// The parts in which `scene` differs from `other`, in words: "eye = (3, -2, 5), radius = 2".
+std::string described(const DecimalScene& scene, const DecimalScene& other);
+
+/// The names of the parts of the scene that were not located in the source.
+std::vector<std::string> parts_not_found(const DecimalScene& scene, const PartSet& located);
+
+}  // namespace harness::scenes

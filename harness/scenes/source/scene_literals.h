@@ -1,0 +1,44 @@
+// Finds where a student's source states the scene, and writes other scenes into the source.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/scenes/source/constant.h"
+#include "harness/scenes/source/scene_part.h"
+
+namespace harness::scenes {
+
+/// A constant in the source that is a number of the scene.
+struct SceneLiteral {
+    std::size_t begin = 0;  ///< in the source
+    std::size_t end = 0;
+    ScenePart part = ScenePart::eye;
+    std::size_t component = 0;  ///< of the part; 0 for a splat
+    bool splat = false;
+    double offset = 0;  ///< what the source adds to the number: 0.5 in 150.5 for a pixel's centre
+    Constant constant{};
+    bool in_define = false;
+};
+
+/// The numbers of the scene that were found in a source.
+struct SceneLiterals {
+    std::vector<SceneLiteral> literals;  ///< of the located parts, in the source's order, without overlaps
+    PartSet located;
+};
+
+/// Finds the scene's numbers in the source. A value identifies a part if no other part has it and if it is not a common
+/// value such as (0, 0, 0). Otherwise the name that it initialises identifies the part, or its place among others, as
+/// in lookAt(eye, at, up). A part is located if every place that may state it surely does. A doubtful part is not
+/// located and must stay as it is. Numbers within a formula are never taken. The triangle is located as a whole or not
+/// at all. Linear in the source's size, except for sorting the results.
+SceneLiterals find_scene(std::string_view source, const DecimalScene& scene);
+
+/// The source with its located numbers replaced by those of `variant`, each written like the number that it replaces.
+/// `variant` may differ from the original scene only in located parts. Empty if a number can't be written that way,
+/// such as 1.5 where the source has an int.
+std::optional<std::string> with_scene(std::string_view source, const SceneLiterals& found, const DecimalScene& variant);
+
+}  // namespace harness::scenes

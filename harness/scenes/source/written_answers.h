@@ -1,0 +1,28 @@
+// Finds answers that the source contains as they are printed.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/mark/score/score.h"
+#include "harness/scenes/source/scene_part.h"
+
+namespace harness::scenes {
+
+struct WrittenAnswer {
+    int question = 0;
+    std::string item;
+    std::string number;    ///< as printed and as in the source
+    std::size_t line = 0;  ///< of the source, from 1
+};
+
+/// The right answers whose printed numbers stand in the source, in a string or as a literal. Only numbers with at least
+/// four significant digits count, because a program that computes such a number does not contain it. Shorter numbers
+/// such as 0.25, the scene's own numbers and comments are left out. One entry per item, in the handout's order.
+std::vector<WrittenAnswer> written_answers(std::string_view source, const Score& score, const DecimalScene& scene);
+
+/// For the flag if the scene was not found: the printed numbers that stand in the source, with their lines.
+std::string written_evidence(const std::vector<WrittenAnswer>& written);
+
+}  // namespace harness::scenes

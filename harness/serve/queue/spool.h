@@ -1,0 +1,101 @@
+// Keeps programs and results on the disk, so that neither a stop nor a crash loses anything.
+//
+// The spool is a folder with one SQLite database, locked by the process that uses it. A program is on the disk before
+// its student gets an address, and its source is deleted as soon as its result is there.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/machine/file_descriptor.h"
+
+namespace SQLite {
+class Database;
+}
+
+namespace harness::serve {
+
+/// How long and how many results are kept. The oldest are deleted first.
+struct SpoolBounds {
+    std::chrono::seconds age = std::chrono::hours(24);  ///< since the result was stored
+    std::size_t results = 2'000;
+    std::uint64_t bytes = std::uint64_t{256} << 20;  ///< of all pages together
+    int attempts = 3;                                ///< a program that crashed raygrade this often is not tried again
+};
+
+struct Program {
+    std::string source;
+    std::string file;  ///< the name that its page shows
+};
+
+struct Result {
+    std::string page;              ///< HTML
+    std::optional<double> points;  ///< empty if it was not graded
+    double max_points = 0;
+};
+
+/// The default folder for an assignment: below $XDG_STATE_HOME/raygrade/serve, else ~/.local/state/raygrade/serve;
+/// empty if neither is an absolute path. `assignment` is a name or the path of a file; each file has its own folder.
+std::optional<std::filesystem::path> state_folder(const std::string& assignment, const std::string& name);
+
+/// Safe to use from several threads. Every function throws HarnessError, with the folder and what to do, if the disk
+/// fails. `key` comes from key_of (result_address.h).
+class KeptPrograms {
+  public:
+    /// Opens or makes `folder`/spool.sqlite. Renames a database that can't be read to spool.sqlite.set-aside and makes
+    /// a new database. Also throws HarnessError if another process uses the folder. Throws UsageError for a folder that
+    /// is not empty and holds no spool, and does not change it.
+    explicit KeptPrograms(const std::filesystem::path& folder, const SpoolBounds& bounds = {});
+    ~KeptPrograms();
+    KeptPrograms(const KeptPrograms&) = delete;
+    KeptPrograms& operator=(const KeptPrograms&) = delete;
+
+    /// Sets the assignment, by name and whole text, of the programs added from now on. Throws UsageError if programs
+    /// wait for a different assignment, as they would get wrong verdicts. Results of earlier assignments can still be
+    /// found.
+    void take_for(const std::string& assignment, const std::string& toml);
+
+    /// The keys of programs that an earlier process left without a result, in the order of arrival. Programs that were
+    /// tried too often are in given_up instead.
+    std::vector<std::string> waiting();
+    std::vector<std::string> given_up();
+
+    /// Stores a program. It is on the disk when this returns.
+    void add(const std::string& key, const std::string& source, const std::string& file = "");
+    /// Returns the program and counts an attempt.
+    Program begin(const std::string& key);
+    /// Uncounts the attempt, which ended through no fault of the program.
+    void give_back(const std::string& key);
+    void finish(const std::string& key, const Result& result);
+    /// Empty if there is no result or it is too old.
+    std::optional<Result> result(const std::string& key);
+    /// The same, but with an empty page.
+    std::optional<Result> points(const std::string& key);
+    /// Deletes results beyond the bounds, and erases all deleted data from the files.
+    void trim();
+
+    /// A sentence for the instructor if a database was set aside; else empty.
+    const std::string& problem() const { return problem_; }
+
+  private:
+    void open();
+    template <class Work>
+    auto attempt(const char* what, Work work);
+    std::vector<std::string> without_page(const char* attempts);
+    std::optional<Result> find(const std::string& key, const char* page);
+
+    std::filesystem::path file_;
+    SpoolBounds bounds_;
+    FileDescriptor lock_;
+    std::mutex mutex_;
+    std::unique_ptr<SQLite::Database> database_;
+    std::string problem_;
+};
+
+}  // namespace harness::serve

@@ -1,0 +1,27 @@
+// The files of a spool: its lock and its database, with the tables of this version.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "harness/machine/file_descriptor.h"
+
+namespace SQLite {
+class Database;
+}
+
+namespace harness::serve {
+
+/// The database's name within a spool's folder.
+inline constexpr const char* spool_name = "spool.sqlite";
+
+/// Locks the folder for as long as the result lives. Makes it, for its owner alone, if it is missing; uses an existing
+/// folder only if it is empty or a spool's. Throws UsageError for a folder of anything else, HarnessError if it can't
+/// be made, written or locked.
+FileDescriptor take_spool_folder(const std::filesystem::path& folder);
+
+/// Opens or makes the database, and updates a database of an earlier version. Throws SQLite::Exception, and
+/// std::runtime_error for a database of a later version.
+std::unique_ptr<SQLite::Database> open_spool_file(const std::filesystem::path& file);
+
+}  // namespace harness::serve

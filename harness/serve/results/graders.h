@@ -1,0 +1,43 @@
+// The threads that grade the programs in the queue.
+#pragma once
+
+#include <thread>
+#include <vector>
+
+#include "harness/grade/graded.h"
+#include "harness/grade/marking.h"
+#include "harness/run/runner.h"
+#include "harness/serve/queue/queue.h"
+#include "harness/serve/results/pages.h"
+
+namespace harness::serve {
+
+class Graders {
+  public:
+    /// Starts `jobs` threads. For each program they print on stderr its number, its outcome, the time it took and the
+    /// length of the queue, and nothing that identifies a student. All arguments must outlive this.
+    Graders(Queue& queue, KeptPrograms& kept_programs, const About& about, const Runner& runner, const Marking& marking,
+            int jobs);
+    /// Waits until the queue hands out no more programs; close it or leave it first.
+    ~Graders();
+    Graders(const Graders&) = delete;
+    Graders& operator=(const Graders&) = delete;
+
+  private:
+    void work();
+    Result grade_one(const Task& task, std::string& outcome) const;
+    void tidy(const std::stop_token& stop);
+
+    Queue& queue_;
+    KeptPrograms& kept_programs_;
+    const About& about_;
+    const Runner& runner_;
+    const Marking& marking_;
+    std::vector<std::jthread> threads_;
+    std::jthread tidier_;
+};
+
+/// The result of a program that crashed raygrade each time it was tried.
+Result given_up(const About& about);
+
+}  // namespace harness::serve

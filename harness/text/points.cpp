@@ -1,0 +1,14 @@
+#include "harness/text/points.h"
+
+#include <fmt/format.h>
+
+namespace harness {
+
+std::string points_text(double points) {
+    std::string text = fmt::format("{:.2f}", points);
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+    return text == "-0" ? "0" : text;
+}
+
+}  // namespace harness

@@ -1,0 +1,14 @@
+// The optional tables of a scene: light, material, mesh, render.
+#pragma once
+
+#include "reference/toml/appearance.h"
+#include "reference/toml/toml_table.h"
+
+namespace reference {
+
+/// `path` is the scene file, from whose folder mesh paths are resolved; meshes are not opened here. Throws
+/// AssignmentError, which names file, line and key and says how to fix it, for a number outside its range in
+/// appearance.h or beyond 1e30 in size, a zero direction, or a material that is missing or defined twice.
+Appearance read_appearance(const TomlTable& root, const std::filesystem::path& path);
+
+}  // namespace reference
