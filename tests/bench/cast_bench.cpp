@@ -1,4 +1,4 @@
-// Prints how many certified queries a second `raygrade cast` answers on one core, JSON in and out included.
+// Prints how many certified queries per second `raygrade cast` answers on one core, including reading and writing JSON.
 // Usage: cast_bench [queries]
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "reference/accuracy/distributions.h"
-#include "reference/cast.h"
+#include "reference/accuracy/rays/distributions.h"
+#include "reference/kernel/queries.h"
 
 namespace {
 
@@ -41,7 +41,7 @@ std::string query(const accuracy::OrderCase& c) {
     return query(c.ray, text_of(c.sphere), text_of(c.triangle));
 }
 
-/// Numbers with all their 17 digits, as the distributions draw them.
+/// Numbers with all 17 digits, as the distributions draw them.
 template <class Case>
 void measure(std::string_view kind, const std::vector<accuracy::Distribution<Case>>& all, long count) {
     for (const auto& distribution : all) {

@@ -1,5 +1,5 @@
-// The ladder's methods on its distributions, and the kernel's blocks of rays beside single ones: nanoseconds a ray.
-// Ratios are those of one run: kernel_bench --benchmark_enable_random_interleaving=true --benchmark_repetitions=9
+// Nanoseconds per ray of every method on every distribution, and of the kernel's blocks of rays and its single rays.
+// Compare only figures of one run: kernel_bench --benchmark_enable_random_interleaving=true --benchmark_repetitions=9
 //                                           --benchmark_report_aggregates_only=true --benchmark_filter=benign
 #include <benchmark/benchmark.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/accuracy/method.h"
+#include "reference/accuracy/methods/method.h"
 #include "reference/kernel/batch.h"
 #include "reference/kernel/sphere.h"
 #include "reference/kernel/triangle.h"
@@ -23,7 +23,7 @@ using reference::Triangle;
 using reference::Vec3;
 using reference::accuracy::SphereCase;
 
-/// More than a branch predictor remembers, and little enough for a second-level cache.
+/// More rays than a branch predictor remembers, and few enough for a second-level cache.
 constexpr std::size_t case_count = 16384;
 constexpr std::size_t slow_case_count = 1024;
 
@@ -43,7 +43,7 @@ void add_all(const std::string& primitive, const std::vector<accuracy::Method<Pr
             const std::string name = primitive + "/" + std::string(distribution.name) + "/" + method.name();
             benchmark::RegisterBenchmark(name.c_str(), [rays, method](benchmark::State& state) {
                 const std::size_t some = method.speed == accuracy::Speed::slow ? slow_case_count : case_count;
-                method.judge(*rays, some);  // prepares what a method prepares
+                method.judge(*rays, some);  // lets the method prepare its data
                 for (auto _ : state) method.run(*rays, some);
                 count(state, some);
             });
@@ -51,7 +51,7 @@ void add_all(const std::string& primitive, const std::vector<accuracy::Method<Pr
     }
 }
 
-/// All rays of the first distribution at one object: moved with their own to its place.
+/// All rays of the first distribution, each moved together with its own object to the place of one object.
 template <class T>
 struct Block {
     std::array<std::vector<T>, 6> columns;
@@ -79,7 +79,7 @@ void add_batch(const std::string& name, const Block<T>& block, const Object& obj
     });
 }
 
-/// The scalar form, writing what the batch writes.
+/// The scalar form, with the same output as the batch.
 const auto one_by_one = [](const auto& rays, const auto& object, auto results, auto) {
     for (std::size_t i = 0; i < rays.size(); ++i) results[i] = decide(rays[i], object);
 };

@@ -1,7 +1,7 @@
-// make_class starter|wild COUNT SEED SUBMISSIONS OUT: a class of distinct right programs for timing, made from the
-// sample submissions. In a *starter* class all begin with one of four include blocks, as where the course ships a
-// starter file; in a *wild* one each has its own: the headers in another order, further ones, and a #define. The
-// programs differ in helper functions with numbers of their own.
+// make_class starter|wild COUNT SEED SUBMISSIONS OUT: makes a class of distinct right programs for timing from the
+// sample submissions. In a *starter* class every program begins with one of four include blocks, as if the course
+// shipped starter files. In a *wild* class each program has its own block: headers in a different order, more headers,
+// and a #define. Helper functions with different numbers make the programs distinct.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -63,7 +63,7 @@ std::string own_block(Program program, std::size_t student, std::mt19937& random
     for (std::size_t i = 0; i < random() % 3; ++i)
         program.includes.push_back("#include <" + std::string(further.at(i)) + ">");
     std::shuffle(program.includes.begin(), program.includes.end(), random);
-    // Somewhere among the headers, so that how much two blocks share differs.
+    // The place among the headers varies, so that pairs of blocks share beginnings of different lengths.
     const auto place = program.includes.begin() + static_cast<std::ptrdiff_t>(random() % (program.includes.size() + 1));
     program.includes.insert(place, "#define STUDENT " + std::to_string(student));
     return block_of(program);
@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
         std::cerr << "make_class starter|wild COUNT SEED SUBMISSIONS OUT\n";
         return 2;
     }
-    // Each with the one whose block it fits; none gives the compiler anything to say.
+    // Pairs each program with a block that fits it, so that the compiler gives no message.
     const std::vector<std::pair<std::string, std::string>> bases{
         {"ada", "ada"}, {"farid", "farid"}, {"grace", "grace"}, {"hana", "hana"},
         {"jin", "ada"}, {"farid", "farid"}, {"ivan", "grace"},  {"wei", "hana"}};

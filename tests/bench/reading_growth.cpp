@@ -1,11 +1,11 @@
-// How the time to read and match grows when an output doubles: about 2 where it is linear. Run it on a quiet machine;
-// on a loaded one single ratios of up to 3 are noise, a ratio of 4 that comes again is not.
+// Prints how the time to read and match grows when an output doubles: a ratio of about 2 means linear. Run it on a
+// quiet machine. On a busy machine single ratios up to 3 are noise, but a repeated ratio of 4 is not.
 #include <chrono>
 #include <cstdio>
 
-#include "harness/match.h"
-#include "harness/transcript.h"
-#include "tests/nasty_outputs.h"
+#include "harness/match/match.h"
+#include "harness/read/transcript.h"
+#include "tests/given/nasty_outputs.h"
 
 namespace {
 

@@ -1,13 +1,13 @@
-// render_bench ROUNDS WIDTH HEIGHT: five scenes, in turn, on one core: with the effects they call for; through the loop
-// that holds all effects, none of which the scene asks for anew; and with every effect given to the scene, as a
-// renderer with defaults would. Prints a line of CSV a scene: name and the medians of the processor time in seconds.
-// See tests/bench/render.
+// render_bench ROUNDS WIDTH HEIGHT: renders five scenes in turn on one core: with the effects that each scene needs;
+// with the loop for all effects, on the unchanged scene; and with every effect added to the scene, as a renderer with
+// defaults would. Prints one CSV line per scene: its name and the median processor times in seconds. See
+// tests/bench/render.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
 
-#include "reference/render/picture.h"
+#include "reference/render/picture/picture.h"
 
 using namespace reference;
 using namespace reference::render;
@@ -25,9 +25,9 @@ Assignment load(const std::string& name) {
                           : load_scene(folder + "/scenes/" + name + ".toml");
 }
 
-/// A light, and surfaces that mirror and let through a part, where the scene has none; and four samples a pixel.
+/// Adds a light, partly mirroring and transparent surfaces where the scene has none, and four samples per pixel.
 PreparedScene with_every_effect(Assignment assignment, PictureSize size) {
-    Look& look = assignment.look;
+    Appearance& look = assignment.look;
     look.samples_per_pixel = std::max(look.samples_per_pixel, 4);
     if (look.point_lights.empty() && look.directional_lights.empty()) {
         look.directional_lights.push_back({{1, -3, -1}, {0.7, 0.7, 0.7}});

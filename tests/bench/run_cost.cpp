@@ -1,6 +1,6 @@
-// run_cost [RUNS]: what a sandbox costs a run, beside posix_spawn of the same program: the model solution, which
-// computes for a few microseconds. The ways alternate, so that the machine's mood hits all of them; medians are
-// printed.
+// run_cost [RUNS]: compares the cost of a run in each sandbox with a plain posix_spawn of the same program, the model
+// solution, which computes for a few microseconds. The ways alternate, so that changes of the machine's load affect all
+// of them. Prints medians.
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/limit_settings.h"
-#include "harness/run.h"
+#include "harness/run/limits.h"
+#include "harness/run/run.h"
 
 namespace {
 

@@ -1,9 +1,9 @@
-// What the browser tests share: Chromium, a page that is watched for every error and every request, axe, and raygrade.
+// Shared by the browser tests: Chromium, pages watched for every error and request, axe, and raygrade.
 //
 // A test file is <name>_test.js here, for node:test, its name in CMakeLists.txt; ctest sets RAYGRADE_BINARY and
 // RAYGRADE_BROWSER_FOLDER, a folder of the build to write into. By hand, after `bash tests/browser/prepare build/browser`:
 //   RAYGRADE_BINARY=$PWD/build/raygrade RAYGRADE_BROWSER_FOLDER=$PWD/build/browser node --test tests/browser/report_test.js
-// Nothing is skipped: what is missing is a failure.
+// Nothing is skipped: a missing tool is a failure.
 //
 //   const browser = await startBrowser();              // once a file; after(() => browser.close())
 //   const seen = await open(browser, url, { width: 400, dark: true });
@@ -31,7 +31,7 @@ function setting(name) {
 export const folder = setting('RAYGRADE_BROWSER_FOLDER');
 const raygradeBinary = setting('RAYGRADE_BINARY');
 
-// The packages are in the build folder, where an import does not find them from here.
+// The packages are in the build folder, where an import from here does not find them.
 const require = createRequire(path.join(folder, 'package.json'));
 const { chromium } = require('playwright-core');
 const axe = require('axe-core');
@@ -42,8 +42,8 @@ export function startBrowser() {
 }
 
 /**
- * Opens `url`, and from then on takes note of every error, warning and violated policy, and lets no request out but to
- * `url` itself and below `site` ("http://127.0.0.1:8000/"; without it, nowhere).
+ * Opens `url`. Records every error, warning and policy violation from then on, and blocks every request except to `url`
+ * itself and below `site` ("http://127.0.0.1:8000/"; without `site`, to no other address).
  * options: width, height, dark, script (false: a browser without JavaScript), site, print (as on paper).
  */
 export async function open(browser, url, options = {}) {
@@ -78,19 +78,24 @@ export async function open(browser, url, options = {}) {
   const close = async (expected = []) => {
     await context.close();
     const surprises = problems.filter((problem) => !expected.some((pattern) => pattern.test(problem)));
-    assert.deepEqual(surprises, [], 'errors of the page, or requests to elsewhere');
+    expectNone(surprises, 'errors of the page, or requests to elsewhere');
   };
   return { page, problems, close };
 }
 
+/** Fails with every fault in its message: not every version of Node adds them to a message of the caller's. */
+function expectNone(faults, what) {
+  assert.ok(faults.length === 0, `${what}: ${faults.join('; ')}`);
+}
+
 /** Every rule of axe, best practices too, on the page as it is now. */
 export async function expectAccessible(page, what = page.url()) {
-  // Evaluated, not added as an element, which the page's own policy rightly refuses.
+  // axe is evaluated and not added as an element, because the page's own policy rightly refuses scripts.
   await page.evaluate(axe.source);
   const result = await page.evaluate(() => globalThis.axe.run(document, { preload: false }));
   const found = result.violations.map(
     ({ id, help, nodes }) => `${id}: ${help}\n    ${nodes.slice(0, 3).map((node) => `${node.html} ${node.failureSummary}`).join('\n    ')}`);
-  assert.deepEqual(found, [], `${what}: what axe found`);
+  expectNone(found, `${what}: what axe found`);
   assert.ok(result.passes.length > 10, `${what}: axe has looked at next to nothing`);
 }
 
@@ -106,7 +111,7 @@ export async function expectNoOverflow(page) {
 /** In each of these SVG pictures the words are apart and on it, as the browser sets them. */
 export async function expectWordsApart(pictures) {
   const seen = await pictures.evaluateAll((all) => all.map((picture) => {
-    for (const use of picture.querySelectorAll('use'))  // what several share has no boxes of its own
+    for (const use of picture.querySelectorAll('use'))  // shared elements have no boxes of their own
       use.replaceWith(document.querySelector(use.getAttribute('href')).cloneNode(true));
     const { width, height } = picture.viewBox.baseVal;
     const texts = [...picture.querySelectorAll('text')].map((text) => {
@@ -123,7 +128,7 @@ export async function expectWordsApart(pictures) {
     return { count: texts.length, faults };
   }));
   assert.ok(seen.length > 0 && seen.every(({ count }) => count > 20), `too few words: ${seen.map(({ count }) => count)}`);
-  assert.deepEqual(seen.flatMap(({ faults }) => faults), []);
+  expectNone(seen.flatMap(({ faults }) => faults), 'words that overlap or leave the picture');
 }
 
 /** Into the build folder, for people to look at. `whole`: all of the page, not only what the window shows. */

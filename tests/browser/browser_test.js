@@ -1,4 +1,4 @@
-// The tests' own instruments: each finds what it is there to find.
+// Tests the test tools: each detects what it must detect.
 import assert from 'node:assert/strict';
 import { mkdtemp, rm, writeFile } from 'node:fs/promises';
 import path from 'node:path';

@@ -1,4 +1,4 @@
-// The class report that the real raygrade writes of the sample class, as an instructor uses it.
+// The class report that the real raygrade writes for the sample class, as an instructor uses it.
 import assert from 'node:assert/strict';
 import { cp, mkdir, mkdtemp, readdir, rm, stat, writeFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -227,7 +227,7 @@ test('on paper a student who is open is all there is', async () => {
 });
 
 test('of a thousand it is small enough, and works', async () => {
-  // But for those that only their limits end: each takes its time.
+  // Leaves out programs that only a limit ends, because each takes that long.
   const endless = ['hostile', 'oskar', 'quentin', 's07', 's19', 'nadia'];
   const names = (await readdir(path.join(project, 'submissions'))).filter((name) => !endless.includes(name)).sort();
   const many = path.join(scratch, 'thousand');

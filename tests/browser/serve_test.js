@@ -1,4 +1,4 @@
-// The self-check page as a student meets it: with a mouse, with keys alone, with and without script.
+// The self-check page as a student uses it: with a mouse, with only the keyboard, with and without scripts.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { mkdtemp, rm, writeFile } from 'node:fs/promises';
@@ -15,7 +15,7 @@ const patience = 120_000;
 
 let browser;
 let scratch;
-const running = new Set();  // servers that a failed test has not stopped
+const running = new Set();  // servers that still run, e.g. after a failed test
 
 before(async () => {
   browser = await startBrowser();
@@ -126,7 +126,7 @@ test('what is refused is said, and what was typed is still there', async () => {
   const seen = await open(browser, site, { site });
   await seen.page.getByLabel('The text of your ray_cast.cpp').fill(program('// first'));
   await seen.page.getByRole('button', { name: 'Check this text' }).click();
-  await seen.page.waitForURL(/\/result\//);  // its result may take the minute after which another is welcome
+  await seen.page.waitForURL(/\/result\//);  // the result may take the minute until the next program is allowed
   const first = seen.page.url();
   await seen.page.goto(site);
   await seen.page.getByLabel('The text of your ray_cast.cpp').fill(program('// second'));

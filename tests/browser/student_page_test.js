@@ -1,4 +1,4 @@
-// The page a student gets, as feedback of a class and of a check of one's own.
+// The page that a student gets: as feedback in a class, and from a check of the student's own program.
 import assert from 'node:assert/strict';
 import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import path from 'node:path';

@@ -1,4 +1,4 @@
-#include "tests/render/minimal_loop.h"
+#include "tests/checks/minimal_loop.h"
 
 #include "reference/kernel/first.h"
 
@@ -6,7 +6,7 @@ using namespace reference;
 
 namespace {
 
-/// Two hits so close that doubles can't order them; the scenes measured have none.
+/// Called for two hits too close for doubles to order. The measured scenes have no such hits.
 [[gnu::noinline, gnu::cold]] void give_up() {
     throw std::logic_error("hits too close for a minimal loop");
 }

@@ -1,16 +1,16 @@
-// primary_loop SCENE minimal | own | EFFECT: renders a scene that calls for primary visibility alone, by the minimal
-// loop, by the loop for its own effects, or with one effect forced on: illumination, shadows (with illumination),
-// mirrors, refraction, supersampling. The scene is `objects`, or `background`: nothing but that, so that a pixel costs
-// the least it can. For callgrind, which counts between its toggles; prints a sum of the picture, which is the same for
-// all of one scene.
+// primary_loop SCENE minimal | own | EFFECT: renders a scene that needs only primary visibility: with the minimal loop,
+// with the loop for the scene's own effects, or with one effect forced on (illumination, shadows with illumination,
+// mirrors, refraction, supersampling). SCENE is `objects`, or `background` without objects, where a pixel costs least.
+// callgrind counts the instructions between its toggles. Prints a checksum of the picture, the same for all ways of
+// rendering a scene.
 #include <fmt/format.h>
 #include <valgrind/callgrind.h>
 
 #include <string>
 
-#include "reference/render/rows.h"
-#include "tests/render/minimal_loop.h"
-#include "tests/render/scenes.h"
+#include "reference/render/trace/rows.h"
+#include "tests/checks/minimal_loop.h"
+#include "tests/given/render/scenes.h"
 
 using namespace reference;
 using namespace reference::render;

@@ -1,12 +1,12 @@
-// reading_steps PATTERN SIZE: finds the scene in a source of so many bytes that a cunning student may hand in. Its
-// instructions are for reading_growth to count.
+// reading_steps PATTERN SIZE: finds the scene in a malicious source of SIZE bytes. reading_growth counts its
+// instructions.
 #include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <string>
 
-#include "harness/variants/scene_literals.h"
-#include "reference/assignment.h"
+#include "harness/scenes/source/scene_literals.h"
+#include "reference/toml/assignment.h"
 
 namespace {
 
@@ -63,6 +63,6 @@ int main(int argc, char** argv) {
     if (argc != 3) return 2;
     const auto a6 = reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS);
     const std::string source = nasty_source(argv[1], std::strtoull(argv[2], nullptr, 10));
-    const auto found = harness::variants::find_scene(source, a6.scene);
+    const auto found = harness::scenes::find_scene(source, a6.scene);
     std::printf("%zu bytes, %zu numbers\n", source.size(), found.literals.size());
 }

@@ -1,5 +1,5 @@
-// The fuzzer's corpus without the fuzzer: every corpus file, golden transcript and labelled output, each as it is and
-// with seeded random changes, is read and matched. Its use is in the sanitised build.
+// Replays the fuzzer's corpus without the fuzzer: reads and matches every corpus file, golden transcript and labelled
+// output, unchanged and with seeded random changes. Most useful in the build with sanitizers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,18 +9,18 @@
 #include <string>
 #include <vector>
 
-#include "tests/bytes_of.h"
 #include "tests/fuzz/transcript_properties.h"
+#include "tests/given/bytes_of.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The corpus in the order of its paths, so that a seed means the same everywhere.
+/// The corpus, sorted by path, so that a seed means the same on every machine.
 std::vector<fs::path> corpus() {
     const fs::path project = RAYGRADE_PROJECT;
     std::vector<fs::path> files;
-    for (const char* folder : {"tests/fuzz/transcript_corpus", "tests/transcripts", "submissions"}) {
+    for (const char* folder : {"tests/fuzz/transcript_corpus", "tests/given/transcripts", "submissions"}) {
         for (const auto& entry : fs::recursive_directory_iterator(project / folder)) {
             const std::string name = entry.path().filename();
             const bool output = name == "output.txt" || name == "expected_stdout.txt";
@@ -38,7 +38,7 @@ std::size_t below(Random& random, std::size_t bound) {
     return bound == 0 ? 0 : random() % bound;
 }
 
-/// One small change: bytes set, removed, doubled, or a piece of another output put in.
+/// One small change: sets, removes or doubles bytes, or inserts a piece of a different output.
 void change(std::string& text, const std::string& other, Random& random) {
     constexpr std::string_view signs = "()[]{}<>|=:,;.-+*/^'\"\n\t\r\x1b 0123456789eE_tuvxyzQ#\xe2\x88\x92\xff";
     const std::size_t at = below(random, text.size() + 1);
@@ -53,7 +53,7 @@ void change(std::string& text, const std::string& other, Random& random) {
     }
 }
 
-TEST(TranscriptCorpus, IsReadAsItIs) {
+TEST(TranscriptCorpus, IsReadUnchanged) {
     for (const fs::path& file : corpus()) EXPECT_EQ(check_transcript(bytes_of(file)), "") << file;
 }
 

@@ -1,4 +1,4 @@
-// libFuzzer target: any bytes are read and matched without a fault. Built with -DRAYGRADE_FUZZ=ON and clang++:
+// libFuzzer target: reads and matches any bytes without a fault. Built with -DRAYGRADE_FUZZ=ON and clang++:
 //   fuzz_transcript -max_len=4096 a-folder-to-grow tests/fuzz/transcript_corpus
 #include <cstddef>
 #include <cstdint>

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "harness/match.h"
-#include "harness/transcript.h"
+#include "harness/match/match.h"
+#include "harness/read/transcript.h"
 
 namespace {
 

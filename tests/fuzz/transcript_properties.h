@@ -1,9 +1,10 @@
-// What holds of every output, whatever its bytes.
+// Properties that reading and matching have for every output, whatever its bytes.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-/// Reads and matches `output`. Empty if all holds: each item once and in order, values of their items' shapes, lines
-/// within the output, texts within their limits, every number of a kind with its item. Else the first that does not.
+/// Reads and matches `output`. Returns "" if every property holds: each item occurs once and in order, values have the
+/// shapes of their items, lines lie within the output, texts stay within their limits, and every number's kind fits its
+/// item. Otherwise returns the first property that fails.
 std::string check_transcript(std::string_view output);

@@ -1,9 +1,9 @@
-// Root reads and removes everything; a test of permissions has to look as somebody else.
+// Root may read and remove everything, so a test of permissions must give up root's rights.
 #pragma once
 
 #include <unistd.h>
 
-/// While it lives, this process has the rights of an ordinary user, also when root runs the tests.
+/// Gives this process the rights of an ordinary user while the object lives, even if root runs the tests.
 class AsNobody {
   public:
     AsNobody() { changed_ = user_ == 0 && seteuid(65534) == 0; }

@@ -1,4 +1,4 @@
-// What a file holds.
+// Reads the bytes of a file.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <iterator>
 #include <string>
 
-/// Fails the test when there is no such file.
+/// Fails the test if the file does not exist.
 inline std::string bytes_of(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     EXPECT_TRUE(in) << file;

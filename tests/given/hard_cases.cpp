@@ -1,4 +1,4 @@
-#include "tests/kernel/hard_cases.h"
+#include "tests/given/hard_cases.h"
 
 #include <cmath>
 #include <limits>

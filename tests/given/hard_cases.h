@@ -1,5 +1,5 @@
-// The hard cases of numbers near a decision, by their ids. Inputs are float32 unless a case says otherwise; expected
-// results were found by hand or in exact fractions, digits as far as they are quoted.
+// The hard cases with numbers near a decision, by id. Inputs are float32 unless a case says otherwise. Expected results
+// were found by hand or in exact fractions, and hold to the digits quoted.
 #pragma once
 
 #include <string_view>
@@ -14,7 +14,7 @@ struct SphereCase {
     reference::kernel::Ray<float> ray;
     reference::Sphere<float> sphere;
     reference::kernel::SphereResult result;
-    std::string_view t = "0";  ///< to the digits quoted; for a hit or tangent
+    std::string_view t = "0";  ///< for a hit or tangent, to the digits quoted
 };
 
 struct TriangleCase {
@@ -22,7 +22,7 @@ struct TriangleCase {
     reference::kernel::Ray<float> ray;
     reference::Triangle<float> triangle;
     reference::kernel::TriangleResult result;
-    std::string_view t = "0", u = "0", v = "0";  ///< "" where none is quoted
+    std::string_view t = "0", u = "0", v = "0";  ///< "" if no value is quoted
 };
 
 std::vector<SphereCase> sphere_cases();

@@ -1,4 +1,4 @@
-// Outputs that cost most to read.
+// The outputs that take longest to read.
 #pragma once
 
 #include <ostream>

@@ -1,4 +1,4 @@
-#include "tests/packed.h"
+#include "tests/given/packed.h"
 
 #include <archive.h>
 #include <archive_entry.h>
@@ -21,7 +21,7 @@ mode_t mode_of(PackedEntry::Type type) {
     return AE_IFREG;
 }
 
-/// For as long as it lives; the C locale again then, in which the reading is to do by itself.
+/// Sets the locale while it lives, then restores the C locale, in which reading must work.
 class Utf8Locale {
   public:
     Utf8Locale() { std::setlocale(LC_CTYPE, "C.UTF-8"); }

@@ -1,4 +1,4 @@
-// Archives for tests, written entry by entry, also such as no honest packer writes.
+// Writes archives for tests entry by entry, including archives that no honest packer would write.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +11,9 @@ struct PackedEntry {
     enum class Type { file, folder, link, hard_link, pipe } type = Type::file;
 };
 
-/// A zip, or a gzipped tar where the name ends in .tgz. Returns its path.
+/// Writes a zip, or a gzipped tar if the name ends in .tgz. Returns its path.
 std::filesystem::path pack(const std::filesystem::path& archive, const std::vector<PackedEntry>& entries,
                            const std::string& password = {});
 
-/// The bytes of such a zip.
+/// The bytes of a zip with these entries.
 std::string packed(const std::vector<PackedEntry>& entries);

@@ -1,12 +1,12 @@
-#include "tests/parsed.h"
+#include "tests/given/parsed.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "harness/match.h"
-#include "harness/transcript.h"
+#include "harness/match/match.h"
+#include "harness/read/transcript.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
-#include "tests/printed_values.h"
+#include "tests/given/printed_values.h"
 
 #include <algorithm>
 
-#include "harness/token.h"
+#include "harness/read/token.h"
 
 using namespace harness;
 

@@ -1,18 +1,18 @@
-// Printed values and marks for the tests of the marking, without the way through a whole program.
+// Printed values and marks for the tests of marking, without a whole program's output.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-#include "harness/closeness.h"
-#include "harness/score.h"
-#include "reference/item_values.h"
-#include "tests/student/scenes.h"
+#include "harness/mark/compare/closeness.h"
+#include "harness/mark/score/score.h"
+#include "reference/stages/item_values.h"
+#include "tests/given/student/scenes.h"
 
-/// The one number in `text`, as it would be read in a program's output.
+/// The only number in `text`, read as in a program's output.
 harness::PrintedNumber printed_number(std::string_view text);
 
-/// The item with the numbers in `text` printed for it; none for a text without numbers, such as "none".
+/// The item with the numbers in `text` as its printed value. A text without numbers, such as "none", gives no numbers.
 harness::MatchedItem printed_item(const reference::ItemId& id, std::string_view text,
                                   harness::MatrixOrder order = harness::MatrixOrder::unsaid);
 

@@ -1,8 +1,8 @@
-#include "tests/random_scene.h"
+#include "tests/given/random_scene.h"
 
 #include <fmt/format.h>
 
-#include "reference/accuracy/random_numbers.h"
+#include "reference/accuracy/rays/random_numbers.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "tests/accuracy/sample_measurement.h"
+#include "tests/given/sample_measurement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +13,14 @@ struct Method {
     std::string scalar;
     double ns;
     double wrong;  ///< per million hard rays
-    double ulp;    ///< mean error on benign rays; below 0: decides only
+    double ulp;    ///< mean error on benign rays; below 0: the method decides only, without t
 };
 
 struct Set {
     std::string name;
     bool hard;
     double slower;
-    double share;  ///< of a method's wrong decisions
+    double share;  ///< the share of a method's wrong decisions
 };
 
 // Times and rates as they were measured on a real machine, to one or two digits.

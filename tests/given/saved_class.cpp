@@ -1,11 +1,11 @@
-#include "tests/saved_class.h"
+#include "tests/given/saved_class.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstdio>
 
-#include "tests/report/graded_samples.h"
+#include "tests/given/report/graded_samples.h"
 
 namespace saved_class {
 

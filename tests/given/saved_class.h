@@ -6,23 +6,23 @@
 #include <string>
 #include <vector>
 
-#include "harness/gradebook.h"
-#include "tests/temporary_folder.h"
+#include "harness/gradebook/gradebook.h"
+#include "tests/given/temporary_folder.h"
 
 namespace saved_class {
 
 harness::Run a_run(const std::string& when = "2026-11-22T09:30:00Z");
 
-/// Compares and saves, as a command does.
+/// Compares the class with the gradebook and saves it, as a command does.
 harness::Gradebook::Comparison save(const std::filesystem::path& folder, std::vector<harness::Graded> all,
                                     const std::vector<harness::KeptInput>& inputs = {});
 
-/// One with a mistake, one who answered nothing, one not graded.
+/// Three submissions: one with a mistake, one without any answer, one not graded.
 std::vector<harness::Graded> three();
 
 std::filesystem::path file_in(const TemporaryFolder& folder);
 
-/// The rows of a query as python3 reads them, which knows nothing of ours.
+/// The rows of a query, read independently by python3.
 nlohmann::json rows(const TemporaryFolder& folder, const std::string& query);
 
 }  // namespace saved_class

@@ -1,4 +1,4 @@
-#include "tests/accuracy/second_derivation.h"
+#include "tests/given/second_derivation.h"
 
 #include <cmath>
 
@@ -19,20 +19,20 @@ mpz_class volume(const Whole& p, const Whole& q, const Whole& r) {
     return p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) + p.z * (q.x * r.y - q.y * r.x);
 }
 
-/// x 2^1074: every finite double becomes a whole number, so that lengths and directions keep their proportions.
+/// x times 2^1074: makes every finite double an integer and keeps the proportions of lengths and directions.
 mpz_class whole(double x) {
     int exponent = 0;
     const double mantissa = std::frexp(x, &exponent);
     mpz_class result(std::ldexp(mantissa, 53));
     const int shift = exponent - 53 + 1074;
     if (shift >= 0) return result << static_cast<mp_bitcnt_t>(shift);
-    return result >> static_cast<mp_bitcnt_t>(-shift);  // subnormal: only zeros leave
+    return result >> static_cast<mp_bitcnt_t>(-shift);  // subnormal: only zero bits are shifted out
 }
 Whole whole(const reference::Vec3<double>& p) {
     return {whole(p.x), whole(p.y), whole(p.z)};
 }
 
-/// Where the ray starts and where it comes nearest to the centre, as signs.
+/// The ray's start and its point nearest to the centre, relative to the sphere.
 struct Approach {
     Whole start;  ///< from the centre
     Whole direction;
@@ -40,7 +40,7 @@ struct Approach {
     mpz_class pace;   ///< |direction|²
     mpz_class R;
     int start_outside;    ///< 1 outside, 0 on the surface, -1 inside
-    int nearest_outside;  ///< likewise, of the nearest point
+    int nearest_outside;  ///< the same for the nearest point
 };
 
 Approach approach_of(const Ray<double>& ray, const Sphere<double>& sphere) {
@@ -84,7 +84,7 @@ bool is_first_t_within(const Ray<double>& ray, const Sphere<double>& sphere, con
     const mpq_class nearest(a.ahead, a.pace);
     if (a.nearest_outside == 0) return lo * a.pace <= a.ahead && hi * a.pace >= a.ahead;
     if (a.start_outside < 0) return hi >= 0 && (lo <= 0 || outside_at(a, lo) <= 0) && outside_at(a, hi) >= 0;
-    // Entering: before the nearest point, from outside to inside.
+    // The ray enters before its nearest point, from outside to inside.
     return lo * a.pace <= a.ahead && outside_at(a, lo) >= 0 && outside_at(a, hi) <= 0;
 }
 
@@ -100,7 +100,8 @@ TriangleSolution solve(const Ray<double>& ray, const Triangle<double>& triangle)
     const mpz_class sum = at_A + at_B + at_C;
     const mpz_class height = volume(A, B, C);
     if (sum == 0) {
-        // Without an area every direction gives 0: three that span space tell it from a ray along the plane.
+        // A triangle without area gives 0 for every direction. Three directions that span space tell it from a ray that
+        // runs along the plane.
         const auto seen_along = [&](const Whole& axis) -> mpz_class {
             return volume(axis, B, C) + volume(axis, C, A) + volume(axis, A, B);
         };

@@ -1,6 +1,5 @@
-// The truth once more, by other formulas in other arithmetic: GMP's whole numbers, the point of the ray that is nearest
-// to the sphere's centre, and the volumes that the ray spans with a triangle's edges. Shares no code with the
-// fractions.
+// A second, independent derivation of the truth, in GMP's integers. For a sphere it uses the point of the ray nearest
+// to the centre, for a triangle the volumes that the ray spans with the edges. It shares no code with the fractions.
 #pragma once
 
 #include <gmpxx.h>
@@ -17,7 +16,7 @@ using reference::kernel::TriangleResult;
 
 SphereResult decide(const Ray<double>& ray, const Sphere<double>& sphere);
 
-/// For a ray that meets the sphere: its first t >= 0 lies in [lo, hi]. Ends that touch it count as in.
+/// Whether the first t >= 0 of a ray that meets the sphere lies in the closed interval [lo, hi].
 bool is_first_t_within(const Ray<double>& ray, const Sphere<double>& sphere, const mpq_class& lo, const mpq_class& hi);
 
 struct TriangleSolution {

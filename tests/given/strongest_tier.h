@@ -1,9 +1,9 @@
-// The sandbox of tests that need one and don't ask which.
+// The sandbox for tests that need any sandbox.
 #pragma once
 
-#include "harness/sandbox/canary.h"
+#include "harness/sandbox/host/canary.h"
 
-/// The strongest this machine holds. A container or a chroot may refuse what bwrap takes.
+/// The strongest tier that works on this machine. In a container or a chroot bwrap may fail.
 inline harness::Tier strongest_tier() {
     static const harness::Tier tier =
         harness::choose_sandbox(std::nullopt, harness::WithoutSandbox::refuse).sandbox->tier();

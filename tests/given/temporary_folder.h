@@ -1,16 +1,28 @@
 // A folder for one test, gone at its end.
 #pragma once
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <string>
-
-#include "harness/sandbox/workspace.h"
 
 /// Makes files and folders below itself for a test.
 class TemporaryFolder {
   public:
-    const std::filesystem::path& path() const { return workspace_.path(); }
+    TemporaryFolder() {
+        std::string name = (std::filesystem::temp_directory_path() / "raygrade-test-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+        path_ = name;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
 
     /// Writes a file, with the folders it lies in.
     std::filesystem::path write(const std::filesystem::path& name, const std::string& text) const {
@@ -25,5 +37,5 @@ class TemporaryFolder {
     }
 
   private:
-    harness::Workspace workspace_;
+    std::filesystem::path path_;
 };

@@ -1,11 +1,11 @@
-// `raygrade accuracy` as a person runs it: what it prints, what it writes, and what it won't write over.
+// `raygrade accuracy` as a person runs it: what it prints and writes, and the files it refuses to overwrite.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/scenario.h"
+#include "tests/scenario/scenario.h"
 
 namespace scenario {
 namespace {
@@ -20,7 +20,7 @@ Result accuracy(std::vector<std::string> arguments) {
     return raygrade(arguments);
 }
 
-TEST(Accuracy, PrintsATableAndWritesNothingUnasked) {
+TEST(Accuracy, PrintsATableAndWritesNothingByDefault) {
     const Result result = accuracy({});
     EXPECT_EQ(result.status, 0) << result.both();
     EXPECT_THAT(result.output, HasSubstr("Ray and sphere"));
@@ -40,7 +40,7 @@ TEST(Accuracy, WritesPagePictureAndFigures) {
     EXPECT_THAT(result.voice, HasSubstr("accuracy.html"));
 }
 
-TEST(Accuracy, ReplacesItsEarlierResultsOnlyByForce) {
+TEST(Accuracy, ReplacesItsEarlierResultsOnlyWithForce) {
     const TemporaryFolder folder;
     write(folder / "out/accuracy.json", "earlier");
     const std::vector<std::string> arguments{"--out", (folder / "out").string()};
@@ -54,7 +54,7 @@ TEST(Accuracy, ReplacesItsEarlierResultsOnlyByForce) {
     EXPECT_NE(read(folder / "out/accuracy.json"), "earlier");
 }
 
-TEST(Accuracy, NeverWritesAmongOtherFiles) {
+TEST(Accuracy, NeverWritesIntoAFolderWithOtherFiles) {
     const TemporaryFolder folder;
     write(folder / "out/thesis.tex", "years");
     const Result result = accuracy({"--force", "--out", (folder / "out").string()});
@@ -70,13 +70,13 @@ TEST(Accuracy, ExaminesAnAssignmentWithoutMeasuringRays) {
     EXPECT_THAT(result.output, Not(HasSubstr("rays of each distribution")));
 }
 
-TEST(Accuracy, SaysThatAnAssignmentHasNoRowsForCsv) {
+TEST(Accuracy, RefusesCsvForAnAssignment) {
     const Result result = raygrade({"accuracy", "--assignment", "a6-2021", "--format", "csv"});
     EXPECT_EQ(result.status, usage);
     EXPECT_THAT(result.voice, HasSubstr("--format json"));
 }
 
-TEST(Accuracy, RefusesAMethodThatThereIsNot) {
+TEST(Accuracy, RefusesAnUnknownMethod) {
     const Result result = accuracy({"--kernel", "nonsense"});
     EXPECT_EQ(result.status, usage);
     EXPECT_THAT(result.voice, HasSubstr("nonsense"));

@@ -1,12 +1,12 @@
-// A class in an archive: graded as it comes from a learning management system, or refused.
+// A class in an archive: graded as downloaded from a learning management system, or refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/packed.h"
-#include "tests/scenario.h"
+#include "tests/given/packed.h"
+#include "tests/scenario/scenario.h"
 
 namespace scenario {
 namespace {
@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// A class as it comes out of Canvas, with one of everything.
-TEST(Archive, OfCanvasIsGradedAndLosesNobody) {
+/// A class as downloaded from Canvas, with a submission of every kind.
+TEST(Archive, OfCanvasIsGradedWithEveryStudent) {
     const TemporaryFolder folder;
     const fs::path out = folder / "out";
     const std::string right = read(project_folder() / "submissions/ada/ray_cast.cpp");
@@ -36,7 +36,7 @@ TEST(Archive, OfCanvasIsGradedAndLosesNobody) {
     EXPECT_THAT(result.both(), HasSubstr("essay.pdf"));
 }
 
-TEST(Archive, WithAWayOutIsRefusedByName) {
+TEST(Archive, IsRefusedIfAnEntryLeadsOutside) {
     const TemporaryFolder folder;
     const fs::path out = folder / "out";
     const fs::path zip = pack(folder / "class.zip", {{"a.cpp", ""}, {"../../evil.cpp", "e"}});

@@ -1,4 +1,4 @@
-// The command line: help, exit status, the reference run, a student's check, and the same result whatever -j says.
+// The command line: help, exit status, the reference run, a student's check, and equal results for every -j.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/scenario.h"
+#include "tests/scenario/scenario.h"
 
 namespace scenario {
 namespace {
@@ -16,7 +16,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(CommandLine, HelpNamesEverySubcommand) {
+TEST(CommandLine, NamesEverySubcommandInItsHelp) {
     const Result result = raygrade({"--help"});
     EXPECT_EQ(result.status, 0);
     for (const char* subcommand : {"grade", "check", "doctor", "reference", "accuracy"}) {
@@ -27,31 +27,31 @@ TEST(CommandLine, HelpNamesEverySubcommand) {
     }
 }
 
-TEST(CommandLine, SaysItsVersion) {
+TEST(CommandLine, PrintsItsVersion) {
     const Result result = raygrade({"--version"});
     EXPECT_EQ(result.status, 0);
     EXPECT_THAT(result.output, testing::ContainsRegex("^raygrade [0-9]+\\.[0-9]+\\.[0-9]+"));
 }
 
-TEST(CommandLine, AnUnknownOptionIsAMistakeOfUsage) {
+TEST(CommandLine, RefusesAnUnknownOptionAsAUsageError) {
     const Result result = raygrade({"grade", "--colour", "."});
     EXPECT_EQ(result.status, usage);
     EXPECT_THAT(result.voice, HasSubstr("--colour"));
     EXPECT_EQ(result.output, "");
 }
 
-TEST(CommandLine, AnUnknownCommandIsNamedWithThoseThatAreNear) {
+TEST(CommandLine, NamesAnUnknownCommandAndSimilarCommands) {
     const Result result = raygrade({"grde", "submissions"});
     EXPECT_EQ(result.status, usage);
     EXPECT_THAT(result.voice, testing::AllOf(HasSubstr("grde: is no command"), HasSubstr("did you mean grade?")));
     EXPECT_THAT(raygrade({"help"}).voice, HasSubstr("raygrade --help"));
 }
 
-TEST(CommandLine, NothingToDoIsAMistakeOfUsage) {
+TEST(CommandLine, RefusesNoCommandAsAUsageError) {
     EXPECT_EQ(raygrade({}).status, usage);
 }
 
-TEST(CommandLine, JobsMustBeANumberAboveZero) {
+TEST(CommandLine, RequiresJobsToBeAboveZero) {
     for (const char* jobs : {"0", "-1", "many"}) {
         const TemporaryFolder folder;
         const Result result =
@@ -60,7 +60,7 @@ TEST(CommandLine, JobsMustBeANumberAboveZero) {
     }
 }
 
-TEST(CommandLine, DoctorSaysWhatTheMachineHas) {
+TEST(CommandLine, DoctorReportsWhatTheMachineHas) {
     const Result result = raygrade({"doctor"});
     EXPECT_EQ(result.status, 0) << result.both();
     EXPECT_THAT(result.output, HasSubstr("g++"));
@@ -75,7 +75,7 @@ TEST(ReferenceRun, PrintsTheHandoutsQuestions) {
     EXPECT_THAT(result.output, HasSubstr("vec3(-0.500000, -0.500000, 0.707107)"));
 }
 
-TEST(ReferenceRun, IsAlsoJson) {
+TEST(ReferenceRun, AlsoPrintsJson) {
     for (const char* assignment : {"a6-2021", "a6-edge"}) {
         for (const char* precision : {"float", "double"}) {
             const Result result =
@@ -90,7 +90,7 @@ TEST(ReferenceRun, IsAlsoJson) {
     }
 }
 
-/// None of the four gets the sphere's t right, so its value is not in what they print themselves.
+/// None of the four programs gets the sphere's t right, so its right value is not in their own output.
 TEST(Check, ShowsVerdictsAndNeverTheExpectedValue) {
     for (const char* who : {"ben", "farid", "rosa", "jin"}) {
         const Result result = raygrade({"check", (sample(who) / "ray_cast.cpp").string()});
@@ -102,19 +102,19 @@ TEST(Check, ShowsVerdictsAndNeverTheExpectedValue) {
     EXPECT_THAT(result.output, HasSubstr("3.41421")) << "what was printed is shown";
 }
 
-TEST(Check, SaysWhyNothingCanBeChecked) {
+TEST(Check, SaysWhyASubmissionCannotBeChecked) {
     const Result result = raygrade({"check", (sample("mateo") / "ray_cast.cpp").string()});
     EXPECT_EQ(result.status, 0) << "a program that does not compile is checked too\n" << result.both();
     EXPECT_THAT(result.both(), HasSubstr("ray_cast.cpp:19")) << "the compiler's own words";
 }
 
-TEST(Check, OfAFileThatIsNotThere) {
+TEST(Check, RefusesAMissingFile) {
     const Result result = raygrade({"check", "/nowhere/ray_cast.cpp"});
     EXPECT_EQ(result.status, usage);
     EXPECT_THAT(result.voice, HasSubstr("/nowhere/ray_cast.cpp"));
 }
 
-/// grades.json without what the clock and the kernel say.
+/// grades.json without measured times and memory.
 json without_measurements(json grades) {
     for (json& submission : grades.at("submissions")) {
         submission["build"].erase("seconds");
@@ -129,7 +129,7 @@ std::map<std::string, std::string> files_in(const fs::path& folder) {
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         const std::string name = fs::relative(entry.path(), folder).string();
-        if (!entry.is_regular_file() || name == "gradebook.sqlite") continue;  // it tells when
+        if (!entry.is_regular_file() || name == "gradebook.sqlite") continue;  // it contains times
         files[name] =
             name == "grades.json" ? without_measurements(read_json(entry.path())).dump(1) : read(entry.path());
     }
@@ -156,7 +156,7 @@ TEST(Grade, GivesTheSameResultsWhateverTheNumberOfJobs) {
     EXPECT_EQ(order, students) << "reports come in the order given";
 }
 
-TEST(Grade, PutsTheTableOnStdoutAndItsOwnVoiceOnStderr) {
+TEST(Grade, WritesTheTableToStdoutAndMessagesToStderr) {
     const TemporaryFolder folder;
     const Result result =
         raygrade({"grade", sample("ada").string(), sample("uma").string(), "--out", (folder / "out").string()});

@@ -1,5 +1,5 @@
-// How many mistakes of the sample class get their name: those of expected.json's "diagnosis", and those of the labelled
-// class, whose marker wrote them down in words.
+// How many mistakes get their right name: those in the sample class's expected.json ("diagnosis"), and those of the
+// labelled class, which its marker described in words.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/scenario.h"
+#include "tests/scenario/scenario.h"
 
 namespace scenario {
 namespace {
@@ -16,11 +16,11 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// The mistake's name by "question.item".
+/// The mistakes' names by "question.item".
 using Diagnosis = std::map<std::string, std::string>;
 
-/// The marker's words in the labels, in the words of the harness. Verdicts, crashes and what does not compile have no
-/// name.
+/// The marker's words from the labels, translated into the harness's names. Wrong verdicts, crashes and compile errors
+/// have no name.
 const std::map<std::string, Diagnosis> labelled = {
     {"s02", {{"6.t", "operator precedence"}}},                             // operator precedence in the root
     {"s05", {{"5.V", "not normalised"}, {"9.normal", "not normalised"}}},  // forgot to normalise V and the normal

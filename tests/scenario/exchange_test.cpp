@@ -1,4 +1,4 @@
-// What other systems get: the files beside the reports, asked for on the command line.
+// The files for other systems, requested on the command line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/packed.h"
-#include "tests/scenario.h"
+#include "tests/given/packed.h"
+#include "tests/scenario/scenario.h"
 
 namespace scenario {
 namespace {
@@ -50,7 +50,7 @@ bool unset_classroom50() {
     return set_classroom50() && unsetenv("CLASSROOM") == 0 && unsetenv("RELEASE_URL") == 0;
 }
 
-TEST_F(Exchange, ACheckWritesWhatGradescopeReads) {
+TEST_F(Exchange, CheckWritesResultsForGradescope) {
     const fs::path results = folder / "results.json";
     const Result result = check({"--gradescope", results.string()});
     EXPECT_EQ(result.status, 0) << result.both();
@@ -64,7 +64,7 @@ TEST_F(Exchange, ACheckWritesWhatGradescopeReads) {
     EXPECT_THAT(read_json(results).at("output").get<std::string>(), HasSubstr("not_there"));
 }
 
-TEST_F(Exchange, WhatCannotBeGradedHasNoScoreAnywhere) {
+TEST_F(Exchange, AnUngradedSubmissionHasNoScoreAnywhere) {
     write(source(), std::string(std::size_t{2} << 20U, '/'));
     write(folder / "result.json", R"({"score": 100, "schema": "forged by the student"})");
     const Result result = check({"--gradescope", (folder / "results.json").string(), "--classroom50",
@@ -76,7 +76,7 @@ TEST_F(Exchange, WhatCannotBeGradedHasNoScoreAnywhere) {
     EXPECT_THAT(read(folder / "junit.xml"), HasSubstr("<error message="));
 }
 
-TEST_F(Exchange, ACheckWritesWhatClassroom50Reads) {
+TEST_F(Exchange, CheckWritesResultsForClassroom50) {
     const fs::path file = folder / "result.json";
     const Result result = check({"--classroom50", file.string()}, set_classroom50);
     EXPECT_EQ(result.status, 0) << result.both();
@@ -88,7 +88,7 @@ TEST_F(Exchange, ACheckWritesWhatClassroom50Reads) {
     EXPECT_FALSE(written.contains("assignment_type"));
 }
 
-TEST_F(Exchange, NamesWhatClassroom50sEnvironmentLacks) {
+TEST_F(Exchange, NamesMissingVariablesOfClassroom50) {
     const fs::path file = folder / "result.json";
     const Result result = check({"--classroom50", file.string()}, unset_classroom50);
     EXPECT_EQ(result.status, usage);
@@ -96,7 +96,7 @@ TEST_F(Exchange, NamesWhatClassroom50sEnvironmentLacks) {
     EXPECT_FALSE(fs::exists(file));
 }
 
-TEST_F(Exchange, WritesOverNobodysFile) {
+TEST_F(Exchange, NeverOverwritesAForeignFile) {
     for (const std::string option : {"--gradescope", "--classroom50", "--junit"}) {
         const Result over = check({option, source().string()}, set_classroom50);
         EXPECT_EQ(over.status, usage) << over.both();
@@ -105,7 +105,7 @@ TEST_F(Exchange, WritesOverNobodysFile) {
     }
     EXPECT_THAT(check({"--gradescope", "/nowhere/results.json"}).voice, HasSubstr("/nowhere/results.json"));
 
-    // A student's checkout may hold links where we write.
+    // A student's checkout may contain links at the paths that raygrade writes.
     write(folder / "precious.json", "precious");
     fs::create_symlink(folder / "precious.json", folder / "results.json");
     fs::create_symlink(folder / "precious.json", folder / "results.json.new");
@@ -137,13 +137,13 @@ TEST_F(Exchange, AMoodleClassGoesBackToMoodle) {
     EXPECT_TRUE(fs::exists(out() / "feedback.zip"));
     EXPECT_THAT(read(folder / "junit.xml"), HasSubstr("<testsuite name=\"Jane Doe\""));
 
-    // What the next run does not write is not left from this one.
+    // A run removes a file of an earlier run that it does not write itself.
     EXPECT_EQ(grade(source().parent_path(), {}).status, 0);
     EXPECT_EQ(read(out() / "grades-moodle.csv"), read(folder / "worksheet.csv")) << "the worksheet is kept";
     EXPECT_FALSE(fs::exists(out() / "feedback.zip"));
 }
 
-TEST_F(Exchange, AGradescopeClassIsCalledByItsNames) {
+TEST_F(Exchange, AGradescopeClassHasItsStudentsNames) {
     const std::vector<PackedEntry> sources = {{"class/submission_901/ray_cast.cpp", std::string(small_program)},
                                               {"class/submission_902/ray_cast.cpp", std::string(small_program)}};
     const auto with = [&](const std::string& yaml) {
@@ -186,7 +186,7 @@ TEST_F(Exchange, ARosterThatIsTooLargeIsRefused) {
     }
 }
 
-TEST_F(Exchange, ARegradeThatIsOnlyShownLeavesTheJunitFileAlone) {
+TEST_F(Exchange, ARegradePreviewLeavesTheJunitFileAlone) {
     const fs::path junit = folder / "junit.xml";
     EXPECT_EQ(grade(source().parent_path(), {"--junit", junit.string()}).status, 0);
     const std::string before = read(junit);
@@ -202,7 +202,7 @@ TEST_F(Exchange, ARegradeThatIsOnlyShownLeavesTheJunitFileAlone) {
     EXPECT_NE(read(junit), before) << "with --apply it is replaced";
 }
 
-TEST_F(Exchange, AWorksheetThatCannotBeUsedIsToldBeforeAnythingIsGraded) {
+TEST_F(Exchange, AnUnusableWorksheetIsReportedBeforeGrading) {
     const fs::path worksheet = folder / "worksheet.csv";
     const auto told = [&](const std::vector<std::string>& options) {
         const Result result = grade(source().parent_path(), options);

@@ -1,10 +1,10 @@
-// `raygrade explain` as a person runs it: what it writes, what it won't write over, and what it reads.
+// `raygrade explain` as a person runs it: what it reads and writes, and the files it refuses to overwrite.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "tests/scenario.h"
+#include "tests/scenario/scenario.h"
 
 namespace scenario {
 namespace {
@@ -26,7 +26,7 @@ TEST(Explain, WritesAPictureAndSaysWhere) {
     EXPECT_THAT(read(file), HasSubstr(">P_s</text>"));
 }
 
-TEST(Explain, DrawsWhatATranscriptHolds) {
+TEST(Explain, DrawsTheAnswersOfATranscript) {
     const TemporaryFolder folder;
     write(folder / "output.txt", far_root);
     const Result result = raygrade({"explain", (folder / "output.txt").string(), "-o", "-"});
@@ -41,7 +41,7 @@ TEST(Explain, DrawsWhatATranscriptHolds) {
     EXPECT_THAT(for_student.output, Not(HasSubstr(">P_s")));
 }
 
-TEST(Explain, ReplacesItsEarlierPictureOnlyByForce) {
+TEST(Explain, ReplacesItsEarlierPictureOnlyWithForce) {
     const TemporaryFolder folder;
     const std::string file = (folder / "scene.svg").string();
     ASSERT_EQ(raygrade({"explain", "-o", file}).status, 0);
@@ -54,7 +54,7 @@ TEST(Explain, ReplacesItsEarlierPictureOnlyByForce) {
     EXPECT_NE(read(file), before);
 }
 
-TEST(Explain, NeverWritesOverAnybodyElsesFile) {
+TEST(Explain, NeverOverwritesAForeignFile) {
     const TemporaryFolder folder;
     write(folder / "thesis.svg", "<svg/>");
     for (const char* force : {"", "--force"}) {
@@ -89,7 +89,7 @@ TEST(Explain, SaysWhatIsWrongWithAPath) {
     EXPECT_FALSE(fs::exists(out));
 }
 
-TEST(Explain, SaysWhatIsNoPrintout) {
+TEST(Explain, RefusesAFileThatIsNoPrintout) {
     const TemporaryFolder folder;
     const std::string out = (folder / "a.svg").string();
     Result result = raygrade({"explain", (sample("ada") / "ray_cast.cpp").string(), "-o", out});

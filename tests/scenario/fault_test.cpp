@@ -1,5 +1,5 @@
-// What goes wrong around a submission: raygrade killed, the disk full, the sandbox gone, the machine busy. Nothing may
-// be left behind, nobody may get marks for it, and the others are graded all the same.
+// Failures around a submission: raygrade is killed, the disk is full, the sandbox is gone, the machine is busy. Nothing
+// may be left behind, no failure may change a mark, and the other submissions must still be graded.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -15,7 +15,7 @@
 #include <string>
 #include <thread>
 
-#include "tests/scenario.h"
+#include "tests/scenario/scenario.h"
 
 namespace scenario {
 namespace {
@@ -27,7 +27,7 @@ using testing::HasSubstr;
 
 constexpr std::string_view honest =
     "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n";
-/// Does all it can not to be ended, for some seconds.
+/// Resists every attempt to end it for some seconds.
 constexpr std::string_view clinging =
     "#include <signal.h>\n#include <unistd.h>\n"
     "int main() {\n"
@@ -38,12 +38,12 @@ constexpr std::string_view clinging =
 constexpr std::string_view spinning =
     "#include <ctime>\nint main() { const auto end = time(nullptr) + 10; while (time(nullptr) < end) {} }\n";
 
-/// Makes this process inherit whatever its descendants leave behind, so that nothing can hide from it.
+/// Makes this process inherit every process that its descendants leave behind, so that none can hide.
 void adopt_orphans() {
     ASSERT_EQ(prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0), 0);
 }
 
-/// Reaps until there is no descendant any more; false when some are left after `time`.
+/// Reaps until no descendant is left. Returns false if some are left after `time`.
 bool all_gone_within(std::chrono::milliseconds time) {
     const auto end = std::chrono::steady_clock::now() + time;
     for (;;) {
@@ -64,13 +64,13 @@ class Fault : public testing::Test {
   protected:
     Fault() {
         fs::create_directory(temporary());
-        // Run by root, the programs' accounts pass through here.
+        // If root runs the tests, the programs' accounts need access to this folder.
         fs::permissions(folder.path(), static_cast<fs::perms>(0755));
     }
 
     fs::path students() const { return folder / "class"; }
     fs::path out() const { return folder / "out"; }
-    /// $TMPDIR of raygrade.
+    /// The $TMPDIR of raygrade.
     fs::path temporary() const { return folder / "tmp"; }
     void add(const std::string& id, std::string_view source) const { write(students() / id / "ray_cast.cpp", source); }
     std::vector<std::string> command(std::vector<std::string> more = {}) const {
@@ -81,7 +81,7 @@ class Fault : public testing::Test {
     Preparation in_temporary(Preparation more = {}) const {
         return [this, more] { return setenv("TMPDIR", temporary().c_str(), 1) == 0 && (!more || more()); };
     }
-    /// Starts raygrade and does not wait for it.
+    /// Starts raygrade without waiting for it.
     pid_t start(const std::vector<std::string>& arguments) const {
         const pid_t child = fork();
         if (child == 0) {
@@ -97,8 +97,8 @@ class Fault : public testing::Test {
 
 class Killed : public Fault, public testing::WithParamInterface<unsigned> {};
 
-/// 50 random moments of a second and a half: starting, trying the sandbox, compiling, running, cleaning up. The seed is
-/// the parameter.
+/// Kills raygrade at 50 random moments within 1.5 s: while it starts, tries the sandbox, compiles, runs or cleans up.
+/// The seed is the parameter.
 TEST_P(Killed, LeavesNoProcessAndTheNextRunRemovesItsFolder) {
     adopt_orphans();
     add("clinging", clinging);
@@ -122,8 +122,7 @@ TEST_P(Killed, LeavesNoProcessAndTheNextRunRemovesItsFolder) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Killed, testing::Values(1, 2, 3, 4));
 
-/// Does something to a process of a run under way: the first one that is called `name`, whose parent's number it is
-/// given too. False when there is none in time.
+/// Finds a running process called `name` and sets `parent` to its parent's id. Returns false if none appears in time.
 bool find_running(const std::string& name, pid_t& parent) {
     const auto end = std::chrono::steady_clock::now() + 20s;
     while (std::chrono::steady_clock::now() < end) {
@@ -137,10 +136,10 @@ bool find_running(const std::string& name, pid_t& parent) {
     return false;
 }
 
-TEST_F(Fault, ASupervisorThatDiesLeavesItsSubmissionNotGraded) {
+TEST_F(Fault, ADeadSupervisorLeavesItsSubmissionNotGraded) {
     adopt_orphans();
     add("honest", honest);
-    // A name of its own, by which this test finds it, and no other that runs beside it.
+    // A unique name, so that this test finds only its own process.
     const std::string name = "waits-" + std::to_string(getpid());
     add("waits", "#include <sys/prctl.h>\n#include <unistd.h>\nint main() { prctl(PR_SET_NAME, \"" + name +
                      "\"); sleep(8); }\n");
@@ -158,7 +157,7 @@ TEST_F(Fault, ASupervisorThatDiesLeavesItsSubmissionNotGraded) {
     EXPECT_EQ(graded("honest").at("points").get<double>(), 10);
 }
 
-TEST_F(Fault, ADiskThatFillsUpLeavesItsSubmissionNotGraded) {
+TEST_F(Fault, ADiskThatFillsUpLeavesASubmissionNotGraded) {
     add("fills", "char big[30000000] = {1};\nint main() { return big[1]; }\n");
     add("honest", honest);
     const Result result =
@@ -169,7 +168,7 @@ TEST_F(Fault, ADiskThatFillsUpLeavesItsSubmissionNotGraded) {
     EXPECT_EQ(graded("honest").at("points").get<double>(), 10) << result.both();
 }
 
-TEST_F(Fault, ADiskWithoutRoomForAnythingIsToldBeforeTheFirstSubmission) {
+TEST_F(Fault, AFullDiskIsReportedBeforeTheFirstSubmission) {
     add("honest", honest);
     const Result result = raygrade(command(), in_temporary([this] { return mount_tiny_disk(temporary()); }));
     EXPECT_EQ(result.status, some_not_graded) << result.both();
@@ -177,7 +176,7 @@ TEST_F(Fault, ADiskWithoutRoomForAnythingIsToldBeforeTheFirstSubmission) {
     EXPECT_FALSE(fs::exists(out() / "grades.json"));
 }
 
-/// A PATH whose bwrap, or g++, takes itself away once it has been used `uses` times.
+/// A PATH whose bwrap or g++ removes itself after `uses` uses.
 fs::path path_with_vanishing(const fs::path& folder, const std::string& name, int uses) {
     const fs::path bin = folder / "bin";
     write(bin / "uses", std::to_string(uses));
@@ -189,10 +188,10 @@ fs::path path_with_vanishing(const fs::path& folder, const std::string& name, in
     return bin;
 }
 
-TEST_F(Fault, ABwrapThatIsRemovedMeanwhileLeavesTheRestNotGraded) {
+TEST_F(Fault, ABwrapRemovedDuringTheRunLeavesTheRestNotGraded) {
     if (!holds_bwrap()) GTEST_SKIP() << "bwrap does not hold on this machine";
     for (const char* id : {"a", "b", "c"}) add(id, honest);
-    // Once for the canary, then for some of the six compilations and runs.
+    // The first use is the canary, the next are some of the six compilations and runs.
     const fs::path bin = path_with_vanishing(folder / "vanishing", "bwrap", 4);
     const Result result =
         raygrade(command({"-j", "1"}),
@@ -213,10 +212,11 @@ TEST_F(Fault, ABwrapThatIsRemovedMeanwhileLeavesTheRestNotGraded) {
     EXPECT_GE(not_graded, 1);
 }
 
-/// grades.json without what differs from run to run.
+/// grades.json without the fields that differ from run to run.
 json marks(const fs::path& grades) {
     json all = json::array();
-    for (const json& submission : read_json(grades).at("submissions")) {
+    const json read = read_json(grades);
+    for (const json& submission : read.at("submissions")) {
         all.push_back({submission.at("id"), submission.at("outcome"), submission.at("points"),
                        submission.at("questions"), submission.at("run").at("limit"),
                        submission.at("run").at("signal")});

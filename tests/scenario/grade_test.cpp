@@ -1,11 +1,9 @@
-// The sample class and the model solution, graded by the real raygrade. Each submissions/<who>/expected.json says what
-// a marker gives, read off the source and its output:
+// The real raygrade grades the sample class and the model solution. Each submissions/<who>/expected.json holds a
+// marker's marks, found by reading the source and its output:
 //   outcome  as in grades.json
-//   points   a number, or [least, most] where more than one verdict is fair
-//   diagnosis  the name of the mistake by "question.item", where there is one; see scenario_diagnosis_test.cpp
-//   items    the verdicts of those items that are not right, by "question.item"; an array where several are fair
-#include "tests/scenario.h"
-
+//   points   a number, or [least, most] if more than one verdict is fair
+//   diagnosis  the names of the mistakes by "question.item", if any; see diagnosis_test.cpp
+//   items    the verdicts of the items that are not right, by "question.item"; an array if several are fair
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,6 +13,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+#include "tests/scenario/scenario.h"
 
 namespace scenario {
 namespace {
@@ -75,7 +75,7 @@ struct Student {
     std::string name;
 };
 
-/// The name with "_" for each character that GoogleTest does not allow in a test's name.
+/// The name, with "_" for each character that GoogleTest does not allow in test names.
 std::string test_name(const Student& student) {
     std::string name;
     for (const char c : student.name) {
@@ -86,7 +86,7 @@ std::string test_name(const Student& student) {
     return name;
 }
 
-// GoogleTest would print another line for a name that is not ASCII, which ctest takes for one more test.
+// GoogleTest prints an extra line for a name that is not ASCII, and ctest would take that line for a test.
 void PrintTo(const Student& student, std::ostream* out) {
     *out << test_name(student);
 }
@@ -102,7 +102,7 @@ std::vector<Student> sample_class() {
 
 class SampleClass : public testing::TestWithParam<Student> {};
 
-TEST_P(SampleClass, GetsWhatAMarkerGives) {
+TEST_P(SampleClass, GetsTheMarksThatAMarkerGives) {
     const json expected = read_json(sample(GetParam().name) / "expected.json");
     const json submission = grade_alone(sample(GetParam().name));
     EXPECT_EQ(submission.at("id"), GetParam().name);
@@ -129,7 +129,7 @@ TEST_P(SampleClass, GetsWhatAMarkerGives) {
 INSTANTIATE_TEST_SUITE_P(Submissions, SampleClass, testing::ValuesIn(sample_class()),
                          [](const auto& student) { return test_name(student.param); });
 
-TEST(SampleClassItself, NamesOnlyItemsAndVerdictsThatThereAre) {
+TEST(SampleClassItself, NamesOnlyItemsAndVerdictsThatExist) {
     const std::vector<std::string> names = all_items();
     const std::set<std::string> verdicts = {"follow", "wrong", "missing", "unreadable", "right"};
     for (const auto& [who] : sample_class()) {

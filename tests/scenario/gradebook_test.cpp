@@ -1,5 +1,5 @@
-// The instructor's real day: marks are changed by hand and by another rubric, and nothing is lost or lowered in
-// silence.
+// The instructor's real day: marks are changed by hand and by a changed rubric, and no mark is lost or lowered
+// silently.
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/scenario.h"
+#include "tests/scenario/scenario.h"
 
 namespace scenario {
 namespace {
@@ -22,7 +22,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Prints the answer to question 5 alone, which is right: 10 of 100 points.
+/// Prints only the answer to question 5, which is right: 10 of 100 points.
 constexpr std::string_view right =
     "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n";
 constexpr std::string_view wrong =
@@ -32,7 +32,7 @@ constexpr std::string_view wrong =
 class RealDay : public testing::Test {
   protected:
     RealDay() {
-        // Run by root, the programs' accounts pass through here.
+        // If root runs the tests, the programs' accounts need access to this folder.
         fs::permissions(folder.path(), static_cast<fs::perms>(0755));
         write(students() / "ada/ray_cast.cpp", right);
         write(students() / "ben/ray_cast.cpp", wrong);
@@ -54,7 +54,7 @@ class RealDay : public testing::Test {
         words.insert(words.end(), more.begin(), more.end());
         return run(words);
     }
-    /// The assignment of 2021 with more lines in its last table, [rubric].
+    /// The assignment of 2021 with these lines added to its last table, [rubric].
     std::string rubric(const std::string& lines) const {
         const fs::path file = folder / "a6-2021.toml";
         write(file, read(project_folder() / "reference/assignments/a6-2021.toml") + "\n" + lines);
@@ -62,7 +62,7 @@ class RealDay : public testing::Test {
     }
     json graded(const std::string& id) const { return submission_in(read_json(out() / "grades.json"), id); }
     double points(const std::string& id) const { return graded(id).at("points").get<double>(); }
-    /// Every file of the results with its bytes.
+    /// Every file of the results, with its bytes.
     std::map<std::string, std::string> files() const {
         std::map<std::string, std::string> all;
         for (const auto& entry : fs::recursive_directory_iterator(out())) {
@@ -77,7 +77,7 @@ class RealDay : public testing::Test {
     TemporaryFolder folder;
 };
 
-TEST_F(RealDay, ARegradeShowsWhoRisesAndWhyAndWritesNothing) {
+TEST_F(RealDay, ARegradeShowsWhoseMarkRisesAndWhyAndWritesNothing) {
     ASSERT_EQ(grade().status, 0);
     const auto before = files();
     const Result shown = grade({"--assignment", rubric("[rubric.points]\n5 = 20\n")});
@@ -109,14 +109,14 @@ TEST_F(RealDay, NothingIsLoweredSilently) {
               1);
 }
 
-TEST_F(RealDay, ARegradeIsByTheAssignmentOfTheResultsUnlessAnotherIsNamed) {
+TEST_F(RealDay, ARegradeUsesTheAssignmentOfTheResultsByDefault) {
     const std::string own = rubric("[rubric.points]\n5 = 40\n");
     grade({"--assignment", own});
     ASSERT_EQ(points("ada"), 40);
     EXPECT_THAT(grade().output, HasSubstr("Nothing has changed"));
     write(own, read(own) + "6 = 20\n");
     EXPECT_THAT(grade().output, AllOf(HasSubstr("The file of the assignment a6-2021 has changed"),
-                                      HasSubstr("Marks are of 140 points now, of 130 before.")));
+                                      HasSubstr("Marks are now out of 140 points, previously out of 130.")));
     EXPECT_THAT(grade({"--assignment", "default"}).output, HasSubstr("falls  ada"));
     fs::remove(own);
     const Result gone = grade({"--apply"});
@@ -134,7 +134,7 @@ TEST_F(RealDay, ARegradeWithoutChangesSaysSo) {
     EXPECT_THAT(again.output, Not(HasSubstr("ada")));
 }
 
-TEST_F(RealDay, ApplyingNoChangeWritesOnlyWhatIsMissing) {
+TEST_F(RealDay, ApplyingNoChangeWritesOnlyMissingReports) {
     ASSERT_EQ(grade().status, 0);
     const auto all = files();
     const auto written = fs::last_write_time(out() / "grades.json");
@@ -158,18 +158,19 @@ TEST_F(RealDay, ApplyingNoChangeWritesOnlyWhatIsMissing) {
     EXPECT_EQ(count("SELECT COUNT(*) FROM runs"), 2);
 }
 
-/// Reads memory that was never set, which no printout shows.
+/// Reads memory that was never set. Its output does not show that.
 constexpr std::string_view out_of_bounds =
     "#include <cstdio>\nint main() { volatile int i = 3; int a[3] = {}; volatile int b = a[i]; (void)b; "
     "puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n";
 
-TEST_F(RealDay, FeedbackAloneIsToldAndAppliedAndToldWhenItGoes) {
+TEST_F(RealDay, AChangeOfFeedbackAloneIsReportedAndApplied) {
     write(students() / "ben/ray_cast.cpp", out_of_bounds);
     ASSERT_EQ(grade().status, 0);
     const auto before = files();
     const Result shown = grade({"--sanitize"});
     EXPECT_THAT(shown.output, AllOf(HasSubstr("0 rise, 0 fall, 2 stay as they are.\n"),
-                                    HasSubstr("Beside the marks: sanitizers' findings new in 1"),
+                                    HasSubstr("Apart from the marks, by number of submissions: "
+                                              "sanitizers' findings new in 1"),
                                     HasSubstr("No mark changes, but the feedback of 1 submission does. Nothing was "
                                               "written to the results; --apply writes it.\n")))
         << shown.both();
@@ -181,12 +182,13 @@ TEST_F(RealDay, FeedbackAloneIsToldAndAppliedAndToldWhenItGoes) {
 
     for (const char* apply : {"", "--apply"}) {
         const Result without = *apply == '\0' ? grade() : grade({apply});
-        EXPECT_THAT(without.output, HasSubstr("Beside the marks: sanitizers' findings gone from 1 (see --sanitize)"));
+        EXPECT_THAT(without.output, HasSubstr("Apart from the marks, by number of submissions: sanitizers' findings "
+                                              "gone from 1 (see --sanitize)"));
     }
     EXPECT_THAT(read(out() / "feedback/ben.md"), Not(HasSubstr("What the sanitizers found")));
 }
 
-TEST_F(RealDay, WhatIsTheSameButForTheAssignmentOrARosterIsNotCalledUnchanged) {
+TEST_F(RealDay, ANewAssignmentOrRosterCountsAsAChange) {
     ASSERT_EQ(grade({"--assignment", rubric("")}).status, 0);
     constexpr auto unwritten = "Nothing was written to the results; --apply writes it.\n";
     EXPECT_THAT(grade({"--assignment", rubric("show_expected = true\n")}).output, HasSubstr(unwritten));
@@ -229,7 +231,7 @@ TEST_F(RealDay, AnOverrideStandsInEveryReportAndSurvivesARegrade) {
     EXPECT_THAT(override_mark({"--list"}).output, HasSubstr("no overrides"));
 }
 
-TEST_F(RealDay, AnOverrideMakesGoodForAPageOfAnotherThatWasTouched) {
+TEST_F(RealDay, AnOverrideRestoresATouchedPageOfADifferentStudent) {
     grade();
     const fs::path page = out() / "feedback/ben.md";
     const std::string as_it_was = read(page);
@@ -239,7 +241,7 @@ TEST_F(RealDay, AnOverrideMakesGoodForAPageOfAnotherThatWasTouched) {
     EXPECT_EQ(read(page), as_it_was);
 }
 
-TEST_F(RealDay, ReportsRewrittenFromTheGradebookAreThoseOfARun) {
+TEST_F(RealDay, ReportsRewrittenFromTheGradebookEqualThoseOfARun) {
     ASSERT_EQ(grade({"-j", "1"}).status, 0);
     ASSERT_EQ(override_mark({"ben", "total", "50", "--why", "by hand"}).status, 0);
     auto by_override = files();
@@ -251,7 +253,7 @@ TEST_F(RealDay, ReportsRewrittenFromTheGradebookAreThoseOfARun) {
     EXPECT_EQ(by_run.size(), 3U + 2 * 2U);
 }
 
-TEST_F(RealDay, AnOverrideWithAMistakeIsRefusedWithTheWayOut) {
+TEST_F(RealDay, AWrongOverrideIsRefusedWithTheWayOut) {
     write(students() / "none/notes.txt", "no source");
     ASSERT_EQ(grade().status, some_not_graded);
     const auto before = files();
@@ -277,7 +279,7 @@ TEST_F(RealDay, AnOverrideWithAMistakeIsRefusedWithTheWayOut) {
     EXPECT_THAT(nowhere.voice, AllOf(HasSubstr((folder / "no").string()), HasSubstr("holds no gradebook")));
 }
 
-TEST_F(RealDay, WhatCouldNotBeGradedGetsATotalAndMoreThanTheRubricIsNoted) {
+TEST_F(RealDay, AnUngradedSubmissionCanGetATotalAboveTheRubric) {
     write(students() / "none/notes.txt", "no source");
     ASSERT_EQ(grade().status, some_not_graded);
     const Result given = override_mark({"none", "total", "110", "--why", "shown at the board"});
@@ -327,7 +329,7 @@ TEST_F(RealDay, ADamagedGradebookIsRefusedBeforeAnythingIsGraded) {
     EXPECT_EQ(files(), before);
 }
 
-TEST_F(RealDay, TwoAtATimeAreToldOfEachOther) {
+TEST_F(RealDay, TwoCommandsAtOnceAreReported) {
     ASSERT_EQ(grade().status, 0);
     const int other = open(out().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     ASSERT_EQ(flock(other, LOCK_EX), 0);
@@ -339,7 +341,7 @@ TEST_F(RealDay, TwoAtATimeAreToldOfEachOther) {
     EXPECT_EQ(grade({"--apply"}).status, 0);
 }
 
-TEST_F(RealDay, ReportsThatAKilledCommandLeftUnwrittenAreKnownAndWritten) {
+TEST_F(RealDay, ReportsThatAKilledCommandLeftUnwrittenAreCompleted) {
     ASSERT_EQ(grade().status, 0);
     SQLite::Database(gradebook().string(), SQLite::OPEN_READWRITE).exec("UPDATE reports SET entry = 0");
     fs::remove(out() / "feedback/ada.md");
@@ -363,7 +365,7 @@ TEST_F(RealDay, TheCanvasRosterIsKeptForOverridesAndRegrades) {
     EXPECT_THAT(read(out() / "grades-canvas.csv"), HasSubstr("\"Ada\",\"ada\",\"20.00\""));
 }
 
-TEST_F(RealDay, ALateHandInLosesWhatTheRubricSays) {
+TEST_F(RealDay, ALateHandInLosesTheRubricsDeduction) {
     fs::remove_all(students());
     write(students() / "adalovelace_LATE_11_1_ray_cast.cpp", right);
     write(students() / "benjones_12_2_ray_cast.cpp", right);
@@ -380,7 +382,7 @@ TEST_F(RealDay, ALateHandInLosesWhatTheRubricSays) {
     EXPECT_THAT(forgiven.output, HasSubstr("late: loses 0 %, 25 % before"));
 }
 
-TEST_F(RealDay, NobodyLosesPointsWhereNothingTellsOfLateness) {
+TEST_F(RealDay, NobodyLosesPointsIfLatenessIsUnknown) {
     for (const std::string folder_name : {"Jane Doe_12_assignsubmission_file", "submission_901"}) {
         SCOPED_TRACE(folder_name);
         fs::remove_all(students());

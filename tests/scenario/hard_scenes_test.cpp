@@ -1,4 +1,4 @@
-// The hard scenes by the real raygrade: alone, and in the feedback of a class.
+// The real raygrade with hard scenes: for a single program, and in the feedback of a class.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "tests/scenario.h"
+#include "tests/scenario/scenario.h"
 
 namespace scenario {
 namespace {
@@ -50,7 +50,7 @@ json item_in(const json& scene, int question, const std::string& name) {
     return {};
 }
 
-TEST(HardScenes, ShowWhatFloatLosesAndNameWhatKeepsIt) {
+TEST(HardScenes, ShowLossesOfFloatAndNameABetterFormula) {
     const json stress = stress_of(project_folder() / "reference/ray_cast.cpp");
     EXPECT_EQ(stress.at("not_found"), json::array());
     const json far = scene_in(stress, "small sphere, far away");
@@ -63,7 +63,7 @@ TEST(HardScenes, ShowWhatFloatLosesAndNameWhatKeepsIt) {
         EXPECT_EQ(scene_in(stress, kept).at("verdict"), "survives") << kept;
 }
 
-TEST(HardScenes, AreLeftOutWithTheReasonWhereTheSourceDoesNotStateThem) {
+TEST(HardScenes, AreLeftOutWithAReasonIfTheSourceStatesNoScene) {
     const TemporaryFolder folder;
     std::string source = read(project_folder() / "reference/ray_cast.cpp");
     const std::string stated = "const Sphere sphere{{1, 1, 0}, 2};";
@@ -85,7 +85,7 @@ TEST(HardScenes, AreNotTriedWithAProgramThatAnswersNothing) {
     EXPECT_THAT(result.output, HasSubstr("printed nothing"));
 }
 
-TEST(HardScenes, AreToBlameOnlyWhereTheSourceDoesNotStateThemNotForHowItEnds) {
+TEST(HardScenes, BlameTheMissingSceneAndNotTheExitCode) {
     const TemporaryFolder folder;
     std::string failing(small_program);
     failing.insert(failing.rfind('}'), "return 1; ");
@@ -95,13 +95,13 @@ TEST(HardScenes, AreToBlameOnlyWhereTheSourceDoesNotStateThemNotForHowItEnds) {
     EXPECT_THAT(result.output, AllOf(HasSubstr("The scene was not found in the source"), Not(HasSubstr("exit code"))));
 }
 
-/// The model solution with more before the first `text` in it.
+/// The model solution with `more` inserted before the first `text`.
 std::string model_with(const std::string& more, const std::string& text) {
     std::string source = read(project_folder() / "reference/ray_cast.cpp");
-    return "#include <cstdlib>\n" + source.insert(source.find(text), more);  // throws where there is none
+    return "#include <cstdlib>\n" + source.insert(source.find(text), more);  // throws if `text` is missing
 }
 
-TEST(HardScenes, AreNotToBlameForACrashOfItsOwn) {
+TEST(HardScenes, SurviveACrashThatTheProgramAlwaysHas) {
     const TemporaryFolder folder;
     write(folder / "ray_cast.cpp", model_with("std::cout.flush(); std::abort(); ", "return 0;"));
     const json report = report_of(folder / "ray_cast.cpp");
@@ -111,7 +111,7 @@ TEST(HardScenes, AreNotToBlameForACrashOfItsOwn) {
     EXPECT_EQ(inside.at("ended"), nullptr);
 }
 
-TEST(HardScenes, ShowWhereAProgramDoesNotComeToItsEnd) {
+TEST(HardScenes, ShowWhereAProgramDoesNotEndByItself) {
     const TemporaryFolder folder;
     write(folder / "ray_cast.cpp", model_with("std::cout.flush();\n"
                                               "if (quadratic.b > 0.0f && quadratic.c > 0.0f) std::abort();\n"
@@ -129,7 +129,7 @@ TEST(HardScenes, ShowWhereAProgramDoesNotComeToItsEnd) {
     EXPECT_EQ(scene_in(report.at("stress"), "small sphere, far away").at("ended"), nullptr);
 }
 
-TEST(HardScenes, AreFeedbackInAClassAndCompiledOnce) {
+TEST(HardScenes, GiveFeedbackInAClassAndAreCompiledOnce) {
     const TemporaryFolder folder;
     const std::vector<std::string> arguments = {
         "grade", sample("ada").string(),   "--assignment", "a6-2021", "--stress", "--apply",
@@ -150,7 +150,7 @@ TEST(HardScenes, AreFeedbackInAClassAndCompiledOnce) {
         << "kept by the gradebook";
 }
 
-/// a6-2021 with the parts that `changes` has otherwise, "center = (1, 2, 3), radius = 4", as an assignment.
+/// The assignment a6-2021 with the changes of a text such as "center = (1, 2, 3), radius = 4".
 std::string with_changes(const std::string& changes) {
     std::map<std::string, std::string> parts = {{"eye", "0, 0, 4"},    {"lookat", "0, 0, 0"}, {"vup", "0, 1, 0"},
                                                 {"center", "1, 1, 0"}, {"radius", "2"},       {"A", "0, -2, 2"},
@@ -166,7 +166,7 @@ std::string with_changes(const std::string& changes) {
            parts.at("B") + "], [" + parts.at("C") + "]]\n[rubric]\npixel_conventions = [\"centre\"]\n";
 }
 
-/// Every number of a printout that has a decimal point and five digits that tell, without the zeros at its end.
+/// Every number of a printout with a decimal point and at least five significant digits, without trailing zeros.
 std::set<std::string> telling_numbers(const std::string& printout) {
     static const std::regex number(R"(\d+\.\d*[1-9])");
     std::set<std::string> numbers;
@@ -177,7 +177,7 @@ std::set<std::string> telling_numbers(const std::string& printout) {
     return numbers;
 }
 
-TEST(HardScenes, NeverShowARightValueOfTheirs) {
+TEST(HardScenes, NeverShowTheirRightValues) {
     const TemporaryFolder folder;
     fs::create_directory(folder / "model");
     fs::copy_file(project_folder() / "reference/ray_cast.cpp", folder / "model/ray_cast.cpp");
@@ -197,7 +197,7 @@ TEST(HardScenes, NeverShowARightValueOfTheirs) {
         const Result key = raygrade({"reference", "--assignment", (folder / "hard.toml").string()});
         ASSERT_EQ(key.status, 0) << scene.at("name") << key.both();
         for (const std::string& number : telling_numbers(key.output)) {
-            if (plain.find(number) != std::string::npos) continue;  // as a number of the assignment's own picture
+            if (plain.find(number) != std::string::npos) continue;  // also a number of the assignment's own picture
             ++looked_for;
             EXPECT_THAT(stressed, Not(HasSubstr(number))) << scene.at("name");
         }
@@ -205,14 +205,14 @@ TEST(HardScenes, NeverShowARightValueOfTheirs) {
     EXPECT_GT(looked_for, 100U);
 }
 
-/// The assignment of 2021 with a line more in its last table, [rubric].
+/// The assignment of 2021 with a line added to its last table, [rubric].
 std::string with_variant_points(const TemporaryFolder& folder) {
     const fs::path file = folder / "points.toml";
     write(file, read(project_folder() / "reference/assignments/a6-2021.toml") + "\nvariant_points = 20\n");
     return file.string();
 }
 
-TEST(VariantPoints, TellWhoComputesFromWhoPrints) {
+TEST(OtherScenePoints, AreHigherForWhoComputesThanForWhoPrints) {
     const TemporaryFolder folder;
     const std::string assignment = with_variant_points(folder);
     const auto graded = [&](const char* who) {
@@ -229,7 +229,7 @@ TEST(VariantPoints, TellWhoComputesFromWhoPrints) {
     EXPECT_EQ(prints.at("points").get<double>(), 100 + prints.at("other_scenes").at("points").get<double>());
 }
 
-TEST(VariantPoints, AreRefusedWithoutOtherScenesToEarnThemOn) {
+TEST(OtherScenePoints, CannotBeEarnedWithoutOtherScenes) {
     const TemporaryFolder folder;
     for (const char* command : {"grade", "check"}) {
         const Result result =

@@ -1,5 +1,5 @@
-// Every program of submissions/hostile in every tier of the sandbox: what it comes to, and that nothing else comes of
-// it: not for its neighbour, not for the machine, not in the reports.
+// Runs every program of submissions/hostile in every tier of the sandbox. Checks its outcome, and that it harms neither
+// the submission graded next to it, nor the machine, nor the reports.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/prctl.h>
@@ -13,15 +13,21 @@
 #include <optional>
 #include <thread>
 
-#include "harness/batch.h"
-#include "harness/failure.h"
-#include "harness/intake.h"
-#include "harness/report/report.h"
-#include "harness/run.h"
-#include "harness/sandbox/canary.h"
-#include "harness/sandbox/scratch.h"
-#include "tests/hostile/corpus.h"
-#include "tests/hostile/decoys.h"
+#include "harness/batch/batch.h"
+#include "harness/grade/marking.h"
+#include "harness/intake/intake.h"
+#include "harness/machine/errors.h"
+#include "harness/report/data/grades_csv.h"
+#include "harness/report/data/grades_json.h"
+#include "harness/report/text/class_table.h"
+#include "harness/report/text/feedback.h"
+#include "harness/run/run.h"
+#include "harness/run/runner.h"
+#include "harness/run/timeline.h"
+#include "harness/sandbox/host/canary.h"
+#include "harness/sandbox/host/scratch.h"
+#include "tests/scenario/hostile/corpus.h"
+#include "tests/scenario/hostile/decoys.h"
 
 namespace hostile {
 namespace {
@@ -29,9 +35,9 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using harness::Graded;
+using harness::Runner;
 using harness::Submission;
 using harness::Tier;
-using harness::Workshop;
 
 const fs::path project = RAYGRADE_PROJECT;
 
@@ -41,8 +47,8 @@ struct TestedTier {
 };
 constexpr std::array<TestedTier, 2> tiers = {{{Tier::bwrap, "bwrap"}, {Tier::landlock, "landlock"}}};
 
-/// Why the tier can start nothing at all on this machine; empty when it can. One that starts and does not hold is
-/// tested.
+/// Why the tier cannot start any program on this machine; "" if it can. A tier that starts programs but does not
+/// confine them is tested.
 std::string why_not(Tier tier) {
     try {
         return harness::try_canary(harness::Sandbox(tier)).failure;
@@ -51,8 +57,8 @@ std::string why_not(Tier tier) {
     }
 }
 
-/// Less time than by default, for the sake of whoever waits for the tests; as much as a busy machine needs.
-Workshop quick_workshop(Tier tier) {
+/// Shorter times than the defaults, so that the tests end sooner, but long enough for a busy machine.
+Runner quick_runner(Tier tier) {
     auto [compile, run] = harness::read_limits({}, {});
     compile.cpu = 2s;
     compile.wall = 12s;
@@ -68,19 +74,19 @@ Submission take_in_one(const fs::path& path) {
     return taken[0];
 }
 
-/// Of a program that was stopped at a limit, the limit is all there is to see.
+/// For a program that was stopped at a limit, only the limit is known.
 bool ended_by_itself(const Graded& graded) {
     return graded.run.ended == harness::Ended::exited || graded.run.ended == harness::Ended::signalled;
 }
 
-/// What the program prints, which the grades no longer hold.
-harness::ProcessResult run_again(const Submission& submission, const Workshop& workshop) {
-    const harness::Scratch scratch(workshop.sandbox->workspace());
-    const harness::Build build = harness::build(submission, workshop.build, *workshop.sandbox, scratch);
-    return harness::run(build, workshop.run, *workshop.sandbox, scratch);
+/// The program's output, which the grades no longer hold.
+harness::ProcessResult run_again(const Submission& submission, const Runner& runner) {
+    const harness::Scratch scratch(runner.sandbox->workspace());
+    const harness::Build build = harness::build(submission, runner.build, *runner.sandbox, scratch);
+    return harness::run(build, runner.run, *runner.sandbox, scratch);
 }
 
-/// What a report must not hold beside line ends and tabs: bytes that a terminal obeys, and what is no UTF-8.
+/// What a report must not contain: control bytes other than line ends and tabs, and invalid UTF-8.
 std::optional<std::string> unprintable(std::string_view text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         const auto byte = static_cast<unsigned char>(text[i]);
@@ -103,7 +109,7 @@ std::string with_plain_line_ends(std::string text) {
     return text;
 }
 
-/// Lets what is ending end, as the first process of a namespace does whose outer half is gone.
+/// Waits for processes that are about to end, such as the first process of a namespace whose outer process is gone.
 void expect_no_process_left() {
     const auto end = std::chrono::steady_clock::now() + 2s;
     pid_t pid = 0;
@@ -113,8 +119,8 @@ void expect_no_process_left() {
     EXPECT_LT(pid, 0) << "a process is left over";
 }
 
-void expect_only_the_shim_in(const fs::path& workspace) {
-    for (const auto& entry : fs::directory_iterator(workspace)) EXPECT_EQ(entry.path().filename(), "shim");
+void expect_only_the_supervisor_in(const fs::path& workspace) {
+    for (const auto& entry : fs::directory_iterator(workspace)) EXPECT_EQ(entry.path().filename(), "supervisor");
 }
 
 void expect_fair_outcome(const Graded& graded, const Attack& attack) {
@@ -122,7 +128,7 @@ void expect_fair_outcome(const Graded& graded, const Attack& attack) {
         << "It tries " << attack.tries << ".\n"
         << graded.explanation << '\n'
         << graded.build.diagnostics.substr(0, 2000) << graded.run.errors.substr(0, 2000);
-    // What they print is right for the first question and for an item or two beyond.
+    // Their output is right for the first question and for one or two more items.
     EXPECT_LE(graded.score.points, 15);
     if (graded.outcome != harness::Outcome::graded) {
         EXPECT_NE(graded.explanation, "");
@@ -162,20 +168,21 @@ class Hostile : public testing::Test {
         const DecoyListener listener;
         const DecoySegment segment;
         const Submission hostile = take_in_one(attack_.folder);
-        const Submission neighbour = take_in_one(project / "tests/hostile/neighbour.cpp");
+        const Submission neighbour = take_in_one(project / "tests/scenario/hostile/neighbour.cpp");
         const auto held_to =
-            harness::begin_marking(reference::load_assignment("a6-2021", project / "reference/assignments"));
-        const Workshop workshop = quick_workshop(tier_);
+            harness::make_marking(reference::load_assignment("a6-2021", project / "reference/assignments"));
+        const Runner runner = quick_runner(tier_);
         harness::Timeline timeline;
-        const auto graded = harness::grade_all({hostile, neighbour}, held_to, workshop, 2, timeline);
+        const auto graded = harness::grade_all({hostile, neighbour}, held_to, runner, 2, timeline);
 
         expect_fair_outcome(graded[0], attack_);
         EXPECT_EQ(graded[1].outcome, harness::Outcome::graded) << "the neighbour: " << graded[1].explanation;
         EXPECT_EQ(graded[1].score.points, 100) << "the neighbour";
-        expect_clean_reports(graded, held_to.get(), tier_);
+        expect_clean_reports(graded, held_to, tier_);
         if (ended_by_itself(graded[0])) {
-            const auto again = run_again(hostile, workshop);
-            // A limit would have taken what it had not flushed. A bomb may be refused now and be stopped then.
+            const auto again = run_again(hostile, runner);
+            // A program stopped at a limit loses what it has not flushed. A bomb is refused in some runs and stopped in
+            // others.
             if (graded[0].run.ended == harness::Ended::exited) {
                 EXPECT_EQ(again.ended, harness::Ended::exited);
             }
@@ -184,7 +191,7 @@ class Hostile : public testing::Test {
         expect_nothing_learnt(graded[0].run, graded[0].build.diagnostics);
         EXPECT_FALSE(listener.was_called());
         EXPECT_THAT(changes_to_decoy_files(), testing::IsEmpty());
-        expect_only_the_shim_in(workshop.sandbox->workspace().path());
+        expect_only_the_supervisor_in(runner.sandbox->workspace().path());
         expect_no_process_left();
     }
 
@@ -193,7 +200,7 @@ class Hostile : public testing::Test {
     Attack attack_;
 };
 
-TEST(HostileCorpus, SaysOfEveryProgramWhatItTriesAndWhatItMustComeTo) {
+TEST(HostileCorpus, StatesTheAttackAndTheOutcomeOfEveryProgram) {
     const std::vector<Attack> corpus = read_corpus(project / "submissions/hostile");
     EXPECT_GE(corpus.size(), 100U);
     for (const Attack& attack : corpus) {
@@ -207,7 +214,7 @@ TEST(HostileCorpus, SaysOfEveryProgramWhatItTriesAndWhatItMustComeTo) {
     }
 }
 
-TEST(HostileCorpus, IsTriedInOneTierAtLeast) {
+TEST(HostileCorpus, RunsInAtLeastOneTier) {
     std::vector<std::string> reasons;
     for (const TestedTier& tested : tiers) reasons.push_back(why_not(tested.tier));
     EXPECT_THAT(reasons, testing::Contains(""));
@@ -227,13 +234,13 @@ void register_attacks() {
 }  // namespace hostile
 
 int main(int argc, char** argv) {
-    // What a process shows in /proc is the environment it was started with.
+    // /proc shows the environment with which a process was started.
     if (std::getenv(hostile::decoy_variable) == nullptr) {
         setenv(hostile::decoy_variable, hostile::decoy_value, 1);
         execv("/proc/self/exe", argv);
         return 1;
     }
-    // Whatever outlives its supervisor becomes a child of this process, where it is noticed.
+    // A process that outlives its supervisor becomes a child of this process and is noticed here.
     prctl(PR_SET_CHILD_SUBREAPER, 1);
     testing::InitGoogleMock(&argc, argv);
     hostile::register_attacks();

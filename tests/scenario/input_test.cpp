@@ -1,5 +1,5 @@
-// Bad input: what each kind gets is a message with the path and the way out, the exit status of the design, and the
-// other submissions graded all the same.
+// Bad input: each kind gives a message with the path and the way out, and its documented exit status. The other
+// submissions are graded nevertheless.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/scenario.h"
+#include "tests/scenario/scenario.h"
 
 namespace scenario {
 namespace {
@@ -21,7 +21,7 @@ using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// A class with one good submission, "good", and whatever a test adds.
+/// A class with one good submission, "good", and the submissions that a test adds.
 class BadInput : public testing::Test {
   protected:
     BadInput() { write(students() / "good/ray_cast.cpp", small_program); }
@@ -33,7 +33,7 @@ class BadInput : public testing::Test {
     }
     json graded(const std::string& id) const { return submission_in(read_json(out() / "grades.json"), id); }
 
-    /// The usual end: `id` is not graded and the message names `named` and has `way_out`; "good" is graded.
+    /// The usual result: `id` is not graded, the message contains `named` and `way_out`, and "good" is graded.
     void expect_not_graded(const Result& result, const std::string& id, const std::string& named,
                            const std::string& way_out) const {
         EXPECT_EQ(result.status, some_not_graded) << result.both();
@@ -49,55 +49,55 @@ class BadInput : public testing::Test {
     TemporaryFolder folder;
 };
 
-TEST_F(BadInput, AnEmptyFolderOfAStudent) {
+TEST_F(BadInput, AStudentsEmptyFolderIsReported) {
     fs::create_directories(students() / "nothing");
     expect_not_graded(grade(), "nothing", "nothing", "ray_cast.cpp");
 }
 
-TEST_F(BadInput, AnEmptyFolderAsTheClass) {
+TEST_F(BadInput, AnEmptyClassFolderIsReported) {
     fs::create_directories(folder / "empty");
     const Result result = raygrade({"grade", (folder / "empty").string(), "--out", out().string()});
     EXPECT_EQ(result.status, usage) << result.both();
     EXPECT_THAT(result.voice, HasSubstr((folder / "empty").string()));
 }
 
-TEST_F(BadInput, AFolderThatIsNotThere) {
+TEST_F(BadInput, AMissingFolderIsReported) {
     const Result result = raygrade({"grade", (folder / "nowhere").string(), "--out", out().string()});
     EXPECT_EQ(result.status, usage) << result.both();
     EXPECT_THAT(result.voice, HasSubstr((folder / "nowhere").string()));
 }
 
-TEST_F(BadInput, AnUnreadableFile) {
+TEST_F(BadInput, AnUnreadableFileIsReported) {
     const fs::path file = students() / "locked/ray_cast.cpp";
     write(file, small_program);
     fs::permissions(file, fs::perms::none);
     expect_not_graded(grade(obey_permissions), "locked", "locked/ray_cast.cpp", "chmod");
 }
 
-TEST_F(BadInput, AnUnreadableFolder) {
+TEST_F(BadInput, AnUnreadableFolderIsReported) {
     write(students() / "closed/ray_cast.cpp", small_program);
     fs::permissions(students() / "closed", fs::perms::none);
     expect_not_graded(grade(obey_permissions), "closed", "closed", "chmod");
 }
 
-TEST_F(BadInput, APipeThatNobodyWritesTo) {
+TEST_F(BadInput, APipeThatNobodyWritesToIsReported) {
     fs::create_directories(students() / "pipe");
     ASSERT_EQ(mkfifo((students() / "pipe/ray_cast.cpp").c_str(), 0600), 0);
     expect_not_graded(grade(), "pipe", "pipe/ray_cast.cpp", "source");
 }
 
-TEST_F(BadInput, AFolderCalledRayCastCpp) {
+TEST_F(BadInput, AFolderCalledRayCastCppIsReported) {
     fs::create_directories(students() / "folder/ray_cast.cpp");
     expect_not_graded(grade(), "folder", "folder", "source");
 }
 
-TEST_F(BadInput, ASourceOf100MB) {
+TEST_F(BadInput, ASourceOf100MBIsReported) {
     write(students() / "huge/ray_cast.cpp", small_program);
     fs::resize_file(students() / "huge/ray_cast.cpp", 100'000'000);
     expect_not_graded(grade(), "huge", "huge/ray_cast.cpp", "source");
 }
 
-TEST_F(BadInput, FilesThatAreNoSources) {
+TEST_F(BadInput, FilesThatAreNoSourcesAreReported) {
     using namespace std::string_literals;
     write(students() / "pdf/ray_cast.cpp", "%PDF-1.7\n");
     write(students() / "empty/ray_cast.cpp", " \n");
@@ -114,7 +114,7 @@ TEST_F(BadInput, FilesThatAreNoSources) {
     EXPECT_THAT(check.both(), HasSubstr("is saved as UTF-16; save it as UTF-8."));
 }
 
-TEST_F(BadInput, TwoSourcesOfWhichNeitherIsRayCast) {
+TEST_F(BadInput, TwoSourcesWithoutARayCastAreReported) {
     write(students() / "two/first.cpp", small_program);
     write(students() / "two/second.cpp", small_program);
     const Result result = grade();
@@ -122,7 +122,7 @@ TEST_F(BadInput, TwoSourcesOfWhichNeitherIsRayCast) {
     EXPECT_THAT(result.both(), HasSubstr("second.cpp"));
 }
 
-TEST_F(BadInput, TwoSourcesOfWhichOneIsRayCast) {
+TEST_F(BadInput, RayCastIsGradedOfTwoSources) {
     write(students() / "two/ray_cast.cpp", small_program);
     write(students() / "two/old.cpp", "not C++");
     const Result result = grade();
@@ -131,13 +131,13 @@ TEST_F(BadInput, TwoSourcesOfWhichOneIsRayCast) {
     EXPECT_THAT(result.both() + read(out() / "feedback/two.md"), HasSubstr("old.cpp"));
 }
 
-TEST_F(BadInput, ASymbolicLinkToASource) {
+TEST_F(BadInput, ALinkToASourceIsReported) {
     fs::create_directories(students() / "link");
     fs::create_symlink(students() / "good/ray_cast.cpp", students() / "link/ray_cast.cpp");
     expect_not_graded(grade(), "link", "link/ray_cast.cpp", "symbolic link");
 }
 
-TEST_F(BadInput, ASymbolicLinkToAFolder) {
+TEST_F(BadInput, ALinkToAFolderIsReported) {
     fs::create_directory_symlink(students() / "good", students() / "link");
     expect_not_graded(grade(), "link", "link", "symbolic link");
 }
@@ -161,7 +161,7 @@ TEST_F(BadInput, NamesWithSpacesQuotesAndUnicodeAreGraded) {
     EXPECT_THAT("\n" + csv, Not(HasSubstr("\n\"=cmd"))) << "a spreadsheet would run it as a formula";
 }
 
-TEST_F(BadInput, NoCompilerOnPath) {
+TEST_F(BadInput, AMissingCompilerIsReported) {
     const Result result = grade(forget_path);
     EXPECT_EQ(result.status, some_not_graded) << result.both();
     EXPECT_THAT(result.both(), HasSubstr("g++"));
@@ -169,7 +169,7 @@ TEST_F(BadInput, NoCompilerOnPath) {
     EXPECT_EQ(graded("good").at("outcome"), "not_graded");
 }
 
-TEST_F(BadInput, AnOutputFolderThatCannotBeWritten) {
+TEST_F(BadInput, AnUnwritableOutputFolderIsReported) {
     fs::create_directories(folder / "locked");
     fs::permissions(folder / "locked", fs::perms::owner_read | fs::perms::owner_exec);
     const fs::path target = folder / "locked/out";
@@ -178,7 +178,7 @@ TEST_F(BadInput, AnOutputFolderThatCannotBeWritten) {
     EXPECT_THAT(result.voice, HasSubstr((folder / "locked").string()));
 }
 
-TEST_F(BadInput, AnOutputFolderOnAFullDisk) {
+TEST_F(BadInput, AnOutputFolderOnAFullDiskIsReported) {
     const fs::path disk = folder / "disk";
     fs::create_directories(disk);
     const Result result = raygrade({"grade", students().string(), "--out", (disk / "out").string()},
@@ -188,7 +188,7 @@ TEST_F(BadInput, AnOutputFolderOnAFullDisk) {
     EXPECT_THAT(result.voice, AnyOf(HasSubstr("full"), HasSubstr("No space left")));
 }
 
-TEST_F(BadInput, AnOutputFolderThatIsAFile) {
+TEST_F(BadInput, AnOutputFolderThatIsAFileIsRefused) {
     write(folder / "out", "mine");
     const Result result = grade();
     EXPECT_EQ(result.status, usage) << result.both();
@@ -196,7 +196,7 @@ TEST_F(BadInput, AnOutputFolderThatIsAFile) {
     EXPECT_EQ(read(folder / "out"), "mine");
 }
 
-TEST_F(BadInput, AnOutputFolderWithSomeonesFiles) {
+TEST_F(BadInput, AnOutputFolderWithForeignFilesIsRefused) {
     for (const std::string name : {"thesis.txt", "grades.csv"}) {
         fs::remove_all(out());
         write(out() / name, "mine");
@@ -223,7 +223,7 @@ TEST_F(BadInput, EarlierResultsAreKeptUnlessApplied) {
     EXPECT_FALSE(graded("late").is_null());
 }
 
-TEST_F(BadInput, EarlierResultsInTheClassAreNoStudent) {
+TEST_F(BadInput, EarlierResultsInTheClassAreIgnored) {
     const std::vector<std::string> words = {"grade", students().string(), "--out", (students() / "results").string(),
                                             "--apply"};
     ASSERT_EQ(raygrade(words).status, 0);
@@ -232,7 +232,7 @@ TEST_F(BadInput, EarlierResultsInTheClassAreNoStudent) {
     EXPECT_EQ(read_json(students() / "results/grades.json").at("submissions").size(), 1U);
 }
 
-TEST_F(BadInput, ATraceThatCannotBeWrittenIsToldBeforeGrading) {
+TEST_F(BadInput, AnUnwritableTraceIsReportedBeforeGrading) {
     const Result result = raygrade(
         {"grade", students().string(), "--out", out().string(), "--trace", (folder / "nowhere/trace.json").string()});
     EXPECT_EQ(result.status, usage);
@@ -240,7 +240,7 @@ TEST_F(BadInput, ATraceThatCannotBeWrittenIsToldBeforeGrading) {
     EXPECT_FALSE(fs::exists(out() / "grades.json"));
 }
 
-TEST_F(BadInput, AFullDiskBehindStdoutIsNoticed) {
+TEST_F(BadInput, AFullDiskBehindStdoutIsReported) {
     const Result result = raygrade({"reference"}, [] {
         const int full = open("/dev/full", O_WRONLY);
         return full >= 0 && dup2(full, 1) == 1;
@@ -249,7 +249,7 @@ TEST_F(BadInput, AFullDiskBehindStdoutIsNoticed) {
     EXPECT_THAT(result.voice, HasSubstr("stdout can't be written to"));
 }
 
-TEST_F(BadInput, AnAssignmentFileWithAMistake) {
+TEST_F(BadInput, AnAssignmentFileWithAMistakeIsRefused) {
     const fs::path file = folder / "mine.toml";
     std::string text = read(project_folder() / "reference/assignments/a6-2021.toml");
     text.replace(text.find("radius = 2"), 10, "radius = -2");
@@ -264,8 +264,8 @@ TEST_F(BadInput, AnAssignmentFileWithAMistake) {
     EXPECT_FALSE(fs::exists(out())) << "nothing is graded by a bad assignment";
 }
 
-/// Found only while the key is made, which goes on beside the compiler.
-TEST_F(BadInput, AToleranceBelowWhatACorrectProgramNeeds) {
+/// This mistake is found only while the key is computed, which runs in parallel to the compiler.
+TEST_F(BadInput, AToleranceBelowTheAllowanceIsRefused) {
     const fs::path file = folder / "mine.toml";
     write(file,
           read(project_folder() / "reference/assignments/a6-2021.toml") + "\n[rubric.tolerance]\ndefault = 1e-12\n");
@@ -282,7 +282,7 @@ TEST_F(BadInput, AToleranceBelowWhatACorrectProgramNeeds) {
     }
 }
 
-TEST_F(BadInput, AnAssignmentThatIsNotThere) {
+TEST_F(BadInput, AMissingAssignmentIsRefused) {
     const Result result = raygrade({"grade", students().string(), "--assignment", "a6-1066", "--out", out().string()});
     EXPECT_EQ(result.status, usage) << result.both();
     EXPECT_THAT(result.voice, HasSubstr("a6-1066"));

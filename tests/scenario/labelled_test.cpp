@@ -1,7 +1,7 @@
-// The submissions with a label.json: an independent marker's verdict on every item, graded here by the real raygrade.
+// The real raygrade grades the submissions that have a label.json, an independent marker's verdict on every item:
 //   outcome                     ok, compile_error, crash or timeout
 //   questions.N.items           the verdicts
-//   questions.N.ambiguous_items every verdict that is fair, where there are several
+//   questions.N.ambiguous_items every fair verdict, if several are fair
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/scenario.h"
+#include "tests/scenario/scenario.h"
 
 namespace scenario {
 namespace {

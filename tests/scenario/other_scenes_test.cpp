@@ -1,6 +1,6 @@
-// The sample class on two other scenes, by the real raygrade. A submission with "unmoved" in its expected.json prints
-// some of its answers instead of computing them: those, at the least, must be found not to move. No other is flagged;
-// one with "variants" must have that verdict.
+// The real raygrade runs the sample class on two other scenes. A submission with "unmoved" in its expected.json prints
+// some of its answers instead of computing them; at least these answers must be found not to move. No other submission
+// may be flagged. A submission with "variants" in its expected.json must get that verdict.
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/scenario.h"
+#include "tests/scenario/scenario.h"
 
 namespace scenario {
 namespace {
@@ -101,17 +101,17 @@ TEST_P(SampleOnOtherScenes, IsFlaggedIfItPrintsInsteadOfComputing) {
 INSTANTIATE_TEST_SUITE_P(Submissions, SampleOnOtherScenes, testing::ValuesIn(sample_class()),
                          [](const auto& name) { return test_name(name.param); });
 
-TEST(OtherScenes, TellWhatMovesFromWhatDoesNot) {
+TEST(OtherScenes, DistinguishAnswersThatMoveFromAnswersThatDoNot) {
     const json submission = graded_with_variants(sample("ines"), "2");
-    // Of the 22 items 14 are computed, a is 1 in every scene, and that the triangle's t is printed as 0 says nothing.
+    // Of the 22 items, 14 are computed, a is 1 in every scene, and the triangle's t, printed as 0, proves nothing.
     EXPECT_EQ(names(submission.at("variants").at("unmoved")),
               (std::set<std::string>{"6.t", "6.hit", "7.normal", "8.u", "8.v", "8.hit"}));
     EXPECT_EQ(submission.at("points"), 100) << "a flag costs nothing";
 }
 
-TEST(OtherScenes, TakeNoneAgainForNoSign) {
-    // Both look away from the scene, so they print "none" everywhere; in this class that is right.
-    const fs::path miss = project_folder() / "tests/labelled/miss";
+TEST(OtherScenes, TakeARepeatedNoneAsNoSign) {
+    // Both programs look away from the scene and print "none" everywhere, which is right in this class.
+    const fs::path miss = project_folder() / "tests/given/labelled/miss";
     for (const char* who : {"m06", "m07"}) {
         const json submission = graded_with_variants(miss / who, "2", (miss / "assignment.toml").string());
         EXPECT_FALSE(is_hard_coded(submission)) << submission.at("flags").dump(2);
@@ -136,7 +136,7 @@ TEST(OtherScenes, AreCompiledOnce) {
     EXPECT_THAT(raygrade(arguments, with_one_cache).voice, HasSubstr("2 of 2 from earlier runs"));
 }
 
-TEST(OtherScenes, AreToldInACheckWithoutTheRightValues) {
+TEST(OtherScenes, AreReportedInACheckWithoutTheRightValues) {
     const Result result =
         raygrade({"check", (sample("ines") / "ray_cast.cpp").string(), "--assignment", "a6-2021", "--variants", "2"});
     EXPECT_EQ(result.status, 0);
@@ -144,7 +144,7 @@ TEST(OtherScenes, AreToldInACheckWithoutTheRightValues) {
     EXPECT_THAT(result.output, HasSubstr("100 of 100 points"));
 }
 
-/// States the scene, and prints the right answer to question 5 on every one; `more` stands behind the scene.
+/// A program that states the scene and prints the right answer to question 5 on every scene. `more` follows the scene.
 std::string program_with(const std::string& more) {
     return "#include <cmath>\n#include <cstdio>\n#include <cstdlib>\n"
            "constexpr float eye[3] = {0, 0, 4}, lookat[3] = {0, 0, 0}, center[3] = {1, 1, 0};\n"
@@ -179,7 +179,7 @@ class PointsForOtherScenes : public testing::Test {
         return run(words);
     }
     json submission() const { return read_json(folder / "out/grades.json").at("submissions").at(0); }
-    /// Graded on "left" and "right".
+    /// Grades the program on the scenes "left" and "right".
     json graded(const std::string& source) const {
         write(folder / "ada/ray_cast.cpp", source);
         grade({"--variants", "2"});
@@ -193,10 +193,10 @@ class PointsForOtherScenes : public testing::Test {
     TemporaryFolder folder;
 };
 
-/// Of 100 points 10 for question 5: what a program gets that answers it alone, on any scene.
+/// The share of a program that answers only question 5, on any scene: 10 of 100 points.
 constexpr double a_tenth = 0.1;
 
-TEST_F(PointsForOtherScenes, CountASceneThatDoesNotCompileAsTheAssignmentsOwnAndSaySo) {
+TEST_F(PointsForOtherScenes, CountASceneThatDoesNotCompileAsTheAssignmentsOwn) {
     const json submission =
         graded(program_with("static_assert(eye[0] != 3, \"not there\");\nbool is_bad(float x) { return x == -5; }"));
     const json& variants = submission.at("variants");
@@ -213,7 +213,7 @@ TEST_F(PointsForOtherScenes, CountASceneThatDoesNotCompileAsTheAssignmentsOwnAnd
                 HasSubstr("on 1 of 2 other scenes (right): the source does not compile with its numbers."));
 }
 
-TEST_F(PointsForOtherScenes, NameACompileErrorWhereNoSceneCompiles) {
+TEST_F(PointsForOtherScenes, NameTheCompileErrorIfNoSceneCompiles) {
     const json submission =
         graded(program_with("static_assert(eye[0] == 0, \"this scene alone\");\nbool is_bad(float) { return false; }"));
     EXPECT_EQ(submission.at("variants").at("verdict"), "not_found");
@@ -223,7 +223,7 @@ TEST_F(PointsForOtherScenes, NameACompileErrorWhereNoSceneCompiles) {
                 HasSubstr("on any of 2 other scenes: the source does not compile with its numbers."));
 }
 
-TEST_F(PointsForOtherScenes, TellInARegradeOnWhichScenesTheyWereAndAreKept) {
+TEST_F(PointsForOtherScenes, NameTheirScenesInARegradeAndAreKept) {
     const std::string right_on_the_left = program_with("bool is_bad(float x) { return x > 0; }");
     const json before = graded(right_on_the_left);
     EXPECT_NEAR(before.at("other_scenes").at("points").get<double>(), 20 * (a_tenth + 0) / 2, 1e-9);
@@ -262,7 +262,7 @@ TEST_F(PointsForOtherScenes, AreOverriddenByTheirNameAndSurviveARegrade) {
     EXPECT_THAT(without.voice, HasSubstr("the override of variants for ada is kept, but there is no such"));
     EXPECT_EQ(submission().at("points"), 10);
     EXPECT_THAT(read(folder / "out/feedback/ada.html"), Not(HasSubstr("Your instructor gave")));
-    EXPECT_THAT(read(folder / "out/report.html"), HasSubstr("there are no such points any more"));
+    EXPECT_THAT(read(folder / "out/report.html"), HasSubstr("the rubric has no such points any more"));
 }
 
 TEST(OtherScenes, AreDrawnFromTheSeed) {
@@ -280,7 +280,7 @@ TEST(OtherScenes, AreDrawnFromTheSeed) {
     EXPECT_NE(one.at("changes"), seven.at("changes"));
 }
 
-/// Prints right answers to questions 6 and 7 as they stand in its source, which states no scene.
+/// Prints right answers to questions 6 and 7 that are literals in its source. The source states no scene.
 json printing(const std::string& answers) {
     const TemporaryFolder folder;
     write(folder / "ada/ray_cast.cpp", "#include <cstdio>\nint main() { puts(\"" + answers + "\"); }\n");
@@ -290,7 +290,7 @@ json printing(const std::string& answers) {
     return read_json(folder / "out/grades.json").at("submissions").at(0);
 }
 
-TEST(OtherScenes, ShowThreePrintedAnswersButNoCoincidenceOfTwo) {
+TEST(OtherScenes, FlagThreePrintedAnswersButNotTwo) {
     const std::string two = "Question 6:\\nt: 0.585786\\nhit point: (0.0, 0.0, 1.414214)\\n";
     EXPECT_EQ(printing(two).at("flags"), json::array());
     const json three = printing(two + "Question 7:\\nnormal: (-0.5, -0.5, 0.707107)\\n");
@@ -300,7 +300,7 @@ TEST(OtherScenes, ShowThreePrintedAnswersButNoCoincidenceOfTwo) {
         AllOf(HasSubstr("6.t: 0.585786 in line 2"), HasSubstr("6.hit: 1.414214"), HasSubstr("7.normal: 0.707107")));
 }
 
-TEST(OtherScenes, AreNotTriedUnasked) {
+TEST(OtherScenes, AreNotTriedByDefault) {
     const TemporaryFolder folder;
     raygrade({"grade", sample("ada").string(), "--assignment", "a6-2021", "--out", (folder / "out").string()});
     EXPECT_TRUE(read_json(folder / "out/grades.json").at("submissions").at(0).at("variants").is_null());

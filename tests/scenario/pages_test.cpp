@@ -1,4 +1,4 @@
-// The pages that the real raygrade writes: the class report, and each student's own.
+// The pages that the real raygrade writes: the class report, and each student's page.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/scenario.h"
+#include "tests/scenario/scenario.h"
 
 namespace scenario {
 namespace {
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Grades a few of the sample class into `out`.
+/// Grades a few submissions of the sample class into `out`.
 Result grade_some(const fs::path& out, const std::vector<std::string>& more) {
     std::vector<std::string> words{"grade"};
     for (const char* who : {"ada", "ben", "mateo", "jin", "o'brien", "zoë"}) words.push_back(sample(who).string());
@@ -35,7 +35,7 @@ TEST(Pages, AreTheSameForAnyNumberOfJobs) {
     }
 }
 
-TEST(Pages, ShowAStudentTheRightValuesOnlyWhereTheRubricSaysSo) {
+TEST(Pages, ShowRightValuesOnlyIfTheRubricAllowsIt) {
     const TemporaryFolder folder;
     ASSERT_EQ(grade_some(folder / "kept", {"--assignment", "a6-2021"}).status, 0);
     EXPECT_THAT(read(folder / "kept/feedback/ben.html"), Not(HasSubstr("0.5857")));
@@ -49,7 +49,7 @@ TEST(Pages, ShowAStudentTheRightValuesOnlyWhereTheRubricSaysSo) {
     EXPECT_THAT(read(folder / "open/feedback/ben.html"), HasSubstr("0.585786"));
 }
 
-TEST(CheckHtml, WritesThePageAndReplacesNothingButAPage) {
+TEST(CheckHtml, WritesThePageAndReplacesOnlyAPage) {
     const TemporaryFolder folder;
     const std::string source = (sample("ben") / "ray_cast.cpp").string();
     const std::vector<std::string> check{"check", source, "--assignment", "a6-2021", "--html"};

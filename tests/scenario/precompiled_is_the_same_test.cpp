@@ -1,18 +1,18 @@
-// The gate: a precompiled header changes nothing but the time. Every sample submission and every probe is compiled both
-// ways and run; assembly, program, messages and output must be the same, byte for byte. That the probes would notice is
-// shown with a bundle of headers forced into them, the way not to do it.
+// The gate: a precompiled header changes only the time. Every sample submission and every probe is compiled with and
+// without the header and run; assembly, program, messages and output must be byte for byte the same. To show that the
+// probes detect differences, the same bundle of headers is also forced into each of them, which must change most.
 #include <gmock/gmock.h>
 
 #include <fstream>
 #include <iostream>
 #include <sstream>
 
-#include "harness/header_shelf.h"
-#include "harness/include_block.h"
-#include "harness/limit_settings.h"
-#include "harness/run.h"
-#include "temporary_folder.h"
-#include "tests/strongest_tier.h"
+#include "harness/build/header_cache.h"
+#include "harness/build/include_block.h"
+#include "harness/run/limits.h"
+#include "harness/run/run.h"
+#include "tests/given/strongest_tier.h"
+#include "tests/given/temporary_folder.h"
 
 namespace {
 
@@ -39,13 +39,13 @@ std::vector<fs::path> samples() {
 
 std::vector<fs::path> probes() {
     std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(fs::path(RAYGRADE_PROJECT) / "tests/probes"))
+    for (const auto& entry : fs::directory_iterator(fs::path(RAYGRADE_PROJECT) / "tests/given/probes"))
         files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     return files;
 }
 
-/// All that a source comes to.
+/// The results of compiling and running a source.
 struct Result {
     bool by_header = false;
     bool compiled = false;
@@ -54,12 +54,12 @@ struct Result {
 
 class FastWay : public testing::TestWithParam<fs::path> {
   protected:
-    /// With what every test shares, so that a header is made once.
+    /// Shared by all tests, so that each header is made only once.
     struct Machine {
         BuildSettings settings = harness::default_build_settings(harness::read_limits({}, {}).compile);
         harness::Limits limits = harness::read_limits({}, {}).run;
         harness::Sandbox sandbox{strongest_tier()};
-        harness::HeaderShelf shelf{{}, settings, "", sandbox};
+        harness::HeaderCache cache{{}, settings, "", sandbox};
     };
     static Machine& machine() {
         static Machine machine;
@@ -85,14 +85,14 @@ class FastWay : public testing::TestWithParam<fs::path> {
     static std::optional<PrecompiledHeader> own_header(const std::string& source) {
         HeaderLines lines;
         for (const auto& directive : harness::include_block(source)) lines.push_back(directive.text);
-        return lines.empty() ? std::nullopt : machine().shelf.get(lines);
+        return lines.empty() ? std::nullopt : machine().cache.get(lines);
     }
 };
 
-TEST_P(FastWay, GivesTheSameAssemblyProgramMessagesAndOutput) {
+TEST_P(FastWay, GivesTheSameAssemblyProgramMessagesAndOutputAsPlain) {
     const std::string source = bytes_of(GetParam());
     const auto header = own_header(source);
-    if (!header) return;  // compiled plainly in any case
+    if (!header) return;  // the source is compiled without a header anyway
     const Result plain = compile(source, {});
     const Result fast = compile(source, header);
     EXPECT_EQ(plain.compiled, fast.compiled);
@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(Probes, FastWay, testing::ValuesIn(probes()), name_of);
 class ForcedBundle : public FastWay {};
 
 TEST_F(ForcedBundle, WouldChangeMostProbes) {
-    const auto bundle = machine().shelf.get(
+    const auto bundle = machine().cache.get(
         {"#include <algorithm>", "#include <cmath>", "#include <complex>", "#include <cstdio>", "#include <iomanip>",
          "#include <iostream>", "#include <sstream>", "#include <string>", "#include <vector>",
          "#include <glm/glm.hpp>", "#include <glm/gtc/matrix_transform.hpp>", "#include <glm/gtx/string_cast.hpp>"});

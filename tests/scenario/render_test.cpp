@@ -1,10 +1,10 @@
-// `raygrade render` as a person runs it: the picture, the explanation, and what it won't write over.
+// `raygrade render` as a person runs it: the picture, the explanation, and the files it refuses to overwrite.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "tests/scenario.h"
+#include "tests/scenario/scenario.h"
 
 namespace scenario {
 namespace {
@@ -33,7 +33,7 @@ TEST(Render, DrawsAnAssignmentAndExplainsIt) {
     EXPECT_THAT(result.voice, HasSubstr(out));
 }
 
-TEST(Render, PrintsNothingUnasked) {
+TEST(Render, PrintsNothingByDefault) {
     const TemporaryFolder folder;
     const Result result = raygrade({"render", "-o", (folder / "a.png").string(), "--size", "4x3"});
     EXPECT_EQ(result.status, 0) << result.both();
@@ -57,7 +57,7 @@ TEST(Render, GivesTheSameFileForAnyNumberOfJobsAndWithAllEffects) {
     EXPECT_EQ(file_of({"--all-effects"}), one);
 }
 
-TEST(Render, DrawsTheMeshBesideItsScene) {
+TEST(Render, DrawsAMeshInTheScenesFolder) {
     const TemporaryFolder folder;
     const std::string scene = read(scene_file("lit.toml"));
     const std::string without_ball = scene.substr(0, scene.find("[[sphere]]"));
@@ -74,7 +74,7 @@ TEST(Render, DrawsTheMeshBesideItsScene) {
     EXPECT_THAT(missing.voice, HasSubstr("flat.obj: no such file"));
 }
 
-TEST(Render, ReplacesAPictureAndNothingElse) {
+TEST(Render, ReplacesOnlyAPicture) {
     const TemporaryFolder folder;
     write(folder / "ray_cast.cpp", "int main() {}\n");
     const Result refused = raygrade({"render", "-o", (folder / "ray_cast.cpp").string()});
@@ -86,14 +86,14 @@ TEST(Render, ReplacesAPictureAndNothingElse) {
     EXPECT_EQ(read(folder / "old.png").find("an earlier one"), std::string::npos);
 }
 
-TEST(Render, TellsAFolderThatIsNotThere) {
+TEST(Render, ReportsAMissingFolder) {
     const TemporaryFolder folder;
     const Result result = raygrade({"render", "--size", "4x3", "-o", (folder / "none/a.png").string()});
     EXPECT_NE(result.status, 0);
     EXPECT_THAT(result.voice, HasSubstr("none/a.png"));
 }
 
-TEST(Render, TellsASizeThatIsNone) {
+TEST(Render, RefusesAnInvalidSize) {
     for (const char* size : {"640", "640x", "x480", "0x4", "4x0", "640x480x2", "-4x3", "4 x3", "99999999999x1"}) {
         const Result result = raygrade({"render", "--size", size, "-o", "/dev/null/a.png"});
         EXPECT_EQ(result.status, usage) << size;
@@ -101,7 +101,7 @@ TEST(Render, TellsASizeThatIsNone) {
     }
 }
 
-TEST(Render, TakesASceneWithoutAPixelOnlyAsAScene) {
+TEST(Render, AcceptsASceneWithoutAPixelOnlyForRendering) {
     const TemporaryFolder folder;
     const std::string out = (folder / "a.png").string();
     EXPECT_EQ(raygrade({"render", "--scene", scene_file("lit.toml"), "--size", "4x3", "-o", out}).status, 0);

@@ -1,11 +1,11 @@
-// Sandboxes and limits as an instructor meets them: on the command line, in an assignment and in the reports.
+// Sandboxes and limits as an instructor sees them: on the command line, in an assignment and in the reports.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tests/scenario.h"
+#include "tests/scenario/scenario.h"
 
 namespace scenario {
 namespace {
@@ -19,7 +19,7 @@ using testing::Not;
 class Sandboxed : public testing::Test {
   protected:
     Sandboxed() {
-        // Run by root, the programs' accounts pass through here to the compiler of without_bwrap.
+        // If root runs the tests, the programs' accounts need access to this folder to reach without_bwrap's compiler.
         fs::permissions(folder.path(), static_cast<fs::perms>(0755));
         write(students() / "prints/ray_cast.cpp",
               "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n");
@@ -46,7 +46,7 @@ class Sandboxed : public testing::Test {
             return setenv("PATH", bin.c_str(), 1) == 0;
         };
     }
-    /// The assignment of 2021 with more lines.
+    /// The assignment of 2021 with these lines added.
     std::string assignment_with(const std::string& lines) const {
         const fs::path file = folder / "limited.toml";
         write(file, read(project_folder() / "reference/assignments/a6-2021.toml") + "\n" + lines);
@@ -71,7 +71,7 @@ TEST_F(Sandboxed, EachTierGradesAndIsNamed) {
     }
 }
 
-TEST_F(Sandboxed, ThatAStrongerOneDoesNotHoldIsTold) {
+TEST_F(Sandboxed, AStrongerTierThatFailsIsReported) {
     const Result result = grade({}, without_bwrap());
     EXPECT_EQ(result.status, 0) << result.both();
     EXPECT_EQ(grades().at("sandbox"), "landlock+shim");
@@ -82,7 +82,7 @@ TEST_F(Sandboxed, ThatAStrongerOneDoesNotHoldIsTold) {
     }
 }
 
-TEST_F(Sandboxed, WithoutASandboxNothingIsRunUnlessTold) {
+TEST_F(Sandboxed, NothingRunsWithoutASandboxUnlessAllowed) {
     const Result refused = grade({"--sandbox", "bwrap"}, without_bwrap());
     EXPECT_EQ(refused.status, some_not_graded);
     EXPECT_THAT(refused.voice,
@@ -90,7 +90,7 @@ TEST_F(Sandboxed, WithoutASandboxNothingIsRunUnlessTold) {
     EXPECT_FALSE(fs::exists(out() / "grades.json"));
 }
 
-TEST_F(Sandboxed, UnsafeChangesNothingWhereASandboxHoldsAndIsToldSo) {
+TEST_F(Sandboxed, UnsafeChangesNothingIfASandboxWorks) {
     if (!holds_bwrap()) GTEST_SKIP() << "no sandbox here";
     const Result result = grade({"--unsafe"});
     EXPECT_EQ(result.status, 0) << result.both();
@@ -116,7 +116,7 @@ TEST_F(Sandboxed, EveryReportOfMarksMadeWithoutASandboxSaysSo) {
     EXPECT_THAT(check.output, HasSubstr(warning));
 }
 
-TEST_F(Sandboxed, AnAssignmentsLimitCountsAndTheCommandLinesMore) {
+TEST_F(Sandboxed, TheCommandLinesLimitOverridesTheAssignments) {
     add_spinning();
     const std::string assignment = assignment_with("[limits.run]\ncpu_seconds = 0.2\n");
     ASSERT_EQ(grade({"--assignment", assignment}).status, 0);
@@ -131,7 +131,7 @@ TEST_F(Sandboxed, AnAssignmentsLimitCountsAndTheCommandLinesMore) {
     EXPECT_GE(submission_in(grades(), "spins").at("run").at("cpu_seconds").get<double>(), 0.5);
 }
 
-TEST_F(Sandboxed, AMistakeInALimitIsOneOfUsage) {
+TEST_F(Sandboxed, AWrongLimitIsAUsageError) {
     const Result of_assignment = grade({"--assignment", assignment_with("[limits.run]\ncpu = 2\n")});
     EXPECT_EQ(of_assignment.status, usage);
     EXPECT_THAT(of_assignment.voice, AllOf(HasSubstr("limited.toml:"), HasSubstr("limits.run.cpu: is not a limit"),

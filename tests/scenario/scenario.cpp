@@ -1,4 +1,4 @@
-#include "tests/scenario.h"
+#include "tests/scenario/scenario.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 constexpr int could_not_prepare = 99;
 constexpr int could_not_start = 98;
 
-/// So that someone who is not root may mount, where nobody else sees it.
+/// Lets a process without root rights mount in a namespace of its own, which nobody else sees.
 bool become_root_of_a_namespace() {
     const std::string user = std::to_string(geteuid());
     const std::string group = std::to_string(getegid());
@@ -99,7 +99,7 @@ fs::path sample(std::string_view who) {
     const int out = open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const int err = open(voice.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     if (dup2(in, 0) < 0 || dup2(out, 1) < 0 || dup2(err, 2) < 0) _exit(could_not_start);
-    // Of its own, so that no test sees what another, or the person who tests, has graded.
+    // A separate cache, so that no test sees results of a different test or of the person who runs the tests.
     setenv("XDG_CACHE_HOME", (voice.parent_path() / "cache").c_str(), 1);
     if (prepare && !prepare()) _exit(could_not_prepare);
     std::string name = RAYGRADE_BINARY;
@@ -131,7 +131,7 @@ bool obey_permissions() {
 
 bool mount_disk(const fs::path& folder, const std::string& size) {
     if (unshare(CLONE_NEWNS) != 0 && !become_root_of_a_namespace()) return false;
-    // Private first, or the mount would be seen by, and stay with, the whole machine.
+    // Make the mounts private first; otherwise the whole machine would see and keep the new mount.
     return mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
            mount("disk", folder.c_str(), "tmpfs", 0, ("size=" + size).c_str()) == 0;
 }

@@ -1,4 +1,4 @@
-// What scenario tests share: folders that go away, and the real raygrade run as a person would run it.
+// Shared by the scenario tests: temporary folders, and runs of the real raygrade as a person would start it.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +10,15 @@
 
 namespace scenario {
 
-// The exit statuses other than 0, as README has them.
+// The exit statuses other than 0, as README lists them.
 constexpr int some_not_graded = 1;
 constexpr int usage = 2;
 
-/// Prints the answer to question 5 alone, 10 of 100 points: quick to compile.
+/// Prints only the answer to question 5, worth 10 of 100 points. Compiles quickly.
 constexpr std::string_view small_program =
     "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n";
 
-/// A new empty folder, removed with all that is in it at the end.
+/// A new empty folder, removed at the end with its contents.
 class TemporaryFolder {
   public:
     TemporaryFolder();
@@ -33,13 +33,13 @@ class TemporaryFolder {
     std::filesystem::path path_;
 };
 
-/// Writes a file, and the folders above it that are missing.
+/// Writes a file, and creates missing parent folders.
 void write(const std::filesystem::path& file, std::string_view text);
 std::string read(const std::filesystem::path& file);
 nlohmann::json read_json(const std::filesystem::path& file);
 
 std::filesystem::path project_folder();
-/// One of the sample class: a folder with ray_cast.cpp and expected.json.
+/// A submission of the sample class: a folder with ray_cast.cpp and expected.json.
 std::filesystem::path sample(std::string_view who);
 
 struct Result {
@@ -49,29 +49,29 @@ struct Result {
     std::string both() const { return output + voice; }
 };
 
-/// Called in the new process before raygrade takes its place there. Returns false when it could not do its work.
+/// Called in the new process before it executes raygrade. Returns false on failure.
 using Preparation = std::function<bool()>;
 
 /// Runs build/raygrade with stdin from /dev/null; kills it after two minutes.
 Result raygrade(const std::vector<std::string>& arguments, const Preparation& prepare = {});
 
-/// File permissions count, also for root: without CAP_DAC_OVERRIDE root is held to them like everyone.
+/// Makes file permissions apply to root too, by dropping CAP_DAC_OVERRIDE.
 bool obey_permissions();
-/// Takes raygrade's place in this process; the two files, which may be /dev/null, get stdout and stderr.
+/// Replaces this process by raygrade. Writes stdout and stderr to the two files, which may be /dev/null.
 [[noreturn]] void become_raygrade(const std::vector<std::string>& arguments, const Preparation& prepare,
                                   const std::filesystem::path& output, const std::filesystem::path& voice);
 
-/// Mounts a file system of `size` ("16m") on `folder`, seen by this process alone.
+/// Mounts a file system of `size` ("16m") on `folder`. Only this process sees it.
 bool mount_disk(const std::filesystem::path& folder, const std::string& size);
-/// One of a single page.
+/// Mounts a file system of a single page.
 bool mount_tiny_disk(const std::filesystem::path& folder);
-/// A PATH on which there is nothing.
+/// Sets PATH to a place without any program.
 bool forget_path();
 
-/// Whether this machine holds the strongest sandbox; a container may not.
+/// Whether the strongest sandbox works on this machine; in a container it may not.
 bool holds_bwrap();
 
-/// What grades.json says of the submission called `id`; null when it says nothing.
+/// The entry of grades.json for the submission `id`; null if there is none.
 nlohmann::json submission_in(const nlohmann::json& grades, std::string_view id);
 
 }  // namespace scenario

@@ -1,4 +1,4 @@
-// The self-check page as it is put up: stopped, killed and started again, with hostile programs beside honest ones.
+// The self-check page in service: stopped, killed and started again, with hostile programs among honest ones.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -12,8 +12,8 @@
 #include <string>
 #include <thread>
 
-#include "tests/scenario.h"
-#include "tests/serve/client.h"
+#include "tests/given/serve/client.h"
+#include "tests/scenario/scenario.h"
 
 namespace scenario {
 namespace {
@@ -27,12 +27,12 @@ using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
-/// For compiling a few programs on a busy machine, under the sanitisers.
+/// Long enough to compile a few programs on a busy machine, with sanitizers.
 constexpr auto patience = 120s;
 
 constexpr std::string_view honest =
     "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n";
-/// Takes a while, then is as right as the honest one.
+/// Takes a while, then prints the same right answer as the honest program.
 constexpr std::string_view slow =
     "#include <cstdio>\n#include <unistd.h>\nint main() { sleep(3); puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, "
     "-1.000000)\"); }\n";
@@ -50,7 +50,7 @@ class Serving : public testing::Test {
     Preparation prepare() const {
         return [this] { return setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1) == 0; };
     }
-    /// Starts raygrade serve at a free port, and waits until it says which.
+    /// Starts raygrade serve at a free port, and waits until it prints the port.
     void start(std::vector<std::string> more = {}) {
         more.insert(more.begin(), {"serve", "--assignment", assignment, "--port", "0", "--rate", "1000"});
         fs::remove(output());
@@ -67,7 +67,7 @@ class Serving : public testing::Test {
         }
         ASSERT_NE(port, 0) << read(voice());
     }
-    /// Its exit status, or 128 + the signal.
+    /// Sends the signal. Returns the server's exit status, or 128 + the signal that killed it.
     int end(int signal) {
         kill(server, signal);
         int status = 0;
@@ -77,7 +77,7 @@ class Serving : public testing::Test {
         return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     }
     HttpAnswer ask(const std::string& request) const { return harness::serve::ask(port, request); }
-    /// The result's path.
+    /// Hands in a program. Returns the path of its result.
     std::string hand_in(std::string_view source) const {
         const HttpAnswer answer = ask(harness::serve::upload(std::string(source)));
         EXPECT_EQ(answer.status, 303) << answer.body;
@@ -86,7 +86,7 @@ class Serving : public testing::Test {
     json standing(const std::string& result) const {
         return json::parse(ask(harness::serve::get(result + "/standing")).body);
     }
-    /// How it stands when it waits and is graded no more.
+    /// The state of a submission as soon as it is neither waiting nor being graded.
     json outcome(const std::string& result) const {
         const auto late = std::chrono::steady_clock::now() + patience;
         json now = standing(result);
@@ -106,7 +106,7 @@ class Serving : public testing::Test {
     std::uint16_t port = 0;
 };
 
-TEST_F(Serving, GradesAnHonestProgramBesideHostileOnes) {
+TEST_F(Serving, GradesAnHonestProgramAmongHostileOnes) {
     start({"--limit", "run.cpu_seconds=0.5", "--limit", "run.wall_seconds=5"});
     std::map<std::string, std::string> results;
     for (const char* hostile : {"endless_loop", "fork_bomb", "kill_all", "markup_injection", "ansi_sequences"}) {
@@ -138,14 +138,14 @@ TEST_F(Serving, GradesAnHonestProgramBesideHostileOnes) {
             << "whoever reads the log reads results";
 }
 
-TEST_F(Serving, StoppedItFinishesTheQueueAndShowsTheResultsAfterTheNextStart) {
+TEST_F(Serving, FinishesTheQueueWhenStoppedAndKeepsTheResults) {
     start({"--grace", "100"});
     std::vector<std::string> results;
     for (int i = 0; i < 3; ++i) results.push_back(hand_in(std::string(honest) + "// " + std::to_string(i) + "\n"));
     EXPECT_EQ(end(SIGTERM), 0);
     EXPECT_THAT(read(voice()), HasSubstr("nothing waits"));
     EXPECT_THAT(read(voice()),
-                ContainsRegex("stopping: [123] programs? to be checked, up to 100 s more; Ctrl-C again"));
+                ContainsRegex("stopping: [123] programs? still to check, for up to 100 s; press Ctrl-C again"));
     start();
     for (const std::string& result : results) {
         EXPECT_EQ(standing(result).at("standing"), "done");
@@ -154,7 +154,7 @@ TEST_F(Serving, StoppedItFinishesTheQueueAndShowsTheResultsAfterTheNextStart) {
     EXPECT_EQ(end(SIGINT), 0);
 }
 
-TEST_F(Serving, WhatItsGraceIsTooShortForIsGradedAfterTheNextStart) {
+TEST_F(Serving, GradesAfterTheNextStartWhatItsGraceWasTooShortFor) {
     start({"--grace", "0", "-j", "1"});
     std::vector<std::string> results = {hand_in(slow), hand_in(honest), hand_in(std::string(honest) + "// other\n")};
     EXPECT_EQ(end(SIGTERM), 0);
@@ -164,7 +164,7 @@ TEST_F(Serving, WhatItsGraceIsTooShortForIsGradedAfterTheNextStart) {
     for (const std::string& result : results) EXPECT_EQ(outcome(result).at("points"), 10) << standing(result);
 }
 
-TEST_F(Serving, AKillLosesNothing) {
+TEST_F(Serving, LosesNothingWhenKilled) {
     start({"-j", "1"});
     const std::string done = hand_in(honest);
     EXPECT_EQ(outcome(done).at("points"), 10);
@@ -175,7 +175,7 @@ TEST_F(Serving, AKillLosesNothing) {
     for (const std::string& result : results) EXPECT_EQ(outcome(result).at("points"), 10) << standing(result);
 }
 
-TEST_F(Serving, NeverGradesWhatWaitsAgainstAnotherScene) {
+TEST_F(Serving, NeverGradesAQueuedProgramByADifferentAssignment) {
     const std::string state = (folder / "kept").string();
     start({"--state", state, "--grace", "0", "-j", "1"});
     const std::vector<std::string> results = {hand_in(slow), hand_in(honest)};
@@ -193,7 +193,7 @@ TEST_F(Serving, NeverGradesWhatWaitsAgainstAnotherScene) {
     EXPECT_EQ(standing(results.front()).at("points"), 10);
 }
 
-TEST_F(Serving, LeavesAFolderOfOtherThingsAsItIs) {
+TEST_F(Serving, LeavesAForeignFolderUnchanged) {
     const fs::path results = folder / "results";
     write(results / "grades.csv", "id,points\n");
     fs::permissions(results, static_cast<fs::perms>(0755));
@@ -206,7 +206,7 @@ TEST_F(Serving, LeavesAFolderOfOtherThingsAsItIs) {
 
 TEST_F(Serving, SaysThatPointsForOtherScenesAreNotShown) {
     constexpr std::string_view sentence =
-        "Points for answers on other scenes, up to 2.5, are not part of what is shown here.";
+        "The points shown here do not include the points for other scenes (up to 2.5).";
     assignment = (folder / "a.toml").string();
     write(assignment, read(project_folder() / "reference/assignments/a6-2021.toml") + "\nvariant_points = 2.5\n");
     start();
@@ -221,7 +221,7 @@ TEST_F(Serving, SaysThatPointsForOtherScenesAreNotShown) {
     EXPECT_THAT(read(output()), Not(HasSubstr("other scenes")));
 }
 
-TEST_F(Serving, AtAllAddressesItSaysWhatToOpenAndWhichNameIsAnswered) {
+TEST_F(Serving, NamesTheAddressesToOpenWhenServingAllAddresses) {
     start({"--host", "0.0.0.0"});
     EXPECT_THAT(read(output()), Not(HasSubstr("0.0.0.0")));
     std::array<char, 256> name{};
@@ -237,7 +237,7 @@ TEST_F(Serving, AtAllAddressesItSaysWhatToOpenAndWhichNameIsAnswered) {
     EXPECT_THAT(read(output()), AllOf(ContainsRegex("  or http://[^/]*/"), Not(HasSubstr("--name "))));
 }
 
-TEST_F(Serving, RunsNobodysProgramsForOthersWithoutASandbox) {
+TEST_F(Serving, ServesOtherMachinesOnlyWithASandbox) {
     for (const std::vector<std::string>& reach :
          {std::vector<std::string>{"--host", "0.0.0.0"}, {"--behind-proxy", "--name", "check.example.edu"}}) {
         std::vector<std::string> words = {"serve", "--port", "0", "--unsafe"};
@@ -249,7 +249,7 @@ TEST_F(Serving, RunsNobodysProgramsForOthersWithoutASandbox) {
     }
 }
 
-TEST_F(Serving, DoesNotStartWithoutASandboxThatHolds) {
+TEST_F(Serving, DoesNotStartWithoutAWorkingSandbox) {
     const Result result = raygrade({"serve", "--port", "0", "--sandbox", "bwrap"}, [this] {
         const fs::path bin = folder / "bin";
         fs::create_directories(bin);
@@ -273,7 +273,7 @@ TEST_F(Serving, SaysWhatIsWrongBeforeItStarts) {
     const std::string other = (folder / "other").string();
     EXPECT_THAT(voice_of({"--port", "0"}, 1), AllOf(HasSubstr("--state"), HasSubstr("--port")));
     EXPECT_THAT(voice_of({"--port", "80000", "--state", other}, usage), HasSubstr("65535"));
-    EXPECT_THAT(voice_of({"--host", "192.0.2.1", "--state", other}, usage), HasSubstr("0.0.0.0 for all"));
+    EXPECT_THAT(voice_of({"--host", "192.0.2.1", "--state", other}, usage), HasSubstr("0.0.0.0 (all addresses)"));
     EXPECT_THAT(voice_of({"--port", std::to_string(port), "--state", other}, usage), HasSubstr("--port 0"));
     EXPECT_THAT(voice_of({"--host", "example.edu", "--state", other}, usage), HasSubstr("IP address"));
     EXPECT_THAT(voice_of({"--behind-proxy", "--state", other}, usage), HasSubstr("--name"));

@@ -1,10 +1,10 @@
-#include "tests/stress/held.h"
+#include "tests/given/hard_scenes/held.h"
 
 #include <fmt/format.h>
 
-#include "tests/printed_values.h"
+#include "tests/given/printed_values.h"
 
-namespace harness::stress {
+namespace harness::scenes {
 
 student::Marking held(student::Marking marking, reference::PixelConvention convention) {
     marking.assignment.rubric.pixel_conventions = {convention};
@@ -35,4 +35,4 @@ std::vector<std::string> told_losses(const std::string& printed, const student::
     return told;
 }
 
-}  // namespace harness::stress
+}  // namespace harness::scenes

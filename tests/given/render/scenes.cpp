@@ -1,8 +1,8 @@
-#include "tests/render/scenes.h"
+#include "tests/given/render/scenes.h"
 
 #include <fmt/format.h>
 
-#include "reference/render/rows.h"
+#include "reference/render/trace/rows.h"
 
 namespace scenes {
 

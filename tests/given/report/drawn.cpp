@@ -1,4 +1,4 @@
-#include "tests/report/drawn.h"
+#include "tests/given/report/drawn.h"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +9,12 @@
 #include <cstring>
 #include <utility>
 
-#include "tests/report/helvetica.h"
+#include "tests/given/report/helvetica.h"
 
 namespace drawn {
 namespace {
 
-/// A tag, with what stands behind it up to the next one.
+/// A tag, with the text that follows it up to the next tag.
 struct Element {
     std::string tag;  ///< without its angle brackets
     std::string content;
@@ -46,7 +46,7 @@ double number(const std::string& tag, const std::string& name) {
     return std::strtod(attribute(tag, name).c_str(), nullptr);
 }
 
-/// A number of path data ends where the next begins, also without a blank: at a minus, or at a second point.
+/// A number in path data ends where the next begins, even without a blank: at a minus, or at a second decimal point.
 std::vector<double> numbers_of(const std::string& text) {
     std::vector<double> numbers;
     for (std::size_t at = 0; at < text.size();) {
@@ -109,7 +109,7 @@ std::vector<Spot> spots_of_path(const std::string& data) {
     return pen.spots();
 }
 
-/// With its entities as the characters they stand for.
+/// Decodes the entities of a text.
 std::string as_seen(std::string text) {
     for (const auto& [entity, character] :
          {std::pair("&lt;", "<"), {"&gt;", ">"}, {"&quot;", "\""}, {"&#39;", "'"}, {"&amp;", "&"}}) {
@@ -122,7 +122,7 @@ std::string as_seen(std::string text) {
 }  // namespace
 
 std::vector<Text> texts_in(const std::string& svg) {
-    std::vector<std::string> groups;  // sizes and anchors are inherited from one
+    std::vector<std::string> groups;  // texts inherit sizes and anchors from their group
     std::vector<Text> texts;
     for (const Element& element : elements_of(svg)) {
         if (element.tag == "g" || element.tag.starts_with("g ")) groups.push_back(element.tag);

@@ -1,4 +1,4 @@
-// What is drawn in an SVG, read back from the SVG alone.
+// Reads the texts, marks and lines of an SVG back from the SVG alone.
 #pragma once
 
 #include <string>
@@ -13,32 +13,32 @@ struct Spot {
 
 struct Text {
     std::string words;
-    double left = 0, top = 0, right = 0, bottom = 0;  ///< of its letters, by their widths in Helvetica
+    double left = 0, top = 0, right = 0, bottom = 0;  ///< the box of its letters, by their widths in Helvetica
 };
 
-/// Every text of the picture, in its order, with entities as they are.
+/// Every text of the picture, in document order. Entities are not decoded.
 std::vector<Text> texts_in(const std::string& svg);
 bool has_text(const std::string& svg, const std::string& words);
-/// Whether a text is a name or several, joined as "B, C", with this one among them.
+/// Whether some text is this name, or a list such as "B, C" that contains it.
 bool has_name(const std::string& svg, const std::string& name);
 
-/// Every spot that a path, circle, ellipse or rectangle names, control points and corners too; of a circle or an
-/// ellipse the middle.
+/// Every spot that a path, circle, ellipse or rectangle names, including control points and corners. A circle or an
+/// ellipse gives its centre.
 std::vector<Spot> spots_in(const std::string& svg);
-/// The middles of the filled marks of one colour.
+/// The centres of the filled marks of one colour.
 std::vector<Spot> dots_in(const std::string& svg, const std::string& colour);
 
-/// The middles of the crosses: what was printed and is not right.
+/// The centres of the crosses, which mark wrong printed answers.
 std::vector<Spot> crosses_in(const std::string& svg);
 
-/// The lines that join names to their points, each from its point.
+/// A line that joins a point (`from`) to its name (`to`).
 struct Leader {
     Spot from;
     Spot to;
 };
 std::vector<Leader> leaders_in(const std::string& svg);
-/// Whether a text stands beside a spot, or a leader joins the two. Places are rounded, and letters narrower than
-/// thought.
+/// Whether a text stands beside a spot, or a leader joins the two. Allows for rounded places and for letters narrower
+/// than the picture assumes.
 bool belongs(const Text& text, const Spot& spot, const std::vector<Leader>& leaders);
 
 double width_of(const std::string& svg);

@@ -1,12 +1,12 @@
-#include "tests/report/graded_samples.h"
+#include "tests/given/report/graded_samples.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <optional>
 
-#include "tests/student/printout.h"
-#include "tests/student/scenes.h"
+#include "tests/given/student/printout.h"
+#include "tests/given/student/scenes.h"
 
 namespace report_samples {
 
@@ -81,21 +81,21 @@ Graded markup_everywhere() {
     result.flags = {{markup(9), markup(10)}};
     result.sanitizer = {markup(11)};
     result.submission.notes = {markup(12)};
-    result.other_scenes = variants::VariantReport{};
-    variants::VariantReport& other_scenes = *result.other_scenes;
-    other_scenes.verdict = variants::VariantVerdict::breaks;
+    result.other_scenes = scenes::OtherScenesReport{};
+    scenes::OtherScenesReport& other_scenes = *result.other_scenes;
+    other_scenes.verdict = scenes::OtherSceneVerdict::breaks;
     other_scenes.runs.push_back({markup(13), markup(14), "", true, {}});
     other_scenes.not_found = {markup(13)};
     other_scenes.broken.push_back({6, "t", 0, markup(13), markup(14), markup(14)});
     result.hard_scenes =
-        stress::StressReport{{}, {{"far", "", "", markup(16), "", {{6, "t", {}, 0, 0, ""}}, {markup(17)}}}};
+        scenes::HardScenesReport{{}, {{"far", "", "", markup(16), "", {{6, "t", {}, 0, 0, ""}}, {markup(17)}}}};
     result.overrides = {{6, "b", 1, markup(15), markup(18), markup(19)}};
     return result;
 }
 
-variants::VariantReport broken_on_another_scene(const std::string& before, const std::string& after) {
-    variants::VariantReport report;
-    report.verdict = variants::VariantVerdict::breaks;
+scenes::OtherScenesReport broken_on_another_scene(const std::string& before, const std::string& after) {
+    scenes::OtherScenesReport report;
+    report.verdict = scenes::OtherSceneVerdict::breaks;
     report.runs.push_back({"aside", "eye = (1 2 3)", "eye = (0 0 4)", true, {}});
     report.broken.push_back({6, "t", 0, before, after, ""});
     return report;

@@ -1,4 +1,4 @@
-#include "tests/report/helvetica.h"
+#include "tests/given/report/helvetica.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 namespace drawn {
 namespace {
 
-/// From Adobe's Helvetica.afm: thousandths of the size, from the blank to the tilde.
+/// Letter widths from Adobe's Helvetica.afm, in thousandths of the font size, from the blank to the tilde.
 constexpr std::array<int, 95> advances = {
     278,  278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278,  //
     556,  556, 556, 556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556,  //

@@ -1,12 +1,13 @@
-#include "tests/report/picture_scenes.h"
+#include "tests/given/report/picture_scenes.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "reference/accuracy/random_numbers.h"
-#include "tests/random_scene.h"
+#include "harness/grade/marking.h"
+#include "reference/accuracy/rays/random_numbers.h"
+#include "tests/given/random_scene.h"
 
 namespace picture_scenes {
 namespace {
@@ -32,7 +33,7 @@ std::string with_objects(const std::string& objects) {
     return std::string(camera_2021) + window_2021 + objects;
 }
 
-/// The same view of the same things, all lengths times 10 to the power.
+/// The same view of the same objects, with all lengths multiplied by 10 to the power.
 std::string scaled(int power) {
     const std::string e = fmt::format("e{}", power);
     const auto p = [&](const char* x, const char* y, const char* z) {

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/grade.h"
+#include "harness/grade/graded.h"
+#include "harness/grade/marking.h"
 
 namespace picture_scenes {
 
@@ -14,17 +15,17 @@ struct Named {
     std::string toml;
 };
 
-/// All that is hard to draw: any scale, any camera, no sphere, no triangle, tangent, grazing, a start on the triangle,
-/// an eye within a huge sphere, objects far away or all over each other.
+/// Scenes that are hard to draw: extreme scales and cameras, no sphere, no triangle, tangent, grazing, a ray that
+/// starts on the triangle, an eye inside a huge sphere, objects far away or heaped on each other.
 const std::vector<Named>& hard_scenes();
 harness::Marking marking_of(const Named& scene);
-harness::Marking marking_of(const std::string& name);  ///< one of them
+harness::Marking marking_of(const std::string& name);  ///< of the hard scene with this name
 harness::Marking random_marking(std::uint64_t seed);
 
-/// What grading a program with this output gives.
+/// The grading of a program with this output.
 harness::Graded graded(const std::string& output, const harness::Marking& marking);
 
-/// Answers that are right, near, wild, not finite or none at all, as the seed says.
+/// Answers drawn from the seed: right, nearly right, wild, not finite, or missing.
 std::string random_output(std::uint64_t seed, const harness::Marking& marking);
 
 }  // namespace picture_scenes

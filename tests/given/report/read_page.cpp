@@ -1,4 +1,4 @@
-#include "tests/report/read_page.h"
+#include "tests/given/report/read_page.h"
 
 #include <gtest/gtest.h>
 
@@ -6,17 +6,17 @@
 #include <fstream>
 #include <iterator>
 
-#include "tests/temporary_folder.h"
+#include "tests/given/temporary_folder.h"
 
 namespace report_samples {
 namespace {
 
-/// What a command prints, both ways, with the page in the file "$1".
+/// The output of a command on stdout and stderr. The command finds the page in the file "$1".
 std::string told_by(const std::string& command, const std::string& page, int& status) {
     const TemporaryFolder folder;
     const auto file = folder.write("page.html", page);
     const auto told = folder.path() / "told";
-    // The folder's name is ours: letters and digits.
+    // The folder's name needs no quoting: it has only letters and digits.
     status = std::system((command + " " + file.string() + " > " + told.string() + " 2>&1").c_str());
     std::ifstream in(told, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
@@ -26,7 +26,7 @@ std::string told_by(const std::string& command, const std::string& page, int& st
 
 nlohmann::json read_page(const std::string& page) {
     int status = 0;
-    const std::string told = told_by("python3 '" RAYGRADE_PROJECT "/tests/report/read_page.py'", page, status);
+    const std::string told = told_by("python3 '" RAYGRADE_PROJECT "/tests/given/report/read_page.py'", page, status);
     EXPECT_EQ(status, 0) << told;
     return nlohmann::json::parse(told, nullptr, false);
 }

@@ -1,12 +1,12 @@
-#include "tests/report/told_by.h"
+#include "tests/given/report/told_by.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <iterator>
 
-#include "tests/bytes_of.h"
-#include "tests/temporary_folder.h"
+#include "tests/given/bytes_of.h"
+#include "tests/given/temporary_folder.h"
 
 std::string told_by(const std::string& command, const std::string& content) {
     const TemporaryFolder folder;

@@ -1,12 +1,12 @@
-// Trying in a child what can't be taken back.
+// Runs in a child process what can't be undone in the process itself.
 #pragma once
 
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-/// What `work`, a function that returns 0 to 200, returns in a child that may gain no privileges; 255 when a signal
-/// ended it.
+/// Calls `work`, which returns 0 to 200, in a child process that may gain no privileges. Returns its result, or 255 if
+/// a signal ended the child.
 template <class Work>
 int in_a_child(const Work& work) {
     const pid_t child = fork();

@@ -1,5 +1,5 @@
-// A program that behaves as badly as its first argument says, for the tests of run_process. Every mode ends by itself
-// after some seconds, so that a failing test can't fill the machine.
+// A program that misbehaves as its first argument says, for the tests of run_process. Every mode ends by itself after
+// some seconds, so that a failing test can't exhaust the machine.
 
 #include <fcntl.h>
 #include <signal.h>
@@ -61,8 +61,8 @@ int ignore_signals_and_sleep() {
     return 0;
 }
 
-/// Whether one more process may be started. The bound is the whole bomb's: a bomb that nobody stops must not take the
-/// machine's last process number.
+/// Whether a further process may be started. The bound applies to the whole bomb: a bomb that nobody stops must not use
+/// up the machine's process ids.
 bool may_fork() {
     static const int tokens = [] {
         int ends[2];
@@ -88,7 +88,7 @@ int fork_bomb_in_sessions() {
     return 0;
 }
 
-/// Leaves a daemon in a session of its own that holds stdout and stderr open.
+/// Leaves a daemon in its own session that holds stdout and stderr open.
 int daemonise() {
     if (fork() == 0) {
         setsid();
@@ -154,7 +154,7 @@ int list_descriptors() {
     return 0;
 }
 
-/// Tries to be the first to give the status.
+/// Tries to report a status before the supervisor does.
 int forge_status() {
     const char line[] = "how=exited number=0 cpu-us=1 wall-us=1 peak-bytes=1 out-of-memory=0 step=\n";
     for (int fd = 3; fd < 4096; ++fd) {
@@ -180,7 +180,7 @@ int leave_children(int count) {
     _exit(0);
 }
 
-/// 0 when no signal is blocked or ignored.
+/// Returns 0 if no signal is blocked or ignored.
 int check_signals() {
     sigset_t blocked;
     sigprocmask(SIG_SETMASK, nullptr, &blocked);
@@ -213,7 +213,7 @@ int raise_and_sleep(pid_t whom, int number) {
     return 0;
 }
 
-/// The second process would outlive a supervisor that is merely killed.
+/// The second process would survive if the supervisor were merely killed.
 int stop_supervisor() {
     const pid_t supervisor = getppid();
     if (fork() == 0) {

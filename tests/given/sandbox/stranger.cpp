@@ -1,4 +1,4 @@
-#include "tests/sandbox/stranger.h"
+#include "tests/given/sandbox/stranger.h"
 
 #include <unistd.h>
 
@@ -8,7 +8,7 @@
 #include <map>
 #include <thread>
 
-#include "harness/sandbox/canary.h"
+#include "harness/sandbox/host/canary.h"
 
 using namespace std::chrono_literals;
 

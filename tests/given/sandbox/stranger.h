@@ -1,4 +1,4 @@
-// A run of the misbehaving helper, for the tests of run_process.
+// Runs the misbehaving helper program for the tests of run_process.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -9,34 +9,35 @@
 #include <string>
 #include <vector>
 
-#include "harness/sandbox/sandbox.h"
-#include "harness/sandbox/scratch.h"
+#include "harness/sandbox/host/sandbox.h"
+#include "harness/sandbox/host/scratch.h"
 
 constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
 
-/// One for each tier, made once, as raygrade does before it starts threads: a fork of another thread meanwhile would
-/// keep the supervisor's copy open for writing, and the kernel starts no such program.
+/// The sandbox of a tier. Each is made once. raygrade, too, makes its sandbox before it starts threads: if another
+/// thread forked meanwhile, the child would hold the supervisor's copy open for writing, and the kernel refuses to
+/// start a program that is open for writing.
 std::shared_ptr<harness::Sandbox> sandbox_of(harness::Tier tier);
 
-/// Why nothing can be started in the tier on this machine; empty when something can.
+/// Why no program can be started in the tier on this machine; "" if programs can be started.
 std::string why_not_here(harness::Tier tier);
 
-/// Recognisable in /proc by an environment variable of its own. Its limits are such that no well-behaved helper comes
-/// near them, even on a busy machine.
+/// A run whose processes can be recognised in /proc by an environment variable of their own. The limits are so high
+/// that no well-behaved helper reaches them, even on a busy machine.
 class Stranger {
   public:
     Stranger(std::shared_ptr<harness::Sandbox> sandbox, std::vector<std::string> arguments);
 
     harness::ProcessResult operator()() const { return harness::run_process(command, *sandbox_); }
 
-    /// How many processes with the mark there are, the supervisor among them.
+    /// The number of this run's processes, including the supervisor.
     int alive() const;
-    /// Whether their number becomes one that is wanted, within ten seconds.
+    /// Waits at most ten seconds until `wanted` accepts the number of processes. Returns false if it never does.
     bool waits_for(bool (*wanted)(int)) const;
 
     harness::Command command;
     const std::filesystem::path& folder() const { return scratch_.path(); }
-    void remove_supervisor() const { std::filesystem::remove(sandbox_->shim()); }
+    void remove_supervisor() const { std::filesystem::remove(sandbox_->supervisor()); }
     std::string inside() const { return sandbox_->inside(folder()).string(); }
 
   private:
@@ -45,10 +46,10 @@ class Stranger {
     std::string mark_;
 };
 
-/// A test for every tier, by INSTANTIATE_TEST_SUITE_P(Tiers, Its, every_tier(), name_of_tier).
+/// Runs a suite's tests in every tier: INSTANTIATE_TEST_SUITE_P(Tiers, Suite, every_tier(), name_of_tier).
 class InEveryTier : public testing::TestWithParam<harness::Tier> {
   protected:
-    /// A tier this machine can't start anything in can't be tested on it.
+    /// Skips the test if this machine can't start programs in the tier.
     void SetUp() override {
         if (const std::string why = why_not_here(GetParam()); !why.empty()) GTEST_SKIP() << why;
     }

@@ -1,4 +1,4 @@
-#include "tests/serve/client.h"
+#include "tests/given/serve/client.h"
 
 #include <arpa/inet.h>
 #include <poll.h>

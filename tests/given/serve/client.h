@@ -1,4 +1,4 @@
-// A client for tests that says what it likes: bytes over a socket, and answers read by what RFC 9112 says of them.
+// An HTTP client for tests. It can send any bytes over a socket, and reads answers as RFC 9112 defines them.
 #pragma once
 
 #include <chrono>
@@ -8,13 +8,13 @@
 #include <string>
 #include <string_view>
 
-#include "harness/sandbox/file_descriptor.h"
+#include "harness/machine/file_descriptor.h"
 
 namespace harness::serve {
 
 struct HttpAnswer {
-    int status = 0;                             ///< 0: the connection ended without a whole answer
-    std::map<std::string, std::string> fields;  ///< by their name in lower case
+    int status = 0;                             ///< 0: the connection ended before a complete answer
+    std::map<std::string, std::string> fields;  ///< by name in lower case
     std::string body;
 };
 
@@ -23,15 +23,15 @@ class Client {
     /// Connects to 127.0.0.1. Throws std::runtime_error.
     explicit Client(std::uint16_t port);
 
-    /// False when the server does not take it any more.
+    /// Returns false if the server no longer accepts bytes.
     bool send(std::string_view bytes);
-    /// The next answer; to a HEAD one without a body. Waits for half a minute at the most.
+    /// The next answer. An answer to a HEAD request has no body. Waits at most half a minute.
     HttpAnswer answer(bool to_head = false);
-    /// Whether the server ends the connection within the time, whatever it still sends.
+    /// Whether the server ends the connection within the time. Bytes that it still sends are read and dropped.
     bool ends_within(std::chrono::milliseconds time);
-    /// Whether a read met a reset, which takes the answer from some clients before they have read it.
+    /// Whether a read met a connection reset. A reset makes some clients lose an answer that they have not read yet.
     bool was_reset() const { return was_reset_; }
-    /// Whether there is something to read within the time.
+    /// Whether bytes to read arrive within the time.
     bool is_told_within(std::chrono::milliseconds time) const;
 
   private:
@@ -42,12 +42,12 @@ class Client {
     bool was_reset_ = false;
 };
 
-/// One request on a connection of its own.
+/// Sends one request on a new connection.
 HttpAnswer ask(std::uint16_t port, std::string_view request);
 
-/// "GET path HTTP/1.1" with the fields that every browser sends, and `more` ("Name: value\r\n").
+/// "GET path HTTP/1.1" with the fields that every browser sends, and further fields `more` ("Name: value\r\n").
 std::string get(const std::string& path, const std::string& more = "");
-/// A form with a file in it.
+/// A request that posts the form with a file.
 std::string upload(const std::string& source, const std::string& more = "");
 
 }  // namespace harness::serve

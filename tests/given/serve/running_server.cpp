@@ -1,4 +1,4 @@
-#include "tests/serve/running_server.h"
+#include "tests/given/serve/running_server.h"
 
 #include <stdexcept>
 
@@ -8,16 +8,16 @@ RunningServer::RunningServer(const Options& options) {
     std::string name = (std::filesystem::temp_directory_path() / "raygrade-test.XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder " + name);
     folder_ = name;
-    spool_ = std::make_unique<Spool>(folder_);
-    desk_ = std::make_unique<Desk>(*spool_, options.queue);
+    kept_programs_ = std::make_unique<KeptPrograms>(folder_);
+    queue_ = std::make_unique<Queue>(*kept_programs_, options.queue);
     SiteSettings settings;
     settings.about.title = "An <assignment>";
     settings.about.keep = std::chrono::hours(24);
     settings.reach = options.reach;
     settings.turns_a_minute = options.rate;
-    site_ = std::make_unique<Site>(settings, *desk_);
+    site_ = std::make_unique<Site>(settings, *queue_);
     server_ = std::make_unique<Server>("127.0.0.1", static_cast<std::uint16_t>(0), options.limits,
-                                       options.reach.behind_proxy, *site_, *desk_);
+                                       options.reach.behind_proxy, *site_, *queue_);
     thread_ = std::thread([this, grace = options.grace] { server_->run(grace); });
 }
 

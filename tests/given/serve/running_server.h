@@ -1,4 +1,4 @@
-// A server for tests, at a free port of 127.0.0.1. Nobody grades, unless the test does.
+// A server for tests, at a free port of 127.0.0.1. No program is graded unless the test grades it.
 #pragma once
 
 #include <chrono>
@@ -7,9 +7,9 @@
 #include <string>
 #include <thread>
 
-#include "harness/serve/desk.h"
-#include "harness/serve/server.h"
-#include "tests/serve/client.h"
+#include "harness/serve/http/server.h"
+#include "harness/serve/queue/queue.h"
+#include "tests/given/serve/client.h"
 
 namespace harness::serve {
 
@@ -30,8 +30,8 @@ class RunningServer {
 
     std::uint16_t port() const { return server_->port(); }
     HttpAnswer ask(std::string_view request) const { return serve::ask(port(), request); }
-    Desk& desk() { return *desk_; }
-    /// Of the spool.
+    Queue& queue() { return *queue_; }
+    /// The folder of the spool.
     const std::filesystem::path& folder() const { return folder_; }
     void stop() { server_->stop(); }
     /// Waits until the server has ended by itself.
@@ -39,8 +39,8 @@ class RunningServer {
 
   private:
     std::filesystem::path folder_;
-    std::unique_ptr<Spool> spool_;
-    std::unique_ptr<Desk> desk_;
+    std::unique_ptr<KeptPrograms> kept_programs_;
+    std::unique_ptr<Queue> queue_;
     std::unique_ptr<Site> site_;
     std::unique_ptr<Server> server_;
     std::thread thread_;

@@ -1,4 +1,4 @@
-#include "tests/student/mistakes.h"
+#include "tests/given/student/mistakes.h"
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -22,7 +22,7 @@ constexpr ItemId a{6, "a"}, b{6, "b"}, c{6, "c"}, d{6, "d"}, t_s{6, "t"}, hit_s{
 constexpr ItemId matrix{8, "matrix"}, rhs{8, "rhs"}, t_t{8, "t"}, u{8, "u"}, v{8, "v"}, hit_t{8, "hit"},
     normal_t{9, "normal"};
 
-/// The names that the formulas below are written in.
+/// The names used in the formulas below.
 struct Names {
     explicit Names(const Program& p) : program(p) {}
     vec3 eye() const { return program.scene().camera.eye; }
@@ -51,7 +51,7 @@ NamedMistake on(std::string_view name, const ItemId& item, Formula formula) {
     return {name, {item, [formula](const Program& p, const Result&) -> Result { return floats(formula(Names(p))); }}};
 }
 
-/// A change of what is right.
+/// A change of the right value.
 template <class Change>
 NamedMistake changed(std::string_view name, const ItemId& item, Change change) {
     return {name, {item, [change](const Program&, const Result& right) -> Result {
@@ -71,7 +71,7 @@ vec3 in_window(const Names& n, float x, float y) {
     return {glm::mix(w.clip_left, w.clip_right, x), glm::mix(w.clip_bottom, w.clip_top, y), -w.clip_near};
 }
 
-/// t, u and v of the system by the inverse.
+/// Solves the system for t, u and v with the inverse matrix.
 vec3 solved(const Names& n, const vec3& start) {
     return glm::inverse(mat3(-n.direction(), n.B() - n.A(), n.C() - n.A())) * (start - n.A());
 }

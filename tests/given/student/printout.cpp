@@ -1,4 +1,4 @@
-#include "tests/student/printout.h"
+#include "tests/given/student/printout.h"
 
 #include <fmt/format.h>
 

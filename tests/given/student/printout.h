@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/student/program.h"
+#include "tests/given/student/program.h"
 
 namespace student {
 
@@ -15,38 +15,38 @@ enum class VectorLayout { to_string, bracketed, spaced, components, component_li
 enum class MatrixLayout { to_string, rows, labelled_rows, labelled_columns };
 
 struct Layout {
-    std::uint64_t seed = 0;  ///< of what is drawn while printing, such as noise
+    std::uint64_t seed = 0;  ///< for random choices while printing, such as noise
     NumberFormat format = NumberFormat::fixed;
-    int digits = 6;  ///< decimals of fixed and scientific
+    int digits = 6;  ///< decimals of the fixed and scientific formats
     VectorLayout vectors = VectorLayout::to_string;
     MatrixLayout matrices = MatrixLayout::to_string;
     std::string open = "(", close = ")";
-    int heading = 0;  ///< index into the styles of printout.cpp; likewise
-    int labels = 0;
+    int heading = 0;  ///< index into the heading styles of printout.cpp
+    int labels = 0;   ///< index into the label styles of printout.cpp
     std::string separator = ": ";
-    bool shuffled = false;     ///< the questions in another order
-    bool debug_lines = false;  ///< numbers printed for the student's own use
+    bool shuffled = false;     ///< the questions are printed in a random order
+    bool debug_lines = false;  ///< extra lines with numbers for the student's own use
     bool blank_lines = false;
-    bool question_text = false;  ///< the handout's text echoed, with its numbers
+    bool question_text = false;  ///< the handout's text is repeated, with its numbers
     bool colours = false;
     bool crlf = false;
 
     std::string describe() const;
 };
 
-/// Fixed formats with `least_decimals` to 8 decimals, scientific ones with at least 6 significant digits.
+/// Fixed formats have `least_decimals` to 8 decimals, scientific formats at least 6 significant digits.
 Layout random_layout(std::uint64_t seed, int least_decimals);
 
 /// The output of a program with these answers.
 std::string print(const Program& program, const Layout& layout);
 
-/// The same without some questions or items: what `keep` refuses is not printed.
+/// The same, but only with the questions and items that `keep` accepts.
 std::string print(const Program& program, const Layout& layout, const std::function<bool(const ItemId&)>& keep);
 
-/// The handout's own layout.
+/// The output in the handout's own layout.
 std::string print(const Program& program);
 
-/// An output in the handout's layout with another value on one line. The line must be there.
+/// Replaces the value on one line of an output in the handout's layout. The line must exist.
 std::string with_line(std::string output, int question, const std::string& label, const std::string& value);
 
 }  // namespace student

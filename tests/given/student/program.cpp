@@ -1,10 +1,10 @@
-#include "tests/student/program.h"
+#include "tests/given/student/program.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "reference/scene_answers.h"
+#include "reference/stages/scene_answers.h"
 
 namespace student {
 namespace {
@@ -76,7 +76,7 @@ void Program::answer_camera() {
         settle(X, floats(reference::normalized(reference::cross(vup, vector(Z)))));
         settle(Y, floats(reference::cross(vector(Z), vector(X))));
     }
-    // A program with a mistake in its axes goes on with them; lookAt would hide it.
+    // A program with wrong axes uses them for the matrix; lookAt would hide the mistake.
     const bool own_axes = mistake_ && mistake_->item.first == 2;
     if (uses_glm() && !own_axes) {
         settle(M, floats(glm::inverse(glm::lookAt(eye, lookat, vup))));

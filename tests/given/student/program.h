@@ -1,4 +1,5 @@
-// What a student's program computes, in float: right in one of several ways, or with one stage changed and carried on.
+// The answers a student's program computes in float: right in one of several ways, or with one wrong stage whose result
+// the later stages use.
 #pragma once
 
 #include <functional>
@@ -7,34 +8,34 @@
 #include <optional>
 #include <vector>
 
-#include "reference/answer_key.h"
+#include "reference/key/answer_key.h"
 
 namespace student {
 
 using reference::ItemId;
 using Floats = std::vector<float>;
 
-/// How a program computes what it computes rightly.
+/// How a program computes its right answers.
 struct Way {
-    /// The stages of the reference over float; or GLM's own functions: lookAt and inverse, normalize, the inverse of
-    /// the system.
+    /// `stages`: the reference's stages in float. `glm`: GLM's own functions lookAt, inverse and normalize, and the
+    /// inverse of the linear system.
     enum class Arithmetic { stages, glm, glm_cramer } arithmetic = Arithmetic::stages;
     reference::PixelConvention convention = reference::PixelConvention::centre;
     reference::Boundary boundary = reference::Boundary::nonnegative;
     float quadratic_factor = 1;                  ///< a, b and c are multiplied by this
-    std::vector<float> row_factors = {1, 1, 1};  ///< the rows of the linear system, on both sides
+    std::vector<float> row_factors = {1, 1, 1};  ///< the rows of the linear system are multiplied by these, both sides
     bool half_b = false;                         ///< b' = b/2 and d' = b'^2 - ac
-    std::vector<int> columns = {0, 1, 2};        ///< the place of the columns for t, u and v in the printed matrix
-    bool true_hits_only = false;                 ///< no hit point where there is no true hit
+    std::vector<int> columns = {0, 1, 2};        ///< the places of the columns for t, u and v in the printed matrix
+    bool true_hits_only = false;                 ///< gives a hit point only for a true hit
 };
 
-/// The answers so far. A value that does not exist (the ray misses) is an empty optional.
+/// The answers computed so far. A value that does not exist, because the ray misses, is an empty optional.
 class Program {
   public:
-    /// One stage done wrongly: what the program has for `item` instead.
+    /// One wrong stage: computes the program's wrong value for `item`.
     struct Mistake {
         ItemId item;
-        /// From the answers so far and what is right with them.
+        /// Gets the answers so far, and the value that would be right given those answers.
         std::function<std::optional<Floats>(const Program&, const std::optional<Floats>& right)> compute;
     };
 
@@ -44,7 +45,7 @@ class Program {
     reference::Verdict verdict() const { return verdict_; }
     const reference::Scene<float>& scene() const { return scene_; }
 
-    /// These throw std::bad_optional_access where there is no such value.
+    /// scalar, vector and matrix4 throw std::bad_optional_access if the value does not exist.
     float scalar(const ItemId& id) const { return values_.at(id).value().at(0); }
     glm::vec3 vector(const ItemId& id) const;
     glm::mat4 matrix4(const ItemId& id) const;

@@ -1,4 +1,4 @@
-#include "tests/student/scenes.h"
+#include "tests/given/student/scenes.h"
 
 #include <map>
 #include <stdexcept>
@@ -83,7 +83,7 @@ const std::map<std::string_view, std::string>& scenes() {
                       triangle("[[10200, 8600, 9600], [10800, 8800, 9500], [10300, 9300, 9450]]")},
         {"small", std::string(camera_small) + sphere("[0.0039, -0.0006, 0]", "0.00125") +
                       triangle("[[0.002, -0.004, -0.004], [0.008, -0.002, -0.005], [0.003, 0.003, -0.0055]]")},
-        // What follows is decided in the ninth digit, which float does not have.
+        // The following scenes are decided in the ninth digit, which float does not have.
         {"barely hit",
          off_axis + sphere("[5.47230208, -0.581360514, -1.547818876]", "1.50000001") + triangle(triangle_near)},
         {"barely missed",
@@ -99,7 +99,7 @@ const std::map<std::string_view, std::string>& scenes() {
         {"almost a tie", off_axis + sphere(sphere_near, "1.25") +
                              triangle("[[4.622966677, -1.627549067, 0.934909329], [1.622966677, -0.627549067, "
                                       "1.034909329], [4.622966677, 3.372450933, 0.234909329]]")},
-        // On the axes, where float is exact: the sphere's nearest point lies in the triangle.
+        // This scene lies on the axes, where float is exact: the sphere's nearest point lies in the triangle.
         {"tie", camera_on_the_axis(8) + sphere("[0, 0, 0]", "2") + triangle("[[-4, -4, 2], [4, -4, 2], [0, 8, 2]]")},
     };
     return table;

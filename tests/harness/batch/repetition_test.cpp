@@ -1,4 +1,4 @@
-#include "harness/repetition.h"
+#include "harness/batch/repetition.h"
 
 #include <gmock/gmock.h>
 
@@ -8,7 +8,7 @@ using harness::difference;
 using harness::Ended;
 using harness::Repetition;
 
-/// A run that printed these for the items a and b of question 6.
+/// A run that printed these texts for items a and b of question 6.
 Repetition run(const std::string& a, const std::string& b, Ended ended = Ended::exited) {
     Repetition run;
     run.ended = ended;
@@ -24,7 +24,7 @@ Repetition run(const std::string& a, const std::string& b, Ended ended = Ended::
     return run;
 }
 
-TEST(Difference, IsNoneBetweenTheSameAnswers) {
+TEST(Difference, IsEmptyBetweenTheSameAnswers) {
     EXPECT_EQ(difference({run("1", "2"), run("1", "2"), run("1", "2")}), std::nullopt);
     EXPECT_EQ(difference({run("1", "2")}), std::nullopt);
     EXPECT_EQ(difference({}), std::nullopt);
@@ -36,7 +36,7 @@ TEST(Difference, NamesTheFirstItemAndTheRun) {
     EXPECT_EQ(difference({run("1", "2"), run("1", "")}), "Question 6, b: run 1 printed 2, run 2 printed nothing.");
 }
 
-TEST(Difference, SeesAnotherEnd) {
+TEST(Difference, IncludesADifferentEnd) {
     EXPECT_EQ(difference({run("1", "2"), run("1", "2", Ended::signalled)}), "Run 2 ended in another way than run 1.");
 }
 

@@ -1,4 +1,4 @@
-#include "harness/build.h"
+#include "harness/build/build.h"
 
 #include <gmock/gmock.h>
 #include <stdlib.h>
@@ -7,10 +7,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "harness/failure.h"
-#include "harness/limit_settings.h"
-#include "temporary_folder.h"
-#include "tests/strongest_tier.h"
+#include "harness/machine/errors.h"
+#include "harness/run/limits.h"
+#include "tests/given/strongest_tier.h"
+#include "tests/given/temporary_folder.h"
 
 namespace {
 
@@ -52,7 +52,7 @@ Build compile(const std::string& source, const Folder& folder) {
     return folder.build(with_source(source));
 }
 
-TEST(Build, MakesAProgram) {
+TEST(Build, CompilesAProgram) {
     const Folder folder;
     const Build built = compile("int main() {}\n", folder);
     EXPECT_TRUE(built.tried);
@@ -62,7 +62,7 @@ TEST(Build, MakesAProgram) {
     EXPECT_GT(built.wall, 0ms);
 }
 
-TEST(Build, TakesGlmInEverySpelling) {
+TEST(Build, AcceptsGlmInEverySpelling) {
     const std::string use = "int main() { return glm::to_string(glm::vec3(1)).empty(); }\n";
     const std::string headers = "#include \"glm/glm.hpp\"\n#include <glm/gtx/string_cast.hpp>\n";
     for (const char* first : {"", "#define GLM_ENABLE_EXPERIMENTAL\n"}) {
@@ -109,7 +109,7 @@ TEST(Build, FailsWithoutAMain) {
     EXPECT_THAT(built.diagnostics, HasSubstr("main"));
 }
 
-TEST(Build, DoesNotTryASubmissionWithAProblem) {
+TEST(Build, SkipsASubmissionWithAProblem) {
     const Folder folder;
     Submission submission = with_source("int main() {}");
     submission.problem = "unreadable";
@@ -119,14 +119,14 @@ TEST(Build, DoesNotTryASubmissionWithAProblem) {
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
-TEST(Build, TellsThatTheCompilerRanOutOfTime) {
+TEST(Build, ReportsThatTheCompilerRanOutOfTime) {
     const Folder folder;
     auto settings = default_settings();
     settings.limits.cpu = 100ms;
     const Build built = folder.build(with_source("#include <bits/stdc++.h>\nint main() {}\n"), settings);
     EXPECT_TRUE(built.reached_limit);
     EXPECT_FALSE(built.program);
-    // In some sandboxes g++ still tells before it that what it had started was killed.
+    // In some sandboxes g++ first prints that its subprocess was killed.
     EXPECT_THAT(built.diagnostics,
                 EndsWith("raygrade: the compiler was stopped at the limit compile.cpu_seconds=0.1\n"));
     settings.limits.cpu = 20s;
@@ -135,7 +135,7 @@ TEST(Build, TellsThatTheCompilerRanOutOfTime) {
                 HasSubstr("compile.wall_seconds=0.05"));
 }
 
-TEST(Build, TellsThatTheCompilersFileBecameTooLarge) {
+TEST(Build, ReportsThatTheCompilersFileBecameTooLarge) {
     const Folder folder;
     const Build built = compile("char big[200000000] = {1};\nint main() { return big[1]; }\n", folder);
     EXPECT_TRUE(built.reached_limit) << built.diagnostics;
@@ -154,7 +154,7 @@ TEST(Build, BoundsTheMessages) {
     EXPECT_EQ(built.diagnostics.size(), 64U * 1024);
 }
 
-TEST(Build, DoesNotHandTheHarnessesEnvironmentOn) {
+TEST(Build, HidesTheHarnessesEnvironmentFromTheCompiler) {
     const TemporaryFolder hidden;
     hidden.write("hidden/trap.h", "#error trapped\n");
     setenv("CPLUS_INCLUDE_PATH", (hidden.path() / "hidden").c_str(), 1);
@@ -164,13 +164,13 @@ TEST(Build, DoesNotHandTheHarnessesEnvironmentOn) {
     EXPECT_TRUE(built.program) << built.diagnostics;
 }
 
-TEST(Build, SaysThatTheMachineFailedWhenTheScratchFolderIsGone) {
+TEST(Build, BlamesTheMachineWhenTheScratchFolderIsGone) {
     const Folder folder;
     std::filesystem::remove(folder.path());
     EXPECT_THROW(compile("int main() {}", folder), harness::HarnessError);
 }
 
-TEST(Build, FindsACompilerOutsideTheSystemsFolders) {
+TEST(Build, FindsACompilerOutsideTheSystemFolders) {
     const TemporaryFolder installation;
     auto settings = default_settings();
     settings.compiler = installation.write("opt/bin/g++", "#!/bin/sh\ncat \"${0%/bin/*}/lib/words\" >&2; exit 1\n");
@@ -217,7 +217,7 @@ Build compile_with(const std::string& source, const harness::PrecompiledHeader& 
     return folder.build(with_source(source), default_settings(), header);
 }
 
-TEST(BuildWithAHeader, GivesTheSameProgramAndKeepsEveryLineInItsPlace) {
+TEST(BuildWithAHeader, GivesTheSameProgramAndTheSameLineNumbers) {
     const Header header("#include <cassert>\n#include <cstdio>\n", default_flags());
     const std::string source = "// mine\n#include <cassert>\n#include <cstdio>\nint main() { return __LINE__; }\n";
     const Build built = compile_with(source, header.of(2));
@@ -234,7 +234,7 @@ TEST(BuildWithAHeader, GivesTheSameProgramAndKeepsEveryLineInItsPlace) {
     EXPECT_EQ(bytes(*fast.program), bytes(*plain.program));
 }
 
-TEST(BuildWithAHeader, GivesThePlainWaysMessages) {
+TEST(BuildWithAHeader, GivesTheMessagesOfAPlainBuild) {
     const Header header("#include <cstdio>\n", default_flags());
     for (const std::string rest : {"int main() { int unused; }\n", "int main() { return undeclared; }\n", "int f();\n",
                                    "int main() { printf(\"%d\", 1.5); }\n"}) {
@@ -249,7 +249,7 @@ TEST(BuildWithAHeader, GivesThePlainWaysMessages) {
     }
 }
 
-TEST(BuildWithAHeader, IsPlainWhereTheHeaderDoesNotFit) {
+TEST(BuildWithAHeader, FallsBackToAPlainBuildIfTheHeaderDoesNotFit) {
     const std::string source = "#include <cstdio>\nint main() {}\n";
     const Header other_flags("#include <cstdio>\n", "-std=c++20 -O3");
     const Header cut_off("#include <cstdio>\n", default_flags());

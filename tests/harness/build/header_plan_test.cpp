@@ -1,4 +1,4 @@
-#include "harness/header_plan.h"
+#include "harness/build/header_plan.h"
 
 #include <gmock/gmock.h>
 
@@ -27,7 +27,7 @@ std::vector<HeaderLines> classes(std::initializer_list<std::pair<HeaderLines, in
     return blocks;
 }
 
-/// What the compiler is spared, less what making the headers takes.
+/// The compile time saved, minus the time for making the headers.
 double worth(const HeaderPlan& plan, const std::set<HeaderLines>& made) {
     double worth = 0;
     for (const HeaderLines& header : plan.headers) worth -= made.contains(header) ? 0 : 3.5 * reading_time_ms(header);
@@ -42,7 +42,7 @@ TEST(PlanHeaders, MakesAHeaderFromTheFourthUse) {
     EXPECT_THAT(plan.header_of, ElementsAre(0, 0, 0, 0));
 }
 
-TEST(PlanHeaders, UsesOneThatIsThereForASingleSource) {
+TEST(PlanHeaders, UsesAnExistingHeaderForASingleSource) {
     EXPECT_THAT(plan_headers({glm}, {glm}).headers, ElementsAre(glm));
     EXPECT_THAT(plan_headers({printing}, {glm}).headers, ElementsAre(glm)) << "a beginning will do";
     EXPECT_THAT(plan_headers({glm}, {printing}).headers, IsEmpty()) << "never more than was written";
@@ -55,20 +55,20 @@ TEST(PlanHeaders, SharesABeginningAmongBlocksThatEndDifferently) {
     EXPECT_THAT(plan.header_of, ElementsAre(0, 0, 0, 0, 0, 0, std::nullopt));
 }
 
-TEST(PlanHeaders, GivesEachLargeGroupItsOwn) {
+TEST(PlanHeaders, GivesEachLargeGroupItsOwnHeader) {
     const HeaderPlan plan = plan_headers(classes({{printing, 30}, {other, 40}, {matrices, 20}}), {});
     EXPECT_THAT(plan.headers, UnorderedElementsAre(printing, matrices, other));
     EXPECT_EQ(plan.headers.front(), other) << "the most used first";
 }
 
-TEST(PlanHeaders, LeavesOutWhatTakesNoTimeToRead) {
+TEST(PlanHeaders, LeavesOutLinesThatTakeNoTimeToRead) {
     EXPECT_THAT(plan_headers(classes({{{"#define A"}, 100}}), {}).headers, IsEmpty());
     EXPECT_THAT(plan_headers(classes({{{"#include <cstdio>"}, 100}}), {}).headers, IsEmpty());
     EXPECT_THAT(plan_headers(classes({{{}, 100}}), {}).headers, IsEmpty());
     EXPECT_THAT(plan_headers({}, {}).headers, IsEmpty());
 }
 
-TEST(PlanHeaders, IsNotTroubledByABlockOfTenThousandLines) {
+TEST(PlanHeaders, HandlesABlockOfTenThousandLines) {
     HeaderLines lines = glm;
     for (int i = 0; i < 10000; ++i) lines.push_back("#define A" + std::to_string(i));
     const HeaderPlan plan = plan_headers(classes({{lines, 10}}), {});
@@ -77,7 +77,7 @@ TEST(PlanHeaders, IsNotTroubledByABlockOfTenThousandLines) {
     EXPECT_TRUE(std::equal(plan.headers[0].begin(), plan.headers[0].end(), lines.begin()));
 }
 
-TEST(PlanHeaders, ReadsEachBlocksOwnBeginningAndIsNeverWorseThanNoneOrOneEach) {
+TEST(PlanHeaders, IsNeverWorseThanNoHeaderOrOneHeader) {
     const std::vector<std::string> lines{"#include <iostream>", "#include <glm/glm.hpp>", "#include <cmath>",
                                          "#include <vector>", "#define A 1"};
     for (unsigned seed = 0; seed < 200; ++seed) {
@@ -96,7 +96,7 @@ TEST(PlanHeaders, ReadsEachBlocksOwnBeginningAndIsNeverWorseThanNoneOrOneEach) {
             ASSERT_LE(header.size(), blocks[i].size()) << seed;
             EXPECT_TRUE(std::equal(header.begin(), header.end(), blocks[i].begin())) << seed;
         }
-        // Any plan of one header for one beginning is a bound from below.
+        // Each plan with a single header is a lower bound for the best plan.
         EXPECT_GE(worth(plan, made), 0) << seed;
         for (const HeaderLines& header : blocks) {
             HeaderPlan simple{{header}, {}};
@@ -111,7 +111,7 @@ TEST(PlanHeaders, ReadsEachBlocksOwnBeginningAndIsNeverWorseThanNoneOrOneEach) {
     }
 }
 
-TEST(PlanHeaders, DoesNotDependOnTheOrder) {
+TEST(PlanHeaders, DoesNotDependOnTheOrderOfTheBlocks) {
     auto blocks = classes({{printing, 5}, {matrices, 6}, {other, 3}, {streams, 2}});
     const HeaderPlan plan = plan_headers(blocks, {});
     std::reverse(blocks.begin(), blocks.end());

@@ -1,4 +1,4 @@
-#include "harness/include_block.h"
+#include "harness/build/include_block.h"
 
 #include <gmock/gmock.h>
 
@@ -14,7 +14,7 @@ std::vector<std::string> texts(std::string_view source) {
     return texts;
 }
 
-/// What is left when the whole block is taken out.
+/// The source without its whole include block.
 std::string rest(std::string_view source) {
     const auto block = include_block(source);
     return harness::without_directives(source, block, block.size());
@@ -32,13 +32,13 @@ TEST(IncludeBlock, SkipsCommentsAndEmptyLines) {
         ElementsAre("#include <iostream>", "#define A 1", "#include <b>"));
 }
 
-TEST(IncludeBlock, WritesBlanksInOneForm) {
+TEST(IncludeBlock, NormalisesBlanks) {
     EXPECT_THAT(texts("#include<a>\n #  include\t\"glm/glm.hpp\"  \r\n#\tdefine  A\r\n"),
                 ElementsAre("#include <a>", "#include \"glm/glm.hpp\"", "#define A"));
     EXPECT_THAT(texts("\xef\xbb\xbf#include <a>\n"), ElementsAre("#include <a>"));
 }
 
-TEST(IncludeBlock, EndsAtTheFirstAnythingElse) {
+TEST(IncludeBlock, EndsAtTheFirstOtherLine) {
     for (const char* other : {"int a;", "using namespace std;", "#undef A", "#if 1", "#ifndef A", "#error x",
                               "#include_next <b>", "#import <b>", "#", "#line 7", "# 7 \"x\"", "%:include <b>",
                               "?\?=include <b>", ";", "\x01", "\f", "\\", "#includes <b>", "#defined A"}) {
@@ -47,7 +47,7 @@ TEST(IncludeBlock, EndsAtTheFirstAnythingElse) {
     }
 }
 
-TEST(IncludeBlock, LeavesIncludesThatAreNotPlainlyTheSystems) {
+TEST(IncludeBlock, LeavesIncludesThatMayNotBeSystemHeaders) {
     for (const char* odd : {"#include MACRO",
                             "#include \"local.h\"",
                             "#include \"../glm/glm.hpp\"",
@@ -72,7 +72,7 @@ TEST(IncludeBlock, LeavesIncludesThatAreNotPlainlyTheSystems) {
     }
 }
 
-TEST(IncludeBlock, LeavesDefinesInWhichACommentCouldHide) {
+TEST(IncludeBlock, LeavesDefinesThatCouldHideAComment) {
     for (const char* odd : {"#define A \"//\"", "#define A '\"'", "#define A R\"(", "#define A \\", "#define A \\ \nB",
                             "#define A 1 ?\?/", "#define A+1", "#define 1 2", "#define", "#defineA", "#define A \x80",
                             "#define A /* 1 */ 2", "#define A /* 1\n */ 2", "#define A 1\f", "#define A 1\rB"}) {
@@ -82,7 +82,7 @@ TEST(IncludeBlock, LeavesDefinesInWhichACommentCouldHide) {
                 ElementsAre("#define SQR(x) ((x)*(x)/2)", "#define cat(a, b) a##b"));
 }
 
-TEST(IncludeBlock, EndsBeforeACommentThatGoesOnByABackslash) {
+TEST(IncludeBlock, EndsBeforeACommentContinuedByABackslash) {
     EXPECT_THAT(texts("#include <a>\n// more \\\n#include <b>\n#include <c>\n"), ElementsAre("#include <a>"));
     EXPECT_THAT(texts("#include <a>\n// more \\ \t\r\n#include <b>\n"), ElementsAre("#include <a>"));
     EXPECT_THAT(texts("#include <a>\n// more ?\?/\n#include <b>\n"), ElementsAre("#include <a>"));
@@ -97,7 +97,7 @@ TEST(IncludeBlock, EndsBeforeACommentThatGoesOnByABackslash) {
     EXPECT_THAT(texts("// C:\\folder\n#include <a>\n"), ElementsAre("#include <a>"));
 }
 
-TEST(IncludeBlock, IsEmptyWhereTheSourceAsksWhereOrWhenItIs) {
+TEST(IncludeBlock, IsEmptyIfTheSourceUsesItsPlaceOrTime) {
     for (const char* asks :
          {"int n = __COUNTER__;", "__INCLUDE_LEVEL__", "__BASE_FILE__", "__DATE__", "__TIME__", "__TIMESTAMP__",
           "__FILE__", "#pragma once", "_Pragma(\"pack(1)\")", "__COUN\\\nTER__", "__FI\\ \t\nLE__"}) {
@@ -105,7 +105,7 @@ TEST(IncludeBlock, IsEmptyWhereTheSourceAsksWhereOrWhenItIs) {
     }
 }
 
-TEST(IncludeBlock, TakesEmptyAndCutOffSources) {
+TEST(IncludeBlock, AcceptsEmptyAndCutOffSources) {
     for (const char* source : {"", "\n", "#", "//", "/*", "/", "#include", "#include <", "#define ", "\xef\xbb\xbf"})
         EXPECT_THAT(texts(source), IsEmpty()) << source;
 }
@@ -115,7 +115,7 @@ TEST(WithoutDirectives, KeepsEveryLineColumnAndComment) {
               "// a\n               // c\r\n           \nint e;\n");
 }
 
-TEST(WithoutDirectives, TakesAsManyAsItIsTold) {
+TEST(WithoutDirectives, RemovesTheGivenNumberOfDirectives) {
     const std::string source = "#include <a>\n#include <b>\nint c;\n";
     EXPECT_EQ(harness::without_directives(source, include_block(source), 0), source);
     EXPECT_EQ(harness::without_directives(source, include_block(source), 1), "            \n#include <b>\nint c;\n");

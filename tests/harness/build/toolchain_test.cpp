@@ -1,19 +1,19 @@
-#include "harness/toolchain.h"
+#include "harness/build/toolchain.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include <fstream>
 
-#include "harness/build.h"
-#include "harness/failure.h"
-#include "temporary_folder.h"
+#include "harness/build/build.h"
+#include "harness/machine/errors.h"
+#include "tests/given/temporary_folder.h"
 
 namespace {
 
 using harness::toolchain_fingerprint;
 
-/// A stand-in that describes itself as g++ does, with one folder of headers and one of its parts.
+/// A stand-in compiler that describes itself as g++ does, with one folder of headers and one compiler part.
 std::filesystem::path compiler_in(const TemporaryFolder& folder, const std::string& version) {
     const std::string here = folder.path().string();
     const auto file = folder.write(
@@ -39,10 +39,9 @@ TEST(ToolchainFingerprint, IsTheSameWhileNothingChanges) {
     const auto real = harness::default_build_settings({}).compiler;
     EXPECT_EQ(toolchain_fingerprint(real), toolchain_fingerprint(real));
     EXPECT_NE(toolchain_fingerprint(real), machine.fingerprint());
-    EXPECT_EQ(harness::begin_toolchain_fingerprint(real).get(), toolchain_fingerprint(real));
 }
 
-TEST(ToolchainFingerprint, ChangesWithWhatTheCompilerSaysOfItself) {
+TEST(ToolchainFingerprint, ChangesWithTheCompilersDescription) {
     const Machine machine;
     const std::string before = machine.fingerprint();
     const auto time = std::filesystem::last_write_time(machine.compiler);
@@ -68,18 +67,19 @@ TEST(ToolchainFingerprint, ChangesWithAHeader) {
     EXPECT_NE(machine.fingerprint(), edited);
 }
 
-TEST(ToolchainFingerprint, ChangesWithAHeaderThatIsNewOrGone) {
+TEST(ToolchainFingerprint, ChangesWithAnAddedOrRemovedHeader) {
     const Machine machine;
     const std::string before = machine.fingerprint();
     const auto file = machine.folder.write("headers/glm/new.hpp", "");
     EXPECT_NE(machine.fingerprint(), before);
     std::filesystem::remove(file);
-    // The folder's own time has changed too: more is compiled anew than need be, never less.
+    // The folder's own time has changed too, so the fingerprint stays different. That recompiles too much, never too
+    // little.
     std::filesystem::remove(machine.folder.path() / "headers/glm/glm.hpp");
     EXPECT_NE(machine.fingerprint(), before);
 }
 
-TEST(ToolchainFingerprint, EndsWhereFoldersAreLinkedInACircle) {
+TEST(ToolchainFingerprint, EndsIfFoldersAreLinkedInACircle) {
     const Machine machine;
     std::filesystem::create_directory_symlink("..", machine.folder.path() / "headers/glm/circle");
     EXPECT_EQ(machine.fingerprint(), machine.fingerprint());
@@ -96,7 +96,7 @@ TEST(ToolchainFingerprint, IsTheSameWhicheverThreadFindsAFolderFirst) {
     for (int i = 0; i < 50; ++i) ASSERT_EQ(machine.fingerprint(), first);
 }
 
-TEST(ToolchainFingerprint, LooksBehindALinkToAFolder) {
+TEST(ToolchainFingerprint, FollowsALinkToAFolder) {
     const Machine machine;
     machine.folder.write("elsewhere/linked.hpp", "a");
     std::filesystem::create_directory_symlink("../elsewhere", machine.folder.path() / "headers/linked");
@@ -105,9 +105,8 @@ TEST(ToolchainFingerprint, LooksBehindALinkToAFolder) {
     EXPECT_NE(machine.fingerprint(), before);
 }
 
-TEST(ToolchainFingerprint, SaysThatThereIsNoCompiler) {
+TEST(ToolchainFingerprint, ReportsAMissingCompiler) {
     EXPECT_THROW(toolchain_fingerprint("/nonexistent/g++"), harness::HarnessError);
-    EXPECT_THROW(harness::begin_toolchain_fingerprint("/nonexistent/g++"), harness::HarnessError);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
-#include "harness/progress.h"
+#include "harness/commands/progress.h"
 
 #include <gmock/gmock.h>
+
+#include "harness/run/timeline.h"
 
 namespace {
 
@@ -10,26 +12,26 @@ using harness::Stage;
 using harness::Timeline;
 using testing::HasSubstr;
 
-TEST(ProgressText, TellsRateAndTimeLeft) {
+TEST(ProgressText, GivesRateAndTimeLeft) {
     EXPECT_EQ(progress_text(40, 100, 20s), "40 of 100, 2.0 a second, 30 s left");
     EXPECT_EQ(progress_text(100, 10000, 1s), "100 of 10000, 100 a second, 99 s left");
     EXPECT_EQ(progress_text(10, 10000, 10s), "10 of 10000, 1.0 a second, 166 min left");
 }
 
-TEST(ProgressText, HasNoRateBeforeTheFirstAndNoTimeLeftAfterTheLast) {
+TEST(ProgressText, OmitsTheRateBeforeTheFirstAndTheTimeLeftAfterTheLast) {
     EXPECT_EQ(progress_text(0, 100, 5s), "0 of 100");
     EXPECT_EQ(progress_text(100, 100, 50s), "100 of 100, 2.0 a second");
     EXPECT_EQ(progress_text(0, 0, 0s), "0 of 0");
     EXPECT_EQ(progress_text(3, 5, 0s), "3 of 5");
 }
 
-TEST(ShareText, TellsTimeLeftOnceThereIsSomethingToGoBy) {
+TEST(ShareText, GivesTheTimeLeftOnceWorkIsDone) {
     EXPECT_EQ(harness::share_text(0, 5s), "0 %");
     EXPECT_EQ(harness::share_text(0.25, 10s), "25 %, 30 s left");
     EXPECT_EQ(harness::share_text(1, 40s), "100 %");
 }
 
-TEST(ClosingLine, TellsWhereTheTimeWent) {
+TEST(ClosingLine, SaysWhereTheTimeWent) {
     Timeline timeline;
     const auto begin = Timeline::Clock::now();
     timeline.add(Stage::header, "h", begin, begin + 1500ms);
@@ -38,12 +40,12 @@ TEST(ClosingLine, TellsWhereTheTimeWent) {
     timeline.add(Stage::read, "a", begin, begin + 100ms);
     timeline.add(Stage::score, "a", begin, begin + 200ms);
     timeline.finished = 9;
-    timeline.from_store = 5;
+    timeline.from_cache = 5;
     timeline.by_header = 3;
     timeline.alike = 4;
     EXPECT_EQ(harness::closing_line(timeline),
-              "time, added up over all at work: compiling 2.2 s (1.5 s of it precompiled headers), running 0.3 s, "
-              "marking 0.3 s; 5 of 9 from earlier runs, 3 with a precompiled header, 4 that printed what another had");
+              "time, summed over all jobs: compiling 2.2 s (1.5 s of it precompiled headers), running 0.3 s, "
+              "marking 0.3 s; 5 of 9 from earlier runs, 3 with a precompiled header, 4 had the same output as another");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "harness/final_mark.h"
+#include "harness/grade/final_mark.h"
 
 #include <gtest/gtest.h>
 
@@ -24,14 +24,14 @@ Graded sample() {
     return graded;
 }
 
-TEST(FinalMark, IsTheAutomaticMarkWhereNothingReplacesIt) {
+TEST(FinalMark, IsTheAutomaticMarkWithoutOverrides) {
     const Graded graded = sample();
     EXPECT_EQ(final_mark(graded)->points, 7);
     EXPECT_EQ(final_mark(graded)->late_deduction, 0);
     EXPECT_EQ(final_points(graded, graded.score.questions[1]), 3);
 }
 
-TEST(FinalMark, AnOverriddenItemCountsInItsQuestionAndInTheWhole) {
+TEST(FinalMark, CountsAnOverriddenItemInItsQuestionAndInTheTotal) {
     Graded graded = sample();
     graded.overrides = {{6, "t", 4.5, "right idea", "ada", ""}};
     const QuestionScore& sphere = graded.score.questions[1];
@@ -42,20 +42,20 @@ TEST(FinalMark, AnOverriddenItemCountsInItsQuestionAndInTheWhole) {
     EXPECT_EQ(final_mark(graded)->points, 11.5);
 }
 
-TEST(FinalMark, TheLastOverrideOfAPlaceCounts) {
+TEST(FinalMark, UsesTheLastOverrideOfAPlace) {
     Graded graded = sample();
     graded.overrides = {{6, "t", 4.5, "right idea", "ada", ""}, {6, "t", 1, "on second thoughts", "ada", ""}};
     EXPECT_EQ(final_mark(graded)->points, 8);
 }
 
-TEST(FinalMark, AQuestionsOwnOverrideStandsBeforeThoseOfItsItems) {
+TEST(FinalMark, PrefersAQuestionsOverrideToThoseOfItsItems) {
     Graded graded = sample();
     graded.overrides = {{6, "", 9, "shown at the board", "ada", ""}, {6, "t", 1, "part", "ada", ""}};
     EXPECT_EQ(final_points(graded, graded.score.questions[1]), 9);
     EXPECT_EQ(final_mark(graded)->points, 13);
 }
 
-TEST(FinalMark, ALateHandInLosesItsShareOfOtherScenesToo) {
+TEST(FinalMark, DeductsLatenessFromPointsForOtherScenesToo) {
     Graded graded = sample();
     graded.late_share = 0.25;
     graded.score.other_scenes = ScenesScore{6, 10};
@@ -68,7 +68,7 @@ TEST(FinalMark, ALateHandInLosesItsShareOfOtherScenesToo) {
     EXPECT_EQ(final_mark(graded)->late_deduction, 0.25 * (7 + 10));
 }
 
-TEST(FinalMark, ALateHandInLosesItsShareOfWhatItEarned) {
+TEST(FinalMark, DeductsAShareOfTheEarnedPointsForLateness) {
     Graded graded = sample();
     graded.late_share = 0.25;
     graded.overrides = {{6, "t", 5, "right idea", "ada", ""}};
@@ -76,7 +76,7 @@ TEST(FinalMark, ALateHandInLosesItsShareOfWhatItEarned) {
     EXPECT_EQ(final_mark(graded)->late_deduction, 3);
 }
 
-TEST(FinalMark, TheWholesOverrideStandsAsItIsAlsoWhenLateOrNotGraded) {
+TEST(FinalMark, TakesAnOverriddenTotalUnchangedEvenIfLateOrNotGraded) {
     Graded graded = sample();
     graded.late_share = 0.25;
     graded.outcome = Outcome::not_graded;
@@ -86,7 +86,7 @@ TEST(FinalMark, TheWholesOverrideStandsAsItIsAlsoWhenLateOrNotGraded) {
     EXPECT_EQ(final_mark(graded)->late_deduction, 0);
 }
 
-TEST(FinalMark, AnOverrideOfAPartGivesNoMarkToWhatWasNotGraded) {
+TEST(FinalMark, IsMissingForAnUngradedSubmissionWithAPartialOverride) {
     Graded graded = sample();
     graded.outcome = Outcome::not_graded;
     graded.overrides = {{6, "t", 5, "right idea", "ada", ""}};

@@ -1,4 +1,4 @@
-#include "harness/stress/stress_report.h"
+#include "harness/grade/hard_scenes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "harness/stress/stress_json.h"
-#include "harness/stress/stress_sentences.h"
+#include "harness/grade/hard_scenes_json.h"
+#include "harness/grade/hard_scenes_sentences.h"
 
-namespace harness::stress {
+namespace harness::scenes {
 namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
 
-StressReport some_report() {
+HardScenesReport some_report() {
     HardResult lost{"far", "b² is large", "", "radius = 1", "", {}, {"Haines float keeps 6 digits."}};
     lost.items = {{6, "d", Loss::digits, 2, 4, ""}, {6, "t", Loss::not_a_number, 0, 0, "far root"}};
     HardResult left_out{"near", "", "the source was not found to state vup", "", "", {}, {}};
@@ -23,12 +23,12 @@ StressReport some_report() {
     return {{"vup"}, {lost, left_out, kept}};
 }
 
-TEST(StressReport, CountsWhatSurvives) {
+TEST(HardScenesReport, CountsSurvivedScenes) {
     EXPECT_EQ(some_report().tried(), 2U);
     EXPECT_EQ(some_report().survived(), 1U);
 }
 
-TEST(StressReport, IsWrittenAsReadmeSays) {
+TEST(HardScenesReport, IsWrittenAsReadmeDescribes) {
     const auto item = [](int question, const char* name, const char* loss) {
         return nlohmann::json{
             {"question", question},      {"item", name},        {"loss", loss}, {"digits_kept", nullptr},
@@ -59,14 +59,14 @@ TEST(StressReport, IsWrittenAsReadmeSays) {
     inside["asks"] = "the far root counts";
     inside["changes"] = "radius = 7";
     ended["ended"] = "The program crashed there.";
-    StressReport report = some_report();
+    HardScenesReport report = some_report();
     report.scenes.push_back({"ended", "it", "", "", "The program crashed there.", {}, {}});
-    EXPECT_EQ(nlohmann::json(stress_json(report)),
+    EXPECT_EQ(nlohmann::json(hard_scenes_json(report)),
               nlohmann::json(
                   {{"survived", 1}, {"tried", 3}, {"not_found", {"vup"}}, {"scenes", {far, near, inside, ended}}}));
 }
 
-TEST(StressReport, NamesEveryLoss) {
+TEST(HardScenesReport, NamesEveryLoss) {
     struct Named {
         Loss loss;
         std::string name, words;
@@ -79,31 +79,32 @@ TEST(StressReport, NamesEveryLoss) {
                                     {Loss::miss_hit, "miss_hit", "the ray misses, but a value is printed"},
                                     {Loss::other_first, "other_first", "another object is first, or none"}};
     for (const auto& [loss, name, words] : all) {
-        const StressReport report{{}, {{"far", "", "", "", "", {{6, "t", loss, 0, 0, ""}}, {}}}};
-        const auto json = stress_json(report);
+        const HardScenesReport report{{}, {{"far", "", "", "", "", {{6, "t", loss, 0, 0, ""}}, {}}}};
+        const auto json = hard_scenes_json(report);
         EXPECT_EQ(json["scenes"][0]["items"][0]["loss"], name);
         EXPECT_EQ(json["scenes"][0]["verdict"], loss == Loss::digits ? "survives" : "breaks") << name;
-        EXPECT_EQ(stress_json(stress_from_json(json)), json) << name;
+        EXPECT_EQ(hard_scenes_json(hard_scenes_from_json(json)), json) << name;
         EXPECT_EQ(losses_in_words(report.scenes[0].items), words + ": 6.t");
     }
 }
 
-TEST(StressReport, IsReadBackAsItWasWritten) {
-    const auto json = stress_json(some_report());
-    EXPECT_EQ(stress_json(stress_from_json(json)), json);
+TEST(HardScenesReport, ReadsBackAsItWasWritten) {
+    const auto json = hard_scenes_json(some_report());
+    EXPECT_EQ(hard_scenes_json(hard_scenes_from_json(json)), json);
     auto broken = nlohmann::json(json);
     broken["scenes"][0]["items"][0]["loss"] = "nothing";
-    EXPECT_THROW(stress_from_json(broken), std::invalid_argument);
+    EXPECT_THROW(hard_scenes_from_json(broken), std::invalid_argument);
 }
 
-TEST(StressSentences, SayWhatIsLostAndWhatWouldDoBetter) {
-    const auto sentences = stress_sentences(some_report());
+TEST(HardScenesSentences, NameTheLossAndABetterFormula) {
+    const auto sentences = hard_scenes_sentences(some_report());
     ASSERT_EQ(sentences.size(), 2U);
     EXPECT_THAT(sentences[0], HasSubstr("1 of 2 hard scenes"));
     EXPECT_THAT(sentences[1], AllOf(HasSubstr("nan or inf: 6.t (far root)"), HasSubstr("6.d (2 of 4 digits)"),
                                     HasSubstr("Haines float keeps 6 digits.")));
-    EXPECT_THAT(stress_text(some_report()), HasSubstr("near: left out\n    the source was not found to state vup"));
+    EXPECT_THAT(hard_scenes_text(some_report()),
+                HasSubstr("near: left out\n    the source was not found to state vup"));
 }
 
 }  // namespace
-}  // namespace harness::stress
+}  // namespace harness::scenes

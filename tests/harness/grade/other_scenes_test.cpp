@@ -1,4 +1,4 @@
-#include "harness/variants/variant_report.h"
+#include "harness/grade/other_scenes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "harness/variants/variant_sentences.h"
+#include "harness/grade/other_scenes_sentences.h"
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
 using testing::ElementsAre;
@@ -46,178 +46,179 @@ Score answered(const Answered& t, const Answered& u, const Answered& verdict = {
     return score;
 }
 
-VariantReport compared(const Score& base, const std::vector<Score>& scores, std::vector<UntriedScene> not_tried = {}) {
-    std::vector<VariantRun> runs;
+OtherScenesReport compared(const Score& base, const std::vector<Score>& scores,
+                           std::vector<UntriedScene> not_tried = {}) {
+    std::vector<OtherSceneRun> runs;
     for (const Score& score : scores)
         runs.push_back({"scene " + std::to_string(runs.size() + 1), "eye = (1, 2, 3)", "eye = (0, 0, 4)", true, score});
     return compare(base, std::move(runs), std::move(not_tried), {"vup"});
 }
 
-std::vector<std::string> names(const std::vector<ItemOnVariant>& items) {
+std::vector<std::string> names(const std::vector<ItemOnOtherScene>& items) {
     std::vector<std::string> result;
-    for (const ItemOnVariant& item : items) result.push_back(std::to_string(item.question) + "." + item.item);
+    for (const ItemOnOtherScene& item : items) result.push_back(std::to_string(item.question) + "." + item.item);
     return result;
 }
 
-TEST(CompareVariants, ComputesWhereAllStaysRight) {
-    const VariantReport report =
+TEST(CompareOtherScenes, FindsComputingIfAllStaysRight) {
+    const OtherScenesReport report =
         compared(answered({"1", right}, {"0.5", right}),
                  {answered({"2", right}, {"0.5", right}), answered({"3", right}, {"0.25", right})});
-    EXPECT_EQ(report.verdict, VariantVerdict::computes);
+    EXPECT_EQ(report.verdict, OtherSceneVerdict::computes);
     EXPECT_EQ(report.moved, 2);
     EXPECT_THAT(report.not_found, ElementsAre("vup"));
-    for (const VariantRun& run : report.runs) EXPECT_THAT(run.score.questions, IsEmpty());
+    for (const OtherSceneRun& run : report.runs) EXPECT_THAT(run.score.questions, IsEmpty());
 }
 
-TEST(CompareVariants, ComputesWhatStaysAsItIsBecauseThatIsRight) {
-    const VariantReport report =
+TEST(CompareOtherScenes, FindsComputingIfAnUnchangedAnswerIsRight) {
+    const OtherScenesReport report =
         compared(answered({"1", right}, {"0.5", right}),
                  {answered({"2", right}, {"0.5", right}), answered({"3", right}, {"0.5", right})});
-    EXPECT_EQ(report.verdict, VariantVerdict::computes);
+    EXPECT_EQ(report.verdict, OtherSceneVerdict::computes);
     EXPECT_EQ(report.moved, 1);
 }
 
-TEST(CompareVariants, ComputesWhatFollowsFromAnEarlierMistake) {
+TEST(CompareOtherScenes, FindsComputingIfAnswersFollowFromAnEarlierMistake) {
     EXPECT_EQ(compared(answered({"1", right}, {"0.5", right}), {answered({"2", right}, {"0.7", follow})}).verdict,
-              VariantVerdict::computes);
+              OtherSceneVerdict::computes);
 }
 
-TEST(CompareVariants, BreaksWhereARightAnswerMovesToAWrongOne) {
-    const VariantReport report =
+TEST(CompareOtherScenes, FindsABreakIfARightAnswerBecomesWrong) {
+    const OtherScenesReport report =
         compared(answered({"1", right}, {"0.5", right}),
                  {answered({"2", wrong}, {"0.5", right}), answered({"", missing}, {"0.1", right})});
-    EXPECT_EQ(report.verdict, VariantVerdict::breaks);
+    EXPECT_EQ(report.verdict, OtherSceneVerdict::breaks);
     EXPECT_THAT(names(report.broken), ElementsAre("8.t", "8.t"));
     EXPECT_THAT(report.unmoved, IsEmpty());
     EXPECT_EQ(report.broken[1].run, 1U);
 }
 
-TEST(CompareVariants, NamesWhatBreaksRunByRun) {
+TEST(CompareOtherScenes, NamesBrokenAnswersPerRun) {
     const Score broken = answered({"2", wrong}, {"0.1", wrong});
     EXPECT_THAT(names(compared(answered({"1", right}, {"0.5", right}), {broken, broken}).broken),
                 ElementsAre("8.t", "8.u", "8.t", "8.u"));
 }
 
-TEST(CompareVariants, DoesNotMoveWhereTheSameNumberIsWrongTwice) {
-    const VariantReport report =
+TEST(CompareOtherScenes, FindsNoMoveIfTheSameNumberIsWrongTwice) {
+    const OtherScenesReport report =
         compared(answered({"1", right}, {"0.50", right}),
                  {answered({"2", right}, {"0.50", wrong}), answered({"3", right}, {"0.50", follow})});
-    EXPECT_EQ(report.verdict, VariantVerdict::does_not_move);
+    EXPECT_EQ(report.verdict, OtherSceneVerdict::does_not_move);
     EXPECT_THAT(names(report.unmoved), ElementsAre("8.u"));
     EXPECT_EQ(report.moved, 1);
     EXPECT_THAT(report.broken, IsEmpty()) << "it is told once";
 }
 
-TEST(CompareVariants, DoesNotMoveEvenWhereOtherAnswersBreak) {
-    const VariantReport report =
+TEST(CompareOtherScenes, FindsNoMoveEvenIfOtherAnswersBreak) {
+    const OtherScenesReport report =
         compared(answered({"1", right}, {"0.5", right}),
                  {answered({"2", wrong}, {"0.5", wrong}), answered({"3", wrong}, {"0.5", wrong})});
-    EXPECT_EQ(report.verdict, VariantVerdict::does_not_move);
+    EXPECT_EQ(report.verdict, OtherSceneVerdict::does_not_move);
     EXPECT_THAT(names(report.unmoved), ElementsAre("8.u"));
     EXPECT_THAT(names(report.broken), ElementsAre("8.t", "8.t"));
 }
 
-TEST(CompareVariants, LooksAtTheNumbersAndNotAtTheBlanks) {
-    const VariantReport report =
+TEST(CompareOtherScenes, ComparesNumbersAndIgnoresBlanks) {
+    const OtherScenesReport report =
         compared(answered({"(1, 2)", right}, {"0.5", right}),
                  {answered({"(1,  2)", wrong}, {"0.1", right}), answered({"(1,\t2)\n", wrong}, {"0.2", right})});
-    EXPECT_EQ(report.verdict, VariantVerdict::does_not_move);
+    EXPECT_EQ(report.verdict, OtherSceneVerdict::does_not_move);
 }
 
-TEST(CompareVariants, BelievesOneRunWhereThereIsNoOther) {
+TEST(CompareOtherScenes, BelievesTheOnlyRunThatWasWanted) {
     EXPECT_EQ(compared(answered({"1", right}, {"0.5", right}), {answered({"2", right}, {"0.5", wrong})}).verdict,
-              VariantVerdict::does_not_move);
+              OtherSceneVerdict::does_not_move);
 }
 
-TEST(CompareVariants, DoesNotBelieveTheOneRunThatIsLeft) {
-    const VariantReport report =
+TEST(CompareOtherScenes, DoesNotBelieveASingleRunIfOthersFailed) {
+    const OtherScenesReport report =
         compared(answered({"1", right}, {"0.5", right}), {answered({"2", right}, {"0.5", wrong})}, {{"a", "", "x"}});
-    EXPECT_EQ(report.verdict, VariantVerdict::breaks);
+    EXPECT_EQ(report.verdict, OtherSceneVerdict::breaks);
     EXPECT_THAT(report.not_tried, SizeIs(1));
 }
 
-TEST(CompareVariants, GivesEachRunTheShareOfItsPoints) {
+TEST(CompareOtherScenes, GivesEachRunItsShareOfThePoints) {
     Score three_quarters = answered({"2", right}, {"0.1", wrong});
     three_quarters.points = 3;
     three_quarters.max_points = 4;
     Score one_quarter = answered({"3", wrong}, {"0.2", wrong});
     one_quarter.points = 5;
     one_quarter.max_points = 20;
-    const VariantReport report = compared(answered({"1", right}, {"0.5", right}),
-                                          {three_quarters, one_quarter, answered({"", missing}, {"", missing})});
+    const OtherScenesReport report = compared(answered({"1", right}, {"0.5", right}),
+                                              {three_quarters, one_quarter, answered({"", missing}, {"", missing})});
     ASSERT_THAT(report.runs, SizeIs(3));
     EXPECT_EQ(report.runs[0].share, 0.75);
     EXPECT_EQ(report.runs[1].share, 0.25);
     EXPECT_EQ(report.runs[2].share, 0);
 }
 
-TEST(CompareVariants, IsNotSureAfterOneCoincidenceOfTwo) {
-    const VariantReport report =
+TEST(CompareOtherScenes, TakesOneCoincidenceInTwoRunsAsNoProof) {
+    const OtherScenesReport report =
         compared(answered({"7", right}, {"0.5", right}),
                  {answered({"7", wrong}, {"0.1", right}), answered({"7", right}, {"0.2", right})});
-    EXPECT_EQ(report.verdict, VariantVerdict::breaks);
+    EXPECT_EQ(report.verdict, OtherSceneVerdict::breaks);
     EXPECT_THAT(report.unmoved, IsEmpty());
 }
 
-TEST(CompareVariants, MovesWithAnyOtherPrint) {
-    const VariantReport report =
+TEST(CompareOtherScenes, TakesAnyDifferentPrintAsAMove) {
+    const OtherScenesReport report =
         compared(answered({"1", right}, {"0.5", right}),
                  {answered({"1", wrong}, {"0.1", right}), answered({"1.5", wrong}, {"0.2", right}),
                   answered({"1", wrong}, {"0.3", right})});
     EXPECT_THAT(report.unmoved, IsEmpty());
-    EXPECT_EQ(report.verdict, VariantVerdict::breaks);
+    EXPECT_EQ(report.verdict, OtherSceneVerdict::breaks);
 }
 
-TEST(CompareVariants, SaysNothingOfTheSentenceOfQuestion10) {
-    const VariantReport report = compared(answered({"1", right}, {"0.5", right}, {"1 of 2: sphere", right}),
-                                          {answered({"2", right}, {"0.1", right}, {"1 of 2: sphere", wrong}),
-                                           answered({"3", right}, {"0.2", right}, {"1 of 2: sphere", wrong})});
-    EXPECT_EQ(report.verdict, VariantVerdict::breaks);
+TEST(CompareOtherScenes, IgnoresTheSentenceOfQuestion10) {
+    const OtherScenesReport report = compared(answered({"1", right}, {"0.5", right}, {"1 of 2: sphere", right}),
+                                              {answered({"2", right}, {"0.1", right}, {"1 of 2: sphere", wrong}),
+                                               answered({"3", right}, {"0.2", right}, {"1 of 2: sphere", wrong})});
+    EXPECT_EQ(report.verdict, OtherSceneVerdict::breaks);
     EXPECT_THAT(report.unmoved, IsEmpty());
 }
 
-TEST(CompareVariants, SaysNothingOfNoneAndZero) {
+TEST(CompareOtherScenes, IgnoresNoneAndZero) {
     for (const std::string print : {"none", "none, as d = -12", "0.000", "-0"}) {
-        const VariantReport report =
+        const OtherScenesReport report =
             compared(answered({print, right}, {"0.5", right}),
                      {answered({print, wrong}, {"0.1", right}), answered({print, wrong}, {"0.2", right})});
-        EXPECT_EQ(report.verdict, VariantVerdict::breaks) << print;
+        EXPECT_EQ(report.verdict, OtherSceneVerdict::breaks) << print;
         EXPECT_THAT(report.unmoved, IsEmpty());
     }
 }
 
-TEST(CompareVariants, SaysNothingOfTooFewDecimals) {
+TEST(CompareOtherScenes, IgnoresAnswersWithTooFewDecimals) {
     Score coarse = answered({"2.1", wrong}, {"0.1", right});
     coarse.questions[0].items[0].diagnosis = "too few decimals";
-    EXPECT_EQ(compared(answered({"1", right}, {"0.5", right}), {coarse}).verdict, VariantVerdict::computes);
+    EXPECT_EQ(compared(answered({"1", right}, {"0.5", right}), {coarse}).verdict, OtherSceneVerdict::computes);
 }
 
-TEST(CompareVariants, SaysNothingOfWhatWasWrongBefore) {
-    const VariantReport report =
+TEST(CompareOtherScenes, IgnoresAnswersThatWereWrongBefore) {
+    const OtherScenesReport report =
         compared(answered({"1", wrong}, {"0.5", right}),
                  {answered({"1", wrong}, {"0.1", right}), answered({"1", wrong}, {"0.2", right})});
-    EXPECT_EQ(report.verdict, VariantVerdict::computes);
+    EXPECT_EQ(report.verdict, OtherSceneVerdict::computes);
 }
 
-TEST(CompareVariants, FindsNothingWithoutARun) {
-    EXPECT_EQ(compared(answered({"1", right}, {"0.5", right}), {}).verdict, VariantVerdict::not_found);
-    EXPECT_THAT(variant_sentences(compared(answered({"1", right}, {"0.5", right}), {})), IsEmpty());
+TEST(CompareOtherScenes, FindsNothingWithoutARun) {
+    EXPECT_EQ(compared(answered({"1", right}, {"0.5", right}), {}).verdict, OtherSceneVerdict::not_found);
+    EXPECT_THAT(other_scenes_sentences(compared(answered({"1", right}, {"0.5", right}), {})), IsEmpty());
 }
 
-TEST(VariantSentences, PutTheEvidenceSideBySide) {
-    const VariantReport report =
+TEST(OtherScenesSentences, ShowTheEvidenceSideBySide) {
+    const OtherScenesReport report =
         compared(answered({"1", right}, {"0.50", right}),
                  {answered({"1", wrong}, {"0.50", wrong}), answered({"1", wrong}, {"0.50", wrong})});
     EXPECT_EQ(
         unmoved_evidence(report),
         "Question 8, u: the program prints 0.50 with eye = (0, 0, 4), and 0.50 with eye = (1, 2, 3) in its source. "
         "The same holds for 8.t. No other answer changes.");
-    EXPECT_THAT(variant_sentences(report),
+    EXPECT_THAT(other_scenes_sentences(report),
                 ElementsAre(HasSubstr("2 other scenes"),
                             "The printed numbers of 8.t, 8.u do not change when the scene in the source does."));
 }
 
-TEST(VariantSentences, CountWhatReadsOtherwise) {
+TEST(OtherScenesSentences, CountAnswersThatChanged) {
     const auto evidence = [](const Score& base, const Score& other) {
         return unmoved_evidence(compared(base, {other}));
     };
@@ -228,10 +229,10 @@ TEST(VariantSentences, CountWhatReadsOtherwise) {
                 HasSubstr("in its source. 2 answers that were right read otherwise there."));
 }
 
-TEST(VariantSentences, NameWhatWasNotFoundAndEachScenesOwn) {
-    const auto sentences =
-        variant_sentences(compared(answered({"1", right}, {"0.5", right}),
-                                   {answered({"2", wrong}, {"0.1", right}), answered({"3", right}, {"0.2", wrong})}));
+TEST(OtherScenesSentences, NameMissingPartsAndTheFindingsOfEachScene) {
+    const auto sentences = other_scenes_sentences(
+        compared(answered({"1", right}, {"0.5", right}),
+                 {answered({"2", wrong}, {"0.1", right}), answered({"3", right}, {"0.2", wrong})}));
     EXPECT_THAT(sentences,
                 ElementsAre("The program was also run on 2 other scenes, with other numbers for the scene in its "
                             "source (not found there, and left as they are: vup).",
@@ -239,12 +240,12 @@ TEST(VariantSentences, NameWhatWasNotFoundAndEachScenesOwn) {
                             "With eye = (1, 2, 3) (scene 2) no longer right: 8.u."));
 }
 
-TEST(VariantSentences, NameTheScenesThatWereNotTriedByTheirReason) {
+TEST(OtherScenesSentences, NameUntriedScenesWithTheReason) {
     const UntriedScene compiles{"triangle in front", "radius = 3", "the source does not compile with its numbers"};
     const UntriedScene fails{"far sphere, grazed", "radius = 3", "something went wrong"};
     const UntriedScene without{"", "", "no further one"};
     const Score base = answered({"1", right}, {"0.5", right});
-    const auto sentences = variant_sentences(
+    const auto sentences = other_scenes_sentences(
         compared(base, {answered({"2", right}, {"0.1", right})}, {compiles, fails, compiles, without}));
     ASSERT_THAT(sentences, SizeIs(5));
     EXPECT_THAT(sentences[0], HasSubstr("also run on 1 other scene, with"));
@@ -255,21 +256,21 @@ TEST(VariantSentences, NameTheScenesThatWereNotTriedByTheirReason) {
                       "The program could not be run on 1 of 5 other scenes (far sphere, grazed): something went "
                       "wrong.",
                       "The program could not be run on 1 of 5 other scenes: no further one."}));
-    EXPECT_THAT(variant_sentences(compared(base, {}, {compiles, compiles})),
+    EXPECT_THAT(other_scenes_sentences(compared(base, {}, {compiles, compiles})),
                 ElementsAre("The program could not be run on any of 2 other scenes: the source does not compile with "
                             "its numbers."));
-    EXPECT_THAT(variant_sentences(compared(base, {}, {fails})),
+    EXPECT_THAT(other_scenes_sentences(compared(base, {}, {fails})),
                 ElementsAre("The program could not be run on another scene: something went wrong."));
 }
 
-TEST(VariantSentences, NameWhatBreaksWithItsScene) {
+TEST(OtherScenesSentences, NameBrokenAnswersWithTheirScene) {
     Score score = answered({"2", wrong}, {"", missing});
     score.questions[0].items[0].diagnosis = "far root";
-    const auto sentences = variant_sentences(compared(answered({"1", right}, {"0.5", right}), {score}));
+    const auto sentences = other_scenes_sentences(compared(answered({"1", right}, {"0.5", right}), {score}));
     ASSERT_THAT(sentences, SizeIs(2));
     EXPECT_THAT(sentences[0], HasSubstr("on 1 other scene, with"));
     EXPECT_EQ(sentences[1], "With eye = (1, 2, 3) (scene 1) no longer right: 8.t (far root), 8.u (nothing printed).");
 }
 
 }  // namespace
-}  // namespace harness::variants
+}  // namespace harness::scenes

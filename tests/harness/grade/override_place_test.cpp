@@ -1,10 +1,10 @@
-#include "harness/override_place.h"
+#include "harness/grade/override_place.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "harness/find_submissions.h"
-#include "tests/report/graded_samples.h"
+#include "harness/machine/errors.h"
+#include "tests/given/report/graded_samples.h"
 
 namespace harness {
 namespace {
@@ -39,7 +39,7 @@ TEST(OverridePlace, IsAnItemAQuestionOrTheTotal) {
     EXPECT_EQ(read_place("total", one).question, 0);
 }
 
-TEST(OverridePlace, ThatThereIsNotIsToldWithTheNearOnes) {
+TEST(OverridePlace, IsRefusedWithSimilarNamesIfUnknown) {
     const Graded one = graded("zoe", output_with_a_mistake());
     EXPECT_THAT(refused_place("6.T", one), HasSubstr("did you mean 6.t"));
     EXPECT_THAT(refused_place("Total", one), HasSubstr("did you mean total?"));
@@ -50,13 +50,13 @@ TEST(OverridePlace, ThatThereIsNotIsToldWithTheNearOnes) {
     EXPECT_THAT(refused_place("6.\x1b", one), AllOf(HasSubstr("\\x1b"), testing::Not(HasSubstr("\x1b"))));
 }
 
-TEST(OverridePlace, OfWhatWasNotGradedIsOnlyTheTotal) {
+TEST(OverridePlace, CanOnlyBeTheTotalOfAnUngradedSubmission) {
     EXPECT_THAT(refused_place("6.t", not_graded("bob")), AllOf(HasSubstr("not graded"), HasSubstr("total")));
     EXPECT_THAT(refused_place("6", not_graded("bob")), HasSubstr("total"));
     EXPECT_EQ(read_place("total", not_graded("bob")).question, 0);
 }
 
-TEST(OverridePoints, AreANumberFromZeroToAMillion) {
+TEST(OverridePoints, MustBeANumberFromZeroToAMillion) {
     EXPECT_EQ(read_override_points("0"), 0);
     EXPECT_EQ(read_override_points("1.25"), 1.25);
     EXPECT_EQ(read_override_points("1000000"), 1e6);
@@ -65,7 +65,7 @@ TEST(OverridePoints, AreANumberFromZeroToAMillion) {
         EXPECT_THAT(refusal([&] { read_override_points(text); }), HasSubstr("no number of points")) << text;
 }
 
-TEST(OverrideReason, IsOneLineAndNeverBlank) {
+TEST(OverrideReason, MustBeOneLineAndNotBlank) {
     EXPECT_EQ(read_line("  right\nidea\t\x1b ", "--why"), "right idea \\x1b");
     for (const char* text : {"", " ", "\n\t "})
         EXPECT_THAT(refusal([&] { read_line(text, "--why"); }), HasSubstr("--why: is blank")) << text;
@@ -73,7 +73,7 @@ TEST(OverrideReason, IsOneLineAndNeverBlank) {
     EXPECT_THAT(refusal([&] { read_line(std::string(2001, 'x'), "--why"); }), HasSubstr("2001 bytes"));
 }
 
-TEST(PointsAt, AreThoseOfThePlace) {
+TEST(PointsAt, GivesThePointsOfThePlace) {
     const Graded one = graded("zoe", output_with_a_mistake());
     EXPECT_EQ(points_at(one.score, {6, "t", 0, "", "", ""})->automatic, 0);
     EXPECT_NEAR(points_at(one.score, {6, "t", 0, "", "", ""})->most, 10.0 / 6, 1e-9);
@@ -83,7 +83,7 @@ TEST(PointsAt, AreThoseOfThePlace) {
     EXPECT_FALSE(points_at(one.score, {11, "", 0, "", "", ""}));
 }
 
-TEST(Attach, GivesEachSubmissionItsOwnAndTellsOfTheRest) {
+TEST(Attach, GivesEachSubmissionItsOverridesAndReportsTheRest) {
     std::vector<Graded> all = {graded("ada", output_with_a_mistake()), graded("zoe", "")};
     const std::vector<KeptOverride> kept = {{"zoe", {6, "t", 1, "why", "me", ""}},
                                             {"gone", {6, "t", 1, "why", "me", ""}},

@@ -1,10 +1,10 @@
-#include "harness/feedback_changes.h"
+#include "harness/gradebook/changed_feedback.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "harness/report/feedback_changes.h"
-#include "tests/report/graded_samples.h"
+#include "harness/report/text/changed_feedback.h"
+#include "tests/given/report/graded_samples.h"
 
 namespace harness {
 namespace {
@@ -28,24 +28,26 @@ Graded plain() {
 
 Graded with_all() {
     Graded one = plain();
-    one.other_scenes = variants::VariantReport{};
-    one.hard_scenes = stress::StressReport{};
+    one.other_scenes = scenes::OtherScenesReport{};
+    one.hard_scenes = scenes::HardScenesReport{};
     one.sanitizer = {"runtime error: division by zero"};
     one.flags = {{"nondeterministic", "Question 5 differs."}, {"hard_coded", "Question 5 does not move."}};
     return one;
 }
 
-TEST(FeedbackChanges, NameEachPartThatIsNewOrGoneWithItsOption) {
+TEST(FeedbackChanges, NameEachAddedOrRemovedPartWithItsOption) {
     EXPECT_EQ(told(plain(), with_all()),
-              "Beside the marks: other scenes new in 1; hard scenes new in 1; sanitizers' findings new in 1; "
+              "Apart from the marks, by number of submissions: other scenes new in 1; hard scenes new in 1; "
+              "sanitizers' findings new in 1; "
               "flag hard_coded new in 1; flag nondeterministic new in 1.\n");
     EXPECT_EQ(told(with_all(), plain()),
-              "Beside the marks: other scenes gone from 1 (see --variants); hard scenes gone from 1 (see --stress); "
+              "Apart from the marks, by number of submissions: other scenes gone from 1 (see --variants); hard scenes "
+              "gone from 1 (see --stress); "
               "sanitizers' findings gone from 1 (see --sanitize); flag hard_coded gone from 1 (see --variants); "
               "flag nondeterministic gone from 1 (see --repeat).\n");
 }
 
-TEST(FeedbackChanges, NameEachPartThatIsAnother) {
+TEST(FeedbackChanges, NameEachChangedPart) {
     Graded after = with_all();
     after.other_scenes->moved = 3;
     after.hard_scenes->not_found = {"eye"};
@@ -57,18 +59,19 @@ TEST(FeedbackChanges, NameEachPartThatIsAnother) {
     after.submission.notes = {"another file"};
     after.explanation = "The program ended with exit code 1.";
     EXPECT_EQ(told(with_all(), after),
-              "Beside the marks: other scenes another in 1; hard scenes another in 1; sanitizers' findings another in "
-              "1; flag hard_coded another in 1; answers another in 1; compiler's messages another in 1; standard error "
-              "another in 1; notes another in 1; details another in 1.\n");
+              "Apart from the marks, by number of submissions: other scenes changed in 1; hard scenes changed in 1; "
+              "sanitizers' findings changed in "
+              "1; flag hard_coded changed in 1; answers changed in 1; compiler's messages changed in 1; standard error "
+              "changed in 1; notes changed in 1; details changed in 1.\n");
 }
 
-TEST(FeedbackChanges, OfOneWhoseMarksMovedAreWhatIsNewOrGone) {
+TEST(FeedbackChanges, NameOnlyAddedOrRemovedPartsIfTheMarkChanged) {
     Graded after = with_all();
     after.hard_scenes->not_found = {"eye"};
     after.sanitizer.clear();
     after.build.diagnostics = "warning";
     EXPECT_EQ(told(with_all(), after, Marks::moved),
-              "Beside the marks: sanitizers' findings gone from 1 (see --sanitize).\n");
+              "Apart from the marks, by number of submissions: sanitizers' findings gone from 1 (see --sanitize).\n");
     EXPECT_EQ(told(plain(), graded("ada", ""), Marks::moved), "");
 }
 
@@ -88,11 +91,11 @@ TEST(FeedbackChanges, AreCountedOverAClass) {
     EXPECT_EQ(changes.differing, 2U) << "without the one whose marks moved, and the one that was only slower";
     EXPECT_EQ(changes.remeasured, 1U);
     EXPECT_THAT(told(changes), testing::HasSubstr("flag hard_coded new in 1, gone from 2 (see --variants);"));
-    EXPECT_THAT(told(changes), testing::EndsWith("; nothing but time and memory in 1.\n"));
+    EXPECT_THAT(told(changes), testing::EndsWith("; only time and memory in 1.\n"));
     EXPECT_EQ(told(FeedbackChanges{}), "");
 }
 
-TEST(FeedbackChanges, OfTwoPartsOfAClassAddUp) {
+TEST(FeedbackChanges, AddUpOverPartsOfAClass) {
     FeedbackChanges all, one, other;
     const auto add_to_both = [&](FeedbackChanges& part, const Graded& before, const Graded& after, Marks marks) {
         add_feedback(all, before, after, marks);

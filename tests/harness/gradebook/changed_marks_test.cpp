@@ -1,11 +1,11 @@
-#include "harness/class_changes.h"
+#include "harness/gradebook/changed_marks.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "harness/report/class_changes.h"
-#include "tests/report/graded_samples.h"
-#include "tests/student/scenes.h"
+#include "harness/report/text/changed_marks.h"
+#include "tests/given/report/graded_samples.h"
+#include "tests/given/student/scenes.h"
 
 namespace harness {
 namespace {
@@ -24,7 +24,7 @@ ItemScore& t_of(Graded& one) {
     return one.score.questions[5].items[4];
 }
 
-/// `points` for question 6's t, as the score would have them.
+/// A score with `points` for question 6's t.
 Graded with_t(ItemVerdict verdict, double points) {
     Graded one = graded("zoe", output_with_a_mistake());
     t_of(one).verdict = verdict;
@@ -40,13 +40,13 @@ ClassChanges filed(const Graded& before, const Graded& after) {
     return changes;
 }
 
-TEST(ClassChanges, AreNoneBetweenTheSame) {
+TEST(ClassChanges, AreNoneBetweenEqualClasses) {
     const Graded one = with_t(ItemVerdict::wrong, 0);
     EXPECT_THAT(change_between(one, one).reasons, IsEmpty());
     EXPECT_EQ(filed(one, one).untouched, 1U);
 }
 
-TEST(ClassChanges, SayByWhichItemAMarkRisesOrFalls) {
+TEST(ClassChanges, NameTheItemByWhichAMarkRisesOrFalls) {
     const Graded low = with_t(ItemVerdict::wrong, 0), high = with_t(ItemVerdict::right, 1.5);
     const ClassChanges up = filed(low, high), down = filed(high, low);
     ASSERT_THAT(up.rising, SizeIs(1));
@@ -56,17 +56,17 @@ TEST(ClassChanges, SayByWhichItemAMarkRisesOrFalls) {
     EXPECT_THAT(down.falling[0].reasons, ElementsAre("6.t right -> wrong (-1.5)"));
 }
 
-TEST(ClassChanges, TellARubricsOtherPointsFromAnotherVerdict) {
+TEST(ClassChanges, DistinguishChangedPointsFromAChangedVerdict) {
     EXPECT_THAT(filed(with_t(ItemVerdict::follow, 1), with_t(ItemVerdict::follow, 0.5)).falling.at(0).reasons,
                 ElementsAre("6.t still follow (-0.5)"));
 }
 
-TEST(ClassChanges, TellOfWhichPointsAMarkIs) {
+TEST(ClassChanges, SayWhenTheMaximumChanges) {
     const Graded before = with_t(ItemVerdict::wrong, 0);
     Graded after = before;
     after.score.max_points += 10;
     EXPECT_THAT(report::changes_summary(filed(before, after)),
-                EndsWith("1 stays as it is.\nMarks are of 110 points now, of 100 before."));
+                EndsWith("1 stays as it is.\nMarks are now out of 110 points, previously out of 100."));
     EXPECT_THAT(report::changes_summary(filed(before, before)), EndsWith("1 stays as it is."));
 }
 
@@ -85,19 +85,19 @@ TEST(ClassChanges, NameSourceOutcomeAndLateness) {
     EXPECT_THAT(change_between(after, before).reasons.front(), "no source any more");
 }
 
-/// With so many points of 10 for other scenes: one run, and `not_tried` more.
+/// A submission with `points` of 10 for other scenes: one scene was run, `not_tried` further scenes were not.
 Graded with_scenes(double points, std::size_t not_tried, std::optional<std::uint64_t> seed) {
     Graded one = with_t(ItemVerdict::wrong, 0);
     one.score.other_scenes = ScenesScore{points, 10};
     one.score.points += points;
-    one.other_scenes = variants::VariantReport{};
+    one.other_scenes = scenes::OtherScenesReport{};
     one.other_scenes->runs.resize(1);
     one.other_scenes->not_tried.resize(not_tried);
     one.other_scenes->seed = seed;
     return one;
 }
 
-TEST(ClassChanges, SayOnWhichOtherScenesPointsMoved) {
+TEST(ClassChanges, NameTheOtherScenesOnWhichPointsChanged) {
     const auto reasons = [](const Graded& before, const Graded& after) {
         return change_between(before, after).reasons;
     };
@@ -114,7 +114,7 @@ TEST(ClassChanges, SayOnWhichOtherScenesPointsMoved) {
     EXPECT_THAT(reasons(with_scenes(2, 3, 7), without), ElementsAre("other scenes (-2)"));
 }
 
-TEST(ClassChanges, KeepTheSameMarkForOtherReasonsApart) {
+TEST(ClassChanges, SeparateEqualMarksWithDifferentReasons) {
     Graded after = with_t(ItemVerdict::missing, 0);
     const ClassChanges changes = filed(with_t(ItemVerdict::wrong, 0), after);
     ASSERT_THAT(changes.level, SizeIs(1));
@@ -123,7 +123,7 @@ TEST(ClassChanges, KeepTheSameMarkForOtherReasonsApart) {
     EXPECT_THAT(changes.falling, IsEmpty());
 }
 
-TEST(ClassChanges, CountAMarkThatIsLostAsAFallAndANewOneAsARise) {
+TEST(ClassChanges, CountALostMarkAsAFallAndANewMarkAsARise) {
     const ClassChanges lost = filed(graded("zoe", ""), not_graded("zoe"));
     ASSERT_THAT(lost.falling, SizeIs(1)) << "also from 0 points";
     EXPECT_FALSE(lost.falling[0].after.has_value());
@@ -131,7 +131,7 @@ TEST(ClassChanges, CountAMarkThatIsLostAsAFallAndANewOneAsARise) {
     EXPECT_THAT(filed(not_graded("zoe"), graded("zoe", "")).rising, SizeIs(1));
 }
 
-TEST(ClassChanges, LeaveAMarkThatAnOverrideHolds) {
+TEST(ClassChanges, IgnoreAMarkThatAnOverrideFixes) {
     Graded before = with_t(ItemVerdict::wrong, 0), after = with_t(ItemVerdict::right, 1.5);
     before.overrides = after.overrides = {{6, "t", 1, "right idea", "ada", ""}};
     const ClassChanges changes = filed(before, after);
@@ -139,7 +139,7 @@ TEST(ClassChanges, LeaveAMarkThatAnOverrideHolds) {
     EXPECT_THAT(changes.level[0].reasons, ElementsAre("6.t wrong -> right (+1.5), overridden"));
 }
 
-TEST(ClassChanges, TellOfItemsThatAreAskedNowOrNoLonger) {
+TEST(ClassChanges, NameAddedAndRemovedItems) {
     const Graded with = with_t(ItemVerdict::right, 1.5);
     Graded without = with;
     without.score.questions.pop_back();
@@ -148,7 +148,7 @@ TEST(ClassChanges, TellOfItemsThatAreAskedNowOrNoLonger) {
     EXPECT_THAT(filed(without, with).rising.at(0).reasons, ElementsAre("10.verdict is asked now: right (+10)"));
 }
 
-TEST(ClassChanges, AreReadAsOneLineEachWithTheFallsLast) {
+TEST(ClassChanges, AreOneLineEachWithFallsLast) {
     ClassChanges changes = filed(with_t(ItemVerdict::right, 1.5), with_t(ItemVerdict::wrong, 0));
     MarkChange rise = change_between(with_t(ItemVerdict::wrong, 0), with_t(ItemVerdict::right, 1.5));
     rise.id = "riser\n\x1b";
@@ -167,14 +167,14 @@ TEST(ClassChanges, AreReadAsOneLineEachWithTheFallsLast) {
     EXPECT_EQ(report::changes_summary({}), "0 rise, 0 fall, 0 stay as they are.");
 }
 
-TEST(ClassChanges, NameSixReasonsAndHowManyMore) {
+TEST(ClassChanges, NameSixReasonsAndCountTheRest) {
     MarkChange change{"zoe", 1.0, 2.0, {"a", "b", "c", "d", "e", "f", "g", "h"}};
     ClassChanges changes;
     add(changes, change);
     EXPECT_THAT(report::changes_text(changes), HasSubstr("a; b; c; d; e; f; and 2 more\n"));
 }
 
-TEST(AssignmentChange, SaysWhetherTheKeyIsAnother) {
+TEST(AssignmentChange, SaysWhetherTheKeyChanged) {
     const std::string then = student::camera_on_the_axis(4) + "[[sphere]]\ncenter = [1, 1, 0]\nradius = 2\n";
     const auto change = [&](const std::string& toml, const std::string& name = "a6") {
         const reference::Assignment now = reference::parse_assignment(toml, name + ".toml");

@@ -1,15 +1,15 @@
-// What a new grading of a class is to the one that its gradebook holds.
+// Compares a new grading of a class with the grading in its gradebook.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "harness/failure.h"
-#include "harness/gradebook.h"
-#include "tests/report/graded_samples.h"
-#include "tests/saved_class.h"
-#include "tests/temporary_folder.h"
+#include "harness/gradebook/gradebook.h"
+#include "harness/machine/errors.h"
+#include "tests/given/report/graded_samples.h"
+#include "tests/given/saved_class.h"
+#include "tests/given/temporary_folder.h"
 
 namespace harness {
 namespace {
@@ -24,7 +24,7 @@ using testing::SizeIs;
 
 using Record = Gradebook::Comparison::Record;
 
-TEST(Gradebook, WritesOnlyWhatHasChanged) {
+TEST(Gradebook, WritesOnlyChangedSubmissions) {
     const TemporaryFolder folder;
     save(folder.path(), three());
     std::vector<Graded> all = three();
@@ -42,7 +42,7 @@ TEST(Gradebook, WritesOnlyWhatHasChanged) {
     EXPECT_EQ(Gradebook(folder.path()).restore().at(1).build.wall, 5ms);
 }
 
-TEST(Gradebook, KnowsWhetherAClassIsAsSaved) {
+TEST(Gradebook, KnowsWhetherAClassEqualsTheSavedClass) {
     const TemporaryFolder folder;
     const auto is_as_saved = [&](const std::vector<Graded>& all) {
         return Gradebook(folder.path()).compare(all).is_as_saved();

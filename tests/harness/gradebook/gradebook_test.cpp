@@ -1,4 +1,4 @@
-#include "harness/gradebook.h"
+#include "harness/gradebook/gradebook.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
@@ -6,12 +6,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "harness/failure.h"
-#include "harness/find_submissions.h"
-#include "tests/bytes_of.h"
-#include "tests/report/graded_samples.h"
-#include "tests/saved_class.h"
-#include "tests/temporary_folder.h"
+#include "harness/machine/errors.h"
+#include "harness/report/data/grades_json.h"
+#include "tests/given/bytes_of.h"
+#include "tests/given/report/graded_samples.h"
+#include "tests/given/saved_class.h"
+#include "tests/given/temporary_folder.h"
 
 namespace harness {
 namespace {
@@ -37,7 +37,7 @@ std::string refusal(const TemporaryFolder& folder) {
     return "(taken)";
 }
 
-TEST(Gradebook, IsNotMadeBeforeSomethingIsSaved) {
+TEST(Gradebook, IsCreatedByTheFirstSave) {
     const TemporaryFolder folder;
     {
         const Gradebook gradebook(folder.path());
@@ -48,7 +48,7 @@ TEST(Gradebook, IsNotMadeBeforeSomethingIsSaved) {
     EXPECT_FALSE(std::filesystem::exists(file_in(folder)));
 }
 
-TEST(Gradebook, GivesTheClassBackInItsOrder) {
+TEST(Gradebook, ReturnsTheClassInItsOrder) {
     const TemporaryFolder folder;
     const std::vector<Graded> all = {graded("zoe", output_with_a_mistake()), hostile(), not_graded("bob")};
     save(folder.path(), all);
@@ -95,7 +95,7 @@ TEST(Gradebook, IsReadByPython) {
     EXPECT_EQ(rows(folder, "PRAGMA user_version"), json::parse("[[1]]"));
 }
 
-TEST(Gradebook, RemembersTheMarksOfWhoIsGone) {
+TEST(Gradebook, KeepsTheMarksOfRemovedSubmissions) {
     const TemporaryFolder folder;
     save(folder.path(), three());
     const auto comparison = save(folder.path(), {three()[1]});
@@ -133,7 +133,7 @@ TEST(Gradebook, KeepsOverridesThroughRunsAndAfterTheirSubmission) {
         json::parse("[[98.33, 99.83]]"));
 }
 
-TEST(Gradebook, SaysInItsAuditTrailWhoGaveWhatWhenAndWhy) {
+TEST(Gradebook, RecordsWhoOverrodeWhatWhenAndWhy) {
     const TemporaryFolder folder;
     save(folder.path(), three());
     Gradebook gradebook(folder.path());
@@ -152,7 +152,7 @@ TEST(Gradebook, SaysInItsAuditTrailWhoGaveWhatWhenAndWhy) {
     EXPECT_EQ(rows(folder, "SELECT final_points FROM submissions WHERE id = 'cy'"), json::parse("[[null]]"));
 }
 
-TEST(Gradebook, KnowsWhetherTheReportsTellAllOfIt) {
+TEST(Gradebook, KnowsWhetherTheReportsAreUpToDate) {
     const TemporaryFolder folder;
     EXPECT_TRUE(Gradebook(folder.path()).reports_are_written());
     save(folder.path(), three());
@@ -178,7 +178,7 @@ TEST(Gradebook, KeepsTheInputsOfReports) {
     EXPECT_EQ(Gradebook(folder.path()).input("canvas-roster")->content, "new");
 }
 
-TEST(Gradebook, IsRefusedAndLeftAsItIsWhenItIsOfAnotherVersion) {
+TEST(Gradebook, IsRefusedAndLeftUnchangedIfOfADifferentVersion) {
     const TemporaryFolder folder;
     save(folder.path(), three());
     alter(folder, "PRAGMA user_version = 2");
@@ -188,7 +188,7 @@ TEST(Gradebook, IsRefusedAndLeftAsItIsWhenItIsOfAnotherVersion) {
     EXPECT_EQ(bytes_of(file_in(folder)), before);
 }
 
-TEST(Gradebook, IsRefusedAndLeftAsItIsWhenItIsAnotherProgramsDatabase) {
+TEST(Gradebook, IsRefusedAndLeftUnchangedIfOfADifferentProgram) {
     const TemporaryFolder folder;
     SQLite::Database(file_in(folder).string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
         .exec("CREATE TABLE photos (name TEXT)");
@@ -197,7 +197,7 @@ TEST(Gradebook, IsRefusedAndLeftAsItIsWhenItIsAnotherProgramsDatabase) {
     EXPECT_EQ(bytes_of(file_in(folder)), before);
 }
 
-TEST(Gradebook, IsRefusedAndLeftAsItIsWhenItIsDamaged) {
+TEST(Gradebook, IsRefusedAndLeftUnchangedIfDamaged) {
     const TemporaryFolder folder;
     for (const std::string& text : {std::string("no database at all, but longer than a header of one hundred bytes, "
                                                 "which is what a database begins with, as one can read"),
@@ -212,7 +212,7 @@ TEST(Gradebook, IsRefusedAndLeftAsItIsWhenItIsDamaged) {
     EXPECT_THAT(refusal(folder), HasSubstr("is damaged"));
 }
 
-TEST(Gradebook, TellsOfARecordThatTheDiskHasGarbled) {
+TEST(Gradebook, ReportsARecordThatTheDiskHasGarbled) {
     const TemporaryFolder folder;
     save(folder.path(), three());
     alter(folder, "UPDATE submissions SET record = x'a0' WHERE id = 'ben'");
@@ -231,7 +231,7 @@ TEST(Gradebook, TellsOfARecordThatTheDiskHasGarbled) {
     EXPECT_THAT(damage([&] { gradebook.compare(three()); }), HasSubstr("ben")) << "the first of them, by all threads";
 }
 
-TEST(Gradebook, TakesAnEmptyFileForNone) {
+TEST(Gradebook, TreatsAnEmptyFileAsNoGradebook) {
     const TemporaryFolder folder;
     folder.write(gradebook_name, "");  // as of a run that was killed before it had saved
     EXPECT_FALSE(Gradebook(folder.path()).last_run());

@@ -1,4 +1,4 @@
-// A gradebook that several processes write, or one that is killed.
+// A gradebook that several processes write at once, or whose writer is killed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -9,8 +9,8 @@
 #include <random>
 #include <thread>
 
-#include "tests/report/graded_samples.h"
-#include "tests/saved_class.h"
+#include "tests/given/report/graded_samples.h"
+#include "tests/given/saved_class.h"
 
 namespace harness {
 namespace {
@@ -48,7 +48,7 @@ TEST(Gradebook, TakesTheOverridesOfTwoProcessesAtOnce) {
     EXPECT_EQ(rows(folder, "SELECT COUNT(*) FROM audit"), json::parse("[[41]]"));
 }
 
-/// Which of two classes a gradebook holds: every mark of run n is n, and so is how many there are.
+/// The class of run n: every mark is n, and the number of submissions depends on n, so that mixed runs are recognised.
 std::vector<Graded> class_of_run(int n) {
     std::vector<Graded> all;
     for (int i = 0; i < 20 + n % 2; ++i) {
@@ -58,10 +58,10 @@ std::vector<Graded> class_of_run(int n) {
     return all;
 }
 
-/// The seed is fixed: 25 moments of saving one run after the other.
-TEST(Gradebook, IsAsBeforeOrAsAfterwardsWhenItsWriterIsKilled) {
+/// Kills the writer at 25 moments, drawn from a fixed seed, while it saves one run after the other.
+TEST(Gradebook, HoldsTheOldOrTheNewRunWhenItsWriterIsKilled) {
     const TemporaryFolder folder;
-    // Killed at any time within some three saves, however long this build takes for one.
+    // The writer is killed within the time of about three saves, as measured in this build.
     const auto begun = std::chrono::steady_clock::now();
     save(folder.path(), class_of_run(1));
     const auto one_save =

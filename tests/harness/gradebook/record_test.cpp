@@ -1,4 +1,4 @@
-#include "harness/graded_record.h"
+#include "harness/gradebook/record.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,11 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "harness/records_ahead.h"
-#include "tests/report/graded_samples.h"
+#include "harness/report/data/grades_csv.h"
+#include "harness/report/data/grades_json.h"
+#include "harness/report/text/class_table.h"
+#include "harness/report/text/feedback.h"
+#include "tests/given/report/graded_samples.h"
 
 namespace harness {
 namespace {
@@ -23,22 +26,22 @@ Graded again(const Graded& graded) {
     return restored ? *restored : Graded{};
 }
 
-/// One of each kind, with whatever a submission may have.
+/// One submission of each kind, with every field that a submission may have.
 std::vector<Graded> a_class() {
     Graded late = graded("late", output_with_a_mistake());
     late.submission.lms = read_canvas_name("łzoe_LATE_17_4_ray_cast.cpp");
     late.late_share = 0.1;
     late.flags = {{"nondeterministic", "run 1 printed \x1b 2"}};
     late.sanitizer = {"line 8: heap-buffer-overflow", "line 9: \xff"};
-    late.other_scenes = variants::VariantReport{variants::VariantVerdict::does_not_move,
-                                                {"C"},
-                                                {{"scene 1", "eye = (3, -2, 5)", "eye = (0, 0, 4)", true, {}},
-                                                 {"scene 2", "radius = 3", "radius = 2", false, {}}},
-                                                4,
-                                                {{8, "t", 1, "0.5\x1b", "", "far root"}},
-                                                {{6, "t", 0, "3.41", "3.41", ""}},
-                                                {{"scene 3", "radius = 9", "it does not compile"}, {"", "", "none"}},
-                                                7};
+    late.other_scenes = scenes::OtherScenesReport{scenes::OtherSceneVerdict::does_not_move,
+                                                  {"C"},
+                                                  {{"scene 1", "eye = (3, -2, 5)", "eye = (0, 0, 4)", true, {}},
+                                                   {"scene 2", "radius = 3", "radius = 2", false, {}}},
+                                                  4,
+                                                  {{8, "t", 1, "0.5\x1b", "", "far root"}},
+                                                  {{6, "t", 0, "3.41", "3.41", ""}},
+                                                  {{"scene 3", "radius = 9", "it does not compile"}, {"", "", "none"}},
+                                                  7};
     late.build.wall = 1234ms;
     late.run.cpu = 7ms;
     late.run.wall = 9ms;
@@ -70,7 +73,7 @@ TEST(GradedRecord, GivesTheSameReportsByteForByte) {
     }
 }
 
-TEST(GradedRecord, GivesBackWhatNoReportShows) {
+TEST(GradedRecord, RestoresWhatNoReportShows) {
     Graded one = graded("zoe", output_with_a_mistake());
     one.our_fault = true;
     one.submission.problem = "unreadable \xff";
@@ -105,7 +108,7 @@ TEST(GradedRecord, GivesBackWhatNoReportShows) {
     EXPECT_EQ(restored.score.questions[5].items[4].spec.label, one.score.questions[5].items[4].spec.label);
 }
 
-TEST(GradedRecord, OfAnOlderRaygradeLacksWhatWasNotKept) {
+TEST(GradedRecord, OfAnOlderRaygradeReadsWithMissingFieldsEmpty) {
     auto json = nlohmann::json::from_cbor(to_record(a_class().front()));
     ASSERT_EQ(json.at("other_scenes").erase("seed"), 1U);
     ASSERT_EQ(json.at("other_scenes").erase("not_tried"), 1U);
@@ -116,7 +119,7 @@ TEST(GradedRecord, OfAnOlderRaygradeLacksWhatWasNotKept) {
     EXPECT_EQ(older->other_scenes->runs.size(), 2U);
 }
 
-TEST(GradedRecord, KeepsEveryNumberAsItIs) {
+TEST(GradedRecord, KeepsEveryNumberExactly) {
     Graded one = graded("zoe", output_with_a_mistake());
     one.score.points = 100.0 / 3;
     ItemScore& item = one.score.questions[5].items[4];
@@ -142,7 +145,7 @@ TEST(GradedRecord, HasTheSameBytesForTheSameSubmission) {
     EXPECT_NE(to_record(other), to_record(a_class().front()));
 }
 
-TEST(GradedRecord, IsNotReadFromOtherBytes) {
+TEST(GradedRecord, RefusesOtherBytes) {
     const std::vector<std::uint8_t> whole = to_record(hostile());
     ASSERT_GT(whole.size(), 1000U);
     for (std::size_t size = 0; size < whole.size(); ++size) {
@@ -157,22 +160,6 @@ TEST(GradedRecord, IsNotReadFromOtherBytes) {
         json[nlohmann::json::json_pointer(path)] = 7;
         EXPECT_FALSE(from_record(nlohmann::json::to_cbor(json))) << path;
     }
-}
-
-TEST(RecordsAhead, AreThoseOfThePlacesInTheirOrder) {
-    std::vector<Graded> all;
-    for (int i = 0; i < 160; ++i) all.push_back(graded(std::to_string(i), output_with_a_mistake()));
-    const std::vector<std::size_t> places = [] {
-        std::vector<std::size_t> some;
-        for (std::size_t i = 0; i < 160; i += i % 7 == 0 ? 2 : 1) some.push_back(i);
-        return some;
-    }();
-    ASSERT_GT(places.size(), 128U) << "more than two parts";
-    RecordsAhead records(all, places);
-    for (const std::size_t place : places) EXPECT_EQ(records.next(), to_record(all[place])) << place;
-    RecordsAhead none(all, {});
-    RecordsAhead left_early(all, places);
-    EXPECT_EQ(left_early.next(), to_record(all[0]));
 }
 
 }  // namespace

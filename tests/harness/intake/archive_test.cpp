@@ -1,11 +1,11 @@
-#include "harness/archive.h"
+#include "harness/intake/archive.h"
 
 #include <gmock/gmock.h>
 
 #include <fstream>
 
-#include "tests/packed.h"
-#include "tests/temporary_folder.h"
+#include "tests/given/packed.h"
+#include "tests/given/temporary_folder.h"
 
 namespace {
 
@@ -47,14 +47,14 @@ class Archive : public testing::TestWithParam<const char*> {
     TemporaryFolder folder_;
 };
 
-TEST_P(Archive, GivesItsFilesInOrderWithTheBytesThatAreWanted) {
+TEST_P(Archive, GivesItsFilesInOrderWithTheirBytes) {
     const auto zoe_alone = [](std::string_view path) { return path.starts_with("zoe") ? 3 : 0; };
     EXPECT_THAT(
         read_archive(archive({{"zoe", "", Type::folder}, {"zoe/a.cpp", "abc"}, {"adam.cpp", "xyz"}}), zoe_alone),
         ElementsAre(file("zoe/a.cpp", "abc"), file("adam.cpp", "")));
 }
 
-TEST_P(Archive, KeepsNoBytesOfAFileThatIsLargerThanWanted) {
+TEST_P(Archive, KeepsNoBytesOfATooLargeFile) {
     const auto files = read_archive(archive({{"a.cpp", "abc"}, {"b.cpp", "abcd"}}), [](auto) { return 3; });
     ASSERT_EQ(files.size(), 2U);
     EXPECT_FALSE(files[0].too_large);
@@ -67,14 +67,14 @@ TEST_P(Archive, ReadsNamesInAnyScript) {
                 ElementsAre(file("Łukasz/ray_cast.cpp", "l"), file("李/光.cpp", "q")));
 }
 
-TEST_P(Archive, LeavesOutWhatNobodyHandedIn) {
+TEST_P(Archive, LeavesOutFilesThatNobodyHandedIn) {
     EXPECT_THAT(
         read_archive(archive({{"__MACOSX/._a.cpp", "m"}, {".DS_Store", "d"}, {"x/.git/a.cpp", "g"}, {"./a.cpp", "a"}}),
                      everything),
         ElementsAre(file("a.cpp", "a")));
 }
 
-TEST_P(Archive, RefusesPathsThatLeadOutOfItByName) {
+TEST_P(Archive, RefusesAndNamesPathsThatLeadOutside) {
     EXPECT_THAT(why_not({{"a.cpp", ""}, {"../../evil.cpp", "e"}}), HasSubstr("\"../../evil.cpp\""));
     EXPECT_THAT(why_not({{"a/../../evil.cpp", "e"}}), HasSubstr("leads out"));
     EXPECT_THAT(why_not({{"..\\evil.cpp", "e"}}), HasSubstr("leads out"));
@@ -82,25 +82,25 @@ TEST_P(Archive, RefusesPathsThatLeadOutOfItByName) {
     EXPECT_THAT(why_not({{"C:\\evil.cpp", "e"}}), HasSubstr("absolute"));
 }
 
-TEST_P(Archive, RefusesWhatIsNoFileByName) {
+TEST_P(Archive, RefusesAndNamesEntriesThatAreNoFiles) {
     EXPECT_THAT(why_not({{"link.cpp", "/etc/passwd", Type::link}}),
                 AllOf(HasSubstr("\"link.cpp\""), HasSubstr("is a link")));
 }
 
-TEST_P(Archive, RefusesMoreEntriesThanThereMayBe) {
+TEST_P(Archive, RefusesTooManyEntries) {
     std::vector<PackedEntry> entries;
     for (int i = 0; i < 100'000; ++i) entries.push_back({std::to_string(i), ""});
     EXPECT_THAT(why_not(entries), AllOf(HasSubstr("more than 20000 entries"), HasSubstr("\"20000\"")));
 }
 
-TEST_P(Archive, RefusesABombByTheSizesItSaysAndByTheBytesItGives) {
+TEST_P(Archive, RefusesABombByItsStatedSizesAndByItsBytes) {
     const std::vector<PackedEntry> entries = {{"a.cpp", std::string(900, 'a')}, {"bomb.cpp", std::string(900, 'b')}};
     EXPECT_THAT(why_not(entries, {.unpacked_bytes = 1000}), HasSubstr("\"bomb.cpp\""));
     EXPECT_THAT(why_not(entries, {.kept_bytes = 1000}), HasSubstr("\"bomb.cpp\""));
     EXPECT_EQ(why_not(entries, {.unpacked_bytes = 1800, .kept_bytes = 1800}), "no ArchiveError");
 }
 
-TEST_P(Archive, SaysWhereABrokenOneBreaks) {
+TEST_P(Archive, SaysWhereABrokenArchiveBreaks) {
     const auto path = archive({{"a.cpp", std::string(500, 'a')}, {"b.cpp", std::string(500, 'b')}});
     std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
     EXPECT_THAT(why_not_read(path), AllOf(HasSubstr(path.filename().string()), HasSubstr("can't be")));
@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(, Archive, testing::Values(".zip", ".tgz"),
                          [](const auto& tested) { return std::string(tested.param).substr(1); });
 
 class Zip : public Archive {};
-TEST_P(Zip, RefusesWhatNeedsAPassword) {
+TEST_P(Zip, RefusesAnEncryptedZip) {
     EXPECT_THAT(why_not_read(archive({{"secret.cpp", "s"}}, "hunter2")),
                 AllOf(HasSubstr("\"secret.cpp\""), HasSubstr("password")));
 }
@@ -126,7 +126,7 @@ TEST_P(Tar, RefusesHardLinksAndPipes) {
 }
 INSTANTIATE_TEST_SUITE_P(, Tar, testing::Values(".tgz"));
 
-TEST(ArchiveOfBytes, IsReadLikeAFile) {
+TEST(ArchiveOfBytes, ReadsLikeAFile) {
     EXPECT_THAT(read_archive(packed({{"a.cpp", "a"}}), "inner.zip", everything), ElementsAre(file("a.cpp", "a")));
 }
 

@@ -1,5 +1,5 @@
-// What a Gradescope export says of who handed in: as Gradescope writes it, and as it was never meant to be.
-#include "harness/gradescope_metadata.h"
+// The submitters in a Gradescope export: as Gradescope writes them, and in damaged or hostile files.
+#include "harness/intake/gradescope_metadata.h"
 
 #include <gmock/gmock.h>
 
@@ -13,14 +13,14 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Pair;
 
-/// "name/sid/email" of each.
+/// "name/sid/email" of each submitter.
 std::vector<std::string> told(const std::vector<Submitter>& submitters) {
     std::vector<std::string> texts;
     for (const Submitter& one : submitters) texts.push_back(one.name + '/' + one.sid + '/' + one.email);
     return texts;
 }
 
-/// Why nothing is known of submission_1, though the honest submission_2 beside it is named.
+/// Why submission_1 has no submitters, although the valid submission_2 in the same file has.
 std::string problem_with(const std::string& of_the_first) {
     const auto read = read_gradescope_metadata("submission_1:" + of_the_first +
                                                "\nsubmission_2:\n  :submitters:\n  - :name: Jane Doe\n");
@@ -31,7 +31,7 @@ std::string problem_with(const std::string& of_the_first) {
     return problem == read.problems.end() ? "none" : problem->second;
 }
 
-/// Why the whole file is of no use.
+/// Why the whole file is unusable.
 std::string problem_of(const std::string& yaml) {
     const auto read = read_gradescope_metadata(yaml);
     EXPECT_THAT(read.submitters, IsEmpty());
@@ -72,7 +72,7 @@ submission_902:
     :sid: 77
 )";
 
-TEST(GradescopeMetadata, NamesWhoHandedIn) {
+TEST(GradescopeMetadata, NamesTheSubmitters) {
     const auto read = read_gradescope_metadata(exported);
     EXPECT_EQ(read.problem, std::nullopt);
     EXPECT_THAT(read.problems, IsEmpty());
@@ -83,13 +83,13 @@ TEST(GradescopeMetadata, NamesWhoHandedIn) {
     EXPECT_EQ(names_of(read.submitters.at("submission_902")), "Ży \"Ann\" Łukasz, John Roe");
 }
 
-TEST(GradescopeMetadata, MayBeWrittenInAnotherStyle) {
+TEST(GradescopeMetadata, ReadsADifferentYamlStyle) {
     const auto read = read_gradescope_metadata(
         "{submission_1: {score: 1, submitters: [{name: Jane, odd: {name: x}, sid: &s '1'}, {name: Max, sid: *s}]}}");
     EXPECT_THAT(told(read.submitters.at("submission_1")), ElementsAre("Jane/1/", "Max/1/"));
 }
 
-TEST(GradescopeMetadata, SaysOfWhomItHasNoUsableName) {
+TEST(GradescopeMetadata, SaysWhichSubmissionsHaveNoUsableName) {
     EXPECT_THAT(problem_with("\n  :score: 3"), HasSubstr("does not say who"));
     EXPECT_THAT(problem_with("\n  :submitters: []"), HasSubstr("does not say who"));
     EXPECT_THAT(problem_with("\n  :submitters:\n  - :sid: '1'"), HasSubstr("does not say who"));
@@ -104,14 +104,14 @@ TEST(GradescopeMetadata, SaysOfWhomItHasNoUsableName) {
     EXPECT_THAT(problem_with("\n  :submitters:\n  - :name: {first: Jane}"), HasSubstr("something else where a name"));
 }
 
-TEST(GradescopeMetadata, TakesNoneOfTwoThatContradict) {
+TEST(GradescopeMetadata, RejectsContradictingEntries) {
     const std::string jane = "\n  :submitters:\n  - :name: Jane";
     EXPECT_THAT(problem_with(jane + "\n  :submitters:\n  - :name: Max"), HasSubstr("twice who handed it in"));
     EXPECT_THAT(problem_with(jane + "\n    :name: Max"), HasSubstr("twice what a submitter is called"));
     EXPECT_THAT(problem_with(jane + "\nsubmission_1:" + jane), HasSubstr("tells of it twice"));
 }
 
-TEST(GradescopeMetadata, TakesNoNameThatIsNoText) {
+TEST(GradescopeMetadata, RejectsANameThatIsNoText) {
     const std::string begin = "\n  :submitters:\n  - :name: ";
     EXPECT_THAT(problem_with(begin + "Jane \xff\xfe"), HasSubstr("no text"));
     EXPECT_THAT(problem_with(begin + "\"Jane \\e[31m\""), HasSubstr("no text"));
@@ -121,7 +121,7 @@ TEST(GradescopeMetadata, TakesNoNameThatIsNoText) {
     EXPECT_THAT(problem_with("\n  :submitters:" + times(51, "\n  - :name: Jane")), HasSubstr("more than 50"));
 }
 
-TEST(GradescopeMetadata, FollowsNoAliasButOfAText) {
+TEST(GradescopeMetadata, FollowsOnlyAliasesOfTexts) {
     std::string bomb = "a: &a [x, x]\n";
     for (char c = 'b'; c <= 'z'; ++c) {
         const char before = static_cast<char>(c - 1);
@@ -133,7 +133,7 @@ TEST(GradescopeMetadata, FollowsNoAliasButOfAText) {
     EXPECT_THAT(problem_of("submission_1: &x\n  :submitters: *y\n"), HasSubstr("no YAML from line 2 on"));
 }
 
-TEST(GradescopeMetadata, OfNoUseSaysWhy) {
+TEST(GradescopeMetadata, SaysWhyTheFileIsUnusable) {
     EXPECT_THAT(problem_of(""), HasSubstr("empty"));
     EXPECT_THAT(problem_of("- submission_1\n"), HasSubstr("holds no submissions"));
     EXPECT_THAT(problem_of("Jane Doe"), HasSubstr("holds no submissions"));
@@ -154,7 +154,7 @@ TEST(GradescopeMetadata, IsReadWithinBounds) {
     EXPECT_THAT(problem_of(submissions), HasSubstr("more than 20,000"));
 }
 
-TEST(GradescopeMetadata, OfManyResultsIsRead) {
+TEST(GradescopeMetadata, ReadsAFileWithManyResults) {
     std::string yaml;
     const std::string results = "  :results:\n    output: \"" + times(10'000, "abc ") + "\"\n";
     for (int i = 0; yaml.size() < std::size_t{8} << 20U; ++i)

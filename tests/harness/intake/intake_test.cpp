@@ -1,18 +1,19 @@
-#include "harness/intake.h"
+#include "harness/intake/intake.h"
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
-#include "as_nobody.h"
-#include "harness/failure.h"
-#include "temporary_folder.h"
+#include "harness/intake/source_file.h"
+#include "harness/machine/errors.h"
+#include "tests/given/as_nobody.h"
+#include "tests/given/temporary_folder.h"
 
 namespace {
 
-using harness::HarnessError;
 using harness::Submission;
 using harness::take_in;
 using harness::take_in_all;
+using harness::UsageError;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -31,10 +32,10 @@ std::string problem_of_only(const std::vector<Submission>& submissions) {
 std::string why_not(const std::filesystem::path& path) {
     try {
         take_in(path);
-    } catch (const HarnessError& error) {
+    } catch (const UsageError& error) {
         return error.what();
     }
-    return "no HarnessError";
+    return "no UsageError";
 }
 
 TEST(TakeIn, TakesAFolderOfStudentFoldersSortedById) {
@@ -50,14 +51,14 @@ TEST(TakeIn, TakesAFolderOfStudentFoldersSortedById) {
     EXPECT_FALSE(submissions[2].problem);
 }
 
-TEST(TakeIn, TakesAFlatFolderAsOneSubmissionAFile) {
+TEST(TakeIn, TakesAFlatFolderAsOneSubmissionPerFile) {
     const TemporaryFolder folder;
     folder.write("bob.cpp", "b");
     folder.write("alice.cpp", "a");
     EXPECT_THAT(ids(take_in(folder.path())), ElementsAre("alice", "bob"));
 }
 
-TEST(TakeIn, TakesAFolderWithRayCastAsOneStudents) {
+TEST(TakeIn, TakesAFolderWithRayCastAsOneSubmission) {
     const TemporaryFolder folder;
     folder.write("s07/ray_cast.cpp", "it");
     folder.write("s07/old.cpp", "not it");
@@ -70,7 +71,7 @@ TEST(TakeIn, TakesAFolderWithRayCastAsOneStudents) {
                                                   "Only \"ray_cast.cpp\" is compiled, without \"vec.h\"."));
 }
 
-TEST(TakeIn, TakesSourcesBesideStudentFoldersToo) {
+TEST(TakeIn, TakesSourcesNextToStudentFoldersToo) {
     const TemporaryFolder folder;
     folder.write("ray_cast.cpp", "top");
     folder.write("s01/ray_cast.cpp", "one");
@@ -80,14 +81,14 @@ TEST(TakeIn, TakesSourcesBesideStudentFoldersToo) {
     EXPECT_THAT(submissions[2].problem.value_or(""), HasSubstr("holds no C++ source"));
 }
 
-TEST(TakeIn, IgnoresFoldersWithoutSourcesBesideAFlatClass) {
+TEST(TakeIn, IgnoresFoldersWithoutSourcesInAFlatClass) {
     const TemporaryFolder folder;
     folder.write("alice.cpp", "a");
     folder.write("build/alice.o", "");
     EXPECT_THAT(ids(take_in(folder.path())), ElementsAre("alice"));
 }
 
-TEST(TakeIn, NamesARayCastFileAfterItsFolderAndAnyOtherAfterItself) {
+TEST(TakeIn, NamesARayCastFileByItsFolderAndOtherFilesByThemselves) {
     const TemporaryFolder folder;
     EXPECT_THAT(ids(take_in(folder.write("s03/ray_cast.cpp", ""))), ElementsAre("s03"));
     EXPECT_THAT(ids(take_in(folder.write("s03/mine.cpp", ""))), ElementsAre("mine"));
@@ -111,14 +112,14 @@ TEST(TakeIn, HashesTheSource) {
     EXPECT_EQ(submissions[0].source_sha256, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
-TEST(TakeIn, NamesBothSourcesWhenItCantChoose) {
+TEST(TakeIn, NamesBothSourcesIfItCannotChoose) {
     const TemporaryFolder folder;
     folder.write("s01/a.cpp", "");
     folder.write("s01/b.cpp", "");
     EXPECT_THAT(problem_of_only(take_in(folder.path())), HasSubstr("\"a.cpp\", \"b.cpp\""));
 }
 
-TEST(TakeIn, CountsTheLastOfSeveralDownloads) {
+TEST(TakeIn, GradesTheLastOfSeveralDownloads) {
     const TemporaryFolder folder;
     folder.write("bob/ray_cast.cpp", "first");
     folder.write("bob/ray_cast (1).cpp", "second");
@@ -129,7 +130,7 @@ TEST(TakeIn, CountsTheLastOfSeveralDownloads) {
     EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("not \"ray_cast.cpp\", \"ray_cast (1).cpp\"")));
 }
 
-TEST(TakeIn, SaysWhereTheSourceIsWhenItLiesTooDeep) {
+TEST(TakeIn, SaysWhereASourceThatLiesTooDeepIs) {
     const TemporaryFolder folder;
     folder.write("s01/assignment 6/ray_cast.cpp", "");
     EXPECT_THAT(problem_of_only(take_in(folder.path())), HasSubstr("s01/assignment 6\". Move it up"));
@@ -191,7 +192,7 @@ TEST(TakeIn, SaysHowToMakeAnUnreadableSourceReadable) {
     EXPECT_THAT(submissions.at(1).problem.value_or(""), HasSubstr("chmod u+rx"));
 }
 
-TEST(TakeIn, KeepsStrangeNamesButMakesTheIdPrintable) {
+TEST(TakeIn, KeepsStrangeNamesAndMakesTheIdPrintable) {
     const TemporaryFolder folder;
     for (const char* name : {"O'Neil \"Jo\"", "Zoë 名", "new\nline", "bad\xFF"}) {
         folder.write(std::filesystem::path(name) / "ray_cast.cpp", name);
@@ -220,7 +221,7 @@ TEST(TakeInAll, KeepsTheOrderOfThePathsAndMakesIdsUnique) {
                 ElementsAre("2021-s01", "2020-s01"));
 }
 
-TEST(TakeInAll, NumbersWhatWasGivenTwice) {
+TEST(TakeInAll, NumbersAPathThatIsGivenTwice) {
     const TemporaryFolder folder;
     const auto file = folder.write("s01/ray_cast.cpp", "");
     EXPECT_THAT(ids(take_in_all({file, file})), ElementsAre("s01", "s01-2"));

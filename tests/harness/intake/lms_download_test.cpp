@@ -1,13 +1,14 @@
-// Downloads of learning management systems, as zips and unpacked, in the shapes that their documentation and code give.
+// Downloads from learning management systems, as zips and unpacked, in the forms given by their documentation and code.
 #include <gmock/gmock.h>
 
 #include <map>
 
-#include "harness/failure.h"
-#include "harness/intake.h"
-#include "harness/lms_name.h"
-#include "tests/packed.h"
-#include "tests/temporary_folder.h"
+#include "harness/intake/intake.h"
+#include "harness/intake/lms_name.h"
+#include "harness/intake/source_file.h"
+#include "harness/machine/errors.h"
+#include "tests/given/packed.h"
+#include "tests/given/temporary_folder.h"
 
 namespace {
 
@@ -31,7 +32,7 @@ std::vector<std::string> ids(const std::map<std::string, Submission>& submission
     return all;
 }
 
-/// Of a zip with these entries, and of a folder with the same: they are to be alike.
+/// Takes in a zip with these entries and a folder with the same files. The results must be equal.
 class LmsDownload : public testing::TestWithParam<bool> {
   protected:
     std::map<std::string, Submission> take_in(const std::vector<PackedEntry>& entries) const {
@@ -43,7 +44,7 @@ class LmsDownload : public testing::TestWithParam<bool> {
     TemporaryFolder folder_;
 };
 
-TEST_P(LmsDownload, OfCanvasHasAStudentForEachNumber) {
+TEST_P(LmsDownload, OfCanvasGivesAStudentPerNumber) {
     const auto taken = take_in({{"doejane_1001_5001_ray_cast.cpp", "jane"},
                                 {"doejohn_LATE_1002_5002_main.cpp", "john"},
                                 {"łukaszewiczján_1003_5003_my ray (final) – ü.cpp", "jan"},
@@ -61,7 +62,7 @@ TEST_P(LmsDownload, OfCanvasHasAStudentForEachNumber) {
     EXPECT_EQ(taken.at("doejane_1004").lms->attachment, "5004");
 }
 
-TEST_P(LmsDownload, CountsTheNewestOfWhatWasHandedInAgainAndListsTheOthers) {
+TEST_P(LmsDownload, GradesTheNewestHandInAndListsTheOthers) {
     const auto taken = take_in({{"doejane_1_30_ray_cast-2.cpp", "third"},
                                 {"doejane_1_10_ray_cast.cpp", "first"},
                                 {"doejane_1_20_ray_cast-1.cpp", "second"},
@@ -76,7 +77,7 @@ TEST_P(LmsDownload, CountsTheNewestOfWhatWasHandedInAgainAndListsTheOthers) {
     EXPECT_THAT(taken.at("poe").notes, IsEmpty());
 }
 
-TEST_P(LmsDownload, TakesTheRayCastOfSeveralFiles) {
+TEST_P(LmsDownload, GradesTheRayCastOfSeveralFiles) {
     const auto taken = take_in({{"doejane_1_10_scratch.cpp", "s"},
                                 {"doejane_1_11_ray_cast (2).cpp", "r"},
                                 {"doejane_1_12_notes.pdf", "n"},
@@ -87,7 +88,7 @@ TEST_P(LmsDownload, TakesTheRayCastOfSeveralFiles) {
     EXPECT_THAT(*taken.at("roe").problem, AllOf(HasSubstr("\"a.cpp\", \"b.cpp\""), HasSubstr("Keep the one")));
 }
 
-TEST_P(LmsDownload, LosesNobodyWhoHandedInNoSource) {
+TEST_P(LmsDownload, KeepsStudentsWithoutASource) {
     const auto taken = take_in({{"doejane_1_10_ray_cast.cpp", "j"},
                                 {"roe_LATE_2_20_report.pdf", "%PDF"},
                                 {"poe_3_text.html", "<p>here</p>"},
@@ -102,7 +103,7 @@ TEST_P(LmsDownload, LosesNobodyWhoHandedInNoSource) {
     EXPECT_THAT(taken.at("moe").notes, ElementsAre("Handed in late.")) << "as soon as a part of it is";
 }
 
-TEST_P(LmsDownload, LooksIntoTheArchiveOfAStudent) {
+TEST_P(LmsDownload, ReadsAStudentsArchive) {
     const auto taken = take_in({{"doejane_1_10_hw6.zip", packed({{"hw6/src/ray_cast.cpp", "deep"}, {"hw6/a.txt", ""}})},
                                 {"roe_2_20_hw6.zip", packed({{"../../evil.cpp", "e"}})},
                                 {"poe_3_30_hw6.zip", "no zip"},
@@ -115,7 +116,7 @@ TEST_P(LmsDownload, LooksIntoTheArchiveOfAStudent) {
     EXPECT_EQ(taken.at("zoe").source, "z") << "one bad archive is one student's";
 }
 
-TEST_P(LmsDownload, OfMoodleHasAFolderForEachParticipant) {
+TEST_P(LmsDownload, OfMoodleGivesAStudentPerParticipantFolder) {
     const auto taken = take_in({{"Jane Doe_2001_assignsubmission_file/ray_cast.cpp", "jane"},
                                 {"Jean_Luc Picard_2002_assignsubmission_file_/ray_cast.cpp", "old form"},
                                 {"Participant_2003_assignsubmission_file/ray_cast.cpp", "blind"},
@@ -136,7 +137,7 @@ TEST_P(LmsDownload, OfMoodleMayBeFlat) {
     EXPECT_EQ(taken.at("Participant_8").source, "b");
 }
 
-TEST_P(LmsDownload, OfGradescopeHasAFolderForEachSubmission) {
+TEST_P(LmsDownload, OfGradescopeGivesASubmissionPerFolder) {
     const auto taken = take_in(
         {{"submission_901/ray_cast.cpp", "a"}, {"submission_902/main.cpp", "b"}, {"submission_metadata.yml", "---\n"}});
     EXPECT_THAT(ids(taken), ElementsAre("submission_901", "submission_902"));
@@ -166,7 +167,7 @@ TEST_P(LmsDownload, OfGradescopeIsNamedByItsMetadata) {
     EXPECT_THAT(*taken.at("Pat Poe").problem, HasSubstr("no C++ source"));
 }
 
-TEST_P(LmsDownload, OfGradescopeIsNamedByItsFoldersWhereTheMetadataAreOfNoUse) {
+TEST_P(LmsDownload, OfGradescopeIsNamedByItsFoldersIfTheMetadataAreUnusable) {
     const auto with = [&](const std::string& yaml) {
         return take_in({{"submission_901/ray_cast.cpp", "a"},
                         {"submission_902/main.cpp", "b"},
@@ -191,7 +192,7 @@ TEST_P(LmsDownload, OfGradescopeIsNamedByItsFoldersWhereTheMetadataAreOfNoUse) {
 INSTANTIATE_TEST_SUITE_P(, LmsDownload, testing::Bool(),
                          [](const auto& tested) { return tested.param ? "packed" : "unpacked"; });
 
-TEST(PackedClass, IsTakenLikeAFolder) {
+TEST(PackedClass, GivesTheSameAsAFolder) {
     const TemporaryFolder folder;
     const auto wrapped =
         take(pack(folder.path() / "wrapped.tgz", {{"class/zoe/ray_cast.cpp", "z"}, {"class/adam/a.cc", "a"}}));
@@ -205,10 +206,10 @@ TEST(PackedClass, IsTakenLikeAFolder) {
                 ElementsAre("one.zip"));
 }
 
-TEST(PackedClass, OfGradescopeIsReadWhateverMetadataStudentsHandIn) {
+TEST(PackedClass, OfGradescopeIgnoresMetadataThatStudentsHandIn) {
     const TemporaryFolder folder;
     const std::string largest(std::size_t{64} << 20U, '#');
-    // Each beside a folder called as in an export.
+    // Each file lies next to a folder with a name as in an export.
     std::vector<PackedEntry> entries = {{"export/submission_901/ray_cast.cpp", "a"}};
     for (int i = 0; i < 8; ++i) {
         entries.push_back({"export/submission_901/" + std::to_string(i) + "/submission_metadata.yml", largest});
@@ -218,17 +219,17 @@ TEST(PackedClass, OfGradescopeIsReadWhateverMetadataStudentsHandIn) {
     EXPECT_THAT(ids(take(pack(folder.path() / "export.zip", entries))), ElementsAre("Jane Doe"));
 }
 
-TEST(PackedClass, OfAHostilePackerIsRefusedWithTheEntryNamed) {
+TEST(PackedClass, IsRefusedWithTheNameOfAHostileEntry) {
     const TemporaryFolder folder;
     try {
         harness::take_in(pack(folder.path() / "class.zip", {{"a.cpp", "a"}, {"../../../etc/cron.d/evil.cpp", "e"}}));
         FAIL();
-    } catch (const harness::HarnessError& error) {
+    } catch (const harness::UsageError& error) {
         EXPECT_THAT(error.what(), AllOf(HasSubstr("class.zip"), HasSubstr("../../../etc/cron.d/evil.cpp")));
     }
 }
 
-TEST(PackedClass, WithTwoEntriesOfOneNameLosesNeither) {
+TEST(PackedClass, KeepsTwoEntriesOfTheSameName) {
     const TemporaryFolder folder;
     const auto taken =
         take(pack(folder.path() / "class.zip", {{"bob.cpp", "first"}, {"bob.cpp", "second"}, {"eve.cpp", "e"}}));
@@ -237,7 +238,7 @@ TEST(PackedClass, WithTwoEntriesOfOneNameLosesNeither) {
     EXPECT_EQ(taken.at("bob.cpp (entry 2)").source, "second");
 }
 
-TEST(PackedClass, WithASourceThatIsTooLargeSaysSo) {
+TEST(PackedClass, ReportsATooLargeSource) {
     const TemporaryFolder folder;
     const auto taken = take(pack(folder.path() / "class.zip",
                                  {{"bob.cpp", std::string(harness::largest_source_bytes + 1, ' ')}, {"eve.cpp", "e"}}));
@@ -265,7 +266,7 @@ TEST(CanvasName, IsReadInEightShapes) {
         EXPECT_FALSE(read_canvas_name(other)) << other;
 }
 
-TEST(BaseName, IsWithoutWhatAnotherTurnAdds) {
+TEST(BaseName, OmitsTheNumberOfARepeatedHandIn) {
     using harness::read_base_name;
     EXPECT_EQ(read_base_name("ray_cast-12.cpp").name, "ray_cast.cpp");
     EXPECT_EQ(read_base_name("ray_cast-12.cpp").turn, 12);

@@ -1,4 +1,4 @@
-#include "harness/no_source.h"
+#include "harness/intake/not_a_source.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,14 +14,14 @@ using testing::StartsWith;
 
 constexpr std::string_view program = "// für t\r\nint main() { return 0; }\n";
 
-/// Each character in two bytes, of which the second or the first is 0.
+/// Writes each character as two bytes; either the second or the first byte is 0.
 std::string as_utf_16(std::string_view ascii, bool is_little_endian) {
     std::string bytes;
     for (const char c : ascii) bytes += is_little_endian ? std::string{c, '\0'} : std::string{'\0', c};
     return bytes;
 }
 
-TEST(WhyNoSource, SaysNothingOfWhatMayBeASource) {
+TEST(WhyNoSource, IsEmptyForAPossibleSource) {
     for (const std::string& source :
          {std::string(program), "\xef\xbb\xbf" + std::string(program), "// f\xfcr t, in Latin-1\nint main() {}\n"s,
           "MZ main() {}\n"s, "x"s, "%: include <cstdio>\n"s, "int main() {}\x1a"s, "PK 7z {rtf"s}) {
@@ -29,7 +29,7 @@ TEST(WhyNoSource, SaysNothingOfWhatMayBeASource) {
     }
 }
 
-TEST(WhyNoSource, NamesWhatTheFileIsInstead) {
+TEST(WhyNoSource, NamesTheFilesRealType) {
     for (const auto& [bytes, what] : {std::pair("%PDF-1.7\n%\xe2\xe3\n"s, "is a PDF; "),
                                       {"PK\x03\x04\x14\0"s, "is a zip, "},
                                       {"\x1f\x8b\x08\0"s, "is packed by gzip; "},
@@ -47,7 +47,7 @@ TEST(WhyNoSource, NamesWhatTheFileIsInstead) {
     }
 }
 
-TEST(WhyNoSource, TellsUtf16WithAndWithoutItsMark) {
+TEST(WhyNoSource, RecognisesUtf16WithAndWithoutAByteOrderMark) {
     const std::string_view ascii = "#include <cstdio>\nint main() {}\n";
     const std::string little = as_utf_16(ascii, true), big = as_utf_16(ascii, false);
     for (const std::string& bytes : {"\xff\xfe" + little, "\xfe\xff" + big, little, big})
@@ -55,12 +55,12 @@ TEST(WhyNoSource, TellsUtf16WithAndWithoutItsMark) {
     EXPECT_EQ(why_no_source("\xff\xfe\0\0i\0\0\0"s), "is saved as UTF-32; save it as UTF-8.");
 }
 
-TEST(WhyNoSource, TellsTheLineOfAZero) {
+TEST(WhyNoSource, GivesTheLineOfAZeroByte) {
     EXPECT_THAT(why_no_source("int main() {}\n// \0 there\n"s),
                 StartsWith("holds bytes that no source has (a zero in line 2); "));
 }
 
-TEST(WhyNoSource, TellsWhatIsEmptyOrAllBlank) {
+TEST(WhyNoSource, RecognisesEmptyAndBlankFiles) {
     for (const std::string& blank : {""s, " \t\r\n\f\v"s, "\xef\xbb\xbf"s, "\xef\xbb\xbf\n"s})
         EXPECT_THAT(why_no_source(blank), StartsWith("is empty; "));
 }

@@ -1,16 +1,16 @@
-#include "harness/bounded_file.h"
+#include "harness/machine/bounded_file.h"
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
 #include <cerrno>
 
-#include "tests/temporary_folder.h"
+#include "tests/given/temporary_folder.h"
 
 namespace harness {
 namespace {
 
-TEST(BoundedFile, HasNoMoreThanIsWanted) {
+TEST(BoundedFile, ReadsNoMoreThanItsLimit) {
     const TemporaryFolder folder;
     const auto file = folder.write("a.csv", "12345");
     const BoundedFile exact = read_bounded(file, 5, Links::follow);
@@ -25,15 +25,15 @@ TEST(BoundedFile, HasNoMoreThanIsWanted) {
     EXPECT_TRUE(read_bounded(folder.write("empty", ""), 4, Links::follow).is_whole());
 }
 
-TEST(BoundedFile, OfUnknownSizeIsReadToItsEnd) {
-    // What the kernel makes up as it is read says that it has no bytes.
+TEST(BoundedFile, ReadsAFileOfUnknownSizeToItsEnd) {
+    // A file that the kernel generates while it is read has the size 0.
     const BoundedFile status = read_bounded("/proc/self/status", 1 << 20, Links::follow);
     EXPECT_TRUE(status.is_whole());
     EXPECT_THAT(status.bytes, testing::HasSubstr("Name:"));
     EXPECT_TRUE(read_bounded("/proc/self/status", 10, Links::follow).has_more);
 }
 
-TEST(BoundedFile, IsNoPipeAndNoFolderAndNoRefusedLink) {
+TEST(BoundedFile, RefusesPipesFoldersAndUnwantedLinks) {
     const TemporaryFolder folder;
     const auto pipe = folder.path() / "pipe";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);

@@ -1,4 +1,4 @@
-#include "harness/assignment_problem.h"
+#include "harness/match/assignment_problem.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ std::int64_t sum(const Gains& gains, const std::vector<std::optional<std::size_t
     return total;
 }
 
-/// The largest sum by trying everything.
+/// The largest sum, found by trying every assignment.
 std::int64_t brute_force(const Gains& gains, std::size_t row, std::vector<bool>& used) {
     if (row == gains.size()) return 0;
     std::int64_t best = brute_force(gains, row + 1, used);
@@ -59,16 +59,16 @@ TEST(SolveAssignment, IsAsGoodAsTryingEverything) {
     }
 }
 
-TEST(SolveAssignment, GivesUpABetterPairForABetterSum) {
+TEST(SolveAssignment, SacrificesABetterPairForABetterSum) {
     EXPECT_EQ(solve_assignment({{10, 9}, {9, std::nullopt}}), (std::vector<std::optional<std::size_t>>{1, 0}));
 }
 
-TEST(SolveAssignment, LeavesARowAloneRatherThanLose) {
+TEST(SolveAssignment, LeavesARowUnassignedRatherThanLose) {
     EXPECT_EQ(solve_assignment({{-1}}), (std::vector<std::optional<std::size_t>>{std::nullopt}));
     EXPECT_EQ(solve_assignment({{std::nullopt}, {5}}), (std::vector<std::optional<std::size_t>>{std::nullopt, 0}));
 }
 
-TEST(SolveAssignment, OfNothingIsNothing) {
+TEST(SolveAssignment, GivesNothingForNothing) {
     EXPECT_TRUE(solve_assignment({}).empty());
     EXPECT_EQ(solve_assignment({{}, {}}).size(), 2U);
 }

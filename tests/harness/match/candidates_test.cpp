@@ -1,4 +1,4 @@
-#include "harness/arrange.h"
+#include "harness/match/candidates.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ std::vector<reference::ItemSpec> items_of(int question) {
 
 std::vector<Candidate> arranged(int question, std::string_view text) {
     const Transcript transcript = read_transcript("Question " + std::to_string(question) + ":\n" + std::string(text));
-    return arrange(transcript.sections.back().values, items_of(question));
+    return candidates_of(transcript.sections.back().values, items_of(question));
 }
 
 std::vector<double> values(const Candidate& candidate) {
@@ -26,7 +26,7 @@ std::vector<double> values(const Candidate& candidate) {
     return numbers;
 }
 
-TEST(Arrange, LeavesVectorsOfTheirOwnNameOutOfAMatrix) {
+TEST(Arrange, LeavesSeparatelyNamedVectorsOutOfAMatrix) {
     const auto candidates = arranged(8, "rhs = (1, 2, 3)\nhit = (4, 5, 6)\nP = (7, 8, 9)\n");
     ASSERT_EQ(candidates.size(), 3U);
     EXPECT_EQ(values(candidates[0]), (std::vector<double>{1, 2, 3}));
@@ -42,7 +42,7 @@ TEST(Arrange, GathersRowsAndDividesAnAugmentedMatrix) {
     EXPECT_EQ(candidates[1].count, 3U);
 }
 
-TEST(Arrange, TakesTypedRowsForColumns) {
+TEST(Arrange, TakesTypedRowsAsColumns) {
     const auto candidates = arranged(8, "A[0] = vec3(1, 2, 3)\nA[1] = vec3(4, 5, 6)\nA[2] = vec3(7, 8, 9)\n");
     ASSERT_EQ(candidates.size(), 1U);
     EXPECT_EQ(candidates[0].order, MatrixOrder::columns);
@@ -54,19 +54,19 @@ TEST(Arrange, LeavesTheOrderOfAFlatListOpen) {
     EXPECT_EQ(candidates[0].order, MatrixOrder::unsaid);
 }
 
-TEST(Arrange, JoinsFramedNumbersBelowEachOther) {
+TEST(Arrange, JoinsFramedNumbersOnConsecutiveLines) {
     const auto candidates = arranged(8, "      | 1 |\nP_t = | 2 |\n      | 3 |\n");
     ASSERT_EQ(candidates.size(), 1U);
     EXPECT_EQ(values(candidates[0]), (std::vector<double>{1, 2, 3}));
     EXPECT_EQ(candidates[0].value.label, "P_t");
 }
 
-TEST(Arrange, KeepsScalarsBelowEachOtherApart) {
+TEST(Arrange, KeepsScalarsOnConsecutiveLinesApart) {
     EXPECT_EQ(arranged(6, "1\n-4\n2\n").size(), 3U);
     EXPECT_EQ(arranged(5, "1\n-4\n2\n").size(), 1U);  // no scalar is asked for
 }
 
-TEST(Arrange, TakesAListWithNamesApart) {
+TEST(Arrange, SplitsAListWithNames) {
     const auto candidates = arranged(8, "(u, v, t) = (1, 2, 3)\n");
     ASSERT_EQ(candidates.size(), 3U);
     EXPECT_EQ(candidates[2].value.label, "t");

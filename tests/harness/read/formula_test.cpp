@@ -1,4 +1,4 @@
-#include "harness/linear_form.h"
+#include "harness/read/formula.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ std::vector<double> read(std::string_view line) {
 
 using Numbers = std::vector<double>;
 
-TEST(LinearForm, IsNoFormulaWithoutNumbers) {
+TEST(LinearForm, RejectsAFormulaWithoutNumbers) {
     for (const std::string_view line : {"P = S + tV", "a t^2 + b t + c = 0", "u + v = 0.5", "t = 0.5", "t1 = 3.4",
                                         "1 + 2 = 3", "A + u(B-A) + v(C-A) = S + tV", "2 + t"}) {
         EXPECT_EQ(read(line), Numbers{}) << line;

@@ -1,4 +1,4 @@
-#include "harness/heading.h"
+#include "harness/read/heading.h"
 
 #include <gtest/gtest.h>
 
@@ -20,14 +20,14 @@ std::vector<int> questions(const std::vector<std::string_view>& lines) {
     return found;
 }
 
-TEST(Heading, TakesNoNumberOfAnAnswerForItself) {
+TEST(Heading, TakesNoNumberOfAnAnswer) {
     for (const std::string_view line : {"-4", "4", "0.585786", "1.41421", "1. 0. 0. 4.", "1.25", "2.5e3", "1 0 0 0",
                                         "+3", "t: 1", "3x3", "2 positive roots"}) {
         EXPECT_EQ(question(line), 0) << line;
     }
 }
 
-TEST(Heading, IsKnownInEveryDress) {
+TEST(Heading, IsRecognisedInEveryStyle) {
     for (const std::string_view line : {"Question 6:",
                                         "Q6)",
                                         "q6",
@@ -63,24 +63,24 @@ TEST(Heading, LeavesTheAnswerOnItsLine) {
     EXPECT_EQ(rest("Question 10 ray hits"), "ray hits");
 }
 
-TEST(Heading, IsNoSentenceAboutAQuestion) {
+TEST(Heading, IsDistinguishedFromASentenceAboutAQuestion) {
     EXPECT_EQ(question("Using the matrix of question 3: 1"), 0);
     EXPECT_EQ(question("Question 6's t"), 0);
     EXPECT_EQ(question("quotient 6"), 0);
 }
 
-TEST(Headings, KeepToOneStyleSoThatStepsAreNone) {
+TEST(Headings, HaveOneStyleSoThatStepsAreNoHeadings) {
     EXPECT_EQ(questions({"Question 6", "Step 1: a", "Step 2: b", "1. c", "2. d", "3. e", "Question 8"}),
               (std::vector<int>{6, 0, 0, 0, 0, 0, 8}));
     EXPECT_EQ(questions({"Part 1", "Part 2", "1. x", "2. y", "3. z"}), (std::vector<int>{1, 2, 0, 0, 0}));
 }
 
-TEST(Headings, MayBeBareIfTheyCount) {
+TEST(Headings, MayBeBareNumbersIfTheyCountUp) {
     EXPECT_EQ(questions({"1.", "x", "2.", "3."}), (std::vector<int>{1, 0, 2, 3}));
     EXPECT_EQ(questions({"1.", "x", "2."}), (std::vector<int>{0, 0, 0}));
 }
 
-TEST(Headings, OfAnEmptyOutputAreNone) {
+TEST(Headings, AreNoneInAnEmptyOutput) {
     EXPECT_TRUE(find_headings({}).empty());
 }
 

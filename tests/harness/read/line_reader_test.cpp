@@ -1,4 +1,4 @@
-#include "harness/line_reader.h"
+#include "harness/read/line_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ PrintedValue only(std::string_view line) {
 
 using Numbers = std::vector<double>;
 
-TEST(ReadLine, TakesNothingFromProse) {
+TEST(ReadLine, ReadsNoValueFromProse) {
     for (const std::string_view line :
          {"if there are 2 positive roots, pick the smaller one", "0 <= u <= 1", "a 3x3 linear system", "u + v <= 1",
           "(P - C) . (P - C) = R^2", "-------- ****", ""}) {
@@ -29,7 +29,7 @@ TEST(ReadLine, TakesNothingFromProse) {
     }
 }
 
-TEST(ReadLine, TakesTheResultOfAFormula) {
+TEST(ReadLine, ReadsTheResultOfAFormula) {
     EXPECT_EQ(read("c = 5/3 = 1.66667"), Numbers{1.66667});
     EXPECT_EQ(read("t = 3 - sqrt2 = 1.5858"), Numbers{1.5858});
     EXPECT_EQ(read("t = 1/sqrt(2) = 0.707"), Numbers{0.707});
@@ -37,7 +37,7 @@ TEST(ReadLine, TakesTheResultOfAFormula) {
     EXPECT_EQ(read("d = 0.585786 = 2 - sqrt(2)"), Numbers{0.585786});
 }
 
-TEST(ReadLine, TakesAFractionAloneExactly) {
+TEST(ReadLine, ReadsALoneFractionExactly) {
     const PrintedValue value = only("u = 1/4");
     EXPECT_EQ(value.numbers.at(0).value, 0.25);
     EXPECT_TRUE(value.numbers.at(0).exact);
@@ -48,13 +48,13 @@ TEST(ReadLine, KeepsTheValueOfAComparison) {
     EXPECT_EQ(read("u = 0.2, 0 <= u <= 1"), Numbers{0.2});
 }
 
-TEST(ReadLine, LeavesRemarksOut) {
+TEST(ReadLine, LeavesOutRemarks) {
     EXPECT_EQ(read("t = 0.333 (= 1/3)"), Numbers{0.333});
     EXPECT_EQ(read("a = 1 (a unit vector, so 1)"), Numbers{1});
     EXPECT_EQ(read("(0.667 (= 2/3), 0, 1)"), (Numbers{0.667, 0, 1}));
 }
 
-TEST(ReadLine, KnowsNestingTypesAndBars) {
+TEST(ReadLine, ReadsNestingTypesAndBars) {
     const PrintedValue matrix = only("M = dmat3x3((1, 2, 3), (4, 5, 6), (7, 8, 9))");
     EXPECT_EQ(matrix.groups, 3);
     EXPECT_TRUE(matrix.typed);
@@ -64,7 +64,7 @@ TEST(ReadLine, KnowsNestingTypesAndBars) {
     EXPECT_EQ(only("[ 1 2 3 | 4 ]").bar_after, 3);
 }
 
-TEST(ReadLine, FindsLabelsBeforeAndBehind) {
+TEST(ReadLine, FindsLabelsBeforeAndAfterAValue) {
     EXPECT_EQ(only("P_s = S + t*V = (0, 0, 1)").label, "P_s");
     EXPECT_EQ(only("0.585786 <- t").after, "t");
     const LineReading reading = read_line("1 (a), -4 (b), 2 (c)");
@@ -72,14 +72,14 @@ TEST(ReadLine, FindsLabelsBeforeAndBehind) {
     EXPECT_EQ(reading.values[2].after, "(c)");
 }
 
-TEST(ReadLine, ReadsALabelThatHasNoValue) {
+TEST(ReadLine, ReadsALabelWithoutAValue) {
     const LineReading reading = read_line(R"("a": 1, "t": null)");
     ASSERT_EQ(reading.values.size(), 2U);
     EXPECT_TRUE(reading.values[1].numbers.empty());
     EXPECT_EQ(reading.values[1].label, "t");
 }
 
-TEST(ReadLine, SurvivesBracketsThatDoNotMatch) {
+TEST(ReadLine, SurvivesUnmatchedBrackets) {
     EXPECT_EQ(read("((((((1, 2, 3"), (Numbers{1, 2, 3}));
     EXPECT_EQ(read("1, 2, 3))))"), (Numbers{1, 2, 3}));
     EXPECT_EQ(read("(1, 2, 3] }"), (Numbers{1, 2, 3}));

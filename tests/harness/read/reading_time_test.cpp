@@ -1,5 +1,5 @@
-// Reading and matching take time linear in the output's size, whatever is in it. The bound on the clock is wide: it is
-// to stop what hangs. tests/bench/reading_growth compares the times of one size and its double.
+// Reading and matching take time linear in the output's size, for any output. The time bound is wide: it only detects a
+// hang. tests/bench/reading_growth compares the times for one size and for twice that size.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "harness/match.h"
-#include "harness/transcript.h"
-#include "tests/nasty_outputs.h"
+#include "harness/match/match.h"
+#include "harness/read/transcript.h"
+#include "tests/given/nasty_outputs.h"
 
 namespace {
 
 class NastyOutput : public testing::TestWithParam<NastyPattern> {};
 
-TEST_P(NastyOutput, OfOneMebibyteIsReadInTime) {
+TEST_P(NastyOutput, IsReadInTimeAtOneMebibyte) {
     const std::string output = nasty_output(GetParam(), std::size_t{1} << 20U);
     const auto start = std::chrono::steady_clock::now();
     const auto matched = harness::match(harness::read_transcript(output), reference::all_items());

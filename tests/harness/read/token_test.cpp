@@ -1,4 +1,4 @@
-#include "harness/token.h"
+#include "harness/read/token.h"
 
 #include <gtest/gtest.h>
 
@@ -37,13 +37,13 @@ TEST(Tokenize, FindsNoNumberInAWordThatBeginsWithADigit) {
     EXPECT_EQ(numbers("3x3 2nd 4ac 1st vec3 t1 P_2"), std::vector<double>{});
 }
 
-TEST(Tokenize, TakesASignThatIsNoOperator) {
+TEST(Tokenize, ReadsASignThatIsNoOperator) {
     EXPECT_EQ(numbers("-1 (-2) 3 -4 +5"), (std::vector<double>{-1, -2, 3, -4, 5}));
     EXPECT_EQ(kinds("b-4"), "w+n");
     EXPECT_EQ(kinds("(b)-4"), "(w)+n");
 }
 
-TEST(Tokenize, KnowsTheLastDigitOfEachNotation) {
+TEST(Tokenize, FindsTheLastDigitInEachNotation) {
     EXPECT_EQ(number("1.50").decimals, 2);
     EXPECT_EQ(number("1.5e-3").decimals, 4);
     EXPECT_EQ(number("1.5E+03").decimals, -2);
@@ -52,7 +52,7 @@ TEST(Tokenize, KnowsTheLastDigitOfEachNotation) {
     EXPECT_EQ(number("0.0050").significant, 2);
 }
 
-TEST(Tokenize, ReadsWhatIsNoNumberAsTheLibrariesPrintIt) {
+TEST(Tokenize, ReadsNanAndInfinityAsLibrariesPrintThem) {
     EXPECT_TRUE(std::isnan(number("-nan").value));
     EXPECT_TRUE(std::isnan(number("-nan(ind)").value));
     EXPECT_TRUE(std::isnan(number("-1.#IND").value));
@@ -70,25 +70,25 @@ TEST(Tokenize, ReadsNumbersBeyondTheRangeAsInfinityOrZero) {
     EXPECT_EQ(number("1e99999999999999999999").value, HUGE_VAL);
 }
 
-TEST(Tokenize, TellsAngleBracketsFromComparisons) {
+TEST(Tokenize, DistinguishesAngleBracketsFromComparisons) {
     EXPECT_EQ(kinds("<0, 0, -2>"), "(n,n,n)");
     EXPECT_EQ(kinds("0 <= u < 1"), "n<w<n");
     EXPECT_EQ(kinds("a -> 1"), "w=n");
     EXPECT_EQ(kinds("t > 0"), "w<n");
 }
 
-TEST(Tokenize, SeparatesALabelGluedToTheNumberBeforeIt) {
+TEST(Tokenize, SeparatesALabelFromTheNumberBeforeIt) {
     EXPECT_EQ(numbers("a=1b=-4c=2"), (std::vector<double>{1, -4, 2}));
     EXPECT_EQ(numbers("b^2-4ac=8"), (std::vector<double>{2, 8}));
     EXPECT_EQ(numbers("t1.5858"), std::vector<double>{1.5858});
 }
 
-TEST(Tokenize, EndsBehindAPointThatBeginsNoNumber) {
+TEST(Tokenize, EndsAfterAPointThatBeginsNoNumber) {
     EXPECT_EQ(kinds(".5x"), ".w");
     EXPECT_EQ(kinds("-.5_ ."), ".w.");
 }
 
-TEST(Tokenize, TakesFloatLiterals) {
+TEST(Tokenize, ReadsFloatLiterals) {
     EXPECT_EQ(numbers("0.3f, -1.f"), (std::vector<double>{0.3, -1}));
 }
 

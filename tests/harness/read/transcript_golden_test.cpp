@@ -1,5 +1,5 @@
-// The golden transcripts: what students print, and what an experienced marker reads there. parsed.txt is that marker's
-// reading, so where a test fails it is the reader that is wrong, until a person has found otherwise.
+// The golden transcripts: outputs of students, and an experienced marker's reading of them in parsed.txt. If a test
+// fails, assume that the reader is wrong, not parsed.txt, until a person has checked.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/bytes_of.h"
-#include "tests/parsed.h"
+#include "tests/given/bytes_of.h"
+#include "tests/given/parsed.h"
 
 namespace {
 
@@ -21,7 +21,7 @@ struct Case {
 
 std::vector<Case> all_cases() {
     std::vector<Case> cases;
-    for (const auto& entry : std::filesystem::directory_iterator(RAYGRADE_TRANSCRIPTS)) {
+    for (const auto& entry : std::filesystem::directory_iterator(RAYGRADE_PROJECT "/tests/given/transcripts")) {
         cases.push_back({entry.path().filename()});
     }
     std::sort(cases.begin(), cases.end(), [](const Case& a, const Case& b) { return a.name < b.name; });
@@ -30,8 +30,9 @@ std::vector<Case> all_cases() {
 
 class Golden : public testing::TestWithParam<Case> {};
 
-TEST_P(Golden, IsReadAsAMarkerReadsIt) {
-    const std::filesystem::path folder = std::filesystem::path(RAYGRADE_TRANSCRIPTS) / GetParam().name;
+TEST_P(Golden, MatchesTheMarkersReading) {
+    const std::filesystem::path folder =
+        std::filesystem::path(RAYGRADE_PROJECT "/tests/given/transcripts") / GetParam().name;
     EXPECT_EQ(parsed(bytes_of(folder / "output.txt")), bytes_of(folder / "parsed.txt"));
 }
 

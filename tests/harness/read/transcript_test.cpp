@@ -1,4 +1,4 @@
-#include "harness/transcript.h"
+#include "harness/read/transcript.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ TEST(ReadTranscript, CountsLinesAsTheProgramPrintedThem) {
     EXPECT_EQ(read[1].line, 8);
 }
 
-TEST(ReadTranscript, DividesALineWhereAHeadingFollowsAValue) {
+TEST(ReadTranscript, DividesALineBeforeAHeadingThatFollowsAValue) {
     const Transcript transcript = read_transcript("Question 6: t = 1Question 7: N = (0, 0, 1)  Question 8: t = 2");
     ASSERT_EQ(transcript.sections.size(), 4U);
     EXPECT_EQ(transcript.sections[2].question, 7);
@@ -34,7 +34,7 @@ TEST(ReadTranscript, JoinsComponentsOnOneLineAndOnSeveral) {
     EXPECT_EQ(values("A.x = 1\nB.y = 2\nC.z = 3\n").size(), 3U);
 }
 
-TEST(ReadTranscript, ReadsWordsForNoValue) {
+TEST(ReadTranscript, ReadsWordsThatMeanNoValue) {
     for (const std::string_view line :
          {"t: none", "hit point = no hit", "N -> n/a", "The ray misses the sphere", "so there are no real roots"}) {
         const auto read = values(line);
@@ -44,14 +44,14 @@ TEST(ReadTranscript, ReadsWordsForNoValue) {
     EXPECT_TRUE(values("if the discriminant is negative there is no hit").empty());
 }
 
-TEST(ReadTranscript, GivesAValueTheWordsAbove) {
+TEST(ReadTranscript, LabelsAValueWithTheWordsAbove) {
     const auto read = values("Hit point\n\n(1, 2, 3)\n(4, 5, 6)\n");
     ASSERT_EQ(read.size(), 2U);
     EXPECT_EQ(read[0].above, "Hit point");
     EXPECT_EQ(read[1].above, "");
 }
 
-TEST(ReadTranscript, KeepsOnlyTheEndsOfALoopWithoutEnd) {
+TEST(ReadTranscript, KeepsOnlyTheBeginningAndEndOfAnEndlessLoop) {
     std::string output = "Question 6:\n";
     for (int i = 0; i < 10000; ++i) output += "t = " + std::to_string(i) + "\n";
     const auto read = values(output);
@@ -60,7 +60,7 @@ TEST(ReadTranscript, KeepsOnlyTheEndsOfALoopWithoutEnd) {
     EXPECT_EQ(read.back().numbers[0].value, 9999);
 }
 
-TEST(ReadTranscript, OfNothingHasOneEmptySection) {
+TEST(ReadTranscript, GivesOneEmptySectionForNothing) {
     EXPECT_EQ(read_transcript("").sections.size(), 1U);
     EXPECT_TRUE(values("").empty());
 }

@@ -1,4 +1,4 @@
-#include "harness/verdict_reader.h"
+#include "harness/read/verdict.h"
 
 #include <gtest/gtest.h>
 
@@ -14,14 +14,14 @@ std::optional<Verdict> read(const std::vector<std::string>& texts, VerdictPlace 
     return verdict ? std::optional(verdict->verdict) : std::nullopt;
 }
 
-TEST(ReadVerdict, IsNotFooledByTheQuestion) {
+TEST(ReadVerdict, IgnoresTheTextOfTheQuestion) {
     EXPECT_EQ(read({"Print triangle first or sphere first"}), std::nullopt);
     EXPECT_EQ(read({"Which is hit first, the sphere or the triangle?", "the sphere"}), Verdict::sphere_first);
     EXPECT_EQ(read({"- ray hits triangle first", "- ray hits sphere first", "ray hits triangle first"}),
               Verdict::triangle_first);
 }
 
-TEST(ReadVerdict, ADeniedFirstMeansTheOther) {
+TEST(ReadVerdict, TakesANegatedFirstAsTheOtherObject) {
     EXPECT_EQ(read({"ray does not hit triangle first, it hits sphere first"}), Verdict::sphere_first);
     EXPECT_EQ(read({"ray does not hit the sphere first; it hits the triangle"}), Verdict::triangle_first);
     EXPECT_EQ(read({"The triangle is no true hit, so ray hits sphere first"}), Verdict::sphere_first);
@@ -46,16 +46,16 @@ TEST(ReadVerdict, PrefersTheSentenceToTheValues) {
               Verdict::triangle_first);
 }
 
-TEST(ReadVerdict, TakesNothingFromDebugLines) {
+TEST(ReadVerdict, IgnoresDebugLines) {
     EXPECT_EQ(read({"DEBUG: sphere first"}), std::nullopt);
 }
 
-TEST(ReadVerdict, ElsewhereNeedsTheWordFirst) {
+TEST(ReadVerdict, RequiresTheWordFirstOutsideQuestion10) {
     EXPECT_EQ(read({"the ray hits the sphere"}, VerdictPlace::elsewhere), std::nullopt);
     EXPECT_EQ(read({"ray hits sphere first"}, VerdictPlace::elsewhere), Verdict::sphere_first);
 }
 
-TEST(ReadVerdict, SaysOnWhichLineOfTheOutput) {
+TEST(ReadVerdict, GivesTheLineOfTheOutput) {
     EXPECT_EQ(read_verdict({{"", 7}, {"  ray hits sphere first", 8}}, VerdictPlace::own_section).value().line, 8);
     EXPECT_EQ(read_verdict({{"  * ray hits sphere first", 8}}, VerdictPlace::own_section).value().printed,
               "ray hits sphere first");

@@ -1,14 +1,13 @@
-#include "harness/class_reports.h"
+#include "harness/results/reports.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "harness/failure.h"
-#include "harness/find_submissions.h"
-#include "harness/results_folder.h"
-#include "tests/bytes_of.h"
-#include "tests/report/graded_samples.h"
-#include "tests/temporary_folder.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
+#include "tests/given/bytes_of.h"
+#include "tests/given/report/graded_samples.h"
+#include "tests/given/temporary_folder.h"
 
 namespace harness {
 namespace {
@@ -18,7 +17,7 @@ using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
-/// Every file below a folder by its name.
+/// The contents of every file below a folder, by name.
 std::map<std::string, std::string> files_of(const fs::path& folder) {
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -29,7 +28,7 @@ std::map<std::string, std::string> files_of(const fs::path& folder) {
 
 constexpr const char* exported = "Student,ID,Assignment 6 (71)\r\nAda,ada,\r\nBob,bob,\r\n";
 
-/// Ada, late and with an override; a hostile one; and bob, who was not graded but has points as a whole.
+/// Three submissions: ada, late and with an override; a hostile one; and bob, not graded but with an overridden total.
 std::vector<Graded> a_class() {
     std::vector<Graded> all = {graded("ada", output_with_a_mistake()), hostile(), not_graded("bob")};
     all[0].late_share = 0.25;
@@ -43,14 +42,13 @@ class ClassReports : public testing::Test {
     fs::path write(const std::string& name, const std::vector<Graded>& all, std::optional<std::size_t> only = {}) {
         const fs::path out = folder.path() / name;
         make_results_folder(out, "feedback");
-        ReportsAhead({all, marking(), Tier::bwrap, report::read_canvas_roster(exported, ""), std::nullopt}, out)
-            .put_in_place(only);
+        write_reports({all, marking(), Tier::bwrap, report::read_canvas_roster(exported, ""), std::nullopt}, out, only);
         return out;
     }
     TemporaryFolder folder;
 };
 
-TEST_F(ClassReports, FromTheGradebookAreThoseOfTheFreshClassByteForByte) {
+TEST_F(ClassReports, AreTheSameFromTheGradebookAsFromANewGrading) {
     std::vector<Graded> fresh = a_class();
     attach(overrides, fresh);
     const fs::path book = folder.make_folder("book");
@@ -67,27 +65,24 @@ TEST_F(ClassReports, FromTheGradebookAreThoseOfTheFreshClassByteForByte) {
     EXPECT_THAT(files.at("grades-canvas.csv"), HasSubstr("\"Bob\",\"bob\",\"40.00\"\r\n"));
 }
 
-TEST_F(ClassReports, RemoveTheFeedbackOfWhoIsGoneAndAnImportWithoutItsRoster) {
+TEST_F(ClassReports, RemoveFeedbackOfRemovedStudentsAndImportsWithoutARoster) {
     const fs::path out = write("out", a_class());
     folder.write("out/feedback/mine.txt", "mine");
-    ReportsAhead({{}, marking(), Tier::bwrap, std::nullopt, std::nullopt}, out).put_in_place();
+    write_reports({{}, marking(), Tier::bwrap, std::nullopt, std::nullopt}, out);
     EXPECT_FALSE(fs::exists(out / "feedback/ada.md"));
     EXPECT_TRUE(fs::exists(out / "feedback/mine.txt"));
     EXPECT_FALSE(fs::exists(out / "grades-canvas.csv"));
 }
 
-TEST_F(ClassReports, ThatAreNotPutInPlaceLeaveTheOldOnes) {
+TEST_F(ClassReports, RemoveWhatAKilledCommandLeftUnfinished) {
     const fs::path out = write("out", a_class());
     const auto files = files_of(out);
-    const std::vector<Graded> others = {graded("zoe", "")};
-    const ClassResults results{others, marking(), Tier::bwrap, std::nullopt, std::nullopt};
-    { const ReportsAhead reports(results, out); }
+    folder.write("out/feedback/ada.md.new", "half of it");
+    write("out", a_class());
     EXPECT_EQ(files_of(out), files);
-    ReportsAhead(results, out).put_in_place();
-    EXPECT_NE(files_of(out), files);
 }
 
-TEST_F(ClassReports, OfOneChangedSubmissionLeaveTheOthersFeedbackAlone) {
+TEST_F(ClassReports, RewriteOnlyTheFeedbackOfAChangedSubmission) {
     std::vector<Graded> all = a_class();
     const fs::path out = write("out", all);
     folder.write("out/feedback/bob.md", "as it was");
@@ -98,7 +93,7 @@ TEST_F(ClassReports, OfOneChangedSubmissionLeaveTheOthersFeedbackAlone) {
     EXPECT_THAT(bytes_of(out / "grades.json"), HasSubstr("right idea"));
 }
 
-TEST_F(ClassReports, AreAsLeftUntilOneIsGoneOrTouched) {
+TEST_F(ClassReports, AreUnchangedUntilAFileIsRemovedOrTouched) {
     const std::vector<Graded> all = {graded("ada", output_with_a_mistake()), not_graded("bob")};
     const ClassResults results{all, marking(), Tier::bwrap, std::nullopt, std::nullopt};
     const fs::path out = folder.make_folder("out");
@@ -106,7 +101,7 @@ TEST_F(ClassReports, AreAsLeftUntilOneIsGoneOrTouched) {
     EXPECT_FALSE(class_reports_are_as_left(all, out));
     std::vector<fs::path> files;
     const auto write_again = [&] {
-        ReportsAhead(results, out).put_in_place();
+        write_reports(results, out);
         folder.write("out/gradebook.sqlite", "");
         files.clear();
         for (const auto& entry : fs::recursive_directory_iterator(out)) {
@@ -132,7 +127,7 @@ TEST_F(ClassReports, AreAsLeftUntilOneIsGoneOrTouched) {
     }
 }
 
-TEST_F(ClassReports, GoBackWhereThereIsARosterOrAnLms) {
+TEST_F(ClassReports, GoBackIfThereIsARosterOrAnLms) {
     std::vector<Graded> all = {graded("ada", output_with_a_mistake())};
     EXPECT_FALSE(goes_back({all, marking(), Tier::bwrap, std::nullopt, std::nullopt}));
     EXPECT_TRUE(goes_back({all, marking(), Tier::bwrap, report::read_canvas_roster(exported, ""), std::nullopt}));
@@ -140,10 +135,9 @@ TEST_F(ClassReports, GoBackWhereThereIsARosterOrAnLms) {
     EXPECT_TRUE(goes_back({all, marking(), Tier::bwrap, std::nullopt, std::nullopt}));
 }
 
-TEST_F(ClassReports, TellOfAFolderThatCannotBeWritten) {
+TEST_F(ClassReports, ReportAnUnwritableFolder) {
     EXPECT_THROW(
-        ReportsAhead({a_class(), marking(), Tier::bwrap, std::nullopt, std::nullopt}, folder.path() / "nowhere")
-            .put_in_place(),
+        write_reports({a_class(), marking(), Tier::bwrap, std::nullopt, std::nullopt}, folder.path() / "nowhere"),
         HarnessError);
 }
 
@@ -164,7 +158,7 @@ TEST(ResultsFolder, IsNotSharedByTwoCommandsAtOnce) {
     EXPECT_NO_THROW(FolderLock{folder.path() / "missing"});
 }
 
-TEST(ResultsFolder, IsNewEmptyOrOfAnEarlierRun) {
+TEST(ResultsFolder, MustBeNewOrEmptyOrOfAnEarlierRun) {
     const TemporaryFolder folder;
     const auto look = [&](const char* name) { return look_into(folder.path() / name, marks_of_results(), "feedback"); };
     EXPECT_EQ(look("missing"), Holds::nothing);

@@ -1,4 +1,4 @@
-#include "harness/doctor.h"
+#include "harness/run/doctor.h"
 
 #include <gmock/gmock.h>
 #include <stdlib.h>
@@ -15,7 +15,7 @@ Finding find(const std::vector<Finding>& findings, const std::string& what) {
     return found == findings.end() ? Finding{what, Finding::Level::bad, "not examined", ""} : *found;
 }
 
-TEST(ExamineMachine, FindsEverythingThatTheTestsThemselvesNeed) {
+TEST(ExamineMachine, FindsEverythingThatTheTestsNeed) {
     const auto findings = harness::examine_machine();
     for (const char* what : {"compiler", "compiling and running with GLM", "kernel", "cores", "programs run in"}) {
         const Finding finding = find(findings, what);
@@ -25,7 +25,7 @@ TEST(ExamineMachine, FindsEverythingThatTheTestsThemselvesNeed) {
     }
 }
 
-TEST(ExamineMachine, SaysWhatIsMissingInsteadOfThrowing) {
+TEST(ExamineMachine, ReportsMissingPartsInsteadOfThrowing) {
     const std::string path = getenv("PATH");
     setenv("PATH", "/nonexistent", 1);
     const auto without_compiler = harness::examine_machine();

@@ -1,10 +1,10 @@
-#include "harness/limit_settings.h"
+#include "harness/run/limits.h"
 
 #include <gmock/gmock.h>
 
 #include <sstream>
 
-#include "tests/bytes_of.h"
+#include "tests/given/bytes_of.h"
 
 namespace {
 
@@ -47,7 +47,7 @@ TEST(ReadLimits, HasTheHandbooksDefaults) {
     EXPECT_EQ(limits.compile.error_bytes, 64ULL << 10);
 }
 
-TEST(ReadLimits, TakesTheAssignmentsAndOverThemTheCommandLines) {
+TEST(ReadLimits, OverridesTheAssignmentsLimitsByTheCommandLines) {
     const auto limits = read_limits({entry("run.cpu_seconds", 1.5), entry("run.memory_mib", 64)},
                                     {"run.memory_mib=128", "compile.processes=48"});
     EXPECT_EQ(limits.run.cpu, 1500ms);
@@ -55,7 +55,7 @@ TEST(ReadLimits, TakesTheAssignmentsAndOverThemTheCommandLines) {
     EXPECT_EQ(limits.compile.processes, 48);
 }
 
-TEST(ReadLimits, SetsEveryLimitItNames) {
+TEST(ReadLimits, SetsEveryNamedLimit) {
     const auto defaults = read_limits({}, {});
     for (const LimitDescription& limit : describe_limits()) {
         const auto changed = read_limits({}, {limit.name + "=9"});
@@ -73,14 +73,14 @@ TEST(ReadLimits, SetsEveryLimitItNames) {
     EXPECT_EQ(describe_limits().size(), 18U);
 }
 
-TEST(ReadLimits, GivesFiveTimesTheProcessorTimeByTheClockUnlessToldOtherwise) {
+TEST(ReadLimits, SetsTheWallTimeToFiveTimesTheCpuTimeByDefault) {
     EXPECT_EQ(read_limits({}, {"run.cpu_seconds=10"}).run.wall, 50s);
     EXPECT_EQ(read_limits({}, {"run.cpu_seconds=1"}).run.wall, 10s);
     EXPECT_EQ(read_limits({}, {"run.cpu_seconds=10", "run.wall_seconds=12"}).run.wall, 12s);
     EXPECT_EQ(read_limits({entry("run.wall_seconds", 12)}, {"run.cpu_seconds=10"}).run.wall, 12s);
 }
 
-TEST(ReadLimits, SaysWhatIsWrongAndWhere) {
+TEST(ReadLimits, ReportsMistakesWithTheirPlace) {
     EXPECT_THAT(why_not({entry("run.cpu", 1)}, {}),
                 AllOf(HasSubstr("a.toml:7: limits.run.cpu: is not a limit"), HasSubstr("run.cpu_seconds")));
     EXPECT_EQ(why_not({entry("run.cpu_seconds", 0)}, {}),
@@ -93,13 +93,13 @@ TEST(ReadLimits, SaysWhatIsWrongAndWhere) {
     EXPECT_THAT(why_not({}, {"=3"}), HasSubstr("is not a limit"));
 }
 
-TEST(ReadLimits, KnowsALimitWithoutItsStageOrOfTheWrongOne) {
+TEST(ReadLimits, SuggestsTheStageForALimitWithoutItOrWithAWrongOne) {
     const std::string meant = "is not a limit; did you mean run.cpu_seconds or compile.cpu_seconds?";
     EXPECT_EQ(why_not({entry("cpu_seconds", 3)}, {}), "a.toml:7: limits.cpu_seconds: " + meant);
     EXPECT_EQ(why_not({}, {"build.cpu_seconds=3"}), "--limit build.cpu_seconds: " + meant);
 }
 
-TEST(DescribeLimits, IsWhatTheReadmeSays) {
+TEST(DescribeLimits, MatchesTheReadme) {
     const std::string readme = bytes_of(RAYGRADE_PROJECT "/README.md");
     for (const LimitDescription& limit : describe_limits()) {
         EXPECT_THAT(readme, HasSubstr("| `" + limit.name + "` | " + limit.value + " | " + limit.consequence + " |"));

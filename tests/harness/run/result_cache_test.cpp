@@ -1,4 +1,4 @@
-#include "harness/store.h"
+#include "harness/run/result_cache.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
@@ -10,7 +10,7 @@
 #include <fstream>
 #include <thread>
 
-#include "temporary_folder.h"
+#include "tests/given/temporary_folder.h"
 
 namespace {
 
@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 using harness::Ended;
 using harness::Execution;
 using harness::is_worth_keeping;
-using harness::Store;
+using harness::ResultCache;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -32,8 +32,8 @@ Execution printed(const std::string& output) {
     return execution;
 }
 
-std::string output_of(Store& store, const std::string& key) {
-    const auto found = store.find(key);
+std::string output_of(ResultCache& cache, const std::string& key) {
+    const auto found = cache.find(key);
     return found ? found->run.output : "(nothing)";
 }
 
@@ -41,7 +41,7 @@ void alter(const std::filesystem::path& folder, const std::string& sql) {
     SQLite::Database((folder / "results.sqlite").string(), SQLite::OPEN_READWRITE).exec(sql);
 }
 
-TEST(Store, GivesBackEveryFieldForTheNextRun) {
+TEST(ResultCache, ReturnsEveryFieldInTheNextRun) {
     const TemporaryFolder folder;
     Execution kept = printed(std::string("a\0\xff\n", 4));
     kept.build.program = "/gone";
@@ -57,9 +57,9 @@ TEST(Store, GivesBackEveryFieldForTheNextRun) {
     kept.run.peak_memory_bytes = std::uint64_t{5} << 40;
     kept.run.errors = "e";
     kept.run.errors_truncated = true;
-    Store(folder.path()).keep("k", kept);
-    Store store(folder.path());
-    const auto found = store.find("k");
+    ResultCache(folder.path()).keep("k", kept);
+    ResultCache cache(folder.path());
+    const auto found = cache.find("k");
     ASSERT_TRUE(found);
     EXPECT_FALSE(found->build.program) << "the program is gone";
     EXPECT_TRUE(found->build.tried);
@@ -77,79 +77,51 @@ TEST(Store, GivesBackEveryFieldForTheNextRun) {
     EXPECT_EQ(found->run.output, std::string("a\0\xff\n", 4));
     EXPECT_EQ(found->run.errors, "e");
     EXPECT_TRUE(found->run.errors_truncated);
-    EXPECT_THAT(store.problems(), IsEmpty());
+    EXPECT_THAT(cache.problems(), IsEmpty());
 }
 
-TEST(Store, FindsNothingUnderAnotherKey) {
+TEST(ResultCache, FindsNothingUnderADifferentKey) {
     const TemporaryFolder folder;
-    Store store(folder.path());
-    store.keep("k", printed("a"));
-    EXPECT_TRUE(store.contains("k"));
-    EXPECT_FALSE(store.contains("l"));
-    EXPECT_FALSE(store.find("l"));
-    EXPECT_EQ(output_of(store, "k"), "a");
+    ResultCache cache(folder.path());
+    cache.keep("k", printed("a"));
+    EXPECT_TRUE(cache.contains("k"));
+    EXPECT_FALSE(cache.contains("l"));
+    EXPECT_FALSE(cache.find("l"));
+    EXPECT_EQ(output_of(cache, "k"), "a");
 }
 
-TEST(Store, HoldsOnToNothingBetweenTwoQuestions) {
+TEST(ResultCache, HoldsNoReadLockBetweenQueries) {
     const TemporaryFolder folder;
-    Store store(folder.path());
-    store.keep("k", printed("a"));
-    EXPECT_TRUE(store.contains("k"));
-    EXPECT_TRUE(store.find("k"));
+    ResultCache cache(folder.path());
+    cache.keep("k", printed("a"));
+    EXPECT_TRUE(cache.contains("k"));
+    EXPECT_TRUE(cache.find("k"));
     SQLite::Database other((folder.path() / "results.sqlite").string(), SQLite::OPEN_READWRITE);
     EXPECT_EQ(other.execAndGet("PRAGMA wal_checkpoint(TRUNCATE)").getInt(), 0) << "someone reads what is in the log";
 }
 
-TEST(Store, KeepsWhatItHeldBackWhenToldTo) {
+TEST(ResultCache, KeepsTheLastOfTwoResultsUnderOneKey) {
     const TemporaryFolder folder;
-    const auto others_find = [&] { return Store(folder.path()).contains("k"); };
-    {
-        Store store(folder.path());
-        store.keep("before", printed("a"));
-        store.hold_back();
-        store.keep("k", printed("b"));
-        EXPECT_EQ(output_of(store, "before"), "a");
-        EXPECT_FALSE(others_find());
-    }
-    EXPECT_FALSE(others_find()) << "nobody has told it to";
-    Store store(folder.path());
-    store.hold_back();
-    store.keep("k", printed("b"));
-    store.keep_held();
-    EXPECT_TRUE(others_find());
-    store.keep("after", printed("c"));
-    EXPECT_EQ(output_of(store, "after"), "c");
-    store.hold_back();
-    store.keep("wrong", printed("d"));
-    store.forget_held();
-    store.keep("last", printed("e"));
-    store.keep_held();
-    EXPECT_FALSE(store.contains("wrong"));
-    EXPECT_EQ(output_of(store, "last"), "e");
+    ResultCache cache(folder.path());
+    cache.keep("k", printed("a"));
+    cache.keep("k", printed("b"));
+    EXPECT_EQ(output_of(cache, "k"), "b");
 }
 
-TEST(Store, KeepsTheLastOfTwoUnderOneKey) {
+TEST(ResultCache, ReturnsEveryKindOfEndThatItKeeps) {
     const TemporaryFolder folder;
-    Store store(folder.path());
-    store.keep("k", printed("a"));
-    store.keep("k", printed("b"));
-    EXPECT_EQ(output_of(store, "k"), "b");
-}
-
-TEST(Store, GivesBackEveryWayToEndThatItKeeps) {
-    const TemporaryFolder folder;
-    Store store(folder.path());
+    ResultCache cache(folder.path());
     for (const Ended ended : {Ended::not_started, Ended::exited, Ended::signalled, Ended::refused, Ended::cpu_limit,
                               Ended::memory_limit, Ended::output_limit}) {
         Execution execution = printed("");
         execution.run.ended = ended;
-        store.keep("k", execution);
-        ASSERT_TRUE(store.find("k"));
-        EXPECT_EQ(store.find("k")->run.ended, ended);
+        cache.keep("k", execution);
+        ASSERT_TRUE(cache.find("k"));
+        EXPECT_EQ(cache.find("k")->run.ended, ended);
     }
 }
 
-TEST(IsWorthKeeping, LeavesWhatDependsOnTheLoadOfTheMachine) {
+TEST(IsWorthKeeping, RejectsResultsThatDependOnTheMachinesLoad) {
     EXPECT_TRUE(is_worth_keeping(printed("a")));
     Execution by_the_clock = printed("a");
     by_the_clock.run.ended = Ended::wall_limit;
@@ -167,121 +139,121 @@ TEST(IsWorthKeeping, LeavesWhatDependsOnTheLoadOfTheMachine) {
     EXPECT_FALSE(is_worth_keeping(compiler_broke_down));
     EXPECT_FALSE(is_worth_keeping(Execution{})) << "nothing was tried";
     const TemporaryFolder folder;
-    Store store(folder.path());
-    store.keep("k", by_the_clock);
-    EXPECT_FALSE(store.contains("k"));
+    ResultCache cache(folder.path());
+    cache.keep("k", by_the_clock);
+    EXPECT_FALSE(cache.contains("k"));
 }
 
-TEST(Store, RemovesWhatWasNotUsedForTheLongestTime) {
+TEST(ResultCache, RemovesTheLeastRecentlyUsedResults) {
     const TemporaryFolder folder;
     const std::string large(10000, 'x');
     {
-        Store store(folder.path());
-        for (const char* key : {"a", "b", "c"}) store.keep(key, printed(large));
+        ResultCache cache(folder.path());
+        for (const char* key : {"a", "b", "c"}) cache.keep(key, printed(large));
     }
     alter(folder.path(), "UPDATE results SET used = used - 900000 WHERE key IN ('a', 'b')");
     {
-        Store store(folder.path(), {.bytes = 25000, .age = 24h * 180});
-        EXPECT_EQ(output_of(store, "a"), large);
+        ResultCache cache(folder.path(), {.bytes = 25000, .age = 24h * 180});
+        EXPECT_EQ(output_of(cache, "a"), large);
     }
-    Store store(folder.path());
-    EXPECT_TRUE(store.contains("a")) << "was used just now";
-    EXPECT_FALSE(store.contains("b"));
-    EXPECT_TRUE(store.contains("c"));
+    ResultCache cache(folder.path());
+    EXPECT_TRUE(cache.contains("a")) << "was used just now";
+    EXPECT_FALSE(cache.contains("b"));
+    EXPECT_TRUE(cache.contains("c"));
 }
 
-TEST(Store, RemovesWhatIsTooOld) {
+TEST(ResultCache, RemovesTooOldResults) {
     const TemporaryFolder folder;
-    Store(folder.path()).keep("old", printed("a"));
+    ResultCache(folder.path()).keep("old", printed("a"));
     alter(folder.path(), "UPDATE results SET used = used - 7201");
-    { Store(folder.path(), {.bytes = 1 << 20, .age = 2h}).keep("new", printed("b")); }
-    Store store(folder.path());
-    EXPECT_FALSE(store.contains("old"));
-    EXPECT_TRUE(store.contains("new"));
+    { ResultCache(folder.path(), {.bytes = 1 << 20, .age = 2h}).keep("new", printed("b")); }
+    ResultCache cache(folder.path());
+    EXPECT_FALSE(cache.contains("old"));
+    EXPECT_TRUE(cache.contains("new"));
 }
 
-TEST(Store, DoesNotBelieveWhatTheDiskGarbled) {
+TEST(ResultCache, IgnoresResultsThatTheDiskGarbled) {
     const TemporaryFolder folder;
-    Store(folder.path()).keep("k", printed("right"));
+    ResultCache(folder.path()).keep("k", printed("right"));
     alter(folder.path(), "UPDATE results SET output = CAST('wrong' AS BLOB)");
-    Store store(folder.path());
-    EXPECT_FALSE(store.find("k"));
-    store.keep("k", printed("right"));
-    EXPECT_EQ(output_of(store, "k"), "right");
+    ResultCache cache(folder.path());
+    EXPECT_FALSE(cache.find("k"));
+    cache.keep("k", printed("right"));
+    EXPECT_EQ(output_of(cache, "k"), "right");
 }
 
-TEST(Store, SetsADatabaseAsideThatIsNone) {
+TEST(ResultCache, SetsAsideAFileThatIsNoDatabase) {
     for (const std::string& rubbish : {std::string("not a database, but longer than its header of 100 bytes would "
                                                    "be, so that it is looked at in earnest: xxxxxxxxxxxxxxxxxxxxx"),
                                        "SQLite format 3" + std::string(5000, '\0')}) {
         const TemporaryFolder folder;
         folder.write("results.sqlite", rubbish);
         folder.write("results.sqlite-wal", "rubbish");
-        Store store(folder.path());
-        ASSERT_THAT(store.problems(), ElementsAre(HasSubstr("results.sqlite.set-aside")));
-        store.keep("k", printed("a"));
-        EXPECT_EQ(output_of(store, "k"), "a");
+        ResultCache cache(folder.path());
+        ASSERT_THAT(cache.problems(), ElementsAre(HasSubstr("results.sqlite.set-aside")));
+        cache.keep("k", printed("a"));
+        EXPECT_EQ(output_of(cache, "k"), "a");
         std::ostringstream aside;
         aside << std::ifstream(folder.path() / "results.sqlite.set-aside", std::ios::binary).rdbuf();
         EXPECT_EQ(aside.str(), rubbish);
     }
 }
 
-TEST(Store, SetsADatabaseOfAnotherVersionAside) {
+TEST(ResultCache, SetsAsideADatabaseOfADifferentVersion) {
     for (const char* change :
          {"PRAGMA user_version = 0", "PRAGMA user_version = 99", "ALTER TABLE results RENAME COLUMN seal TO sealed"}) {
         const TemporaryFolder folder;
-        Store(folder.path()).keep("k", printed("a"));
+        ResultCache(folder.path()).keep("k", printed("a"));
         alter(folder.path(), change);
-        Store store(folder.path());
-        EXPECT_THAT(store.problems(), ElementsAre(HasSubstr("set-aside"))) << change;
-        EXPECT_FALSE(store.contains("k")) << change;
-        store.keep("k", printed("b"));
-        EXPECT_EQ(output_of(store, "k"), "b") << change;
-        EXPECT_THAT(Store(folder.path()).problems(), IsEmpty()) << change;
+        ResultCache cache(folder.path());
+        EXPECT_THAT(cache.problems(), ElementsAre(HasSubstr("set-aside"))) << change;
+        EXPECT_FALSE(cache.contains("k")) << change;
+        cache.keep("k", printed("b"));
+        EXPECT_EQ(output_of(cache, "k"), "b") << change;
+        EXPECT_THAT(ResultCache(folder.path()).problems(), IsEmpty()) << change;
     }
 }
 
-TEST(Store, GoesOnWhenTheDatabaseIsDamagedMeanwhile) {
+TEST(ResultCache, WorksOnIfTheDatabaseIsDamagedDuringTheRun) {
     const TemporaryFolder folder;
     {
-        Store store(folder.path());
-        for (int i = 0; i < 200; ++i) store.keep(std::to_string(i), printed(std::string(3000, 'x')));
+        ResultCache cache(folder.path());
+        for (int i = 0; i < 200; ++i) cache.keep(std::to_string(i), printed(std::string(3000, 'x')));
     }
-    {  // every page but the first few, which are read on opening
+    {  // garbles every page except the first few, which are read on opening
         std::fstream file(folder.path() / "results.sqlite", std::ios::in | std::ios::out | std::ios::binary);
         file.seekp(5 * 4096);
         for (int i = 0; i < 100 * 4096; ++i) file.put('\x5a');
     }
-    Store store(folder.path());
-    for (int i = 0; i < 200; ++i) store.find(std::to_string(i));
-    EXPECT_THAT(store.problems(), ElementsAre(HasSubstr("set-aside")));
-    store.keep("k", printed("a"));
-    EXPECT_EQ(output_of(store, "k"), "a");
+    ResultCache cache(folder.path());
+    for (int i = 0; i < 200; ++i) cache.find(std::to_string(i));
+    EXPECT_THAT(cache.problems(), ElementsAre(HasSubstr("set-aside")));
+    cache.keep("k", printed("a"));
+    EXPECT_EQ(output_of(cache, "k"), "a");
 }
 
-TEST(Store, DoesWithoutAFolderItCanNotWrite) {
+TEST(ResultCache, WorksWithoutAWritableFolder) {
     const TemporaryFolder folder;
     folder.write("file", "");
-    Store store(folder.path() / "file" / "below");
-    store.keep("k", printed("a"));
-    EXPECT_FALSE(store.contains("k"));
-    EXPECT_FALSE(store.find("k"));
-    EXPECT_THAT(store.problems(), ElementsAre(HasSubstr("set XDG_CACHE_HOME")));
-    Store in_proc("/proc/raygrade");
+    ResultCache cache(folder.path() / "file" / "below");
+    cache.keep("k", printed("a"));
+    EXPECT_FALSE(cache.contains("k"));
+    EXPECT_FALSE(cache.find("k"));
+    EXPECT_THAT(cache.problems(), ElementsAre(HasSubstr("set XDG_CACHE_HOME")));
+    ResultCache in_proc("/proc/raygrade");
     EXPECT_THAT(in_proc.problems(), ElementsAre(HasSubstr("/proc/raygrade")));
 }
 
-TEST(Store, ServesTwoRunsAtATime) {
+TEST(ResultCache, ServesTwoRunsAtOnce) {
     const TemporaryFolder folder;
     constexpr int each = 100;
     const auto fill = [&](const std::string& who) {
-        Store store(folder.path());
+        ResultCache cache(folder.path());
         for (int i = 0; i < each; ++i) {
-            store.keep(who + std::to_string(i), printed(who));
-            store.find("a" + std::to_string(i));
+            cache.keep(who + std::to_string(i), printed(who));
+            cache.find("a" + std::to_string(i));
         }
-        return store.problems().empty();
+        return cache.problems().empty();
     };
     const pid_t child = fork();
     if (child == 0) _exit(fill("a") ? 0 : 1);
@@ -293,21 +265,21 @@ TEST(Store, ServesTwoRunsAtATime) {
     int status = -1;
     waitpid(child, &status, 0);
     EXPECT_EQ(status, 0);
-    Store store(folder.path());
+    ResultCache cache(folder.path());
     for (const std::string who : {"a", "b", "c"}) {
-        for (int i = 0; i < each; ++i) EXPECT_EQ(output_of(store, who + std::to_string(i)), who);
+        for (int i = 0; i < each; ++i) EXPECT_EQ(output_of(cache, who + std::to_string(i)), who);
     }
 }
 
-TEST(Store, HasEveryResultThatWasKeptBeforeARunWasKilled) {
+TEST(ResultCache, HasEveryResultKeptBeforeARunWasKilled) {
     const TemporaryFolder folder;
     int said[2];
     ASSERT_EQ(pipe(said), 0);
     const pid_t child = fork();
     if (child == 0) {
-        Store store(folder.path());
+        ResultCache cache(folder.path());
         for (int i = 0;; ++i) {
-            store.keep(std::to_string(i), printed(std::to_string(i)));
+            cache.keep(std::to_string(i), printed(std::to_string(i)));
             if (write(said[1], "x", 1) != 1) _exit(1);
         }
     }
@@ -319,12 +291,12 @@ TEST(Store, HasEveryResultThatWasKeptBeforeARunWasKilled) {
     for (char byte = 0; read(said[0], &byte, 1) == 1;) ++kept;
     close(said[0]);
     ASSERT_GE(kept, 50);
-    Store store(folder.path());
-    for (int i = 0; i < kept; ++i) EXPECT_EQ(output_of(store, std::to_string(i)), std::to_string(i));
-    EXPECT_THAT(store.problems(), IsEmpty());
+    ResultCache cache(folder.path());
+    for (int i = 0; i < kept; ++i) EXPECT_EQ(output_of(cache, std::to_string(i)), std::to_string(i));
+    EXPECT_THAT(cache.problems(), IsEmpty());
 }
 
-TEST(CacheFolder, FollowsTheStandardForCaches) {
+TEST(CacheFolder, FollowsTheXdgStandard) {
     const std::string home = getenv("HOME") == nullptr ? "" : getenv("HOME");
     setenv("HOME", "/home/x", 1);
     unsetenv("XDG_CACHE_HOME");

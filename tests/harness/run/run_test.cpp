@@ -1,9 +1,9 @@
-#include "harness/run.h"
+#include "harness/run/run.h"
 
 #include <gtest/gtest.h>
 
-#include "harness/limit_settings.h"
-#include "tests/strongest_tier.h"
+#include "harness/run/limits.h"
+#include "tests/given/strongest_tier.h"
 
 namespace {
 
@@ -16,7 +16,7 @@ class Run : public testing::Test {
     ProcessResult run(const Build& build) const {
         return harness::run(build, harness::read_limits({}, {}).run, sandbox_, scratch_);
     }
-    /// As if it had been compiled there.
+    /// A build that looks as if the program had been compiled in the scratch folder.
     Build copy_of(const std::filesystem::path& program) const {
         Build build;
         build.program = scratch_.path() / "ray_cast";
@@ -26,7 +26,7 @@ class Run : public testing::Test {
 
     /// The working directory, as the program finds it.
     std::string home() const { return sandbox_.inside(scratch_.path()).string(); }
-    /// bwrap tells it once more.
+    /// bwrap also sets this variable.
     bool has_pwd() const { return sandbox_.tier() == harness::Tier::bwrap; }
 
   private:

@@ -1,4 +1,4 @@
-#include "harness/sanitizer.h"
+#include "harness/run/sanitizer.h"
 
 #include <gmock/gmock.h>
 
@@ -9,7 +9,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-TEST(SanitizerFindings, AreThoseOfUndefinedBehaviour) {
+TEST(SanitizerFindings, IncludeUndefinedBehaviour) {
     EXPECT_THAT(sanitizer_findings("ray_cast.cpp:12:9: runtime error: division by zero\n"
                                    "my own words\n"
                                    "ray_cast.cpp:20:3: runtime error: load of null pointer of type 'int'\n"),
@@ -30,7 +30,7 @@ TEST(SanitizerFindings, NameTheStudentsLineOfABadAddress) {
         ElementsAre("line 30: stack-buffer-overflow"));
 }
 
-TEST(SanitizerFindings, DoWithoutALine) {
+TEST(SanitizerFindings, MayLackALine) {
     EXPECT_THAT(sanitizer_findings("==2==ERROR: AddressSanitizer: SEGV on unknown address 0x0\n"), ElementsAre("SEGV"));
     EXPECT_THAT(sanitizer_findings("==2==ERROR: AddressSanitizer: SEGV on unknown address 0x0\n"
                                    "SUMMARY: AddressSanitizer: SEGV (/lib/libc.so.6+0x1)\n"),
@@ -42,7 +42,7 @@ TEST(SanitizerFindings, AreTheSameEachTime) {
               sanitizer_findings("a.cpp:1:1: runtime error: member call on address 0x55ee which is bad\n"));
 }
 
-TEST(SanitizerFindings, AreEachToldOnceAndNeverMoreThanTwenty) {
+TEST(SanitizerFindings, AreReportedOnceEachAndAtMostTwenty) {
     std::string errors;
     for (int i = 0; i < 100; ++i) errors += "ray_cast.cpp:1:1: runtime error: again\n";
     EXPECT_THAT(sanitizer_findings(errors), SizeIs(1));
@@ -50,7 +50,7 @@ TEST(SanitizerFindings, AreEachToldOnceAndNeverMoreThanTwenty) {
     EXPECT_THAT(sanitizer_findings(errors), SizeIs(20));
 }
 
-TEST(SanitizerFindings, TakeHostileText) {
+TEST(SanitizerFindings, HandleHostileText) {
     EXPECT_THAT(sanitizer_findings(""), IsEmpty());
     EXPECT_THAT(sanitizer_findings("runtime error: \n\n\n"), IsEmpty());
     EXPECT_THAT(sanitizer_findings("ERROR: AddressSanitizer: "), IsEmpty());

@@ -1,4 +1,4 @@
-#include "harness/timeline.h"
+#include "harness/run/timeline.h"
 
 #include <gmock/gmock.h>
 
@@ -50,7 +50,7 @@ TEST(Timeline, WritesATraceWithARowForEachThread) {
     EXPECT_EQ(score["pid"], build["pid"]);
 }
 
-TEST(Timeline, WritesATraceOfNothing) {
+TEST(Timeline, WritesAnEmptyTrace) {
     EXPECT_EQ(nlohmann::json::parse(Timeline().chrome_trace())["traceEvents"].size(), 0U);
 }
 

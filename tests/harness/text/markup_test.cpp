@@ -1,19 +1,19 @@
-#include "harness/report/markup.h"
+#include "harness/text/markup.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/report/helvetica.h"
+#include "tests/given/report/helvetica.h"
 
 namespace harness::report {
 namespace {
 
-TEST(EscapeMarkup, LeavesNothingThatEndsATextOrAnAttribute) {
+TEST(EscapeMarkup, EscapesAllThatEndsATextOrAnAttribute) {
     EXPECT_EQ(escape_markup("a<b>\"c\"'d'&amp;"), "a&lt;b&gt;&quot;c&quot;&#39;d&#39;&amp;amp;");
     EXPECT_EQ(escape_markup(std::string_view("\x1b[2J\0\xff", 6)), "\\x1b[2J\\x00\\xff");
     EXPECT_EQ(escape_markup("é 1.5"), "é 1.5");
 }
 
-TEST(TextWidth, IsNearWhatTheFaceTakes) {
+TEST(TextWidth, ApproximatesTheWidthInTheFont) {
     for (const char* text : {"eye",
                              "lookat",
                              "vup",
@@ -45,7 +45,7 @@ TEST(TextWidth, IsNearWhatTheFaceTakes) {
     }
 }
 
-TEST(TextWidth, CountsCharactersAndNotTheirBytes) {
+TEST(TextWidth, CountsCharactersAndNotBytes) {
     EXPECT_EQ(text_width("", 12), 0);
     EXPECT_DOUBLE_EQ(text_width("\xc3\xa9\xe2\x82\xac", 10), 12) << "two characters of 2 and 3 bytes";
 }

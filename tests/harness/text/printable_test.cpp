@@ -1,4 +1,4 @@
-#include "harness/names.h"
+#include "harness/text/printable.h"
 
 #include <gtest/gtest.h>
 
@@ -6,12 +6,12 @@ namespace {
 
 using harness::printable;
 
-TEST(Printable, KeepsTextAsItIs) {
+TEST(Printable, KeepsTextUnchanged) {
     for (const char* text : {"", "s01 50%", "Zoë", "名前", "🙂", "\xF4\x8F\xBF\xBF"})
         EXPECT_EQ(printable(text), text);
 }
 
-TEST(Printable, WritesControlCharactersAsPercent) {
+TEST(Printable, PercentEncodesControlCharacters) {
     EXPECT_EQ(printable("a\n\x1b[31m\x7f"), "a%0A%1B[31m%7F");
     EXPECT_EQ(printable("\xC2\x9B"), "%C2%9B");
     EXPECT_EQ(printable("\xC2\xA0"), "\xC2\xA0");
@@ -19,7 +19,7 @@ TEST(Printable, WritesControlCharactersAsPercent) {
     EXPECT_EQ(printable("a\u202Eb"), "a%E2%80%AEb") << "turns the order of what follows around";
 }
 
-TEST(Printable, WritesWhatIsNotUtf8AsPercent) {
+TEST(Printable, PercentEncodesInvalidUtf8) {
     EXPECT_EQ(printable("\xFF"), "%FF");
     EXPECT_EQ(printable("\xC0\x80"), "%C0%80");
     EXPECT_EQ(printable("\xE0\x9F\xBF"), "%E0%9F%BF");

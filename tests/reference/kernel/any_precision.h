@@ -1,8 +1,8 @@
-// Random cases in floats or doubles, and a check of each.
+// Draws random cases in floats or doubles and checks each.
 #pragma once
 
 #include <gtest/gtest.h>
-// gtest comes first: RapidCheck's printers look for it.
+// gtest must come first: RapidCheck's printers depend on it.
 #include <rapidcheck/gtest.h>
 
 #include <cstdlib>
@@ -24,7 +24,7 @@ void for_seeds(std::string_view name, const char* rays, Check check) {
     const auto seeds = rc::gen::noShrink(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()));
     EXPECT_TRUE(rc::check(std::string(name), [&] { check(*seeds); }));
 }
-// Never inline: where g++ 12 sees doubles become floats and doubles again, two at a time, it leaves out the rounding.
+// Never inlined: where g++ 12 sees two doubles at a time converted to float and back, it omits the rounding.
 #define ROUNDED __attribute__((noinline))
 template <class T>
 ROUNDED Ray<T> ray_of(const Ray<double>& ray) {

@@ -1,13 +1,13 @@
-// Blocks of rays against single ones, lane by lane.
+// Compares blocks of rays with single rays, lane by lane.
 #include "reference/kernel/batch.h"
 
 #include <limits>
 
-#include "reference/accuracy/distributions.h"
-#include "reference/accuracy/random_numbers.h"
+#include "reference/accuracy/rays/distributions.h"
+#include "reference/accuracy/rays/random_numbers.h"
 #include "reference/kernel/sphere.h"
 #include "reference/kernel/triangle.h"
-#include "tests/kernel/any_precision.h"
+#include "tests/reference/kernel/any_precision.h"
 
 namespace {
 
@@ -18,7 +18,7 @@ using namespace any_precision;
 using reference::accuracy::P;
 using reference::accuracy::Random;
 
-/// Rays at one object, some like the given one, some invalid, of any number.
+/// Any number of rays at one object, some similar to the given ray, some invalid.
 template <class T>
 struct Columns {
     std::array<std::vector<T>, 6> columns;
@@ -66,7 +66,7 @@ void check_batch(Random& random, const Ray<double>& given, const Object& object)
         const auto single = intersect_to_float(rays[i], object);
         RC_ASSERT(decided[i] == decide(rays[i], object));
         RC_ASSERT(measured[i] == single.result);
-        // GCC may fuse a * b + c in the one and not in the other, unless the build forbids it, as the reference's does.
+        // GCC may fuse a * b + c in only one of the two, unless the build forbids it, as the reference's build does.
         if constexpr (is_contracted) {
             RC_ASSERT(ts[i] == single.t || std::abs(ts[i] - single.t) <= 0x1p-25 * single.t);
         } else {
@@ -94,7 +94,7 @@ TEST(Batch, GivesWhatSingleRaysGive) {
     }
 }
 
-TEST(Batch, InvalidObjectsAreInvalidInEveryLane) {
+TEST(Batch, ReportsInvalidObjectsInEveryLane) {
     Random random(1);
     const Ray<double> ray{P(0, 0, 9), P(0, 0, -1)};
     for (const double radius : {0.0, -1.0, -0.0, HUGE_VAL, std::nan("")}) {

@@ -1,11 +1,11 @@
-// The hard cases of the camera and of keys, by their ids: certified_answers on scenes written in decimals.
+// The hard cases of the camera and of keys, by id: certified_answers on scenes written in decimals.
 #include <gtest/gtest.h>
 
 #include <array>
 #include <stdexcept>
 #include <string>
 
-#include "reference/reading_answers.h"
+#include "reference/key/certified_answers.h"
 
 namespace {
 
@@ -26,7 +26,7 @@ Camera<Decimal> camera(const Written& eye, const Written& lookat, const Written&
 
 const Camera<Decimal> plain_camera = camera({"0", "0", "4"}, {"0", "0", "0"}, {"0", "1", "0"});
 
-/// One pixel, from -1 to 1, at distance 2.
+/// A window of one pixel, from -1 to 1 on both axes, at distance 2.
 const Window<Decimal> plain_window{number("-1"), number("1"), number("-1"), number("1"), number("2"), 1, 1};
 
 ReadingAnswers answers(const Camera<Decimal>& camera, const Window<Decimal>& window = plain_window,
@@ -63,7 +63,7 @@ TEST(HardCases, H5_RotatedBase) {
     expect(run, {8, "v"}, {33.0 / 117.0}, 0);
 }
 
-TEST(HardCases, H53_H55_NoCameraIsNoAnswer) {
+TEST(HardCases, H53_H55_AnImpossibleCameraThrows) {
     EXPECT_THROW(answers(camera({"0", "0", "4"}, {"0", "0", "0"}, {"0", "0", "1"})), std::domain_error);
     EXPECT_THROW(answers(camera({"1", "2", "3"}, {"1", "2", "3"}, {"0", "1", "0"})), std::domain_error);
 }

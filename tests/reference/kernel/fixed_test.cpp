@@ -1,12 +1,12 @@
-// Whole numbers of a fixed size against GMP's, and the sums of products against fractions: at the ends of each size,
-// and across the words.
+// Compares fixed-size integers with GMP's, and sums of products with fractions: at the limits of each size, and across
+// word boundaries.
 #include "reference/kernel/fixed.h"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include "reference/accuracy/random_numbers.h"
-#include "reference/accuracy/truth.h"
+#include "reference/accuracy/rays/random_numbers.h"
+#include "reference/accuracy/rays/truth.h"
 #include "reference/kernel/product_sum.h"
 
 namespace {
@@ -31,7 +31,7 @@ mpz_class value_of(const Fixed<bits>& x) {
     return value;
 }
 
-/// A sum of shifted doubles' mantissas below 2^bits: dense, sparse, zero or as large as it goes, of either sign.
+/// A sum of shifted mantissas of doubles, below 2^bits: dense, sparse, zero or as large as possible, of either sign.
 template <int bits>
 Both<bits> drawn(Random& random) {
     constexpr int size = bits < 53 ? bits : 53;
@@ -52,7 +52,7 @@ void expect_same(Random& random) {
         ASSERT_EQ(value_of(x.fixed + y.fixed), x.number + y.number);
         ASSERT_EQ(value_of(x.fixed - y.fixed), x.number - y.number);
         ASSERT_EQ(value_of(x.fixed * y.fixed), x.number * y.number);
-        // Dense factors, whose every word matters.
+        // Dense factors, so that every word matters.
         const auto dense = (x.fixed * y.fixed - y.fixed) * (x.fixed + y.fixed);
         ASSERT_EQ(value_of(dense), (x.number * y.number - y.number) * (x.number + y.number));
         ASSERT_EQ(sign_of(dense), sgn(value_of(dense)) <=> 0);
@@ -84,7 +84,7 @@ TEST(Fixed, HasNoMoreWordsThanItNeeds) {
     EXPECT_EQ(decltype(Fixed<63>() + Fixed<63>())::words, 2U);
 }
 
-/// A double of any exponent, or one of few.
+/// A double with any exponent, or with one of a few exponents.
 double any_double(Random& random, int spread) {
     return random.whole(0, 9) == 0 ? 0 : std::ldexp(random.number(), random.whole(-spread, spread));
 }
@@ -100,7 +100,7 @@ TEST(ProductSum, HasTheSignThatFractionsHave) {
             x[j] = any_double(random, spread);
             y[j] = any_double(random, spread);
         }
-        // Half of the sums cancel but for the last product, or wholly.
+        // Half of the sums cancel completely, or except for the last product.
         if (random.whole(0, 1) == 0) {
             for (std::size_t j = 0; j < 3; ++j) {
                 x[j + 3] = -y[j];

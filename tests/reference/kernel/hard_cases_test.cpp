@@ -1,11 +1,11 @@
-#include "tests/kernel/hard_cases.h"
+#include "tests/given/hard_cases.h"
 
 #include <gtest/gtest.h>
 
 #include <charconv>
 #include <cmath>
 
-#include "reference/accuracy/truth.h"
+#include "reference/accuracy/rays/truth.h"
 #include "reference/kernel/sphere.h"
 #include "reference/kernel/triangle.h"
 #include "reference/stages/sphere.h"
@@ -19,8 +19,8 @@ using reference::Sphere;
 using reference::Triangle;
 using reference::Vec3;
 
-/// One unit of the last digit quoted: "9.5e-20" is quoted to 1e-21. Whole numbers and short decimals are exact all the
-/// same, which the comparison with the fractions shows.
+/// One unit of the last digit quoted: "9.5e-20" is quoted to 1e-21. Whole numbers and short decimals are exact
+/// nevertheless; the comparison with the fractions shows that.
 double quoted_unit(std::string_view text) {
     const std::size_t e = text.find('e');
     const std::string_view mantissa = text.substr(0, e);
@@ -68,7 +68,7 @@ TEST(HardCases, TrianglesAreDecidedAndMeasured) {
     }
 }
 
-TEST(HardCases, H36_TheEdgeIsMetExactly) {
+TEST(HardCases, H36_TheRayMeetsTheEdgeExactly) {
     // u + v = 1 in fractions: P = (0.3f, 2) lies on B-C, so w = 0, and the oracle's own u and v must say so.
     for (const auto& c : hard_cases::triangle_cases()) {
         if (c.id != "H36") continue;
@@ -85,7 +85,7 @@ First first_of(const Ray<double>& ray, const std::vector<Sphere<double>>& sphere
     return cast.first;
 }
 
-TEST(HardCases, H50_H52_ATieIsATieAndOneUlpNearerIsNot) {
+TEST(HardCases, H50_H52_OneUlpNearerBreaksATie) {
     using P = Vec3<double>;
     const Ray<double> ray{P(3, 0, 24), P(0, 0, -3)};
     const Sphere<double> sphere{P(0, 0, 0), 5};
@@ -99,7 +99,7 @@ TEST(HardCases, H50_H52_ATieIsATieAndOneUlpNearerIsNot) {
     EXPECT_EQ(first_of(ray, {sphere}, {at(std::nextafter(4.0, 3.0))}).kind, First::Kind::sphere);
 }
 
-TEST(HardCases, H18_H19_H20_TheOpenPolicyAsksForAPositiveRoot) {
+TEST(HardCases, H18_H19_H20_TheOpenPolicyRequiresAPositiveRoot) {
     using namespace reference;
     const auto open = [](const Vec3<double>& V) {
         const auto quadratic = sphere_quadratic(Vec3<double>(0, 0, 2), V, Sphere<double>{Vec3<double>(0, 0, 0), 2});
@@ -110,7 +110,7 @@ TEST(HardCases, H18_H19_H20_TheOpenPolicyAsksForAPositiveRoot) {
     EXPECT_EQ(open(Vec3<double>(1, 0, 0)), std::nullopt);
 }
 
-TEST(HardCases, DoublesAtTheEndsOfTheirRangeNeitherOverflowNorVanish) {
+TEST(HardCases, DoublesAtTheEndsOfTheirRangeNeitherOverflowNorUnderflow) {
     using P = Vec3<double>;
     for (const double scale : {1e-300, 0x1p-1060, 1e-170, 1e170, 1e300}) {
         SCOPED_TRACE(scale);
@@ -129,7 +129,7 @@ TEST(HardCases, DoublesAtTheEndsOfTheirRangeNeitherOverflowNorVanish) {
     }
 }
 
-TEST(HardCases, SquaresThatVanishInPartDoNotDecide) {
+TEST(HardCases, SquaresThatPartlyUnderflowDoNotDecide) {
     // |f|² = 0.98 s² and R² = 0.81 s², but s² is the smallest double: rounded to it they are 0 and 1.
     using P = Vec3<double>;
     const double s = 0x1p-537;

@@ -1,10 +1,10 @@
-// Each level of the kernel on its own against fractions: the filters for floats and for doubles, t as far as a float
-// goes, and the exact level at each size of its numbers.
-#include "reference/accuracy/distributions.h"
-#include "reference/accuracy/random_numbers.h"
-#include "reference/accuracy/truth.h"
+// Compares each level of the kernel by itself with fractions: the filters for floats and for doubles, t to float
+// precision, and the exact level at each size of its numbers.
+#include "reference/accuracy/rays/distributions.h"
+#include "reference/accuracy/rays/random_numbers.h"
+#include "reference/accuracy/rays/truth.h"
 #include "reference/kernel/first.h"
-#include "tests/kernel/any_precision.h"
+#include "tests/reference/kernel/any_precision.h"
 
 namespace {
 
@@ -45,7 +45,7 @@ bool is_hit(TriangleResult result) {
     return result == TriangleResult::hit;
 }
 
-/// All that is said of one ray and one object of T, by each level that may say it.
+/// Checks all results for one ray and one object of T, from each level that may give them.
 template <class T, class Object>
 void check_levels(const Ray<T>& ray, const Object& object) {
     const Ray<double> exact_ray = as_double(ray);
@@ -71,10 +71,10 @@ void check_spheres() {
         });
     }
 }
-TEST(Levels, SpheresInFloats) {
+TEST(Levels, DecideSpheresInFloats) {
     check_spheres<float>();
 }
-TEST(Levels, SpheresInDoubles) {
+TEST(Levels, DecideSpheresInDoubles) {
     check_spheres<double>();
 }
 
@@ -87,10 +87,10 @@ void check_triangles() {
         });
     }
 }
-TEST(Levels, TrianglesInFloats) {
+TEST(Levels, DecideTrianglesInFloats) {
     check_triangles<float>();
 }
-TEST(Levels, TrianglesInDoubles) {
+TEST(Levels, DecideTrianglesInDoubles) {
     check_triangles<double>();
 }
 
@@ -120,7 +120,7 @@ void check_first(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& 
     }
 }
 
-TEST(Levels, TheFirstOfASphereAndATriangle) {
+TEST(Levels, OrderASphereAndATriangle) {
     for (const auto& distribution : accuracy::order_distributions()) {
         for_seeds(distribution.name, rays_in_ci, [&](std::uint64_t seed) {
             const accuracy::OrderCase c = distribution.make(seed);
@@ -130,14 +130,14 @@ TEST(Levels, TheFirstOfASphereAndATriangle) {
     }
 }
 
-/// Powers of two at which the numbers of the exact level get a word longer, and some beyond.
+/// Powers of two at which the numbers of the exact level grow by a word, and some larger powers.
 int drawn_bits(Random& random) {
     static constexpr std::array around{28, 61, 62, 125, 126, 300, 900};
     return around[static_cast<std::size_t>(random.whole(0, 6))] + random.whole(-2, 2);
 }
 
-/// A ray that touches a sphere, an edge, and both at once, or is a hair off, from 2^bits away, or with a direction
-/// whose coordinates are 2^bits apart.
+/// Rays that touch a sphere, an edge or both, exactly or almost. They start 2^bits away, or the coordinates of their
+/// direction differ by a factor of 2^bits.
 struct Spread {
     Ray<double> ray;
     Sphere<double> sphere;
@@ -150,12 +150,12 @@ struct Spread {
         const double step = random.whole(0, 1) == 0 ? 0 : std::exp2(-drawn_bits(random));
         const double size = random.whole(1, 5);
         sphere = {P(0, 0, 0), 5 * size};
-        // Along the surface at (3, 4, 0), so that the coordinates of the direction may differ in size.
+        // The ray runs along the surface at (3, 4, 0), so that the coordinates of its direction may differ in size.
         const P d = in_direction ? P(4, -3, std::exp2(-drawn_bits(random))) : P(0, 0, -1);
         ray = {P(3 * size, 4 * size + step, 0) - reference::scaled(d, in_direction ? 1.0 : far), d};
         if (random.whole(0, 2) == 0) sphere.radius = random.nudged(sphere.radius);
         if (random.whole(0, 3) == 0) ray.origin.x = random.nudged(ray.origin.x);
-        // With (3, 4, 0) on the edge from B to C, in the plane z = 0 or the one that holds the z axis.
+        // The point (3, 4, 0) lies on the edge from B to C. The triangle's plane is z = 0 or contains the z axis.
         const double half = random.whole(1, 9);
         const P B = in_direction ? P(3 * size, 4 * size, -half) : P(3 * size - half, 4 * size, 0);
         const P C = in_direction ? P(3 * size, 4 * size, half) : P(3 * size + half, 4 * size, 0);
@@ -163,7 +163,7 @@ struct Spread {
     }
 };
 
-TEST(Levels, EachSizeOfTheExactLevel) {
+TEST(Levels, AgreeAtEachSizeOfTheExactLevel) {
     for_seeds("spread", "max_success=5000", [](std::uint64_t seed) {
         const Spread c(seed);
         check_levels(c.ray, c.sphere);
@@ -173,8 +173,9 @@ TEST(Levels, EachSizeOfTheExactLevel) {
     });
 }
 
-/// A hit at a slant of 2^-45 to 1, from 2^-45 to 1 of the direction away: known to be one long before its t is.
-TEST(Levels, ShallowRaysAndRaysFromNearThePlane) {
+/// A hit at a slant of 2^-45 to 1 and at a distance of 2^-45 to 1 times the direction. Whether it is a hit is decided
+/// at a coarser level than its t.
+TEST(Levels, DecideShallowRaysAndRaysFromNearThePlane) {
     for_seeds("shallow or near", "max_success=20000", [](std::uint64_t seed) {
         Random random(seed);
         const Triangle<double> triangle{random.point(4), random.point(4), random.point(4)};
@@ -187,8 +188,8 @@ TEST(Levels, ShallowRaysAndRaysFromNearThePlane) {
     });
 }
 
-/// A triangle through the point where the ray meets the sphere, but for 2^-52 to 2^-20 of the way.
-TEST(Levels, ATriangleAlmostWhereTheSphereIsHit) {
+/// A triangle through the point where the ray meets the sphere, shifted by 2^-52 to 2^-20 of the ray's way.
+TEST(Levels, OrderATriangleAlmostWhereTheSphereIsHit) {
     const auto benign = accuracy::sphere_distributions().front();
     for_seeds("almost together", "max_success=20000", [&](std::uint64_t seed) {
         const accuracy::SphereCase c = benign.make(seed);

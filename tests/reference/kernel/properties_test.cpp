@@ -1,13 +1,13 @@
-// Every decision and value of the kernel against fractions, on random rays of every distribution. RC_PARAMS sets how
-// many, and repeats a failure; RapidCheck prints its seed.
+// Compares every decision and value of the kernel with fractions, on random rays of every distribution. RC_PARAMS sets
+// the number of rays, and repeats a failure whose seed RapidCheck printed.
 #include <gtest/gtest.h>
-// gtest comes first: RapidCheck's printers look for it.
+// gtest must come first: RapidCheck's printers depend on it.
 #include <rapidcheck/gtest.h>
 
 #include <cstdlib>
 
-#include "reference/accuracy/distributions.h"
-#include "reference/accuracy/truth.h"
+#include "reference/accuracy/rays/distributions.h"
+#include "reference/accuracy/rays/truth.h"
 #include "reference/kernel/first.h"
 
 namespace {
@@ -82,7 +82,8 @@ TEST_P(KernelOrder, DecidesAsFractionsDo) {
     });
 }
 
-/// 1,000 digits tell apart what is not equal: numbers of these heights that differ do so in the first 200.
+/// 1,000 digits suffice to tell unequal numbers apart: numbers of these heights that differ do so in the first 200
+/// digits.
 First true_first(const accuracy::SpherePairCase& c) {
     const truth::SphereTruth one = truth::sphere(c.ray, c.one);
     const truth::SphereTruth other = truth::sphere(c.ray, c.other);

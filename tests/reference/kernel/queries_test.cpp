@@ -1,4 +1,4 @@
-#include "reference/cast.h"
+#include "reference/kernel/queries.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ TEST(Cast, AnswersTheHandoutsScene) {
               "\n");
 }
 
-TEST(Cast, KeysComeInAnyOrderAndObjectsMayBeLeftOut) {
+TEST(Cast, TakesKeysInAnyOrderAndWithoutObjects) {
     EXPECT_EQ(answer(R"({"direction":[0,0,-1],"origin":[0,0,2]})"),
               "{\"spheres\":[],\"triangles\":[],\"first\":\"none\"}\n");
 }
@@ -58,25 +58,25 @@ TEST(Cast, NamesEveryResult) {
               "\n");
 }
 
-TEST(Cast, CountsTheFirstFromZeroAmongItsKind) {
+TEST(Cast, NumbersTheFirstHitFromZeroAmongItsKind) {
     const std::string far = R"({"center":[0,0,-9],"radius":1})";
     const std::string near = R"({"center":[0,0,0],"radius":1})";
     EXPECT_NE(answer("{" + ray + R"(,"spheres":[)" + far + "," + near + "]}").find("\"first\":\"sphere 1\""),
               std::string::npos);
     EXPECT_NE(answer("{" + ray + R"(,"spheres":[)" + near + "," + far + "," + near + "]}").find("\"first\":\"tie\""),
               std::string::npos);
-    // A tie behind the first hit is none.
+    // A tie behind the first hit does not count as a tie.
     EXPECT_NE(
         answer("{" + ray + R"(,"spheres":[)" + far + "," + far + "," + near + "]}").find("\"first\":\"sphere 2\""),
         std::string::npos);
 }
 
-TEST(Cast, ATimeBeyondTheDoublesIsNull) {
+TEST(Cast, GivesNullForATBeyondTheDoubles) {
     EXPECT_EQ(answer(R"({"origin":[0,0,1e300],"direction":[0,0,-1e-300],"spheres":[{"center":[0,0,0],"radius":1}]})"),
               "{\"spheres\":[{\"result\":\"hit\",\"t\":null}],\"triangles\":[],\"first\":\"sphere 0\"}\n");
 }
 
-TEST(Cast, AMalformedLineIsToldByItsNumberAndTheRestAreAnswered) {
+TEST(Cast, ReportsAMalformedLineByItsNumberAndAnswersTheRest) {
     const std::string good = "{" + ray + "}";
     for (const std::string& bad : {std::string("{"),
                                    std::string(""),

@@ -1,10 +1,10 @@
-// A closed mesh has no holes: a ray from inside hits it wherever it is aimed, at faces, edges and vertices alike.
+// A closed mesh has no holes: every ray from inside hits it, whether aimed at a face, an edge or a vertex.
 #include <gtest/gtest.h>
 
 #include <array>
 #include <map>
 
-#include "reference/accuracy/random_numbers.h"
+#include "reference/accuracy/rays/random_numbers.h"
 #include "reference/kernel/triangle.h"
 
 namespace {
@@ -14,7 +14,7 @@ using reference::accuracy::P;
 using reference::accuracy::Random;
 using namespace reference::kernel;
 
-/// Vertices and faces by their numbers; every edge belongs to two faces.
+/// Vertices, and faces as vertex numbers. Every edge belongs to two faces.
 struct Mesh {
     std::vector<P> vertices;
     std::vector<std::array<std::size_t, 3>> faces;
@@ -25,7 +25,7 @@ Mesh octahedron() {
             {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
 }
 
-/// Each face in four, with the new vertices on the unit sphere but for a random dent, rounded to T.
+/// Splits each face into four. The new vertices lie on the unit sphere, up to a random dent, and are rounded to T.
 template <class T>
 Mesh refined(const Mesh& mesh, Random& random) {
     Mesh result{mesh.vertices, {}};
@@ -66,7 +66,8 @@ int hits(const Mesh& mesh, const Ray<double>& ray) {
     return count;
 }
 
-/// Rays from near the middle at every vertex and at points of every edge, in T's precision; the number without a hit.
+/// Shoots rays in T's precision from near the middle at every vertex and at points of every edge. Returns how many
+/// miss.
 template <class T>
 int holes_of(const Mesh& mesh, Random& random) {
     int holes = 0;
@@ -99,7 +100,7 @@ TEST(Watertight, NoRayInDoublesLeavesAClosedMesh) {
     for (int round = 0; round < 5; ++round) EXPECT_EQ(holes_of<double>(dented_ball<double>(random), random), 0);
 }
 
-TEST(Watertight, TheTestSeesAHole) {
+TEST(Watertight, TheTestDetectsAHole) {
     Random random(seed + 2);
     Mesh mesh = dented_ball<float>(random);
     mesh.faces.pop_back();

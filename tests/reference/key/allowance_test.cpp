@@ -1,12 +1,12 @@
-// An allowance is what a correct program may be off by: never less than what float32 programs are off by, and not so
-// much more that a mistake passes.
+// An allowance is the error that a correct program may have. It must cover the errors of float32 programs, and be small
+// enough that no mistake passes.
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "reference/affine.h"
-#include "reference/answer_key.h"
-#include "tests/random_scene.h"
+#include "reference/key/answer_key.h"
+#include "reference/numbers/affine.h"
+#include "tests/given/random_scene.h"
 
 namespace {
 
@@ -41,7 +41,7 @@ void expect_allowed(const Answer& key, const std::vector<T>& given) {
     }
 }
 
-/// The allowance is meant for the items that a program gets by the same decisions as the key.
+/// The allowance only applies to items that a program computes by the same decisions as the key.
 void expect_run_allowed(const AnswerKey& key, const AnswerKey& run) {
     for (const KeyQuestion& question : run.questions) {
         for (const KeyItem& item : question.items) {
@@ -142,7 +142,7 @@ TEST(Allowance, IsWithinTenUnitsInTheLastPlaceOfFloatForTheHandoutsCamera) {
     }
 }
 
-TEST(Affine, RemembersWhatDependsOnTheSameRounding) {
+TEST(Affine, TracksDependenceOnTheSameRounding) {
     Roundings roundings;
     const Affine<float> x(Interval<double>(1, 2), roundings);
     // In plain intervals x - x is [-1, 1] and x / x is [1/2, 2].
@@ -168,7 +168,7 @@ TEST(Affine, HoldsEveryResultOfEveryOperation) {
     EXPECT_FALSE(sqrt(y).range().is_bounded());
 }
 
-TEST(Affine, EveryOperationRoundsOnceToItsArithmetic) {
+TEST(Affine, RoundsEachOperationOnceInItsArithmetic) {
     Roundings roundings;
     const Affine<float> third = Affine<float>(Interval<double>(1.0), roundings) / Affine<float>(3);
     EXPECT_TRUE(third.range().contains(static_cast<double>(1.0F / 3.0F)));

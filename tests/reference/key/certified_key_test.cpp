@@ -1,11 +1,11 @@
-// The certified keys of the two sample scenes, as constants. Each is derived beside it by hand; 20 digits of a root are
-// written so that the compiler rounds them to the nearest double.
+// The certified keys of the two sample scenes, as constants. A comment next to each derives it by hand. Roots are
+// written with 20 digits, so that the compiler rounds them to the nearest double.
 #include <gtest/gtest.h>
 
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "reference/answer_key.h"
+#include "reference/key/answer_key.h"
 
 namespace {
 
@@ -25,7 +25,7 @@ const Answer* find(const AnswerKey& key, int number, std::string_view name, std:
     return nullptr;
 }
 
-/// `exact`: every component is a double, and so lo = hi.
+/// `exact`: every component is a double, so lo = hi.
 void expect_item(const AnswerKey& key, int number, std::string_view name, const Numbers& value, bool exact) {
     SCOPED_TRACE(name);
     const Answer* answer = find(key, number, name);
@@ -46,7 +46,7 @@ AnswerKey key_of(const std::string& name) {
     return make_key(load_assignment(name, RAYGRADE_ASSIGNMENTS), Precision::certified);
 }
 
-TEST(CertifiedKey, A6_2021) {
+TEST(CertifiedKey, MatchesTheHandDerivationOfA6_2021) {
     const AnswerKey key = key_of("a6-2021");
     // Pixel (150, 100) of 301 x 201 is the window's middle: -2 + 4 * 301/602 = 0.
     expect_item(key, 1, "P_VCS", {0, 0, -2}, true);
@@ -82,7 +82,7 @@ TEST(CertifiedKey, A6_2021) {
     EXPECT_EQ(key.decisions.policy, std::vector<std::string>{"boundary"});
 }
 
-TEST(CertifiedKey, A6_Edge) {
+TEST(CertifiedKey, MatchesTheHandDerivationOfA6_Edge) {
     const AnswerKey key = key_of("a6-edge");
     expect_item(key, 1, "P_VCS", {0, 0, -2}, true);
     // eye - lookat = (6, 0, 0), so Z = x, X = y cross x = -z.
@@ -118,7 +118,7 @@ TEST(CertifiedKey, A6_Edge) {
     EXPECT_TRUE(key.decisions.policy.empty());
 }
 
-TEST(CertifiedKey, JsonHasEnclosuresIn17DigitsAndReadsBackAsTheSameDoubles) {
+TEST(CertifiedKey, WritesEnclosuresIn17DigitsThatReadBackAsTheSameDoubles) {
     const AnswerKey key = key_of("a6-2021");
     const std::string text = to_json(key);
     // 2 - √2 lies between these two doubles.

@@ -1,4 +1,4 @@
-#include "reference/decimal.h"
+#include "reference/numbers/decimal.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ TEST(Decimal, RefusesWhatIsNotADecimalNumber) {
     EXPECT_FALSE(Decimal::parse(std::string(401, '1')).has_value());
 }
 
-TEST(Decimal, IsTheNearestFloatAndTheNearestDouble) {
+TEST(Decimal, ConvertsToTheNearestFloatAndTheNearestDouble) {
     // 1 + 2^-24 + 10^-20 lies just above the middle of two floats. Rounding to double first would lose the excess.
     const auto number = Decimal::parse("1.00000005960464477540062500");
     ASSERT_TRUE(number);
@@ -29,14 +29,14 @@ TEST(Decimal, IsTheNearestFloatAndTheNearestDouble) {
     EXPECT_EQ(Decimal::parse("0.1")->to_double(), 0.1);
 }
 
-TEST(Decimal, OutOfRangeIsInfiniteOrZeroWithItsSign) {
+TEST(Decimal, ConvertsOutOfRangeToSignedInfinityOrZero) {
     EXPECT_EQ(Decimal::parse("1e999")->to_double(), HUGE_VAL);
     EXPECT_EQ(Decimal::parse("-1e999")->to_double(), -HUGE_VAL);
     EXPECT_EQ(Decimal::parse("1e-999")->to_double(), 0.0);
     EXPECT_TRUE(std::isinf(Decimal::parse("1e39")->to_float()));
 }
 
-TEST(Decimal, SignIsExactEvenWhereTheNearestDoubleIsZero) {
+TEST(Decimal, HasItsExactSignEvenWhereTheNearestDoubleIsZero) {
     EXPECT_EQ(Decimal::parse("1e-999")->sign(), 1);
     EXPECT_EQ(Decimal::parse("-0.000")->sign(), 0);
     EXPECT_EQ(Decimal::parse("0e5")->sign(), 0);

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "reference/exact/certified.h"
-#include "reference/exact/rational.h"
+#include "reference/numbers/certified.h"
+#include "reference/numbers/rational.h"
 
 namespace {
 
@@ -11,7 +11,7 @@ Rational rational(const char* text) {
     return *to_rational(*Decimal::parse(text));
 }
 
-TEST(Rational, IsTheDecimalAsWritten) {
+TEST(Rational, EqualsTheDecimalAsWritten) {
     EXPECT_EQ(rational("0.1"), Rational(1, 10));
     EXPECT_EQ(rational("-12.50e-1"), Rational(-5, 4));
     EXPECT_EQ(rational("6e2"), Rational(600));
@@ -47,7 +47,7 @@ class Field : public testing::Test {
 };
 
 TEST_F(Field, ASumOfRootsThatCancelsIsZero) {
-    // √2 √3 = √6, and √24 = 2 √6: zero only because the roots are told to depend on each other.
+    // √2 √3 = √6, and √24 = 2 √6. The sum is zero only because the field knows that these roots depend on each other.
     EXPECT_TRUE((root(2) * root(3) - root(6)).is_zero());
     EXPECT_TRUE((root(24) - number(2) * root(6)).is_zero());
     EXPECT_EQ((root(2) * root(2)).rational(), Rational(2));
@@ -71,13 +71,13 @@ TEST_F(Field, HasNoRootOfNegativeNorOfIrrationalNumbers) {
     EXPECT_FALSE((number(1) + root(2)).sqrt());
 }
 
-TEST_F(Field, StopsGrowingAtItsMostRoots) {
+TEST_F(Field, StopsGrowingAtTheMaximumNumberOfRoots) {
     for (const long prime : {2, 3, 5, 7, 11, 13, 17, 19}) EXPECT_TRUE(number(prime).sqrt());
     EXPECT_FALSE(number(23).sqrt());
     EXPECT_TRUE(number(2 * 3 * 19).sqrt());
 }
 
-TEST(CertifiedNumber, BeyondTheFieldIsEnclosedByNeighbours) {
+TEST(CertifiedNumber, IsEnclosedByNeighboursBeyondTheField) {
     const Certified nested = sqrt(Certified(1) + sqrt(Certified(2)));  // 1.5537739740300373...
     const Enclosure enclosure = nested.enclosure();
     EXPECT_EQ(std::nextafter(enclosure.lo, 2.0), enclosure.hi);
@@ -85,7 +85,7 @@ TEST(CertifiedNumber, BeyondTheFieldIsEnclosedByNeighbours) {
     EXPECT_EQ(sign_of(nested - Certified(2)), std::partial_ordering::less);
 }
 
-TEST(CertifiedNumber, AHiddenZeroBeyondTheFieldIsUnorderedAndEnclosed) {
+TEST(CertifiedNumber, IsUnorderedAndEnclosedForAHiddenZeroBeyondTheField) {
     const Certified nested = sqrt(Certified(1) + sqrt(Certified(2)));
     const Certified zero = nested * nested - Certified(1) - sqrt(Certified(2));
     EXPECT_EQ(sign_of(zero), std::partial_ordering::unordered);

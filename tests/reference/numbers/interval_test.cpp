@@ -1,10 +1,10 @@
-#include "reference/interval.h"
+#include "reference/numbers/interval.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "reference/pipeline.h"
+#include "reference/stages/pipeline.h"
 
 namespace {
 
@@ -30,7 +30,7 @@ TEST(Interval, HoldsTheExactResultOfEveryOperation) {
     }
 }
 
-TEST(Interval, OneThirdIsHeldByTwoNeighboursOfTheNearestFloat) {
+TEST(Interval, HoldsOneThirdBetweenTwoNeighboursOfTheNearestFloat) {
     const I third = I(1) / I(3);
     EXPECT_LT(static_cast<double>(third.lo()) * 3, 1.0);
     EXPECT_GT(static_cast<double>(third.hi()) * 3, 1.0);
@@ -63,12 +63,12 @@ TEST(Interval, IsWidenedByOneStepAtEitherEnd) {
     expect_one_step_everywhere<double>();
 }
 
-TEST(Interval, AWholeNumberThatAFloatCannotHoldIsWidened) {
+TEST(Interval, WidensAWholeNumberThatAFloatCannotHold) {
     EXPECT_TRUE(static_cast<double>(I(16777217).lo()) < 16777217 && 16777217 < static_cast<double>(I(16777217).hi()));
     EXPECT_EQ(I(16777216).lo(), I(16777216).hi());
 }
 
-TEST(Interval, SignIsUnorderedAroundZeroOnly) {
+TEST(Interval, HasAnUnorderedSignOnlyAroundZero) {
     EXPECT_EQ(sign_of(I(-1.0F, 1.0F)), std::partial_ordering::unordered);
     EXPECT_EQ(sign_of(I(0.0F, 1.0F)), std::partial_ordering::unordered);
     EXPECT_EQ(sign_of(I(0.0F)), std::partial_ordering::equivalent);
@@ -76,7 +76,7 @@ TEST(Interval, SignIsUnorderedAroundZeroOnly) {
     EXPECT_EQ(sign_of(I(-1.0F, -1e-45F)), std::partial_ordering::less);
 }
 
-TEST(Interval, WhatCannotBeBoundedIsTheWholeLine) {
+TEST(Interval, IsTheWholeLineWhereNoBoundExists) {
     EXPECT_FALSE((I(1) / I(-1.0F, 1.0F)).is_bounded());
     EXPECT_FALSE((I(1) / I(0)).is_bounded());
     EXPECT_FALSE(I(std::nanf("")).is_bounded());

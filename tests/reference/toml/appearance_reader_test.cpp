@@ -1,9 +1,9 @@
-// The optional tables: what they say, what is wrong with them, and that they change no marks.
+// The optional tables of a scene: their contents, their mistakes, and that they change no marks.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reference/answer_key.h"
-#include "tests/render/scenes.h"
+#include "reference/key/answer_key.h"
+#include "tests/given/render/scenes.h"
 
 namespace {
 
@@ -14,8 +14,8 @@ using scenes::triangle;
 using testing::AllOf;
 using testing::HasSubstr;
 
-Look read(const std::string& rest) {
-    return parse_assignment(scenes::with_camera(rest), "folder/scene.toml").look;
+Appearance read(const std::string& rest) {
+    return parse_assignment(scenes::with_camera(rest), "folder/scene.toml").appearance;
 }
 
 std::string complaint(const std::string& rest) {
@@ -27,20 +27,21 @@ std::string complaint(const std::string& rest) {
     return "accepted";
 }
 
-TEST(LookReader, OfASceneThatMentionsNothingHasNothing) {
-    const Look look = parse_assignment(scenes::with_camera(sphere("[0, 0, 0]", "1")), "scene.toml").look;
-    EXPECT_TRUE(look.point_lights.empty());
-    EXPECT_TRUE(look.directional_lights.empty());
-    EXPECT_TRUE(look.materials.empty());
-    EXPECT_TRUE(look.meshes.empty());
-    EXPECT_EQ(look.ambient_light, Color(0, 0, 0));
-    EXPECT_EQ(look.background, Color(0, 0, 0));
-    EXPECT_EQ(look.samples_per_pixel, 1);
-    EXPECT_EQ(look.sphere_materials.at(0), std::nullopt);
+TEST(AppearanceReader, ReadsNothingFromASceneWithoutItsTables) {
+    const Appearance appearance =
+        parse_assignment(scenes::with_camera(sphere("[0, 0, 0]", "1")), "scene.toml").appearance;
+    EXPECT_TRUE(appearance.point_lights.empty());
+    EXPECT_TRUE(appearance.directional_lights.empty());
+    EXPECT_TRUE(appearance.materials.empty());
+    EXPECT_TRUE(appearance.meshes.empty());
+    EXPECT_EQ(appearance.ambient_light, Color(0, 0, 0));
+    EXPECT_EQ(appearance.background, Color(0, 0, 0));
+    EXPECT_EQ(appearance.samples_per_pixel, 1);
+    EXPECT_EQ(appearance.sphere_materials.at(0), std::nullopt);
 }
 
-TEST(LookReader, ReadsEveryTable) {
-    const Look look = read(
+TEST(AppearanceReader, ReadsEveryTable) {
+    const Appearance appearance = read(
         "[render]\nambient_light = [0.1, 0.2, 0.3]\nbackground = [0.4, 0.5, 0.6]\nsamples_per_pixel = 9\n"
         "[[light]]\nposition = [1, 2, 3]\ncolor = [4, 5, 6]\n[[light]]\ndirection = [0, -1, 0]\ncolor = [1, 1, 1]\n" +
         material("clay", "diffuse = [1, 0, 0.5]") +
@@ -49,27 +50,27 @@ TEST(LookReader, ReadsEveryTable) {
                  "transparency = 0.75\nrefractive_index = 1.5") +
         sphere("[0, 0, 0]", "1", "glass") + triangle("[[0, 0, 0], [1, 0, 0], [0, 1, 0]]", "clay") +
         "[[mesh]]\nfile = \"bunny.obj\"\nmaterial = \"clay\"\n");
-    EXPECT_EQ(look.ambient_light, Color(0.1, 0.2, 0.3));
-    EXPECT_EQ(look.background, Color(0.4, 0.5, 0.6));
-    EXPECT_EQ(look.samples_per_pixel, 9);
-    EXPECT_EQ(look.point_lights.at(0).position, Vec3<double>(1, 2, 3));
-    EXPECT_EQ(look.point_lights.at(0).color, Color(4, 5, 6));
-    EXPECT_EQ(look.directional_lights.at(0).direction, Vec3<double>(0, -1, 0));
-    EXPECT_EQ(look.materials.at(0).diffuse, Color(1, 0, 0.5));
-    EXPECT_EQ(look.materials.at(1).ambient, Color(0.1, 0, 0));
-    EXPECT_EQ(look.materials.at(1).diffuse, Color(0, 0, 0));
-    EXPECT_EQ(look.materials.at(1).specular, Color(1, 1, 1));
-    EXPECT_EQ(look.materials.at(1).shininess, 40);
-    EXPECT_EQ(look.materials.at(1).refractive_index, 1.5);
-    EXPECT_EQ(look.materials.at(1).reflectivity, 0.25);
-    EXPECT_EQ(look.materials.at(1).transparency, 0.75);
-    EXPECT_EQ(look.sphere_materials.at(0), 1U);
-    EXPECT_EQ(look.triangle_materials.at(0), 0U);
-    EXPECT_EQ(look.meshes.at(0).path, "folder/bunny.obj");
-    EXPECT_EQ(look.meshes.at(0).material, 0U);
+    EXPECT_EQ(appearance.ambient_light, Color(0.1, 0.2, 0.3));
+    EXPECT_EQ(appearance.background, Color(0.4, 0.5, 0.6));
+    EXPECT_EQ(appearance.samples_per_pixel, 9);
+    EXPECT_EQ(appearance.point_lights.at(0).position, Vec3<double>(1, 2, 3));
+    EXPECT_EQ(appearance.point_lights.at(0).color, Color(4, 5, 6));
+    EXPECT_EQ(appearance.directional_lights.at(0).direction, Vec3<double>(0, -1, 0));
+    EXPECT_EQ(appearance.materials.at(0).diffuse, Color(1, 0, 0.5));
+    EXPECT_EQ(appearance.materials.at(1).ambient, Color(0.1, 0, 0));
+    EXPECT_EQ(appearance.materials.at(1).diffuse, Color(0, 0, 0));
+    EXPECT_EQ(appearance.materials.at(1).specular, Color(1, 1, 1));
+    EXPECT_EQ(appearance.materials.at(1).shininess, 40);
+    EXPECT_EQ(appearance.materials.at(1).refractive_index, 1.5);
+    EXPECT_EQ(appearance.materials.at(1).reflectivity, 0.25);
+    EXPECT_EQ(appearance.materials.at(1).transparency, 0.75);
+    EXPECT_EQ(appearance.sphere_materials.at(0), 1U);
+    EXPECT_EQ(appearance.triangle_materials.at(0), 0U);
+    EXPECT_EQ(appearance.meshes.at(0).path, "folder/bunny.obj");
+    EXPECT_EQ(appearance.meshes.at(0).material, 0U);
 }
 
-TEST(LookReader, NamesLineKeyAndCure) {
+TEST(AppearanceReader, NamesLineKeyAndRemedy) {
     const auto says = [](const std::string& key, const std::string& what) {
         return AllOf(HasSubstr("folder/scene.toml:"), HasSubstr(key), HasSubstr(what));
     };
@@ -102,8 +103,8 @@ TEST(LookReader, NamesLineKeyAndCure) {
     EXPECT_THAT(complaint("[[mesh]]\nmaterial = \"m\"\n"), says("mesh[1].file", "is missing"));
 }
 
-/// All of it in an assignment changes nothing of its key; the mesh is not even opened.
-TEST(LookReader, LeavesTheKeyAsItIs) {
+/// All optional tables together change nothing in an assignment's key. The mesh is not even opened.
+TEST(AppearanceReader, LeavesTheAnswerKeyUnchanged) {
     const std::string objects =
         sphere("[0.4, 0.3, 0.1]", "1.1") + triangle("[[-2, -1, 0.7], [2, -1, -0.4], [0, 1.7, 0.3]]");
     const std::string looks = "[render]\nsamples_per_pixel = 4\n[[light]]\nposition = [1, 2, 3]\ncolor = [1, 1, 1]\n" +

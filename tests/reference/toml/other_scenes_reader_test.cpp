@@ -1,12 +1,12 @@
-#include "reference/variant_reader.h"
+#include "reference/toml/other_scenes_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "reference/scene_toml.h"
-#include "tests/student/scenes.h"
+#include "reference/toml/scene_toml.h"
+#include "tests/given/student/scenes.h"
 
 namespace reference {
 namespace {
@@ -27,14 +27,14 @@ std::string error_of(const std::string& variant) {
     return "no error";
 }
 
-TEST(ReadVariants, OverridesTheKeysThatAreThere) {
+TEST(OtherScenesReader, OverridesTheGivenKeys) {
     const Assignment assignment =
         parse_assignment(scene +
                              "[[variant]]\nname = \"aside\"\ncamera.eye = [1, 2, 3.50]\nsphere.radius = "
                              "3\n[[variant]]\nwindow.pixel = [0, 200]\n",
                          "a.toml");
     ASSERT_THAT(assignment.variants, SizeIs(2));
-    const SceneVariant& aside = assignment.variants[0];
+    const OtherScene& aside = assignment.variants[0];
     EXPECT_EQ(aside.name, "aside");
     EXPECT_EQ(aside.scene.camera.eye.z.text(), "3.50");
     EXPECT_EQ(aside.scene.camera.vup.y.text(), "1");
@@ -44,11 +44,11 @@ TEST(ReadVariants, OverridesTheKeysThatAreThere) {
     EXPECT_EQ(assignment.scene.camera.eye.z.text(), "4");
 }
 
-TEST(ReadVariants, IsEmptyWithoutOne) {
+TEST(OtherScenesReader, ReadsNoneWithoutATable) {
     EXPECT_THAT(parse_assignment(scene, "a.toml").variants, IsEmpty());
 }
 
-TEST(ReadVariants, RefusesWhatIsNoVariantOfThisScene) {
+TEST(OtherScenesReader, RefusesOverridesThatDoNotFitTheScene) {
     EXPECT_THAT(error_of("[[variant]]\ncamera.eyes = [1, 2, 3]\n"), AllOf(HasSubstr("a.toml"), HasSubstr("eyes")));
     EXPECT_THAT(error_of("[[variant]]\nwindow.width = 3\n"), HasSubstr("width"));
     EXPECT_THAT(error_of("[[variant]]\nwindow.pixel = [301, 0]\n"), HasSubstr("301 is not a pixel"));
@@ -58,7 +58,7 @@ TEST(ReadVariants, RefusesWhatIsNoVariantOfThisScene) {
     EXPECT_THAT(error_of("[[variant]]\ntriangle.vertices = [[0,0,0],[1,0,0],[0,1,0]]\n"), HasSubstr("no triangle"));
 }
 
-TEST(ReadVariants, RefusesASceneThatCantBeMarked) {
+TEST(OtherScenesReader, RefusesASceneThatCantBeMarked) {
     EXPECT_THAT(error_of("[[variant]]\nname = \"blind\"\ncamera.eye = [0, 0, 0]\n"),
                 AllOf(HasSubstr("a.toml"), HasSubstr("\"blind\""), HasSubstr("lookat")));
     EXPECT_THAT(error_of("[[variant]]\nsphere.radius = -1\n"), HasSubstr("radius"));

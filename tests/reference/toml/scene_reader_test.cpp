@@ -1,8 +1,8 @@
-// What is wrong with a scene is told by file, line, key and cure; what is unusual and right is accepted.
+// A mistake in a scene is reported with file, line, key and remedy. An unusual but valid scene is accepted.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reference/answer_key.h"
+#include "reference/key/answer_key.h"
 
 namespace {
 
@@ -11,7 +11,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// The lines are counted in the tests below.
+/// The tests below refer to these line numbers.
 const std::string scene =
     "[camera]\n"                                        // 1
     "eye = [0, 0, 4]\n"                                 // 2
@@ -61,7 +61,7 @@ TEST(SceneReader, AcceptsTheSceneThatTheseTestsBreak) {
     EXPECT_EQ(read(scene).notes.size(), 0U);
 }
 
-TEST(SceneReader, H53_VupParallelToTheView) {
+TEST(SceneReader, H53_RefusesVupParallelToTheView) {
     EXPECT_THAT(complaint("vup = [0, 1, 0]", "vup = [0, 0, 1]"), says("4: camera.vup", "such as [0, 1, 0]"));
     EXPECT_THAT(complaint("eye = [0, 0, 4]", "eye = [0, -7.5, 0]"), says("4: camera.vup", "such as [0, 0, 1]"));
     // In doubles 0.1 * 3 is not 0.3; in decimals this vup is exactly parallel to the view.
@@ -71,17 +71,17 @@ TEST(SceneReader, H53_VupParallelToTheView) {
     EXPECT_THAT(complaint("vup = [0, 1, 0]", "vup = [0, 0, 0]"), says("4: camera.vup", "is zero"));
 }
 
-TEST(SceneReader, H55_EyeAtLookat) {
+TEST(SceneReader, H55_RefusesAnEyeAtLookat) {
     EXPECT_THAT(complaint("eye = [0, 0, 4]", "eye = [0, 0.0, -0e9]"), says("3: camera.lookat", "is the eye"));
 }
 
-TEST(SceneReader, H31_Radius) {
+TEST(SceneReader, H31_RefusesARadiusThatIsNotPositive) {
     EXPECT_THAT(complaint("radius = 2", "radius = 0"), says("16: sphere[1].radius", "must be above 0"));
     EXPECT_THAT(complaint("radius = 2", "radius = -1"), says("16: sphere[1].radius", "must be above 0"));
     EXPECT_THAT(complaint("radius = 2", "radius = inf"), says("16: sphere[1].radius", "is not a finite number"));
 }
 
-TEST(SceneReader, H33_NumbersAreFiniteAndOfASizeThatCanBeMarked) {
+TEST(SceneReader, H33_RefusesNumbersThatAreNotFiniteOrOutOfRange) {
     EXPECT_THAT(complaint("eye = [0, 0, 4]", "eye = [nan, 0, 4]"), says("2: camera.eye", "is not a finite number"));
     EXPECT_THAT(complaint("center = [1, 1, 0]", "center = [1, -inf, 0]"), says("15: sphere[1].center", "finite"));
     EXPECT_THAT(complaint("center = [1, 1, 0]", "center = [1, 1e151, 0]"),
@@ -90,28 +90,28 @@ TEST(SceneReader, H33_NumbersAreFiniteAndOfASizeThatCanBeMarked) {
     EXPECT_THAT(complaint("[2, 2, 2]", "[2, 2, 2e200]"), says("18: triangle[1].vertices", "out of range"));
 }
 
-TEST(SceneReader, WindowHasAnExtentOnBothAxesAndANearPlane) {
+TEST(SceneReader, RefusesAWindowWithoutExtentOrNearPlane) {
     EXPECT_THAT(complaint("clip_right = 2", "clip_right = -2.0"), says("7: window.clip_right", "window is empty"));
     EXPECT_THAT(complaint("clip_top = 1", "clip_top = -1"), says("9: window.clip_top", "window is empty"));
     EXPECT_THAT(complaint("clip_near = 2", "clip_near = 0"), says("10: window.clip_near", "must be above 0"));
     EXPECT_THAT(complaint("clip_near = 2", "clip_near = -2"), says("10: window.clip_near", "must be above 0"));
 }
 
-TEST(SceneReader, AnItemThatIsNotAskedForIsAMistakeOfTheRubric) {
+TEST(SceneReader, RefusesARubricForAnItemThatDoesNotExist) {
     EXPECT_THAT(complaint("radius = 2", "radius = 2\n[rubric.points]\n6 = {z = 1}"),
                 testing::HasSubstr("z: is not an item of question 6; there are a, b, c, d, t, hit"));
     EXPECT_THAT(complaint("radius = 2", "radius = 2\n[rubric.tolerance]\n8 = {zz = 1}"),
                 testing::HasSubstr("zz: is not an item of question 8"));
 }
 
-TEST(SceneReader, MirroredWindowIsAcceptedAndSaid) {
+TEST(SceneReader, AcceptsAndNotesAMirroredWindow) {
     const Assignment mirrored = read(with("clip_right = 2", "clip_right = -3"));
     EXPECT_THAT(mirrored.notes, ElementsAre(HasSubstr("mirrored left to right")));
     EXPECT_THAT(read(with("clip_top = 1", "clip_top = -2")).notes, ElementsAre(HasSubstr("mirrored upside down")));
     EXPECT_THAT(to_json(make_key(mirrored, Precision::certified)), HasSubstr("mirrored left to right"));
 }
 
-TEST(SceneReader, PixelsAreWholeAndInTheWindow) {
+TEST(SceneReader, RefusesPixelsThatAreNotWholeOrOutsideTheWindow) {
     EXPECT_THAT(complaint("width = 301", "width = 0"), says("11: window.width", "from 1 to"));
     EXPECT_THAT(complaint("height = 201", "height = -1"), says("12: window.height", "from 1 to"));
     EXPECT_THAT(complaint("pixel = [150, 100]", "pixel = [301, 100]"), says("13: window.pixel", "from 0 to 300"));
@@ -123,7 +123,7 @@ TEST(SceneReader, PixelsAreWholeAndInTheWindow) {
     EXPECT_EQ(complaint("pixel = [150, 100]", "pixel = [150.0, 100]"), "accepted");
 }
 
-TEST(SceneReader, H43_TriangleWithoutArea) {
+TEST(SceneReader, H43_RefusesATriangleWithoutArea) {
     const std::string vertices = "[[0, -2, 2], [2, 2, 2], [-2, 2, 2]]";
     EXPECT_THAT(complaint(vertices, "[[0.1, 0.1, 0], [0.2, 0.2, 0], [0.3, 0.3, 0]]"),
                 says("18: triangle[1].vertices", "no area"));
@@ -137,7 +137,7 @@ std::vector<int> questions(const AnswerKey& key) {
     return numbers;
 }
 
-TEST(SceneReader, TheQuestionsFollowWhatTheSceneHolds) {
+TEST(SceneReader, AsksOnlyAboutObjectsInTheScene) {
     const std::string sphere = "[[sphere]]\ncenter = [1, 1, 0]\nradius = 2\n";
     const std::string triangle = "[[triangle]]\nvertices = [[0, -2, 2], [2, 2, 2], [-2, 2, 2]]\n";
     const auto asked = [](const std::string& text) { return questions(make_key(read(text), Precision::certified)); };
@@ -147,13 +147,13 @@ TEST(SceneReader, TheQuestionsFollowWhatTheSceneHolds) {
     EXPECT_THAT(asked(with(sphere + triangle, "")), ElementsAre(1, 2, 3, 4, 5));
 }
 
-TEST(SceneReader, OfSeveralSpheresTheOneThatIsHitFirstIsAskedAbout) {
+TEST(SceneReader, AsksAboutTheFirstSphereThatIsHit) {
     const std::string missed = "[[sphere]]\ncenter = [9, 9, 9]\nradius = 1\n";
     const std::string nearer = "[[sphere]]\ncenter = [0, 0, 1]\nradius = 0.5\n";
     const AnswerKey key = make_key(read(with("[[sphere]]\n", missed + nearer + "[[sphere]]\n")), Precision::certified);
     EXPECT_EQ(std::get<Numbers>(key.questions.at(5).items.at(4).answers.front().value), Numbers{0.5});
     EXPECT_EQ(key.decisions.sphere, "hit");
-    // Where none is hit, it is the first one written: its c is 81 + 81 + 49 - 1.
+    // If no sphere is hit, the questions are about the first one listed: its c is 81 + 81 + 49 - 1.
     const AnswerKey none =
         make_key(read(with("center = [1, 1, 0]\nradius = 2\n",
                            "center = [9, 9, 9]\nradius = 1\n[[sphere]]\ncenter = [8, 8, 8]\nradius = 1\n")),
@@ -162,19 +162,19 @@ TEST(SceneReader, OfSeveralSpheresTheOneThatIsHitFirstIsAskedAbout) {
     EXPECT_EQ(none.decisions.sphere, "miss");
 }
 
-TEST(SceneReader, OfSeveralTrianglesTheOneThatIsHitFirstIsAskedAbout) {
+TEST(SceneReader, AsksAboutTheFirstTriangleThatIsHit) {
     const std::string nearer = "[[triangle]]\nvertices = [[0, -2, 1.5], [2, 2, 1.5], [-2, 2, 1.5]]\n";
     const std::string farther = "[[triangle]]\nvertices = [[0, -2, 1], [2, 2, 1], [-2, 2, 1]]\n";
     const AnswerKey key =
         make_key(read(with("[[triangle]]\n", farther + nearer + "[[triangle]]\n")), Precision::certified);
-    // t >= 0 asks about the handout's own triangle, t > 0 about the nearer one of the others.
+    // With t >= 0 the questions are about the handout's own triangle, with t > 0 about the nearer of the other two.
     const std::vector<Answer>& t = key.questions.at(7).items.at(2).answers;
     ASSERT_EQ(t.size(), 2U);
     EXPECT_EQ(std::get<Numbers>(t[0].value), Numbers{0});
     EXPECT_EQ(std::get<Numbers>(t[1].value), Numbers{0.5});
 }
 
-TEST(Rubric, ANarrowToleranceIsRefusedWithTheItemAndBothNumbers) {
+TEST(Rubric, RefusesANarrowToleranceWithTheItemAndBothNumbers) {
     const Assignment narrow = read(scene + "[rubric.tolerance]\n6.t = 1e-9\n");
     try {
         make_key(narrow, Precision::certified);
@@ -186,13 +186,13 @@ TEST(Rubric, ANarrowToleranceIsRefusedWithTheItemAndBothNumbers) {
     EXPECT_NO_THROW(make_key(read(scene + "[rubric.tolerance]\n6.t = 0.01\n"), Precision::certified));
 }
 
-TEST(Rubric, HasNoToleranceUnlessOneIsWritten) {
+TEST(Rubric, HasNoToleranceByDefault) {
     EXPECT_FALSE(read(scene).rubric.tolerance_of(6, "t").has_value());
     EXPECT_EQ(read(scene + "[rubric.tolerance]\n6.t = 0.5\n").rubric.tolerance_of(6, "t"), 0.5);
     EXPECT_EQ(read(scene + "[rubric.tolerance]\ndefault = 0.25\n").rubric.tolerance_of(6, "t"), 0.25);
 }
 
-TEST(Rubric, TakesNothingOffForBeingLateAndShowsNoAnswersUnlessItSaysSo) {
+TEST(Rubric, DeductsNothingForLatenessAndShowsNoAnswersByDefault) {
     EXPECT_EQ(read(scene).rubric.late_deduction, 0);
     EXPECT_FALSE(read(scene).rubric.show_expected);
     const Rubric written = read(scene + "late_deduction = 0.2\nshow_expected = true\n").rubric;
@@ -204,9 +204,9 @@ TEST(Rubric, TakesNothingOffForBeingLateAndShowsNoAnswersUnlessItSaysSo) {
                 says("20: rubric.show_expected", "must be true or false"));
 }
 
-TEST(Rubric, GivesNothingForOtherScenesUnlessItSaysSo) {
-    EXPECT_EQ(read(scene).rubric.variant_points, 0);
-    EXPECT_EQ(read(scene + "variant_points = 7.5\n").rubric.variant_points, 7.5);
+TEST(Rubric, GivesNoPointsForOtherScenesByDefault) {
+    EXPECT_EQ(read(scene).rubric.other_scene_points, 0);
+    EXPECT_EQ(read(scene + "variant_points = 7.5\n").rubric.other_scene_points, 7.5);
     EXPECT_THAT(complaint("[rubric]\n", "[rubric]\nvariant_points = -1\n"),
                 says("20: rubric.variant_points", "must be 0 or more"));
 }

@@ -1,4 +1,4 @@
-#include "tests/hostile/corpus.h"
+#include "tests/scenario/hostile/corpus.h"
 
 #include <algorithm>
 #include <fstream>

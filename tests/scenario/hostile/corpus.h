@@ -1,4 +1,4 @@
-// The hostile submissions, and what each must come to.
+// The hostile submissions, and the outcome that each must have.
 #pragma once
 
 #include <filesystem>
@@ -8,14 +8,14 @@
 namespace hostile {
 
 struct Attack {
-    std::string name;                   ///< of its folder
+    std::string name;                   ///< the folder's name
     std::filesystem::path folder;       ///< submissions/hostile/<name>
-    std::string tries;                  ///< what its first line says
-    std::vector<std::string> outcomes;  ///< each of them fair, named as in grades.json; empty when the line is not as
+    std::string tries;                  ///< <what> of the first line
+    std::vector<std::string> outcomes;  ///< the fair outcomes, named as in grades.json; empty if the first line is not
                                         ///< "// Tries: <what>. Outcome: <outcome>[ or <outcome>]."
 };
 
-/// By name.
+/// Sorted by name.
 std::vector<Attack> read_corpus(const std::filesystem::path& folder);
 
 }  // namespace hostile

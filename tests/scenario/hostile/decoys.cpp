@@ -1,4 +1,4 @@
-#include "tests/hostile/decoys.h"
+#include "tests/scenario/hostile/decoys.h"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 const fs::path folder = "/tmp/raygrade-decoy";
 
-/// By path, with what they hold.
+/// The decoy files' contents by path.
 const std::map<fs::path, std::string> files = {
     {folder / "answer_key.json", "DECOYKEY-7f3a91 P_VCS = (0, 0, -2)\n"},
     {folder / "gradebook.csv", "DECOYBOOK-5c20,ada,93\n"},
@@ -44,14 +44,14 @@ void make_folder(const fs::path& path) {
     if (fs::status(path).permissions() != everyone) fs::permissions(path, everyone);
 }
 
-/// By renaming, as another test may be reading it.
+/// Writes by renaming, because a different test may be reading the file.
 void make_file(const fs::path& path, const std::string& text) {
     constexpr auto everyone_may_write = static_cast<fs::perms>(0666);
     if (read(path) == text && fs::status(path).permissions() == everyone_may_write) return;
     const fs::path draft = "/tmp/raygrade-draft-" + std::to_string(getpid());
     std::ofstream(draft) << text;
     fs::permissions(draft, everyone_may_write);
-    // Older than any submission, or the compiler would say by a warning that it is there.
+    // The file must be older than every submission; otherwise a compiler warning would reveal it.
     fs::last_write_time(draft, fs::file_time_type::clock::now() - std::chrono::hours(24));
     fs::rename(draft, path);
 }

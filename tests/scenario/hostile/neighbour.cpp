@@ -1,5 +1,5 @@
-// An honest student's program, graded beside every hostile one: whatever those do, this one has all its points. Without
-// GLM and iostream, as it is compiled some two hundred times.
+// An honest student's program, graded next to every hostile program. It must always get all its points. It uses neither
+// GLM nor iostream, because it is compiled about two hundred times.
 #include <cmath>
 #include <cstdio>
 
@@ -27,7 +27,7 @@ Vec cross(Vec a, Vec b) {
 Vec normalize(Vec a) {
     return 1 / std::sqrt(dot(a, a)) * a;
 }
-/// Of the matrix whose columns these are.
+/// The determinant of the matrix with these columns.
 double determinant(Vec a, Vec b, Vec c) {
     return dot(a, cross(b, c));
 }

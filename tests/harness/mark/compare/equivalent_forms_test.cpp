@@ -1,8 +1,8 @@
-#include "harness/equivalence.h"
+#include "harness/mark/compare/equivalent_forms.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/printed_values.h"
+#include "tests/given/printed_values.h"
 
 namespace harness {
 namespace {
@@ -10,11 +10,11 @@ namespace {
 constexpr ItemId a{6, "a"}, b{6, "b"}, c{6, "c"}, d{6, "d"}, matrix{8, "matrix"}, rhs{8, "rhs"};
 
 /// t^2 - 4.5 t + 3 = 0: d = 8.25, d' = 2.0625.
-std::vector<Known> quadratic_key() {
-    Known key;
-    key.set(a, {false, {Real(1.0)}, {0.0}});
-    key.set(b, {false, {Real(-4.5)}, {0.0}});
-    key.set(c, {false, {Real(3.0)}, {0.0}});
+std::vector<ItemTargets> quadratic_key() {
+    ItemTargets key;
+    key.set(a, {false, {Interval(1.0)}, {0.0}});
+    key.set(b, {false, {Interval(-4.5)}, {0.0}});
+    key.set(c, {false, {Interval(3.0)}, {0.0}});
     return {key};
 }
 
@@ -25,32 +25,32 @@ QuadraticScale scale_of(std::string_view pa, std::string_view pb, std::string_vi
     return find_quadratic_scale({&ia, &ib, &ic, pd.empty() ? nullptr : &id}, keys, 2);
 }
 
-TEST(QuadraticScale, IsTheHandoutsOwnForTheHandoutsForm) {
+TEST(QuadraticScale, IsOneForTheHandoutsForm) {
     const QuadraticScale scale = scale_of("1", "-4.5", "3", "8.25");
     EXPECT_EQ(scale.form, QuadraticForm::full);
     EXPECT_TRUE(is_one(scale.factor));
 }
 
-TEST(QuadraticScale, IsHalfBWhereTheDiscriminantSaysSo) {
+TEST(QuadraticScale, IsHalfBIfTheDiscriminantFits) {
     EXPECT_EQ(scale_of("1", "-2.25", "3", "2.0625").form, QuadraticForm::half_b);
     EXPECT_EQ(scale_of("1.000000e+00", "-2.250000e+00", "3.000000e+00", "2.062500e+00").form, QuadraticForm::half_b);
 }
 
-TEST(QuadraticScale, IsNotHalfBWithTheDiscriminantOfTheWholeB) {
+TEST(QuadraticScale, IsNotHalfBWithTheFullDiscriminant) {
     EXPECT_EQ(scale_of("1", "-2.25", "3", "-6.9375").form, QuadraticForm::full)
         << "b'^2 - 4ac: the factor 2 is missing";
     EXPECT_EQ(scale_of("1", "-2.25", "3", "8.25").form, QuadraticForm::full);
     EXPECT_EQ(scale_of("1", "-2.25", "3", "").form, QuadraticForm::full) << "no discriminant";
 }
 
-TEST(QuadraticScale, FindsAFactorThatAllCoefficientsHave) {
+TEST(QuadraticScale, FindsACommonFactorOfAllCoefficients) {
     EXPECT_TRUE(scale_of("2", "-9", "6", "33").factor.contains(2.0));
     EXPECT_TRUE(scale_of("-1", "4.5", "-3", "8.25").factor.contains(-1.0));
     EXPECT_TRUE(is_one(scale_of("2", "-9", "3", "57").factor)) << "c is not multiplied";
     EXPECT_TRUE(is_one(scale_of("2", "-4.5", "3", "-3.75").factor)) << "a alone is wrong";
 }
 
-TEST(QuadraticScale, IsNotMovedByZerosNanOrATinyA) {
+TEST(QuadraticScale, IgnoresZerosNanAndATinyA) {
     EXPECT_TRUE(is_one(scale_of("0", "0", "0", "0").factor));
     EXPECT_TRUE(is_one(scale_of("nan", "nan", "nan", "nan").factor));
     EXPECT_TRUE(is_one(scale_of("0.001", "0", "0", "0").factor));
@@ -64,7 +64,7 @@ Target system_matrix() {
 }
 
 Target right_side() {
-    return {false, {Real(0.5), Real(2.0), Real(3.0)}, {}};
+    return {false, {Interval(0.5), Interval(2.0), Interval(3.0)}, {}};
 }
 
 std::optional<SystemForm> order_of(std::string_view text, MatrixOrder order = MatrixOrder::columns) {
@@ -92,7 +92,7 @@ TEST(ColumnOrder, IsNotFoundForATransposedMatrixPrintedByColumns) {
     EXPECT_TRUE(order_of("0 2 -2 0 4 4 -1 0.5 1.5", MatrixOrder::unsaid));
 }
 
-TEST(ColumnOrder, IsNotFoundForOneWrongNumberZerosOrNan) {
+TEST(ColumnOrder, IsNotFoundForAWrongNumberZerosOrNan) {
     EXPECT_FALSE(order_of("0 0 1 2 4 0.5 -2 4 1.5"));
     EXPECT_FALSE(order_of("0 0 0 0 0 0 0 0 0"));
     EXPECT_FALSE(order_of("nan nan nan nan nan nan nan nan nan"));
@@ -103,7 +103,7 @@ std::optional<SystemForm> multiplied(std::string_view text, const MatchedItem* p
                                 right_side(), 0.0, 2);
 }
 
-TEST(MultipliedForm, NeedsTheRightHandSideMultipliedAlike) {
+TEST(MultipliedForm, RequiresTheSameFactorOnTheRightHandSide) {
     const char* rows = "0 -2 2   0 4 4   -2 1 3";  // the first row by -1, the third by 2
     const MatchedItem alike = printed_item(rhs, "-0.5 2 6"), plain = printed_item(rhs, "0.5 2 3");
     EXPECT_TRUE(multiplied(rows, &alike));
@@ -112,7 +112,7 @@ TEST(MultipliedForm, NeedsTheRightHandSideMultipliedAlike) {
     EXPECT_EQ(multiplied(rows, &alike)->describe(), "rows multiplied on both sides");
 }
 
-TEST(MultipliedForm, IsNotFoundWhereRowsAreNotMultiples) {
+TEST(MultipliedForm, IsNotFoundIfRowsAreNotMultiples) {
     const MatchedItem alike = printed_item(rhs, "-0.5 2 3");
     EXPECT_FALSE(multiplied("0 -2 -2   0 4 4   -1 0.5 1.5", &alike));
 }
@@ -124,8 +124,8 @@ TEST(MultipliedForm, IsNotFoundForZerosOrTinyRows) {
     EXPECT_FALSE(multiplied("0 0.01 0 0 0.01 0 -0.01 0 0", &zeros));
 }
 
-TEST(LikeliestColumnOrder, IsTheOneThatTheSolutionSolves) {
-    // V not negated, columns u, v, t: by distance alone another order may be nearer.
+TEST(LikeliestColumnOrder, IsTheOrderThatTheSolutionSolves) {
+    // V is not negated and the columns are u, v, t. By distance alone, a different order may seem nearer.
     const MatchedItem printed = printed_item(matrix, "2 4 0.5 -2 4 1.5 0 0 1", MatrixOrder::columns);
     const MatchedItem right = printed_item(rhs, "0 2 3");
     const MatchedItem t = printed_item({8, "t"}, "2.5"), u = printed_item({8, "u"}, "0.25"),

@@ -1,9 +1,9 @@
-#include "harness/own_verdict.h"
+#include "harness/mark/compare/first_hit.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/printed_values.h"
+#include "tests/given/printed_values.h"
 
 namespace harness {
 namespace {
@@ -13,7 +13,7 @@ using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 using enum reference::Verdict;
 
-Real of(std::string_view text) {
+Interval of(std::string_view text) {
     return enclosure_of(printed_number(text), Digits::as_printed);
 }
 
@@ -38,48 +38,48 @@ TEST(PossibleVerdicts, NameTheSmallerT) {
     EXPECT_THAT(verdicts(values("0.59", "0.75")), ElementsAre(sphere_first));
 }
 
-TEST(PossibleVerdicts, AreAllThreeWhereTheDigitsOfBothTAreTheSame) {
+TEST(PossibleVerdicts, AreAllThreeIfBothTHaveTheSameDigits) {
     EXPECT_THAT(verdicts(values("1.59", "1.59")), UnorderedElementsAre(sphere_first, triangle_first, tie));
     EXPECT_THAT(verdicts(values("1.590", "1.5904")), UnorderedElementsAre(sphere_first, triangle_first, tie));
     EXPECT_THAT(verdicts(values("1.590", "1.592")), ElementsAre(sphere_first));
 }
 
-TEST(PossibleVerdicts, FollowTheBoundaryWhereTIsZeroExactly) {
+TEST(PossibleVerdicts, FollowTheBoundaryPolicyIfTIsExactlyZero) {
     EXPECT_THAT(under(values("1.59", "0"), {Boundary::nonnegative}), ElementsAre(triangle_first));
     EXPECT_THAT(under(values("1.59", "0"), {Boundary::positive}), ElementsAre(sphere_first));
     EXPECT_THAT(verdicts(values("1.59", "0")), UnorderedElementsAre(triangle_first, sphere_first));
 }
 
-TEST(PossibleVerdicts, TakeAPrintedZeroForWhatItsSignSays) {
+TEST(PossibleVerdicts, TakeTheSignOfAPrintedZero) {
     EXPECT_THAT(under(values("1.59", "0.000000"), {Boundary::nonnegative}), ElementsAre(triangle_first));
     EXPECT_THAT(under(values("1.59", "-0.000000"), {Boundary::nonnegative}),
                 UnorderedElementsAre(triangle_first, sphere_first));
     EXPECT_THAT(under(values("1.59", "-0"), {Boundary::nonnegative}), ElementsAre(triangle_first)) << "-0 >= 0";
 }
 
-TEST(PossibleVerdicts, KnowNoHitWithoutANumber) {
+TEST(PossibleVerdicts, ContainNoHitWithoutANumber) {
     EXPECT_THAT(verdicts(values("none", "0.5")), ElementsAre(triangle_first));
     EXPECT_THAT(verdicts(values("0.5", "none")), ElementsAre(sphere_first));
     EXPECT_THAT(verdicts(values("none", "none")), ElementsAre(no_hit));
 }
 
-TEST(PossibleVerdicts, DoNotHitBehindTheStart) {
+TEST(PossibleVerdicts, ContainNoHitBehindTheStart) {
     EXPECT_THAT(verdicts(values("-1.5", "-0.5")), ElementsAre(no_hit));
     EXPECT_THAT(verdicts(values("-1.5", "0.5")), ElementsAre(triangle_first));
 }
 
-TEST(PossibleVerdicts, DoNotHitATriangleOutsideOfIt) {
+TEST(PossibleVerdicts, ContainNoHitOutsideTheTriangle) {
     EXPECT_THAT(verdicts(values("1.59", "0.75", "-0.5", "0.25")), ElementsAre(sphere_first));
     EXPECT_THAT(verdicts(values("1.59", "0.75", "0.75", "0.5")), ElementsAre(sphere_first));
     EXPECT_THAT(verdicts(values("none", "0.75", "1.5", "-1")), ElementsAre(no_hit));
 }
 
-TEST(PossibleVerdicts, HitTheTrianglesEdge) {
+TEST(PossibleVerdicts, ContainAHitOfTheTrianglesEdge) {
     EXPECT_THAT(verdicts(values("1.59", "0.75", "0", "0.25")), ElementsAre(triangle_first));
     EXPECT_THAT(verdicts(values("1.59", "0.75", "0.00", "0.25")), ElementsAre(triangle_first));
 }
 
-TEST(PossibleVerdicts, LeaveTheEdgeOpenWhereTheDigitsDo) {
+TEST(PossibleVerdicts, LeaveTheEdgeOpenIfTheDigitsDo) {
     EXPECT_THAT(verdicts(values("1.59", "0.75", "-0.00", "0.25")), UnorderedElementsAre(triangle_first, sphere_first));
     EXPECT_THAT(verdicts(values("1.59", "0.75", "0.500", "0.500")), UnorderedElementsAre(triangle_first, sphere_first));
 }
@@ -91,13 +91,13 @@ TEST(PossibleVerdicts, ForgiveAStudentsOwnToleranceUpToTheAllowance) {
     EXPECT_THAT(verdicts(hits), UnorderedElementsAre(triangle_first, sphere_first));
 }
 
-TEST(PossibleVerdicts, TakeThePointForInsideWhereUOrVIsUnknown) {
+TEST(PossibleVerdicts, TakeThePointAsInsideIfUOrVIsUnknown) {
     HitValues hits = values("1.59", "0.75");
     hits.u.reset();
     EXPECT_THAT(verdicts(hits), ElementsAre(triangle_first));
 }
 
-TEST(SmallerT, LooksAtNoSign) {
+TEST(SmallerT, IgnoresSigns) {
     EXPECT_EQ(smaller_t(values("-3", "0.5", "7", "7")), sphere_first);
     EXPECT_EQ(smaller_t(values("1.59", "1.59")), std::nullopt);
     EXPECT_EQ(smaller_t(values("none", "1.59")), std::nullopt);

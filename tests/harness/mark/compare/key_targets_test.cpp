@@ -1,10 +1,10 @@
-#include "harness/tolerance.h"
+#include "harness/mark/compare/key_targets.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "tests/printed_values.h"
+#include "tests/given/printed_values.h"
 
 namespace harness {
 namespace {
@@ -25,7 +25,7 @@ reference::KeyItem item_with_allowance(double allowance) {
     return {spec_of_t(), {answer}};
 }
 
-TEST(TargetWithAllowance, TakesTheRubricsToleranceWhereItIsWider) {
+TEST(TargetWithAllowance, UsesTheRubricsToleranceIfWider) {
     reference::Rubric rubric;
     const reference::KeyItem item = item_with_allowance(1e-6);
     EXPECT_EQ(target_with_allowance(item, item.answers[0], rubric).allowance.at(0), 1e-6);
@@ -36,7 +36,7 @@ TEST(TargetWithAllowance, TakesTheRubricsToleranceWhereItIsWider) {
     EXPECT_EQ(target_with_allowance(item, item.answers[0], rubric).allowance.at(0), 1e-6);
 }
 
-TEST(TargetWithAllowance, IsFiniteWhereNothingBoundsFloat) {
+TEST(TargetWithAllowance, IsFiniteEvenIfFloatsErrorIsUnbounded) {
     const reference::KeyItem item = item_with_allowance(std::numeric_limits<double>::infinity());
     EXPECT_DOUBLE_EQ(target_with_allowance(item, item.answers[0], {}).allowance.at(0), 0.04);
 }
@@ -49,7 +49,7 @@ TEST(TargetWithAllowance, IsEmptyForNoValue) {
     EXPECT_TRUE(target.allowance.empty());
 }
 
-TEST(KeysByConvention, HaveWhatBelongsTogether) {
+TEST(KeysByConvention, HoldTheAnswersOfOneConventionEach) {
     const student::Marking marking = student::off_axis_scene();
     const auto keys = keys_by_convention(marking.key, marking.assignment.rubric);
     ASSERT_EQ(keys.size(), 2U);
@@ -58,9 +58,9 @@ TEST(KeysByConvention, HaveWhatBelongsTogether) {
     EXPECT_EQ(keys[0].targets().size(), keys[1].targets().size());
 }
 
-TEST(WidenedByAllowance, ReachesAsFarAsARightProgram) {
-    Known key;
-    key.set(t, {false, {Real(4.0)}, {0.5}});
+TEST(WidenedByAllowance, ReachesAsFarAsTheAllowance) {
+    ItemTargets key;
+    key.set(t, {false, {Interval(4.0)}, {0.5}});
     EXPECT_TRUE(widened_by_allowance(key).scalar(t)->contains(4.5));
     EXPECT_FALSE(widened_by_allowance(key).scalar(t)->contains(4.6));
 }

@@ -1,11 +1,11 @@
-#include "harness/close_call.h"
+#include "harness/mark/diagnose/close_call.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/printed_values.h"
-#include "tests/student/printout.h"
-#include "tests/student/scenes.h"
+#include "tests/given/printed_values.h"
+#include "tests/given/student/printout.h"
+#include "tests/given/student/scenes.h"
 
 namespace harness {
 namespace {
@@ -21,7 +21,7 @@ std::string right_output(const student::Marking& marking, bool true_hits_only = 
     return print(Program(marking.assignment, way));
 }
 
-TEST(CloseCall, OfATangentGoesEitherWay) {
+TEST(CloseCall, AcceptsBothDecisionsForATangent) {
     for (const char* scene : {"barely hit", "barely missed"}) {
         const student::Marking marking = student::scene_named(scene);
         std::string miss = right_output(marking);
@@ -38,26 +38,26 @@ TEST(CloseCall, OfATangentGoesEitherWay) {
     }
 }
 
-TEST(CloseCall, IsNotOneAgainstTheStudentsOwnDiscriminant) {
+TEST(CloseCall, DoesNotApplyAgainstTheStudentsOwnDiscriminant) {
     const student::Marking marking = student::scene_named("barely hit");
     std::string output = with_line(right_output(marking), 6, "d", "0.000004");
     output = with_line(output, 6, "t", "no hit");
     EXPECT_EQ(verdict_on(mark(output, marking), {6, "t"}), "wrong");
 }
 
-TEST(CloseCall, IsNotOneWhereTheRayHitsPlainly) {
+TEST(CloseCall, DoesNotApplyIfTheRayClearlyHits) {
     const student::Marking marking = student::off_axis_scene();
     const Score score = mark(with_line(right_output(marking), 6, "t", "no hit"), marking);
     EXPECT_EQ(verdict_on(score, {6, "t"}), "wrong");
 }
 
-TEST(CloseCall, LeavesTheHitPointOfAMissToTheStudent) {
+TEST(CloseCall, AcceptsAMissWithAndWithoutAHitPoint) {
     const student::Marking marking = student::scene_named("triangle missed");
     EXPECT_EQ(verdict_on(mark(right_output(marking, true), marking), {8, "hit"}), "right");
     EXPECT_EQ(verdict_on(mark(right_output(marking, false), marking), {8, "hit"}), "right");
 }
 
-TEST(CloseCall, HoldsTheRubricsPolicyWhereTIsZeroExactly) {
+TEST(CloseCall, FollowsTheRubricsPolicyIfTIsExactlyZero) {
     const std::string toml = student::camera_on_the_axis(4) + R"(
 [[sphere]]
 center = [1, 1, 0]
@@ -85,7 +85,7 @@ boundary = )";
         << "the point of the plane may be printed all the same";
 }
 
-TEST(CloseVerdicts, AreAllThatATieMayRoundTo) {
+TEST(CloseVerdicts, IncludeAllThatATieMayRoundTo) {
     for (const char* scene : {"tie", "almost a tie"}) {
         const student::Marking marking = student::scene_named(scene);
         const std::string output = right_output(marking);

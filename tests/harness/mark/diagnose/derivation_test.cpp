@@ -1,13 +1,13 @@
-#include "harness/derivation.h"
+#include "harness/mark/diagnose/derivation.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "harness/tolerance.h"
-#include "tests/printed_values.h"
-#include "tests/student/scenes.h"
+#include "harness/mark/compare/key_targets.h"
+#include "tests/given/printed_values.h"
+#include "tests/given/student/scenes.h"
 
 namespace harness {
 namespace {
@@ -44,21 +44,21 @@ class Derivations : public testing::Test {
         });
     }
 
-    /// No result but such as say nothing.
+    /// Whether every result is unbounded, i.e. unknown.
     bool gives_nothing(const ItemId& id) const {
         const auto all = results(id);
         return std::all_of(all.begin(), all.end(), [](const Target& target) {
             return !target.no_value && std::any_of(target.components.begin(), target.components.end(),
-                                                   [](const Real& x) { return !x.is_bounded(); });
+                                                   [](const Interval& x) { return !x.is_bounded(); });
         });
     }
 
     student::Marking marking;
-    RealScene scene;
-    Known known;
+    IntervalScene scene;
+    ItemTargets known;
 };
 
-TEST_F(Derivations, OfTheKeyGiveTheKey) {
+TEST_F(Derivations, ReproduceTheKeyFromTheKey) {
     std::set<ItemId> derived;
     for (const Derivation& derivation : all_derivations()) {
         derived.insert(derivation.item);
@@ -87,14 +87,14 @@ TEST_F(Derivations, GiveTheRootForTheStudentsOwnCoefficients) {
     EXPECT_TRUE(gives(t_s, "0")) << "t = 0 counts where the rubric says either";
 }
 
-TEST_F(Derivations, KnowTheRootOfHalfB) {
+TEST_F(Derivations, GiveTheRootForHalfB) {
     print(b, "-2");
     print(d, "2");
     EXPECT_TRUE(gives(t_s, "0.585786", QuadraticForm::half_b));
     EXPECT_FALSE(gives(t_s, "0.585786", QuadraticForm::full));
 }
 
-TEST_F(Derivations, HaveNoHitForANegativeDiscriminant) {
+TEST_F(Derivations, GiveNoHitForANegativeDiscriminant) {
     print(d, "-1");
     EXPECT_TRUE(gives(t_s, "none"));
     EXPECT_FALSE(gives(t_s, "nan"));
@@ -108,7 +108,7 @@ TEST_F(Derivations, LeaveOpenWhatADiscriminantOfZeroDigitsMeans) {
     EXPECT_TRUE(gives(t_s, "2"));
 }
 
-TEST_F(Derivations, HaveNoPointAndNoNormalWithoutAHit) {
+TEST_F(Derivations, GiveNoPointAndNoNormalWithoutAHit) {
     known.set(t_s, no_value());
     EXPECT_TRUE(gives(hit_s, "none"));
     known.set(hit_s, no_value());
@@ -122,7 +122,7 @@ TEST_F(Derivations, AllowNoPointOnlyOutsideTheTriangle) {
     EXPECT_TRUE(gives(hit_t, "none"));
 }
 
-TEST_F(Derivations, HoldTheRubricsBoundaryWhereTIsZero) {
+TEST_F(Derivations, FollowTheRubricsBoundaryIfTIsZero) {
     EXPECT_TRUE(gives(hit_t, "none")) << "either";
     scene.boundaries = {reference::Boundary::nonnegative};
     EXPECT_FALSE(gives(hit_t, "none"));
@@ -130,7 +130,7 @@ TEST_F(Derivations, HoldTheRubricsBoundaryWhereTIsZero) {
     EXPECT_TRUE(gives(hit_t, "none"));
 }
 
-TEST_F(Derivations, SayNothingOfADirectionWithoutLength) {
+TEST_F(Derivations, GiveNothingForADirectionWithoutLength) {
     for (const char* zero : {"0 0 0", "0.000000 0.000000 0.000000", "-0.00 0.00 0.00"}) {
         print(V, zero);
         EXPECT_TRUE(results(a).empty()) << zero;
@@ -139,7 +139,7 @@ TEST_F(Derivations, SayNothingOfADirectionWithoutLength) {
     }
 }
 
-TEST_F(Derivations, SayNothingOfASingularSystem) {
+TEST_F(Derivations, GiveNothingForASingularSystem) {
     print(matrix, "0 0 0 0 0 0 0 0 0");
     known.set(V, no_value());
     EXPECT_TRUE(results(t_t).empty());
@@ -147,7 +147,7 @@ TEST_F(Derivations, SayNothingOfASingularSystem) {
     EXPECT_TRUE(results(u).empty());
 }
 
-TEST_F(Derivations, SayNothingOfANormalAtTheCentre) {
+TEST_F(Derivations, GiveNothingForANormalAtTheCentre) {
     print(hit_s, "1 1 0");
     EXPECT_TRUE(gives_nothing(normal_s));
     print(hit_s, "1.000000 1.000000 0.000000");
@@ -155,7 +155,7 @@ TEST_F(Derivations, SayNothingOfANormalAtTheCentre) {
     EXPECT_FALSE(gives(normal_s, "0 0 0"));
 }
 
-TEST_F(Derivations, SayNothingOfAxesThatAreZeroOrInOnePlane) {
+TEST_F(Derivations, GiveNothingForAxesThatAreZeroOrCoplanar) {
     print(X, "0 0 0");
     EXPECT_TRUE(results(M).empty());
     EXPECT_FALSE(gives(Y, "0 0 0"));
@@ -164,12 +164,12 @@ TEST_F(Derivations, SayNothingOfAxesThatAreZeroOrInOnePlane) {
     EXPECT_TRUE(results(M).empty()) << "Y = Z";
 }
 
-TEST_F(Derivations, SayNothingOfASingularMatrix) {
+TEST_F(Derivations, GiveNothingForASingularMatrix) {
     print(M, "0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0");
     EXPECT_FALSE(gives(P_WCS, "0 0 0"));
 }
 
-TEST_F(Derivations, SayNothingOfAVanishingQuadratic) {
+TEST_F(Derivations, GiveNothingForAVanishingQuadratic) {
     print(a, "0");
     print(b, "0");
     print(c, "0");
@@ -177,14 +177,14 @@ TEST_F(Derivations, SayNothingOfAVanishingQuadratic) {
     EXPECT_TRUE(results(t_s).empty());
 }
 
-TEST_F(Derivations, TakeAMatrixWithAnotherLastRowBothWays) {
+TEST_F(Derivations, AllowBothReadingsOfAMatrixWithAnUnusualLastRow) {
     print(M, "1 0 0 0 0 1 0 0 0 0 1 1 0 0 0 1");  // transposed: w is z + 1
     print(P_VCS, "0.5 0 -3");
     EXPECT_TRUE(gives(P_WCS, "0.5 0 -3"));
     EXPECT_TRUE(gives(P_WCS, "-0.25 0 1.5")) << "divided by w";
 }
 
-TEST(RealScene, HasTheObjectAskedAboutFirst) {
+TEST(IntervalScene, ListsTheObjectOfTheQuestionsFirst) {
     const student::Marking marking = student::marking_of(student::camera_on_the_axis(8) + R"(
 [[sphere]]
 center = [0, 0, -9]

@@ -1,10 +1,10 @@
-#include "harness/follow.h"
+#include "harness/mark/diagnose/follow.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/printed_values.h"
-#include "tests/student/mistakes.h"
-#include "tests/student/printout.h"
+#include "tests/given/printed_values.h"
+#include "tests/given/student/mistakes.h"
+#include "tests/given/student/printout.h"
 
 namespace harness {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 using student::Floats;
 using student::Program;
 
-/// The marks of a program whose `id` is `value`, and all that follows is computed from it.
+/// The marks of a program that has `value` for `id` and computes all later answers from it.
 Score mark_with(const ItemId& id, const Floats& value, std::string_view scene = "off axis") {
     const student::Marking marking = student::scene_named(scene);
     const Program program(marking.assignment, {},
@@ -20,14 +20,14 @@ Score mark_with(const ItemId& id, const Floats& value, std::string_view scene = 
     return mark(print(program), marking);
 }
 
-TEST(Follow, IsWhatARightStageMakesOfAWrongValue) {
+TEST(Follow, IsGivenForARightStageOnAWrongValue) {
     const Score score = mark_with({6, "c"}, {12.5F});
     EXPECT_EQ(verdict_on(score, {6, "c"}), "wrong");
     EXPECT_EQ(verdict_on(score, {6, "d"}), "follow");
     EXPECT_EQ(verdict_on(score, {6, "b"}), "right") << "b does not depend on c";
 }
 
-TEST(Follow, HoldsDownTheWholeChainAndToTheVerdict) {
+TEST(Follow, IsGivenAlongTheWholeChainAndForTheVerdict) {
     const Score score = mark_with({6, "t"}, {9.5F});
     for (const ItemId& id : {ItemId{6, "hit"}, ItemId{7, "normal"}, ItemId{10, "verdict"}})
         EXPECT_EQ(verdict_on(score, id), "follow") << id.second;
@@ -61,7 +61,7 @@ TEST(Follow, IsNotGivenForANormalAtTheCentre) {
     EXPECT_EQ(verdict_on(score, {7, "normal"}), "wrong");
 }
 
-TEST(Follow, DoesNotMakeAMissOfAWrongNone) {
+TEST(Follow, IsNotGivenForAMissAfterAWrongNone) {
     const student::Marking marking = student::off_axis_scene();
     const Program program(marking.assignment, {}, Program::Mistake{{6, "t"}, [](const Program&, const auto&) {
                                                                        return std::optional<Floats>();
@@ -73,7 +73,7 @@ TEST(Follow, DoesNotMakeAMissOfAWrongNone) {
     EXPECT_EQ(verdict_on(score, {10, "verdict"}), "wrong");
 }
 
-TEST(Follow, MakesAMissOfADiscriminantThatSaysSo) {
+TEST(Follow, IsGivenForAMissAfterANegativeDiscriminant) {
     const Score score = mark_with({6, "c"}, {25.0F});
     for (const ItemId& id :
          {ItemId{6, "d"}, ItemId{6, "t"}, ItemId{6, "hit"}, ItemId{7, "normal"}, ItemId{10, "verdict"}}) {
@@ -81,7 +81,7 @@ TEST(Follow, MakesAMissOfADiscriminantThatSaysSo) {
     }
 }
 
-TEST(Follow, ComesFromTheStudentsOwnLayoutOfTheSystem) {
+TEST(Follow, UsesTheStudentsOwnLayoutOfTheSystem) {
     const student::Marking marking = student::off_axis_scene();
     student::Way way;
     way.columns = {2, 0, 1};
@@ -93,8 +93,8 @@ TEST(Follow, ComesFromTheStudentsOwnLayoutOfTheSystem) {
         EXPECT_EQ(verdict_on(score, id), "follow") << id.second;
 }
 
-TEST(Follow, StandsOnCoarselyPrintedValues) {
-    // Three digits of a right c are too few, which is no reason to doubt what was computed with the whole c.
+TEST(Follow, IsGivenForCoarselyPrintedValues) {
+    // c is right but printed with only three digits. Answers computed with the exact c must still be accepted.
     const student::Marking marking = student::off_axis_scene();
     std::string output = print(Program(marking.assignment, {}));
     const std::size_t c = output.find("\nc: ");

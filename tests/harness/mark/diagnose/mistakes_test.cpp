@@ -1,4 +1,4 @@
-#include "harness/misconception.h"
+#include "harness/mark/diagnose/mistakes.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <set>
 
-#include "tests/printed_values.h"
-#include "tests/student/mistakes.h"
-#include "tests/student/printout.h"
+#include "tests/given/printed_values.h"
+#include "tests/given/student/mistakes.h"
+#include "tests/given/student/printout.h"
 
 namespace harness {
 namespace {
@@ -25,7 +25,7 @@ bool differs(const std::optional<student::Floats>& one, const std::optional<stud
     return largest > 1e-4;
 }
 
-/// Marks the program with the mistake on the first of some scenes, all off the axes, on which it shows.
+/// Marks the program with the mistake on the first off-axis scene on which the mistake changes the answer.
 const ItemScore* find_marked(const NamedMistake& mistake, Score& score) {
     for (const char* scene : {"off axis", "inside", "triangle first"}) {
         const student::Marking marking = student::scene_named(scene);
@@ -43,7 +43,7 @@ const ItemScore* find_marked(const NamedMistake& mistake, Score& score) {
     return nullptr;
 }
 
-TEST(Misconceptions, AreNamedWhateverTheirNumbersOffTheAxes) {
+TEST(Misconceptions, AreNamedOnScenesOffTheAxes) {
     for (const NamedMistake& mistake : student::named_mistakes()) {
         const auto& [question, name] = mistake.mistake.item;
         Score score;
@@ -58,11 +58,11 @@ TEST(Misconceptions, AreNamedWhateverTheirNumbersOffTheAxes) {
 TEST(Misconceptions, EachHaveATest) {
     std::set<std::pair<ItemId, std::string_view>> tested;
     for (const NamedMistake& mistake : student::named_mistakes()) tested.insert({mistake.mistake.item, mistake.name});
-    for (const Misconception& mistake : all_misconceptions()) {
+    for (const Mistake& mistake : all_mistakes()) {
         EXPECT_TRUE(tested.contains({mistake.item, mistake.name}))
             << mistake.name << " in " << mistake.item.first << "." << mistake.item.second;
     }
-    EXPECT_GE(all_misconceptions().size(), 25U);
+    EXPECT_GE(all_mistakes().size(), 25U);
 }
 
 TEST(Misconceptions, AreNeverNamedInARightOrFollowingAnswer) {
@@ -79,8 +79,8 @@ TEST(Misconceptions, AreNeverNamedInARightOrFollowingAnswer) {
     }
 }
 
-TEST(Misconceptions, AreAnInstructorsFewWordsWithAdviceThatHoldsNoValue) {
-    for (const Misconception& mistake : all_misconceptions()) {
+TEST(Misconceptions, HaveShortNamesAndAdviceWithoutValues) {
+    for (const Mistake& mistake : all_mistakes()) {
         EXPECT_LE(mistake.name.size(), 40U) << mistake.name;
         EXPECT_TRUE(mistake.advice.ends_with(".")) << mistake.advice;
         EXPECT_EQ(mistake.advice.find_first_of("35679"), std::string_view::npos)
@@ -88,8 +88,8 @@ TEST(Misconceptions, AreAnInstructorsFewWordsWithAdviceThatHoldsNoValue) {
     }
 }
 
-TEST(Misconceptions, AreFoundBehindAnEarlierMistakeToo) {
-    // V is not normalised, and the far root is taken of the quadratic that follows.
+TEST(Misconceptions, AreFoundAfterAnEarlierMistakeToo) {
+    // V is not normalised, and then the program takes the far root of the quadratic.
     const student::Marking marking = student::off_axis_scene();
     const Program program(
         marking.assignment, {},
@@ -105,7 +105,7 @@ TEST(Misconceptions, AreFoundBehindAnEarlierMistakeToo) {
     EXPECT_EQ(item_of(score, {6, "t"}).diagnosis, "far root");
 }
 
-TEST(Misconceptions, AreNotNamedForNumbersOutOfNowhere) {
+TEST(Misconceptions, AreNotNamedForArbitraryNumbers) {
     const student::Marking marking = student::off_axis_scene();
     for (const reference::ItemSpec& spec : reference::all_items()) {
         if (spec.shape == reference::Shape::verdict) continue;

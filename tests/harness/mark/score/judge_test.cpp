@@ -1,12 +1,12 @@
-#include "harness/judge.h"
+#include "harness/mark/score/judge.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "tests/printed_values.h"
-#include "tests/student/printout.h"
+#include "tests/given/printed_values.h"
+#include "tests/given/student/printout.h"
 
 namespace harness {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 using student::Program;
 using student::Way;
 
-/// Output of the handout's scene with some lines other than right; by label.
+/// The right output for the handout's scene, with the values of some labels replaced.
 std::string handout_output(const std::map<std::string, std::string>& changed = {}) {
     const std::pair<const char*, std::vector<std::pair<const char*, const char*>>> questions[] = {
         {"1", {{"P_VCS", "vec3(0.000000, 0.000000, -2.000000)"}}},
@@ -85,7 +85,7 @@ TEST(Judge, NeverFindsNanOrInfinityRight) {
     }
 }
 
-TEST(Judge, TakesMinusZeroForZero) {
+TEST(Judge, AcceptsMinusZeroForZero) {
     EXPECT_EQ(verdict_with({{"t8", "-0"}}, {8, "t"}), "right");
     EXPECT_EQ(verdict_with({{"X_vcs", "vec3(1.000000, -0.000000, -0.000000)"}}, {2, "X_vcs"}), "right");
 }
@@ -129,14 +129,14 @@ TEST(Judge, DoesNotAcceptATransposedSystem) {
               "wrong");
 }
 
-TEST(Judge, HoldsToTheRubricsDecimals) {
+TEST(Judge, AppliesTheRubricsDecimals) {
     EXPECT_EQ(verdict_with({{"t", "0.59"}}, {6, "t"}), "right");
     EXPECT_EQ(verdict_with({{"t", "0.58"}}, {6, "t"}), "wrong") << "cut off, not rounded";
     EXPECT_EQ(verdict_with({{"t", "0.6"}}, {6, "t"}), "wrong") << "one decimal";
     EXPECT_EQ(verdict_with({{"t", "1"}}, {6, "t"}), "wrong") << "an integer";
 }
 
-TEST(Judge, HoldsTheVerdictAgainstTheStudentsOwnValues) {
+TEST(Judge, ComparesTheVerdictWithTheStudentsOwnValues) {
     const std::map<std::string, std::string> far = {{"t8", "0.75"}, {"t", "3.414214"}};
     auto says_sphere = far;
     says_sphere["verdict"] = "ray hits sphere first";
@@ -151,7 +151,7 @@ TEST(Judge, HoldsTheVerdictAgainstTheStudentsOwnValues) {
         << "right is right";
 }
 
-TEST(Judge, LetsTheVerdictFollowFromWrongValues) {
+TEST(Judge, AcceptsAVerdictThatFollowsFromWrongValues) {
     student::Marking marking = student::off_axis_scene();
     Program program(marking.assignment, {}, Program::Mistake{{6, "t"}, [](const Program&, const auto&) {
                                                                  return std::optional(student::Floats{77.0F});
@@ -188,7 +188,7 @@ TEST(Judge, AcceptsMultipliedFormsInEveryPixelConvention) {
     }
 }
 
-TEST(Judge, TellsNothingReadableFromNothing) {
+TEST(Judge, DistinguishesUnreadableFromMissing) {
     EXPECT_EQ(verdict_with({{"P_s", "12"}}, {6, "hit"}), "unreadable");
     EXPECT_EQ(verdict_with({{"P_s", ""}}, {6, "hit"}), "missing");
 }

@@ -1,4 +1,4 @@
-// The classes of tests/labelled: what each program printed, marked and compared with an independent marker's labels.
+// Marks the printed outputs in tests/given/labelled and compares the verdicts with an independent marker's labels.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,17 +9,17 @@
 #include <string>
 #include <vector>
 
-#include "harness/score.h"
-#include "harness/transcript.h"
-#include "reference/answer_key.h"
-#include "tests/bytes_of.h"
+#include "harness/mark/score/score.h"
+#include "harness/read/transcript.h"
+#include "reference/key/answer_key.h"
+#include "tests/given/bytes_of.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-const fs::path classes = fs::path(RAYGRADE_PROJECT) / "tests/labelled";
+const fs::path classes = fs::path(RAYGRADE_PROJECT) / "tests/given/labelled";
 
 /// Every submission as "class/id".
 std::vector<std::string> labelled() {
@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Classes, Labelled, testing::ValuesIn(labelled()), [](co
     return plain;
 });
 
-TEST(LabelledClasses, Hold32Submissions) {
+TEST(LabelledClasses, Contain32Submissions) {
     EXPECT_EQ(labelled().size(), 32U);
 }
 

@@ -1,10 +1,10 @@
-#include "harness/score.h"
+#include "harness/mark/score/score.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/printed_values.h"
-#include "tests/student/mistakes.h"
-#include "tests/student/printout.h"
+#include "tests/given/printed_values.h"
+#include "tests/given/student/mistakes.h"
+#include "tests/given/student/printout.h"
 
 namespace harness {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 using reference::ItemId;
 using student::Program;
 
-/// Marks the program that divides by integers in question 1 and goes on with that: one item wrong, many that follow.
+/// Marks a program with an integer division in question 1: one item is wrong and many follow from it.
 Score with_many_followers(student::Marking marking) {
     for (const student::NamedMistake& mistake : student::named_mistakes()) {
         if (mistake.name == "integer division")
@@ -48,7 +48,7 @@ void expect_that_points_add_up(const Score& score) {
     EXPECT_NEAR(score.max_points, max_points, 1e-9);
 }
 
-TEST(Score, IsExactlyAllPointsForAllRight) {
+TEST(Score, IsExactlyAllPointsIfAllIsRight) {
     const student::Marking marking = student::off_axis_scene();
     const Score score = mark(print(Program(marking.assignment, {})), marking);
     EXPECT_EQ(score.points, 100.0);
@@ -65,7 +65,7 @@ TEST(Score, IsZeroAndAllMissingForNoOutput) {
     }
 }
 
-TEST(Score, GivesFollowThroughItsCredit) {
+TEST(Score, GivesCreditForFollowThrough) {
     student::Marking marking = student::off_axis_scene();
     EXPECT_NEAR(with_many_followers(marking).points, 90.0, 1e-9) << "full credit by default";
     marking.assignment.rubric.follow_through = 0.5;
@@ -76,7 +76,7 @@ TEST(Score, GivesFollowThroughItsCredit) {
     EXPECT_EQ(followed(with_many_followers(marking)), 0.0);
 }
 
-TEST(Score, CapsWhatFollowThroughEarnsInAll) {
+TEST(Score, CapsTheTotalCreditForFollowThrough) {
     student::Marking marking = student::off_axis_scene();
     const double uncapped = followed(with_many_followers(marking));
     ASSERT_GT(uncapped, 30);
@@ -90,14 +90,14 @@ TEST(Score, CapsWhatFollowThroughEarnsInAll) {
     EXPECT_EQ(followed(with_many_followers(marking)), 0.0);
 }
 
-TEST(Score, SaysNothingOfACapThatCutsNothing) {
+TEST(Score, OmitsACapThatCutsNothing) {
     student::Marking marking = student::off_axis_scene();
     marking.assignment.rubric.follow_through_cap = 0.9;
     EXPECT_FALSE(with_many_followers(marking).follow_cap);
     EXPECT_NEAR(with_many_followers(marking).points, 90.0, 1e-9);
 }
 
-TEST(Score, CapsAfterTheCreditHasBeenGiven) {
+TEST(Score, AppliesTheCapAfterTheCredit) {
     student::Marking marking = student::off_axis_scene();
     const double uncapped = followed(with_many_followers(marking));
     marking.assignment.rubric.follow_through = 0.5;
@@ -105,7 +105,7 @@ TEST(Score, CapsAfterTheCreditHasBeenGiven) {
     EXPECT_NEAR(followed(with_many_followers(marking)), uncapped / 2, 1e-9);
 }
 
-TEST(Score, TakesPointsOfSingleItemsFromTheRubric) {
+TEST(Score, UsesTheRubricsPointsForSingleItems) {
     student::Marking marking = student::off_axis_scene();
     marking.assignment.rubric.points[6] = 10;
     marking.assignment.rubric.item_points[6] = {{"t", 8}, {"hit", 2}};
@@ -130,7 +130,7 @@ TEST(QuestionVerdict, IsTheWorstOfItsItems) {
     EXPECT_EQ(followed.questions[1].verdict, ItemVerdict::right);
 }
 
-TEST(ItemVerdict, HasTheNamesOfTheFormat) {
+TEST(ItemVerdict, HasTheNamesOfTheJsonFormat) {
     EXPECT_EQ(to_string(ItemVerdict::right), "right");
     EXPECT_EQ(to_string(ItemVerdict::follow), "follow");
     EXPECT_EQ(to_string(ItemVerdict::wrong), "wrong");

@@ -1,11 +1,11 @@
-// Outputs of those who would have marks without answers.
+// Outputs that try to get marks without computing answers.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "tests/printed_values.h"
-#include "tests/student/printout.h"
+#include "tests/given/printed_values.h"
+#include "tests/given/student/printout.h"
 
 namespace harness {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 using reference::ItemId;
 using student::Program;
 
-/// The handout's layout with the same text for every number; a word for every answer when it is none.
+/// The handout's layout with the same text for every number. If the text is no number, it replaces every answer.
 std::string everywhere(std::string_view number, const std::string& verdict) {
     std::string text;
     int question = 0;
@@ -32,7 +32,7 @@ std::string everywhere(std::string_view number, const std::string& verdict) {
     return text;
 }
 
-/// What an output earns on each scene that float can decide, at most.
+/// The most points that an output earns on any scene that float can decide.
 double most_points(const std::function<std::string()>& output) {
     double most = 0;
     for (const char* scene : {"handout", "edge", "off axis", "triangle first", "inside", "large"}) {
@@ -61,8 +61,8 @@ TEST(UndeservedMarks, AreNotEarnedByNanAndInfinity) {
 }
 
 TEST(UndeservedMarks, AreNotEarnedByNoneEverywhere) {
-    // On the handout's scene "t is positive" has no true hit of the triangle, so that no hit point is a right answer
-    // there.
+    // On the handout's scene, with the policy "t is positive", the ray has no true hit of the triangle. There "no hit
+    // point" is a right answer.
     for (const char* word : {"none", "no hit"})
         EXPECT_LT(most_points([&] { return everywhere(word, "ray hits nothing"); }), 1.7) << word;
 }
@@ -74,7 +74,7 @@ TEST(UndeservedMarks, AreNotEarnedByOnesOrHugeNumbers) {
 }
 
 TEST(UndeservedMarks, AreNotEarnedByPrintingFewDigits) {
-    // Whole numbers everywhere: what is right is what is near a whole number.
+    // Every number is printed as a whole number, so only values near a whole number are right.
     const student::Marking marking = student::off_axis_scene();
     student::Layout layout;
     layout.format = student::NumberFormat::fixed;
@@ -116,7 +116,7 @@ TEST(UndeservedMarks, AreNotEarnedByASystemOfZeros) {
     }
 }
 
-TEST(UndeservedMarks, AreNotEarnedByOneWrongAxisThatMakesTheRestTrivial) {
+TEST(UndeservedMarks, AreNotEarnedByAWrongAxisThatMakesTheRestTrivial) {
     const student::Marking marking = student::off_axis_scene();
     const Program program(marking.assignment, {}, Program::Mistake{{1, "P_VCS"}, [](const Program&, const auto&) {
                                                                        return std::optional(student::Floats{0, 0, 0});

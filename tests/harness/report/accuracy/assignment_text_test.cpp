@@ -1,11 +1,11 @@
-// What the reports say of one assignment.
+// The reports on the accuracy of an assignment.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 
-#include "harness/report/accuracy_report.h"
-#include "harness/report/accuracy_sentences.h"
-#include "tests/accuracy/sample_measurement.h"
+#include "harness/report/accuracy/report.h"
+#include "harness/report/accuracy/sentences.h"
+#include "tests/given/sample_measurement.h"
 
 namespace {
 
@@ -19,7 +19,7 @@ AccuracyFindings findings_2021() {
     return {std::nullopt, assignment_accuracy(reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS))};
 }
 
-/// One item that float decides otherwise, and a sign that it decides wrongly.
+/// An item that float decides differently, and a sign that float decides wrongly.
 AssignmentAccuracy unlucky() {
     AssignmentAccuracy assignment;
     assignment.title = "<i>Rays</i> & more\x1b[0m";
@@ -35,7 +35,7 @@ AssignmentAccuracy unlucky() {
     return assignment;
 }
 
-TEST(AssignmentReport, NamesTZeroAsTheDecisionThatHangsOnRounding) {
+TEST(AssignmentReport, NamesTZeroAsTheDecisionThatDependsOnRounding) {
     const std::string text = accuracy_text(findings_2021());
     EXPECT_THAT(text, HasSubstr("1 of the 9 signs that decide what the ray hits hangs on rounding"));
     EXPECT_THAT(text, HasSubstr("triangle: t is exactly 0."));
@@ -48,7 +48,7 @@ TEST(AssignmentReport, GivesErrorsAndAllowances) {
     EXPECT_THAT(text, ContainsRegex("10 verdict +right +right +right\n"));
 }
 
-TEST(AssignmentReport, GivesThePriceOfCertainty) {
+TEST(AssignmentReport, GivesTheCostOfCertifiedAnswers) {
     const auto json = nlohmann::json::parse(accuracy_json(findings_2021()));
     EXPECT_FALSE(json.contains("rows")) << "nothing was measured";
     const auto& costs = json["assignment"]["costs"];
@@ -57,7 +57,7 @@ TEST(AssignmentReport, GivesThePriceOfCertainty) {
     EXPECT_GT(costs[3]["to_float"], 1);
 }
 
-TEST(AssignmentReport, HoldsTheSameInJson) {
+TEST(AssignmentReport, GivesTheSameInJson) {
     const auto json = nlohmann::json::parse(accuracy_json(findings_2021()))["assignment"];
     EXPECT_EQ(json["name"], "a6-2021");
     int near = 0;
@@ -79,7 +79,7 @@ TEST(AssignmentReport, HoldsTheSameInJson) {
     }
 }
 
-TEST(AssignmentReport, SaysWhichScalarDecidesOtherwise) {
+TEST(AssignmentReport, NamesTheScalarThatDecidesDifferently) {
     const AssignmentAccuracy assignment = unlucky();
     EXPECT_EQ(
         decision_sentence(assignment.decisions.front()),

@@ -1,9 +1,9 @@
-// The reports as the programs that will read them read them: JSON and CSV by Python, HTML and SVG by an XML parser.
+// Reads the reports with independent programs: JSON and CSV with Python, HTML and SVG with an XML parser.
 #include <gmock/gmock.h>
 
-#include "harness/report/accuracy_report.h"
-#include "tests/accuracy/sample_measurement.h"
-#include "tests/report/told_by.h"
+#include "harness/report/accuracy/report.h"
+#include "tests/given/report/told_by.h"
+#include "tests/given/sample_measurement.h"
 
 namespace {
 
@@ -15,7 +15,7 @@ namespace report = harness::report;
 constexpr const char* read_json = "d = json.load(open(sys.argv[1], encoding='utf-8'))\n";
 constexpr const char* read_csv = "r = list(csv.DictReader(open(sys.argv[1], encoding='utf-8', newline='')))\n";
 
-TEST(AccuracyJson, HoldsEveryRowWithItsFigures) {
+TEST(AccuracyJson, ContainsEveryRowWithItsFigures) {
     const std::string json = report::accuracy_json({samples::two_methods(), {}});
     EXPECT_EQ(python(std::string(read_json) +
                          "print(d['seed'], d['rays'], d['repetitions'], d['compiler'], d['flags'], len(d['rows']))\n"
@@ -30,7 +30,7 @@ TEST(AccuracyJson, HoldsEveryRowWithItsFigures) {
               "0.5 0.25 0.125 True True\n");
 }
 
-TEST(AccuracyJson, HasNullWhereThereIsNoT) {
+TEST(AccuracyJson, HasNullForAMissingT) {
     EXPECT_EQ(python(std::string(read_json) +
                          "b = d['rows'][1]\nprint(b['max_ulp'], b['p99_ulp'], b['mean_ulp'], b['wrong_per_million'])\n",
                      report::accuracy_json({samples::two_methods(), {}})),
@@ -43,7 +43,7 @@ TEST(AccuracyJson, SurvivesHostileNames) {
               "<script>alert('k')</script> & \"kernel\"\n'a\\\\x01z\\\\xff]]>'\n");
 }
 
-TEST(AccuracyCsv, HoldsEveryRowWithItsFigures) {
+TEST(AccuracyCsv, ContainsEveryRowWithItsFigures) {
     EXPECT_EQ(python(std::string(read_csv) +
                          "print(len(r), r[0]['kernel'], r[0]['ns_per_ray'], r[0]['mean_ulp'], r[0]['pareto'])\n"
                          "print(r[1]['kernel'], r[1]['wrong'], repr(r[1]['mean_ulp']), r[1]['pareto_error'])\n",
@@ -68,7 +68,7 @@ TEST(AccuracyPages, AreWellFormed) {
     }
 }
 
-TEST(AccuracyPages, NeedNothingFromElsewhereAndNoScript) {
+TEST(AccuracyPages, LoadNothingAndNeedNoScript) {
     for (const std::string& page :
          {report::accuracy_html({samples::hostile(), {}}), report::accuracy_svg(samples::hostile())}) {
         for (const char* tag : {"<script", "src=", "<link", "@import", "url(", "<b>"})
@@ -77,13 +77,13 @@ TEST(AccuracyPages, NeedNothingFromElsewhereAndNoScript) {
     }
 }
 
-TEST(AccuracyPages, HaveNoIdTwice) {
+TEST(AccuracyPages, HaveUniqueIds) {
     EXPECT_EQ(
         told_by("grep -o ' id=\"[^\"]*\"' \"$1\" | sort | uniq -d", report::accuracy_html({samples::ladder(), {}})),
         "");
 }
 
-TEST(AccuracyPages, TellWhatWasMeasuredAndWithWhat) {
+TEST(AccuracyPages, SayWhatWasMeasuredAndWithWhat) {
     const std::string html = report::accuracy_html({samples::ladder(), {}});
     for (const char* words : {"Seed 1, 131072 rays", "g++ 12.2.0", "-O3 -march=native -ffp-contract=off",
                               "A processor @ 2.60 GHz", "a book, p. 1", "How to read the pictures"})
@@ -91,7 +91,7 @@ TEST(AccuracyPages, TellWhatWasMeasuredAndWithWhat) {
     EXPECT_THAT(report::accuracy_html({samples::two_methods(), {}}), HasSubstr("Processor: not named by the machine"));
 }
 
-TEST(AccuracyText, MarksTheFrontierAndLeavesOutWhatThereIsNot) {
+TEST(AccuracyText, MarksTheFrontierAndLeavesOutMissingValues) {
     const std::string text = report::accuracy_text({samples::two_methods(), {}});
     EXPECT_THAT(text, HasSubstr("Ray and sphere, grazing (hard)"));
     EXPECT_THAT(
@@ -101,7 +101,7 @@ TEST(AccuracyText, MarksTheFrontierAndLeavesOutWhatThereIsNot) {
             "* naive float           8.00       7.50–9.50     12,000    6,880–20,900         -        -        -\n"));
 }
 
-TEST(AccuracyText, FitsATerminalAndHidesNoControlBytes) {
+TEST(AccuracyText, FitsATerminalAndContainsNoControlBytes) {
     const std::string text = report::accuracy_text({samples::ladder(), {}});
     std::size_t longest = 0;
     for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1) {

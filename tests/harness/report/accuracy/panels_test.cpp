@@ -1,4 +1,6 @@
-// What is to be seen in a picture, by its geometry: read from the SVG, not from the code that made it.
+// Checks the geometry of a picture, read from the SVG and not from the code that drew it.
+#include "harness/report/accuracy/panels.h"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -6,9 +8,8 @@
 #include <map>
 #include <regex>
 
-#include "harness/report/accuracy_panels.h"
-#include "harness/report/accuracy_report.h"
-#include "tests/accuracy/sample_measurement.h"
+#include "harness/report/accuracy/report.h"
+#include "tests/given/sample_measurement.h"
 
 namespace {
 
@@ -31,7 +32,7 @@ std::vector<std::smatch> all(const std::string& text, const std::regex& pattern)
     return {std::sregex_iterator(text.begin(), text.end(), pattern), {}};
 }
 
-/// A line of 13 units' type stands from 10 above its baseline to 3 below it.
+/// A line of text of size 13 reaches from 10 above its baseline to 3 below it.
 std::vector<Named> names_in(const std::string& svg) {
     static const std::regex pattern(
         "<text class=\"name\" x=\"([0-9.]+)\" y=\"([0-9.]+)\" textLength=\"([0-9.]+)\"[^>]*>([^<]*)</text>");
@@ -44,7 +45,7 @@ std::vector<Named> names_in(const std::string& svg) {
     return names;
 }
 
-/// The marks' middles, in the order drawn.
+/// The centres of the marks, in drawing order.
 std::vector<std::pair<double, double>> marks_in(const std::string& svg) {
     static const std::regex group("<g class=\"point\".*?</title><([a-z]+) (.*?)/></g>");
     static const std::regex number("(-?[0-9.]+)");
@@ -88,7 +89,7 @@ void expect_readable(const std::string& svg, std::size_t points) {
     }
 }
 
-TEST(Pictures, KeepTheNamesOfTheWholeLadderApart) {
+TEST(Pictures, KeepTheNamesOfAllMethodsApart) {
     const auto measured = samples::ladder();
     for (const Panel& panel : panels_of(measured)) {
         SCOPED_TRACE(panel.distribution);
@@ -102,7 +103,7 @@ TEST(Pictures, KeepTheNamesOfTheWholeLadderApart) {
 }
 
 // Thirty methods with the same time and the same rate: the picture grows until their names have room.
-TEST(Pictures, KeepNamesApartWhereAllPointsAreOne) {
+TEST(Pictures, KeepNamesApartIfAllPointsCoincide) {
     auto measured = samples::two_methods();
     const auto row = measured.rows[1];
     measured.rows.clear();
@@ -151,7 +152,7 @@ TEST(Pictures, PutANameNearItsPointOrLinkItByALine) {
     }
 }
 
-TEST(Pictures, ShowNoneWrongInTheBandAndWrongAboveIt) {
+TEST(Pictures, ShowMethodsWithoutErrorsInTheBandAndOthersAboveIt) {
     const auto measured = samples::two_methods();
     const std::string svg = draw(wrong_scatter(panels_of(measured).front(), "w")).svg;
     const Rectangle band = band_in(svg);
@@ -165,7 +166,7 @@ TEST(Pictures, ShowNoneWrongInTheBandAndWrongAboveIt) {
     EXPECT_THAT(svg, HasSubstr(">wrong</text>"));
 }
 
-TEST(Pictures, DrawTheIntervalOfNoneWrongUpwardsFromTheBand) {
+TEST(Pictures, DrawTheIntervalOfZeroErrorsUpwardsFromTheBand) {
     const auto measured = samples::two_methods();
     const std::string svg = draw(wrong_scatter(panels_of(measured).front(), "w")).svg;
     const double x = marks_in(svg).front().first;
@@ -192,7 +193,7 @@ TEST(Pictures, DrawTheFrontierAsStepsThroughItsPoints) {
     EXPECT_THAT(svg, HasSubstr(fmt::format("L{} L{} L{}\"", at(marks[1]), at(corner), at(marks[0]))));
 }
 
-TEST(Pictures, AreToldToWhoCannotSeeThem) {
+TEST(Pictures, HaveTextAlternatives) {
     const auto measured = samples::two_methods();
     const std::string svg = draw(wrong_scatter(panels_of(measured).front(), "p1")).svg;
     EXPECT_THAT(svg, HasSubstr("role=\"img\" aria-labelledby=\"p1-t p1-d\""));
@@ -203,7 +204,7 @@ TEST(Pictures, AreToldToWhoCannotSeeThem) {
     EXPECT_THAT(svg, HasSubstr("time for one ray, ns (logarithmic)"));
 }
 
-TEST(Pictures, TellScalarsApartByShape) {
+TEST(Pictures, DistinguishScalarsByShape) {
     const auto measured = samples::ladder();
     const std::string svg = draw(wrong_scatter(panels_of(measured).front(), "w")).svg;
     static const std::regex group("<g class=\"point\".*?<title>([^<]*?): .*?</title><([a-z]+)");
@@ -215,7 +216,7 @@ TEST(Pictures, TellScalarsApartByShape) {
     }
 }
 
-TEST(Pictures, HoldErrorsThatHaveNoBound) {
+TEST(Pictures, HandleUnboundedErrors) {
     auto measured = samples::two_methods();
     measured.rows[0].t_error->mean_ulp = HUGE_VAL;
     measured.rows[1].t_error = reference::accuracy::TError{0, 0, std::nan("")};

@@ -1,4 +1,4 @@
-#include "harness/report/class_report.h"
+#include "harness/report/class/page.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -6,9 +6,10 @@
 
 #include <sstream>
 
-#include "tests/report/graded_samples.h"
-#include "tests/report/read_page.h"
-#include "tests/student/printout.h"
+#include "harness/grade/marking.h"
+#include "tests/given/report/graded_samples.h"
+#include "tests/given/report/read_page.h"
+#include "tests/given/student/printout.h"
 
 namespace harness::report {
 namespace {
@@ -38,7 +39,7 @@ Graded with_name(Graded graded, const std::string& name, std::optional<bool> lat
     return graded;
 }
 
-TEST(ClassReport, IsReadWithoutComplaint) {
+TEST(ClassReport, ParsesWithoutErrors) {
     Graded one = graded("ada", output_with_a_mistake());
     one.build.diagnostics = "ray_cast.cpp:3:5: warning: unused variable 'x'\n";
     one.run.errors = "oops\n";
@@ -52,7 +53,7 @@ TEST(ClassReport, IsReadWithoutComplaint) {
     }
 }
 
-TEST(ClassReport, HasARowForEachWithPointsByQuestion) {
+TEST(ClassReport, HasARowPerSubmissionWithPointsByQuestion) {
     const Graded ada = with_name(graded("ada_7", output_with_a_mistake()), "Ada Ó Briain", true);
     const json rows = read_page(report_of({ada, not_graded("bob")})).at("rows");
     EXPECT_THAT(rows[0], ElementsAre("Id", "Name", "Late", "Outcome", "Q1", "Q2", "Q3", "Q4", "Q5", "Q6", "Q7", "Q8",
@@ -63,7 +64,7 @@ TEST(ClassReport, HasARowForEachWithPointsByQuestion) {
     EXPECT_EQ(rows[2][14], "–");
 }
 
-TEST(ClassReport, CallsNobodyLateOfWhomItIsNotKnown) {
+TEST(ClassReport, CallsOnlyKnownLateSubmissionsLate) {
     const Graded one = graded("one", "");
     const json page = read_page(report_of(
         {with_name(one, "Ada", true), with_name(one, "Ben", std::nullopt), with_name(one, "Cy", false), one}));
@@ -76,7 +77,7 @@ TEST(ClassReport, CallsNobodyLateOfWhomItIsNotKnown) {
                 Not(HasSubstr(" late")));
 }
 
-TEST(ClassReport, ColoursWhatIsLostAndDrawsTheSceneOfWhoLostGeometry) {
+TEST(ClassReport, ColoursLostPointsAndDrawsTheSceneForLostGeometry) {
     const std::string page = report_of({graded("ada", output_with_a_mistake()), graded("bob", right_output())});
     EXPECT_THAT(page, HasSubstr("<td class=\"number q part\">8.33</td>"));
     EXPECT_THAT(page, Not(HasSubstr("number q zero")));
@@ -85,7 +86,7 @@ TEST(ClassReport, ColoursWhatIsLostAndDrawsTheSceneOfWhoLostGeometry) {
     EXPECT_THAT(report_of({graded("dan", wrong_everywhere())}), HasSubstr("<td class=\"number q zero\">0</td>"));
 }
 
-TEST(ClassReport, SetsWhatWasPrintedAgainstWhatWasAsked) {
+TEST(ClassReport, ShowsPrintedAnswersNextToExpectedAnswers) {
     const json page = read_page(report_of({graded("ada", wrong_everywhere())}));
     const std::string sheet = page.at("sheets").at("s1");
     EXPECT_THAT(sheet, HasSubstr("70.25"));
@@ -96,7 +97,7 @@ TEST(ClassReport, SetsWhatWasPrintedAgainstWhatWasAsked) {
     EXPECT_THAT(sheet, HasSubstr("Off by "));
 }
 
-TEST(ClassReport, ShowsTheAutomaticMarkBesideAnOverride) {
+TEST(ClassReport, ShowsTheAutomaticMarkNextToAnOverride) {
     Graded ada = graded("ada", output_with_a_mistake());
     ada.overrides = {{6, "t", 0.5, "half right", "prof", "2026-11-22T09:30:00Z"},
                      {6, "t", 1, "a <good> idea", "prof", "2026-11-22T09:40:00Z"}};
@@ -105,12 +106,12 @@ TEST(ClassReport, ShowsTheAutomaticMarkBesideAnOverride) {
     EXPECT_EQ(page.at("rows")[1][13], "override");
     const std::string sheet = page.at("sheets").at("s1");
     EXPECT_THAT(sheet, HasSubstr("Override: 1 points for question 6, t, by prof, 2026-11-22T09:40:00Z: a <good> idea"));
-    EXPECT_THAT(sheet, HasSubstr("half right (a later one counts)"));
+    EXPECT_THAT(sheet, HasSubstr("half right (a later override counts)"));
     EXPECT_THAT(sheet, HasSubstr("Marked automatically: 98.33 of 100 points."));
     EXPECT_THAT(sheet, HasSubstr("wrong0 1 of 1.67"));
 }
 
-TEST(ClassReport, CountsOtherScenesAndSaysWhichOverrideOfThemCountsNowhere) {
+TEST(ClassReport, CountsOtherScenesAndNamesTheirUselessOverrides) {
     Graded ada = graded_on_other_scenes("ada");
     const auto sheet = [&] { return read_page(report_of({ada})).at("sheets").at("s1").get<std::string>(); };
     EXPECT_THAT(sheet(), AllOf(HasSubstr("Other scenes: 6 of 10 points."), HasSubstr("104.33 of 110 points")));
@@ -120,10 +121,10 @@ TEST(ClassReport, CountsOtherScenesAndSaysWhichOverrideOfThemCountsNowhere) {
                                Not(HasSubstr("no such points"))));
     ada.score.other_scenes.reset();
     EXPECT_THAT(sheet(),
-                AllOf(Not(HasSubstr("Other scenes:")), HasSubstr("it works (there are no such points any more)")));
+                AllOf(Not(HasSubstr("Other scenes:")), HasSubstr("it works (the rubric has no such points any more)")));
 }
 
-TEST(ClassReport, TellsOfEachWhatCountsAndWhatToLookAt) {
+TEST(ClassReport, SaysForEachSubmissionWhatCountsAndWhatToLookAt) {
     Graded ada = graded("ada", output_with_a_mistake());
     ada.flags = {{"nondeterministic", "Question 1: run 1 printed 1"}};
     ada.sanitizer = {"ray_cast.cpp:7:9: runtime error: division by zero"};
@@ -139,7 +140,7 @@ TEST(ClassReport, TellsOfEachWhatCountsAndWhatToLookAt) {
     EXPECT_THAT(sheet, HasSubstr("Look at question 6 first"));
 }
 
-TEST(ClassReport, ListsManyInOnePlaceAndSaysWhereThereAreNone) {
+TEST(ClassReport, ListsSubmissionsTogetherAndSaysIfThereAreNone) {
     std::vector<Graded> many(13, graded("ada", output_with_a_mistake()));
     const std::string text = read_page(report_of(many)).at("text");
     EXPECT_THAT(text, HasSubstr("13 students"));
@@ -148,12 +149,12 @@ TEST(ClassReport, ListsManyInOnePlaceAndSaysWhereThereAreNone) {
     EXPECT_THAT(read_page(report_of({graded("bob", right_output())})).at("text"), HasSubstr("There are none."));
 }
 
-TEST(ClassReport, GathersWhoMadeTheSameMistake) {
+TEST(ClassReport, GroupsStudentsByMistake) {
     const json page = read_page(report_of({graded("ada", output_with_a_mistake()), graded("bob", right_output()),
                                            graded("cem", output_with_a_mistake()), graded("dan", wrong_everywhere())}));
     EXPECT_THAT(page.at("text"), HasSubstr("2 students, question 6, t: far root. That is the far root"));
     EXPECT_THAT(page.at("text"), HasSubstr("is asked for. ada, cem"));
-    EXPECT_THAT(page.at("text"), HasSubstr("Off in 2 more programs, but only because of earlier answers."));
+    EXPECT_THAT(page.at("text"), HasSubstr("Wrong in 2 more programs, but only because of earlier answers."));
 }
 
 TEST(ClassReport, ShowsHostileTextAsText) {
@@ -182,7 +183,7 @@ TEST(ClassReport, ShowsAllMarkupAsText) {
     EXPECT_THAT(page.at("problems"), IsEmpty()) << page.at("problems");
     EXPECT_FALSE(page.at("counts").contains("b")) << page.at("counts");
     for (int n = 0; n <= last_markup + 2; ++n) {
-        const bool is_name = n == 3;  // without the slash that no file's name holds
+        const bool is_name = n == 3;  // a file name, so the slash is missing
         EXPECT_THAT(page.at("text"), HasSubstr(is_name ? "<b>mark 3<" : markup(n))) << n;
     }
 }
@@ -196,7 +197,7 @@ TEST(ClassReport, ShowsTheBeginningOfALongText) {
     EXPECT_THAT(page, Not(HasSubstr(std::string(4'200, '!'))));
 }
 
-TEST(ClassReport, OfAThousandIsSmallEnoughToOpen) {
+TEST(ClassReport, IsSmallEnoughToOpenForAThousandSubmissions) {
     std::vector<Graded> graded;
     Graded one = report_samples::graded("student", wrong_everywhere());
     one.build.diagnostics = std::string(60000, '<');

@@ -1,10 +1,10 @@
-#include "harness/report/wrong_answers.h"
+#include "harness/report/class/wrong_answers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "harness/report/class_statistics.h"
-#include "tests/report/graded_samples.h"
+#include "harness/report/class/statistics.h"
+#include "tests/given/report/graded_samples.h"
 
 namespace harness::report {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 using namespace report_samples;
 using testing::ElementsAre;
 
-/// Of question 6, item c with this verdict, text and diagnosis, all else right.
+/// A submission with this verdict, text and diagnosis for item c of question 6, and all else right.
 Graded with_c(ItemVerdict verdict, const std::string& printed, const std::string& diagnosis = "") {
     Graded one = graded("s", wrong_everywhere());
     for (QuestionScore& question : one.score.questions) {
@@ -37,7 +37,7 @@ TEST(GistOf, IsTheSameForTheSameNumbers) {
     EXPECT_EQ(gist_of("No Hit!"), gist_of("no  hit"));
 }
 
-TEST(WrongAnswers, ShareADiagnosisOrElseTheirNumbers) {
+TEST(WrongAnswers, AreGroupedByDiagnosisOrElseByNumbers) {
     const auto wrong = ItemVerdict::wrong;
     const auto mistakes = mistakes_by_question({with_c(wrong, "5.0"), with_c(wrong, "7", "radius not squared"),
                                                 with_c(wrong, "5.00001"), with_c(wrong, "8", "radius not squared"),
@@ -51,7 +51,7 @@ TEST(WrongAnswers, ShareADiagnosisOrElseTheirNumbers) {
     EXPECT_THAT(mistakes[0].answers, testing::IsEmpty());
 }
 
-TEST(WrongAnswers, ThatNobodySharesAreOneEntryAtTheEnd) {
+TEST(WrongAnswers, AreOneEntryAtTheEndIfUnshared) {
     const auto wrong = ItemVerdict::wrong;
     const auto mistakes =
         mistakes_by_question({with_c(wrong, "5"), with_c(wrong, "6"), with_c(ItemVerdict::unreadable, "a word"),
@@ -64,7 +64,7 @@ TEST(WrongAnswers, ThatNobodySharesAreOneEntryAtTheEnd) {
     EXPECT_THAT(answers[2].who, ElementsAre(0, 1, 2));
 }
 
-TEST(WrongAnswers, OfAQuestionWithoutAnyAnswerAreOne) {
+TEST(WrongAnswers, AreOneEntryForAQuestionWithoutAnswers) {
     Graded one = with_c(ItemVerdict::right, "");
     for (ItemScore& item : one.score.questions[5].items) item.verdict = ItemVerdict::missing;
     const auto mistakes = mistakes_by_question({one});
@@ -72,7 +72,7 @@ TEST(WrongAnswers, OfAQuestionWithoutAnyAnswerAreOne) {
     EXPECT_TRUE(of_question_6(mistakes)[0].whole_question);
 }
 
-TEST(WrongAnswers, LeaveOutWhoPrintedNothing) {
+TEST(WrongAnswers, LeaveOutStudentsWhoPrintedNothing) {
     EXPECT_THAT(mistakes_by_question({graded("nil", ""), not_graded("bob")}), testing::IsEmpty());
 }
 
@@ -98,7 +98,7 @@ TEST(ClassStatistics, CountsFinalPointsAndPutsTheHardestItemFirst) {
     EXPECT_EQ(statistics.overridden, 1U);
 }
 
-TEST(ClassStatistics, TakeTheMiddleOfAnEvenNumber) {
+TEST(ClassStatistics, AverageTheTwoMiddleMarksForTheMedian) {
     Graded all = with_c(ItemVerdict::right, "5");
     all.score.points = 100;
     Graded half = all;
@@ -106,7 +106,7 @@ TEST(ClassStatistics, TakeTheMiddleOfAnEvenNumber) {
     EXPECT_EQ(class_statistics({all, half}).median, 75);
 }
 
-TEST(ClassStatistics, CountAsLateWhomTheSystemCallsLate) {
+TEST(ClassStatistics, CountStudentsWhomTheSystemCallsLate) {
     std::vector<Graded> all(4, with_c(ItemVerdict::right, "5"));
     for (std::size_t i = 1; i < all.size(); ++i) all[i].submission.lms = LmsName{};
     all[1].submission.lms->late = std::nullopt;
@@ -115,20 +115,20 @@ TEST(ClassStatistics, CountAsLateWhomTheSystemCallsLate) {
     EXPECT_EQ(class_statistics(all).late, 1U);
 }
 
-TEST(ClassStatistics, CountAsFlaggedWhatAPersonShouldLookAt) {
+TEST(ClassStatistics, CountFlaggedSubmissions) {
     Graded unsound = with_c(ItemVerdict::right, "5"), flagged = unsound;
     unsound.sanitizer = {"ray_cast.cpp:7:9: runtime error: division by zero"};
     flagged.flags = {{"nondeterministic", "Question 1: run 1 printed 1"}};
     EXPECT_EQ(class_statistics({unsound, flagged, with_c(ItemVerdict::right, "5")}).flagged, 2U);
 }
 
-TEST(ClassStatistics, CountAsPrintedWhereAnAnswerWasFound) {
+TEST(ClassStatistics, CountSubmissionsWithAnAnswer) {
     Graded none = graded("nil", "Hello\n");
     ASSERT_EQ(none.outcome, Outcome::graded);
     EXPECT_EQ(class_statistics({none, with_c(ItemVerdict::wrong, "5")}).printed, 1U);
 }
 
-TEST(ClassStatistics, OfNobodyAreEmpty) {
+TEST(ClassStatistics, AreEmptyForAnEmptyClass) {
     const ClassStatistics statistics = class_statistics({});
     EXPECT_FALSE(statistics.mean);
     EXPECT_THAT(statistics.items, testing::IsEmpty());

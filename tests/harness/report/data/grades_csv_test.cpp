@@ -1,7 +1,9 @@
+#include "harness/report/data/grades_csv.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/report/graded_samples.h"
+#include "tests/given/report/graded_samples.h"
 
 namespace harness::report {
 namespace {
@@ -10,7 +12,7 @@ using namespace report_samples;
 using testing::ElementsAre;
 using testing::StartsWith;
 
-/// RFC 4180, as a spreadsheet reads it.
+/// Parses RFC 4180 as a spreadsheet does.
 std::vector<std::vector<std::string>> read_csv(const std::string& text) {
     std::vector<std::vector<std::string>> rows(1, {""});
     bool quoted = false;
@@ -34,7 +36,7 @@ std::vector<std::vector<std::string>> read_csv(const std::string& text) {
     return rows;
 }
 
-TEST(GradesCsv, ReadsBackAsARowASubmission) {
+TEST(GradesCsv, ReadsBackAsOneRowPerSubmission) {
     const auto rows = read_csv(grades_csv({graded("zoe", output_with_a_mistake()), graded("ada", "")}));
     ASSERT_EQ(rows.size(), 3U);
     EXPECT_THAT(rows[0],
@@ -46,14 +48,14 @@ TEST(GradesCsv, ReadsBackAsARowASubmission) {
     EXPECT_EQ(rows[2][2], "0");
 }
 
-TEST(GradesCsv, LeavesPointsEmptyForWhatCouldNotBeGraded) {
+TEST(GradesCsv, LeavesPointsEmptyForUngradedSubmissions) {
     const auto rows = read_csv(grades_csv({not_graded("bob")}));
     EXPECT_EQ(rows[1][2], "");
     EXPECT_EQ(rows[1][3], "100");
     EXPECT_EQ(rows[1].size(), rows[0].size());
 }
 
-TEST(GradesCsv, GivesASpreadsheetNothingToCompute) {
+TEST(GradesCsv, ContainsNoSpreadsheetFormulas) {
     const auto rows = read_csv(grades_csv({hostile()}));
     ASSERT_EQ(rows.size(), 2U) << "a line break within a cell";
     EXPECT_EQ(rows[1].size(), rows[0].size());
@@ -66,11 +68,11 @@ TEST(GradesCsv, GivesASpreadsheetNothingToCompute) {
     }
 }
 
-TEST(GradesCsv, HoldsNoControlBytes) {
+TEST(GradesCsv, ContainsNoControlBytes) {
     EXPECT_EQ(grades_csv({hostile()}).find('\x1b'), std::string::npos);
 }
 
-TEST(GradesCsv, HasThePointsThatCountWithTheAutomaticOnesAtTheEnd) {
+TEST(GradesCsv, HasTheFinalPointsAndTheAutomaticPointsAtTheEnd) {
     Graded one = graded("zoe", output_with_a_mistake());
     one.late_share = 0.5;
     one.overrides = {{6, "t", 1, "idea", "bea", ""}, {8, "", 4, "idea", "bea", ""}};
@@ -89,7 +91,7 @@ TEST(GradesCsv, HasThePointsThatCountWithTheAutomaticOnesAtTheEnd) {
     EXPECT_EQ(rows[2][18], "total");
 }
 
-TEST(GradesCsv, HasAColumnForOtherScenesWhereTheyGivePoints) {
+TEST(GradesCsv, HasAColumnForOtherScenesIfTheyGivePoints) {
     Graded by_hand = graded_on_other_scenes("bob");
     by_hand.overrides = {{0, "variants", 9.5, "it works", "bea", ""}};
     Graded unread = not_graded("cy");

@@ -1,3 +1,5 @@
+#include "harness/report/data/grades_json.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -5,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "tests/report/graded_samples.h"
+#include "tests/given/report/graded_samples.h"
 
 namespace harness::report {
 namespace {
@@ -59,7 +61,7 @@ TEST(GradesJson, SaysWhatHappenedToEachItem) {
     EXPECT_EQ(submission.at("questions").at(2).at("items").at(0).at("expected").size(), 4U);
 }
 
-TEST(GradesJson, SaysWhoHandedInAsFarAsTheNameOfTheFileTells) {
+TEST(GradesJson, NamesTheStudentAsFarAsTheFileNameTells) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     const json unknown = grades({zoe}).at("submissions").at(0).at("student");
     EXPECT_EQ(unknown, json::parse(R"({"name": null, "lms_user_id": null, "late": null})"));
@@ -73,7 +75,7 @@ TEST(GradesJson, SaysWhoHandedInAsFarAsTheNameOfTheFileTells) {
     EXPECT_EQ(of_moodle, json::parse(R"({"name": "Zoe Doe", "lms_user_id": "17", "late": null})"));
 }
 
-TEST(GradesJson, HasFlagsAndWhatTheSanitizersFound) {
+TEST(GradesJson, HasFlagsAndSanitizerFindings) {
     Graded one = graded("zoe", output_with_a_mistake());
     one.flags = {{"nondeterministic", "run 1 printed \x1b"}};
     one.sanitizer = {"line 8: heap-buffer-overflow"};
@@ -83,15 +85,15 @@ TEST(GradesJson, HasFlagsAndWhatTheSanitizersFound) {
     EXPECT_EQ(submission.at("sanitizer"), json({"line 8: heap-buffer-overflow"}));
 }
 
-TEST(GradesJson, HasWhatTheOtherScenesShowed) {
+TEST(GradesJson, HasTheFindingsOfOtherScenes) {
     Graded one = graded("zoe", output_with_a_mistake());
     EXPECT_TRUE(grades({one}).at("submissions").at(0).at("variants").is_null());
-    one.other_scenes = variants::VariantReport{variants::VariantVerdict::does_not_move,
-                                               {"vup"},
-                                               {{"aside", "eye = (1, 2, 3)", "eye = (0, 0, 4)", false, {}}},
-                                               7,
-                                               {},
-                                               {{6, "t", 0, "0.5\x1b", "0.5", ""}}};
+    one.other_scenes = scenes::OtherScenesReport{scenes::OtherSceneVerdict::does_not_move,
+                                                 {"vup"},
+                                                 {{"aside", "eye = (1, 2, 3)", "eye = (0, 0, 4)", false, {}}},
+                                                 7,
+                                                 {},
+                                                 {{6, "t", 0, "0.5\x1b", "0.5", ""}}};
     const json report = grades({one}).at("submissions").at(0).at("variants");
     EXPECT_EQ(report.at("verdict"), "does_not_move");
     EXPECT_EQ(report.at("not_found"), json({"vup"}));
@@ -111,9 +113,9 @@ TEST(GradesJson, HasWhatTheOtherScenesShowed) {
     EXPECT_EQ(unmoved.at("before").get<std::string>().find('\x1b'), std::string::npos);
 }
 
-TEST(GradesJson, HasTheSharesOfOtherScenesTheirSeedAndWhatWasNotTried) {
+TEST(GradesJson, HasSharesAndSeedAndUntriedOtherScenes) {
     Graded one = graded("zoe", "");
-    one.other_scenes = variants::VariantReport{};
+    one.other_scenes = scenes::OtherScenesReport{};
     for (const double share : {0.75, 0.25}) one.other_scenes->runs.push_back({"aside", "", "", true, {}, share});
     one.other_scenes->not_tried = {{"far", "radius = 8", "it does not compile"}, {"", "", "there is none"}};
     one.other_scenes->seed = 18446744073709551615U;
@@ -126,7 +128,7 @@ TEST(GradesJson, HasTheSharesOfOtherScenesTheirSeedAndWhatWasNotTried) {
     EXPECT_EQ(report.at("not_tried").at(1), json({{"name", nullptr}, {"changes", nullptr}, {"why", "there is none"}}));
 }
 
-TEST(GradesJson, HasThePointsForOtherScenesWhereThereAreSome) {
+TEST(GradesJson, HasThePointsForOtherScenes) {
     Graded one = graded_on_other_scenes("zoe");
     one.overrides = {{0, "variants", 9, "it works", "bea", ""}};
     const json submission = grades({one}).at("submissions").at(0);
@@ -155,7 +157,7 @@ TEST(GradesJson, HasEachSubmissionOnALineOfItsOwn) {
     }
 }
 
-TEST(GradesJson, HasThePointsThatCountBesideTheAutomaticOnesAndTheOverrides) {
+TEST(GradesJson, HasFinalAndAutomaticPointsAndOverrides) {
     Graded one = graded("zoe", output_with_a_mistake());
     one.late_share = 0.5;
     one.overrides = {{6, "t", 1, "idea\x1b", "bea", "2026-11-22T09:30:00Z"}, {8, "", 4, "idea", "bea", ""}};
@@ -174,7 +176,7 @@ TEST(GradesJson, HasThePointsThatCountBesideTheAutomaticOnesAndTheOverrides) {
         {"question": 8, "item": null, "points": 4.0, "why": "idea", "by": "bea", "when": ""}])"));
 }
 
-TEST(GradesJson, HasTheInstructorsMarkOfWhatCouldNotBeGraded) {
+TEST(GradesJson, HasTheInstructorsMarkOfAnUngradedSubmission) {
     Graded bob = not_graded("bob");
     bob.overrides = {{0, "", 40, "by hand", "bea", ""}};
     const json submission = grades({bob}).at("submissions").at(0);
@@ -184,7 +186,7 @@ TEST(GradesJson, HasTheInstructorsMarkOfWhatCouldNotBeGraded) {
     EXPECT_TRUE(grades({not_graded("cy")}).at("submissions").at(0).at("late_deduction").is_null());
 }
 
-TEST(GradesJson, AddsItsPointsUp) {
+TEST(GradesJson, HasPointsThatAddUp) {
     const json submission = grades({graded("zoe", output_with_a_mistake())}).at("submissions").at(0);
     double points = 0;
     for (const json& question : submission.at("questions")) {
@@ -196,14 +198,14 @@ TEST(GradesJson, AddsItsPointsUp) {
     EXPECT_NEAR(submission.at("points").get<double>(), points, 1e-5);
 }
 
-TEST(GradesJson, GivesNoPointsToWhatCouldNotBeGraded) {
+TEST(GradesJson, GivesNoPointsToAnUngradedSubmission) {
     const json submission = grades({not_graded("bob")}).at("submissions").at(0);
     EXPECT_EQ(submission.at("points"), nullptr);
     EXPECT_EQ(submission.at("outcome"), "not_graded");
     EXPECT_TRUE(submission.at("questions").empty());
 }
 
-TEST(GradesJson, IsValidWhateverASubmissionHolds) {
+TEST(GradesJson, IsValidForAnySubmission) {
     const std::string text = grades_json({hostile()}, marking(), harness::Tier::bwrap);
     EXPECT_EQ(text.find('\x1b'), std::string::npos);
     EXPECT_EQ(text.find('\xff'), std::string::npos);

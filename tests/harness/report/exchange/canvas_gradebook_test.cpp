@@ -1,5 +1,5 @@
-// Read back by python3's csv, which knows nothing of ours.
-#include "harness/report/canvas.h"
+// Reads the file back with python3's csv, independently of our own writer.
+#include "harness/report/exchange/canvas_gradebook.h"
 
 #include <gmock/gmock.h>
 
@@ -9,8 +9,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "tests/report/graded_samples.h"
-#include "tests/temporary_folder.h"
+#include "tests/given/report/graded_samples.h"
+#include "tests/given/temporary_folder.h"
 
 namespace harness::report {
 namespace {
@@ -66,7 +66,7 @@ std::string why_not(std::string_view csv, const std::string& column) {
     return "no RosterError";
 }
 
-TEST(CanvasImport, HoldsTheColumnAndThoseMatchedAlone) {
+TEST(CanvasImport, ContainsOnlyTheColumnAndMatchedStudents) {
     const CanvasImport import = import_of(
         {handed_in("doejane_12", "doejane_12_1_ray_cast.cpp"), handed_in("łukaszżan", "łukaszżan_13_2_ray_cast.cpp")});
     const auto rows = rows_of(import.csv);
@@ -97,7 +97,7 @@ TEST(CanvasImport, NeverGuesses) {
     EXPECT_EQ(rows_of(import.csv).size(), 2U) << "nobody's score is changed";
 }
 
-TEST(CanvasImport, HasThePointsThatCount) {
+TEST(CanvasImport, HasTheFinalPoints) {
     Graded late = handed_in("s14");
     late.late_share = 0.5;
     Graded by_hand = not_graded("ppoe");
@@ -110,13 +110,13 @@ TEST(CanvasImport, HasThePointsThatCount) {
     EXPECT_THAT(import.not_graded, IsEmpty());
 }
 
-TEST(CanvasImport, LeavesAloneWhatHasNoMarks) {
+TEST(CanvasImport, LeavesOutSubmissionsWithoutMarks) {
     const CanvasImport import = import_of({not_graded("14")});
     EXPECT_THAT(import.not_graded, ElementsAre("14"));
     EXPECT_THAT(import.csv, Not(HasSubstr("Roe")));
 }
 
-TEST(CanvasImport, TakesNoOtherSystemsNumberForCanvass) {
+TEST(CanvasImport, TakesNoNumberOfADifferentSystemAsCanvass) {
     Graded of_moodle = handed_in("somebody");
     of_moodle.submission.lms = read_moodle_name("Some Body_14_assignsubmission_file");
     EXPECT_THAT(import_of({of_moodle}).unmatched, ElementsAre("somebody"));
@@ -124,7 +124,7 @@ TEST(CanvasImport, TakesNoOtherSystemsNumberForCanvass) {
     EXPECT_EQ(rows_of(import_of({of_moodle}).csv)[2][0], "Poe, Pat") << "by name";
 }
 
-TEST(CanvasImport, SaysWhereThePointsPossibleAreNotTheAssignments) {
+TEST(CanvasImport, ReportsPointsPossibleThatDifferFromTheAssignment) {
     const CanvasImport usual = import_of({handed_in("s14")});
     EXPECT_FALSE(usual.possible);
     EXPECT_THAT(usual.above, ElementsAre());
@@ -138,7 +138,7 @@ TEST(CanvasImport, SaysWhereThePointsPossibleAreNotTheAssignments) {
     EXPECT_THAT(import.csv, HasSubstr("\"100.50\""));
 }
 
-TEST(CanvasImport, GivesEachOfAGroupItsPoints) {
+TEST(CanvasImport, GivesEachGroupMemberThePoints) {
     Graded group = handed_in("Rick Roe, Pat Poe, Ann Lee, Jane Doe");
     LmsName& name = group.submission.lms.emplace();
     name.system = Lms::gradescope;
@@ -154,7 +154,7 @@ TEST(CanvasImport, GivesEachOfAGroupItsPoints) {
     EXPECT_THAT(import.ambiguous, ElementsAre("Rick Roe, Pat Poe, Ann Lee, Jane Doe (Doe Jane): Doe, Jane; Doe, Jane"));
 }
 
-TEST(CanvasImport, TakesWhoIsListedTwiceInAGroupOnce) {
+TEST(CanvasImport, CountsAGroupMemberListedTwiceOnce) {
     Graded group = handed_in("Rick Roe, Pat Poe, Ricky");
     LmsName& name = group.submission.lms.emplace();
     name.system = Lms::gradescope;
@@ -179,7 +179,7 @@ TEST(CanvasRoster, SaysWhyAColumnCannotBeChosen) {
     EXPECT_EQ(read_canvas_roster("Student,ID,Section,Six (6)\r\nA,1,01,\r\n", "").column, "Six (6)");
 }
 
-TEST(CanvasImport, GivesASpreadsheetNothingToCompute) {
+TEST(CanvasImport, ContainsNoSpreadsheetFormulas) {
     const CanvasRoster roster = read_canvas_roster("Student,ID,Section,Six (6)\r\n\"=cmd|'/c calc'!A1\",1,01,\r\n", "");
     EXPECT_THAT(canvas_import(roster, {handed_in("1")}).csv, HasSubstr("\"'=cmd"));
 }

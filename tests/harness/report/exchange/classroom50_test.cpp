@@ -1,17 +1,18 @@
-// Read back by python3's json, and held to what the runner and the collector of Classroom 50 accept.
-#include "harness/report/classroom50.h"
+// Reads the file back with python3's json, and checks it against what the runner and the collector of Classroom 50
+// accept.
+#include "harness/report/exchange/classroom50.h"
 
 #include <gmock/gmock.h>
 
-#include "tests/report/graded_samples.h"
-#include "tests/report/told_by.h"
+#include "tests/given/report/graded_samples.h"
+#include "tests/given/report/told_by.h"
 
 namespace harness::report {
 namespace {
 
 using namespace report_samples;
 
-/// The contract of classroom50/result/v1; the runner adds owner and assignment_type where they are missing.
+/// The contract of classroom50/result/v1. The runner adds owner and assignment_type if they are missing.
 constexpr const char* read_result = R"(
 import re
 d = json.load(open(sys.argv[1], encoding='utf-8'))
@@ -50,14 +51,14 @@ TEST(Classroom50, SaysWhatWasGraded) {
               "98 100 10 2026-11-22T09:30:00Z\n");
 }
 
-TEST(Classroom50, LeavesToTheRunnerWhatItDoesNotSay) {
+TEST(Classroom50, LeavesUnknownFieldsToTheRunner) {
     Classroom50Submission short_ = submission;
     short_.owner = short_.assignment_type = "";
     EXPECT_EQ(told(graded("ada", output_with_a_mistake()), "print('owner' in d, 'assignment_type' in d)\n", short_),
               "False False\n");
 }
 
-TEST(Classroom50, HasWholePointsThatSumUp) {
+TEST(Classroom50, HasWholePointsThatAddUp) {
     Graded one = graded("ada", output_with_a_mistake());
     // 10 x 8.3333 is 83.33: each question rounded by itself would be 80.
     for (QuestionScore& question : one.score.questions)
@@ -68,7 +69,7 @@ TEST(Classroom50, HasWholePointsThatSumUp) {
               "83 83 100\n{8.33} {False}\n");
 }
 
-TEST(Classroom50, HoldsATestForOtherScenesWhereTheyGivePoints) {
+TEST(Classroom50, HasATestForOtherScenesIfTheyGivePoints) {
     EXPECT_EQ(told(graded_on_other_scenes("ada"),
                    "t = d['tests'][10]\n"
                    "print(d['score'], d['max-score'], len(d['tests']))\n"
@@ -77,7 +78,7 @@ TEST(Classroom50, HoldsATestForOtherScenesWhereTheyGivePoints) {
               "104 110 11\n104 110\nOther scenes 6.0 10 False\n");
 }
 
-TEST(Classroom50, NeverSaysMoreThanTheMaximum) {
+TEST(Classroom50, NeverExceedsTheMaximum) {
     Graded one = graded("ada", output_with_a_mistake());
     one.overrides = {{6, "", 14, "a good idea", "ada", ""}};
     EXPECT_EQ(
@@ -100,7 +101,7 @@ TEST(Classroom50, SurvivesHostileText) {
               "True []\n");
 }
 
-TEST(Classroom50, IsNotForWhatHasNoPoints) {
+TEST(Classroom50, IsNotWrittenWithoutPoints) {
     EXPECT_THROW(classroom50_result(not_graded("ada"), marking(), submission), std::logic_error);
 }
 

@@ -1,5 +1,5 @@
-// Read back by python3's zipfile, and handed to the students by the rules of Canvas and Moodle.
-#include "harness/report/feedback_zip.h"
+// Reads the zip back with python3's zipfile, and assigns the pages to students by the rules of Canvas and Moodle.
+#include "harness/report/exchange/feedback_zip.h"
 
 #include <gmock/gmock.h>
 
@@ -7,8 +7,8 @@
 #include <ctime>
 #include <sstream>
 
-#include "tests/report/graded_samples.h"
-#include "tests/report/told_by.h"
+#include "tests/given/report/graded_samples.h"
+#include "tests/given/report/told_by.h"
 
 namespace harness::report {
 namespace {
@@ -48,7 +48,8 @@ std::string zip_of(const std::vector<Graded>& graded) {
     return std::move(bytes).str();
 }
 
-/// Opens the zip as `z`, sees that it is whole and that no entry leaves it; page(n) is whose page an entry is.
+/// Opens the zip as `z`, and checks that it is complete and that no entry leads outside. page(n) names the student
+/// whose page the entry n is.
 constexpr const char* open_zip = R"(
 import re
 z = zipfile.ZipFile(sys.argv[1])
@@ -83,8 +84,8 @@ TEST(FeedbackZip, GoesBackToItsStudentInCanvas) {
               "anon_aB3x9_5004_feedback.html anonymous ('5004',)\n");
 }
 
-TEST(FeedbackZip, GoesBackToItsStudentWhateverTheNameLooksLike) {
-    // As another version of the system, or somebody who renamed the file, may have written the name.
+TEST(FeedbackZip, GoesBackToItsStudentForAnyName) {
+    // A different version of the system, or a person who renamed the file, may write such a name.
     const auto called = [](Lms system, const std::string& name) {
         LmsName lms;
         lms.system = system;
@@ -128,7 +129,7 @@ TEST(FeedbackZip, GoesBackToItsStudentInMoodle) {
               "Rick Roe_15_assignsubmission_file/feedback.html flat 15\n");
 }
 
-TEST(FeedbackZip, TakesTheFileThatWasGraded) {
+TEST(FeedbackZip, UsesTheNumbersOfTheGradedFile) {
     Graded again = in_canvas("jane", "doejane_1001_5001_notes.txt");
     again.submission.file = "class.zip/doejane_1001_5009_ray_cast-1.cpp";
     EXPECT_EQ(way_back(again.submission), "doejane_1001_5009_feedback.html");
@@ -136,7 +137,7 @@ TEST(FeedbackZip, TakesTheFileThatWasGraded) {
     EXPECT_EQ(way_back(again.submission), "doejane_1001_5001_feedback.html") << "a packed file may be called anything";
 }
 
-TEST(FeedbackZip, LeavesOutWhoseItIsNobodyCanTell) {
+TEST(FeedbackZip, LeavesOutPagesOfUnknownStudents) {
     std::ostringstream bytes;
     const FeedbackZip zip = write_feedback_zip(
         bytes,
@@ -147,17 +148,17 @@ TEST(FeedbackZip, LeavesOutWhoseItIsNobodyCanTell) {
     EXPECT_EQ(zip.pages, 1U);
     EXPECT_THAT(zip.left_out, ElementsAre("twin: another submission has the same number, 1001",
                                           "other twin: another submission has the same number, 1001",
-                                          "text: no file of theirs is in Canvas that it could go back with"));
+                                          "text: Canvas has no file of this student to return the page with"));
     EXPECT_EQ(python(std::string(open_zip) + "print([page(n) for n in z.namelist()])\n", bytes.str()), "['1001']\n");
 }
 
-TEST(FeedbackZip, IsForClassesOfAnLmsAlone) {
+TEST(FeedbackZip, IsOnlyForClassesOfAnLms) {
     EXPECT_FALSE(is_from_lms(
         {handed_in("folder", std::nullopt), handed_in("gradescope", read_gradescope_name("submission_1"))}));
     EXPECT_TRUE(is_from_lms({handed_in("folder", std::nullopt), in_canvas("x", "x_1_text.html")}));
 }
 
-TEST(FeedbackZip, IsTheSameBytesAtAnyTimeAndAnywhere) {
+TEST(FeedbackZip, HasTheSameBytesAtAnyTimeAndPlace) {
     const std::vector<Graded> class_ = {in_canvas("jane", "doejane_1001_5001_ray_cast.cpp"),
                                         in_moodle("zan", "Żan_13_assignsubmission_file")};
     const auto in_zone = [&](const char* zone) {
@@ -175,17 +176,17 @@ TEST(FeedbackZip, IsTheSameBytesAtAnyTimeAndAnywhere) {
               "{(1980, 1, 1, 0, 0, 0)}\n");
 }
 
-TEST(FeedbackZip, HoldsTenThousandPages) {
+TEST(FeedbackZip, CanHoldTwoThousandPages) {
     std::vector<Graded> class_;
     Graded one = not_graded("x");
-    for (int i = 0; i < 10'000; ++i) {
+    for (int i = 0; i < 2'000; ++i) {
         one.submission.lms =
             read_moodle_name("Student " + std::to_string(i) + "_" + std::to_string(i + 1) + "_assignsubmission_file");
         one.submission.id = std::to_string(i);
         class_.push_back(one);
     }
-    EXPECT_EQ(python(std::string(open_zip) + "print(len(z.namelist()), z.namelist()[9999])\n", zip_of(class_)),
-              "10000 Student 9999_10000_assignsubmission_file/feedback.html\n");
+    EXPECT_EQ(python(std::string(open_zip) + "print(len(z.namelist()), z.namelist()[1999])\n", zip_of(class_)),
+              "2000 Student 1999_2000_assignsubmission_file/feedback.html\n");
 }
 
 TEST(FeedbackZip, SaysWhenItCannotBeWritten) {

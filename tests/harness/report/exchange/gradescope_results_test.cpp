@@ -1,10 +1,11 @@
-// Read back by python3's json, and held to what Gradescope's specification says.
-#include "harness/report/gradescope.h"
+// Reads the file back with python3's json, and checks it against Gradescope's specification.
+#include "harness/report/exchange/gradescope_results.h"
 
 #include <gmock/gmock.h>
 
-#include "tests/report/graded_samples.h"
-#include "tests/report/told_by.h"
+#include "harness/grade/marking.h"
+#include "tests/given/report/graded_samples.h"
+#include "tests/given/report/told_by.h"
 
 namespace harness::report {
 namespace {
@@ -13,7 +14,7 @@ using namespace report_samples;
 using testing::HasSubstr;
 using testing::Not;
 
-/// docs/specs.md of gradescope/autograder_samples, for what is there; then `d` is the file.
+/// Checks the fields present against docs/specs.md of gradescope/autograder_samples. The file is then `d`.
 constexpr const char* read_results = R"(
 d = json.load(open(sys.argv[1], encoding='utf-8'))
 number = lambda x: isinstance(x, (int, float)) and not isinstance(x, bool) and x >= 0
@@ -39,7 +40,7 @@ std::string told(const Graded& graded, const std::string& program, const Marking
     return python(read_results + program, gradescope_results(graded, by));
 }
 
-TEST(Gradescope, HoldsATestForEachQuestion) {
+TEST(Gradescope, HasATestForEachQuestion) {
     EXPECT_EQ(told(graded("ada", output_with_a_mistake()),
                    "print(d['score'], len(d['tests']), [t['number'] for t in d['tests']])\n"
                    "t = d['tests'][5]\n"
@@ -50,23 +51,23 @@ TEST(Gradescope, HoldsATestForEachQuestion) {
               "98.33 100.0\n");
 }
 
-TEST(Gradescope, SaysWhatWasPrintedAndNeverWhatIsRight) {
+TEST(Gradescope, ShowsPrintedAnswersAndNeverRightOnes) {
     const std::string output = told(graded("ada", output_with_a_mistake()), "print(d['tests'][5]['output'])\n");
     EXPECT_THAT(output, HasSubstr("t: wrong, 0 of 1.67 points (line "));
     EXPECT_THAT(output, HasSubstr("  You printed "));
     EXPECT_THAT(output, HasSubstr("far root"));
-    EXPECT_THAT(output, Not(HasSubstr("Right is")));
+    EXPECT_THAT(output, Not(HasSubstr("Right value")));
 
     Marking open = marking();
     open.assignment.rubric.show_expected = true;
     const std::string shown = told(graded("ada", output_with_a_mistake()), "print(d['tests'][5]['output'])\n", open);
     const std::string right =
         value_text(open.key.questions[5].items[4].answers.front().value, reference::Shape::scalar);
-    EXPECT_THAT(shown, HasSubstr("  Right is " + right + "\n"));
+    EXPECT_THAT(shown, HasSubstr("  Right value: " + right + "\n"));
     EXPECT_THAT(output, Not(HasSubstr(right)));
 }
 
-TEST(Gradescope, GivesWhatDoesNotCompileZeroAndTheMessages) {
+TEST(Gradescope, GivesZeroAndTheMessagesForACompileError) {
     Graded broken = graded("ada", "");
     broken.outcome = Outcome::compile_error;
     broken.explanation = "The program does not compile.";
@@ -80,7 +81,7 @@ TEST(Gradescope, GivesWhatDoesNotCompileZeroAndTheMessages) {
         "ray_cast.cpp:19:1: error: expected ';'\n\n");
 }
 
-TEST(Gradescope, GivesWhatWasNotGradedNoScoreRatherThanZero) {
+TEST(Gradescope, GivesNoScoreToAnUngradedSubmission) {
     EXPECT_EQ(told(not_graded("ada"),
                    "print('score' in d, 'tests' in d, d['extra_data']['outcome'])\n"
                    "print(d['output'])\n"),
@@ -90,7 +91,7 @@ TEST(Gradescope, GivesWhatWasNotGradedNoScoreRatherThanZero) {
     EXPECT_EQ(told(given, "print(d['score'], 'tests' in d)\n"), "80.0 False\n");
 }
 
-TEST(Gradescope, TakesTheInstructorsWordAndTheLateDeduction) {
+TEST(Gradescope, AppliesOverridesAndTheLateDeduction) {
     Graded one = graded("ada", output_with_a_mistake());
     one.overrides = {{6, "t", 1.5, "right idea", "ada", ""}, {10, "", 4, "a guess", "ada", ""}};
     one.late_share = 0.5;
@@ -102,7 +103,7 @@ TEST(Gradescope, TakesTheInstructorsWordAndTheLateDeduction) {
               "46.92 9.83 4.0 True\nTrue True\n46.92 of 100 points\nHanded in late: 46.92 points were taken off.\n\n");
 }
 
-TEST(Gradescope, SaysLateOnlyWhereTheSystemTold) {
+TEST(Gradescope, SaysLateOnlyIfTheSystemSaidSo) {
     Graded one = graded("ada", output_with_a_mistake());
     EXPECT_EQ(told(one, "print('late' in d['extra_data'])\n"), "False\n");
     one.submission.lms = read_canvas_name("doe_1_2_ray_cast.cpp");
@@ -111,7 +112,7 @@ TEST(Gradescope, SaysLateOnlyWhereTheSystemTold) {
     EXPECT_EQ(told(one, "print('late' in d['extra_data'])\n"), "False\n");
 }
 
-TEST(Gradescope, HoldsATestForOtherScenesWhereTheyGivePoints) {
+TEST(Gradescope, HasATestForOtherScenesIfTheyGivePoints) {
     Graded one = graded_on_other_scenes("ada");
     const std::string program =
         "t = d['tests'][10]\n"

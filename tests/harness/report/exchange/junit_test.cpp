@@ -1,10 +1,10 @@
-// Held to a schema by xmllint, and read back by python3's XML parser.
-#include "harness/report/junit.h"
+// Validates the file against a schema with xmllint, and reads it back with python3's XML parser.
+#include "harness/report/exchange/junit.h"
 
 #include <gmock/gmock.h>
 
-#include "tests/report/graded_samples.h"
-#include "tests/report/told_by.h"
+#include "tests/given/report/graded_samples.h"
+#include "tests/given/report/told_by.h"
 
 namespace harness::report {
 namespace {
@@ -30,11 +30,11 @@ Graded crashed() {
     return one;
 }
 
-/// What a Python program says of it that has the root as `r`; only if the schema holds, and the counts are those of the
-/// testcases.
+/// The output of a Python program that has the root element as `r`. Fails unless the schema holds and the counts match
+/// the test cases.
 std::string told(const std::vector<Graded>& graded, const std::string& program) {
     const std::string xml = junit(graded, marking());
-    EXPECT_THAT(told_by("xmllint --noout --schema " RAYGRADE_PROJECT "/tests/report/junit.xsd \"$1\"", xml),
+    EXPECT_THAT(told_by("xmllint --noout --schema " RAYGRADE_PROJECT "/tests/given/report/junit.xsd \"$1\"", xml),
                 HasSubstr("validates"));
     return python(
         "import xml.etree.ElementTree\n"
@@ -49,7 +49,7 @@ std::string told(const std::vector<Graded>& graded, const std::string& program) 
         xml);
 }
 
-TEST(Junit, HasASuiteForEachSubmissionAndACaseForEachAnswer) {
+TEST(Junit, HasATestSuitePerSubmissionAndATestCasePerAnswer) {
     EXPECT_EQ(told({graded("ada", output_with_a_mistake()), crashed()},
                    "print([s.get('name') for s in r], r.get('tests'), r.get('failures'))\n"
                    "print([t.get('classname') + ' ' + t.get('name') for t in r[0].findall('testcase')][:4])\n"
@@ -61,7 +61,7 @@ TEST(Junit, HasASuiteForEachSubmissionAndACaseForEachAnswer) {
               "{'points': '98.33', 'max_points': '100.00', 'outcome': 'crashed', 'late': 'true'}\n");
 }
 
-TEST(Junit, SaysWhyAnAnswerFailsAndWhatFollows) {
+TEST(Junit, SaysWhyAnAnswerFailsAndWhichFollow) {
     const std::string text =
         told({graded("ada", output_with_a_mistake())},
              "f = case('ada', 'ada.question 6', 't')[0]\n"
@@ -72,10 +72,10 @@ TEST(Junit, SaysWhyAnAnswerFailsAndWhatFollows) {
     EXPECT_THAT(text, HasSubstr("far root"));
     EXPECT_THAT(text, HasSubstr("system-out 0\n"))
         << "an answer that follows passes with a word; a right one needs none";
-    EXPECT_THAT(text, testing::Not(HasSubstr("Right is")));
+    EXPECT_THAT(text, testing::Not(HasSubstr("Right value")));
 }
 
-TEST(Junit, FailsWhatDidNotEndByItself) {
+TEST(Junit, FailsAProgramThatDidNotEndByItself) {
     EXPECT_EQ(told({crashed()},
                    "c = case('crashed', 'crashed', 'runs')\n"
                    "print(c[0].tag, c[0].get('message'), c.get('time'))\n"
@@ -83,7 +83,7 @@ TEST(Junit, FailsWhatDidNotEndByItself) {
               "failure The program was ended by SIGSEGV. 0.020\n0\n");
 }
 
-TEST(Junit, SkipsTheAnswersOfWhatDoesNotCompile) {
+TEST(Junit, SkipsTheAnswersAfterACompileError) {
     EXPECT_EQ(told({broken()},
                    "f = case('broken', 'broken', 'compiles')[0]\n"
                    "print(f.tag, f.get('message'), f.text.splitlines()[-1])\n"
@@ -93,7 +93,7 @@ TEST(Junit, SkipsTheAnswersOfWhatDoesNotCompile) {
               "24 1 23 0\n0.00\n");
 }
 
-TEST(Junit, CallsWhatWasNotGradedAnErrorAndNotZero) {
+TEST(Junit, ReportsAnUngradedSubmissionAsAnError) {
     EXPECT_EQ(told({not_graded("eve")},
                    "t = r[0].findall('testcase')\n"
                    "print(len(t), t[0].get('name'), t[0][0].tag, t[0][0].get('message'))\n"
@@ -105,7 +105,7 @@ TEST(Junit, CallsWhatWasNotGradedAnErrorAndNotZero) {
               "0 80.00 True\n");
 }
 
-TEST(Junit, TakesTheInstructorsWord) {
+TEST(Junit, AppliesOverrides) {
     Graded one = graded("ada", output_with_a_mistake());
     one.overrides = {{6, "t", 5.0 / 3, "right idea", "ada", ""}, {10, "", 0, "guessed", "ada", ""}};
     EXPECT_EQ(told({one},
@@ -115,7 +115,7 @@ TEST(Junit, TakesTheInstructorsWord) {
               "system-out True\nfailure True\n90.00\n");
 }
 
-TEST(Junit, SaysLateOnlyWhereTheSystemTold) {
+TEST(Junit, SaysLateOnlyIfTheSystemSaidSo) {
     Graded one = graded("ada", output_with_a_mistake());
     one.submission.lms = read_canvas_name("doe_1_2_ray_cast.cpp");
     Graded untold = one;
@@ -124,7 +124,7 @@ TEST(Junit, SaysLateOnlyWhereTheSystemTold) {
               "['false', None]\n");
 }
 
-TEST(Junit, HoldsACaseForOtherScenesWhereTheyGivePoints) {
+TEST(Junit, HasATestCaseForOtherScenesIfTheyGivePoints) {
     Graded all = graded_on_other_scenes("all");
     all.overrides = {{0, "variants", 10, "it works", "bea", ""}};
     Graded none = broken();
@@ -135,7 +135,7 @@ TEST(Junit, HoldsACaseForOtherScenesWhereTheyGivePoints) {
               "[[('failure', 'Other scenes: 6 of 10 points.')], [], [('skipped', 'The program does not compile.')]]\n");
 }
 
-TEST(Junit, HoldsHostileTextAsText) {
+TEST(Junit, EscapesHostileText) {
     Graded evil = hostile();
     evil.explanation = "\x1b[31m\xEF\xBF\xBE\xEF\xBF\xBF\xff <!-- ]]> &amp;";
     evil.outcome = Outcome::crashed;
@@ -143,7 +143,7 @@ TEST(Junit, HoldsHostileTextAsText) {
               "=HYPERLINK(\"x\"),|`id`\n'\\\\x1b[31m\\\\ufffe\\\\uffff\\\\xff <!-- ]]> &amp;'\n");
 }
 
-TEST(Junit, OfNobodyIsStillAReport) {
+TEST(Junit, IsAReportForAnEmptyClass) {
     EXPECT_EQ(told({}, "print(r.tag, len(r), r.get('tests'))\n"), "testsuites 0 0\n");
 }
 

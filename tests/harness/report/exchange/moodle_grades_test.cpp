@@ -1,13 +1,13 @@
-// Read back by python3's csv, cell by cell beside the worksheet it was made from.
-#include "harness/report/moodle.h"
+// Reads the file back with python3's csv, and compares it cell by cell with the original worksheet.
+#include "harness/report/exchange/moodle_grades.h"
 
 #include <gmock/gmock.h>
 
 #include <clocale>
 #include <nlohmann/json.hpp>
 
-#include "tests/report/graded_samples.h"
-#include "tests/report/told_by.h"
+#include "tests/given/report/graded_samples.h"
+#include "tests/given/report/told_by.h"
 
 namespace harness::report {
 namespace {
@@ -40,7 +40,7 @@ class MoodleTest : public testing::Test {
 using MoodleWorksheetTest = MoodleTest;
 using MoodleImportTest = MoodleTest;
 
-/// With these points, as if the instructor had said so.
+/// The submission with these points, as by an instructor's override.
 Graded worth(Graded one, double points) {
     one.overrides.push_back({0, "", points, "for the test", "ada", "2026-11-22T09:30:00Z"});
     return one;
@@ -58,7 +58,7 @@ MoodleImport import_of(const char* csv, const std::vector<Graded>& graded,
     return moodle_import(read_moodle_worksheet(csv, columns), graded);
 }
 
-/// The cells that are not as they were: [row, heading, before, after].
+/// The changed cells: [row, heading, before, after].
 json changes(const std::string& before, const std::string& after, char separator = ',') {
     const std::string program =
         "both = open(sys.argv[1], 'rb').read().decode('utf-8-sig').split('\\x00')\n"
@@ -92,7 +92,7 @@ TEST_F(MoodleImportTest, FillsInTheGradeAndChangesNoOtherCell) {
     EXPECT_THAT(import.without, ElementsAre("Jane Doe", "Żan Łukasz", "Pat Poe"));
 }
 
-TEST_F(MoodleImportTest, LeavesTheTeachersOwnCellsByteForByte) {
+TEST_F(MoodleImportTest, KeepsTheTeachersOwnCellsByteForByte) {
     const std::string csv =
         "\xef\xbb\xbfIdentifier,Full name,Grade,Maximum grade,Comments\r\n"
         "Participant 1,J\xe9rome,7.5,10,=cmd|' /C calc'!A1\r\n"
@@ -100,21 +100,21 @@ TEST_F(MoodleImportTest, LeavesTheTeachersOwnCellsByteForByte) {
     EXPECT_EQ(import_of(csv.c_str(), {}).csv, csv);
 }
 
-TEST_F(MoodleImportTest, WritesTheDecimalSignAndSeparatorOfTheWorksheet) {
+TEST_F(MoodleImportTest, UsesTheDecimalSignAndSeparatorOfTheWorksheet) {
     const MoodleImport import = import_of(german, {from_moodle("Jane Doe_11_assignsubmission_file", 87.5)});
     EXPECT_EQ(changes(german, import.csv, ';'), json::parse(R"([[1, "Bewertung", "", "87,50"]])"));
     EXPECT_TRUE(import.csv.starts_with("\xef\xbb\xbfKennung;"));
     EXPECT_THAT(import.csv, HasSubstr("Kommentar\r\n"));
 }
 
-TEST_F(MoodleImportTest, TakesAParticipantsNumberAloneForThoseFromMoodle) {
+TEST_F(MoodleImportTest, MatchesMoodleSubmissionsOnlyByParticipantNumber) {
     const MoodleImport import = import_of(english, {from_moodle("Rick Roe_99_assignsubmission_file", 50)});
     EXPECT_THAT(import.unmatched, ElementsAre("Rick Roe_99_assignsubmission_file"))
         << "the worksheet is another assignment's";
     EXPECT_EQ(import.matched, 0U);
 }
 
-TEST_F(MoodleImportTest, MatchesOthersByFullNameAndNeverByAnothersNumber) {
+TEST_F(MoodleImportTest, MatchesOtherSubmissionsOnlyByFullName) {
     Graded of_canvas = worth(graded("patpoe", output_with_a_mistake()), 60);
     of_canvas.submission.lms = read_canvas_name("patpoe_14_5001_ray_cast.cpp");
     const MoodleImport import = import_of(english, {of_canvas, worth(graded("rick roe", output_with_a_mistake()), 40)});
@@ -122,7 +122,7 @@ TEST_F(MoodleImportTest, MatchesOthersByFullNameAndNeverByAnothersNumber) {
               json::parse(R"([[4, "Grade", "", "40.00"], [5, "Grade", "55.00", "60.00"]])"));
 }
 
-TEST_F(MoodleImportTest, GivesEachOfAGroupItsPoints) {
+TEST_F(MoodleImportTest, GivesEachGroupMemberThePoints) {
     Graded group = worth(graded("Rick Roe, Pat Poe, Ann Lee", output_with_a_mistake()), 70);
     LmsName& name = group.submission.lms.emplace();
     name.system = Lms::gradescope;
@@ -146,7 +146,7 @@ TEST_F(MoodleImportTest, NeverGuesses) {
     EXPECT_THAT(import.unmatched, ElementsAre("nobody"));
 }
 
-TEST_F(MoodleImportTest, KnowsANameWithItsGroupAndOneThatWasHidden) {
+TEST_F(MoodleImportTest, MatchesANameWithAGroupAndAHiddenName) {
     const MoodleImport import = import_of(english, {from_moodle("Group A-Rick Roe_14_assignsubmission_file", 40),
                                                     from_moodle("Participant_15_assignsubmission_file_", 60),
                                                     from_moodle("Z\xcc\x87"
@@ -158,7 +158,7 @@ TEST_F(MoodleImportTest, KnowsANameWithItsGroupAndOneThatWasHidden) {
                                            "an Łukasz_13_assignsubmission_file"));
 }
 
-TEST_F(MoodleImportTest, LeavesAloneWhatIsLockedOrHasNoMarks) {
+TEST_F(MoodleImportTest, LeavesOutLockedRowsAndSubmissionsWithoutMarks) {
     Graded none = not_graded("14");
     none.submission.lms = read_moodle_name("Rick Roe_14_assignsubmission_file");
     const MoodleImport import = import_of(english, {none, from_moodle("Żan Łukasz_13_assignsubmission_file", 50)});
@@ -169,7 +169,7 @@ TEST_F(MoodleImportTest, LeavesAloneWhatIsLockedOrHasNoMarks) {
                 ElementsAre("Rick Roe_12_assignsubmission_file"));
 }
 
-TEST_F(MoodleImportTest, NeverGoesAboveTheMaximumAndSaysWhatItLowers) {
+TEST_F(MoodleImportTest, NeverExceedsTheMaximumAndReportsLoweredMarks) {
     const MoodleImport import = import_of(english, {from_moodle("Jane Doe_11_assignsubmission_file", 100.006),
                                                     from_moodle("Jane Doe_12_assignsubmission_file", 89.999),
                                                     from_moodle("Rick Roe_14_assignsubmission_file", 100.004),
@@ -181,7 +181,7 @@ TEST_F(MoodleImportTest, NeverGoesAboveTheMaximumAndSaysWhatItLowers) {
     EXPECT_FALSE(import.other_maximum);
 }
 
-TEST_F(MoodleImportTest, SaysWhereTheMaximumIsNotTheAssignments) {
+TEST_F(MoodleImportTest, ReportsAMaximumThatDiffersFromTheAssignment) {
     const MoodleImport import = import_of("Identifier,Grade,Maximum grade\nParticipant 1,,50\n",
                                           {from_moodle("Participant_1_assignsubmission_file", 40)});
     ASSERT_TRUE(import.other_maximum);
@@ -189,13 +189,13 @@ TEST_F(MoodleImportTest, SaysWhereTheMaximumIsNotTheAssignments) {
     EXPECT_EQ(import.matched, 1U);
 }
 
-TEST_F(MoodleImportTest, TakesPointsOffALateHandIn) {
+TEST_F(MoodleImportTest, DeductsPointsForLateness) {
     Graded late = graded("Rick Roe", output_with_a_mistake());
     late.late_share = 0.5;
     EXPECT_THAT(import_of(english, {late}).csv, HasSubstr(",49.17,100.00,")) << "half of 98.33";
 }
 
-TEST_F(MoodleWorksheetTest, KnowsColumnsOfEnglishHeadings) {
+TEST_F(MoodleWorksheetTest, FindsColumnsByEnglishHeadings) {
     const MoodleWorksheet worksheet = read_moodle_worksheet(english);
     EXPECT_EQ(worksheet.identifier, 0U);
     EXPECT_EQ(worksheet.name, 1U);
@@ -204,7 +204,7 @@ TEST_F(MoodleWorksheetTest, KnowsColumnsOfEnglishHeadings) {
     EXPECT_EQ(worksheet.changeable, 5U);
 }
 
-TEST_F(MoodleWorksheetTest, KnowsColumnsOfOtherLanguagesByWhatTheyHold) {
+TEST_F(MoodleWorksheetTest, FindsColumnsInOtherLanguagesByTheirContents) {
     const MoodleWorksheet in_german = read_moodle_worksheet(german);
     EXPECT_EQ(in_german.identifier, 0U);
     EXPECT_EQ(in_german.name, 1U);
@@ -212,7 +212,7 @@ TEST_F(MoodleWorksheetTest, KnowsColumnsOfOtherLanguagesByWhatTheyHold) {
     EXPECT_EQ(in_german.maximum, 5U);
     EXPECT_EQ(in_german.changeable, 6U);
 
-    // Groups, a marker and a marking workflow beside; two grades are there already.
+    // The worksheet also has groups, a marker and a marking workflow. Two grades are already filled in.
     const MoodleWorksheet in_japanese = read_moodle_worksheet(
         "ID,氏名,メール,ステータス,グループ,マーカー,評点,最大評点,ワークフロー,評点変更可,最終更新 (評点)\n"
         "参加者 1,山田太郎,a@b,提出済み,A,,80.00,100.00,未評定,はい,-\n"
@@ -232,15 +232,15 @@ TEST_F(MoodleWorksheetTest, KnowsColumnsOfOtherLanguagesByWhatTheyHold) {
     EXPECT_EQ(blind.changeable, 3U);
 }
 
-TEST_F(MoodleWorksheetTest, IsToldWhatCannotBeKnown) {
-    // Of a single student, a matriculation number may be a maximum, too.
+TEST_F(MoodleWorksheetTest, TakesAmbiguousColumnsFromOptions) {
+    // With a single student, a matriculation number could be the maximum grade.
     constexpr const char* single = "Kennung,Telefon,Matrikel,Bewertung,Bestwertung\nTeilnehmer/in1,,4711,,\"100,00\"\n";
     EXPECT_THAT(why_not(single), HasSubstr("--moodle-column grade="));
     EXPECT_EQ(read_moodle_worksheet(single, {"grade=Bewertung"}).maximum, 4U);
     EXPECT_EQ(read_moodle_worksheet(single, {"maximum=Bestwertung"}).grade, 3U);
 }
 
-TEST_F(MoodleWorksheetTest, SaysWhyItCannotBeUsed) {
+TEST_F(MoodleWorksheetTest, SaysWhyItIsUnusable) {
     EXPECT_THAT(why_not(""), HasSubstr("no participants"));
     EXPECT_THAT(why_not("Identifier,Grade,Maximum grade\n"), HasSubstr("no participants"));
     EXPECT_THAT(why_not("Name,Grade,Maximum grade\nJane,1,2\n"), HasSubstr("no column that is called \"Identifier\""));
@@ -248,7 +248,7 @@ TEST_F(MoodleWorksheetTest, SaysWhyItCannotBeUsed) {
     EXPECT_THAT(why_not(english, {"grade=Note"}), HasSubstr("no column \"Note\"; there are: \"Identifier\""));
     EXPECT_THAT(why_not(english, {"points=Grade"}), HasSubstr("give identifier, name, grade, maximum or changeable"));
     EXPECT_THAT(why_not(english, {"grade"}), HasSubstr("give identifier"));
-    EXPECT_THAT(why_not(english, {"grade=Maximum grade"}), HasSubstr("for two things"));
+    EXPECT_THAT(why_not(english, {"grade=Maximum grade"}), HasSubstr("for two purposes"));
 }
 
 }  // namespace

@@ -1,13 +1,13 @@
-#include "harness/report/student_page.h"
+#include "harness/report/page/student_page.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "harness/report/report.h"
-#include "tests/report/graded_samples.h"
-#include "tests/report/read_page.h"
-#include "tests/student/printout.h"
+#include "harness/grade/marking.h"
+#include "tests/given/report/graded_samples.h"
+#include "tests/given/report/read_page.h"
+#include "tests/given/student/printout.h"
 
 namespace harness::report {
 namespace {
@@ -23,7 +23,7 @@ std::string text_of(const Graded& one, const Marking& how = marking()) {
     return read_page(student_page(one, how)).at("text");
 }
 
-TEST(StudentPage, IsReadWithoutComplaint) {
+TEST(StudentPage, ParsesWithoutErrors) {
     Graded one = graded("s01", output_with_a_mistake());
     one.build.diagnostics = "ray_cast.cpp:3:5: warning: unused variable 'x' [-Wunused-variable]\n";
     for (const Graded& each : {one, hostile(), not_graded("bob"), graded("nil", "")}) {
@@ -39,24 +39,24 @@ TEST(StudentPage, HasNoScript) {
     EXPECT_THAT(page.at("policy"), Not(HasSubstr("script-src")));
 }
 
-TEST(StudentPage, SaysVerdictsMistakeAndWhereToBegin) {
+TEST(StudentPage, ShowsVerdictsTheMistakeAndWhereToBegin) {
     const std::string text = text_of(graded("s01", output_with_a_mistake()));
     EXPECT_THAT(text, HasSubstr("98.33 of 100 points"));
-    EXPECT_THAT(text, HasSubstr("Look at question 6 first: it is the one with a wrong answer."));
+    EXPECT_THAT(text, HasSubstr("Look at question 6 first: it is the only one with a wrong answer."));
     EXPECT_THAT(text, HasSubstr("look here first"));
     EXPECT_THAT(text, HasSubstr("far root of the quadratic; the smaller positive root is asked for. far root"));
     EXPECT_THAT(text, HasSubstr("Nothing is wrong here by itself: it follows from question 6"));
     EXPECT_THAT(text, HasSubstr("1✓, pixel in VCS: right, 10 of 10 points"));
 }
 
-TEST(StudentPage, OfARightProgramIsShort) {
+TEST(StudentPage, IsShortForARightProgram) {
     const std::string text = text_of(graded("s01", print(student::Program(marking().assignment, {}))));
     EXPECT_THAT(text, HasSubstr("100 of 100 points"));
     EXPECT_THAT(text, HasSubstr("Every answer is right."));
     EXPECT_THAT(text, Not(HasSubstr("You printed")));
 }
 
-TEST(StudentPage, SaysOnlyTheLimitWhereNothingWasPrintedBefore) {
+TEST(StudentPage, ShowsOnlyTheLimitIfNothingWasPrinted) {
     Graded one = graded("nil", "");
     one.outcome = Outcome::timed_out;
     one.explanation = "Time limit: the program was stopped.";
@@ -67,25 +67,25 @@ TEST(StudentPage, SaysOnlyTheLimitWhereNothingWasPrintedBefore) {
     EXPECT_THAT(text_of(graded("nil", "The pixel is nice.\n")), HasSubstr("No answer was found"));
 }
 
-TEST(StudentPage, CallsAllRightOnlyWhatHasAllPoints) {
+TEST(StudentPage, SaysAllRightOnlyForAllPoints) {
     Graded one = graded("s01", print(student::Program(marking().assignment, {})));
     one.score.questions[6].items[0].verdict = ItemVerdict::follow;
     one.score.points -= 5;
     EXPECT_THAT(text_of(one), Not(HasSubstr("Every answer is right.")));
 }
 
-TEST(StudentPage, SaysOnceThatAnAnswerFollowsAndFromWhatOnlyWhereThatIsKnown) {
+TEST(StudentPage, SaysOnceThatAnAnswerFollowsAndItsSourceIfKnown) {
     const std::string sentence = "Not the right value, but it follows correctly";
     Graded one = graded("s01", output_with_a_mistake());
     const std::string text = text_of(one);
     EXPECT_EQ(text.find(sentence), text.rfind(sentence)) << "of 6.hit; question 7 has a note";
     EXPECT_THAT(text, HasSubstr(sentence));
     one.score.questions[0].items[0].verdict = ItemVerdict::wrong;
-    EXPECT_THAT(text_of(one), HasSubstr("it follows from your earlier answers, and comes right with them."));
+    EXPECT_THAT(text_of(one), HasSubstr("it follows from your earlier answers and will be right once you fix those."));
     EXPECT_THAT(text_of(one), Not(HasSubstr("it follows from question")));
 }
 
-TEST(StudentPage, NeverHoldsAnExpectedValue) {
+TEST(StudentPage, NeverShowsAnExpectedValue) {
     const std::vector<std::string> traces = traces_of_key();
     ASSERT_GT(traces.size(), 30U);
     Graded one = graded("s01", wrong_everywhere());
@@ -97,7 +97,7 @@ TEST(StudentPage, NeverHoldsAnExpectedValue) {
     EXPECT_THAT(page, Not(HasSubstr("sphere first")));
 }
 
-TEST(StudentPage, HoldsTheExpectedValuesWhereTheRubricShowsThem) {
+TEST(StudentPage, ShowsExpectedValuesIfTheRubricAllowsIt) {
     Marking open = marking();
     open.assignment.rubric.show_expected = true;
     const std::string page = student_page(graded("s01", wrong_everywhere()), open);
@@ -105,7 +105,7 @@ TEST(StudentPage, HoldsTheExpectedValuesWhereTheRubricShowsThem) {
     const std::vector<std::string> traces = traces_of_key();
     for (const std::string& trace : traces) found += page.find(trace) != std::string::npos ? 1 : 0;
     EXPECT_GT(found, traces.size() / 2) << "six significant digits of the canonical value hold most traces";
-    EXPECT_THAT(page, HasSubstr("Asked for: "));
+    EXPECT_THAT(page, HasSubstr("Right value: "));
 }
 
 TEST(StudentPage, ShowsHostileTextAsText) {
@@ -137,14 +137,14 @@ TEST(StudentPage, ShowsAllMarkupAsText) {
     }
     const std::string text = read_page(page).at("text");
     for (int n = 0; n < first_for_instructor; ++n) {
-        const bool is_name = n == 3;  // without the slash that no file's name holds
+        const bool is_name = n == 3;  // a file name, so the slash is missing
         EXPECT_THAT(text, HasSubstr(is_name ? "<b>mark 3<" : markup(n))) << n;
     }
     for (int n = first_for_instructor; n <= last_markup; ++n) EXPECT_THAT(text, Not(HasSubstr(markup(n)))) << n;
     EXPECT_THAT(read_page(of_ungraded).at("text"), HasSubstr(markup(last_markup + 1)));
 }
 
-TEST(StudentPage, NamesTheLinesTheCompilerComplainsOf) {
+TEST(StudentPage, NamesTheLinesOfCompilerMessages) {
     Graded one = graded("mateo", "");
     one.outcome = Outcome::compile_error;
     one.explanation = "The source does not compile.";
@@ -157,7 +157,7 @@ TEST(StudentPage, NamesTheLinesTheCompilerComplainsOf) {
     EXPECT_THAT(text, Not(HasSubstr("By question")));
 }
 
-TEST(StudentPage, CountsWhatTheInstructorGaveAndWhatLatenessTakes) {
+TEST(StudentPage, AppliesOverridesAndTheLateDeduction) {
     Graded one = graded("s01", output_with_a_mistake());
     one.overrides = {{6, "t", 0.5, "half right", "prof", "2026-11-22T09:20:00Z"},
                      {6, "t", 1, "a good <idea>", "prof", "2026-11-22T09:30:00Z"}};
@@ -171,7 +171,7 @@ TEST(StudentPage, CountsWhatTheInstructorGaveAndWhatLatenessTakes) {
     EXPECT_THAT(text, Not(HasSubstr("prof")));
 }
 
-TEST(StudentPage, TellsOfOtherScenesAndWhetherTheyCount) {
+TEST(StudentPage, ShowsOtherScenesAndWhetherTheyCount) {
     Graded one = graded("s01", output_with_a_mistake());
     one.other_scenes = broken_on_another_scene("1.25", "1.5");
     EXPECT_THAT(text_of(one), HasSubstr("On other scenesThis costs no points. The program was also run"));
@@ -180,7 +180,7 @@ TEST(StudentPage, TellsOfOtherScenesAndWhetherTheyCount) {
     EXPECT_THAT(text_of(one), HasSubstr("On other scenesOther scenes: 6 of 10 points. The program was also run"));
 }
 
-TEST(StudentPage, CountsWhatAnswersOnOtherScenesEarn) {
+TEST(StudentPage, CountsPointsForOtherScenes) {
     Graded one = graded_on_other_scenes("s01");
     EXPECT_THAT(text_of(one), HasSubstr("104.33 of 110 points"));
     EXPECT_THAT(text_of(one), HasSubstr("Other scenes: 6 of 10 points."));
@@ -190,13 +190,13 @@ TEST(StudentPage, CountsWhatAnswersOnOtherScenesEarn) {
     EXPECT_THAT(text_of(one), HasSubstr("Your instructor gave 9 points for the other scenes: it works"));
 }
 
-TEST(StudentPage, TellsOfNoOverrideThatCountsNowhere) {
+TEST(StudentPage, OmitsOverridesThatCountNowhere) {
     Graded one = graded("s01", output_with_a_mistake());
     one.overrides = {{0, "variants", 5, "of an earlier rubric", "prof", ""}};
     EXPECT_THAT(text_of(one), AllOf(HasSubstr("98.33 of 100 points"), Not(HasSubstr("Your instructor gave"))));
 }
 
-TEST(StudentPage, SaysWhyThereAreNoMarksAndNotWhereTheInstructorKeepsIt) {
+TEST(StudentPage, SaysWhyThereAreNoMarksWithoutTheInstructorsPath) {
     Graded bob = not_graded("bob");
     bob.submission.file = "/home/prof/class/bob/ray_cast.cpp";
     bob.submission.problem = "\"/home/prof/class/bob/ray_cast.cpp\" is a symbolic link.";
@@ -207,7 +207,7 @@ TEST(StudentPage, SaysWhyThereAreNoMarksAndNotWhereTheInstructorKeepsIt) {
     EXPECT_THAT(page, Not(HasSubstr("of 100 points")));
 }
 
-TEST(StudentPages, AreTheSameFromOneMakerAsFromMany) {
+TEST(StudentPages, DoNotDependOnTheNumberOfMakers) {
     StudentPages pages(marking());
     const Graded one = graded("s01", output_with_a_mistake());
     const std::string first = pages.page(one);

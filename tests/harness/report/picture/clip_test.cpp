@@ -1,11 +1,11 @@
-// Cutting to a box, against looking at every spot.
+// Compares clipping to a box with a test of every spot.
 #include "harness/report/picture/clip.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "reference/accuracy/random_numbers.h"
+#include "reference/accuracy/rays/random_numbers.h"
 
 namespace {
 
@@ -21,7 +21,7 @@ bool in_box(const Spot& spot, double slack) {
            spot.y < box.bottom + slack;
 }
 
-TEST(ClipSegment, KeepsJustWhatIsInside) {
+TEST(ClipSegment, KeepsOnlyThePartInside) {
     Random random(1);
     int seen = 0;
     for (int i = 0; i < 2000; ++i) {
@@ -37,7 +37,7 @@ TEST(ClipSegment, KeepsJustWhatIsInside) {
             first = std::min(first, static_cast<double>(j) / steps);
             last = static_cast<double>(j) / steps;
         }
-        if (last < 0) continue;  // nothing, or a corner cut between two steps
+        if (last < 0) continue;  // nothing inside, or only a corner between two steps
         ASSERT_TRUE(inside);
         ++seen;
         const double step = std::hypot(to[0] - from[0], to[1] - from[1]) / steps;
@@ -49,14 +49,14 @@ TEST(ClipSegment, KeepsJustWhatIsInside) {
     EXPECT_GT(seen, 300);
 }
 
-TEST(ClipSegment, RefusesWhatIsNoNumber) {
+TEST(ClipSegment, RefusesNan) {
     EXPECT_FALSE(clip_segment<2>({NAN, 30}, {50, 30}, region));
     EXPECT_FALSE(clip_segment<2>({50, 30}, {50, NAN}, region));
     EXPECT_FALSE(clip_segment<2>({NAN, NAN}, {NAN, NAN}, region));
     EXPECT_FALSE(clip_segment<2>({-5, 30}, {-5, 70}, region));
 }
 
-/// Twice the area, positive when it goes round clockwise on the page.
+/// Twice the area; positive for a polygon that runs clockwise on the page.
 double area(const std::vector<Coordinates<2>>& corners) {
     double sum = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -67,7 +67,7 @@ double area(const std::vector<Coordinates<2>>& corners) {
     return sum / 2;
 }
 
-TEST(ClipPolygon, KeepsTheAreaThatIsInside) {
+TEST(ClipPolygon, KeepsTheAreaInside) {
     Random random(2);
     for (int i = 0; i < 100; ++i) {
         std::vector<Coordinates<2>> corners;
@@ -134,7 +134,7 @@ TEST(ClipDisc, FindsEveryArcInTheBox) {
 }
 
 // A circle as large as the Earth, through the middle of the box.
-TEST(ClipDisc, HoldsHugeCircles) {
+TEST(ClipDisc, HandlesHugeCircles) {
     const double radius = 1e10;
     const DiscInBox disc = clip_disc({60, 50 + radius}, radius, box);
     ASSERT_EQ(disc.arcs.size(), 1U);

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/report/drawn.h"
+#include "tests/given/report/drawn.h"
 
 namespace harness::report::picture {
 namespace {
 
-TEST(Notes, AreBrokenIntoLinesOfTheWidth) {
+TEST(Notes, AreBrokenIntoLinesThatFitTheWidth) {
     const std::string note = "The ray misses the triangle: P_t is in its plane, but outside of it.";
     const NoteLines lines = draw_notes({note, "Short."}, 150, 100);
     const auto texts = drawn::texts_in(lines.svg);
@@ -22,11 +22,11 @@ TEST(Notes, AreBrokenIntoLinesOfTheWidth) {
     EXPECT_EQ(lines.bottom, 100 + 3 * line_height);
 }
 
-TEST(Notes, AreNoMoreThanThereIsRoomFor) {
+TEST(Notes, AreLimitedToTheRoom) {
     EXPECT_EQ(drawn::texts_in(draw_notes(std::vector<std::string>(24, "x"), 150, 100).svg).back().words, "x");
     const auto texts = drawn::texts_in(draw_notes(std::vector<std::string>(25, "x"), 150, 100).svg);
     ASSERT_EQ(texts.size(), 24U);
-    EXPECT_EQ(texts.back().words, "(and more, which is left out here)");
+    EXPECT_EQ(texts.back().words, "(more notes are left out here)");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Names beside the points they belong to.
+// The placing of names next to their points.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -6,12 +6,12 @@
 #include <random>
 
 #include "harness/report/picture/panel.h"
-#include "tests/report/drawn.h"
+#include "tests/given/report/drawn.h"
 
 namespace harness::report::picture {
 namespace {
 
-/// Of one width, at points that are no mark's width apart, so that none is another's.
+/// Names of equal width at points more than 13 units apart, so that no mark lies on a different point's mark.
 std::vector<Name> scattered(std::size_t count, const Box& box, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> x(box.left + 10, box.right - 10), y(box.top + 10, box.bottom - 10);
@@ -43,14 +43,14 @@ TEST(NamesInAPicture, StandBesideTheirOwnPointsOrAreJoinedToThem) {
     EXPECT_GT(joined, 5U) << "none was far enough to need a line";
 }
 
-TEST(NamesInAPicture, OfOneSpotAreOne) {
+TEST(NamesInAPicture, AreMergedIfTheyShareASpot) {
     const Names placed = place_names({{{50, 50}, "A"}, {{53, 50}, "P_s"}, {{90, 50}, "B"}}, {0, 0, 200, 100}, {}, {});
     EXPECT_TRUE(drawn::has_text(placed.svg, "A, P_s"));
     EXPECT_TRUE(drawn::has_text(placed.svg, "B"));
     EXPECT_EQ(drawn::texts_in(placed.svg).size(), 2U);
 }
 
-TEST(NamesInAPicture, LeaveOutTheLastWhereThereIsTooLittleRoom) {
+TEST(NamesInAPicture, OmitTheLastIfThereIsTooLittleRoom) {
     constexpr Box box{0, 0, 120, 80};
     const std::vector<Name> names = scattered(20, box, 5);
     const auto texts = drawn::texts_in(place_names(names, box, {}, {}).svg);
@@ -59,7 +59,7 @@ TEST(NamesInAPicture, LeaveOutTheLastWhereThereIsTooLittleRoom) {
     for (std::size_t i = 0; i < texts.size(); ++i) EXPECT_EQ(texts[i].words, names[i].text);
 }
 
-TEST(NamesInAPicture, LeaveAloneWhatIsTakenAndTakeTheirOwnPlaces) {
+TEST(NamesInAPicture, AvoidTakenPlacesAndReserveTheirOwn) {
     constexpr Box box{0, 0, 200, 100};
     const std::vector<Name> first{{{60, 50}, "P_WCS"}}, second{{{66, 50}, "eye"}};
     const Names before = place_names(first, box, {}, {});

@@ -1,5 +1,5 @@
-// What is to be seen in an explaining picture, read from its SVG.
-#include "harness/report/explaining_picture.h"
+// The contents of an explaining picture, read from its SVG.
+#include "harness/report/picture/picture.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -8,10 +8,11 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "harness/grade/marking.h"
 #include "harness/report/picture/layout.h"
-#include "tests/report/drawn.h"
-#include "tests/report/picture_scenes.h"
-#include "tests/temporary_folder.h"
+#include "tests/given/report/drawn.h"
+#include "tests/given/report/picture_scenes.h"
+#include "tests/given/temporary_folder.h"
 
 namespace {
 
@@ -123,8 +124,8 @@ TEST(ExplainingPicture, MarksWhatWasPrintedWithinTheViews) {
     EXPECT_GT(count, 100U);
 }
 
-// Attributes hold no other letters next to their numbers; texts may well say what was printed.
-TEST(ExplainingPicture, HoldsNoNumberThatIsNone) {
+// Only attributes are checked: they contain no other letters next to numbers. Texts may quote a printed nan or inf.
+TEST(ExplainingPicture, ContainsOnlyFiniteNumbers) {
     for_all_pictures([](std::string svg) {
         for (std::size_t at = svg.find("<text"); at != std::string::npos; at = svg.find("<text", at))
             svg.erase(at, svg.find("</text>", at) - at + 7);
@@ -170,7 +171,7 @@ TEST(ExplainingPicture, NamesEverythingAsTheHandoutDoes) {
         EXPECT_TRUE(drawn::has_text(svg, text)) << text;
 }
 
-TEST(ExplainingPicture, IsToldToWhoCannotSeeIt) {
+TEST(ExplainingPicture, HasATextAlternative) {
     const std::string svg = picture(marking_of("2021"));
     EXPECT_THAT(svg, HasSubstr("role=\"img\" aria-labelledby=\"p-t p-d\""));
     EXPECT_THAT(svg, HasSubstr("<title id=\"p-t\">The scene</title>"));
@@ -187,7 +188,7 @@ TEST(ExplainingPicture, IsTheSameEveryTime) {
     EXPECT_EQ(picture_of(marking, output), picture_of(marking, output));
 }
 
-TEST(ExplainingPicture, OfOneStudentIsTheSameWhoeverWasDrawnBefore) {
+TEST(ExplainingPicture, DoesNotDependOnEarlierPictures) {
     const Marking marking = marking_of("ones");
     const ExplainingPictures shared(marking, true, "x-");
     for (int round = 0; round < 2; ++round) {
@@ -206,7 +207,7 @@ TEST(ExplainingPicture, OfOneStudentIsTheSameWhoeverWasDrawnBefore) {
     EXPECT_NE(shared.whole_picture(&near, "c-"), before) << "right answers are not drawn beside the right ones";
 }
 
-/// The only dot of a colour in the side view, which stands below the perspective one.
+/// The only dot of a colour in the side view, which is below the perspective view.
 drawn::Spot dot_in_side_view(const std::string& svg, const std::string& colour) {
     std::vector<drawn::Spot> found;
     for (const drawn::Spot& spot : drawn::dots_in(svg, colour)) {
@@ -216,7 +217,7 @@ drawn::Spot dot_in_side_view(const std::string& svg, const std::string& colour) 
     return found.empty() ? drawn::Spot{} : found.front();
 }
 
-// By hand: the eye is at z = 4, P_WCS at z = 2, P_s at z = √2, all of them on the z axis.
+// Computed by hand: the eye is at z = 4, P_WCS at z = 2 and P_s at z = √2, all on the z axis.
 TEST(ExplainingPicture, PutsThePointsOf2021WhereTheyBelong) {
     const std::string svg = picture(marking_of("2021"));
     const drawn::Spot eye = dot_in_side_view(svg, "currentColor");
@@ -244,7 +245,7 @@ TEST(ExplainingPicture, NamesThePointsOf2021WhereTheyAre) {
     }
 }
 
-// Of points at one spot the leader starts at the first.
+// If several points share a spot, the leader starts at the first.
 TEST(ExplainingPicture, LeavesNoDotWithoutAName) {
     for (const Named& scene : hard_scenes()) {
         SCOPED_TRACE(scene.name);
@@ -262,8 +263,8 @@ TEST(ExplainingPicture, LeavesNoDotWithoutAName) {
     }
 }
 
-// X_vcs points at whoever looks from the side, Y_vcs and vup at whoever looks from above.
-TEST(ExplainingPicture, NamesNoArrowThatIsSeenEndOn) {
+// X_vcs points at the viewer of the side view, Y_vcs and vup at the viewer of the top view.
+TEST(ExplainingPicture, LeavesArrowsSeenEndOnUnnamed) {
     int seen = 0;
     for (const drawn::Text& text : drawn::texts_in(picture(marking_of("2021")))) {
         if (text.top < 318) continue;
@@ -276,8 +277,8 @@ TEST(ExplainingPicture, NamesNoArrowThatIsSeenEndOn) {
     EXPECT_EQ(seen, 2) << "each of them in the other view";
 }
 
-// Of two alike the one near the camera looks larger from behind it.
-TEST(ExplainingPicture, DrawsWhatIsNearOverWhatIsFar) {
+// Of two equal objects, the one nearer to the camera looks larger from behind the camera.
+TEST(ExplainingPicture, DrawsNearObjectsOverFarObjects) {
     const std::string camera = "[camera]\neye = [0, 0, 4]\nlookat = [0, 0, 0]\nvup = [0, 1, 0]\n";
     const std::string window =
         "[window]\nclip_left = -2\nclip_right = 2\nclip_bottom = -1\nclip_top = 1\nclip_near = 2\nwidth = "
@@ -294,14 +295,14 @@ TEST(ExplainingPicture, DrawsWhatIsNearOverWhatIsFar) {
     }
 }
 
-TEST(ExplainingPicture, ShowsWhereTheRayStartsOnTheTriangleAlsoWhereThatIsNoHit) {
+TEST(ExplainingPicture, ShowsAStartOnTheTriangleEvenIfItIsNoHit) {
     const std::string svg =
         picture(marking_of(Named{"no hit at 0", hard_scenes().front().toml + "[rubric]\nboundary = \"positive\"\n"}));
     EXPECT_TRUE(drawn::has_name(svg, "P_t"));
     EXPECT_TRUE(drawn::has_text(svg, "P_t: the ray starts on the triangle, t = 0."));
 }
 
-TEST(ExplainingPicture, ShowsWhatTheKeySays) {
+TEST(ExplainingPicture, ShowsTheKeysAnswers) {
     const auto says = [](const char* scene, const char* sentence) {
         EXPECT_TRUE(drawn::has_text(picture(marking_of(scene)), sentence)) << scene << ": " << sentence;
     };

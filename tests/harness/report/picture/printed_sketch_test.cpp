@@ -1,15 +1,17 @@
-// What an explaining picture shows of a student's answers, and what it keeps to itself.
+// Which of a student's answers an explaining picture shows, and that it reveals nothing of the key.
+#include "harness/report/picture/printed_sketch.h"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
 
-#include "harness/report/explaining_picture.h"
+#include "harness/grade/marking.h"
 #include "harness/report/picture/layout.h"
-#include "harness/report/picture/printed_sketch.h"
+#include "harness/report/picture/picture.h"
 #include "harness/report/picture/view.h"
-#include "tests/report/drawn.h"
-#include "tests/report/picture_scenes.h"
+#include "tests/given/report/drawn.h"
+#include "tests/given/report/picture_scenes.h"
 
 namespace {
 
@@ -29,7 +31,7 @@ std::string picture_of(const Marking& marking, const std::string& output, bool w
 
 constexpr const char* printed_colour = "#c23f9a";
 
-TEST(PrintedVectors, AreReadAsTheMarkingReadsThem) {
+TEST(PrintedVectors, AreReadAsInMarking) {
     const auto is = [](const char* printed, double x, double y, double z) {
         const auto vector = picture::printed_vector(printed);
         ASSERT_TRUE(vector) << printed;
@@ -48,7 +50,7 @@ TEST(PrintedVectors, AreReadAsTheMarkingReadsThem) {
     EXPECT_FALSE(picture::is_finite(*none));
 }
 
-TEST(PrintedAnswers, AreDrawnBesideTheRightOnesWhereTheyAreWrong) {
+TEST(PrintedAnswers, AreDrawnNextToTheRightOnesIfWrong) {
     const Marking marking = marking_of("2021");
     const std::string svg = picture_of(
         marking, "Question 4: P_WCS: (0, 0, 6)\nQuestion 5: V: (0, 0, -1)\nQuestion 6: hit: (0, 0, -1.41421)\n");
@@ -63,8 +65,8 @@ TEST(PrintedAnswers, AreDrawnBesideTheRightOnesWhereTheyAreWrong) {
     EXPECT_FALSE(drawn::has_text(right, "printed, not right"));
 }
 
-// By hand: a cross at z = -√2, where the ray leaves the sphere; the eye is at z = 4 and P_WCS at z = 2.
-TEST(PrintedAnswers, StandWhereTheyWerePrinted) {
+// Computed by hand: the cross is at z = -√2, where the ray leaves the sphere; the eye is at z = 4 and P_WCS at z = 2.
+TEST(PrintedAnswers, AreDrawnAtThePrintedCoordinates) {
     const std::string svg = picture_of(marking_of("2021"), "Question 6: hit: (0, 0, -1.41421)\n");
     const auto in_side_view = [&](const std::string& colour) {
         for (const drawn::Spot& spot : drawn::dots_in(svg, colour)) {
@@ -82,7 +84,7 @@ TEST(PrintedAnswers, StandWhereTheyWerePrinted) {
     EXPECT_TRUE(found) << "the cross's upper left end";
 }
 
-TEST(PrintedAnswers, AreCrossesWhereTheyAreWrongAlsoInTheImagePlane) {
+TEST(PrintedAnswers, AreCrossesIfWrongEvenInTheImagePlane) {
     const auto crosses = [](const char* P_VCS) {
         const std::string output = std::string("Question 1: P_VCS: ") + P_VCS + "\n";
         return drawn::crosses_in(picture_of(marking_of("2021"), output, false)).size();
@@ -91,14 +93,14 @@ TEST(PrintedAnswers, AreCrossesWhereTheyAreWrongAlsoInTheImagePlane) {
     EXPECT_EQ(crosses("(1, 0.5, -2)"), 2U);
 }
 
-// In an empty scene only the camera makes the frame.
-TEST(WithoutAnswers, ThereIsRoomForTheImagePlaneThatWasPrinted) {
+// In an empty scene only the camera determines the frame.
+TEST(WithoutAnswers, ThePrintedImagePlaneFits) {
     const std::string svg =
         picture_of(marking_of("nothing"), "Question 2:\nX_vcs: (1, 0, 0)\nY_vcs: (0, 1, 0)\nZ_vcs: (0, 0, 1)\n", false);
     EXPECT_TRUE(drawn::has_text(svg, "The image plane is drawn as the printed axes put it."));
 }
 
-TEST(PrintedAnswers, ThatCannotBeDrawnAreNamed) {
+TEST(PrintedAnswers, AreNamedIfTheyCannotBeDrawn) {
     const std::string svg = picture_of(marking_of("2021"),
                                        "Question 2:\nX_vcs: (0, 0, 0)\nY_vcs: (0, 50, 0)\nZ_vcs: (nan, nan, nan)\n"
                                        "Question 4: P_WCS: (1e30, 0, 0)\nQuestion 5: V: (inf, 0, 0)\n"
@@ -133,7 +135,7 @@ TEST(PrintedAnswers, AreEscaped) {
     }
 }
 
-// Whatever the key holds: without answers the picture is the same, so nothing of it can be in it.
+// Without answers the picture is the same for every key, so it reveals nothing of the key.
 TEST(WithoutAnswers, ThePictureDoesNotDependOnTheKey) {
     const auto check = [](const Marking& marking, std::uint64_t seed) {
         Graded student = graded(picture_scenes::random_output(seed, marking), marking);
@@ -165,7 +167,7 @@ TEST(WithoutAnswers, ThePictureDoesNotDependOnTheKey) {
     for (std::uint64_t seed = 0; seed < 8; ++seed) check(random_marking(seed), seed);
 }
 
-/// The key's points and the tips of its vectors, which the picture would show by its coordinates.
+/// The key's points and the tips of its vectors. Coordinates of the picture could reveal them.
 std::vector<picture::Point> secrets(const Marking& marking, const picture::DoubleScene& scene,
                                     const picture::Frame& frame) {
     const picture::RightValues right = picture::right_values(marking.key, scene);
@@ -185,7 +187,7 @@ std::vector<picture::Point> secrets(const Marking& marking, const picture::Doubl
     return secrets;
 }
 
-/// How many of them some coordinate of the picture shows, to a third of a unit of the page.
+/// How many of the points some coordinate of the picture reveals, to a third of a page unit.
 int shown(const std::string& svg, const std::vector<picture::Point>& secrets, const picture::View& view,
           const picture::Frame& frame) {
     int count = 0;
@@ -237,7 +239,7 @@ TEST(WithoutAnswers, NoTextShowsTheKeysNumbers) {
                 const auto* numbers = std::get_if<reference::Numbers>(&item.answers.front().value);
                 if (numbers == nullptr) continue;
                 for (const double x : *numbers) {
-                    // One that is short, such as 0 or 1.5 or the eye's in the matrix, is in every text.
+                    // Short numbers, such as 0, 1.5 or the eye's in the matrix, occur in every text.
                     if (fmt::format("{:.5g}", x) == fmt::format("{:.10g}", x)) continue;
                     EXPECT_FALSE(has(fmt::format("{:.3f}", x))) << question.number << item.spec.name << ' ' << words;
                     EXPECT_FALSE(has(fmt::format("{:.4g}", x))) << question.number << item.spec.name << ' ' << words;
@@ -251,7 +253,7 @@ TEST(WithoutAnswers, NoTextShowsTheKeysNumbers) {
     }
 }
 
-TEST(WithoutAnswers, AllThatWasPrintedIsDrawn) {
+TEST(WithoutAnswers, AllPrintedAnswersAreDrawn) {
     const Marking marking = marking_of("ones");
     const std::string svg = picture_of(marking, to_text(marking.key), false);
     for (const char* name : {"X_vcs", "Y_vcs", "Z_vcs", "P_VCS", "P_WCS", "V", "P_s", "P_t", "N"})
@@ -260,7 +262,7 @@ TEST(WithoutAnswers, AllThatWasPrintedIsDrawn) {
     EXPECT_TRUE(drawn::has_text(svg, "printed, right"));
 }
 
-TEST(SharedPictures, AreTheSharedPartAndLittleMore) {
+TEST(SharedPictures, ConsistOfTheSharedPartAndLittleMore) {
     for (const char* name : {"2021", "ones", "z is up"}) {
         const Marking marking = marking_of(name);
         const ExplainingPictures pictures(marking, true, "class-");
@@ -279,8 +281,8 @@ TEST(SharedPictures, AreTheSharedPartAndLittleMore) {
     }
 }
 
-// As a browser shows them: the shared part in the place of its use.
-TEST(SharedPictures, KeepWordsApartFromTheSharedOnes) {
+// Inserts the shared part where it is used, as a browser does.
+TEST(SharedPictures, KeepTheirWordsApartFromTheSharedWords) {
     for (const Named& scene : hard_scenes()) {
         const Marking marking = marking_of(scene);
         const ExplainingPictures pictures(marking, true, "class-");

@@ -1,4 +1,4 @@
-#include "harness/report/label_placement.h"
+#include "harness/report/plot/label_placement.h"
 
 #include <gmock/gmock.h>
 
@@ -31,7 +31,7 @@ Box place_of(const Label& label, const std::vector<Segment>& drawn = {}, const P
     return placement.boxes.at(0);
 }
 
-/// Distinct, with labels that have room beside each other.
+/// Distinct points whose labels have room next to each other.
 std::vector<Label> scattered(int count, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> x(20, 380), y(20, 280), width(20, 60);
@@ -40,7 +40,7 @@ std::vector<Label> scattered(int count, unsigned seed) {
     return labels;
 }
 
-TEST(LabelPlacement, PutsALoneLabelRightOfItsPointOnTheSameLevel) {
+TEST(LabelPlacement, PutsASingleLabelRightOfItsPointAtTheSameHeight) {
     const Box box = place_of({{200, 150}, 40, 12});
     EXPECT_NEAR((box.top + box.bottom) / 2, 150, 1e-9);
     EXPECT_NEAR(box.left, 209, 1e-9);
@@ -48,13 +48,13 @@ TEST(LabelPlacement, PutsALoneLabelRightOfItsPointOnTheSameLevel) {
     EXPECT_NEAR(box.bottom - box.top, 12, 1e-9);
 }
 
-TEST(LabelPlacement, TurnsToTheLeftAtTheRightEdge) {
+TEST(LabelPlacement, PutsALabelLeftOfItsPointAtTheRightEdge) {
     const Box box = place_of({{390, 150}, 40, 12});
     EXPECT_LT(box.right, 390);
     EXPECT_NEAR((box.top + box.bottom) / 2, 150, 1e-9);
 }
 
-TEST(LabelPlacement, GivesWayToALineAndToWhatIsTaken) {
+TEST(LabelPlacement, AvoidsLinesAndTakenPlaces) {
     const Label label{{200, 150}, 40, 12};
     const Segment across{{205, 150}, {300, 150}};
     const Box beside_line = place_of(label, {across});
@@ -94,7 +94,7 @@ TEST(LabelPlacement, FindsRoomForACrowd) {
     for (std::size_t i = 0; i < labels.size(); ++i) EXPECT_LT(distance(labels[i], placement.boxes[i]), 80) << i;
 }
 
-TEST(LabelPlacement, SaysWhereThereIsNoRoom) {
+TEST(LabelPlacement, ReportsALabelWithoutRoom) {
     const std::vector<Label> labels(6, {{20, 10}, 30, 12});
     const Placement placement = place_labels(labels, {0, 0, 40, 20}, {});
     EXPECT_FALSE(placement.is_clear);
@@ -104,22 +104,22 @@ TEST(LabelPlacement, SaysWhereThereIsNoRoom) {
     EXPECT_FALSE(place_labels({{{200, 150}, 40, 12}}, page, {}, search).is_clear);
 }
 
-// In so low a strip a label can only go to the right, and the first one's place is over the other's point.
-TEST(LabelPlacement, SaysWhereALabelHidesAPoint) {
+// In such a low strip a label can only stand on the right, where the first label hides the second point.
+TEST(LabelPlacement, ReportsALabelThatHidesAPoint) {
     const std::vector<Label> labels{{{20, 7}, 18, 12}, {{38, 7}, 10, 12}};
     const Placement placement = place_labels(labels, {0, 0, 60, 14}, {});
     EXPECT_FALSE(touch(placement.boxes[0], placement.boxes[1]));
     EXPECT_FALSE(placement.is_clear);
 }
 
-TEST(LabelPlacement, StandsNearerToItsOwnPointThanToAnother) {
+TEST(LabelPlacement, PutsALabelNearestToItsOwnPoint) {
     const std::vector<Label> labels{{{200, 150}, 40, 12}, {{214, 164}, 40, 12}};
     const Placement placement = place_labels(labels, page, {});
     EXPECT_LT(distance(labels[0], placement.boxes[0]), distance(labels[1], placement.boxes[0]));
     EXPECT_LT(distance(labels[1], placement.boxes[1]), distance(labels[0], placement.boxes[1]));
 }
 
-TEST(LabelPlacement, GoesNoFartherThanAllowed) {
+TEST(LabelPlacement, KeepsLabelsWithinTheAllowedDistance) {
     PlaceSearch search;
     search.farthest = 30;
     search.taken = {{150, 120, 260, 180}};
@@ -138,7 +138,7 @@ TEST(LabelPlacement, IsTheSameEveryTime) {
     }
 }
 
-TEST(NearestOn, IsTheBoxesOwnSpotOrTheNearestOfItsEdge) {
+TEST(NearestOn, IsTheSpotInTheBoxOrTheNearestOnItsEdge) {
     const Box box{10, 20, 30, 40};
     for (const auto& [from, to] : {std::pair{Spot{15, 25}, Spot{15, 25}},
                                    {Spot{0, 25}, Spot{10, 25}},

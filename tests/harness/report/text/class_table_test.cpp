@@ -1,7 +1,9 @@
+#include "harness/report/text/class_table.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/report/graded_samples.h"
+#include "tests/given/report/graded_samples.h"
 
 namespace harness::report {
 namespace {
@@ -14,14 +16,14 @@ TEST(ClassTable, IsEmptyForNoSubmissions) {
     EXPECT_EQ(class_table({}), "");
 }
 
-TEST(ClassTable, HasARowForEachInTheOrderGiven) {
+TEST(ClassTable, HasARowPerSubmissionInTheGivenOrder) {
     const std::string table = class_table({graded("zoe", output_with_a_mistake()), graded("ada", "")});
     EXPECT_LT(table.find("zoe"), table.find("ada"));
     EXPECT_THAT(table, HasSubstr("98.33"));
     EXPECT_THAT(table, HasSubstr("2 of 2 graded"));
 }
 
-TEST(ClassTable, CountsNoMarksForWhatCouldNotBeGraded) {
+TEST(ClassTable, CountsNoMarksForUngradedSubmissions) {
     const std::string table = class_table({graded("zoe", output_with_a_mistake()), not_graded("bob")});
     EXPECT_THAT(table, HasSubstr("1 of 2 graded, average 98.33"));
     EXPECT_THAT(table, HasSubstr("not graded: bob"));
@@ -34,7 +36,7 @@ TEST(ClassTable, ShowsNoControlBytes) {
     EXPECT_THAT(table, Not(HasSubstr("\a")));
 }
 
-TEST(ClassTable, MarksAnOverriddenMarkAndSaysWhoGaveWhatWhy) {
+TEST(ClassTable, FlagsAnOverriddenMarkAndSaysWhoGaveWhatAndWhy) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     zoe.overrides = {{6, "t", 1.5, "right\x1b idea", "bea", ""}};
     Graded bob = not_graded("bob");
@@ -49,7 +51,7 @@ TEST(ClassTable, MarksAnOverriddenMarkAndSaysWhoGaveWhatWhy) {
     EXPECT_THAT(table, HasSubstr("  9.83 ")) << "question 6";
 }
 
-TEST(ClassTable, SaysWhatALateHandInHasLost) {
+TEST(ClassTable, ShowsTheLateDeduction) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     zoe.late_share = 0.1;
     EXPECT_THAT(class_table({zoe}), HasSubstr("late: zoe: 9.83 points taken off, 10 %\n"));
@@ -62,7 +64,7 @@ TEST(ClassTable, SumsUpEachQuestion) {
     EXPECT_THAT(table, HasSubstr("83 %")) << "five of question 6's six items";
 }
 
-TEST(ClassTable, SumsUpOtherScenesWhereTheyGivePoints) {
+TEST(ClassTable, SumsUpOtherScenesIfTheyGivePoints) {
     Graded all = graded_on_other_scenes("bob");
     all.overrides = {{0, "variants", 9, "it works", "bea", ""}};
     const std::string table = class_table({graded_on_other_scenes("ada"), all});

@@ -1,4 +1,4 @@
-#include "harness/report/compiler_messages.h"
+#include "harness/report/text/compiler_messages.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace harness::report {
 namespace {
 
-TEST(CompilerMessages, AreThoseAboutTheSourceItselfErrorsFirst) {
+TEST(CompilerMessages, AreOnlyAboutTheSourceWithErrorsFirst) {
     const auto messages = compiler_messages(
         "In file included from ray_cast.cpp:1:\n/usr/include/x.h:9:1: error: theirs\n"
         "ray_cast.cpp:4:7: warning: unused\nray_cast.cpp: In function 'int main()':\n"
@@ -22,19 +22,19 @@ TEST(CompilerMessages, AreThoseAboutTheSourceItselfErrorsFirst) {
     EXPECT_EQ(messages[2].kind, "warning");
 }
 
-TEST(CompilerMessages, AreNoMoreThanAskedFor) {
+TEST(CompilerMessages, AreLimitedToTheRequestedNumber) {
     std::string many;
     for (int i = 1; i <= 100; ++i) many += "ray_cast.cpp:" + std::to_string(i) + ":1: error: x\n";
     EXPECT_EQ(compiler_messages(many, 7).size(), 7U);
 }
 
-TEST(CompilerMessages, AreNotFoundInWhatOnlyLooksLikeThem) {
+TEST(CompilerMessages, AreNotFoundInLookalikes) {
     EXPECT_THAT(compiler_messages("ray_cast.cpp:99999999999:1: error: x\nray_cast.cpp:-1:1: error: x\n"
                                   "ray_cast.cpp::error: x\nxray_cast.cpp:1:1: error: x\nray_cast.cpp:\n"),
                 testing::IsEmpty());
 }
 
-TEST(BeginningOf, EndsWithALineWhereItCan) {
+TEST(BeginningOf, EndsAtALineEndIfPossible) {
     EXPECT_EQ(beginning_of("one\ntwo\nthree", 9), "one\ntwo\n…\n");
     EXPECT_EQ(beginning_of("onetwothree", 3), "one…\n");
     EXPECT_EQ(beginning_of("one", 3), "one");

@@ -1,11 +1,16 @@
+#include "harness/report/text/feedback.h"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/report/graded_samples.h"
-#include "tests/report/read_page.h"
-#include "tests/student/mistakes.h"
-#include "tests/student/printout.h"
+#include "harness/grade/marking.h"
+#include "harness/report/text/feedback.h"
+#include "harness/report/text/sentences.h"
+#include "tests/given/report/graded_samples.h"
+#include "tests/given/report/read_page.h"
+#include "tests/given/student/mistakes.h"
+#include "tests/given/student/printout.h"
 
 namespace harness::report {
 namespace {
@@ -15,7 +20,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(Feedback, NeverHoldsAnExpectedValue) {
+TEST(Feedback, NeverShowsAnExpectedValue) {
     Graded wrong = graded("s01", wrong_everywhere());
     const std::vector<std::string> traces = traces_of_key();
     ASSERT_GT(traces.size(), 30U);
@@ -28,7 +33,7 @@ TEST(Feedback, NeverHoldsAnExpectedValue) {
     }
 }
 
-TEST(Feedback, OfNamedMistakesHoldsNoExpectedValueEither) {
+TEST(Feedback, NeverShowsAnExpectedValueForNamedMistakes) {
     const std::vector<std::string> traces = traces_of_key();
     const student::Program right(marking().assignment, {});
     for (const student::NamedMistake& mistake : student::named_mistakes()) {
@@ -44,7 +49,7 @@ TEST(Feedback, OfNamedMistakesHoldsNoExpectedValueEither) {
     }
 }
 
-TEST(Feedback, SaysQuestionLineWhatWasPrintedAndWhatIsWrong) {
+TEST(Feedback, ShowsQuestionAndLineAndPrintedAnswerAndMistake) {
     const std::string text = feedback_markdown(graded("s01", output_with_a_mistake()), marking());
     EXPECT_THAT(text, HasSubstr("**98.33 of 100 points**"));
     EXPECT_THAT(text, testing::ContainsRegex(
@@ -58,17 +63,18 @@ TEST(Feedback, SaysQuestionLineWhatWasPrintedAndWhatIsWrong) {
 TEST(Feedback, SaysWhichQuestionToLookAtFirst) {
     const Graded one = graded("s01", output_with_a_mistake());
     for (const std::string& text : {feedback_markdown(one, marking()), check_text(one)})
-        EXPECT_THAT(text, HasSubstr("Look at question 6 first: it is the one with a wrong answer. Question 7 only"));
+        EXPECT_THAT(text,
+                    HasSubstr("Look at question 6 first: it is the only one with a wrong answer. Question 7 only"));
 }
 
-TEST(Feedback, SaysNothingOfItemsThatArePlainlyRight) {
+TEST(Feedback, OmitsItemsThatAreSimplyRight) {
     const std::string text =
         feedback_markdown(graded("s01", print(student::Program(marking().assignment, {}))), marking());
     EXPECT_THAT(text, HasSubstr("**100 of 100 points**"));
     EXPECT_THAT(text, Not(HasSubstr("Answers to look at")));
 }
 
-TEST(Feedback, HoldsHostileTextInCodeThatItCannotEnd) {
+TEST(Feedback, ShowsHostileTextInCodeThatItCannotEnd) {
     const std::string text = feedback_markdown(hostile(), marking());
     EXPECT_THAT(text, Not(HasSubstr("\x1b")));
     EXPECT_THAT(text, Not(HasSubstr("\xff")));
@@ -90,7 +96,7 @@ TEST(Feedback, ShowsAllMarkupAsText) {
     for (const int n : {0, 1, 5, 7, 8, 10, 11, 12, 13, 14, 15}) EXPECT_THAT(text, HasSubstr(markup(n))) << n;
 }
 
-TEST(Feedback, SaysOfACapThatItCut) {
+TEST(Feedback, ReportsACapThatCutPoints) {
     Graded capped = graded("s01", output_with_a_mistake());
     EXPECT_THAT(feedback_markdown(capped, marking()), Not(HasSubstr("at most")));
     capped.score.follow_cap = 2.5;
@@ -98,24 +104,27 @@ TEST(Feedback, SaysOfACapThatItCut) {
     EXPECT_THAT(check_text(capped), HasSubstr("earn at most 2.5 points in all"));
 }
 
-TEST(Feedback, TellsOfFlagsAndSanitizersAndTakesNoMarksForThem) {
+TEST(Feedback, ShowsFlagsAndSanitizerFindingsWithoutTakingMarks) {
     Graded one = graded("zoe", output_with_a_mistake());
     const std::string before = feedback_markdown(one, marking());
     one.flags = {{"nondeterministic", "Question 1, P_VCS: run 1 printed `1`, run 2 printed 2."}};
     one.sanitizer = {"ray_cast.cpp:7:9: runtime error: division by zero"};
     const std::string text = feedback_markdown(one, marking());
-    EXPECT_THAT(text, testing::HasSubstr("does not answer the same each time: "));
+    EXPECT_THAT(text, testing::HasSubstr("answers differ from run to run: "));
     EXPECT_THAT(text, testing::HasSubstr("- `ray_cast.cpp:7:9: runtime error: division by zero`"));
     EXPECT_EQ(text.substr(0, text.find("## ")), before.substr(0, before.find("## ")));
 }
 
-TEST(Feedback, TellsOfOtherScenesInNeutralWords) {
+TEST(Feedback, DescribesOtherScenesInNeutralWords) {
     Graded one = graded("zoe", output_with_a_mistake());
     EXPECT_THAT(feedback_markdown(one, marking()), Not(HasSubstr("## On other scenes")));
     one.flags = {{"hard_coded", "Question 6, t: the program prints 0.5"}};
-    one.other_scenes = variants::VariantReport{
-        variants::VariantVerdict::does_not_move, {}, {{"aside", "eye = (1, 2, 3)", "eye = (0, 0, 4)", true, {}}}, 1, {},
-        {{6, "t", 0, "0.5", "0.5", ""}}};
+    one.other_scenes = scenes::OtherScenesReport{scenes::OtherSceneVerdict::does_not_move,
+                                                 {},
+                                                 {{"aside", "eye = (1, 2, 3)", "eye = (0, 0, 4)", true, {}}},
+                                                 1,
+                                                 {},
+                                                 {{6, "t", 0, "0.5", "0.5", ""}}};
     const std::string text = feedback_markdown(one, marking());
     EXPECT_THAT(text, HasSubstr("## On other scenes\n\nThis costs no points."));
     EXPECT_THAT(text,
@@ -124,7 +133,7 @@ TEST(Feedback, TellsOfOtherScenesInNeutralWords) {
     EXPECT_THAT(check_text(one), HasSubstr("\nThe printed numbers of 6.t do not change"));
 }
 
-TEST(Feedback, SaysWhatAnswersOnOtherScenesEarn) {
+TEST(Feedback, ShowsPointsForOtherScenes) {
     Graded one = graded_on_other_scenes("zoe");
     EXPECT_THAT(check_text(one), HasSubstr("\nOther scenes: 6 of 10 points.\n"));
     EXPECT_THAT(feedback_markdown(one, marking()), Not(HasSubstr("## On other scenes")));
@@ -135,7 +144,7 @@ TEST(Feedback, SaysWhatAnswersOnOtherScenesEarn) {
     EXPECT_THAT(text, HasSubstr("104.33 of 110 points"));
 }
 
-TEST(Feedback, SaysWhyASubmissionHasNoMarksAndNotWhereTheInstructorKeepsIt) {
+TEST(Feedback, SaysWhyThereAreNoMarksWithoutTheInstructorsPath) {
     Graded bob = not_graded("bob");
     bob.submission.file = "/home/prof/class/bob/ray_cast.cpp";
     bob.submission.problem = "\"/home/prof/class/bob/ray_cast.cpp\" is a symbolic link. Put the file itself there.";
@@ -145,7 +154,7 @@ TEST(Feedback, SaysWhyASubmissionHasNoMarksAndNotWhereTheInstructorKeepsIt) {
     EXPECT_THAT(text, Not(HasSubstr("points**")));
 }
 
-TEST(Feedback, DoesNotTroubleAStudentWithTheMachinesTroubles) {
+TEST(Feedback, HidesTheMachinesFailuresFromTheStudent) {
     Graded bob = not_graded("bob");
     bob.explanation = "The disk of \"/srv/grading\" has less than 256 MiB left.";
     const std::string text = feedback_markdown(bob, marking());
@@ -166,7 +175,7 @@ TEST(CheckText, ShowsNoControlBytes) {
     EXPECT_THAT(check_text(hostile()), Not(HasSubstr("\x1b")));
 }
 
-TEST(Feedback, SaysWhatTheInstructorGaveInsteadAndWhy) {
+TEST(Feedback, ShowsOverridesWithTheirReasons) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     zoe.overrides = {{8, "", 3, "half copied", "bea", ""},
                      {6, "t", 1.5, "the right `idea`\x1b", "bea", ""},
@@ -183,7 +192,7 @@ TEST(Feedback, SaysWhatTheInstructorGaveInsteadAndWhy) {
     EXPECT_THAT(text, Not(HasSubstr("late")));
 }
 
-TEST(Feedback, SaysWhatALateHandInHasLost) {
+TEST(Feedback, ShowsTheLateDeduction) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     zoe.late_share = 0.1;
     const std::string text = feedback_markdown(zoe, marking());
@@ -191,7 +200,7 @@ TEST(Feedback, SaysWhatALateHandInHasLost) {
     EXPECT_THAT(text, HasSubstr("Handed in late: 9.83 of 98.33 points are taken off (10 %)."));
 }
 
-TEST(Feedback, HasTheInstructorsMarkOfWhatCouldNotBeGraded) {
+TEST(Feedback, ShowsTheInstructorsMarkOfAnUngradedSubmission) {
     Graded bob = not_graded("bob");
     bob.overrides = {{0, "", 40, "by hand", "bea", ""}};
     const std::string text = feedback_markdown(bob, marking());

@@ -1,4 +1,4 @@
-#include "harness/report/look_first.h"
+#include "harness/report/text/look_first.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@ namespace {
 constexpr auto right = ItemVerdict::right, follow = ItemVerdict::follow, wrong = ItemVerdict::wrong,
                missing = ItemVerdict::missing, unreadable = ItemVerdict::unreadable;
 
-/// Questions 1, 2, … with these verdicts of their items.
+/// Questions 1, 2, … whose items have these verdicts.
 Graded with(const std::vector<std::vector<ItemVerdict>>& questions, Outcome outcome = Outcome::graded) {
     Graded graded;
     graded.outcome = outcome;
@@ -25,18 +25,19 @@ Graded with(const std::vector<std::vector<ItemVerdict>>& questions, Outcome outc
     return graded;
 }
 
-TEST(LookFirst, IsTheEarliestWrongQuestionAndTellsWhatFollows) {
+TEST(LookFirst, NamesTheEarliestWrongQuestionAndWhatFollows) {
     EXPECT_EQ(look_first_sentence(with({{right}, {right, wrong}, {follow}, {right, follow}, {wrong}, {follow}})),
               "Look at question 2 first: it is the earliest with a wrong answer. Questions 3, 4 and 6 only follow from "
               "earlier answers and have no mistake of their own.");
 }
 
 TEST(LookFirst, NamesTheOneMistakeThatOthersFollowFrom) {
-    EXPECT_EQ(look_first_sentence(with({{wrong}, {follow}})),
-              "Look at question 1 first: it is the one with a wrong answer. Question 2 only follows from it and has no "
-              "mistake of its own.");
+    EXPECT_EQ(
+        look_first_sentence(with({{wrong}, {follow}})),
+        "Look at question 1 first: it is the only one with a wrong answer. Question 2 only follows from it and has no "
+        "mistake of its own.");
     EXPECT_EQ(look_first_sentence(with({{follow}, {wrong}})),
-              "Look at question 2 first: it is the one with a wrong answer. Question 1 only follows from earlier "
+              "Look at question 2 first: it is the only one with a wrong answer. Question 1 only follows from earlier "
               "answers and has no mistake of its own.")
         << "not from a later one";
 }
@@ -44,23 +45,23 @@ TEST(LookFirst, NamesTheOneMistakeThatOthersFollowFrom) {
 TEST(LookFirst, PutsAWrongAnswerBeforeOneThatIsOnlyMissing) {
     EXPECT_EQ(look_first(with({{missing}, {right}, {unreadable}}))->question, 3);
     EXPECT_EQ(look_first_sentence(with({{right}, {missing}, {missing}})),
-              "Look at question 2 first: it is the earliest with an answer missing.");
+              "Look at question 2 first: it is the earliest with a missing answer.");
 }
 
-TEST(LookFirst, IsNotAQuestionThatFollowsInPartAndIsWrongInAnother) {
+TEST(LookFirst, DoesNotListAPartlyFollowingQuestion) {
     const auto look = look_first(with({{wrong}, {follow, wrong}, {follow, missing}}));
     EXPECT_EQ(look->question, 1);
     EXPECT_THAT(look->following, testing::IsEmpty());
 }
 
-TEST(LookFirst, SaysNothingWhereThereIsNothingToLookAt) {
+TEST(LookFirst, IsEmptyIfThereIsNothingToLookAt) {
     EXPECT_EQ(look_first_sentence(with({{right}, {right}})), "");
     for (const Outcome outcome : {Outcome::compile_error, Outcome::no_output, Outcome::not_graded})
         EXPECT_EQ(look_first_sentence(with({{missing}}, outcome)), "");
     EXPECT_NE(look_first_sentence(with({{right}, {missing}}, Outcome::crashed)), "");
 }
 
-TEST(LookFirst, SaysNothingOfAProgramThatEndedBeforeItsFirstAnswer) {
+TEST(LookFirst, IsEmptyForAProgramThatEndedBeforeItsFirstAnswer) {
     for (const Outcome outcome :
          {Outcome::crashed, Outcome::timed_out, Outcome::output_limit, Outcome::memory_limit, Outcome::no_output}) {
         EXPECT_EQ(look_first_sentence(with({{missing}, {missing, missing}}, outcome)), "");

@@ -1,7 +1,10 @@
+#include "harness/report/text/sentences.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/report/graded_samples.h"
+#include "harness/text/points.h"
+#include "tests/given/report/graded_samples.h"
 
 namespace harness::report {
 namespace {
@@ -15,7 +18,7 @@ ItemScore item(ItemVerdict verdict) {
     return score;
 }
 
-TEST(PointsText, HasAtMostTwoDecimalsAndNoZerosAtTheEnd) {
+TEST(PointsText, HasAtMostTwoDecimalsAndNoTrailingZeros) {
     EXPECT_EQ(points_text(10), "10");
     EXPECT_EQ(points_text(1.5), "1.5");
     EXPECT_EQ(points_text(5.0 / 3), "1.67");
@@ -24,17 +27,17 @@ TEST(PointsText, HasAtMostTwoDecimalsAndNoZerosAtTheEnd) {
     EXPECT_EQ(points_text(100), "100");
 }
 
-TEST(ItemSentence, IsEmptyForAPlainlyRightItem) {
+TEST(ItemSentence, IsEmptyForASimplyRightItem) {
     EXPECT_EQ(item_sentence(item(ItemVerdict::right), Outcome::graded), "");
 }
 
-TEST(ItemSentence, SaysWhyAnotherFormIsRight) {
+TEST(ItemSentence, SaysWhyADifferentFormIsRight) {
     ItemScore accepted = item(ItemVerdict::right);
     accepted.accepted_as = "the form with b' = b/2";
     EXPECT_EQ(item_sentence(accepted, Outcome::graded), "Accepted: the form with b' = b/2.");
 }
 
-TEST(ItemSentence, SaysWhatShapeIsMissing) {
+TEST(ItemSentence, NamesTheMissingShape) {
     EXPECT_THAT(item_sentence(item(ItemVerdict::missing), Outcome::graded), HasSubstr("one number"));
     EXPECT_THAT(item_sentence(item(ItemVerdict::unreadable), Outcome::graded), HasSubstr("one number"));
     ItemScore matrix = item(ItemVerdict::missing);
@@ -49,7 +52,7 @@ TEST(ItemSentence, DoesNotBlameTheLabelsOfAProgramThatWasCutShort) {
     }
 }
 
-TEST(ItemSentence, SaysThatNanIsNoNumber) {
+TEST(ItemSentence, ExplainsNan) {
     ItemScore nan = item(ItemVerdict::wrong);
     nan.printed = "t: -nan";
     EXPECT_THAT(item_sentence(nan, Outcome::graded), HasSubstr("not a number"));

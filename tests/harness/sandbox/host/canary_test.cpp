@@ -1,9 +1,9 @@
-#include "harness/sandbox/canary.h"
+#include "harness/sandbox/host/canary.h"
 
 #include <gmock/gmock.h>
 #include <stdlib.h>
 
-#include "harness/failure.h"
+#include "harness/machine/errors.h"
 
 namespace {
 
@@ -26,14 +26,14 @@ const harness::Attempt& attempt(const CanaryReport& report, const std::string& w
 TEST(Canary, IsHeldByBothSandboxes) {
     for (const Tier tier : {Tier::bwrap, Tier::landlock}) {
         const CanaryReport report = try_canary(Sandbox(tier));
-        if (!report.failure.empty()) continue;  // a container may refuse to start anything in it
+        if (!report.failure.empty()) continue;  // a container may refuse to start programs in this sandbox
         EXPECT_TRUE(report.held()) << to_string(tier) << ": " << report.summary();
         EXPECT_EQ(report.attempts.size(), 7U);
         EXPECT_EQ(report.summary(), "held all 7 attempts");
     }
 }
 
-/// What it finds where nothing is held back shows that it would notice.
+/// Without a sandbox the canary must report escapes. That shows that it can detect them.
 TEST(Canary, GetsOutOfNoSandbox) {
     const CanaryReport report = try_canary(Sandbox(Tier::unsafe));
     EXPECT_FALSE(report.held());
@@ -45,7 +45,7 @@ TEST(Canary, GetsOutOfNoSandbox) {
     EXPECT_THAT(report.summary(), HasSubstr("a program in it could read a file of raygrade's (seen to succeed)"));
 }
 
-TEST(ChooseSandbox, TakesTheStrongestThatHolds) {
+TEST(ChooseSandbox, TakesTheStrongestTierThatWorks) {
     const auto choice = choose_sandbox(std::nullopt, WithoutSandbox::refuse);
     const bool first_holds = choice.reports.front().held();
     EXPECT_EQ(choice.reports.front().tier, Tier::bwrap);
@@ -64,14 +64,14 @@ class WithoutBwrap : public testing::Test {
     std::string path_ = getenv("PATH");
 };
 
-TEST_F(WithoutBwrap, TakesTheNextThatHolds) {
+TEST_F(WithoutBwrap, TakesTheNextTierThatWorks) {
     const auto choice = choose_sandbox(std::nullopt, WithoutSandbox::refuse);
     EXPECT_EQ(choice.sandbox->tier(), Tier::landlock);
     ASSERT_EQ(choice.reports.size(), 2U);
     EXPECT_THAT(choice.reports[0].failure, HasSubstr("apt install bubblewrap"));
 }
 
-TEST_F(WithoutBwrap, RunsNothingUnsafeUnlessTold) {
+TEST_F(WithoutBwrap, RunsNothingUnsafeUnlessAllowed) {
     try {
         choose_sandbox(Tier::bwrap, WithoutSandbox::refuse);
         FAIL() << "chose a sandbox";

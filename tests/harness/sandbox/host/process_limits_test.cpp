@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 
-#include "tests/sandbox/stranger.h"
+#include "tests/given/sandbox/stranger.h"
 
 namespace {
 
@@ -82,7 +82,7 @@ TEST_P(ProcessLimits, DoesNotCountTheMemoryOfItsCaller) {
     EXPECT_LE(stranger({"exit"})().peak_memory_bytes, 20 * mebibyte + large.at(0) - 'x');
 }
 
-TEST_P(ProcessLimits, EndsAForkBomb) {
+TEST_P(ProcessLimits, StopsAForkBomb) {
     for (const char* mode : {"fork-bomb", "fork-bomb-in-sessions"}) {
         const Stranger run = stranger({mode});
         const auto start = std::chrono::steady_clock::now();
@@ -110,7 +110,7 @@ TEST_P(ProcessLimits, AcceptsAnOutputOfExactlyTheLimit) {
     EXPECT_EQ(run().ended, Ended::output_limit);
 }
 
-TEST_P(ProcessLimits, ReadsAndDropsEndlessErrors) {
+TEST_P(ProcessLimits, DropsEndlessErrorOutput) {
     Stranger run = stranger({"endless-errors"});
     run.command.limits.cpu = 300ms;
     const auto result = run();
@@ -119,7 +119,7 @@ TEST_P(ProcessLimits, ReadsAndDropsEndlessErrors) {
     EXPECT_TRUE(result.errors_truncated);
 }
 
-TEST_P(ProcessLimits, EndsACompilerWhoseFileGrowsTooLarge) {
+TEST_P(ProcessLimits, StopsACompilerWhoseFileGrowsTooLarge) {
     Stranger run = stranger({"big-file"});
     run.command.purpose = harness::Purpose::compile;
     const auto result = run();
@@ -128,7 +128,7 @@ TEST_P(ProcessLimits, EndsACompilerWhoseFileGrowsTooLarge) {
     EXPECT_EQ(std::filesystem::file_size(run.folder() / "big"), 16 * mebibyte);
 }
 
-TEST_P(ProcessLimits, CountsWhatAProgramLeavesBehind) {
+TEST_P(ProcessLimits, CountsProcessesThatAProgramLeavesBehind) {
     const auto result = stranger({"leave-children", "40"})();
     EXPECT_EQ(result.ended, Ended::process_limit);
     EXPECT_EQ(stranger({"leave-children", "3"})().ended, Ended::exited);

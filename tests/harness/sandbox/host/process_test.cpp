@@ -1,4 +1,4 @@
-#include "harness/sandbox/process.h"
+#include "harness/sandbox/host/process.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -12,8 +12,8 @@
 #include <iterator>
 #include <thread>
 
-#include "harness/failure.h"
-#include "tests/sandbox/stranger.h"
+#include "harness/machine/errors.h"
+#include "tests/given/sandbox/stranger.h"
 
 namespace {
 
@@ -41,7 +41,7 @@ std::ptrdiff_t open_descriptors() {
 
 class RunProcess : public InEveryTier {};
 
-TEST_P(RunProcess, TellsEveryExitCodeAsItIs) {
+TEST_P(RunProcess, ReportsEveryExitCodeUnchanged) {
     for (const int code : {0, 3, 126, 127, 134, 139, 255}) {
         const auto result = stranger({"exit", std::to_string(code)})();
         EXPECT_EQ(result.ended, Ended::exited);
@@ -49,7 +49,7 @@ TEST_P(RunProcess, TellsEveryExitCodeAsItIs) {
     }
 }
 
-TEST_P(RunProcess, TellsTheSignalThatEndedTheProgram) {
+TEST_P(RunProcess, ReportsTheSignalThatEndedTheProgram) {
     const auto crash = stranger({"segv"})();
     EXPECT_EQ(crash.ended, Ended::signalled);
     EXPECT_EQ(crash.signal, SIGSEGV);
@@ -65,7 +65,7 @@ TEST_P(RunProcess, KeepsTheTwoOutputsApart) {
     EXPECT_FALSE(result.errors_truncated);
 }
 
-TEST_P(RunProcess, GivesTheProgramItsEnvironmentAndFolderAndNothingElse) {
+TEST_P(RunProcess, GivesTheProgramOnlyItsEnvironmentAndFolder) {
     const Stranger run = stranger({"surroundings"});
     const std::string home = run.inside();
     std::string expected = run.command.environment[0] + "\nHOME=" + home + "\nTMPDIR=" + home + "\n";
@@ -73,7 +73,7 @@ TEST_P(RunProcess, GivesTheProgramItsEnvironmentAndFolderAndNothingElse) {
     EXPECT_EQ(run().output, expected + home + "\n");
 }
 
-TEST_P(RunProcess, GivesAnEmptyStdinWhateverItsCallerHas) {
+TEST_P(RunProcess, GivesAnEmptyStdinForAnyCaller) {
     int ends[2];
     ASSERT_EQ(pipe(ends), 0);
     ASSERT_EQ(write(ends[1], "typed", 5), 5);
@@ -84,17 +84,17 @@ TEST_P(RunProcess, GivesAnEmptyStdinWhateverItsCallerHas) {
     for (const int fd : {before, ends[0], ends[1]}) close(fd);
 }
 
-TEST_P(RunProcess, GivesNoDescriptorButTheStandardThree) {
+TEST_P(RunProcess, GivesOnlyTheThreeStandardDescriptors) {
     const int inheritable = open("/dev/null", O_RDONLY);
     EXPECT_EQ(stranger({"list-descriptors"})().output, "0 1 2 ");
     close(inheritable);
 }
 
-TEST_P(RunProcess, DoesNotBelieveAStatusTheProgramForged) {
+TEST_P(RunProcess, IgnoresAStatusThatTheProgramForged) {
     EXPECT_EQ(stranger({"forge-status"})().exit_code, 7);
 }
 
-TEST_P(RunProcess, RestoresTheSignalsItsCallerIgnores) {
+TEST_P(RunProcess, RestoresSignalsThatItsCallerIgnores) {
     const auto before = signal(SIGPIPE, SIG_IGN);
     EXPECT_EQ(stranger({"signals"})().exit_code, 0);
     signal(SIGPIPE, before);
@@ -128,7 +128,7 @@ TEST_P(RunProcess, LetsAProgramWriteNothing) {
     EXPECT_TRUE(std::filesystem::is_empty(run.folder()));
 }
 
-TEST_P(RunProcess, SaysThatTheMachineFailedWhenThereIsNoProgram) {
+TEST_P(RunProcess, BlamesTheMachineWhenThereIsNoProgram) {
     Stranger run = stranger({});
     run.command.argv = {"/no/such/program"};
     EXPECT_THAT(why_not(run), HasSubstr("\"/no/such/program\": No such file or directory"));
@@ -150,7 +150,7 @@ TEST_P(RunProcess, BlamesAProgramThatTheKernelDoesNotStart) {
     EXPECT_THAT(why_not(run), HasSubstr("\"./script\": No such file or directory")) << "a compiler is the machine's";
 }
 
-TEST_P(RunProcess, SaysThatTheMachineFailedWhenTheFolderIsMissing) {
+TEST_P(RunProcess, BlamesTheMachineWhenTheFolderIsMissing) {
     Stranger run = stranger({"exit"});
     run.command.working_directory = "/no/such/folder";
     EXPECT_THAT(why_not(run), AllOf(HasSubstr("/no/such/folder"), HasSubstr(": No such file or directory")));
@@ -166,7 +166,7 @@ TEST_P(RunProcess, KeepsTheSupervisorOutOfTheProgramsReach) {
     }
 }
 
-TEST_P(RunProcess, SaysWhatFailedWhenTheSupervisorIsGone) {
+TEST_P(RunProcess, ReportsTheFailureWhenTheSupervisorIsGone) {
     Stranger run(std::make_shared<harness::Sandbox>(GetParam()), {"exit"});
     run.remove_supervisor();
     EXPECT_THAT(why_not(run), AnyOf(HasSubstr("No word from the supervisor"), HasSubstr("Could not start")));
@@ -180,7 +180,7 @@ TEST(RunProcessWithoutASandbox, DoesNotBlameTheStudentWhenTheSupervisorWasKilled
     EXPECT_TRUE(run.waits_for([](int alive) { return alive == 0; }));
 }
 
-TEST(RunProcessWithoutASandbox, EndsEvenWhenTheSupervisorWasStopped) {
+TEST(RunProcessWithoutASandbox, EndsEvenIfTheSupervisorWasStopped) {
     Stranger run(sandbox_of(Tier::unsafe), {"stop-supervisor"});
     run.command.account.reset();
     run.command.limits.wall = 200ms;
@@ -196,8 +196,8 @@ TEST_P(RunProcess, LeavesNothingBehindWhenTheHarnessIsKilled) {
         sleeping();
         _exit(0);
     }
-    // The fork of the test itself bears no mark: its environment is that of the test. The supervisor's is root's to
-    // see.
+    // The forked test process has the test's environment, so it does not count as a process of the run. Only root can
+    // read the supervisor's environment.
     EXPECT_TRUE(sleeping.waits_for([](int alive) { return alive >= 1; }));
     kill(harness, SIGKILL);
     waitpid(harness, nullptr, 0);

@@ -1,4 +1,4 @@
-#include "harness/sandbox/removal.h"
+#include "harness/sandbox/host/removal.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -6,9 +6,9 @@
 
 #include <fstream>
 
-#include "harness/sandbox/file_descriptor.h"
-#include "tests/as_nobody.h"
-#include "tests/temporary_folder.h"
+#include "harness/machine/file_descriptor.h"
+#include "tests/given/as_nobody.h"
+#include "tests/given/temporary_folder.h"
 
 namespace {
 
@@ -39,7 +39,7 @@ TEST(RemoveFolder, RemovesAChainOfFoldersLongerThanAnyPath) {
     EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-TEST(RemoveFolder, RemovesFoldersCalledLikeItsOwn) {
+TEST(RemoveFolder, RemovesFoldersWithReservedNames) {
     const TemporaryFolder folder;
     const auto path = folder.make_folder("top");
     std::filesystem::create_directories(path / "moved-0/moved-0/moved-1");
@@ -49,7 +49,7 @@ TEST(RemoveFolder, RemovesFoldersCalledLikeItsOwn) {
     EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-TEST(RemoveFolder, RemovesALinkAndNotWhatItPointsAt) {
+TEST(RemoveFolder, RemovesALinkAndNotItsTarget) {
     const TemporaryFolder folder;
     const auto other = folder.make_folder("other");
     std::ofstream(other / "keep") << "x";

@@ -1,4 +1,4 @@
-#include "harness/sandbox/scratch.h"
+#include "harness/sandbox/host/scratch.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -11,7 +11,7 @@ namespace {
 using harness::Scratch;
 using harness::Workspace;
 
-TEST(Scratch, IsAnEmptyFolderOfItsOwnThatIsGoneAtTheEnd) {
+TEST(Scratch, IsANewEmptyFolderThatIsRemovedAtTheEnd) {
     const Workspace workspace;
     std::optional<Scratch> one{std::in_place, workspace};
     const Scratch two(workspace);
@@ -26,7 +26,7 @@ TEST(Scratch, IsAnEmptyFolderOfItsOwnThatIsGoneAtTheEnd) {
     EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-TEST(Scratch, BelongsToAnAccountOfItsOwnWhenRootGrades) {
+TEST(Scratch, BelongsToItsOwnAccountWhenRootGrades) {
     const Workspace workspace;
     const Scratch one(workspace), two(workspace);
     struct stat info {};
@@ -43,7 +43,7 @@ TEST(Scratch, BelongsToAnAccountOfItsOwnWhenRootGrades) {
     EXPECT_NE(one.account()->uid, two.account()->uid);
 }
 
-TEST(Scratch, SaysTheWayOutWhenTheWorkspaceIsGone) {
+TEST(Scratch, SaysWhatToDoWhenTheWorkspaceIsGone) {
     const Workspace workspace;
     std::filesystem::remove(workspace.path());
     EXPECT_ANY_THROW(Scratch{workspace});

@@ -1,4 +1,4 @@
-#include "harness/sandbox/workspace.h"
+#include "harness/sandbox/host/workspace.h"
 
 #include <gmock/gmock.h>
 #include <signal.h>
@@ -10,15 +10,15 @@
 #include <fstream>
 #include <optional>
 
-#include "harness/failure.h"
-#include "harness/sandbox/scratch.h"
-#include "tests/temporary_folder.h"
+#include "harness/machine/errors.h"
+#include "harness/sandbox/host/scratch.h"
+#include "tests/given/temporary_folder.h"
 
 namespace {
 
 using harness::Workspace;
 
-/// $TMPDIR, so that the test sees nobody else's workspaces.
+/// Sets $TMPDIR to a new folder, so that the test sees only its own workspaces.
 class OwnRoot {
   public:
     OwnRoot() { setenv("TMPDIR", folder_.path().c_str(), 1); }
@@ -36,7 +36,7 @@ class OwnRoot {
     TemporaryFolder folder_;
 };
 
-TEST(Workspace, IsGoneAtTheEnd) {
+TEST(Workspace, IsRemovedAtTheEnd) {
     const OwnRoot root;
     {
         const Workspace workspace;
@@ -55,7 +55,7 @@ TEST(Workspace, OnlyItsUserMayListIt) {
     EXPECT_EQ(info.st_mode & 0777U, geteuid() == 0 ? 0711U : 0700U);
 }
 
-TEST(Workspace, RemovesWhatAKilledRunLeftAndNothingElse) {
+TEST(Workspace, RemovesOnlyWhatAKilledRunLeft) {
     const OwnRoot root;
     std::filesystem::create_directory(root.path() / "raygrade-run-not-a-folder-of-ours-but-unlocked");
     std::filesystem::create_directory(root.path() / "raygrade");
@@ -70,7 +70,7 @@ TEST(Workspace, RemovesWhatAKilledRunLeftAndNothingElse) {
         raise(SIGKILL);
     }
     waitpid(killed, nullptr, 0);
-    // The child's workspace was the first to find the unlocked one.
+    // The child's workspace has already removed the unlocked folder.
     EXPECT_EQ(root.entries(), 4);
     const Workspace next;
     EXPECT_TRUE(std::filesystem::exists(living.path()));
@@ -79,7 +79,7 @@ TEST(Workspace, RemovesWhatAKilledRunLeftAndNothingElse) {
     EXPECT_EQ(root.entries(), 4);
 }
 
-TEST(Workspace, LeavesWhatBelongsToSomebodyElse) {
+TEST(Workspace, LeavesFoldersOfOtherUsers) {
     if (geteuid() != 0) GTEST_SKIP() << "takes root";
     const OwnRoot root;
     const auto theirs = root.path() / "raygrade-run-theirs";
@@ -98,7 +98,7 @@ TEST(Workspace, FollowsNoLink) {
     EXPECT_TRUE(std::filesystem::exists(other.path() / "keep"));
 }
 
-TEST(Workspace, SaysWhereItCouldNotBeMadeAndTheWayOut) {
+TEST(Workspace, SaysWhereItCouldNotBeCreatedAndWhatToDo) {
     setenv("TMPDIR", "/no/such/folder", 1);
     std::string message;
     try {

@@ -1,4 +1,4 @@
-#include "harness/sandbox/landlock.h"
+#include "harness/sandbox/supervisor/landlock.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 
 #include <cerrno>
 
-#include "harness/sandbox/file_descriptor.h"
-#include "tests/sandbox/in_a_child.h"
-#include "tests/temporary_folder.h"
+#include "harness/machine/file_descriptor.h"
+#include "tests/given/sandbox/in_a_child.h"
+#include "tests/given/temporary_folder.h"
 
 namespace {
 
@@ -17,14 +17,14 @@ using harness::restrict_files;
 
 constexpr int could_not_restrict = 200;
 
-/// Three folders with a file each: one to read, one to write, one that is nobody's business.
+/// Three folders with a file each: one readable, one writable, one forbidden.
 class Landlock : public testing::Test {
   protected:
     Landlock() {
         for (const char* name : {"readable", "writable", "secret"}) folder.write(std::string(name) + "/file", "text");
     }
     std::string path(const std::string& name) const { return (folder.path() / name).string(); }
-    /// errno of opening the file so, restricted; 0 when it opened.
+    /// errno of opening the file with these flags under Landlock; 0 on success.
     int open_restricted(const std::string& name, int flags) const {
         return in_a_child([&] {
             if (!restrict_files({path("readable"), "/no/such/folder"}, {path("writable"), "/dev/null"}))
@@ -37,26 +37,26 @@ class Landlock : public testing::Test {
     TemporaryFolder folder;
 };
 
-TEST_F(Landlock, LeavesWhatIsReadable) {
+TEST_F(Landlock, AllowsReadingReadableFolders) {
     EXPECT_EQ(open_restricted("readable/file", O_RDONLY), 0);
     EXPECT_EQ(open_restricted("readable", O_RDONLY | O_DIRECTORY), 0);
     EXPECT_EQ(open_restricted("readable/file", O_WRONLY), EACCES);
     EXPECT_EQ(open_restricted("readable/new", O_WRONLY | O_CREAT), EACCES);
 }
 
-TEST_F(Landlock, LeavesWhatIsWritable) {
+TEST_F(Landlock, AllowsWritingWritableFolders) {
     EXPECT_EQ(open_restricted("writable/file", O_RDWR | O_TRUNC), 0);
     EXPECT_EQ(open_restricted("writable/new", O_WRONLY | O_CREAT), 0);
 }
 
-TEST_F(Landlock, TakesEverythingElse) {
+TEST_F(Landlock, ForbidsEverythingElse) {
     EXPECT_EQ(open_restricted("secret/file", O_RDONLY), EACCES);
     EXPECT_EQ(open_restricted("secret", O_RDONLY | O_DIRECTORY), EACCES);
     EXPECT_EQ(open_restricted("secret/new", O_WRONLY | O_CREAT), EACCES);
     EXPECT_EQ(open_restricted(".", O_RDONLY | O_DIRECTORY), EACCES);
 }
 
-TEST_F(Landlock, IsNotGotAroundByALink) {
+TEST_F(Landlock, CannotBeBypassedByALink) {
     std::filesystem::create_symlink(path("secret/file"), path("writable/link"));
     EXPECT_EQ(open_restricted("writable/link", O_RDONLY), EACCES);
     const auto moved = in_a_child([&] {
@@ -67,7 +67,7 @@ TEST_F(Landlock, IsNotGotAroundByALink) {
     EXPECT_NE(moved, could_not_restrict);
 }
 
-TEST_F(Landlock, TakesSignalsToOthersWhereTheKernelCan) {
+TEST_F(Landlock, ForbidsSignalsToOthersIfTheKernelCan) {
     constexpr int since_signals = 6;
     if (harness::landlock_version() < since_signals) GTEST_SKIP() << "this kernel's Landlock leaves signals alone";
     const pid_t parent = getpid();

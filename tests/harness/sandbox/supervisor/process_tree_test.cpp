@@ -1,4 +1,4 @@
-#include "harness/sandbox/process_tree.h"
+#include "harness/sandbox/supervisor/process_tree.h"
 
 #include <gmock/gmock.h>
 #include <sys/prctl.h>
@@ -28,7 +28,7 @@ std::vector<pid_t> pids(const std::vector<ProcessRecord>& processes) {
     return all;
 }
 
-TEST(Below, FindsTheWholeTreeAndNothingElse) {
+TEST(Below, FindsExactlyTheWholeTree) {
     const std::vector<ProcessRecord> processes = {record(1, 0), record(5, 1), record(9, 5), record(3, 9), record(7, 1)};
     EXPECT_THAT(pids(below(5, processes)), testing::UnorderedElementsAre(9, 3));
     EXPECT_THAT(pids(below(7, processes)), testing::IsEmpty());
@@ -51,7 +51,7 @@ TEST(ListProcesses, ReadsANameWithBlanksAndParentheses) {
     EXPECT_FALSE(self->zombie);
 }
 
-TEST(ListProcesses, LeavesOutWhatItIsToSkip) {
+TEST(ListProcesses, LeavesOutSkippedProcesses) {
     std::vector<pid_t> strangers = {getpid(), std::numeric_limits<pid_t>::max()};
     EXPECT_THAT(pids(list_processes_except(strangers)), testing::Not(testing::Contains(getpid())));
     EXPECT_THAT(strangers, testing::ElementsAre(getpid())) << "the number of one that is gone may be given to another";

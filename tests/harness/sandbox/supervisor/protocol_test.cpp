@@ -1,4 +1,4 @@
-#include "harness/sandbox/shim_protocol.h"
+#include "harness/sandbox/supervisor/protocol.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@ namespace {
 using namespace std::chrono_literals;
 using harness::from_arguments;
 using harness::from_line;
-using harness::ShimOrders;
-using harness::ShimStatus;
+using harness::SupervisorOrders;
+using harness::SupervisorStatus;
 
-ShimOrders some_orders() {
+SupervisorOrders some_orders() {
     return {.status_fd = 7,
             .lifeline_fd = 9,
             .tier = harness::Tier::landlock,
@@ -25,7 +25,7 @@ ShimOrders some_orders() {
             .argv = {"/bin/program", "--", "x=y", ""}};
 }
 
-TEST(ShimProtocol, GivesOrdersBackAsTheyWere) {
+TEST(SupervisorProtocol, ReadsOrdersBackUnchanged) {
     const auto orders = from_arguments(to_arguments(some_orders()));
     ASSERT_TRUE(orders);
     EXPECT_EQ(to_arguments(*orders), to_arguments(some_orders()));
@@ -42,7 +42,7 @@ TEST(ShimProtocol, GivesOrdersBackAsTheyWere) {
     EXPECT_EQ(orders->limits.wall, 10s);
 }
 
-TEST(ShimProtocol, RefusesIncompleteOrders) {
+TEST(SupervisorProtocol, RefusesIncompleteOrders) {
     const auto complete = to_arguments(some_orders());
     const auto end_of_words = std::find(complete.begin(), complete.end(), "--");
     for (auto left_out = complete.begin(); left_out != end_of_words; ++left_out) {
@@ -55,10 +55,10 @@ TEST(ShimProtocol, RefusesIncompleteOrders) {
     EXPECT_FALSE(from_arguments({}));
 }
 
-TEST(ShimProtocol, GivesEveryStatusBackAsItWas) {
-    for (int how = 0; how <= static_cast<int>(ShimStatus::How::not_executed); ++how) {
-        ShimStatus status;
-        status.how = static_cast<ShimStatus::How>(how);
+TEST(SupervisorProtocol, ReadsEveryStatusBackUnchanged) {
+    for (int how = 0; how <= static_cast<int>(SupervisorStatus::How::not_executed); ++how) {
+        SupervisorStatus status;
+        status.how = static_cast<SupervisorStatus::How>(how);
         status.number = 139;
         status.step = "chdir";
         status.cpu = 1234us;
@@ -73,8 +73,8 @@ TEST(ShimProtocol, GivesEveryStatusBackAsItWas) {
     }
 }
 
-TEST(ShimProtocol, RefusesALineThatIsNotAStatus) {
-    const std::string line = to_line(ShimStatus{});
+TEST(SupervisorProtocol, RefusesALineThatIsNotAStatus) {
+    const std::string line = to_line(SupervisorStatus{});
     for (std::size_t size = 0; size < line.size(); ++size) EXPECT_FALSE(from_line(line.substr(0, size))) << size;
     EXPECT_FALSE(from_line(line + line));
     EXPECT_FALSE(from_line("how=rebooted number=0 cpu-us=1 wall-us=1 peak-bytes=1 out-of-memory=0 step=\n"));

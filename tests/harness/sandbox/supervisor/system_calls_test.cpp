@@ -1,4 +1,4 @@
-#include "harness/sandbox/system_calls.h"
+#include "harness/sandbox/supervisor/system_calls.h"
 
 #include <asm/sockios.h>
 #include <fcntl.h>
@@ -16,8 +16,8 @@
 #include <cerrno>
 #include <thread>
 
-#include "tests/sandbox/in_a_child.h"
-#include "tests/temporary_folder.h"
+#include "tests/given/sandbox/in_a_child.h"
+#include "tests/given/temporary_folder.h"
 
 namespace {
 
@@ -26,7 +26,7 @@ using harness::ForbiddenCalls;
 
 constexpr int could_not_forbid = 200;
 
-/// errno of a system call made under the filter; 0 when it succeeded.
+/// errno of a system call made under the filter; 0 on success.
 template <class... Arguments>
 int outcome(const ForbiddenCalls& more, long number, Arguments... arguments) {
     return in_a_child([&] {
@@ -40,7 +40,7 @@ long with_an_upper_half(long value) {
     return value | (1L << 32U);
 }
 
-TEST(ForbidSystemCalls, ForbidsWhatReachesOutOfASandbox) {
+TEST(ForbidSystemCalls, ForbidsCallsThatReachOutOfASandbox) {
     EXPECT_EQ(outcome({}, SYS_socket, AF_INET, SOCK_STREAM, 0), EPERM);
     EXPECT_EQ(outcome({}, SYS_socket, AF_UNIX, SOCK_STREAM, 0), EPERM);
     EXPECT_EQ(outcome({}, SYS_memfd_create, "x", 0), EPERM);
@@ -66,13 +66,13 @@ TEST(ForbidSystemCalls, ForbidsANewUserNamespaceByEveryWay) {
     EXPECT_EQ(outcome({}, SYS_clone3, &arguments, sizeof arguments), ENOSYS);
 }
 
-TEST(ForbidSystemCalls, ForbidsTypingForSomebodyElseAlsoInDisguise) {
+TEST(ForbidSystemCalls, ForbidsTypingIntoATerminalEvenInDisguise) {
     const char letter = 'x';
     EXPECT_EQ(outcome({}, SYS_ioctl, 0L, static_cast<long>(TIOCSTI), &letter), EPERM);
     EXPECT_EQ(outcome({}, SYS_ioctl, 0L, with_an_upper_half(TIOCSTI), &letter), EPERM);
 }
 
-TEST(ForbidSystemCalls, ForbidsTakingFromTheParentWhatItNeeds) {
+TEST(ForbidSystemCalls, ForbidsTakingResourcesFromTheParent) {
     const rlimit none{0, 0};
     EXPECT_EQ(outcome({}, SYS_prlimit64, getpid(), RLIMIT_NOFILE, nullptr, nullptr), EPERM);
     EXPECT_EQ(outcome({}, SYS_prlimit64, 0, RLIMIT_CORE, &none, nullptr), 0) << "its own are its own";
@@ -83,7 +83,7 @@ TEST(ForbidSystemCalls, ForbidsTakingFromTheParentWhatItNeeds) {
     EXPECT_EQ(outcome({}, SYS_sched_setaffinity, getpid(), 0, nullptr), EPERM);
 }
 
-TEST(ForbidSystemCalls, ForbidsSignalsToOthersWhereTold) {
+TEST(ForbidSystemCalls, ForbidsSignalsToOthersOnRequest) {
     const ForbiddenCalls signals{.signals = true, .file_attributes = false, .uncounted_use = false};
     EXPECT_EQ(outcome({}, SYS_kill, getpid(), 0), 0);
     EXPECT_EQ(outcome(signals, SYS_kill, getpid(), 0), EPERM);
@@ -95,7 +95,7 @@ TEST(ForbidSystemCalls, ForbidsSignalsToOthersWhereTold) {
     EXPECT_EQ(outcome(signals, SYS_ioctl, 0L, with_an_upper_half(SIOCSPGRP), nullptr), EPERM);
 }
 
-TEST(ForbidSystemCalls, ForbidsWhatNobodyCouldCountWhereTold) {
+TEST(ForbidSystemCalls, ForbidsUncountedResourcesOnRequest) {
     const ForbiddenCalls uncounted{.signals = false, .file_attributes = false, .uncounted_use = true};
     const auto map = [](const ForbiddenCalls& more, int flags) {
         return outcome(more, SYS_mmap, nullptr, 4096L, PROT_READ, flags | MAP_ANONYMOUS, -1, 0L);
@@ -120,7 +120,7 @@ TEST(ForbidSystemCalls, ForbidsWhatNobodyCouldCountWhereTold) {
     EXPECT_EQ(ignore(SIGUSR1), 0);
 }
 
-TEST(ForbidSystemCalls, LeavesAProgramItsOwnSignals) {
+TEST(ForbidSystemCalls, AllowsAProgramItsOwnSignals) {
     const auto aborts = in_a_child([] {
         if (!forbid_system_calls({.signals = true, .file_attributes = true, .uncounted_use = true}))
             return could_not_forbid;
@@ -131,7 +131,7 @@ TEST(ForbidSystemCalls, LeavesAProgramItsOwnSignals) {
     EXPECT_EQ(aborts, 255);
 }
 
-TEST(ForbidSystemCalls, ForbidsTheAttributesOfFilesWhereTold) {
+TEST(ForbidSystemCalls, ForbidsFileAttributesOnRequest) {
     const TemporaryFolder folder;
     const std::string file = folder.write("file", "text").string();
     const ForbiddenCalls attributes{.signals = false, .file_attributes = true, .uncounted_use = false};
@@ -145,7 +145,7 @@ TEST(ForbidSystemCalls, ForbidsTheAttributesOfFilesWhereTold) {
     EXPECT_EQ(outcome(attributes, SYS_setxattr, file.c_str(), "user.x", "y", 1L, 0), EPERM);
 }
 
-TEST(ForbidSystemCalls, LeavesThreadsAndChildren) {
+TEST(ForbidSystemCalls, AllowsThreadsAndChildren) {
     const auto works = in_a_child([] {
         if (!forbid_system_calls({.signals = true, .file_attributes = true, .uncounted_use = true}))
             return could_not_forbid;

@@ -1,15 +1,15 @@
-#include "harness/stress/better_formula.h"
+#include "harness/scenes/hard/better_formula.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "reference/accuracy/measurement.h"
-#include "tests/stress/held.h"
-#include "tests/student/printout.h"
+#include "reference/accuracy/measure/measurement.h"
+#include "tests/given/hard_scenes/held.h"
+#include "tests/given/student/printout.h"
 
-namespace harness::stress {
+namespace harness::scenes {
 namespace {
 
 using testing::AllOf;
@@ -20,7 +20,7 @@ std::vector<std::string> formulas_for(const std::vector<HardItem>& lost, const s
     return better_formulas(lost, {marking.assignment, marking.key});
 }
 
-TEST(BetterFormulas, AreNamedAsInTheLadder) {
+TEST(BetterFormulas, AreNamedAsInTheMeasurement) {
     const student::Marking marking = far_sphere();
     const auto lost = losses_of(student::with_line(right_printout(marking), 6, "t", "100000.50"), marking);
     const auto sentences = formulas_for(lost, marking);
@@ -38,7 +38,7 @@ std::string kernel_of(const std::string& name) {
     return name.substr(0, name.rfind(' '));
 }
 
-TEST(BetterFormulas, HaveALineForEveryFormulaOfTheLadder) {
+TEST(BetterFormulas, ExistForEveryMeasuredFormula) {
     for (const auto primitive : {reference::accuracy::Primitive::sphere, reference::accuracy::Primitive::triangle}) {
         for (const std::string& name : reference::accuracy::method_names(primitive)) {
             const std::string kernel = kernel_of(name);
@@ -49,4 +49,4 @@ TEST(BetterFormulas, HaveALineForEveryFormulaOfTheLadder) {
 }
 
 }  // namespace
-}  // namespace harness::stress
+}  // namespace harness::scenes

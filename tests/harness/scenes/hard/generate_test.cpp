@@ -1,4 +1,4 @@
-#include "harness/stress/hard_scenes.h"
+#include "harness/scenes/hard/generate.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,20 +8,20 @@
 #include <map>
 #include <string>
 
-#include "harness/variants/drawing.h"
-#include "harness/variants/rewritten.h"
-#include "reference/answer_key.h"
-#include "reference/scene_answers.h"
-#include "reference/scene_toml.h"
+#include "harness/scenes/run/run_rewritten.h"
+#include "harness/scenes/source/drawing.h"
+#include "reference/key/answer_key.h"
+#include "reference/stages/scene_answers.h"
+#include "reference/toml/scene_toml.h"
 
-namespace harness::stress {
+namespace harness::scenes {
 namespace {
 
 using reference::PixelConvention;
+using scenes::PartSet;
+using scenes::ScenePart;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using variants::PartSet;
-using variants::ScenePart;
 
 reference::Assignment load(const std::string& name) {
     return reference::load_assignment(name, RAYGRADE_ASSIGNMENTS);
@@ -35,7 +35,7 @@ PartSet parts(std::initializer_list<ScenePart> some) {
 
 PartSet everything() {
     PartSet set;
-    for (const ScenePart part : variants::all_parts) set.insert(part);
+    for (const ScenePart part : scenes::all_parts) set.insert(part);
     return set;
 }
 
@@ -63,7 +63,7 @@ double number(const reference::AnswerKey& key, int question, const std::string& 
     return NAN;
 }
 
-TEST(HardScenes, AreWhatTheirNamesSay) {
+TEST(HardScenes, HaveThePropertiesTheyAreNamedAfter) {
     const reference::Assignment a6 = load("a6-2021");
     auto scenes = by_name(a6, everything());
     EXPECT_EQ(scenes.size(), 16U);
@@ -86,20 +86,20 @@ TEST(HardScenes, AreWhatTheirNamesSay) {
     EXPECT_TRUE(std::holds_alternative<reference::NoValue>(parallel.questions.at(7).items.at(2).answers.front().value));
 }
 
-/// How far within the sphere the ray passes, as a share of its squared radius: below 0 beside it.
+/// How deep inside the sphere the ray passes, as a share of the squared radius; below 0 if the ray misses.
 double share_within(const reference::Assignment& assignment, const HardScene& hard, PixelConvention convention) {
     const double radius = hard.scene->spheres.front().radius.to_double();
     return number(key_of(assignment, hard, convention), 6, "d") / (4 * radius * radius);
 }
 
-TEST(HardScenes, PassTheRimByLittle) {
+TEST(HardScenes, PassTheRimNarrowly) {
     const reference::Assignment a6 = load("a6-2021");
     auto scenes = by_name(a6, everything());
     for (const char* name : {"sphere, grazed", "sphere, just missed"})
         EXPECT_LT(std::abs(share_within(a6, scenes.at(name), PixelConvention::centre)), 1e-5) << name;
 }
 
-TEST(HardScenes, AreAroundTheRayOfTheProgramsOwnConvention) {
+TEST(HardScenes, UseTheRayOfTheProgramsOwnConvention) {
     reference::Assignment a6 = load("a6-2021");
     a6.scene.pixel = {40, 30};
     const HardScene grazed = by_name(a6, everything(), PixelConvention::grid).at("sphere, grazed");
@@ -112,7 +112,7 @@ TEST(HardScenes, AreAroundTheRayOfTheProgramsOwnConvention) {
 TEST(HardScenes, HaveSpheresOfEverySize) {
     auto scenes = by_name(load("a6-2021"), everything());
     const auto sphere = [&](const char* name) {
-        return variants::in_double(scenes.at(name).scene.value()).spheres.front();
+        return scenes::in_double(scenes.at(name).scene.value()).spheres.front();
     };
     const reference::Vec3<double> start(0, 0, 2);
     const auto far = sphere("small sphere, far away"), huge = sphere("huge sphere, near its surface");
@@ -123,7 +123,7 @@ TEST(HardScenes, HaveSpheresOfEverySize) {
 
 TEST(HardScenes, HaveCamerasThatLoseDigits) {
     auto scenes = by_name(load("a6-2021"), everything());
-    const auto camera = [&](const char* name) { return variants::in_double(scenes.at(name).scene.value()).camera; };
+    const auto camera = [&](const char* name) { return scenes::in_double(scenes.at(name).scene.value()).camera; };
     const auto far = camera("eye far away");
     EXPECT_GT(length(far.eye - far.lookat), 1e5);
     const auto along = camera("vup nearly along the view");
@@ -138,7 +138,7 @@ TEST(HardScenes, HaveTrianglesThatLoseDigits) {
     const reference::Assignment a6 = load("a6-2021");
     auto scenes = by_name(a6, everything());
     const auto triangle = [&](const char* name) {
-        return variants::in_double(scenes.at(name).scene.value()).triangles.front();
+        return scenes::in_double(scenes.at(name).scene.value()).triangles.front();
     };
     const reference::Vec3<double> V(0, 0, -1);
     const auto beside = triangle("triangle, nearly parallel to the ray");
@@ -155,7 +155,7 @@ TEST(HardScenes, HaveTrianglesThatLoseDigits) {
     }
 }
 
-TEST(HardScenes, ExistForEveryAssignmentThatComesWithUs) {
+TEST(HardScenes, ExistForEveryShippedAssignment) {
     for (const char* name : {"a6-2021", "a6-edge"}) {
         const reference::Assignment assignment = load(name);
         int had = 0;
@@ -169,7 +169,7 @@ TEST(HardScenes, ExistForEveryAssignmentThatComesWithUs) {
     }
 }
 
-TEST(HardScenes, ChangeOnlyWhatWasLocated) {
+TEST(HardScenes, ChangeOnlyLocatedParts) {
     const reference::Assignment a6 = load("a6-2021");
     const auto expect = [&](const PartSet& located, int had) {
         for (const auto& [title, hard] : by_name(a6, located)) {
@@ -178,9 +178,9 @@ TEST(HardScenes, ChangeOnlyWhatWasLocated) {
                 continue;
             }
             --had;
-            variants::DecimalScene back = *hard.scene;
-            for (const ScenePart part : variants::all_parts) {
-                if (located.contains(part)) variants::copy_part(back, a6.scene, part);
+            scenes::DecimalScene back = *hard.scene;
+            for (const ScenePart part : scenes::all_parts) {
+                if (located.contains(part)) scenes::copy_part(back, a6.scene, part);
             }
             EXPECT_EQ(reference::scene_toml(back), reference::scene_toml(a6.scene)) << title;
         }
@@ -192,7 +192,7 @@ TEST(HardScenes, ChangeOnlyWhatWasLocated) {
     expect({}, 0);
 }
 
-TEST(HardScenes, LeaveOutWhatTheSceneDoesNotHave) {
+TEST(HardScenes, LeaveOutObjectsThatTheSceneLacks) {
     reference::Assignment a6 = load("a6-2021");
     a6.scene.spheres.clear();
     const auto scenes = by_name(a6, everything());
@@ -207,15 +207,15 @@ reference::Decimal decimal(const char* text) {
     return reference::Decimal::parse(text).value();
 }
 
-/// How many scenes with `word` in their name are left out since another object is hit first.
+/// The number of scenes with `word` in their name that are left out because the ray hits a different object first.
 int hidden(const std::map<std::string, HardScene>& scenes, const std::string& word) {
     return static_cast<int>(std::count_if(scenes.begin(), scenes.end(), [&](const auto& each) {
         return each.first.find(word) != std::string::npos && each.second.why_not.find("first") != std::string::npos;
     }));
 }
 
-// The questions are about what the ray hits first: the object that was moved, or none.
-TEST(HardScenes, AreLeftOutWhereAnotherObjectIsHitFirst) {
+// The questions are about the first hit, so a hard scene needs the moved object, or nothing, to be hit first.
+TEST(HardScenes, AreLeftOutIfADifferentObjectIsHitFirst) {
     reference::Assignment a6 = load("a6-2021");
     a6.scene.spheres.push_back({{decimal("0"), decimal("0"), decimal("0")}, decimal("1")});
     const auto behind_a_sphere = by_name(a6, everything());
@@ -231,7 +231,7 @@ TEST(HardScenes, AreLeftOutWhereAnotherObjectIsHitFirst) {
     EXPECT_EQ(hidden(behind_a_triangle, "sphere"), 0);
 }
 
-TEST(HardScenes, AreWhatTheirNamesSayBesideOtherObjects) {
+TEST(HardScenes, HaveTheirPropertiesEvenAmongOtherObjects) {
     reference::Assignment a6 = load("a6-2021");
     a6.scene.spheres.push_back({{decimal("0"), decimal("0"), decimal("-1000000")}, decimal("10")});
     auto scenes = by_name(a6, everything());
@@ -240,7 +240,7 @@ TEST(HardScenes, AreWhatTheirNamesSayBesideOtherObjects) {
     EXPECT_LT(number(key_of(a6, scenes.at("ray starts inside the sphere")), 6, "c"), 0);
 }
 
-// Drawn without the standard library's distributions, so that they are the same on every machine.
+// Hard scenes are drawn without the standard library's distributions, which differ between machines.
 TEST(HardScenes, AreTheSameOnEveryMachine) {
     const reference::Assignment a6 = load("a6-2021");
     const std::map<std::string, std::string> known = {
@@ -272,8 +272,8 @@ TEST(HardScenes, AreTheSameOnEveryMachine) {
          "(-15, 6, -29), C = (11, -16, -27)"},
     };
     for (const auto& [title, hard] : by_name(a6, everything()))
-        EXPECT_EQ(variants::described(hard.scene.value(), a6.scene), known.at(title)) << title;
+        EXPECT_EQ(scenes::described(hard.scene.value(), a6.scene), known.at(title)) << title;
 }
 
 }  // namespace
-}  // namespace harness::stress
+}  // namespace harness::scenes

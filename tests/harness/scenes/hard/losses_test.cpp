@@ -1,16 +1,16 @@
-// What is lost is told by printed answers on one hard scene: right ones, short ones, nan, and the wrong decision.
-#include "harness/stress/losses.h"
+// Losses of printed answers on a hard scene: right answers, short answers, nan, and wrong decisions.
+#include "harness/scenes/hard/losses.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "tests/printed_values.h"
-#include "tests/stress/held.h"
-#include "tests/student/printout.h"
+#include "tests/given/hard_scenes/held.h"
+#include "tests/given/printed_values.h"
+#include "tests/given/student/printout.h"
 
-namespace harness::stress {
+namespace harness::scenes {
 namespace {
 
 using reference::PixelConvention;
@@ -21,12 +21,12 @@ using testing::IsEmpty;
 using testing::IsSupersetOf;
 using testing::Not;
 
-/// The right printout of a far sphere with another value of question 6.
+/// The right printout of a far sphere with one value of question 6 replaced.
 std::string far_sphere_with(const std::string& label, const std::string& value) {
     return with_line(right_printout(far_sphere()), 6, label, value);
 }
 
-/// Without a line of question 6 and 7 that says that there is no hit, and this one in their place.
+/// The right printout in which `words` replace the lines of question 6 from "t: none" on.
 std::string without_sphere(const student::Marking& marking, const std::string& words) {
     std::string printed = right_printout(marking);
     const std::size_t t = printed.find("\nt: none", printed.find("Question 6:"));
@@ -35,7 +35,7 @@ std::string without_sphere(const student::Marking& marking, const std::string& w
     return printed;
 }
 
-/// With another sentence at the end.
+/// The right printout with a different sentence at the end.
 std::string with_verdict(std::string printed, const std::string& sentence) {
     const std::size_t line = printed.rfind("ray hits");
     return printed.replace(line, printed.find('\n', line) - line, sentence);
@@ -67,34 +67,34 @@ TEST(Losses, CountTheDigitsOfNumbersWhoseNamesHoldDigits) {
     EXPECT_EQ(lost[0].digits_printed, 6);
 }
 
-TEST(Losses, AreNotWhatAShortPrintoutLeavesOut) {
+TEST(Losses, ExcludeDigitsThatAShortPrintoutOmits) {
     EXPECT_THAT(told_losses(far_sphere_with("d", "4"), far_sphere()), IsEmpty());
     EXPECT_THAT(told_losses(far_sphere_with("d", "4.01"), far_sphere()), IsEmpty());
 }
 
-TEST(Losses, TellNotANumberApart) {
+TEST(Losses, DistinguishNan) {
     for (const char* value : {"nan", "-nan", "inf"})
         EXPECT_THAT(told_losses(far_sphere_with("t", value), far_sphere()), Contains("6.t: not_a_number")) << value;
 }
 
-TEST(Losses, TellAWrongNumberFromNone) {
+TEST(Losses, DistinguishAWrongNumberFromNone) {
     EXPECT_THAT(told_losses(far_sphere_with("c", "123.5"), far_sphere()), Contains("6.c: wrong"));
     EXPECT_THAT(told_losses(far_sphere_with("c", ""), far_sphere()), Contains("6.c: missing"));
     EXPECT_THAT(told_losses(far_sphere_with("P_s", "0.5"), far_sphere()), Contains("6.hit: missing")) << "unreadable";
 }
 
-TEST(Losses, TellAHitThatIsToldAsAMiss) {
+TEST(Losses, IncludeAHitReportedAsAMiss) {
     EXPECT_THAT(told_losses(far_sphere_with("t", "none"), far_sphere()), Contains("6.t: hit_missed"));
     EXPECT_THAT(told_losses(far_sphere_with("t", "none (d = -4 < 0)"), far_sphere()), Contains("6.t: hit_missed"));
 }
 
-TEST(Losses, TellAMissThatIsToldAsAHit) {
+TEST(Losses, IncludeAMissReportedAsAHit) {
     const student::Marking marking = held(student::scene_named("sphere missed"));
     EXPECT_THAT(told_losses(with_line(right_printout(marking), 6, "t", "4.2426"), marking), Contains("6.t: miss_hit"));
 }
 
-// What says that there is no value may hold numbers.
-TEST(Losses, AreNoneWhereNoneIsReadWhateverItsWordsHold) {
+// Words that say that there is no value may contain numbers.
+TEST(Losses, AreEmptyForARightNoneWithAnyWords) {
     const student::Marking marking = held(student::scene_named("sphere missed"));
     for (const char* words :
          {"t: none (d < 0)", "t: none (t is nan)", "t: no hit, since -12.25 < 0", "t = -1 (-1 means no hit)",
@@ -103,14 +103,14 @@ TEST(Losses, AreNoneWhereNoneIsReadWhateverItsWordsHold) {
     }
 }
 
-TEST(Losses, TellAnotherObjectSaidToBeFirst) {
+TEST(Losses, IncludeAWrongFirstObject) {
     const student::Marking marking = held(student::off_axis_scene());
     EXPECT_THAT(told_losses(with_verdict(right_printout(marking), "ray hits triangle first"), marking),
                 ElementsAre("10.verdict: other_first"));
 }
 
-// Marking forgives what float can't tell; that it was not told is what a hard scene shows.
-TEST(Losses, AreDecisionsThatMarkingForgivesToo) {
+// Marking forgives decisions that float can't make. A hard scene reports them as losses.
+TEST(Losses, IncludeDecisionsThatMarkingForgives) {
     const student::Marking hit = held(student::scene_named("barely hit"));
     std::string missed = right_printout(hit);
     missed = with_line(missed, 6, "d", "-0.000004");
@@ -136,12 +136,12 @@ TEST(Losses, AreDecisionsThatMarkingForgivesToo) {
     }
 }
 
-TEST(Losses, AreOnlyOfWhatWasRightOnItsOwnScene) {
+TEST(Losses, IncludeOnlyAnswersThatWereRightOnTheOriginalScene) {
     const student::Marking marking = far_sphere();
     EXPECT_THAT(losses(::mark("", marking), ::mark("", marking), {marking.assignment, marking.key}), IsEmpty());
 }
 
-TEST(OwnConvention, IsTheOneThatThePrintoutWasAcceptedUnder) {
+TEST(OwnConvention, IsTheConventionThatThePrintoutWasAcceptedUnder) {
     student::Marking marking = student::handout_scene();
     marking.assignment.scene.pixel = {40, 30};
     marking.key = reference::make_key(marking.assignment, reference::Precision::certified);
@@ -153,4 +153,4 @@ TEST(OwnConvention, IsTheOneThatThePrintoutWasAcceptedUnder) {
 }
 
 }  // namespace
-}  // namespace harness::stress
+}  // namespace harness::scenes

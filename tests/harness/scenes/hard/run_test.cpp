@@ -1,5 +1,5 @@
-// What goes wrong while hard scenes are made or told.
-#include "harness/stress/run_stress.h"
+// Failures while hard scenes are made or reported.
+#include "harness/scenes/hard/run.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,21 +7,23 @@
 #include <memory>
 #include <string>
 
-#include "tests/printed_values.h"
-#include "tests/stress/held.h"
+#include "harness/run/runner.h"
+#include "harness/run/timeline.h"
+#include "tests/given/hard_scenes/held.h"
+#include "tests/given/printed_values.h"
 
-namespace harness::stress {
+namespace harness::scenes {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Workshop workshop_without_sandbox() {
+Runner workshop_without_sandbox() {
     const auto [compile, run] = read_limits({}, {});
     return {std::make_unique<Sandbox>(Tier::unsafe), {}, default_build_settings(compile), run};
 }
 
-/// With all answers right, from any source.
+/// A graded submission with all answers right.
 Graded graded_right(const student::Marking& marking) {
     Graded graded;
     graded.outcome = Outcome::graded;
@@ -29,15 +31,15 @@ Graded graded_right(const student::Marking& marking) {
     return graded;
 }
 
-// No assignment that raygrade reads has such a camera: what a fault does is told by one.
-TEST(RunStress, LeavesAClassItsMarksWhereItFailsItself) {
+// raygrade never reads an assignment with this camera, so the camera stands for a fault of raygrade.
+TEST(RunHardScenes, KeepsTheMarksOfAClassIfItFailsItself) {
     student::Marking marking = held(student::handout_scene());
     std::vector<Graded> graded{graded_right(marking), graded_right(marking), Graded()};
     const double points = graded[0].score.points;
     marking.assignment.scene.camera.lookat = marking.assignment.scene.camera.eye;
     Timeline timeline;
-    run_stress(graded, {"int main() {}", "int main() {}", ""}, {marking.assignment, marking.key},
-               workshop_without_sandbox(), 1, timeline);
+    run_hard_scenes(graded, {"int main() {}", "int main() {}", ""}, {marking.assignment, marking.key},
+                    workshop_without_sandbox(), 1, timeline);
     for (const std::size_t i : {0U, 1U}) {
         EXPECT_EQ(graded[i].outcome, Outcome::graded);
         EXPECT_EQ(graded[i].score.points, points);
@@ -49,4 +51,4 @@ TEST(RunStress, LeavesAClassItsMarksWhereItFailsItself) {
 }
 
 }  // namespace
-}  // namespace harness::stress
+}  // namespace harness::scenes

@@ -1,4 +1,4 @@
-#include "harness/variants/generate_variants.h"
+#include "harness/scenes/other/generate.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "reference/answer_key.h"
-#include "reference/scene_toml.h"
+#include "reference/key/answer_key.h"
+#include "reference/toml/scene_toml.h"
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
-using reference::SceneVariant;
+using reference::OtherScene;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -31,7 +31,7 @@ PartSet every_part() {
     return parts;
 }
 
-reference::AnswerKey key_of(const SceneVariant& variant) {
+reference::AnswerKey key_of(const OtherScene& variant) {
     reference::Assignment other = assignment();
     other.scene = variant.scene;
     return reference::make_key(other, reference::Precision::certified);
@@ -45,15 +45,15 @@ double number_of(const reference::AnswerKey& key, int question, std::string_view
     throw std::logic_error("no such item");
 }
 
-/// V has length 1, so that d = 4 (R^2 - distance^2) tells how far from the sphere's middle the ray passes.
-TEST(VariantsFor, HasTheFourKindsWithTheirProperties) {
+/// V has length 1, so d = 4 (R^2 - distance^2) gives the distance between the ray and the sphere's centre.
+TEST(OtherScenesFor, GivesTheFourKindsWithTheirProperties) {
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         SCOPED_TRACE(seed);
-        const auto variants = variants_for(assignment(), every_part(), 4, seed);
+        const auto variants = other_scenes_for(assignment(), every_part(), 4, seed);
         ASSERT_THAT(variants, SizeIs(4));
         std::vector<reference::AnswerKey> keys;
         std::vector<double> shares;
-        for (const SceneVariant& variant : variants) {
+        for (const OtherScene& variant : variants) {
             keys.push_back(key_of(variant));
             const double radius = value_of(variant.scene, ScenePart::radius)[0];
             shares.push_back(number_of(keys.back(), 6, "d") / (4 * radius * radius));
@@ -77,10 +77,10 @@ TEST(VariantsFor, HasTheFourKindsWithTheirProperties) {
     }
 }
 
-TEST(VariantsFor, DiffersInEveryItemThatCanDiffer) {
+TEST(OtherScenesFor, DiffersInEveryItemThatCanDiffer) {
     const reference::AnswerKey base = reference::make_key(assignment(), reference::Precision::certified);
     std::set<std::string> changed;
-    for (const SceneVariant& variant : variants_for(assignment(), every_part(), 2, 1)) {
+    for (const OtherScene& variant : other_scenes_for(assignment(), every_part(), 2, 1)) {
         const reference::AnswerKey key = key_of(variant);
         for (std::size_t q = 0; q < key.questions.size(); ++q) {
             for (std::size_t i = 0; i < key.questions[q].items.size(); ++i) {
@@ -90,19 +90,19 @@ TEST(VariantsFor, DiffersInEveryItemThatCanDiffer) {
             }
         }
     }
-    // V has length 1, so that a is 1 in every scene.
+    // V has length 1, so a is 1 in every scene.
     EXPECT_EQ(changed.size(), 21U) << testing::PrintToString(changed);
     EXPECT_FALSE(changed.contains("6.a"));
 }
 
-TEST(VariantsFor, ChangesOnlyWhatWasLocated) {
+TEST(OtherScenesFor, ChangesOnlyLocatedParts) {
     for (const std::vector<ScenePart>& parts :
          {std::vector{ScenePart::eye, ScenePart::center}, {ScenePart::radius, ScenePart::lookat}, {ScenePart::vup}}) {
         PartSet located;
         for (const ScenePart part : parts) located.insert(part);
-        const auto variants = variants_for(assignment(), located, 4, 1);
+        const auto variants = other_scenes_for(assignment(), located, 4, 1);
         ASSERT_THAT(variants, SizeIs(4));
-        for (const SceneVariant& variant : variants) {
+        for (const OtherScene& variant : variants) {
             for (const ScenePart part : all_parts) {
                 const bool changed = value_of(variant.scene, part) != value_of(assignment().scene, part);
                 EXPECT_EQ(changed, located.contains(part)) << variant.name << ": " << to_string(part);
@@ -111,7 +111,7 @@ TEST(VariantsFor, ChangesOnlyWhatWasLocated) {
     }
 }
 
-TEST(VariantsFor, MakesAKeyOfWhateverWasLocated) {
+TEST(OtherScenesFor, GivesAKeyForAnyLocatedParts) {
     for (unsigned bits = 1; bits < 1U << all_parts.size(); bits += 37) {
         PartSet located;
         for (std::size_t i = 0; i < all_parts.size(); ++i) {
@@ -120,21 +120,21 @@ TEST(VariantsFor, MakesAKeyOfWhateverWasLocated) {
         if (located.contains(ScenePart::A) != located.contains(ScenePart::B) ||
             located.contains(ScenePart::B) != located.contains(ScenePart::C))
             continue;
-        for (const SceneVariant& variant : variants_for(assignment(), located, 4, bits))
+        for (const OtherScene& variant : other_scenes_for(assignment(), located, 4, bits))
             EXPECT_NO_THROW(key_of(variant));
     }
 }
 
-TEST(VariantsFor, IsTheSameForTheSameSeedAndAnotherForAnother) {
+TEST(OtherScenesFor, IsDeterminedByTheSeed) {
     const auto toml = [](std::uint64_t seed) {
-        return reference::scene_toml(variants_for(assignment(), every_part(), 1, seed).at(0).scene);
+        return reference::scene_toml(other_scenes_for(assignment(), every_part(), 1, seed).at(0).scene);
     };
     EXPECT_EQ(toml(7), toml(7));
     EXPECT_NE(toml(7), toml(8));
 }
 
-TEST(VariantsFor, DrawsWholeNumbersThatAFloatHolds) {
-    for (const SceneVariant& variant : variants_for(assignment(), every_part(), 8, 3)) {
+TEST(OtherScenesFor, DrawsWholeNumbersThatAFloatHolds) {
+    for (const OtherScene& variant : other_scenes_for(assignment(), every_part(), 8, 3)) {
         for (const ScenePart part : all_parts) {
             for (const double x : value_of(variant.scene, part)) {
                 EXPECT_EQ(x, std::trunc(x));
@@ -144,11 +144,11 @@ TEST(VariantsFor, DrawsWholeNumbersThatAFloatHolds) {
     }
 }
 
-TEST(VariantsFor, IsEmptyWhereNothingWasLocated) {
-    EXPECT_THAT(variants_for(assignment(), {}, 4, 1), IsEmpty());
+TEST(OtherScenesFor, IsEmptyIfNothingWasLocated) {
+    EXPECT_THAT(other_scenes_for(assignment(), {}, 4, 1), IsEmpty());
 }
 
-TEST(VariantsFor, TakesTheAssignmentsOwnFirst) {
+TEST(OtherScenesFor, TakesTheAssignmentsOwnScenesFirst) {
     reference::Assignment own = assignment();
     own.variants.push_back({"mine", own.scene});
     own.variants.back().scene.camera.eye.x = reference::Decimal::parse("3").value();
@@ -159,12 +159,12 @@ TEST(VariantsFor, TakesTheAssignmentsOwnFirst) {
     own.variants.front().scene.spheres.front().radius = reference::Decimal::parse("3").value();
     PartSet located;
     located.insert(ScenePart::eye);
-    const auto variants = variants_for(own, located, 2, 1);
+    const auto variants = other_scenes_for(own, located, 2, 1);
     ASSERT_THAT(variants, SizeIs(2));
     EXPECT_EQ(variants[0].name, "mine") << "with the eye alone the first would be the assignment's own scene";
-    // With the eye alone moved it would lie in lookat.
+    // If only the eye were moved, it would coincide with lookat.
     EXPECT_NE(variants[1].name, "into the eye");
 }
 
 }  // namespace
-}  // namespace harness::variants
+}  // namespace harness::scenes

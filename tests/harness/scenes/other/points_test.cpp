@@ -1,14 +1,14 @@
-#include "harness/variants/variant_points.h"
+#include "harness/scenes/other/points.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "harness/final_mark.h"
-#include "harness/graded_record.h"
-#include "harness/override_place.h"
-#include "harness/report/report.h"
+#include "harness/grade/final_mark.h"
+#include "harness/grade/override_place.h"
+#include "harness/gradebook/record.h"
+#include "harness/report/text/sentences.h"
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
 using testing::AllOf;
@@ -27,7 +27,7 @@ Graded half_right() {
 
 Graded with_runs(const std::vector<double>& shares) {
     Graded graded = half_right();
-    graded.other_scenes = VariantReport{};
+    graded.other_scenes = OtherScenesReport{};
     for (const double share : shares) {
         graded.other_scenes->runs.push_back({"scene", "", "", true, {}, share});
     }
@@ -36,24 +36,24 @@ Graded with_runs(const std::vector<double>& shares) {
 
 reference::Rubric five_points() {
     reference::Rubric rubric;
-    rubric.variant_points = 5;
+    rubric.other_scene_points = 5;
     return rubric;
 }
 
 Graded awarded(Graded graded, const reference::Rubric& rubric = five_points()) {
     std::vector<Graded> all{std::move(graded)};
-    award_variant_points(all, rubric);
+    award_other_scene_points(all, rubric);
     return all.front();
 }
 
-TEST(VariantPoints, AreNoneUnlessTheRubricGivesSome) {
+TEST(OtherScenePoints, AreNoneByDefault) {
     const Graded graded = awarded(with_runs({1, 0}), {});
     EXPECT_FALSE(graded.score.other_scenes);
     EXPECT_EQ(graded.score.points, 10);
     EXPECT_EQ(graded.score.max_points, 20);
 }
 
-TEST(VariantPoints, AreSharedByTheScenesAndWhatIsRightThere) {
+TEST(OtherScenePoints, AreSharedByTheScenesAndTheirRightAnswers) {
     const Graded graded = awarded(with_runs({1, 0.5, 0, 0.5}));
     EXPECT_EQ(graded.score.other_scenes->points, 2.5);
     EXPECT_EQ(graded.score.points, 12.5);
@@ -62,7 +62,7 @@ TEST(VariantPoints, AreSharedByTheScenesAndWhatIsRightThere) {
     EXPECT_EQ(report::scenes_sentence(graded), "Other scenes: 2.5 of 5 points.");
 }
 
-/// What a person is told; empty when nobody is.
+/// The note for a person to review; "" if there is none.
 std::string told(const Graded& graded) {
     EXPECT_LE(graded.flags.size(), 1U);
     if (graded.flags.empty()) return "";
@@ -70,7 +70,7 @@ std::string told(const Graded& graded) {
     return graded.flags[0].evidence;
 }
 
-TEST(VariantPoints, AreThoseOfItsOwnSceneWhereTheSceneWasNotFoundAndAPersonIsTold) {
+TEST(OtherScenePoints, EqualTheOwnScenesShareAndAreNotedIfNoSceneWasFound) {
     Graded untried = with_runs({});
     untried.other_scenes->not_found = {"eye", "center", "radius", "A", "B", "C"};
     untried.other_scenes->not_tried = {{"", "", "the scene was not found in its source"},
@@ -83,7 +83,7 @@ TEST(VariantPoints, AreThoseOfItsOwnSceneWhereTheSceneWasNotFoundAndAPersonIsTol
               "has 2.5, until a person decides: a scene that was not tried counts as the assignment's own.");
 }
 
-TEST(VariantPoints, CountASceneThatWasNotTriedAsTheAssignmentsOwn) {
+TEST(OtherScenePoints, CountAnUntriedSceneAsTheAssignmentsOwn) {
     Graded graded = with_runs({1});
     graded.other_scenes->not_tried = {{"far sphere, grazed", "radius = 8", "the source does not compile"},
                                       {"triangle in front", "radius = 3", "the source does not compile"},
@@ -97,7 +97,7 @@ TEST(VariantPoints, CountASceneThatWasNotTriedAsTheAssignmentsOwn) {
                       HasSubstr("it has 3.12")));
 }
 
-TEST(VariantPoints, TellAPersonOfScenesThatAreMuchLikeTheAssignments) {
+TEST(OtherScenePoints, NoteScenesThatAreMuchLikeTheAssignments) {
     for (const std::string part : {"eye", "center"}) {
         Graded graded = with_runs({1, 1});
         graded.other_scenes->not_found = {part, "vup"};
@@ -115,13 +115,13 @@ TEST(VariantPoints, TellAPersonOfScenesThatAreMuchLikeTheAssignments) {
     EXPECT_EQ(told(awarded(graded)), "");
 }
 
-TEST(VariantPoints, SayWhereNoAnswerIsRight) {
+TEST(OtherScenePoints, SayIfNoAnswerIsRight) {
     const Graded only_follows = awarded(half_right());
     EXPECT_EQ(only_follows.score.other_scenes->points, 2.5);
     EXPECT_THAT(told(only_follows), HasSubstr("No answer of the program is right, so that it was run on no other"));
 }
 
-TEST(VariantPoints, SayWhereRaygradeFailed) {
+TEST(OtherScenePoints, SayIfRaygradeFailed) {
     Graded graded = half_right();
     ItemScore right;
     right.verdict = ItemVerdict::right;
@@ -130,7 +130,7 @@ TEST(VariantPoints, SayWhereRaygradeFailed) {
     EXPECT_THAT(told(awarded(graded)), HasSubstr("raygrade failed to run the program on other scenes."));
 }
 
-TEST(VariantPoints, NeedNoPersonWhereNothingIsRight) {
+TEST(OtherScenePoints, NeedNoReviewIfNothingIsRight) {
     Graded nothing = half_right();
     nothing.score.points = 0;
     nothing.outcome = Outcome::compile_error;
@@ -140,7 +140,7 @@ TEST(VariantPoints, NeedNoPersonWhereNothingIsRight) {
     EXPECT_THAT(graded.flags, IsEmpty());
 }
 
-TEST(VariantPoints, CountInTheMarkWithOverridesAndAreOverriddenThemselves) {
+TEST(OtherScenePoints, CountWithOverridesAndCanBeOverridden) {
     Graded graded = awarded(with_runs({1, 0.5, 0, 0.5}));
     EXPECT_EQ(final_mark(graded)->points, 12.5);
     graded.overrides = {{5, "", 20, "fine", "ada", ""}};
@@ -154,7 +154,7 @@ TEST(VariantPoints, CountInTheMarkWithOverridesAndAreOverriddenThemselves) {
     EXPECT_FALSE(points_at(half_right().score, graded.overrides.back())) << "where the rubric gives none";
 }
 
-TEST(VariantPoints, AreKeptByTheGradebook) {
+TEST(OtherScenePoints, AreKeptByTheGradebook) {
     const Graded graded = awarded(with_runs({1, 0.5}));
     const auto again = from_record(to_record(graded));
     ASSERT_TRUE(again);
@@ -163,14 +163,14 @@ TEST(VariantPoints, AreKeptByTheGradebook) {
     EXPECT_EQ(again->other_scenes->runs.at(1).share, 0.5);
 }
 
-TEST(VariantPoints, AreRefusedWithoutOtherScenes) {
+TEST(OtherScenePoints, AreRefusedWithoutOtherScenes) {
     reference::Assignment assignment;
     assignment.name = "mine";
-    EXPECT_NO_THROW(require_variants(assignment, 0));
+    EXPECT_NO_THROW(require_other_scenes(assignment, 0));
     assignment.rubric = five_points();
-    EXPECT_NO_THROW(require_variants(assignment, 1));
+    EXPECT_NO_THROW(require_other_scenes(assignment, 1));
     try {
-        require_variants(assignment, 0);
+        require_other_scenes(assignment, 0);
         FAIL() << "no complaint";
     } catch (const reference::AssignmentError& error) {
         EXPECT_THAT(error.what(), AllOf(HasSubstr("mine"), HasSubstr("5 points"), HasSubstr("--variants 4")));
@@ -178,4 +178,4 @@ TEST(VariantPoints, AreRefusedWithoutOtherScenes) {
 }
 
 }  // namespace
-}  // namespace harness::variants
+}  // namespace harness::scenes

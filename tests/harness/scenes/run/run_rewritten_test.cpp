@@ -1,4 +1,4 @@
-#include "harness/variants/rewritten.h"
+#include "harness/scenes/run/run_rewritten.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,10 +7,13 @@
 #include <memory>
 #include <stdexcept>
 
-#include "harness/failure.h"
-#include "reference/assignment.h"
+#include "harness/grade/marking.h"
+#include "harness/machine/errors.h"
+#include "harness/run/runner.h"
+#include "harness/run/timeline.h"
+#include "reference/toml/assignment.h"
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
 using testing::ElementsAre;
@@ -21,7 +24,7 @@ const DecimalScene& scene() {
     return a6;
 }
 
-/// Four submissions with a right answer but for the second, which has none.
+/// Four submissions. All have a right answer except the second.
 std::vector<Graded> four() {
     std::vector<Graded> all(4);
     for (Graded& one : all) {
@@ -34,7 +37,7 @@ std::vector<Graded> four() {
     return all;
 }
 
-/// The class without any scene, so that nothing is compiled. The result are those that were concluded.
+/// Runs the class without any scene, so nothing is compiled. Returns the submissions that were concluded.
 template <class ForOne, class Conclude>
 std::vector<std::size_t> concluded(std::vector<Graded>& graded, ForOne for_one, Conclude conclude) {
     const std::vector<std::string> sources(graded.size());
@@ -42,7 +45,7 @@ std::vector<std::size_t> concluded(std::vector<Graded>& graded, ForOne for_one, 
     std::vector<std::size_t> indices;
     Timeline timeline;
     run_rewritten(
-        graded, sources, scene(), Workshop{}, 1, timeline,
+        graded, sources, scene(), Runner{}, 1, timeline,
         [&](std::size_t index, const PartSet&) -> const auto& {
             for_one(index);
             return none;
@@ -71,7 +74,7 @@ TEST(RunRewritten, TriesEverySubmissionWithARightAnswer) {
     }
 }
 
-TEST(RunRewritten, MakesAFaultOfRaygradeANoteOfOneSubmission) {
+TEST(RunRewritten, NotesAFaultOfRaygradeOnOneSubmission) {
     for (const bool while_drawing : {true, false}) {
         std::vector<Graded> graded = four();
         const auto fail = fail_for_first<std::out_of_range>;
@@ -88,7 +91,7 @@ TEST(RunRewritten, MakesAFaultOfRaygradeANoteOfOneSubmission) {
     }
 }
 
-TEST(RunRewritten, DoesNotTakeTheMachinesFailureForItsOwn) {
+TEST(RunRewritten, DistinguishesTheMachinesFailureFromItsOwnFault) {
     std::vector<Graded> graded = four();
     EXPECT_THAT(concluded(graded, fail_for_first<HarnessError>, nothing), ElementsAre(2, 3));
     EXPECT_FALSE(graded[0].our_fault);
@@ -96,24 +99,5 @@ TEST(RunRewritten, DoesNotTakeTheMachinesFailureForItsOwn) {
                 ElementsAre("It was not run on other scenes: something went wrong here, not in it."));
 }
 
-TEST(RunRewritten, KeepsTheMarksWhereABatchFails) {
-    std::vector<Graded> graded = four();
-    std::promise<Marking> marking;
-    marking.set_exception(std::make_exception_ptr(std::logic_error("no key")));
-    const std::vector<MarkedScene> one_scene{{{"aside", scene()}, marking.get_future().share()}};
-    const auto [compile, run] = read_limits({}, {});
-    const Workshop workshop{std::make_unique<Sandbox>(Tier::unsafe), {}, default_build_settings(compile), run};
-    Timeline timeline;
-    run_rewritten(
-        graded, std::vector<std::string>(graded.size(), "int main() {}"), scene(), workshop, 1,
-        timeline, [&](std::size_t, const PartSet&) -> const auto& { return one_scene; },
-        [](const Rewritten&) { FAIL() << "nothing was tried"; });
-    for (std::size_t i = 0; i < graded.size(); ++i) {
-        EXPECT_EQ(graded[i].our_fault, i != 1) << i;
-        EXPECT_EQ(graded[i].outcome, Outcome::graded);
-        EXPECT_EQ(graded[i].submission.notes.size(), i == 1 ? 0U : 1U);
-    }
-}
-
 }  // namespace
-}  // namespace harness::variants
+}  // namespace harness::scenes

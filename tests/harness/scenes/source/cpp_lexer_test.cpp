@@ -1,4 +1,4 @@
-#include "harness/variants/cpp_lexer.h"
+#include "harness/scenes/source/cpp_lexer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "tests/bytes_of.h"
+#include "tests/given/bytes_of.h"
 
-namespace harness::variants {
+namespace harness::scenes {
 
 void PrintTo(TokenKind kind, std::ostream* out) {
     *out << "kind " << static_cast<int>(kind);
@@ -24,7 +24,7 @@ namespace {
 using testing::ElementsAre;
 using testing::Pair;
 
-/// Without blanks and line ends.
+/// The tokens without blanks and line ends.
 std::vector<std::pair<TokenKind, std::string>> words(const std::string& source) {
     std::vector<std::pair<TokenKind, std::string>> result;
     for (const Token& token : lex_cpp(source)) {
@@ -34,7 +34,7 @@ std::vector<std::pair<TokenKind, std::string>> words(const std::string& source) 
     return result;
 }
 
-/// Empty if the tokens follow each other from one end of the source to the other.
+/// "" if the tokens cover the source without gap or overlap.
 std::string gap_in(const std::string& source) {
     std::size_t at = 0;
     for (const Token& token : lex_cpp(source)) {
@@ -44,7 +44,7 @@ std::string gap_in(const std::string& source) {
     return at == source.size() ? "" : "the end is missing from " + std::to_string(at);
 }
 
-TEST(CppLexer, TakesANumberWithSeparatorsExponentAndSuffixAsOne) {
+TEST(CppLexer, ReadsSeparatorsExponentAndSuffixAsOneNumber) {
     for (const std::string number :
          {"0", "2.0f", ".5F", "2.", "1'000'000", "1e-3", "1.5E+2L", "0x1.8p-3", "0x1F'00ull", "0b101", "017"}) {
         EXPECT_THAT(words(number + ";"), ElementsAre(Pair(TokenKind::number, number), Pair(TokenKind::symbol, ";")));
@@ -70,7 +70,7 @@ TEST(CppLexer, EndsARawStringAtItsOwnDelimiter) {
     EXPECT_THAT(words("FR\"5\""), ElementsAre(Pair(TokenKind::name, "FR"), Pair(TokenKind::text, "\"5\"")));
 }
 
-TEST(CppLexer, KnowsADirectiveByItsPlaceInTheLine) {
+TEST(CppLexer, RecognisesADirectiveByItsPlaceInTheLine) {
     EXPECT_THAT(
         words(" /**/ # include <a/1.h>\nx #y < 1"),
         ElementsAre(Pair(TokenKind::comment, "/**/"), Pair(TokenKind::directive, "#"), Pair(TokenKind::name, "include"),
@@ -78,7 +78,7 @@ TEST(CppLexer, KnowsADirectiveByItsPlaceInTheLine) {
                     Pair(TokenKind::name, "y"), Pair(TokenKind::symbol, "<"), Pair(TokenKind::number, "1")));
 }
 
-TEST(CppLexer, JoinsLinesWhereABackslashEndsOne) {
+TEST(CppLexer, JoinsLinesThatEndWithABackslash) {
     EXPECT_THAT(words("#define R \\\r\n 2"),
                 ElementsAre(Pair(TokenKind::directive, "#"), Pair(TokenKind::name, "define"),
                             Pair(TokenKind::name, "R"), Pair(TokenKind::number, "2")));
@@ -93,7 +93,7 @@ TEST(CppLexer, TakesTheLongestSymbol) {
                             Pair(TokenKind::name, "d")));
 }
 
-TEST(CppLexer, EndsAnOpenLiteralWithItsLine) {
+TEST(CppLexer, EndsAnOpenLiteralAtTheLineEnd) {
     EXPECT_THAT(words("\"a\n1"), ElementsAre(Pair(TokenKind::text, "\"a"), Pair(TokenKind::number, "1")));
     EXPECT_THAT(words("/* a\n1"), ElementsAre(Pair(TokenKind::comment, "/* a\n1")));
     EXPECT_THAT(words("R\"(a\n1"), ElementsAre(Pair(TokenKind::text, "R\"(a\n1")));
@@ -161,15 +161,15 @@ TEST(CppLexer, LosesNoByteOfASubmissionCutAnywhere) {
     for (std::size_t length = 0; length <= source.size(); length += 7) ASSERT_EQ(gap_in(source.substr(0, length)), "");
 }
 
-/// Repeated, each of them makes a lexer that goes back over what it has read take hours.
+/// Patterns that, if repeated, would make a backtracking lexer take hours.
 class NastySource : public testing::TestWithParam<std::string> {};
 
-TEST_P(NastySource, OfAMebibyteIsReadInTime) {
+TEST_P(NastySource, IsReadInTimeAtOneMebibyte) {
     std::string source;
     while (source.size() < (std::size_t{1} << 20U)) source += GetParam();
     const auto start = std::chrono::steady_clock::now();
     EXPECT_EQ(gap_in(source), "");
-    // Wide, as it is to stop what hangs.
+    // A wide bound: it only has to detect a hang.
     EXPECT_LE(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
@@ -178,4 +178,4 @@ INSTANTIATE_TEST_SUITE_P(CppLexer, NastySource,
                                          "1e+", "#include <", "<", "\\\n", "#\n", "L", "\r", "u8R\"x(", "a\\\n"));
 
 }  // namespace
-}  // namespace harness::variants
+}  // namespace harness::scenes

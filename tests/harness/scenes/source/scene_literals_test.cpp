@@ -1,4 +1,4 @@
-#include "harness/variants/scene_literals.h"
+#include "harness/scenes/source/scene_literals.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "reference/assignment.h"
-#include "tests/bytes_of.h"
+#include "reference/toml/assignment.h"
+#include "tests/given/bytes_of.h"
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
 namespace fs = std::filesystem;
@@ -28,7 +28,7 @@ const reference::Assignment& assignment() {
     return a6;
 }
 
-/// Every number differs from the assignment's and from every other.
+/// A scene whose numbers all differ from the assignment's and from each other.
 DecimalScene other_scene() {
     const auto decimal = [](int x) { return reference::Decimal::parse(std::to_string(x)).value(); };
     const auto vector = [&](int x, int y, int z) {
@@ -100,7 +100,7 @@ TEST(FindScene, ReadsSphereAndTriangle) {
               "float tri[] = {31, 32, 33, 34, 35, 36, 37, 38, 39};");
 }
 
-TEST(FindScene, TakesValuesThatAnyProgramHoldsByNameOrPlaceOnly) {
+TEST(FindScene, AcceptsCommonValuesOnlyByNameOrPlace) {
     EXPECT_THAT(located("vec3 lookat(0, 0, 0), vup(0, 1, 0);"), UnorderedElementsAre("lookat", "vup"));
     EXPECT_THAT(located("m = lookAt(eye, vec3(0, 0, 0), vec3(0, 1, 0));"), UnorderedElementsAre("lookat", "vup"));
     EXPECT_THAT(located("Camera c({0, 0, 4}, {0, 0, 0}, {0, 1, 0});"), UnorderedElementsAre("eye", "lookat", "vup"));
@@ -108,7 +108,7 @@ TEST(FindScene, TakesValuesThatAnyProgramHoldsByNameOrPlaceOnly) {
     EXPECT_THAT(located("x = dot(vec3(0, 1, 0), n);"), IsEmpty());
 }
 
-TEST(FindScene, ConcludesNothingWhereAPlaceIsInDoubt) {
+TEST(FindScene, ConcludesNothingFromADoubtfulPlace) {
     EXPECT_THAT(located("vec3 vup(0, 1, 0); x = cross(vec3(0, 1, 0), z);"), IsEmpty());
     EXPECT_THAT(located("vec3 A(0, -2, 2), B(2, 2, 2);"), IsEmpty());
     EXPECT_THAT(located("float R = 2; double radius = 3;"), IsEmpty());
@@ -121,7 +121,7 @@ TEST(FindScene, ConcludesNothingWhereAPlaceIsInDoubt) {
     EXPECT_THAT(located("vec3 vup(0, 1, 0); use(0, 1, 0, 7);"), UnorderedElementsAre("vup")) << "that is no vector";
 }
 
-TEST(FindScene, LooksAtWhatIsCompiledOnly) {
+TEST(FindScene, ReadsOnlyCompiledCode) {
     const std::string source =
         "// vec3 eye(0, 0, 4);\nputs(\"vec3 eye(0, 0, 4)\");\n#if 0\nvec3 eye(0, 0, 4);\n#endif\n"
         "auto s = R\"(eye(0, 0, 4))\";\n#include <eye(0,0,4)>\n#pragma eye(0, 0, 4)\n";
@@ -130,7 +130,7 @@ TEST(FindScene, LooksAtWhatIsCompiledOnly) {
     EXPECT_THAT(located("#define MINE\n#ifdef MINE\nvec3 eye(0, 0, 4);\n#endif"), UnorderedElementsAre("eye"));
 }
 
-TEST(FindScene, NeverTouchesFormulas) {
+TEST(FindScene, NeverChangesFormulas) {
     const std::string formulas =
         "float d = b * b - 4 * a * c; float t = (-b - sqrt(d)) / (2 * a); float x = -2 + 4 * (px + 0.5f) / W;\n"
         "float l = -2, r = 2, bottom = -1, top = 1, near = 2; int W = 301, H = 201; mat4 M(1.0f); f(2, 2); g(4);\n"
@@ -139,19 +139,19 @@ TEST(FindScene, NeverTouchesFormulas) {
     EXPECT_EQ(rewritten(formulas + "vec3 eye(0, 0, 4);"), formulas + "vec3 eye(11, 12, 13);");
 }
 
-TEST(FindScene, KeepsThePixelsHalf) {
+TEST(FindScene, KeepsTheHalfOfThePixel) {
     EXPECT_EQ(rewritten("x = -2 + 4 * 150.5f / 301; y = -1 + 2 * 100.5 / 201;"),
               "x = -2 + 4 * 41.5f / 301; y = -1 + 2 * 42.5 / 201;");
     EXPECT_EQ(rewritten("int px = 150, py = 100;"), "int px = 41, py = 42;");
 }
 
-TEST(FindScene, TakesNoPixelOfNumbersThatStandAnywhere) {
+TEST(FindScene, IgnoresThePixelsNumbersInOtherPlaces) {
     DecimalScene scene = assignment().scene;
     scene.pixel = {4, 2};
     EXPECT_FALSE(find_scene("f(4, 2); g(4); h(2);", scene).located.contains(ScenePart::pixel));
 }
 
-TEST(WithScene, WritesNoFractionWhereTheSourceHasAnInteger) {
+TEST(WithScene, WritesNoFractionForAnIntegerOfTheSource) {
     DecimalScene scene = assignment().scene;
     scene.camera.eye.x = reference::Decimal::parse("1.5").value();
     const auto rewrite = [&](const std::string& source) {
@@ -161,7 +161,7 @@ TEST(WithScene, WritesNoFractionWhereTheSourceHasAnInteger) {
     EXPECT_EQ(rewrite("float eye[] = {0.f, 0, 4};"), "float eye[] = {1.5f, 0, 4};");
 }
 
-TEST(WithScene, GivesTheSourceBackForTheAssignmentsOwnScene) {
+TEST(WithScene, ReturnsTheSourceForTheAssignmentsOwnScene) {
     const std::string source = "vec3 eye(0.0f, 0.0f, 4.0f); int p[] = {150, 100}; Sphere s{{1, 1, 0}, 2};";
     EXPECT_EQ(with_scene(source, find_scene(source, assignment().scene), assignment().scene), source);
 }
@@ -188,9 +188,7 @@ TEST(FindScene, EndsOnAnySource) {
     }
 }
 
-// The sample class
-
-/// Whether the submission compiles, by what stands beside it; none of hostile/ is asked.
+/// Whether the submission compiles, according to its label.json or expected.json. Hostile submissions have neither.
 bool compiles(const fs::path& folder) {
     for (const char* name : {"label.json", "expected.json"}) {
         if (fs::exists(folder / name))
@@ -219,4 +217,4 @@ TEST(FindScene, FindsTheSceneOfNineTenthsOfTheSampleClass) {
 }
 
 }  // namespace
-}  // namespace harness::variants
+}  // namespace harness::scenes

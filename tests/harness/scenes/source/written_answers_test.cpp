@@ -1,11 +1,11 @@
-#include "harness/variants/written_answers.h"
+#include "harness/scenes/source/written_answers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reference/assignment.h"
+#include "reference/toml/assignment.h"
 
-namespace harness::variants {
+namespace harness::scenes {
 namespace {
 
 using testing::IsEmpty;
@@ -39,7 +39,7 @@ TEST(WrittenAnswers, AreFoundInStringsAndLiteralsWithTheirLine) {
     EXPECT_THAT(written_answers("float t = -3.41421f;", printed("(0, -3.41421)"), scene()), SizeIs(1));
 }
 
-TEST(WrittenAnswers, AreNeitherShortNorInCommentsNorWrong) {
+TEST(WrittenAnswers, ExcludeShortAndCommentedAndWrongAnswers) {
     EXPECT_THAT(written_answers("puts(\"0.25 4 1.0000 200 150.000\");", printed("0.25 4 1.0000 200 150.000"), scene()),
                 IsEmpty());
     EXPECT_THAT(written_answers("puts(\"12345\");", printed("12345"), scene()), IsEmpty());
@@ -47,11 +47,11 @@ TEST(WrittenAnswers, AreNeitherShortNorInCommentsNorWrong) {
     EXPECT_THAT(written_answers("puts(\"0.585786\");", printed("0.585786", ItemVerdict::wrong), scene()), IsEmpty());
 }
 
-TEST(WrittenAnswers, AreNoNumbersOfTheScene) {
+TEST(WrittenAnswers, ExcludeNumbersOfTheScene) {
     DecimalScene other = scene();
     other.camera.eye.x = reference::Decimal::parse("-3.1250").value();
     EXPECT_THAT(written_answers("vec3 eye(-3.125, 0, 4);", printed("3.125000"), other), IsEmpty());
 }
 
 }  // namespace
-}  // namespace harness::variants
+}  // namespace harness::scenes

@@ -1,5 +1,5 @@
-// Clients that are slow, broken, greedy or hostile, and what becomes of the others meanwhile.
-#include "harness/serve/server.h"
+// Clients that are slow, broken, greedy or hostile, and how the server treats the other clients meanwhile.
+#include "harness/serve/http/server.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <random>
 #include <thread>
 
-#include "tests/serve/running_server.h"
+#include "tests/given/serve/running_server.h"
 
 namespace harness::serve {
 namespace {
@@ -17,7 +17,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using namespace std::chrono_literals;
 
-/// On a busy machine; what is tested is that there is an end.
+/// Long enough for a busy machine. The tests only check that the connection ends at all.
 constexpr auto soon = 20s;
 
 std::string head_of_upload(const std::string& length) {
@@ -25,12 +25,12 @@ std::string head_of_upload(const std::string& length) {
            "\r\n";
 }
 
-/// Without another whole answer.
+/// Whether the connection ends without a further complete answer.
 bool ends_unanswered(Client& client) {
     return client.ends_within(soon) && client.answer().status == 0;
 }
 
-/// Whether the server takes one more connection.
+/// Whether the server accepts a further connection.
 bool has_room_within(std::chrono::milliseconds time, const RunningServer& server) {
     const auto end = std::chrono::steady_clock::now() + time;
     int status = 0;
@@ -38,7 +38,7 @@ bool has_room_within(std::chrono::milliseconds time, const RunningServer& server
     return status == 200;
 }
 
-TEST(Server, RefusesABodyThatSaysItIsTooLarge) {
+TEST(Server, RefusesABodyWithATooLargeStatedSize) {
     const RunningServer server;
     Client client(server.port());
     client.send(head_of_upload("Content-Length: 2000000\r\n"));
@@ -46,7 +46,7 @@ TEST(Server, RefusesABodyThatSaysItIsTooLarge) {
     EXPECT_TRUE(client.ends_within(soon));
 }
 
-TEST(Server, TellsAClientThatSendsItAllTheSame) {
+TEST(Server, AnswersAClientThatStillSendsARefusedBody) {
     const RunningServer server;
     Client client(server.port());
     client.send(upload(std::string(3 << 20, 'x')));
@@ -57,7 +57,7 @@ TEST(Server, TellsAClientThatSendsItAllTheSame) {
     EXPECT_FALSE(client.was_reset());
 }
 
-TEST(Server, RefusesABodyThatGrowsTooLargeWithoutSaying) {
+TEST(Server, RefusesAChunkedBodyThatGrowsTooLarge) {
     const RunningServer server;
     Client client(server.port());
     client.send(head_of_upload("Transfer-Encoding: chunked\r\n"));
@@ -67,7 +67,7 @@ TEST(Server, RefusesABodyThatGrowsTooLargeWithoutSaying) {
     EXPECT_EQ(client.answer().status, 413);
 }
 
-TEST(Server, TakesTheLargestProgramThereMayBe) {
+TEST(Server, AcceptsTheLargestAllowedProgram) {
     const RunningServer server;
     EXPECT_EQ(server.ask(upload(std::string(1 << 20, 'x'))).status, 303);
     EXPECT_EQ(server.ask(upload(std::string((1 << 20) + 1, 'x'))).status, 400);
@@ -84,7 +84,7 @@ TEST(Server, RefusesAHeadThatIsTooLarge) {
     EXPECT_EQ(server.ask(get("/")).status, 200);
 }
 
-TEST(Server, CutsOffAHeadThatComesByteByByte) {
+TEST(Server, CutsOffAHeadSentByteByByte) {
     RunningServer::Options options;
     options.limits.head_time = 500ms;
     const RunningServer server(options);
@@ -97,7 +97,7 @@ TEST(Server, CutsOffAHeadThatComesByteByByte) {
     EXPECT_TRUE(ends_unanswered(client));
 }
 
-TEST(Server, CutsOffABodyThatComesByteByByte) {
+TEST(Server, CutsOffABodySentByteByByte) {
     RunningServer::Options options;
     options.limits.body_time = 500ms;
     const RunningServer server(options);
@@ -108,7 +108,7 @@ TEST(Server, CutsOffABodyThatComesByteByByte) {
     EXPECT_LT(std::chrono::steady_clock::now() - begin, soon);
 }
 
-TEST(Server, CutsOffWhoDoesNotReadItsAnswer) {
+TEST(Server, CutsOffAClientThatDoesNotReadItsAnswer) {
     RunningServer::Options options;
     options.limits.answer_time = 500ms;
     options.limits.connections_of_one_address = 1;
@@ -116,7 +116,7 @@ TEST(Server, CutsOffWhoDoesNotReadItsAnswer) {
     Client client(server.port());
     client.send(upload("x"));
     const std::string result = "/" + client.answer().fields.at("location");
-    server.desk().finish(server.desk().next().value(), {std::string(24 << 20, 'x'), 1, 1});
+    server.queue().finish(server.queue().next().value(), {std::string(24 << 20, 'x'), 1, 1});
     client.send(get(result));
     EXPECT_TRUE(has_room_within(soon, server)) << "it can't see that it was left without reading";
     EXPECT_TRUE(ends_unanswered(client));
@@ -144,7 +144,7 @@ TEST(Server, AnswersPipelinedRequestsInTheirOrder) {
     EXPECT_EQ(client.answer().fields.at("content-type"), "image/svg+xml");
 }
 
-TEST(Server, EndsAConnectionAfterSoManyRequests) {
+TEST(Server, EndsAConnectionAfterItsMaximumOfRequests) {
     RunningServer::Options options;
     options.limits.requests_of_one_connection = 3;
     const RunningServer server(options);
@@ -184,14 +184,14 @@ TEST(Server, IsNotMisledAboutWhereARequestEnds) {
         EXPECT_EQ(client.answer().status, 400) << lengths;
         EXPECT_TRUE(ends_unanswered(client)) << lengths;
     }
-    // A body that nobody wants is not the next request.
+    // A refused body must not be read as the next request.
     Client client(server.port());
     client.send(get("/icon.svg", "Content-Length: " + std::to_string(smuggled.size()) + "\r\n") + smuggled);
     EXPECT_EQ(client.answer().status, 200);
     EXPECT_TRUE(ends_unanswered(client));
 }
 
-TEST(Server, AsksForABodyOnlyWhereItIsWelcome) {
+TEST(Server, SendsContinueOnlyForAWelcomeBody) {
     const RunningServer server;
     const std::string whole = upload("int main() {}", "Expect: 100-continue\r\n");
     const std::size_t body = whole.find("\r\n\r\n") + 4;
@@ -205,7 +205,7 @@ TEST(Server, AsksForABodyOnlyWhereItIsWelcome) {
     EXPECT_EQ(stranger.answer().status, 403);
 }
 
-TEST(Server, GivesOneAddressOnlySoManyConnections) {
+TEST(Server, LimitsTheConnectionsOfAnAddress) {
     RunningServer::Options options;
     options.limits.connections_of_one_address = 5;
     const RunningServer server(options);
@@ -221,10 +221,10 @@ TEST(Server, GivesOneAddressOnlySoManyConnections) {
     EXPECT_TRUE(has_room_within(soon, server));
 }
 
-TEST(Server, MakesRoomByTheConnectionThatHasBeenIdleTheLongest) {
+TEST(Server, ClosesTheLongestIdleConnectionToMakeRoom) {
     RunningServer::Options options;
     options.limits.connections = 3;
-    options.limits.head_time = 5min;  // so that none goes of itself
+    options.limits.head_time = 5min;  // so that no connection ends by itself
     const RunningServer server(options);
     std::list<Client> clients;
     for (int i = 0; i < 3; ++i) {
@@ -238,7 +238,7 @@ TEST(Server, MakesRoomByTheConnectionThatHasBeenIdleTheLongest) {
     EXPECT_EQ(clients.back().answer().status, 200);
 }
 
-TEST(Server, HoldsOnlySoMuchOfAllBodiesTogether) {
+TEST(Server, LimitsTheBytesOfAllBodiesTogether) {
     RunningServer::Options options;
     options.limits.all_body_bytes = 1'000'000;
     const RunningServer server(options);
@@ -247,7 +247,7 @@ TEST(Server, HoldsOnlySoMuchOfAllBodiesTogether) {
     Client a(server.port()), b(server.port());
     a.send(std::string_view(whole).substr(0, most));
     b.send(std::string_view(whole).substr(0, most));
-    // Which of them was the one too much is chance.
+    // It is random which of them was one too many.
     const auto end = std::chrono::steady_clock::now() + soon;
     while (!a.is_told_within(10ms) && !b.is_told_within(10ms) && std::chrono::steady_clock::now() < end) {
     }
@@ -269,7 +269,7 @@ TEST(Server, ServesOthersWhileManyAreSlow) {
     EXPECT_EQ(server.ask(upload("int main() {}")).status, 303);
 }
 
-TEST(Server, StoppedTakesNoMoreButShowsResultsUntilNothingWaits) {
+TEST(Server, ShowsResultsButAcceptsNoProgramsWhileStopping) {
     RunningServer::Options options;
     options.grace = 60s;
     RunningServer server(options);
@@ -280,18 +280,18 @@ TEST(Server, StoppedTakesNoMoreButShowsResultsUntilNothingWaits) {
     while (status != 503 && std::chrono::steady_clock::now() < end) status = server.ask(upload("y")).status;
     EXPECT_EQ(status, 503);
     EXPECT_EQ(server.ask(get(result)).status, 200);
-    while (const auto task = server.desk().next()) server.desk().finish(*task, {"page", 1, 1});
+    while (const auto task = server.queue().next()) server.queue().finish(*task, {"page", 1, 1});
     server.join();
     EXPECT_LT(std::chrono::steady_clock::now(), end);
 }
 
-TEST(Server, EndsWhenItsGraceIsOverOrItIsStoppedAgain) {
+TEST(Server, EndsAfterItsGraceOrASecondStop) {
     RunningServer short_of_time;
     EXPECT_EQ(short_of_time.ask(upload("x")).status, 303);
     const Client slow(short_of_time.port());
     short_of_time.stop();
     short_of_time.join();
-    EXPECT_EQ(short_of_time.desk().unfinished(), 1U);
+    EXPECT_EQ(short_of_time.queue().unfinished(), 1U);
 
     RunningServer::Options options;
     options.grace = 1h;
@@ -300,10 +300,10 @@ TEST(Server, EndsWhenItsGraceIsOverOrItIsStoppedAgain) {
     patient.stop();
     patient.stop();
     patient.join();
-    EXPECT_FALSE(patient.desk().is_idle());
+    EXPECT_FALSE(patient.queue().is_idle());
 }
 
-TEST(Server, StoppedDoesNotWaitForWhoAsksNothing) {
+TEST(Server, DoesNotWaitForSilentClientsWhenStopped) {
     RunningServer::Options options;
     options.limits.head_time = options.limits.linger_time = 60s;
     RunningServer server(options);
@@ -314,12 +314,12 @@ TEST(Server, StoppedDoesNotWaitForWhoAsksNothing) {
     EXPECT_TRUE(idle.ends_within(soon));
 }
 
-TEST(Server, SaysThatAPortIsInUseAndWhatElseCouldBeDone) {
+TEST(Server, SaysThatAPortIsInUseAndWhatToDo) {
     RunningServer first;
-    Site site({}, first.desk());
+    Site site({}, first.queue());
     const auto why = [&](const std::string& address, std::uint16_t port) -> std::string {
         try {
-            const Server second(address, port, {}, false, site, first.desk());
+            const Server second(address, port, {}, false, site, first.queue());
             return "";
         } catch (const ListenError& error) {
             return error.what();
@@ -327,8 +327,8 @@ TEST(Server, SaysThatAPortIsInUseAndWhatElseCouldBeDone) {
     };
     EXPECT_THAT(why("127.0.0.1", first.port()), HasSubstr("--port"));
     EXPECT_THAT(why("example.edu", 0), HasSubstr("IP address"));
-    EXPECT_THAT(why("192.0.2.1", 0), AllOf(HasSubstr("192.0.2.1 is no address of this machine"),
-                                           HasSubstr("127.0.0.1 for this machine alone, or 0.0.0.0 for all")));
+    EXPECT_THAT(why("192.0.2.1", 0), AllOf(HasSubstr("192.0.2.1 is not an address of this machine"),
+                                           HasSubstr("127.0.0.1 (this machine only) or 0.0.0.0 (all addresses)")));
 }
 
 }  // namespace

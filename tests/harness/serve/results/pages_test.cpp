@@ -1,4 +1,4 @@
-#include "harness/serve/pages.h"
+#include "harness/serve/results/pages.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,13 +11,13 @@ using testing::HasSubstr;
 using testing::Not;
 
 constexpr std::string_view not_shown_of_ten =
-    "Points for answers on other scenes, up to 10, are not part of what is shown here.";
+    "The points shown here do not include the points for other scenes (up to 10).";
 
-About about(double variant_points = 0) {
-    return {"An <assignment>", std::chrono::hours(24), variant_points};
+About about(double other_scene_points = 0) {
+    return {"An <assignment>", std::chrono::hours(24), other_scene_points};
 }
 
-TEST(Pages, SayThatPointsForOtherScenesAreNotShownWhereThereAreSome) {
+TEST(Pages, SayThatPointsForOtherScenesAreNotShown) {
     constexpr const char* student = "<head></head>\n<body class=\"sheet\">\n<main>\n<p>98 of 100</p>\n</main></body>";
     EXPECT_EQ(not_shown(about(10)), not_shown_of_ten);
     EXPECT_THAT(front_page(about(10)), HasSubstr(not_shown_of_ten));

@@ -1,11 +1,12 @@
-#include "harness/serve/form.h"
+#include "harness/serve/site/form.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "harness/intake.h"
+#include "harness/intake/intake.h"
+#include "harness/intake/source_file.h"
 
 namespace harness::serve {
 namespace {
@@ -31,7 +32,7 @@ TEST(Boundary, IsReadFromTheContentType) {
     EXPECT_EQ(boundary_of("Multipart/Form-Data;charset=utf-8; BOUNDARY=\"a b:c\""), "a b:c");
 }
 
-TEST(Boundary, OfAnotherTypeOrShapeIsNone) {
+TEST(Boundary, IsEmptyForADifferentTypeOrForm) {
     for (const std::string& wrong :
          {std::string("text/plain"), std::string("application/x-www-form-urlencoded; boundary=X"),
           std::string("multipart/form-data"), std::string("multipart/form-data; boundary="),
@@ -42,14 +43,14 @@ TEST(Boundary, OfAnotherTypeOrShapeIsNone) {
     }
 }
 
-TEST(Form, GivesAFilesBytesAsTheyAre) {
+TEST(Form, ReturnsAFilesBytesUnchanged) {
     const std::string bytes("int main() {}\r\n--Y is no end\r\n\1\xff", 32);
     const HandedIn handed = source_of(type, form(file_head, bytes));
     EXPECT_THAT(handed.problem, IsEmpty());
     EXPECT_EQ(handed.source, bytes);
 }
 
-TEST(Form, GivesPastedLinesAsAFileOnLinuxHasThem) {
+TEST(Form, ConvertsPastedLinesToLinuxLineEnds) {
     EXPECT_EQ(source_of(type, form(text_head, "int main()\r\n{\r\n}\r\n")).source, "int main()\n{\n}\n");
 }
 
@@ -61,7 +62,7 @@ TEST(Form, IgnoresOtherFieldsAndNames) {
     EXPECT_EQ(source_of(type, body).source, "int main() {}");
 }
 
-TEST(Form, GivesTheFilesOwnNameFitToBeShown) {
+TEST(Form, ReturnsAPrintableFileName) {
     const auto name = [](const std::string& field) {
         return source_of(type, form("Content-Disposition: form-data; name=\"source\"" + field + "\r\n", "int x;")).file;
     };
@@ -74,7 +75,7 @@ TEST(Form, GivesTheFilesOwnNameFitToBeShown) {
     EXPECT_EQ(name(""), "pasted text");
 }
 
-TEST(Form, WithoutOneProgramIsRefusedInWords) {
+TEST(Form, RefusesAFormWithoutExactlyOneProgram) {
     EXPECT_THAT(source_of("text/plain", "int main() {}").problem, HasSubstr("send it again"));
     EXPECT_THAT(source_of(type, form(text_head, " \r\n\t")).problem, HasSubstr("empty"));
     EXPECT_THAT(source_of(type, form("Content-Disposition: form-data; name=\"other\"\r\n", "x")).problem,
@@ -82,7 +83,7 @@ TEST(Form, WithoutOneProgramIsRefusedInWords) {
     EXPECT_THAT(source_of(type, part(text_head, "a") + form(text_head, "b")).problem, HasSubstr("one program"));
 }
 
-TEST(Form, WithAFileThatIsNoSourceIsRefusedInWords) {
+TEST(Form, RefusesAFileThatIsNoSource) {
     EXPECT_THAT(source_of(type, form(file_head, "PK\x03\x04 and more")).problem, HasSubstr("is a zip"));
     EXPECT_THAT(source_of(type, form(file_head, "%PDF-1.7")).problem, HasSubstr("What you sent is a PDF; "));
     EXPECT_THAT(source_of(type, form(file_head, "\xff\xfei")).problem, HasSubstr("UTF-16; save it as UTF-8"));
@@ -90,20 +91,20 @@ TEST(Form, WithAFileThatIsNoSourceIsRefusedInWords) {
     EXPECT_EQ(source_of(type, form(file_head, "\xef\xbb\xbfint x;")).source, "\xef\xbb\xbfint x;");
 }
 
-TEST(Form, TakesAsMuchAsIntakeAndNotAByteMore) {
+TEST(Form, AcceptsExactlyAsManyBytesAsIntake) {
     const std::string most(largest_source_bytes, 'x');
     EXPECT_EQ(source_of(type, form(file_head, most)).source.size(), largest_source_bytes);
     EXPECT_THAT(source_of(type, form(file_head, most + 'x')).problem, HasSubstr("1 MiB"));
 }
 
-TEST(Form, CutOffAnywhereIsNoForm) {
+TEST(Form, IsRejectedIfCutOffAnywhere) {
     const std::string whole = part(text_head, "int main() {}") + "--X--";
     ASSERT_TRUE(parts_of(whole, "X"));
     for (std::size_t size = 0; size < whole.size(); ++size)
         EXPECT_FALSE(parts_of(std::string_view(whole).substr(0, size), "X")) << size;
 }
 
-TEST(Form, OfTooManyPartsOrTooLongAHeadIsNoForm) {
+TEST(Form, IsRejectedWithTooManyPartsOrATooLongHead) {
     std::string body;
     for (int i = 0; i < 8; ++i) body += part(text_head, "x");
     EXPECT_TRUE(parts_of(body + "--X--", "X"));
@@ -111,7 +112,7 @@ TEST(Form, OfTooManyPartsOrTooLongAHeadIsNoForm) {
     EXPECT_FALSE(parts_of(form(std::string(text_head) + "X-Long: " + std::string(5000, 'a') + "\r\n", "x"), "X"));
 }
 
-TEST(Form, OfAnyBytesIsReadWithoutHarm) {
+TEST(Form, IsReadSafelyFromAnyBytes) {
     std::mt19937 random(7);
     const std::string whole = part(file_head, "int main() {}") + form(text_head, "x");
     for (int i = 0; i < 20'000; ++i) {

@@ -1,4 +1,4 @@
-#include "harness/serve/host_names.h"
+#include "harness/serve/site/host_names.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ TEST(HostOf, IsEmptyForAnythingElse) {
     }
 }
 
-TEST(IsForUs, OnLoopbackOnlyLoopbacksOwnNamesAndThoseGiven) {
+TEST(IsForUs, AcceptsOnlyLoopbackAndGivenNamesOnLoopback) {
     const Reach reach{true, false, {"check.example.edu"}};
     for (const char* own :
          {"localhost:8080", "127.0.0.1:8080", "127.0.0.1", "[::1]:8080", "LOCALHOST", "check.example.edu:8080"}) {
@@ -37,21 +37,21 @@ TEST(IsForUs, OnLoopbackOnlyLoopbacksOwnNamesAndThoseGiven) {
     }
 }
 
-TEST(IsForUs, ForOthersAnyAddressButNoStrangersName) {
+TEST(IsForUs, AcceptsAnyAddressAndNoForeignNameForOtherMachines) {
     const Reach reach{false, false, {"lab"}};
     for (const char* own : {"192.0.2.1:8080", "[2001:db8::1]:8080", "localhost:8080", "lab:8080"})
         EXPECT_TRUE(is_for_us(asked_at(own), reach)) << own;
     EXPECT_FALSE(is_for_us(asked_at("evil.example:8080"), reach));
 }
 
-TEST(IsForUs, BehindAProxyOnlyTheNamesGiven) {
+TEST(IsForUs, AcceptsOnlyGivenNamesBehindAProxy) {
     const Reach reach{true, true, {"check.example.edu"}};
     EXPECT_TRUE(is_for_us(asked_at("check.example.edu"), reach));
     EXPECT_FALSE(is_for_us(asked_at("127.0.0.1:8080"), reach));
     EXPECT_FALSE(is_for_us(asked_at("localhost"), reach));
 }
 
-TEST(IsFromUs, TakesOurOwnPagesAndWhatIsNoPage) {
+TEST(IsFromUs, AcceptsOwnPagesAndClientsThatAreNoBrowsers) {
     Head head = asked_at("localhost:8080");
     EXPECT_TRUE(is_from_us(head, {}));  // curl
     head.origin = "http://localhost:8080";
@@ -76,21 +76,21 @@ TEST(IsFromUs, RefusesOtherSites) {
     }
 }
 
-TEST(IsFromUs, BehindAProxyThePageMayHaveACertificate) {
+TEST(IsFromUs, AcceptsHttpsPagesBehindAProxy) {
     Head head = asked_at("check.example.edu");
     head.origin = "https://check.example.edu";
     EXPECT_FALSE(is_from_us(head, {}));
     EXPECT_TRUE(is_from_us(head, {true, true, {"check.example.edu"}}));
 }
 
-TEST(ClientAddress, IsTheConnectionsWithoutAProxy) {
+TEST(ClientAddress, IsTheConnectionsAddressWithoutAProxy) {
     Head head;
     head.client = "192.0.2.1";
     head.forwarded_for = "192.0.2.99";
     EXPECT_EQ(client_address(head, {}), "192.0.2.1");
 }
 
-TEST(ClientAddress, BehindAProxyIsWhatThatWroteLast) {
+TEST(ClientAddress, IsTheLastAddressThatTheProxyWrote) {
     const Reach reach{true, true, {"check.example.edu"}};
     Head head;
     head.client = "127.0.0.1";

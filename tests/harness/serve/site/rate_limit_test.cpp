@@ -1,4 +1,4 @@
-#include "harness/serve/rate_limit.h"
+#include "harness/serve/site/rate_limit.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ using namespace std::chrono_literals;
 
 const RateLimit::Clock::time_point start{1000s};
 
-TEST(RateLimit, GivesABurstAndThenAnEvenRate) {
+TEST(RateLimit, AllowsABurstAndThenAnEvenRate) {
     RateLimit rate(6, 3);
     for (int i = 0; i < 3; ++i) {
         EXPECT_EQ(rate.wait_of("a", start), 0s) << i;
@@ -36,7 +36,7 @@ TEST(RateLimit, KeepsClientsApart) {
     EXPECT_EQ(rate.wait_of("b", start), 0s);
 }
 
-TEST(RateLimit, RemembersABoundedNumberAndTheLastUsedOfThem) {
+TEST(RateLimit, RemembersABoundedNumberOfRecentClients) {
     RateLimit rate(1, 1, 100);
     for (int i = 0; i < 1000; ++i) {
         rate.take(std::to_string(i), start + std::chrono::milliseconds(i));
@@ -57,7 +57,7 @@ TEST(RateLimit, ForgetsFullBucketsFirst) {
     EXPECT_GT(rate.wait_of("new 1", start + 10s), 0s);
 }
 
-TEST(RateLimit, CountsAHouseholdOfIPv6AsOne) {
+TEST(RateLimit, CountsAnIPv6NetworkAsOneClient) {
     EXPECT_EQ(client_of("192.0.2.7"), "192.0.2.7");
     EXPECT_EQ(client_of("::ffff:192.0.2.7"), "192.0.2.7");
     EXPECT_EQ(client_of("2001:db8:1:2:aaaa::1"), client_of("2001:db8:1:2:bbbb::2"));

@@ -1,5 +1,5 @@
-// What the page answers, over real sockets.
-#include "harness/serve/site.h"
+// The answers of the self-check page, over real sockets.
+#include "harness/serve/site/site.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/serve/running_server.h"
+#include "tests/given/serve/running_server.h"
 
 namespace harness::serve {
 namespace {
@@ -19,7 +19,7 @@ using testing::Not;
 
 constexpr const char* as_script = "Accept: application/json\r\n";
 
-/// Hands in and gives the result's path, with the slash before it.
+/// Hands in a program. Returns the path of its result, with the leading slash.
 std::string result_of(const RunningServer& server, const std::string& source) {
     const HttpAnswer answer = server.ask(upload(source, as_script));
     EXPECT_EQ(answer.status, 201) << answer.body;
@@ -46,7 +46,7 @@ void expect_guarded(const HttpAnswer& answer, const std::string& of) {
         << of;
 }
 
-TEST(Site, ShowsTheFormGuarded) {
+TEST(Site, ShowsTheFormWithSecurityHeaders) {
     const RunningServer server;
     const HttpAnswer answer = server.ask(get("/"));
     EXPECT_EQ(answer.status, 200);
@@ -75,12 +75,12 @@ TEST(Site, TakesAProgramThroughTheQueueToItsPage) {
     EXPECT_EQ(standing(server, second).at("position"), 2);
     EXPECT_EQ(standing(server, second).at("length"), 2);
     EXPECT_THAT(server.ask(get(second)).body, HasSubstr("number 2 of 2 in the queue"));
-    const Task task = server.desk().next().value();
+    const Task task = server.queue().next().value();
     EXPECT_EQ(task.source, "first");
     EXPECT_EQ(standing(server, first).at("standing"), "grading");
     EXPECT_EQ(standing(server, second).at("position"), 1);
-    server.desk().finish(task,
-                         {"<html><head><style>p{}</style></head><body><p>Well done</p></body></html>", 70.5, 100});
+    server.queue().finish(task,
+                          {"<html><head><style>p{}</style></head><body><p>Well done</p></body></html>", 70.5, 100});
     const json done = standing(server, first);
     EXPECT_EQ(done.at("standing"), "done");
     EXPECT_EQ(done.at("points"), 70.5);
@@ -95,7 +95,7 @@ TEST(Site, TakesAProgramThroughTheQueueToItsPage) {
     EXPECT_EQ(standing(server, second).at("standing"), "waiting");
 }
 
-TEST(Site, WithoutScriptAFormLeadsToItsResult) {
+TEST(Site, RedirectsAFormToItsResultWithoutScript) {
     const RunningServer server;
     const HttpAnswer answer = server.ask(upload("int main() {}"));
     EXPECT_EQ(answer.status, 303);
@@ -103,7 +103,7 @@ TEST(Site, WithoutScriptAFormLeadsToItsResult) {
     EXPECT_EQ(server.ask(get("/" + answer.fields.at("location"))).status, 200);
 }
 
-TEST(Site, HasNothingAtOtherPaths) {
+TEST(Site, AnswersNotFoundAtOtherPaths) {
     const RunningServer server;
     const std::string known = result_of(server, "x");
     for (const std::string& path :
@@ -121,8 +121,8 @@ TEST(Site, HasNothingAtOtherPaths) {
     EXPECT_EQ(server.ask("GET * HTTP/1.1\r\nHost: localhost\r\n\r\n").status, 400);
 }
 
-/// Also from a path of several folders, and below whatever path a proxy puts the page.
-TEST(Site, LeadsBackToTheFormFromAnywhere) {
+/// Links also work from a path of several folders, and below any path at which a proxy publishes the page.
+TEST(Site, LinksBackToTheFormFromEveryPage) {
     const RunningServer server;
     for (const auto& [path, top] : {std::pair("/a", "."), {"/a/", ".."}, {"/a/b", ".."}, {"/a/b/c", "../.."}}) {
         const std::string page = server.ask(get(path)).body;
@@ -131,7 +131,7 @@ TEST(Site, LeadsBackToTheFormFromAnywhere) {
     }
 }
 
-TEST(Site, TakesNoOtherMethods) {
+TEST(Site, RefusesOtherMethods) {
     const RunningServer server;
     for (const char* method : {"POST", "PUT", "DELETE", "OPTIONS", "TRACE", "PATCH", "BREW"}) {
         const HttpAnswer answer = server.ask(std::string(method) + " / HTTP/1.1\r\nHost: localhost\r\n\r\n");
@@ -150,13 +150,13 @@ TEST(Site, AnswersHeadWithoutABody) {
     const HttpAnswer head = client.answer(true);
     EXPECT_EQ(head.status, 200);
     EXPECT_EQ(head.fields.at("content-length"), server.ask(get("/")).fields.at("content-length"));
-    // What follows is the next answer, not a body.
+    // The next answer follows directly, without a body.
     HttpAnswer next = client.answer();
     EXPECT_EQ(next.status, 200);
     EXPECT_EQ(next.fields["content-type"], "text/css; charset=utf-8");
 }
 
-TEST(Site, IsAtItsOwnNamesOnly) {
+TEST(Site, AnswersOnlyToItsOwnNames) {
     const RunningServer server;
     EXPECT_EQ(server.ask("GET / HTTP/1.1\r\nHost: evil.example\r\n\r\n").status, 421);
     EXPECT_EQ(server.ask("GET / HTTP/1.1\r\n\r\n").status, 400);
@@ -164,13 +164,13 @@ TEST(Site, IsAtItsOwnNamesOnly) {
     EXPECT_EQ(server.ask("GET / HTTP/1.1\r\nHost: 127.0.0.1:1\r\n\r\n").status, 200);
 }
 
-TEST(Site, TakesNoProgramsFromOtherSites) {
+TEST(Site, RefusesProgramsFromOtherSites) {
     RunningServer server;
     for (const char* from : {"Origin: http://evil.example\r\n", "Origin: null\r\n", "Sec-Fetch-Site: cross-site\r\n",
                              "Sec-Fetch-Site: same-site\r\nOrigin: http://localhost\r\n"}) {
         EXPECT_EQ(server.ask(upload("x", from)).status, 403) << from;
     }
-    EXPECT_TRUE(server.desk().is_idle());
+    EXPECT_TRUE(server.queue().is_idle());
     EXPECT_EQ(server.ask(upload("x", "Origin: http://localhost\r\nSec-Fetch-Site: same-origin\r\n")).status, 303);
 }
 
@@ -203,8 +203,8 @@ TEST(Site, SlowsAClientDownThatSendsTooMuch) {
     EXPECT_EQ(server.ask(get("/")).status, 200);
 }
 
-/// Both are welcome by their heads; by the time of the second body its client has had its turn.
-TEST(Site, CountsWhatComesAtTheSameTime) {
+/// The server accepts both heads. By the time of the second body the client has used up its rate.
+TEST(Site, CountsSimultaneousRequests) {
     RunningServer::Options options;
     options.rate = 1;
     const RunningServer server(options);
@@ -221,7 +221,7 @@ TEST(Site, CountsWhatComesAtTheSameTime) {
     EXPECT_EQ(other.answer().status, 429);
 }
 
-TEST(Site, CountsTheClientsOfAProxyEachByItself) {
+TEST(Site, CountsEachClientOfAProxySeparately) {
     RunningServer::Options options;
     options.rate = 1;
     options.reach = {true, true, {"localhost"}};
@@ -229,11 +229,11 @@ TEST(Site, CountsTheClientsOfAProxyEachByItself) {
     EXPECT_EQ(server.ask(upload("x", "X-Forwarded-For: 192.0.2.1\r\n")).status, 303);
     EXPECT_EQ(server.ask(upload("x", "X-Forwarded-For: 192.0.2.1\r\n")).status, 429);
     EXPECT_EQ(server.ask(upload("x", "X-Forwarded-For: 192.0.2.2\r\n")).status, 303);
-    // The first is what the client made up, the last is the proxy's word.
+    // The client made up the first address; the proxy wrote the last.
     EXPECT_EQ(server.ask(upload("x", "X-Forwarded-For: 192.0.2.77\r\nX-Forwarded-For: 192.0.2.1\r\n")).status, 429);
 }
 
-TEST(Site, WithoutAProxyBelievesNoForwardedAddress) {
+TEST(Site, IgnoresForwardedAddressesWithoutAProxy) {
     RunningServer::Options options;
     options.rate = 1;
     const RunningServer server(options);
@@ -241,7 +241,7 @@ TEST(Site, WithoutAProxyBelievesNoForwardedAddress) {
     EXPECT_EQ(server.ask(upload("x", "X-Forwarded-For: 192.0.2.2\r\n")).status, 429);
 }
 
-TEST(Site, AsksToComeAgainWhenTheQueueIsFull) {
+TEST(Site, AsksToRetryWhenTheQueueIsFull) {
     RunningServer::Options options;
     options.queue = 1;
     RunningServer server(options);
@@ -251,18 +251,18 @@ TEST(Site, AsksToComeAgainWhenTheQueueIsFull) {
     EXPECT_EQ(full.fields.at("retry-after"), "30");
     EXPECT_THAT(full.body, HasSubstr("waiting"));
     EXPECT_EQ(standing(server, waiting).at("position"), 1);
-    server.desk().next();
+    server.queue().next();
     EXPECT_EQ(server.ask(upload("y")).status, 303);
 }
 
 TEST(Site, SaysThatADiskLostAResult) {
     RunningServer server;
     const std::string result = result_of(server, "x");
-    const Task task = server.desk().next().value();
+    const Task task = server.queue().next().value();
     {
         SQLite::Database other((server.folder() / "spool.sqlite").string(), SQLite::OPEN_READWRITE);
         other.exec("BEGIN EXCLUSIVE");
-        server.desk().finish(task, {"page", 1, 1});
+        server.queue().finish(task, {"page", 1, 1});
     }
     const HttpAnswer page = server.ask(get(result));
     EXPECT_EQ(page.status, 500);

@@ -1,13 +1,13 @@
-// What each scalar gets wrong on a scene, against errors that were computed by other means: the roundings of each
-// formula by hand, in Python's decimals of 60 digits.
-#include "reference/accuracy/assignment_accuracy.h"
+// Compares the errors of each scalar on a scene with errors computed by other means: the roundings of each formula by
+// hand, in Python's decimals with 60 digits.
+#include "reference/accuracy/measure/assignment_accuracy.h"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <iterator>
 
-#include "tests/bytes_of.h"
+#include "tests/given/bytes_of.h"
 
 namespace {
 
@@ -67,7 +67,7 @@ std::vector<std::string> hanging(const std::vector<Decision>& decisions) {
 
 // d = 8 is exact, so t = (4 - √8) / 2 is off by what the root's rounding leaves; t lies in [1/2, 1), where a float's
 // unit in the last place is 2^-24.
-TEST(ItemErrors, AreThoseOfTheRootsRounding) {
+TEST(ItemErrors, EqualTheRootsRoundingErrors) {
     const std::vector<ItemAccuracy> items = items_of(assignment_2021());
     EXPECT_DOUBLE_EQ(error_in(items, 6, "t", "float").absolute, 2.420323420895794e-08);
     EXPECT_DOUBLE_EQ(error_in(items, 6, "t", "float").ulp, 0.4060628882222765);
@@ -97,7 +97,7 @@ TEST(ItemErrors, StayWithinWhatMarkingForgivesAFloatProgram) {
     }
 }
 
-TEST(ItemErrors, AreToldAgainstTheRubricsTolerance) {
+TEST(ItemErrors, AreComparedWithTheRubricsTolerance) {
     const auto items = items_of(changed({{"min_decimals = 2", "min_decimals = 2\n[rubric.tolerance]\n6 = {t = 0.5}"}}));
     const auto item = std::find_if(items.begin(), items.end(), [](const ItemAccuracy& one) {
         return one.spec.question == 6 && one.spec.name == "t";
@@ -106,8 +106,8 @@ TEST(ItemErrors, AreToldAgainstTheRubricsTolerance) {
     EXPECT_DOUBLE_EQ(item->errors.front().of_allowance, item->errors.front().absolute / 0.5);
 }
 
-// One tenth is no float: the sphere's radius 2.1 is read as 2.099999904632568359375.
-TEST(ItemErrors, CountWhatReadingANumberLoses) {
+// Float cannot represent one tenth: the sphere's radius 2.1 is read as 2.099999904632568359375.
+TEST(ItemErrors, IncludeTheErrorOfReadingANumber) {
     const auto items = items_of(changed({{"radius = 2", "radius = 2.1"}}));
     EXPECT_GT(error_in(items, 6, "c", "float").absolute, 1e-8);
     EXPECT_GT(error_in(items, 6, "c", "double").absolute, 0);
@@ -116,7 +116,7 @@ TEST(ItemErrors, CountWhatReadingANumberLoses) {
     EXPECT_LT(error_in(items, 6, "c", "long double").absolute, error_in(items, 6, "c", "double").absolute);
 }
 
-TEST(NearDecisions, NameTheRayThatStartsInTheTrianglesPlane) {
+TEST(NearDecisions, IncludeARayThatStartsInTheTrianglesPlane) {
     const std::vector<Decision> decisions = decisions_in(assignment_2021());
     EXPECT_THAT(hanging(decisions), ElementsAre("triangle: t"));
     const Decision t = decision(decisions, "triangle: t");
@@ -127,7 +127,7 @@ TEST(NearDecisions, NameTheRayThatStartsInTheTrianglesPlane) {
     EXPECT_THAT(t.wrong, IsEmpty()) << "every number of the scene is a small whole one";
 }
 
-TEST(NearDecisions, TellTheOthersAsSure) {
+TEST(NearDecisions, CallOtherDecisionsSure) {
     const Decision d = decision(decisions_in(assignment_2021()), "sphere: d");
     EXPECT_EQ(d.sign, 1);
     EXPECT_EQ(d.value, 8);
@@ -135,7 +135,7 @@ TEST(NearDecisions, TellTheOthersAsSure) {
     EXPECT_TRUE(d.double_is_sure);
 }
 
-// The camera 0.1 up and the plane with it: what is exactly 0 takes roundings to compute.
+// The camera and the plane are moved up by 0.1, so that computing a value that is exactly 0 involves roundings.
 TEST(NearDecisions, SayWhichScalarDecidesWrongly) {
     const Assignment tilted =
         changed({{"eye = [0, 0, 4]", "eye = [0.1, 0.3, 4.7]"},
@@ -147,8 +147,8 @@ TEST(NearDecisions, SayWhichScalarDecidesWrongly) {
     EXPECT_THAT(t.wrong, testing::Not(IsEmpty()));
 }
 
-// The ray runs along x = y = 0: a sphere about (1, 1, 0) of radius √2 it would touch. This one is 3e-12 too small.
-TEST(NearDecisions, TellFloatFromDouble) {
+// The ray runs along x = y = 0. It would touch a sphere around (1, 1, 0) of radius √2; this sphere is 3e-12 too small.
+TEST(NearDecisions, DistinguishFloatFromDouble) {
     const Assignment grazing = changed({{"radius = 2", "radius = 1.41421356237"}});
     const Decision d = decision(decisions_in(grazing), "sphere: d");
     EXPECT_EQ(d.sign, -1);
@@ -157,13 +157,13 @@ TEST(NearDecisions, TellFloatFromDouble) {
     EXPECT_TRUE(d.hangs_on_rounding());
 }
 
-TEST(NearDecisions, LeaveOutWhatDecidesNothing) {
-    // Past the triangle by far: that the ray also starts in its plane changes nothing.
+TEST(NearDecisions, LeaveOutSignsThatDecideNothing) {
+    // The ray passes far from the triangle, so it does not matter that it starts in the triangle's plane.
     const Assignment aside = changed({{"[[0, -2, 2], [2, 2, 2], [-2, 2, 2]]", "[[10, -2, 2], [12, 2, 2], [8, 2, 2]]"}});
     EXPECT_THAT(hanging(decisions_in(aside)), IsEmpty());
 }
 
-TEST(NearDecisions, AskWhichOfTwoHitsIsFirst) {
+TEST(NearDecisions, IncludeTheOrderOfTwoHits) {
     // 2 - √2 = 0.5857864376269...
     const Assignment near = changed({{"[[0, -2, 2], [2, 2, 2], [-2, 2, 2]]",
                                       "[[0, -2, 1.41421356237], [2, 2, 1.41421356237], [-2, 2, 1.41421356237]]"}});
@@ -172,7 +172,7 @@ TEST(NearDecisions, AskWhichOfTwoHitsIsFirst) {
     EXPECT_FALSE(order.float_is_sure);
 }
 
-TEST(Costs, AreThoseOfEveryScalarWithFloatAsTheUnit) {
+TEST(Costs, AreGivenForEveryScalarRelativeToFloat) {
     const std::vector<ScalarCost> costs =
         costs_of(assignment_2021(), {PixelConvention::centre, Boundary::nonnegative}, 3);
     ASSERT_EQ(costs.size(), 4);

@@ -1,5 +1,5 @@
-// measure() on what it is told to measure. No test looks at a time.
-#include "reference/accuracy/measurement.h"
+// Tests of measure(). No test depends on a measured time.
+#include "reference/accuracy/measure/measurement.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <set>
 
-#include "reference/accuracy/ladder.h"
+#include "reference/accuracy/measure/ladder.h"
 #include "reference/kernel/sphere.h"
 #include "reference/kernel/triangle.h"
 
@@ -32,7 +32,7 @@ bool is_lie(const Ray<double>& ray) {
     return Random(std::bit_cast<std::uint64_t>(mixed)).whole(0, 63) == 0;
 }
 
-/// The certified kernel, but for one ray in 64.
+/// The certified kernel, except for one wrong ray in 64.
 Ladder broken_kernels() {
     Ladder ladder;
     ladder.spheres.push_back(method<double, SphereProblem>({"broken", "double", "this test"}, [](const SphereCase& c) {
@@ -47,7 +47,7 @@ Ladder broken_kernels() {
     return ladder;
 }
 
-TEST(Measure, ReportsABrokenKernelAsWrongAsOftenAsItIs) {
+TEST(Measure, CountsEveryWrongAnswerOfABrokenKernel) {
     constexpr std::uint64_t rays = 8'192;
     const double sigma = std::sqrt(rays / 64.0);
     const Measurement measurement = measure(few_rays(rays), broken_kernels());
@@ -67,13 +67,13 @@ TEST(Measure, FindsTheCertifiedKernelNeverWrong) {
     for (const Row& row : measurement.rows) {
         EXPECT_EQ(row.wrong, 0U) << name_of(row.primitive) << ", " << row.distribution;
         if (!row.t_error) continue;
-        // One unit in the last place of double, or a quarter of one of float and what of it a tiny t is off.
+        // One unit in the last place of double; or a quarter of a unit of float, plus the error of a tiny t.
         const double most = row.kernel == "certified to the last place" ? 2e-9 : 0.26;
         EXPECT_LT(row.t_error->max_ulp, most) << name_of(row.primitive) << ", " << row.distribution;
     }
 }
 
-/// Formulas as they are taught: on benign rays all of them are right, and t is as near as their scalar lets it be.
+/// The formulas as they are taught. On benign rays all are right, and t is as exact as their scalar allows.
 TEST(Measure, FindsEveryMethodRightOnBenignRays) {
     for (const Row& row : measure(few_rays(1'024)).rows) {
         if (row.hard) continue;
@@ -98,7 +98,7 @@ std::vector<std::uint64_t> wrong_counts(const Measurement& measurement) {
     return counts;
 }
 
-TEST(Measure, TheSameSeedGivesTheSameCounts) {
+TEST(Measure, GivesTheSameCountsForTheSameSeed) {
     MeasureOptions options = few_rays(512, {"naive", "Möller", "GLM"});
     const auto counts = wrong_counts(measure(options));
     EXPECT_EQ(wrong_counts(measure(options)), counts);
@@ -106,23 +106,23 @@ TEST(Measure, TheSameSeedGivesTheSameCounts) {
     EXPECT_NE(wrong_counts(measure(options)), counts);
 }
 
-TEST(Measure, SaysOnHowManyRaysASlowMethodWasJudged) {
+TEST(Measure, SaysHowManyRaysASlowMethodWasJudgedOn) {
     for (const Row& row : measure(few_rays(2'048, {"100 digits", "half-b double"})).rows) {
         EXPECT_EQ(row.rays, row.scalar == "100 digits" ? 128U : 2'048U);
     }
 }
 
-TEST(Measure, TakesTheMethodsThatAreAskedFor) {
+TEST(Measure, MeasuresOnlyTheRequestedMethods) {
     const Measurement measurement = measure(few_rays(64, {"Haines"}));
     EXPECT_EQ(measurement.rows.size(), 20U);
     for (const Row& row : measurement.rows) EXPECT_EQ(row.kernel, "Haines");
 }
 
-TEST(Measure, RefusesAMethodThatThereIsNot) {
+TEST(Measure, RefusesAnUnknownMethod) {
     EXPECT_THROW(measure(few_rays(64, {"Haines", "magic"})), std::invalid_argument);
 }
 
-TEST(Measure, TellsItsProgressUpToTheEnd) {
+TEST(Measure, ReportsItsProgressUpToTheEnd) {
     std::vector<double> told;
     MeasureOptions options = few_rays(64, {"certified"});
     options.progress = [&](double done) { told.push_back(done); };

@@ -1,4 +1,4 @@
-#include "reference/accuracy/statistics.h"
+#include "reference/accuracy/measure/statistics.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ struct Published {
 };
 
 /// Newcombe, "Two-sided confidence intervals for the single proportion" (1998), table I, method 3.
-TEST(Wilson, IsAsPublished) {
+TEST(Wilson, GivesThePublishedIntervals) {
     for (const auto& [count, total, low, high] :
          {Published{81, 263, 0.2553, 0.3662}, Published{15, 148, 0.0624, 0.1605}, Published{0, 20, 0, 0.1611},
           Published{1, 29, 0.0061, 0.1718}}) {
@@ -25,7 +25,7 @@ TEST(Wilson, IsAsPublished) {
     }
 }
 
-TEST(Wilson, NothingSeenAndNothingElseSeenEndExactly) {
+TEST(Wilson, EndsExactlyAtZeroForNoneAndAtOneForAll) {
     EXPECT_EQ(wilson_interval(0, 1'000).low, 0);
     EXPECT_EQ(wilson_interval(1'000, 1'000).high, 1);
 }
@@ -38,14 +38,14 @@ TEST(FloatUlp, IsTheStepBetweenFloatsAtThatSize) {
     EXPECT_EQ(float_ulp(0x1p-300), 0x1p-149);
 }
 
-TEST(WrongAnswers, AreThoseOfAnotherOutcome) {
+TEST(WrongAnswers, HaveADifferentOutcome) {
     const std::array truth{TrueAnswer{Outcome::hit, 1}, TrueAnswer{Outcome::miss}, TrueAnswer{Outcome::tie, 1}};
     EXPECT_EQ(wrong_answers(std::array{Answer{Outcome::hit, 5}, Answer{Outcome::miss}}, truth), 0U);
     EXPECT_EQ(wrong_answers(std::array{Answer{}, Answer{Outcome::hit, 1}, Answer{Outcome::sphere_first, 1}}, truth),
               3U);
 }
 
-TEST(TErrors, AreThoseOfTheHitsThatBothFind) {
+TEST(TErrors, CountOnlyHitsThatBothFind) {
     const std::array truth{TrueAnswer{Outcome::hit, 1}, TrueAnswer{Outcome::hit, 1}, TrueAnswer{Outcome::miss},
                            TrueAnswer{Outcome::hit, 1}, TrueAnswer{Outcome::hit, 0}};
     const std::array answers{Answer{Outcome::hit, 1 + 0x1p-23}, Answer{Outcome::hit, 1 - 0x1.8p-22},
@@ -58,7 +58,7 @@ TEST(TErrors, AreThoseOfTheHitsThatBothFind) {
     EXPECT_FALSE(t_error(std::array{Answer{}}, truth));
 }
 
-TEST(TErrors, The99thPercentileLeavesTheWorstHundredthOut) {
+TEST(TErrors, LeaveTheWorstHundredthOutOfThe99thPercentile) {
     std::vector<TrueAnswer> truth(200, {Outcome::hit, 1});
     std::vector<Answer> answers(200, {Outcome::hit, 1 + 0x1p-23});
     answers[7].t = answers[8].t = 2;
@@ -67,7 +67,7 @@ TEST(TErrors, The99thPercentileLeavesTheWorstHundredthOut) {
     EXPECT_EQ(t_error(answers, truth)->p99_ulp, 0x1p23);
 }
 
-TEST(TErrors, SeeWhatIsBelowADouble) {
+TEST(TErrors, IncludeDigitsBelowADouble) {
     const std::array truth{TrueAnswer{Outcome::hit, 1, 0x1p-60}};
     EXPECT_EQ(t_error(std::array{Answer{Outcome::hit, 1}}, truth)->max_ulp, 0x1p-37);
     EXPECT_EQ(t_error(std::array{Answer{Outcome::hit, 1, 0x1p-60}}, truth)->max_ulp, 0);

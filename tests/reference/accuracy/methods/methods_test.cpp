@@ -1,12 +1,12 @@
-// The methods by themselves: their common policy, and what they make of numbers that are none.
+// The methods by themselves: their common policy, and their treatment of nan and infinity.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "reference/accuracy/cast_methods.h"
-#include "reference/accuracy/method.h"
-#include "tests/kernel/hard_cases.h"
+#include "reference/accuracy/methods/cast_methods.h"
+#include "reference/accuracy/methods/method.h"
+#include "tests/given/hard_cases.h"
 
 namespace {
 
@@ -30,7 +30,7 @@ void for_each_in_floats(const std::vector<Distribution<Case>>& distributions, Ch
     }
 }
 
-TEST(NaiveDouble, NeverHitsAtWhatIsNoNumber) {
+TEST(NaiveDouble, NeverReportsAHitWithoutANumber) {
     for_each_in_floats(sphere_distributions(), [](const SphereCase& c) {
         expect_no_surprise(naive_quadratic(c.ray, c.sphere));
         expect_no_surprise(half_b(c.ray, c.sphere));
@@ -44,7 +44,7 @@ TEST(NaiveDouble, NeverHitsAtWhatIsNoNumber) {
     });
 }
 
-TEST(NaiveDouble, NeverHitsAtWhatIsNoNumberInTheCatalogue) {
+TEST(NaiveDouble, NeverReportsAHitWithoutANumberInTheCatalogue) {
     for (const auto& c : hard_cases::sphere_cases()) {
         SCOPED_TRACE(c.id);
         expect_no_surprise(naive_quadratic(as_double(c.ray), as_double(c.sphere)));
@@ -59,13 +59,13 @@ TEST(NaiveDouble, NeverHitsAtWhatIsNoNumberInTheCatalogue) {
     }
 }
 
-TEST(Answers, AHitAtInfinityIsNone) {
+TEST(Answers, TreatAHitAtInfinityAsAMiss) {
     EXPECT_EQ(as_answer(Hit<float>{true, std::numeric_limits<float>::infinity()}).outcome, Outcome::miss);
     EXPECT_EQ(as_answer(Hit<float>{true, 1}).outcome, Outcome::hit);
     EXPECT_EQ(as_answer(Hit<float>{false, 1}).outcome, Outcome::miss);
 }
 
-/// What a method says of one case in whole numbers, where every formula is exact, but for those in `but`.
+/// Checks the methods' answers for a case in whole numbers, where every formula is exact. Skips the methods in `but`.
 template <template <class> class Problem>
 void expect_all(const std::vector<Method<Problem>>& methods, const Rays<Problem>& rays, const Answer& expected,
                 const std::vector<std::string>& but = {}) {

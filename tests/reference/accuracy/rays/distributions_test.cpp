@@ -1,11 +1,11 @@
-// The float form of the distributions: every number a float, and the cases as hard as they are named.
-#include "reference/accuracy/distributions.h"
+// The float form of the distributions: every number is a float, and the cases are as hard as their names say.
+#include "reference/accuracy/rays/distributions.h"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "reference/accuracy/truth.h"
+#include "reference/accuracy/rays/truth.h"
 
 namespace {
 
@@ -15,7 +15,7 @@ using reference::Triangle;
 
 constexpr int rays_of_each = 2'000;
 
-/// Through memory, as g++ 12 may forget a rounding to float and back.
+/// Goes through memory, because g++ 12 may omit a rounding to float and back.
 void expect_float(double x) {
     volatile float rounded = static_cast<float>(x);
     EXPECT_EQ(x, static_cast<double>(rounded));
@@ -85,7 +85,7 @@ TEST(DistributionsInFloats, AnExactTangentStaysExact) {
     }
 }
 
-/// How often a ray hits among many; neither never nor always.
+/// Checks that some rays hit and some miss.
 template <class Case, class IsHit>
 void expect_both_answers(const std::vector<Distribution<Case>>& distributions, IsHit is_hit) {
     for (const auto& distribution : distributions) {
@@ -93,7 +93,7 @@ void expect_both_answers(const std::vector<Distribution<Case>>& distributions, I
         int hits = 0;
         for (std::uint64_t seed = 0; seed < rays_of_each; ++seed) hits += is_hit(distribution.make_in_floats(seed));
         EXPECT_GT(hits, rays_of_each / 100) << distribution.name;
-        if (distribution.name == "huge and near") continue;  // all of them hit: what is hard is t
+        if (distribution.name == "huge and near") continue;  // all rays hit; only t is hard
         EXPECT_LT(hits, rays_of_each - rays_of_each / 100) << distribution.name;
     }
 }

@@ -1,13 +1,13 @@
-// The truth that every method is judged by, against a second derivation: on random rays of every distribution, more
-// than 100,000 in all, and on every case of the catalogue.
-#include "reference/accuracy/truth.h"
+// Compares the truth that judges every method with a second derivation: on more than 100,000 random rays of all
+// distributions, and on every case of the catalogue.
+#include "reference/accuracy/rays/truth.h"
 
 #include <gtest/gtest.h>
 
-#include "reference/accuracy/distributions.h"
-#include "reference/accuracy/true_answer.h"
-#include "tests/accuracy/second_derivation.h"
-#include "tests/kernel/hard_cases.h"
+#include "reference/accuracy/rays/distributions.h"
+#include "reference/accuracy/rays/true_answer.h"
+#include "tests/given/hard_cases.h"
+#include "tests/given/second_derivation.h"
 
 namespace {
 
@@ -41,7 +41,7 @@ mpq_class as_gmp(const truth::Rational& x) {
     return mpq_class(x.backend().data());
 }
 
-/// Within 2^-900 of itself of a truth that has 1,000 digits.
+/// Whether the value agrees with a truth of 1,000 digits to a relative error of 2^-900.
 mpq_class floor_of(const truth::Real& x, int bits) {
     mpq_class result(mpz_class(truth::Real(floor(ldexp(x, bits))).str(0, std::ios_base::fixed).c_str()));
     if (bits >= 0) return result >> static_cast<mp_bitcnt_t>(bits);
@@ -94,14 +94,14 @@ TEST(Truth, TwoDerivationsAndTheCatalogueAgree) {
     }
 }
 
-/// By a thousand digits: numbers of these heights that differ do so in the first 200.
+/// Compares 1,000 digits, which suffice: numbers of these heights that differ do so in the first 200 digits.
 int order_by_digits(const truth::Real& sphere_t, const truth::Real& triangle_t) {
     const truth::Real difference = sphere_t - triangle_t;
     if (abs(difference) < truth::Real("1e-900")) return 0;
     return difference < 0 ? -1 : 1;
 }
 
-TEST(Truth, TheOrderIsThatOfAThousandDigits) {
+TEST(Truth, OrdersHitsAsAThousandDigitsDo) {
     int ties = 0;
     for_each_case(order_distributions(), [&](const OrderCase& c) {
         const truth::SphereTruth sphere = truth::sphere(c.ray, c.sphere);
@@ -119,7 +119,7 @@ TEST(Truth, TheOrderIsThatOfAThousandDigits) {
     EXPECT_GT(ties, 1'000);
 }
 
-TEST(TrueAnswer, TIsKnownToTwiceTheDigitsOfADouble) {
+TEST(TrueAnswer, KnowsTToTwiceTheDigitsOfADouble) {
     // 2 - √2, whose nearest double is 0.585786437626905 to 15 digits.
     const TrueAnswer truth =
         true_answer(SphereCase{{Vec3<double>(0, 0, 2), Vec3<double>(0, 0, -1)}, {Vec3<double>(1, 1, 0), 2}});

@@ -1,5 +1,5 @@
-// From colors to a file: bytes, threads, PNG as another reader reads it, and pictures that stay as they are.
-#include "reference/render/picture.h"
+// From colors to a file: bytes, threads, PNGs read by a different reader, and digests of known pictures.
+#include "reference/render/picture/picture.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "tests/render/scenes.h"
+#include "tests/given/render/scenes.h"
 
 namespace {
 
@@ -24,7 +24,7 @@ PreparedScene scene_file(const std::string& name) {
     return prepare_scene(load_scene(std::filesystem::path(RAYGRADE_SCENES) / name), PictureSize{64, 36});
 }
 
-TEST(ByteOf, IsTheNearestAndKnowsNoNumberBeyond) {
+TEST(ByteOf, RoundsToTheNearestByteAndClamps) {
     EXPECT_EQ(byte_of(0), 0);
     EXPECT_EQ(byte_of(1), 255);
     EXPECT_EQ(byte_of(0.5), 128);
@@ -56,7 +56,7 @@ TEST(Picture, HasItsFirstRowOnTop) {
     EXPECT_EQ(picture.bytes[picture.bytes.size() - 3], 255) << "the background below";
 }
 
-TEST(Png, IsReadBackAsItWas) {
+TEST(Png, ReadsBackAsTheSamePicture) {
     const Picture picture = rendering_of(scene_file("shadowed.toml")).picture;
     const std::string file = to_png(picture);
     png_image image{};
@@ -78,8 +78,9 @@ std::string digest(const std::vector<std::uint8_t>& bytes) {
     return fmt::format("{:016x}", hash);
 }
 
-/// The same on every machine, by every compiler's flags. A change of these is a change of pictures: look at them first.
-TEST(Picture, StaysAsItIs) {
+/// The digests are the same on every machine and with all compiler flags. A changed digest means a changed picture:
+/// look at the picture before you update the digest.
+TEST(Picture, MatchesItsRecordedDigest) {
     const auto digest_of = [](const PreparedScene& scene) { return digest(rendering_of(scene).picture.bytes); };
     EXPECT_EQ(digest_of(scenes::prepared_assignment("a6-2021")), "9cf82c62202aaa90");
     EXPECT_EQ(digest_of(scene_file("lit.toml")), "e32b45d1e4b030fa");
@@ -88,8 +89,8 @@ TEST(Picture, StaysAsItIs) {
     EXPECT_EQ(digest_of(scene_file("glass.toml")), "39f6c741d71c9bca");
 }
 
-/// Each of the scenes that come with raygrade calls for just what its name says.
-TEST(Scenes, CallForWhatTheyAreNamedAfter) {
+/// Each scene that comes with raygrade needs exactly the effects that its name says.
+TEST(Scenes, NeedTheEffectsTheyAreNamedAfter) {
     const auto effects = [](const std::string& name) { return effects_of(decide_effects(scene_file(name))); };
     EXPECT_EQ(effects("lit.toml"), (Effects{true, false, false, false, false}));
     EXPECT_EQ(effects("shadowed.toml"), (Effects{true, true, false, false, false}));
@@ -103,13 +104,13 @@ TEST(PreparedScene, RefusesAPictureThatIsTooLarge) {
     EXPECT_THROW(prepare_scene(assignment, PictureSize{(1 << 20) + 1, 1}), AssignmentError);
 }
 
-TEST(PreparedScene, RefusesNumbersWhoseProductsLeaveTheDoubles) {
+TEST(PreparedScene, RefusesNumbersWhoseProductsLeaveTheRangeOfDouble) {
     EXPECT_THROW(scenes::prepared(scenes::with_camera(scenes::sphere("[0, 0, 1e31]", "1"))), AssignmentError);
     EXPECT_THROW(scenes::prepared(scenes::with_camera(scenes::sphere("[0, 0, 0]", "1e-31"))), AssignmentError);
 }
 
-/// Not in a line as written, but in doubles.
-TEST(PreparedScene, LeavesOutWhatHasNoArea) {
+/// A triangle can have an area as written and none in doubles.
+TEST(PreparedScene, LeavesOutTrianglesWithoutArea) {
     const PreparedScene scene = scenes::prepared(
         scenes::with_camera(scenes::triangle("[[0, 0, 0], [1, 1, 1], [2, 2, 2.00000000000000000000000001]]") +
                             scenes::triangle("[[0, 0, 0], [1e20, 1e20, 1e20], [1e20, 1e20, 100000000000000016384.0]]") +
@@ -120,7 +121,7 @@ TEST(PreparedScene, LeavesOutWhatHasNoArea) {
         EXPECT_NEAR(length(normal), 1, 1e-15) << "the thinnest has a normal of unit length";
 }
 
-TEST(PreparedScene, HasASphereThatIsThereTwiceOnce) {
+TEST(PreparedScene, HoldsARepeatedSphereOnlyOnce) {
     const PreparedScene scene = scenes::prepared(scenes::with_camera(
         scenes::sphere("[0, 0, 0]", "1") + scenes::sphere("[0, 0, 0]", "2") + scenes::sphere("[0, 0, 0]", "1")));
     EXPECT_EQ(scene.spheres.size(), 2U);

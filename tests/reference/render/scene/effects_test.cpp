@@ -1,11 +1,11 @@
-// Only what the scene calls for, and nothing missing for it: the picture of its own effects is that of all, to the bit.
+// A scene gets only the effects it needs, and all of them: its picture exactly equals the picture with all effects.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <bit>
 
-#include "reference/render/picture.h"
-#include "tests/render/scenes.h"
+#include "reference/render/picture/picture.h"
+#include "tests/given/render/scenes.h"
 
 namespace {
 
@@ -44,17 +44,17 @@ class SubsetOfEffects : public testing::TestWithParam<int> {
     }
 };
 
-TEST_P(SubsetOfEffects, IsWhatItsSceneCallsFor) {
+TEST_P(SubsetOfEffects, EqualsTheEffectsItsSceneNeeds) {
     const auto [light, mirror, glass, samples, many] = wishes();
     EXPECT_EQ(called_for(prepared(scenes::room(wishes()))), (Effects{light, light, mirror, glass, samples}));
 }
 
-TEST_P(SubsetOfEffects, GivesThePictureOfAllEffectsToTheBit) {
+TEST_P(SubsetOfEffects, GivesExactlyThePictureOfAllEffects) {
     expect_same_as_all_effects(prepared(scenes::room(wishes())));
 }
 
-/// Leaving out one that is called for is seen, so that the test above means something.
-TEST_P(SubsetOfEffects, WithoutOneOfThemIsAnotherPicture) {
+/// Leaving out a needed effect changes the picture, so the test above can fail.
+TEST_P(SubsetOfEffects, ChangesThePictureIfOneEffectIsLeftOut) {
     const PreparedScene scene = prepared(scenes::room(wishes()));
     const Effects effects = called_for(scene);
     const auto whole = bits(colors_of(scene, effects));
@@ -67,7 +67,7 @@ TEST_P(SubsetOfEffects, WithoutOneOfThemIsAnotherPicture) {
     }
 }
 
-TEST_P(SubsetOfEffects, ShootsNoRaysOfTheOthers) {
+TEST_P(SubsetOfEffects, ShootsNoRaysForOtherEffects) {
     const auto [light, mirror, glass, samples, many] = wishes();
     const PreparedScene scene = prepared(scenes::room(wishes()));
     const Rendering own = render::render(scene, called_for(scene), 1);
@@ -96,7 +96,7 @@ const std::string lamp = "[[light]]\nposition = [2, 3, 3]\ncolor = [1, 1, 1]\n";
 const std::string sun = "[[light]]\ndirection = [1, 0, -1]\ncolor = [1, 1, 1]\n";
 const std::string clay = material("clay", "diffuse = [1, 1, 1]");
 
-TEST(Effects, OfTheSceneOf2021AreNone) {
+TEST(Effects, AreNoneForTheSceneOf2021) {
     const PreparedScene scene = scenes::prepared_assignment("a6-2021");
     EXPECT_EQ(called_for(scene), Effects{});
     const Rendering rendering = render::render(scene, called_for(scene), 1);
@@ -123,12 +123,12 @@ TEST(Effects, AreGivenWithTheirReasons) {
     EXPECT_THAT(reason_for(with_camera(lamp + dull + ball), "shadows"), HasSubstr("off: no material is diffuse"));
 }
 
-TEST(Effects, AMaterialThatNoObjectHasCallsForNothing) {
+TEST(Effects, IgnoreAMaterialThatNoObjectHas) {
     const std::string glass = material("glass", "transparency = 1\nreflectivity = 0");
     EXPECT_EQ(called_for(prepared(with_camera(lamp + glass + sphere("[0, 0, 0]", "1")))), Effects{});
 }
 
-TEST(Effects, OneObjectIsLitWithoutShadowRays) {
+TEST(Effects, NeedNoShadowRaysForASingleObject) {
     for (const std::string& light : {lamp, sun}) {
         for (const std::string& object :
              {sphere("[0.2, 0.1, 0]", "1", "clay"), triangle("[[-1, -1, 0.5], [1, -1, -2], [0, 1, -1]]", "clay")}) {
@@ -139,8 +139,8 @@ TEST(Effects, OneObjectIsLitWithoutShadowRays) {
     }
 }
 
-/// A camera in a ball, with a light outside: all of the inside is in the ball's own shade.
-TEST(Effects, ASphereSeenFromInsideIsItsOwnShade) {
+/// The camera is inside a ball and the light outside, so the ball shades its whole inside.
+TEST(Effects, NeedShadowsForASphereSeenFromInside) {
     const PreparedScene scene = prepared(with_camera(sun + clay + sphere("[0, 0, 0]", "9", "clay")));
     EXPECT_TRUE(called_for(scene).shadows);
     for (const Color& color : colors_of(scene, called_for(scene))) EXPECT_EQ(color, Color(0, 0, 0));
@@ -148,8 +148,8 @@ TEST(Effects, ASphereSeenFromInsideIsItsOwnShade) {
     EXPECT_TRUE(std::any_of(lit.begin(), lit.end(), [](const Color& color) { return color.x > 0; }));
 }
 
-/// The window cuts the ball in two: some rays start inside.
-TEST(Effects, AWindowThroughASphereIsNotOutside) {
+/// The window cuts the ball in two, so some rays start inside it.
+TEST(Effects, NeedShadowsForASphereCutByTheWindow) {
     for (const char* middle : {"[0, 0, 2]", "[1.5, 0, 2.1]"}) {
         const PreparedScene scene = prepared(with_camera(sun + clay + sphere(middle, "1", "clay")));
         EXPECT_TRUE(called_for(scene).shadows) << middle;

@@ -1,5 +1,5 @@
-// OBJ files, right ones and others: each mistake is told with the file's name and the way out.
-#include "reference/render/mesh_reader.h"
+// Valid and invalid OBJ files. Each mistake is reported with the file's name and the way out.
+#include "reference/render/scene/mesh_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "reference/assignment.h"
+#include "reference/toml/assignment.h"
 
 namespace {
 
@@ -41,7 +41,7 @@ TEST(MeshReader, ReadsVerticesAndFaces) {
     EXPECT_EQ(triangles[0].B, Vec3<double>(1.5, 0, -0.2));
 }
 
-TEST(MeshReader, MakesAFanOfAPolygon) {
+TEST(MeshReader, SplitsAPolygonIntoAFan) {
     const auto triangles = read(square + "f 1 2 3 4\n");
     ASSERT_EQ(triangles.size(), 2U);
     EXPECT_EQ(triangles[1].A, Vec3<double>(0, 0, 0));
@@ -56,7 +56,7 @@ TEST(MeshReader, MakesAFanOfAPolygon) {
     EXPECT_EQ(read(wheel + face + "\n").size(), 298U);
 }
 
-TEST(MeshReader, CountsBackwardsFromTheLastVertex) {
+TEST(MeshReader, CountsNegativeIndicesFromTheLastVertex) {
     EXPECT_EQ(read(square + "f -4 -3 -1\n")[0].C, Vec3<double>(0, 1, 0));
 }
 
@@ -75,7 +75,7 @@ TEST(MeshReader, NamesTheFileAndWhatIsWrongWithIt) {
                 says("bunny.obj: "));
 }
 
-TEST(MeshReader, TellsAMissingFileByItsPlaceInTheScene) {
+TEST(MeshReader, ReportsAMissingFileWithItsPlaceInTheScene) {
     const MeshFile mesh{"nowhere/bunny.obj", {}, "scene.toml:7: mesh[1].file"};
     try {
         load_mesh(mesh);
@@ -85,8 +85,8 @@ TEST(MeshReader, TellsAMissingFileByItsPlaceInTheScene) {
     }
 }
 
-/// Cut off anywhere, it is read or refused.
-TEST(MeshReader, SurvivesAnyEnd) {
+/// A file cut off anywhere is read or refused.
+TEST(MeshReader, ReadsOrRefusesAFileCutOffAnywhere) {
     const std::string whole =
         "v 0 0 0\nv 1 0 0\nv 0 1e0 -0.5\nf 1/2/3 2//3 -1\nusemtl x\ng a b\nt crease 1/0/1 2.5\nl 1 2\n";
     for (std::size_t end = 0; end <= whole.size(); ++end) {

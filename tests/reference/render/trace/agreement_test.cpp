@@ -1,12 +1,12 @@
-// The picture shows what the assignment's key says: through its pixel, the ray of the handout and the object it hits
-// first.
+// The picture agrees with the assignment's key: the ray through the key's pixel is the handout's ray, and its first hit
+// is the key's.
 #include <gtest/gtest.h>
 
-#include "reference/answer_key.h"
-#include "reference/pipeline.h"
-#include "reference/render/visibility.h"
-#include "tests/random_scene.h"
-#include "tests/render/scenes.h"
+#include "reference/key/answer_key.h"
+#include "reference/render/trace/visibility.h"
+#include "reference/stages/pipeline.h"
+#include "tests/given/random_scene.h"
+#include "tests/given/render/scenes.h"
 
 namespace {
 
@@ -28,7 +28,7 @@ double value_of(const AnswerKey& key, int question, std::string_view item) {
     throw std::logic_error("no such item");
 }
 
-/// Compares with the certified key; whether there is a hit to be compared.
+/// Compares the picture with the certified key. Returns whether there is a hit to compare.
 bool expect_agreement(const Assignment& assignment) {
     const PreparedScene scene = prepare_scene(assignment, {});
     const AnswerKey key = make_key(assignment, Precision::certified);
@@ -43,7 +43,7 @@ bool expect_agreement(const Assignment& assignment) {
     return true;
 }
 
-TEST(Agreement, WithTheKeyOfEachAssignment) {
+TEST(Agreement, HoldsForTheKeyOfEachAssignment) {
     int count = 0;
     for (const auto& entry : std::filesystem::directory_iterator(RAYGRADE_ASSIGNMENTS)) {
         SCOPED_TRACE(entry.path());
@@ -52,7 +52,7 @@ TEST(Agreement, WithTheKeyOfEachAssignment) {
     EXPECT_GE(count, 2);
 }
 
-TEST(Agreement, WithTheKeyOfRandomScenes) {
+TEST(Agreement, HoldsForTheKeyOfRandomScenes) {
     int hits = 0;
     for (std::uint64_t seed = 1; seed <= 80; ++seed) {
         SCOPED_TRACE(seed);
@@ -61,8 +61,8 @@ TEST(Agreement, WithTheKeyOfRandomScenes) {
     EXPECT_GT(hits, 20);
 }
 
-/// In 2021 the rays start on the triangle, at t = 0: by the rubric that is a hit or is none.
-TEST(Agreement, WithWhatTheRubricSaysOfTheStart) {
+/// In 2021 the ray starts on the triangle, at t = 0. The rubric decides whether that is a hit.
+TEST(Agreement, HoldsForEachBoundaryPolicyOfTheRubric) {
     Assignment assignment = load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS);
     const Pixel pixel = assignment.scene.pixel;
     EXPECT_EQ(through_the_pixel(prepare_scene(assignment, {}), pixel).object, 1U);
@@ -71,8 +71,8 @@ TEST(Agreement, WithWhatTheRubricSaysOfTheStart) {
     EXPECT_TRUE(expect_agreement(assignment));
 }
 
-/// To the last bit, in each convention, as questions 4 and 5 have it in doubles.
-TEST(Agreement, OfEveryRayWithTheStages) {
+/// Every ray equals, to the last bit and in each convention, the double results of questions 4 and 5.
+TEST(Agreement, HoldsBetweenEveryRayAndTheStages) {
     for (const PixelConvention convention : {PixelConvention::centre, PixelConvention::grid, PixelConvention::corner}) {
         Assignment assignment = load_assignment("a6-edge", RAYGRADE_ASSIGNMENTS);
         assignment.rubric.pixel_conventions = {convention};

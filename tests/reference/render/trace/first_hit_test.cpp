@@ -1,13 +1,13 @@
-// Hits too near for doubles, and the starts on a triangle: as exact geometry has them.
+// Hits too close for doubles, and starts on a triangle, agree with exact geometry.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "reference/accuracy/random_numbers.h"
-#include "reference/exact/rational.h"
-#include "reference/render/visibility.h"
-#include "tests/render/scenes.h"
+#include "reference/accuracy/rays/random_numbers.h"
+#include "reference/numbers/rational.h"
+#include "reference/render/trace/visibility.h"
+#include "tests/given/render/scenes.h"
 
 namespace {
 
@@ -18,7 +18,7 @@ using Point = Vec3<double>;
 
 constexpr std::uint64_t seed = 20211101;
 
-/// Wherever it is asked for, also beside the triangle: as start.h says it.
+/// The start is exact for any requested point, even outside the triangle, as start.h promises.
 TEST(StartOn, IsExactlyOnItsTriangle) {
     Random random(seed);
     int off = 0;
@@ -43,8 +43,8 @@ TEST(StartOn, IsExactlyOnItsTriangle) {
     EXPECT_GT(off, 500) << "without uncertainty it would be wrong";
 }
 
-/// The other triangle is around the one the rays start on, in the plane 3x + 5y + 7z = 0.
-TEST(FirstHit, FromATriangleIsNothingInItsPlane) {
+/// The second triangle surrounds the triangle that the rays start on, in the same plane 3x + 5y + 7z = 0.
+TEST(FirstHit, IgnoresThePlaneOfTheTriangleItStartsOn) {
     Random random(seed);
     const PreparedScene scene =
         scenes::prepared(scenes::with_camera(scenes::triangle("[[0, 0, 0], [7, 0, -3], [0, 7, -5]]") +
@@ -67,7 +67,7 @@ std::string ball_at(const std::string& z, const std::string& radius = "1") {
     return scenes::sphere(fmt::format("[0.125, 0.25, {}]", z), radius);
 }
 
-/// So many triangles elsewhere that there is a tree.
+/// So many distant triangles that the renderer builds a tree.
 std::string far_beside() {
     std::string text;
     for (int i = 0; i < 40; ++i)
@@ -75,7 +75,7 @@ std::string far_beside() {
     return text;
 }
 
-/// The first hits straight down from z = 4 and, from a triangle, from z = 5.
+/// The first hits of rays straight down: from z = 4, and from a triangle at z = 5.
 std::pair<std::uint32_t, std::uint32_t> first_below(const std::string& objects) {
     const PreparedScene scene = scenes::prepared(scenes::with_camera(objects + far_beside() + start_at_5));
     const CameraRay from_camera{{above - Point(0, 0, 1), Point(0, 0, -1)}};
@@ -89,7 +89,7 @@ std::pair<std::uint32_t, std::uint32_t> first_below(const std::string& objects) 
     return {of_camera.object, of_surface.object};
 }
 
-TEST(FirstHit, OfTwoTooNearForDoublesIsTheNearer) {
+TEST(FirstHit, IsTheNearerOfTwoTooCloseForDoubles) {
     const auto object = [](std::uint32_t i) { return std::pair(i, i); };
     EXPECT_EQ(first_below(level_at("1e-10") + level_at("0")), object(0));
     EXPECT_EQ(first_below(level_at("0") + level_at("1e-10")), object(1));
@@ -99,7 +99,7 @@ TEST(FirstHit, OfTwoTooNearForDoublesIsTheNearer) {
     EXPECT_EQ(first_below(ball_at("0") + level_at("1.0000000001")), object(1));
 }
 
-TEST(FirstHit, OfTwoAtTheSameTIsTheOneNamedFirst) {
+TEST(FirstHit, IsTheFirstListedOfTwoAtTheSameT) {
     const std::string one = scenes::triangle("[[-9, -9, 1], [9, -9, 1], [0, 9, 1]]");
     const std::string other = scenes::triangle("[[-8, -8, 1], [8, -8, 1], [0, 8, 1]]");
     EXPECT_EQ(first_below(one + other), std::pair(0U, 0U));
@@ -107,7 +107,7 @@ TEST(FirstHit, OfTwoAtTheSameTIsTheOneNamedFirst) {
     EXPECT_EQ(first_below(ball_at("0") + one).first, 0U);
 }
 
-/// The lamp at z = 1: what is 1e-10 before it darkens, what is 1e-10 behind it does not.
+/// The lamp is at z = 1. An object 1e-10 before the lamp casts a shadow, an object 1e-10 behind it does not.
 TEST(Shadows, EndExactlyAtTheLamp) {
     const auto is_dark = [](const std::string& object) {
         const PreparedScene scene = scenes::prepared(scenes::with_camera(object + start_at_5));
@@ -124,7 +124,7 @@ TEST(Shadows, EndExactlyAtTheLamp) {
     EXPECT_FALSE(is_dark(turned_level_at("0.9999999999")));
     EXPECT_TRUE(is_dark(ball_at("0.0000000001")));
     EXPECT_FALSE(is_dark(ball_at("-0.0000000001")));
-    // With its start in the ball, at the far side.
+    // The ray starts inside the ball, at its far side.
     EXPECT_TRUE(is_dark(ball_at("5", "3.9999999999")));
     EXPECT_FALSE(is_dark(ball_at("5", "4.0000000001")));
 }

@@ -1,11 +1,12 @@
-// Light against formulas of its own: Fresnel and Snell by angles, shadows by distances, mirrors by mirrored scenes.
+// Compares light with independent formulas: Fresnel and Snell by angles, shadows by distances, mirrors by mirrored
+// scenes.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reference/render/fresnel.h"
-#include "reference/render/picture.h"
-#include "tests/render/scenes.h"
+#include "reference/render/picture/picture.h"
+#include "reference/render/trace/fresnel.h"
+#include "tests/given/render/scenes.h"
 
 namespace {
 
@@ -21,7 +22,7 @@ using Point = Vec3<double>;
 
 constexpr Effects with_shadows{true, true, false, false, false};
 
-/// The window of with_camera(): where pixel (x, y) starts, at z = 2.
+/// The point at z = 2 where the ray of pixel (x, y) crosses the window of with_camera().
 Point on_window(std::size_t x, std::size_t y) {
     return {-2 + 4 * (static_cast<double>(x) + 0.5) / 40, -1.5 + 3 * (static_cast<double>(y) + 0.5) / 30, 2};
 }
@@ -40,7 +41,7 @@ void expect_near(const Color& one, const Color& other, double distance) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(one[i], other[i], distance);
 }
 
-/// By sines and tangents of the two angles, in long doubles.
+/// Fresnel's formula with sines and tangents of the two angles, in long doubles.
 long double reflected_share(long double incident, long double from, long double into) {
     const long double bent = std::asin(std::sin(incident) * from / into);
     const long double across = std::sin(incident - bent) / std::sin(incident + bent);
@@ -48,7 +49,7 @@ long double reflected_share(long double incident, long double from, long double 
     return (across * across + along * along) / 2;
 }
 
-TEST(Fresnel, IsWhatTheAnglesSay) {
+TEST(Fresnel, MatchesTheFormulaWithAngles) {
     for (const auto& [from, into] :
          {std::pair(1.0, 1.5), std::pair(1.5, 1.0), std::pair(1.0, 2.4), std::pair(2.0, 0.7)}) {
         for (double angle = 0.01; angle < 1.57; angle += 0.01) {
@@ -60,12 +61,12 @@ TEST(Fresnel, IsWhatTheAnglesSay) {
     }
 }
 
-TEST(Fresnel, StraightAheadIsTheSquareOfTheIndicesRatio) {
+TEST(Fresnel, ReflectsFourPercentAtNormalIncidenceOnGlass) {
     EXPECT_DOUBLE_EQ(fresnel(1, 1, 1.5).reflected, 0.04);
     EXPECT_DOUBLE_EQ(fresnel(1, 1.5, 1).reflected, 0.04);
 }
 
-TEST(Fresnel, ReflectsAllBeyondTheCriticalAngleAlone) {
+TEST(Fresnel, ReflectsAllOnlyBeyondTheCriticalAngle) {
     const double critical = std::asin(1 / 1.5);
     EXPECT_TRUE(fresnel(std::cos(critical + 1e-9), 1.5, 1).is_total);
     EXPECT_FALSE(fresnel(std::cos(critical - 1e-9), 1.5, 1).is_total);
@@ -73,7 +74,7 @@ TEST(Fresnel, ReflectsAllBeyondTheCriticalAngleAlone) {
     EXPECT_FALSE(fresnel(0.001, 1, 1.5).is_total) << "nothing is totally reflected by what is denser";
 }
 
-TEST(Fresnel, OfEqualIndicesThereIsNone) {
+TEST(Fresnel, ReflectsNothingForEqualIndices) {
     for (const double cosine : {0.0, 0.3, 1.0}) EXPECT_EQ(fresnel(cosine, 1.3, 1.3).reflected, 0);
 }
 
@@ -90,9 +91,9 @@ TEST(Refraction, KeepsSnellsLawInThePlaneOfIncidence) {
     }
 }
 
-/// Under water: from below the surface, y = 5, light comes in through Snell's window, and beyond it there is but the
-/// bottom's mirror image. The water's vertices run counter-clockwise seen from above.
-TEST(Refraction, ThroughAWatersSurfaceEndsAtTheCriticalAngle) {
+/// A camera under water, below the surface y = 5: light comes in through Snell's window, and outside the window only
+/// the mirror image of the bottom is seen. The water's vertices run counter-clockwise seen from above.
+TEST(Refraction, EndsAtTheCriticalAngleOfAWaterSurface) {
     const PreparedScene scene = prepared(with_camera(
         "[render]\nbackground = [1, 1, 1]\n" + material("water", "transparency = 1\nrefractive_index = 1.1") +
         triangle("[[-900, 5, 900], [900, 5, 900], [0, 5, -900]]", "water") +
@@ -116,7 +117,7 @@ TEST(Refraction, ThroughAWatersSurfaceEndsAtTheCriticalAngle) {
 }
 
 /// A ball of air in air is invisible.
-TEST(Refraction, ByAnIndexOfOneBendsNothing) {
+TEST(Refraction, BendsNothingForAnIndexOfOne) {
     const std::string behind = sphere("[0.3, 0.1, -2]", "1.2") + triangle("[[-9, -2, 3], [9, -2, 3], [0, -2, -30]]");
     const auto without = colors_of(prepared(with_camera(behind)), all_effects);
     const auto with = colors_of(
@@ -125,7 +126,7 @@ TEST(Refraction, ByAnIndexOfOneBendsNothing) {
     for (std::size_t i = 0; i < with.size(); ++i) expect_near(with[i], without[i], 1e-9);
 }
 
-/// In a mirror at z = -4 there is the ball that stands behind the camera's window.
+/// A mirror at z = -4 shows the ball that stands behind the camera's window.
 TEST(Mirrors, ShowTheMirroredScene) {
     const std::string mirror =
         material("mirror", "reflectivity = 1") + triangle("[[-99, -99, -4], [99, -99, -4], [0, 99, -4]]", "mirror");
@@ -146,9 +147,8 @@ TEST(Mirrors, ShowTheMirroredScene) {
     EXPECT_GT(seen, 10);
 }
 
-/// Dark is what the ball hides from the sun: where a line against its rays passes the middle more closely than the
-/// radius.
-TEST(Shadows, OfABallInTheSunAreWhereItHidesTheSun) {
+/// A point is dark if the ball hides the sun: if the line towards the sun passes the ball's centre within its radius.
+TEST(Shadows, FallWhereABallHidesTheSun) {
     const Point against_rays(-1, 0.5, 2);
     const Point middle(0.3, 0.2, -2);
     const PreparedScene scene = prepared(with_camera(
@@ -167,9 +167,8 @@ TEST(Shadows, OfABallInTheSunAreWhereItHidesTheSun) {
     EXPECT_GT(dark, 5);
 }
 
-/// Dark is what the ball hides from the lamp: where the line between them passes its middle more closely than its
-/// radius.
-TEST(Shadows, OfABallAtALampAreWhereItHidesTheLamp) {
+/// A point is dark if the ball hides the lamp: if the line to the lamp passes the ball's centre within its radius.
+TEST(Shadows, FallWhereABallHidesALamp) {
     const Point lamp(3, 2.5, 1);
     const Point middle(0.6, 0.5, -2);
     const PreparedScene scene = prepared(with_camera(
@@ -189,7 +188,7 @@ TEST(Shadows, OfABallAtALampAreWhereItHidesTheLamp) {
     EXPECT_GT(dark, 20);
 }
 
-/// What stands behind the lamp darkens nothing, and a lamp within a ball lights nothing outside.
+/// An object behind the lamp casts no shadow, and a lamp inside a ball lights nothing outside.
 TEST(Shadows, EndAtTheLamp) {
     const std::string scene = "[[light]]\nposition = [0, 0, 1]\ncolor = [1, 1, 1]\n" +
                               material("clay", "diffuse = [1, 1, 1]") +
@@ -200,9 +199,9 @@ TEST(Shadows, EndAtTheLamp) {
     for (const Color& color : enclosed) EXPECT_EQ(color, Color(0, 0, 0));
 }
 
-/// Phong's sum, by hand, all over a wall: light from above the camera by an angle whose sine is 0.6, and light so low
-/// that what the wall's lower part mirrors goes away from it.
-TEST(Illumination, IsPhongs) {
+/// Phong's sum for a whole wall, computed by hand: with light from above the camera at an angle whose sine is 0.6, and
+/// with light so low that the lower part of the wall reflects it away from the camera.
+TEST(Illumination, FollowsPhongsFormula) {
     for (const auto& [direction, sine, cosine] :
          {std::tuple("[0, -3, -4]", 0.6, 0.8), std::tuple("[0, -24, -7]", 0.96, 0.28)}) {
         const PreparedScene scene = prepared(with_camera(
@@ -226,8 +225,8 @@ TEST(Illumination, IsPhongs) {
     }
 }
 
-/// In a world that is white all around, what passes light on and keeps none is white as well.
-TEST(Energy, IsNeitherMadeNorLost) {
+/// With white light from all directions, an object that passes on all light looks white too.
+TEST(Energy, IsConserved) {
     for (const std::string& properties :
          {std::string("reflectivity = 1"), std::string("transparency = 1\nrefractive_index = 1.5"),
           std::string("reflectivity = 0.5\ntransparency = 0.5\nrefractive_index = 2")}) {
@@ -235,7 +234,7 @@ TEST(Energy, IsNeitherMadeNorLost) {
                                                          material("m", properties) + sphere("[0.2, 0, 0]", "1", "m")));
         for (const Color& color : colors_of(scene, all_effects)) {
             EXPECT_LE(color.x, 1 + 1e-12);
-            // Where light grazes glass, what is cut off is the most.
+            // The most light is cut off where it grazes glass.
             EXPECT_GE(color.x, 0.99);
         }
     }
@@ -245,7 +244,7 @@ TEST(Supersampling, IsTheMeanOfALargerPicture) {
     Assignment assignment = parse_assignment(scenes::room({true, true, true, false, false}), "scene.toml");
     const auto coarse = colors_of(prepare_scene(assignment, {}), all_effects);
     const auto fine = colors_of(prepare_scene(assignment, PictureSize{120, 90}), all_effects);
-    assignment.look.samples_per_pixel = 9;
+    assignment.appearance.samples_per_pixel = 9;
     const auto means = colors_of(prepare_scene(assignment, {}), all_effects);
     int differing = 0;
     for (std::size_t y = 0; y < 30; ++y) {
@@ -259,8 +258,8 @@ TEST(Supersampling, IsTheMeanOfALargerPicture) {
     EXPECT_GT(differing, 0);
 }
 
-/// Around the pixel's point of each convention, within one pixel's width.
-TEST(Supersampling, IsEvenAroundThePixelsPoint) {
+/// The samples lie around the pixel's point in each convention, within one pixel's width.
+TEST(Supersampling, SpreadsSamplesEvenlyAroundThePixelsPoint) {
     for (const PixelConvention convention : {PixelConvention::centre, PixelConvention::grid, PixelConvention::corner}) {
         Assignment assignment =
             parse_assignment(with_camera("[render]\nsamples_per_pixel = 9\n" + sphere("[0, 0, 0]", "1")), "scene.toml");

@@ -1,14 +1,14 @@
-// Visibility without holes, without acne and without leaks; and the same with a tree as without.
-#include "reference/render/visibility.h"
+// Visibility has no holes, no shadow acne and no light leaks, and is the same with and without a tree.
+#include "reference/render/trace/visibility.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "reference/accuracy/random_numbers.h"
-#include "reference/render/rows.h"
-#include "tests/render/scenes.h"
+#include "reference/accuracy/rays/random_numbers.h"
+#include "reference/render/trace/rows.h"
+#include "tests/given/render/scenes.h"
 
 namespace {
 
@@ -27,7 +27,7 @@ struct Mesh {
     std::vector<std::array<std::size_t, 3>> faces;
 };
 
-/// Each face of an octahedron in four, three times over, with all vertices on the unit sphere.
+/// An octahedron whose faces are split into four, three times, with all vertices on the unit sphere.
 Mesh ball() {
     Mesh mesh{{Point(1, 0, 0), Point(-1, 0, 0), Point(0, 1, 0), Point(0, -1, 0), Point(0, 0, 1), Point(0, 0, -1)},
               {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
@@ -50,7 +50,7 @@ Mesh ball() {
     return mesh;
 }
 
-/// The surface of the cube from -1 to 1, each side in `parts` times `parts` squares of two triangles.
+/// The surface of the cube from -1 to 1. Each side is split into `parts` times `parts` squares of two triangles.
 Mesh cube(int parts) {
     Mesh mesh;
     for (int axis = 0; axis < 3; ++axis) {
@@ -77,7 +77,7 @@ Mesh cube(int parts) {
     return mesh;
 }
 
-/// Turned, scaled and moved, and rounded in that.
+/// Rotates, scales and moves a mesh, with rounding.
 Mesh moved(Mesh mesh, const Point& by, double scale, Random& random) {
     const Point z = normalized(random.point(1));
     const Point x = normalized(cross(random.point(1), z));
@@ -114,7 +114,7 @@ PreparedScene without_tree(PreparedScene scene) {
     return scene;
 }
 
-/// Rays from near the middle at every vertex and at points of every edge; the number without a hit.
+/// Shoots rays from near the middle at every vertex and at points of every edge. Returns how many miss.
 template <class Objects>
 int holes_of(const Mesh& mesh, const PreparedScene& scene, Random& random) {
     int holes = 0;
@@ -132,7 +132,7 @@ int holes_of(const Mesh& mesh, const PreparedScene& scene, Random& random) {
     return holes;
 }
 
-TEST(Watertight, RaysOfTheCameraFindNoHoleAtEdgesAndVertices) {
+TEST(Watertight, CameraRaysFindNoHoleAtEdgesAndVertices) {
     Random random(seed);
     for (const Mesh& mesh : {ball(), cube(6), moved(cube(6), {0, 0, 0}, 1, random)}) {
         const PreparedScene scene = scene_of(mesh);
@@ -142,15 +142,16 @@ TEST(Watertight, RaysOfTheCameraFindNoHoleAtEdgesAndVertices) {
     }
 }
 
-TEST(Watertight, TheTestSeesAHole) {
+TEST(Watertight, TheTestDetectsAHole) {
     Random random(seed);
     Mesh mesh = ball();
     mesh.faces.pop_back();
     EXPECT_GT(holes_of<ObjectTree>(mesh, scene_of(mesh), random), 0);
 }
 
-/// From points on the inner side of each face at the vertices and edges of all the mesh: those of the face itself too.
-TEST(Watertight, RaysFromASurfaceFindNoHoleEither) {
+/// Shoots rays from points on the inner side of each face at the vertices and edges of the whole mesh, including the
+/// face's own.
+TEST(Watertight, RaysFromASurfaceFindNoHole) {
     Random random(seed);
     const Mesh mesh = moved(ball(), {0.1, 0.2, 0.3}, 1, random);
     const PreparedScene scene = scene_of(mesh);
@@ -175,9 +176,9 @@ TEST(Watertight, RaysFromASurfaceFindNoHoleEither) {
     EXPECT_GT(rays, 1000);
 }
 
-/// A convex body shades no point of its own that faces the light: with shadows it looks as without, to the bit. The
-/// cube's sides are planes of many triangles, in whole numbers and rounded; the light grazes some.
-TEST(Shadows, OfAConvexBodyNeverFallOnItsLitSide) {
+/// A convex body shades none of its own points that face the light, so its picture is exactly the same with and without
+/// shadows. The cube's sides consist of many triangles, exact or rounded; the light grazes some of them.
+TEST(Shadows, NeverFallOnTheLitSideOfAConvexBody) {
     Random random(seed);
     std::vector<Mesh> bodies{ball(), cube(8), moved(cube(8), {0.3, -0.2, 0}, 1, random),
                              moved(ball(), {0.1, 0, -900}, 300, random), moved(cube(8), {0, 0, -1e6}, 3e5, random)};
@@ -191,8 +192,8 @@ TEST(Shadows, OfAConvexBodyNeverFallOnItsLitSide) {
     }
 }
 
-/// The same of balls, near and far, small and huge; a second one far away makes shadows an effect.
-TEST(Shadows, OfABallNeverFallOnItsLitSide) {
+/// The same for balls, near and far, small and huge. A second ball far away makes the scene need shadows.
+TEST(Shadows, NeverFallOnTheLitSideOfABall) {
     for (const auto& [middle, radius] :
          {std::pair(Point(0, 0, 0), 1.0), std::pair(Point(0.1, 0.7, 0.3), 1.1), std::pair(Point(0, 0, -1e9), 4e8),
           std::pair(Point(0, 0, 1.9), 1e-3), std::pair(Point(0, -10000005, 0), 1e7)}) {
@@ -204,8 +205,8 @@ TEST(Shadows, OfABallNeverFallOnItsLitSide) {
     }
 }
 
-/// A lamp within closed walls lights nothing outside them: not through an edge nor a corner.
-TEST(Shadows, OfClosedWallsHaveNoLeaks) {
+/// A lamp inside closed walls lights nothing outside, not even through an edge or a corner.
+TEST(Shadows, HaveNoLeaksAtClosedWalls) {
     Random random(seed);
     for (const Mesh& walls : {cube(5), ball(), moved(cube(5), {0.1, 0.1, 0}, 1, random)}) {
         const PreparedScene scene = scenes::prepared(scenes::with_camera(
@@ -215,7 +216,7 @@ TEST(Shadows, OfClosedWallsHaveNoLeaks) {
     }
 }
 
-TEST(Tree, ShowsWhatThereIsWithoutIt) {
+TEST(Tree, GivesTheSamePictureAsNoTree) {
     for (int i = 0; i < 8; ++i) {
         const PreparedScene scene =
             scenes::prepared(scenes::room({(i & 1) != 0, (i & 2) != 0, (i & 4) != 0, false, true}));
@@ -224,13 +225,13 @@ TEST(Tree, ShowsWhatThereIsWithoutIt) {
     }
 }
 
-TEST(Tree, IsForMoreThanAFewDozenObjects) {
+TEST(Tree, IsNotBuiltForAFewObjects) {
     EXPECT_FALSE(scenes::prepared(scenes::room({})).tree);
     EXPECT_FALSE(scenes::prepared_assignment("a6-2021").tree);
 }
 
-/// Rays in the planes of boxes' sides, through their corners, parallel to axes; and with objects of no thickness.
-TEST(Tree, LosesNoHitInTheSidesOfItsBoxes) {
+/// Rays in the planes of the boxes' sides, through their corners and parallel to axes; also with flat objects.
+TEST(Tree, LosesNoHitInThePlanesOfItsBoxes) {
     Random random(seed);
     const Mesh mesh = cube(6);
     const PreparedScene scene = scene_of(mesh);

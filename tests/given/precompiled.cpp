@@ -1,0 +1,1 @@
+// Every test program uses what is precompiled for this one.

@@ -1,0 +1,10 @@
+// Random scenes as an instructor might write them, in short decimals.
+#pragma once
+
+#include <cstdint>
+
+#include "reference/toml/assignment.h"
+
+/// One sphere and one triangle. The ray hits about half of the spheres and half of the triangles. An invalid scene is
+/// possible, but has never occurred.
+reference::Assignment random_assignment(std::uint64_t seed);
