@@ -38,4 +38,20 @@ inline Targets point_with(const ItemTargets& known, const ItemId& t, const std::
                 start, known.vector(item::V), known.scalar(t));
 }
 
+// Mistakes in a hit point S + tV, of whichever object has this t.
+template <const ItemId& t>
+Targets hit_from_eye(const ItemTargets& known, const IntervalScene& scene) {
+    return point_with(known, t, scene.camera.eye, 1);
+}
+template <const ItemId& t>
+Targets hit_without_start(const ItemTargets& known, const IntervalScene&) {
+    return point_with(known, t, Vec(Interval(0.0)), 1);
+}
+template <const ItemId& t>
+Targets hit_backward(const ItemTargets& known, const IntervalScene&) {
+    return point_with(known, t, known.vector(item::P_WCS), -1);
+}
+
+inline constexpr std::string_view starts_at_eye = "The ray P = S + tV starts at the pixel, S = P_WCS, not at the eye.";
+
 }  // namespace harness::mistakes

@@ -124,16 +124,6 @@ Targets t_of_closest_approach(const ItemTargets& known, const IntervalScene&) {
                 known.scalar(b));
 }
 
-Targets hit_from_eye(const ItemTargets& known, const IntervalScene& scene) {
-    return point_with(known, t, scene.camera.eye, 1);
-}
-Targets hit_without_start(const ItemTargets& known, const IntervalScene&) {
-    return point_with(known, t, Vec(Interval(0.0)), 1);
-}
-Targets hit_backward(const ItemTargets& known, const IntervalScene&) {
-    return point_with(known, t, known.vector(P_WCS), -1);
-}
-
 Targets n_inward(const ItemTargets& known, const IntervalScene& scene) {
     return from([&](const Vec& p) { return normalized(Vec(sphere(scene).center - p)); }, known.vector(hit));
 }
@@ -147,7 +137,6 @@ Targets n_added(const ItemTargets& known, const IntervalScene& scene) {
     return from([&](const Vec& p) { return normalized(Vec(p + sphere(scene).center)); }, known.vector(hit));
 }
 
-constexpr std::string_view starts_at_eye = "The ray P = S + tV starts at the pixel, S = P_WCS, not at the eye.";
 constexpr std::string_view subtract_center = "The sphere's centre must be subtracted from the start of the ray.";
 
 }  // namespace
@@ -179,9 +168,9 @@ const std::vector<Mistake>& mistakes::of_sphere() {
         {"sign of b in the root", "The root begins with minus b.", t, t_sign_of_b},
         {"closest approach", "That is where the ray is nearest to the centre, -b / (2a), not where it hits.", t,
          t_of_closest_approach},
-        {"ray starts at the eye", "The hit point is S + tV with S = P_WCS, not the eye.", hit, hit_from_eye},
-        {"start forgotten", "The hit point is S + tV; S is missing.", hit, hit_without_start},
-        {"sign of t", "The hit point is S plus tV.", hit, hit_backward},
+        {"ray starts at the eye", "The hit point is S + tV with S = P_WCS, not the eye.", hit, hit_from_eye<t>},
+        {"start forgotten", "The hit point is S + tV; S is missing.", hit, hit_without_start<t>},
+        {"sign of t", "The hit point is S plus tV.", hit, hit_backward<t>},
         {"points inward", "The normal points from the centre to the hit point, not back.", normal, n_inward},
         {"not normalised", "The normal must have length 1.", normal, n_long},
         {"centre forgotten", "The normal is the hit point minus the centre, normalised.", normal, n_without_center},

@@ -78,15 +78,6 @@ Targets t_from_eye(const ItemTargets& known, const IntervalScene& scene) {
     return from([](const Solved& s) { return s.t_numerator / s.det; }, solve(known, scene, scene.camera.eye));
 }
 
-Targets hit_from_eye(const ItemTargets& known, const IntervalScene& scene) {
-    return point_with(known, t, scene.camera.eye, 1);
-}
-Targets hit_without_start(const ItemTargets& known, const IntervalScene&) {
-    return point_with(known, t, Vec(Interval(0.0)), 1);
-}
-Targets hit_backward(const ItemTargets& known, const IntervalScene&) {
-    return point_with(known, t, known.vector(P_WCS), -1);
-}
 Targets hit_without_a(const ItemTargets& known, const IntervalScene& scene) {
     return from(
         [&](const Interval& p, const Interval& q) {
@@ -110,7 +101,6 @@ Targets n_of_vertices(const ItemTargets&, const IntervalScene& scene) {
             target_of(normalized(cross(corners.A, corners.C)))};
 }
 
-constexpr std::string_view starts_at_eye = "The ray P = S + tV starts at the pixel, S = P_WCS, not at the eye.";
 constexpr std::string_view check_columns =
     "That is the value of another unknown; check which column of the matrix stands for which unknown.";
 constexpr std::string_view divide_by_det = "Cramer's rule divides by the determinant of the matrix.";
@@ -143,9 +133,9 @@ const std::vector<Mistake>& mistakes::of_triangle() {
         {"weight of A", "That is 1 - u - v, the weight of vertex A.", v, weight_of_a},
         {"sign of v", "The sign of v is wrong.", v, unknown<&Solved::v_numerator, -1>},
         {"not divided by the determinant", divide_by_det, v, undivided<&Solved::v_numerator>},
-        {"ray starts at the eye", "The hit point is S + tV with S = P_WCS, not the eye.", hit, hit_from_eye},
-        {"start forgotten", "The hit point is S + tV; S is missing.", hit, hit_without_start},
-        {"sign of t", "The hit point is S plus tV.", hit, hit_backward},
+        {"ray starts at the eye", "The hit point is S + tV with S = P_WCS, not the eye.", hit, hit_from_eye<t>},
+        {"start forgotten", "The hit point is S + tV; S is missing.", hit, hit_without_start<t>},
+        {"sign of t", "The hit point is S plus tV.", hit, hit_backward<t>},
         {"A forgotten", "The hit point is A + u(B-A) + v(C-A); A is missing.", hit, hit_without_a},
         {"cross product order", "The normal is (B-A) x (C-A); the cross product is the other way round.", normal,
          n_order},

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "reference/key/answer_key.h"
+#include "tests/given/cases.h"
 #include "tests/given/random_scene.h"
 
 namespace {
@@ -125,10 +126,10 @@ void expect_enclosed(const Answer& answer, const std::vector<Real>& truth) {
     }
 }
 
-TEST(Enclosure, ContainsTheTruthOfEveryItemOnFiveHundredScenes) {
+TEST(Enclosure, ContainsTheTruthOfEveryItemOnRandomScenes) {
     int sphere_hits = 0;
     int triangle_hits = 0;
-    for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(500); ++seed) {
         SCOPED_TRACE(seed);
         Assignment assignment = random_assignment(seed);
         assignment.rubric.pixel_conventions = {PixelConvention::centre};
