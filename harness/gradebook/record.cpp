@@ -165,7 +165,7 @@ concept List = requires(Value& value) {
 }
 &&!std::same_as<Value, std::string>;
 template <class Value>
-concept Optional = requires(Value& value) {
+concept Nullable = requires(Value& value) {
     value.reset();
 };
 
@@ -182,7 +182,7 @@ struct Writer {
             return value.count();
         } else if constexpr (std::same_as<Value, scenes::HardScenesReport>) {
             return scenes::hard_scenes_json(value);
-        } else if constexpr (Optional<Value>) {
+        } else if constexpr (Nullable<Value>) {
             return value ? written(*value) : json();
         } else if constexpr (List<Value>) {
             json::array_t list;
@@ -207,7 +207,7 @@ struct Writer {
     /// Most fields are at their default, and a class has hundreds of thousands of fields.
     template <class Value>
     void unless_default(const char* name, Value& value) {
-        if constexpr (Optional<Value>) {
+        if constexpr (Nullable<Value>) {
             if (value) always(name, value);
         } else if constexpr (List<Value>) {
             if (!value.empty()) always(name, value);
@@ -233,7 +233,7 @@ struct Reader {
             value = scenes::hard_scenes_from_json(from);
         } else if constexpr (std::same_as<Value, std::string_view>) {
             value = item_name(from.get<std::string>());
-        } else if constexpr (Optional<Value>) {
+        } else if constexpr (Nullable<Value>) {
             if (!from.is_null()) read(from, value.emplace());
         } else if constexpr (List<Value>) {
             for (const json& each : from) read(each, value.emplace_back());

@@ -100,7 +100,7 @@ std::vector<Candidate> gather_block(const std::vector<PrintedValue>& values, std
     for (std::size_t k = 0; k < n; ++k) {
         if (!values[at + k].label.empty()) matrix.value.label = values[at + k].label;
     }
-    if (is_row_label(matrix.value.label)) matrix.value.label.clear();
+    if (is_row_label(matrix.value.label)) matrix.value.label = std::string(matrix_of_row(matrix.value.label));
     Candidate rhs{values[at], MatrixOrder::unsaid, 0, at, n};
     rhs.value.numbers.clear();
     rhs.value.printed.clear();

@@ -188,6 +188,7 @@ Words split_words(std::string_view label) {
             continue;
         }
         in_word = false;
+        if (words.empty()) continue;  // a bullet
         const bool spaced = i > 0 && i + 1 < label.size() && label[i - 1] == ' ' && label[i + 1] == ' ';
         const bool operands = i > 0 && i + 1 < label.size() && (i < 2 || !is_word_char(label[i - 2])) &&
                               is_word_char(label[i - 1]) && (i + 2 >= label.size() || !is_word_char(label[i + 2]));
@@ -289,16 +290,24 @@ std::vector<std::size_t> listed_items(std::string_view label, std::span<const It
     return listed.size() >= 2 ? listed : std::vector<std::size_t>();
 }
 
+namespace {
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> list) {
+    return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+}  // namespace
+
 MatrixOrder matrix_order(std::string_view label) {
     const Words words = split_words(label);
     bool rows = false;
     bool columns = false;
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string_view token = words[i];
-        rows = rows || token == "row" || token == "rows" || token == "rowwise" || token == "transpose" ||
-               token == "transposed";
-        columns = columns || token == "column" || token == "columns" || token == "col" || token == "cols" ||
-                  token == "columnwise";
+        rows = rows || is_one_of(token, {"row", "rows", "rowwise", "transpose", "transposed", "zeile", "reihe", "ligne",
+                                         "fila", "renglón"});
+        columns = columns ||
+                  is_one_of(token, {"column", "columns", "col", "cols", "columnwise", "spalte", "colonne", "columna"});
     }
     // A label that says what the columns mean, such as "matrix (columns are t, u, v)", says nothing about the order of
     // printing.
@@ -311,7 +320,15 @@ MatrixOrder matrix_order(std::string_view label) {
 bool is_row_label(std::string_view label) {
     static const RE2 pattern(
         R"((?i)^\W*(?:(?:(?:the|of|matrix|mat|a|m)\s+)*(?:row|col|column|r|c|line|m|a|mat|eq|equation)\W*(?:no\W*|nr\W*|#)?\d(?:\W+-?[tuvxyz])?|\d|(?:first|second|third|fourth|1st|2nd|3rd|4th)\s+(?:row|col|column)|M\w*\[\d\]|[-]?[tuv]\s+col(?:umn)?|col(?:umn)?\s+[-]?[tuvxyz]|-\s*V|B\s*-\s*A|C\s*-\s*A|e1|e2|edge\s*[12])\W*$)");
-    return RE2::FullMatch(re2::StringPiece(label.data(), label.size()), pattern);
+    return RE2::FullMatch(re2::StringPiece(label.data(), label.size()), pattern) || !matrix_of_row(label).empty();
+}
+
+std::string_view matrix_of_row(std::string_view label) {
+    static const RE2 pattern(
+        R"((?i)^\W*(\S.*?)[\W_]+(?:row|col|column|line|zeile|reihe|spalte|ligne|colonne|fila|renglón|columna)[\W_]*(?:no\W*|nr\W*)?\d\W*$)");
+    re2::StringPiece name;
+    if (!RE2::FullMatch(re2::StringPiece(label.data(), label.size()), pattern, &name)) return {};
+    return label.substr(static_cast<std::size_t>(name.data() - label.data()), name.size());
 }
 
 }  // namespace harness

@@ -36,7 +36,10 @@ std::vector<std::size_t> listed_items(std::string_view label, std::span<const re
 enum class MatrixOrder { unsaid, rows, columns };
 MatrixOrder matrix_order(std::string_view label);
 
-/// Whether the label is that of a row or column of a matrix: "row 1", "c2", "col 0:", "M[3]".
+/// Whether the label is that of a row or column of a matrix: "row 1", "c2", "col 0:", "M[3]", "view matrix row 2".
 bool is_row_label(std::string_view label);
+
+/// The name of the matrix in a row's label: "view matrix" in "view matrix row 2". Empty for other labels.
+std::string_view matrix_of_row(std::string_view label);
 
 }  // namespace harness

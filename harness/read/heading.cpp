@@ -119,6 +119,36 @@ std::optional<Heading> bare(std::string_view start) {
     return Heading{question, end, Heading::Style::bare};
 }
 
+/// "| 6 | t | 0.59 |", "6\tt\t0.59".
+std::optional<Heading> cell(std::string_view start) {
+    static const RE2 pattern(
+        R"((^\s*(?:[|\x{2502}]\s*(?:Q\s?)?(\d{1,2})\s*[|\x{2502}]|(?:Q\s?)?(\d{1,2})(?:\s*[;|,\x{2502}]|\t|\s{2,}))\s*)(?:[-+.]\s*)?[^\s\d.+\-])");
+    re2::StringPiece whole, framed, open;
+    if (!RE2::PartialMatch(re2::StringPiece(start.data(), start.size()), pattern, &whole, &framed, &open))
+        return std::nullopt;
+    const re2::StringPiece digits = framed.empty() ? open : framed;
+    const int question = digits.size() == 1 ? digits[0] - '0' : 10 * (digits[0] - '0') + digits[1] - '0';
+    if (question < 1 || question > 10) return std::nullopt;
+    return Heading{question, whole.size(), Heading::Style::cell};
+}
+
+/// The numbers in the first cells of a table; empty if they are no column of questions.
+std::vector<std::optional<Heading>> question_column(const std::vector<std::string_view>& lines) {
+    constexpr std::size_t fewest = 5;
+    std::vector<std::optional<Heading>> cells;
+    std::set<int> named;
+    int last = 0;
+    for (const std::string_view line : lines) {
+        cells.push_back(cell(line.substr(0, longest_heading)));
+        if (!cells.back()) continue;
+        if (cells.back()->question == last) continue;
+        last = cells.back()->question;
+        if (!named.insert(last).second) return {};
+    }
+    if (named.size() < fewest) cells.clear();
+    return cells;
+}
+
 /// Chooses the style of the headings; named[style] holds the questions that a style names. The later styles also number
 /// steps within questions, so they must name many more questions to be chosen.
 std::size_t choose_style(const std::array<std::set<int>, 3>& named) {
@@ -148,6 +178,9 @@ std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_
         headings.push_back(read_heading(line));
         if (!headings.back() || headings.back()->question > 10) continue;
         named.at(static_cast<std::size_t>(headings.back()->style)).insert(headings.back()->question);
+    }
+    if (named[0].size() < 3) {
+        if (auto column = question_column(lines); !column.empty()) return column;
     }
     const std::size_t best = choose_style(named);
     for (auto& heading : headings) {

@@ -14,6 +14,7 @@ struct Heading {
         question,  ///< "Question", "Q", "Exercise", "Problem", …
         part,      ///< "Part", "Answer", "Step", "No.", …, which may also number steps within a question
         bare,      ///< the number alone: "1.", "2)", "--- 3 ---", "6a)"
+        cell,      ///< the first cell of a table's row: "| 6 | t | 0.59 |"; a heading on each row
     };
     int question;     ///< 1 to 99
     std::size_t end;  ///< byte offset in the line after the number and its punctuation
@@ -24,7 +25,8 @@ struct Heading {
 std::optional<Heading> read_heading(std::string_view line);
 
 /// Finds the headings among `lines`. Only one style counts: the style that names the most of questions 1 to 10, with a
-/// preference for the earlier styles. Bare numbers count only if they name at least three questions. Returns one entry
+/// preference for the earlier styles. Bare numbers count only if they name at least three questions, cells if they name at
+/// least five and the rows of each stand together. Returns one entry
 /// per line, empty if the line is not a heading.
 std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_view>& lines);
 

@@ -23,7 +23,7 @@ const RE2& system_row_pattern() {
 
 class Reader {
   public:
-    explicit Reader(std::string_view line) : line_(line), tokens_(line) {}
+    Reader(std::string_view line, const OwnSeparators& separators) : line_(line), tokens_(line, separators) {}
 
     LineReading run() {
         if (auto values = read_linear_form(line_)) return {std::move(*values), true};
@@ -155,7 +155,8 @@ class Reader {
     void emit_before_equals() {
         if (!before_equals_) return;
         const PrintedNumber& number = before_equals_->numbers.front();
-        const bool counts = before_equals_->numbers.size() == 1 && number.decimals == 0 &&
+        const bool counts = before_equals_->numbers.size() == 1 && number.decimals == 0 && before_equals_->first > 0 &&
+                            is(before_equals_->first - 1, Kind::word) &&
                             !label(tokens_[before_equals_->first].begin).empty();
         const bool exact_words = reading_.has_words && is(before_equals_->last + 1, Kind::word);
         if (!counts || !exact_words) emit(*before_equals_);
@@ -195,6 +196,9 @@ class Reader {
             }
             rest = equals == std::string_view::npos ? std::string_view() : rest.substr(equals + 1);
         }
+        static const RE2 conjunction("(?i)and|und|et");
+        if (label_begin_ > 0 && RE2::FullMatch(re2::StringPiece(first_part.data(), first_part.size()), conjunction))
+            return "";
         // "P_s = {x = 2": component x of P_s.
         last_part.remove_prefix(std::min(last_part.find_first_not_of("([{<"), last_part.size()));
         if (last_part == "x" && first_part.data() != last_part.data()) return std::string(first_part) + " x";
@@ -237,8 +241,8 @@ class Reader {
 
 }  // namespace
 
-LineReading read_line(std::string_view line) {
-    return Reader(line).run();
+LineReading read_line(std::string_view line, const OwnSeparators& separators) {
+    return Reader(line, separators).run();
 }
 
 }  // namespace harness

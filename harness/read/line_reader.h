@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/read/own_separators.h"
 #include "harness/read/printed_value.h"
 
 namespace harness {
@@ -15,6 +16,7 @@ struct LineReading {
 
 /// Reads the values of a line of clean text. Numbers that are part of prose or of a formula are not values: in "5/3 =
 /// 1.66667" the value is 1.66667, in "b*b - 4*a*c = 8" it is 8, in "0 <= u" there is none.
-LineReading read_line(std::string_view line);
+/// `separators` are those of the whole output.
+LineReading read_line(std::string_view line, const OwnSeparators& separators = {});
 
 }  // namespace harness

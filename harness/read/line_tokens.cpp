@@ -5,8 +5,9 @@
 namespace harness {
 
 /// Finds all partners in a single pass, so that unbalanced brackets cause no repeated searches.
-LineTokens::LineTokens(std::string_view line)
-    : line_(line), tokens_(tokenize(line)), partner_(tokens_.size(), tokens_.size()) {
+LineTokens::LineTokens(std::string_view line, const OwnSeparators& separators) : line_(line), tokens_(tokenize(line)) {
+    separators.replace_in(tokens_, line);
+    partner_.assign(tokens_.size(), tokens_.size());
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
         if (is(i, Token::Kind::open)) open.push_back(i);

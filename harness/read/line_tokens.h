@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/read/own_separators.h"
 #include "harness/read/token.h"
 
 namespace harness {
@@ -16,7 +17,7 @@ constexpr std::size_t most_tokens_in_bracket = 128;
 class LineTokens {
   public:
     /// `line` must outlive this object.
-    explicit LineTokens(std::string_view line);
+    explicit LineTokens(std::string_view line, const OwnSeparators& separators = {});
 
     std::size_t size() const { return tokens_.size(); }
     const Token& operator[](std::size_t i) const { return tokens_[i]; }

@@ -24,7 +24,10 @@ class GroupReader {
             }
             if (is_named_index(number.next)) return std::nullopt;
             // The number is an index too in "Root 1 = 3.41" and "row 0: 1 0 0".
-            if (!found.numbers.empty() && is(number.next, Kind::equals)) break;
+            const bool is_whole = number.number.decimals == 0 && number.number.value >= 0;
+            if (!found.numbers.empty() && is_whole && is(number.next, Kind::equals) &&
+                (is(number.next + 1, Kind::number) || is(number.next + 1, Kind::open)))
+                break;
             found.numbers.push_back(number.number);
             found.numbers.back().value *= found.numbers.size() == 1 ? sign_apart(i) : 1.0;
             i = number.next;

@@ -9,9 +9,6 @@
 namespace harness {
 namespace {
 
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
-}
 bool is_word_char(char c) {
     return is_letter(c) || is_digit(c) || c == '_';
 }
@@ -263,7 +260,7 @@ class Lexer {
             open_angle_ = true;
             return add(Token::Kind::open, 1);
         }
-        if (peek(1) == '-') return add(Token::Kind::other, 2);
+        if (peek(1) == '-' && !starts_digits(2)) return add(Token::Kind::other, 2);
         add(Token::Kind::compare, 1);
     }
 

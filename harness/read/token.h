@@ -6,11 +6,15 @@
 
 namespace harness {
 
-/// A number as a program printed it.
 inline bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
+/// Of any language: each byte of a letter beyond ASCII counts.
+inline bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+}
 
+/// A number as a program printed it.
 struct PrintedNumber {
     double value = 0;     ///< may be infinite or not a number
     int decimals = 0;     ///< decimal places of the last digit: 1.50 has 2, 1.5e-3 has 4, 1.5e+03 has -2

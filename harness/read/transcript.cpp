@@ -128,6 +128,78 @@ std::vector<PrintedValue> join_components(std::vector<PrintedValue> values) {
     return joined;
 }
 
+/// The place in a matrix that a label names: "M(1,2)", "M[0][1]", "m12", "row 1 col 2".
+struct ElementLabel {
+    std::string base;
+    int first, second;
+    bool is_row_first;  ///< `first` is the row; M[0][1] may be GLM's column 0
+};
+
+std::optional<ElementLabel> read_element(const PrintedValue& value) {
+    if (value.numbers.size() != 1 || value.label.empty()) return std::nullopt;
+    static const RE2 pattern(
+        R"((?i)^(.*?)[\s_.]*(?:\[(\d)\]\s*\[(\d)\]|[(\[{]\s*(\d)\s*,\s*(\d)\s*[)\]}]|([0-4])_?([0-4])|row\s*(\d)\W+col(?:umn)?\s*(\d))$)");
+    std::string base, c[8];
+    if (!RE2::FullMatch(value.label, pattern, &base, &c[0], &c[1], &c[2], &c[3], &c[4], &c[5], &c[6], &c[7]))
+        return std::nullopt;
+    for (const std::size_t k : {0, 2, 4, 6}) {
+        if (!c[k].empty()) return ElementLabel{base, c[k][0] - '0', c[k + 1][0] - '0', k != 0};
+    }
+    return std::nullopt;
+}
+
+/// The matrix whose elements are values[at], values[at + 1], …, in any order; empty if they are not just 3 x 3 or 4
+/// x 4.
+std::optional<PrintedValue> join_elements_at(const std::vector<PrintedValue>& values, std::size_t at) {
+    std::vector<ElementLabel> labels;
+    for (std::size_t i = at; i < values.size() && labels.size() < 16; ++i) {
+        const auto label = read_element(values[i]);
+        if (!label || (!labels.empty() && label->base != labels.front().base)) break;
+        labels.push_back(*label);
+    }
+    for (const std::size_t n : {std::size_t{4}, std::size_t{3}}) {
+        if (labels.size() < n * n) continue;
+        const auto end = labels.begin() + static_cast<std::ptrdiff_t>(n * n);
+        const int start = std::min_element(labels.begin(), end, [](const auto& a, const auto& b) {
+                              return a.first < b.first;
+                          })->first;
+        PrintedValue matrix = values[at];
+        matrix.numbers.assign(n * n, {});
+        std::vector<bool> filled(n * n, false);
+        for (std::size_t k = 0; k < n * n; ++k) {
+            const int row = labels[k].first - start, column = labels[k].second - start;
+            if (row < 0 || column < 0 || row >= static_cast<int>(n) || column >= static_cast<int>(n)) break;
+            const auto place = static_cast<std::size_t>(row) * n + static_cast<std::size_t>(column);
+            matrix.numbers[place] = values[at + k].numbers.front();
+            filled[place] = true;
+        }
+        if (std::find(filled.begin(), filled.end(), false) != filled.end()) continue;
+        matrix.label = labels.front().base;
+        matrix.groups = labels.front().is_row_first ? static_cast<int>(n) : 1;
+        matrix.last_line = values[at + n * n - 1].last_line;
+        matrix.printed = values[at].label + " = " + values[at].printed;
+        for (std::size_t k = 1; k < n * n; ++k)
+            matrix.printed += ", " + values[at + k].label + " = " + values[at + k].printed;
+        matrix.printed.resize(std::min(matrix.printed.size(), longest_printed));
+        return matrix;
+    }
+    return std::nullopt;
+}
+
+/// Joins "M(1,1) = 0", "M(1,2) = 1", … into one matrix.
+std::vector<PrintedValue> join_elements(std::vector<PrintedValue> values) {
+    std::vector<PrintedValue> joined;
+    for (std::size_t i = 0; i < values.size();) {
+        if (auto matrix = join_elements_at(values, i)) {
+            i += matrix->numbers.size();
+            joined.push_back(std::move(*matrix));
+        } else {
+            joined.push_back(std::move(values[i++]));
+        }
+    }
+    return joined;
+}
+
 /// Joins three or four numbers that are stacked under their own label, such as "column 0" or "N", into one list.
 std::vector<PrintedValue> join_stacks(std::vector<PrintedValue> values) {
     std::vector<PrintedValue> joined;
@@ -170,6 +242,7 @@ class TranscriptReader {
         std::vector<std::string_view> texts;
         for (const Line& line : lines) texts.push_back(line.text);
         const auto headings = find_headings(texts);
+        separators_ = OwnSeparators(texts);
         transcript_.sections.push_back({0, {}, {}});
         for (std::size_t i = 0; i < lines.size(); ++i) {
             auto [rest, number] = lines[i];
@@ -183,7 +256,7 @@ class TranscriptReader {
         }
         for (Section& section : transcript_.sections) {
             keep_ends(section.values);
-            section.values = join_stacks(join_components(std::move(section.values)));
+            section.values = join_stacks(join_components(join_elements(std::move(section.values))));
         }
         return std::move(transcript_);
     }
@@ -192,7 +265,7 @@ class TranscriptReader {
     void read(std::string_view line, int number) {
         Section& section = transcript_.sections.back();
         section.lines.push_back({std::string(line), number});
-        LineReading reading = read_line(line);
+        LineReading reading = read_line(line, separators_);
         if (reading.values.empty()) {
             if (auto none = read_no_value(line)) reading.values.push_back(std::move(*none));
         }
@@ -215,6 +288,7 @@ class TranscriptReader {
     }
 
     Transcript transcript_;
+    OwnSeparators separators_;
     std::string above_;            ///< the last line of words, until a value takes it
     bool above_is_title_ = false;  ///< above_ is the rest of a heading
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -127,18 +128,30 @@ Interval estimate_factor(const std::vector<PrintedNumber>& given, const std::arr
     return !factor.is_bounded() || factor.contains(0.0) || factor.contains(1.0) ? Interval(1.0) : factor;
 }
 
-bool fits(const std::vector<PrintedNumber>& given, const SystemForm& form, const Target& matrix, double allowance,
-          int min_decimals) {
-    for (std::size_t j = 0; j < 3; ++j) {
-        for (std::size_t row = 0; row < 3; ++row) {
-            const PrintedNumber& number = given[at(form.column[j], row)];
-            const std::size_t i = j * 3 + row;
-            if (!is_multiple(number, matrix.components[i], form.row_factor[row], allowance_of(matrix, i, allowance),
-                             min_decimals))
-                return false;
-        }
+/// Whether the student's column for the handout's column j is that column of `matrix`.
+bool column_fits(std::size_t j, const std::vector<PrintedNumber>& given, const SystemForm& form, const Target& matrix,
+                 double allowance, int min_decimals) {
+    for (std::size_t row = 0; row < 3; ++row) {
+        const PrintedNumber& number = given[at(form.column[j], row)];
+        const std::size_t i = j * 3 + row;
+        if (!is_multiple(number, matrix.components[i], form.row_factor[row], allowance_of(matrix, i, allowance),
+                         min_decimals))
+            return false;
     }
     return true;
+}
+
+int columns_that_fit(const std::vector<PrintedNumber>& given, const SystemForm& form, const Target& matrix,
+                     double allowance, int min_decimals) {
+    int count = 0;
+    for (std::size_t j = 0; j < 3; ++j) count += column_fits(j, given, form, matrix, allowance, min_decimals) ? 1 : 0;
+    return count;
+}
+
+constexpr auto both_signs = {1.0, -1.0};
+
+std::array<Interval, 3> same_factor(double factor) {
+    return {Interval(factor), Interval(factor), Interval(factor)};
 }
 
 bool fits_rhs(const MatchedItem* printed, const Target& rhs, const SystemForm& form, double allowance,
@@ -146,11 +159,12 @@ bool fits_rhs(const MatchedItem* printed, const Target& rhs, const SystemForm& f
     return printed == nullptr || is_scaled_rhs(*printed, rhs, form, allowance, min_decimals);
 }
 
-double distance(const std::vector<PrintedNumber>& given, const std::array<int, 3>& permutation, const Target& matrix) {
+double distance(const std::vector<PrintedNumber>& given, const SystemForm& form, const Target& matrix) {
     double sum = 0;
     for (std::size_t j = 0; j < 3; ++j) {
         for (std::size_t row = 0; row < 3; ++row)
-            sum += std::abs(given[at(permutation[j], row)].value - middle(matrix.components[j * 3 + row]));
+            sum += std::abs(given[at(form.column[j], row)].value -
+                            middle(form.row_factor[row] * matrix.components[j * 3 + row]));
     }
     return sum;
 }
@@ -160,8 +174,9 @@ int solved_unknowns(const MatchedItem& printed, const MatchedItem* printed_rhs, 
                     const SystemForm& form, int min_decimals) {
     if (printed_rhs == nullptr) return 0;
     const Target matrix = in_handout_order(printed, form, Digits::as_printed);
-    const Target rhs = printed_target(*printed_rhs, Digits::as_printed);
+    Target rhs = printed_target(*printed_rhs, Digits::as_printed);
     if (rhs.components.size() != 3) return 0;
+    if (form.is_negated()) rhs = negated(std::move(rhs));
     const auto column = [&](std::size_t j) {
         return reference::Vec3<Interval>(matrix.components[3 * j], matrix.components[3 * j + 1],
                                          matrix.components[3 * j + 2]);
@@ -187,7 +202,7 @@ std::optional<SystemForm> find_form(const MatchedItem& printed, const Target& ma
         const std::vector<PrintedNumber> given = columns_of(printed, by_rows);
         for (const auto& permutation : permutations) {
             const SystemForm form{permutation, factors(given, permutation), by_rows};
-            if (fits(given, form, matrix, allowance, min_decimals) && accepts(form)) return form;
+            if (columns_that_fit(given, form, matrix, allowance, min_decimals) == 3 && accepts(form)) return form;
         }
     }
     return std::nullopt;
@@ -216,6 +231,15 @@ bool SystemForm::is_scaled() const {
     return !std::all_of(row_factor.begin(), row_factor.end(), is_one);
 }
 
+bool SystemForm::is_negated() const {
+    return std::all_of(row_factor.begin(), row_factor.end(),
+                       [](const Interval& factor) { return factor.lo() == -1 && factor.hi() == -1; });
+}
+
+SystemForm negated_form() {
+    return {{0, 1, 2}, same_factor(-1.0), false};
+}
+
 bool SystemForm::is_canonical() const {
     return column == std::array<int, 3>{0, 1, 2} && !is_scaled();
 }
@@ -230,18 +254,20 @@ std::string SystemForm::describe() const {
             text += (place == 0 ? "" : ", ") + std::string(unknowns.at(static_cast<std::size_t>(handout)));
         }
     }
+    if (is_negated()) return text + (text.empty() ? "" : ", ") + "both sides multiplied by -1";
     if (is_scaled()) text += text.empty() ? "rows multiplied on both sides" : ", rows multiplied on both sides";
     return text;
 }
 
 std::optional<SystemForm> find_column_order(const MatchedItem& printed, const Target& matrix, double allowance,
                                             int min_decimals) {
-    return find_form(
-        printed, matrix, allowance, min_decimals,
-        [](const auto&, const auto&) {
-            return std::array<Interval, 3>{Interval(1.0), Interval(1.0), Interval(1.0)};
-        },
-        [](const SystemForm&) { return true; });
+    for (const double sign : both_signs) {
+        const auto factors = [&](const auto&, const auto&) { return same_factor(sign); };
+        if (auto form =
+                find_form(printed, matrix, allowance, min_decimals, factors, [](const SystemForm&) { return true; }))
+            return form;
+    }
+    return std::nullopt;
 }
 
 std::optional<SystemForm> find_multiplied_form(const MatchedItem& printed, const MatchedItem* printed_rhs,
@@ -271,29 +297,41 @@ bool is_scaled_rhs(const MatchedItem& printed, const Target& rhs, const SystemFo
 }
 
 SystemForm likeliest_column_order(const MatchedItem& printed, const MatchedItem* printed_rhs,
-                                  const PrintedSolution& solution, const Target& matrix, int min_decimals) {
+                                  const PrintedSolution& solution, const Target& matrix, double allowance,
+                                  int min_decimals) {
     SystemForm likeliest;
-    std::pair<int, double> best{-1, 0.0};  // how many unknowns fit, and minus the distance
+    std::tuple<int, int, double> best{-1, -1, 0.0};  // columns and unknowns that fit, and minus the distance
     for (const bool by_rows : possible_orders(printed.order)) {
         const std::vector<PrintedNumber> given = columns_of(printed, by_rows);
-        for (const auto& permutation : permutations) {
-            const SystemForm form{permutation, {Interval(1.0), Interval(1.0), Interval(1.0)}, by_rows};
-            const std::pair<int, double> fit{solved_unknowns(printed, printed_rhs, solution, form, min_decimals),
-                                             -distance(given, permutation, matrix)};
-            if (fit <= best) continue;
-            best = fit;
-            likeliest = form;
+        for (const double sign : both_signs) {
+            for (const auto& permutation : permutations) {
+                const SystemForm form{permutation, same_factor(sign), by_rows};
+                const std::tuple<int, int, double> fit{
+                    columns_that_fit(given, form, matrix, allowance, min_decimals),
+                    solved_unknowns(printed, printed_rhs, solution, form, min_decimals),
+                    -distance(given, form, matrix)};
+                if (fit <= best) continue;
+                best = fit;
+                likeliest = form;
+            }
         }
     }
     return likeliest;
+}
+
+Target negated(Target target) {
+    for (Interval& component : target.components) component = -component;
+    return target;
 }
 
 Target in_handout_order(const MatchedItem& printed, const SystemForm& form, Digits digits) {
     const std::vector<PrintedNumber> given = columns_of(printed, form.by_rows);
     Target target;
     for (const int column : form.column) {
-        for (std::size_t row = 0; row < 3; ++row)
-            target.components.push_back(enclosure_of(given[at(column, row)], digits));
+        for (std::size_t row = 0; row < 3; ++row) {
+            const Interval number = enclosure_of(given[at(column, row)], digits);
+            target.components.push_back(form.is_negated() ? -number : number);
+        }
     }
     return target;
 }

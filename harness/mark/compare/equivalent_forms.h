@@ -46,15 +46,19 @@ struct SystemForm {
 
     bool is_canonical() const;
     bool is_scaled() const;
+    bool is_negated() const;  ///< every row is multiplied by -1: (V | A-B | A-C) with A-S
     /// For a report: "columns in the order u, v, t"; empty for the canonical form.
     std::string describe() const;
 };
 
-/// Finds the form without multiplied rows in which the printed matrix is `matrix`; empty if there is none.
+/// The handout's form with both sides multiplied by -1.
+SystemForm negated_form();
+
+/// Finds the form in which the printed matrix is `matrix`, or -`matrix`; empty if there is none.
 std::optional<SystemForm> find_column_order(const MatchedItem& printed, const Target& matrix, double allowance,
                                             int min_decimals);
 
-/// Like find_column_order, but with multiplied rows. The printed right-hand side `printed_rhs` (null if there is none)
+/// Like find_column_order, but with rows multiplied by any number. The printed right-hand side `printed_rhs` (null if there is none)
 /// must be `rhs` with the same factors.
 std::optional<SystemForm> find_multiplied_form(const MatchedItem& printed, const MatchedItem* printed_rhs,
                                                const Target& matrix, const Target& rhs, double allowance,
@@ -71,13 +75,17 @@ struct PrintedSolution {
     const MatchedItem* v;
 };
 
-/// The likely form of a matrix that is the key's in no form. It is the form without multiplied rows in which the
-/// largest number of the printed t, u and v solve the system with the printed right-hand side (null if there is none);
-/// among several, the form nearest to `matrix`.
+/// The likely form of a matrix that is the key's in no form: the one in which most columns are those of `matrix`, or of
+/// -`matrix`. Among several, the form in which the largest number of the printed t, u and v solve the system with the
+/// printed right-hand side (null if there is none); then the form nearest to `matrix`.
 SystemForm likeliest_column_order(const MatchedItem& printed, const MatchedItem* printed_rhs,
-                                  const PrintedSolution& solution, const Target& matrix, int min_decimals);
+                                  const PrintedSolution& solution, const Target& matrix, double allowance,
+                                  int min_decimals);
 
-/// The printed matrix with its columns in the handout's order.
+/// The same target with the opposite sign.
+Target negated(Target target);
+
+/// The printed matrix with its columns in the handout's order, and with the handout's sign.
 Target in_handout_order(const MatchedItem& printed, const SystemForm& form, Digits digits);
 
 }  // namespace harness

@@ -24,11 +24,14 @@ std::optional<Agreement> agrees(const MatchedItem& printed, const Target& target
         const auto form = find_column_order(printed, target, allowance, evidence.min_decimals);
         return form ? std::optional(Agreement{form}) : std::nullopt;
     }
-    const bool is_multiplied =
-        id == item::triangle::rhs && evidence.system && evidence.system->is_scaled() && !target.no_value;
-    const bool within = is_multiplied
-                            ? is_scaled_rhs(printed, target, *evidence.system, allowance, evidence.min_decimals)
-                            : compare(printed, target, allowance, evidence.min_decimals).within;
+    const bool is_rhs = id == item::triangle::rhs && !target.no_value;
+    const auto is_rhs_of = [&](const SystemForm& form) {
+        return is_scaled_rhs(printed, target, form, allowance, evidence.min_decimals);
+    };
+    const bool is_multiplied = is_rhs && evidence.system && evidence.system->is_scaled();
+    bool within =
+        is_multiplied ? is_rhs_of(*evidence.system) : compare(printed, target, allowance, evidence.min_decimals).within;
+    if (is_rhs && !evidence.system) within = within || is_rhs_of(negated_form());
     return within ? std::optional(Agreement{}) : std::nullopt;
 }
 

@@ -33,12 +33,14 @@ class Gatherer {
     bool is_right_but_coarse(const KeyItem& item, const MatchedItem& printed) const;
     bool is_right_quadratic(const KeyItem& item, const MatchedItem& printed, Finding& finding) const;
     bool is_right_matrix(const KeyItem& item, const MatchedItem& printed, Finding& finding);
+    bool is_right_beside_matrix(const KeyItem& item, const MatchedItem& printed, Finding& finding) const;
     void remember_own_value(const ItemId& id, const MatchedItem& printed);
 
     const std::vector<MatchedItem>& matched_;
     const reference::AnswerKey& key_;
     const reference::Rubric& rubric_;
     Evidence evidence_;
+    bool system_is_negated_ = false;
 };
 
 Gatherer::Gatherer(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
@@ -98,6 +100,8 @@ Finding Gatherer::compare_with_key(const KeyItem& item, const MatchedItem& print
             finding.right = is_right_quadratic(item, printed, finding);
         } else if (id == matrix) {
             finding.right = is_right_matrix(item, printed, finding);
+        } else if (id == rhs) {
+            finding.right = is_right_beside_matrix(item, printed, finding);
         }
     }
     finding.coarse = !finding.right && is_right_but_coarse(item, printed);
@@ -148,6 +152,22 @@ bool Gatherer::is_right_matrix(const KeyItem& item, const MatchedItem& printed, 
     return false;
 }
 
+/// The sign of a right-hand side is that of its matrix. Without a matrix that shows it, either sign is the handout's.
+bool Gatherer::is_right_beside_matrix(const KeyItem& item, const MatchedItem& printed, Finding& finding) const {
+    const bool shows_no_sign = !evidence_.system && readable(matched_, matrix) == nullptr;
+    if (!shows_no_sign && !(evidence_.system && evidence_.system->is_negated())) return false;
+    for (const reference::Answer& answer : item.answers) {
+        const Target target = target_with_allowance(item, answer, rubric_);
+        if (target.no_value ||
+            !is_scaled_rhs(printed, target, negated_form(), allowance_of(item, rubric_), rubric_.min_decimals))
+            continue;
+        finding.accepted_as = negated_form().describe();
+        finding.error.reset();
+        return true;
+    }
+    return false;
+}
+
 void Gatherer::remember_own_value(const ItemId& id, const MatchedItem& printed) {
     for (const Digits digits : {Digits::of_stream, Digits::as_printed}) {
         Target own = printed_target(printed, digits);
@@ -158,9 +178,11 @@ void Gatherer::remember_own_value(const ItemId& id, const MatchedItem& printed) 
                                            readable(matched_, item::triangle::v)};
             const auto form = evidence_.system ? *evidence_.system
                                                : likeliest_column_order(printed, readable(matched_, rhs), solution, key,
-                                                                        rubric_.min_decimals);
+                                                                        0.0, rubric_.min_decimals);
             own = in_handout_order(printed, form, digits);
+            system_is_negated_ = form.is_negated();
         }
+        if (id == rhs && system_is_negated_) own = negated(std::move(own));
         evidence_.own[digits == Digits::of_stream ? 0 : 1][id] = std::move(own);
     }
 }

@@ -72,7 +72,8 @@ void Judge::judge_value(const KeyItem& item, const MatchedItem& printed, const E
         score.accepted_as = finding.accepted_as;
         return;
     }
-    if (id == rhs && is_right_rhs(item, printed, evidence)) return accept(score, evidence.system->describe());
+    if (id == rhs && is_right_rhs(item, printed, evidence))
+        return accept(score, evidence.system.value_or(negated_form()).describe());
     if (evidence.close_calls.contains(id)) {
         return accept(score, is_empty ? "the ray does not hit here" : "rounding may decide here whether the ray hits");
     }
@@ -117,10 +118,10 @@ std::optional<SystemForm> Judge::multiplied_form(const MatchedItem& printed, con
 }
 
 bool Judge::is_right_rhs(const KeyItem& item, const MatchedItem& printed, const Evidence& evidence) const {
-    if (printed.value->numbers.empty() || !evidence.system || !evidence.system->is_scaled()) return false;
+    if (printed.value->numbers.empty() || (evidence.system && !evidence.system->is_scaled())) return false;
+    const SystemForm form = evidence.system.value_or(negated_form());
     return std::any_of(item.answers.begin(), item.answers.end(), [&](const reference::Answer& answer) {
-        return is_scaled_rhs(printed, target_of(answer), *evidence.system, allowance_of(item, rubric_),
-                             rubric_.min_decimals);
+        return is_scaled_rhs(printed, target_of(answer), form, allowance_of(item, rubric_), rubric_.min_decimals);
     });
 }
 

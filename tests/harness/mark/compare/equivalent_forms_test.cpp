@@ -130,7 +130,7 @@ TEST(LikeliestColumnOrder, IsTheOrderThatTheSolutionSolves) {
     const MatchedItem right = printed_item(rhs, "0 2 3");
     const MatchedItem t = printed_item({8, "t"}, "2.5"), u = printed_item({8, "u"}, "0.25"),
                       v = printed_item({8, "v"}, "0.25");
-    const SystemForm form = likeliest_column_order(printed, &right, {&t, &u, &v}, system_matrix(), 2);
+    const SystemForm form = likeliest_column_order(printed, &right, {&t, &u, &v}, system_matrix(), 0.0, 2);
     EXPECT_EQ(form.describe(), "columns in the order u, v, t");
     EXPECT_EQ(in_handout_order(printed, form, Digits::as_printed).components[2].lo(), 1.0);
 }

@@ -1,0 +1,367 @@
+#include "tests/given/student/writing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <random>
+#include <vector>
+
+namespace student {
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// What students call an item: with symbols, with words, as the handout does, in German, French and Spanish, as a
+/// variable.
+Words names_of(const ItemId& id) {
+    static const std::map<ItemId, Words> names = {
+        {{1, "P_VCS"},
+         {"P_vcs", "pixel in view coordinates", "Pixel in VCS", "Pixel im VCS", "pixel en VCS", "píxel en VCS",
+          "p_vcs"}},
+        {{2, "X_vcs"}, {"X_vcs", "X axis of the camera", "X_vcs", "X-Achse", "axe X", "eje X", "x_axis"}},
+        {{2, "Y_vcs"}, {"Y_vcs", "Y axis of the camera", "Y_vcs", "Y-Achse", "axe Y", "eje Y", "y_axis"}},
+        {{2, "Z_vcs"}, {"Z_vcs", "Z axis of the camera", "Z_vcs", "Z-Achse", "axe Z", "eje Z", "z_axis"}},
+        {{3, "M_VCS_to_WCS"},
+         {"M", "inverse of the view matrix", "M_VCS_to_WCS", "Matrix M", "matrice M", "matriz M", "view_inverse"}},
+        {{4, "P_WCS"},
+         {"P_wcs", "pixel in world coordinates", "Pixel in WCS", "Pixel im WCS", "pixel en WCS", "píxel en WCS",
+          "p_wcs"}},
+        {{5, "V"},
+         {"V", "ray direction", "unit-length vector V", "Strahlrichtung V", "direction V", "dirección V", "ray_dir"}},
+        {{6, "a"}, {"a", "coefficient a", "a", "Koeffizient a", "coefficient a", "coeficiente a", "a"}},
+        {{6, "b"}, {"b", "coefficient b", "b", "Koeffizient b", "coefficient b", "coeficiente b", "b"}},
+        {{6, "c"}, {"c", "coefficient c", "c", "Koeffizient c", "coefficient c", "coeficiente c", "c"}},
+        {{6, "d"},
+         {"d", "discriminant", "discriminant d", "Diskriminante d", "discriminant d", "discriminante d", "disc"}},
+        {{6, "t"},
+         {"t", "ray parameter", "ray parameter t", "Strahlparameter t", "paramètre t", "parámetro t", "t_sphere"}},
+        {{6, "hit"},
+         {"P_s", "hit point on the sphere", "hit point P_s", "Schnittpunkt P_s", "point P_s", "punto P_s",
+          "hit_point"}},
+        {{7, "normal"}, {"N", "surface normal", "normal N", "Normale N", "normale N", "normal N", "normal"}},
+        {{8, "matrix"}, {"A", "matrix of the system", "matrix A", "Matrix A", "matrice A", "matriz A", "mat_a"}},
+        {{8, "rhs"},
+         {"b", "right-hand side", "right-hand side", "rechte Seite b", "second membre b", "lado derecho b", "rhs"}},
+        {{8, "t"}, {"t", "ray parameter", "t", "Strahlparameter t", "paramètre t", "parámetro t", "t_tri"}},
+        {{8, "u"}, {"u", "u", "u", "u", "u", "u", "u"}},
+        {{8, "v"}, {"v", "v", "v", "v", "v", "v", "v"}},
+        {{8, "hit"},
+         {"P_t", "hit point on the triangle", "hit point P_t", "Schnittpunkt P_t", "point P_t", "punto P_t",
+          "hit_point"}},
+        {{9, "normal"}, {"N", "triangle normal", "normal N", "Normale N", "normale N", "normal N", "normal"}},
+    };
+    return names.at(id);
+}
+
+constexpr const char* spelled[] = {"One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten"};
+
+class Hand {
+  public:
+    Hand(const Program& program, std::uint64_t seed) : program_(program), random_(seed), noise_(~seed) {}
+
+    Writing write() {
+        greet();
+        std::vector<int> questions{1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+        if (one_of("order", {"handout's", "handout's", "handout's", "handout's", "shuffled"}) == "shuffled")
+            std::shuffle(questions.begin(), questions.end(), noise_);
+        const bool table = is("page", "table");
+        if (table) text_ += "| Question | Quantity | Value |\n|---|---|---|\n";
+        for (const int question : questions) {
+            question_ = question;
+            if (!table) head(question);
+            for (const reference::ItemSpec& spec : reference::all_items()) {
+                if (spec.question == question) print(spec);
+            }
+            if (!table && one_of("between questions", {"nothing", "blank line", "rule"}) != "nothing")
+                text_ += is("between questions", "rule") ? "--------------------\n" : "\n";
+        }
+        leave();
+        finish();
+        return {std::move(text_), std::move(drawn_)};
+    }
+
+  private:
+    /// This student's choice. Drawn when it is first asked for.
+    const std::string& one_of(const std::string& feature, std::initializer_list<const char*> choices) {
+        const auto [found, is_new] = drawn_.try_emplace(feature);
+        if (is_new) found->second = *(choices.begin() + random_() % choices.size());
+        return found->second;
+    }
+    bool is(const std::string& feature, std::string_view choice) {
+        if (feature == "page") one_of("page", {"lines", "lines", "lines", "lines", "lines", "lines", "table"});
+        return drawn_.at(feature) == choice;
+    }
+
+    void greet() {
+        const std::string& start =
+            one_of("start", {"nothing", "nothing", "nothing", "title", "scene", "debug", "values echoed"});
+        if (start == "title") text_ += "CS 770 Assignment 6, Fall 2021\nRay casting, version 1.2\n\n";
+        if (start == "scene") {
+            text_ +=
+                fmt::format("eye = {}\nradius = {}\nW = {}, H = {}\n\n", vector(floats(program_.scene().camera.eye)),
+                            number(program_.scene().spheres[0].radius), 301, 201);
+        }
+        if (start == "debug") text_ += "[debug] loading took 0.25 s, 3 objects\n[debug] 42 checks passed\n";
+        if (start == "values echoed") text_ += "half width 1.5 half height 0.75 near 2\n";
+    }
+
+    void leave() {
+        const std::string& end = one_of("end", {"nothing", "nothing", "done", "timing", "summary"});
+        if (end == "done") text_ += "Done.\n";
+        if (end == "timing") text_ += "Elapsed: 0.00042 seconds\n";
+        if (end == "summary" && program_.has({6, "t"}))
+            text_ += "Summary: sphere at distance " + number(program_.scalar({6, "t"})) + "\n";
+    }
+
+    void finish() {
+        if (one_of("line ends", {"\\n", "\\n", "\\n", "\\r\\n"}) == "\\n") return;
+        std::string lines;
+        for (const char c : text_) lines += c == '\n' ? "\r\n" : std::string(1, c);
+        text_ = lines;
+    }
+
+    void head(int question) {
+        const std::string& style =
+            one_of("heading",
+                   {"Question 1:", "Question 1:", "Question 1", "Q1", "Q1.", "1.", "1)",
+                    "=== Question 1 ===", "## Question 1", "Problem 1:", "Aufgabe 1:", "Ejercicio 1:", "Question One",
+                    "[1]", "Answer 1:", "Question #1 - title", "(1)", "Task 1 |", "Exercise 1"});
+        std::string shown = style;
+        if (style == "Question One") {
+            shown = fmt::format("Question {}", spelled[question - 1]);
+        } else {
+            shown.replace(shown.find('1'), 1, std::to_string(question));
+        }
+        if (style == "Question #1 - title") shown.replace(shown.find("title"), 5, reference::question_title(question));
+        text_ += shown + "\n";
+    }
+
+    std::string number(float x) {
+        const std::string& format =
+            one_of("number", {"%f", "%f", "%g", "%.4f", "%.8f", "%e", "%+.5f", "%10.6f", "%.9g"});
+        if (format == "%g") return fmt::format("{:g}", x);
+        if (format == "%.9g") return fmt::format("{:.9g}", x);
+        if (format == "%.4f") return fmt::format("{:.4f}", x);
+        if (format == "%.8f") return fmt::format("{:.8f}", x);
+        if (format == "%e") return fmt::format("{:e}", x);
+        if (format == "%+.5f") return fmt::format("{:+.5f}", x);
+        if (format == "%10.6f") return fmt::format("{:10.6f}", x);
+        return fmt::format("{:f}", x);
+    }
+
+    const std::string& bracket_form() {
+        return one_of("brackets", {"( )", "[ ]", "{ }", "< >", "| |", "none", "none", "vec3( )"});
+    }
+
+    /// The numbers on one line, as this student writes all lists of numbers.
+    std::string list(const Floats& numbers) {
+        const std::string& brackets =
+            one_of("brackets", {"( )", "[ ]", "{ }", "< >", "| |", "none", "none", "vec3( )"});
+        const std::string& comma =
+            one_of("between numbers", {", ", ", ", " ", "  ", "\t", ",", "; ", " | ", " / ", " _ ", " & ", " and "});
+        std::string text;
+        for (const float x : numbers) text += (text.empty() ? "" : comma) + number(x);
+        if (brackets == "none") return text;
+        if (brackets == "vec3( )") return fmt::format("vec{}({})", numbers.size(), text);
+        return brackets.front() + text + brackets.back();
+    }
+
+    /// Three numbers on one line, with or without the components' names.
+    std::string vector(const Floats& p) {
+        const std::string& form =
+            one_of("vector", {"list", "list", "list", "list", "x=", "x:", "x ", "[0]", "ijk", "in x", "e1"});
+        const std::string x = number(p[0]), y = number(p[1]), z = number(p[2]);
+        if (form == "x=") return fmt::format("x={} y={} z={}", x, y, z);
+        if (form == "x:") return fmt::format("x: {}, y: {}, z: {}", x, y, z);
+        if (form == "x ") return fmt::format("X {} Y {} Z {}", x, y, z);
+        if (form == "[0]") return fmt::format("[0]={} [1]={} [2]={}", x, y, z);
+        if (form == "ijk") return fmt::format("{} i + {} j + {} k", x, y, z);
+        if (form == "in x") return fmt::format("{} in x, {} in y, {} in z", x, y, z);
+        if (form == "e1") return fmt::format("x -> {}; y -> {}; z -> {}", x, y, z);
+        return list(p);
+    }
+
+    std::string label(const ItemId& id) {
+        static const Words kinds = {"symbols", "words", "handout's", "German", "French", "Spanish", "variables"};
+        const std::string& kind = one_of("names", {"symbols", "symbols", "words", "handout's", "handout's", "German",
+                                                   "French", "Spanish", "variables"});
+        std::string name =
+            names_of(id).at(static_cast<std::size_t>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin()));
+        const std::string& before =
+            one_of("before a name", {"nothing", "nothing", "nothing", "- ", "* ", "the ", "  ", "> "});
+        return (before == "nothing" ? "" : before) + name;
+    }
+
+    /// The label and what belongs to it, where this student writes labels.
+    void line(const ItemId& id, const std::string& value) {
+        const std::string name = label(id);
+        if (is("page", "table")) {
+            text_ += fmt::format("| {} | {} | {} |\n", question_, name, value);
+            return;
+        }
+        const std::string& place = one_of("label", {": ", ": ", " = ", " = ", " -> ", " is ", ":\t", " ", "above",
+                                                    "above:", "behind", ": =", " ... ", " equals ", "[name] "});
+        if (place == "above") {
+            text_ += name + "\n" + value + "\n";
+        } else if (place == "above:") {
+            text_ += name + ":\n" + value + "\n";
+        } else if (place == "behind") {
+            text_ += value + " = " + name + "\n";
+        } else if (place == ": =") {
+            text_ += name + ": = " + value + "\n";
+        } else if (place == "[name] ") {
+            text_ += "[" + name + "] " + value + "\n";
+        } else {
+            text_ += name + place + value + "\n";
+        }
+    }
+
+    void print(const reference::ItemSpec& spec) {
+        const ItemId id = reference::id_of(spec);
+        if (spec.shape == reference::Shape::verdict) return verdict();
+        const auto& value = program_.values().at(id);
+        if (!value) return line(id, one_of("no value", {"none", "no hit", "does not exist", "n/a"}));
+        if (value->size() == 1) return scalar(id, value->front());
+        if (value->size() == 3) return print_vector(id, *value);
+        if (one_of("noise", {"none", "none", "none", "intermediate"}) == "intermediate")
+            text_ += "debug: determinant before inverting: " + number(0.75F) + "\n";
+        matrix(id, *value);
+    }
+
+    void verdict() {
+        const std::string said(reference::sentence(program_.verdict()));
+        if (is("page", "table")) {
+            text_ += fmt::format("| 10 | verdict | {} |\n", said);
+        } else {
+            text_ += one_of("verdict", {"plain", "plain", "arrow"}) == "arrow" ? "=> " + said + "\n" : said + "\n";
+        }
+    }
+
+    void scalar(const ItemId& id, float x) {
+        if (id.first == 6 && !is("page", "table")) {
+            const std::string& form =
+                one_of("quadratic", {"lines", "lines", "lines", "one line", "equation", "one list"});
+            const bool whole = program_.has({6, "a"}) && program_.has({6, "b"}) && program_.has({6, "c"});
+            const auto coefficient = [&](const char* name) { return number(program_.scalar({6, name})); };
+            if (whole && form != "lines" && (id.second == "b" || id.second == "c")) return;
+            if (whole && form == "one line" && id.second == "a") {
+                text_ += fmt::format("a = {}, b = {}, c = {}\n", x_of(x), coefficient("b"), coefficient("c"));
+                return;
+            }
+            if (whole && form == "one list" && id.second == "a") {
+                text_ += fmt::format("a b c: {} {} {}\n", x_of(x), coefficient("b"), coefficient("c"));
+                return;
+            }
+            if (whole && form == "equation" && id.second == "a") {
+                text_ += fmt::format("{}t^2 {} {}t {} {} = 0\n", x_of(x), sign("b"), size("b"), sign("c"), size("c"));
+                return;
+            }
+        }
+        line(id, number(x));
+    }
+    std::string x_of(float x) { return number(x); }
+    const char* sign(const char* name) { return program_.scalar({6, name}) < 0 ? "-" : "+"; }
+    std::string size(const char* name) {
+        const float x = program_.scalar({6, name});
+        std::string text = number(x < 0 ? -x : x);
+        if (!text.empty() && text.front() == '+') text.erase(0, 1);
+        text.erase(0, std::min(text.find_first_not_of(' '), text.size()));
+        return text;
+    }
+
+    void print_vector(const ItemId& id, const Floats& p) {
+        const std::string& lines = one_of("vector on", {"one line", "one line", "one line", "one line", "one line",
+                                                        "three lines", "three named lines", "element by element"});
+        if (lines == "one line" || is("page", "table")) return line(id, vector(p));
+        const std::string name = label(id);
+        constexpr const char* axes[] = {"x", "y", "z"};
+        if (lines != "element by element") text_ += name + ":\n";
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (lines == "three lines") text_ += number(p[i]) + "\n";
+            if (lines == "three named lines") text_ += fmt::format("  {}: {}\n", axes[i], number(p[i]));
+            if (lines == "element by element") text_ += fmt::format("{}.{} = {}\n", name, axes[i], number(p[i]));
+        }
+    }
+
+    void matrix(const ItemId& id, const Floats& m) {
+        const std::size_t n = m.size() == 16 ? 4 : 3;
+        const auto row = [&](std::size_t i) {
+            Floats numbers;
+            for (std::size_t k = 0; k < n; ++k) numbers.push_back(m[k * n + i]);
+            return numbers;
+        };
+        const auto column = [&](std::size_t i) {
+            return Floats(m.begin() + static_cast<std::ptrdiff_t>(i * n),
+                          m.begin() + static_cast<std::ptrdiff_t>((i + 1) * n));
+        };
+        const std::string name = label(id);
+        if (is("page", "table")) {
+            for (std::size_t i = 0; i < n; ++i)
+                text_ += fmt::format("| {} | {} row {} | {} |\n", question_, name, i + 1, list(row(i)));
+            return;
+        }
+        const std::string& form =
+            one_of("matrix", {"rows", "rows", "rows", "to_string", "row 1:", "row 0:", "col 0:", "A row 1", "r1",
+                              "[i][j]", "(i,j)", "with header", "flat", "barred", "nested"});
+        if (form == "to_string" || form == "flat" || form == "nested") {
+            std::string text;
+            for (std::size_t i = 0; i < n; ++i) {
+                const Floats part = form == "to_string" ? column(i) : row(i);
+                std::string inner;
+                for (const float x : part) inner += (inner.empty() ? "" : ", ") + number(x);
+                if (form == "flat") text += (i == 0 ? "" : ", ") + inner;
+                if (form == "nested") text += (i == 0 ? "[" : ", [") + inner + "]";
+                if (form == "to_string") text += (i == 0 ? "(" : ", (") + inner + ")";
+            }
+            if (form == "to_string") text = fmt::format("mat{}x{}({})", n, n, text);
+            if (form == "nested") text = "[" + text + "]";
+            text_ += name + (form == "flat" ? " (row by row): " : ": ") + text + "\n";
+            return;
+        }
+        text_ += name + ":\n";
+        if (form == "with header") {
+            text_ += "     ";
+            for (std::size_t k = 0; k < n; ++k) text_ += fmt::format("c{}        ", k);
+            text_ += "\n";
+        }
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::string listed = bracket_form() == "vec3( )" ? plain(row(i)) : list(row(i));  // vec4 is a column
+            if (form == "rows") text_ += "  " + listed + "\n";
+            if (form == "barred") text_ += "| " + plain(row(i)) + " |\n";
+            if (form == "row 1:") text_ += fmt::format("row {}: {}\n", i + 1, listed);
+            if (form == "row 0:") text_ += fmt::format("row {}: {}\n", i, listed);
+            if (form == "col 0:") text_ += fmt::format("col {}: {}\n", i, list(column(i)));
+            if (form == "A row 1") text_ += fmt::format("{} row {}  {}\n", name, i + 1, listed);
+            if (form == "r1") text_ += fmt::format("r{} {}\n", i + 1, listed);
+            if (form == "with header") text_ += fmt::format("r{}   {}\n", i, plain(row(i)));
+            for (std::size_t k = 0; k < n; ++k) {
+                if (form == "[i][j]")
+                    text_ += fmt::format("{}[{}][{}] = {}\n", short_name(id), i, k, number(column(i)[k]));
+                if (form == "(i,j)")
+                    text_ += fmt::format("{}({},{}) = {}\n", short_name(id), i + 1, k + 1, number(row(i)[k]));
+            }
+        }
+    }
+    static std::string short_name(const ItemId& id) { return id.first == 3 ? "M" : "A"; }
+    std::string plain(const Floats& numbers) {
+        std::string text;
+        for (const float x : numbers) text += (text.empty() ? "" : "  ") + number(x);
+        return text;
+    }
+
+    const Program& program_;
+    std::mt19937_64 random_;
+    std::mt19937_64 noise_;
+    std::map<std::string, std::string> drawn_;
+    std::string text_;
+    int question_ = 0;
+};
+
+}  // namespace
+
+Writing write(const Program& program, std::uint64_t seed) {
+    return Hand(program, seed).write();
+}
+
+}  // namespace student
