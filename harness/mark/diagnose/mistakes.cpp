@@ -34,13 +34,16 @@ std::span<const Mistake> all_mistakes() {
 }
 
 std::optional<FoundMistake> find_mistake(const MatchedItem& printed, const Evidence& evidence, double allowance) {
+    std::optional<FoundMistake> negated;  // (-V | A-B | A-C) has its edges the wrong way round, rather than V, negated
     for (const Mistake& mistake : all_mistakes()) {
         if (mistake.item != id_of(printed.spec)) continue;
-        if (const auto agreement = explains(mistake, printed, evidence, allowance)) {
-            return FoundMistake{&mistake, agreement->system};
-        }
+        const auto agreement = explains(mistake, printed, evidence, allowance);
+        if (!agreement) continue;
+        const FoundMistake found{&mistake, agreement->system};
+        if (!agreement->system || !agreement->system->is_negated()) return found;
+        if (!negated) negated = found;
     }
-    return std::nullopt;
+    return negated;
 }
 
 }  // namespace harness
