@@ -9,6 +9,7 @@
 
 #include "harness/batch/repetition.h"
 #include "harness/machine/errors.h"
+#include "harness/mark/score/doubt.h"
 #include "harness/read/transcript.h"
 #include "harness/run/sanitizer.h"
 
@@ -145,6 +146,8 @@ Graded mark(const Submission& submission, const Executions& executions, const Ma
              is_same ? *score : *read_and_score(each.run.output, marking, nullptr, timeline, submission.id)});
     }
     if (const auto evidence = difference(repetitions)) graded.flags.push_back({"nondeterministic", *evidence});
+    if (const std::string doubts = doubts_text(*score); !doubts.empty())
+        graded.flags.push_back({"reading_doubtful", doubts});
     graded.score = *score;
     graded.build = first.build;
     graded.run = first.run;

@@ -38,7 +38,7 @@ std::string_view limit_name(Ended ended);
 
 /// A finding that a person should look at. It does not change the mark.
 struct Flag {
-    std::string kind;      ///< "nondeterministic", "hard_coded" or "variants_not_tried"
+    std::string kind;      ///< "nondeterministic", "hard_coded", "variants_not_tried" or "reading_doubtful"
     std::string evidence;  ///< a sentence
 };
 

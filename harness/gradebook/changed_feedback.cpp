@@ -52,6 +52,7 @@ json taken(json& record, const char* field) {
 }
 
 std::string option_of_flag(const std::string& kind) {
+    if (kind == "reading_doubtful") return "";
     return kind == "nondeterministic" ? "--repeat" : "--variants";
 }
 

@@ -23,6 +23,8 @@ constexpr Outcome last<Outcome> = Outcome::not_graded;
 template <>
 constexpr ItemVerdict last<ItemVerdict> = ItemVerdict::unreadable;
 template <>
+constexpr Doubt::Why last<Doubt::Why> = Doubt::Why::little_read;
+template <>
 constexpr Tier last<Tier> = Tier::unsafe;
 template <>
 constexpr Ended last<Ended> = Ended::output_limit;
@@ -56,10 +58,13 @@ auto row(scenes::OtherSceneRun& run) {
 auto row(scenes::UntriedScene& scene) {
     return std::tie(scene.name, scene.changes, scene.why);
 }
+auto row(Doubt& doubt) {
+    return std::tie(doubt.why, doubt.line);
+}
 /// Items make up most of a record, and names would make up most of an item.
 auto row(ItemScore& item) {
     return std::tie(item.spec.name, item.verdict, item.points, item.max_points, item.printed, item.line, item.error,
-                    item.allowance, item.accepted_as, item.diagnosis, item.advice);
+                    item.allowance, item.accepted_as, item.diagnosis, item.advice, item.doubt);
 }
 
 template <class Archive>
@@ -189,7 +194,10 @@ struct Writer {
             for (auto& each : value) list.push_back(written(each));
             return list;
         } else if constexpr (Row<Value>) {
-            return std::apply([](auto&... each) { return json::array_t{written(each)...}; }, row(value));
+            json::array_t list = std::apply([](auto&... each) { return json::array_t{written(each)...}; }, row(value));
+            while (!list.empty() && list.back().is_null())
+                list.pop_back();  // so that a new optional field changes no record
+            return list;
         } else if constexpr (requires(Writer at) { fields(at, value); }) {
             Writer inner;
             fields(inner, value);

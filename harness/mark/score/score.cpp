@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "harness/mark/score/doubt.h"
 #include "harness/mark/score/judge.h"
 
 namespace harness {
@@ -107,6 +108,17 @@ std::string_view to_string(ItemVerdict verdict) {
     return "";
 }
 
+std::string_view to_string(Doubt::Why why) {
+    switch (why) {
+        case Doubt::Why::right_elsewhere: return "right_elsewhere";
+        case Doubt::Why::numbers_left: return "numbers_left";
+        case Doubt::Why::words_left: return "words_left";
+        case Doubt::Why::printed_again: return "printed_again";
+        case Doubt::Why::little_read: return "little_read";
+    }
+    return "";
+}
+
 Score score(const Transcript& transcript, const reference::AnswerKey& key, const reference::Assignment& assignment) {
     std::vector<reference::ItemSpec> items;
     for (const reference::KeyQuestion& question : key.questions) {
@@ -122,6 +134,7 @@ Score score(const Transcript& transcript, const reference::AnswerKey& key, const
         score.max_points += score.questions.back().max_points;
     }
     award_points(score, assignment.rubric);
+    doubt_readings(score, transcript, matched, key, assignment);
     return score;
 }
 

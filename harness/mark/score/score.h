@@ -21,6 +21,22 @@ enum class ItemVerdict {
 /// The name in reports and in grades.json.
 std::string_view to_string(ItemVerdict verdict);
 
+/// Why what was read for an item may not be what the student meant.
+struct Doubt {
+    enum class Why {
+        right_elsewhere,  ///< the right value stands elsewhere in the printout, unused
+        numbers_left,     ///< its question has numbers that were not understood
+        words_left,       ///< its question has only words that were not understood
+        printed_again,    ///< its question was printed more than once; the last printing was read
+        little_read,      ///< less than half of the answers were found in the whole printout
+    };
+    Why why = Why::numbers_left;
+    int line = 0;  ///< of the printout, 1-based: where to look; 0 for the whole
+};
+
+/// The name in grades.json.
+std::string_view to_string(Doubt::Why why);
+
 struct ItemScore {
     reference::ItemSpec spec;
     ItemVerdict verdict = ItemVerdict::missing;
@@ -33,6 +49,7 @@ struct ItemScore {
     std::string accepted_as;      ///< why another form or reading is right; empty for the canonical one
     std::string diagnosis;        ///< the mistake's name, e.g. "far root"; empty when unknown
     std::string advice;           ///< one sentence about the mistake; never the expected value
+    std::optional<Doubt> doubt;   ///< of the reading; only if the item is not right
     // How the value was read. `printed` alone does not tell: "none (d < 0)" contains a number.
     bool no_value = false;    ///< read as "none"
     bool not_finite = false;  ///< its numbers include nan or inf

@@ -65,7 +65,7 @@ class Fields {
 
 ordered_json item_json(const Graded& graded, const QuestionScore& question, const ItemScore& item,
                        const Expected& expected) {
-    constexpr std::size_t count = 12;
+    constexpr std::size_t count = 13;
     Fields fields(count);
     fields.add("name", item.spec.name);
     fields.add("verdict", to_string(item.verdict));
@@ -79,6 +79,9 @@ ordered_json item_json(const Graded& graded, const QuestionScore& question, cons
     fields.add("accepted_as", or_null(item.accepted_as));
     fields.add("diagnosis", or_null(item.diagnosis));
     fields.add("automatic_points", tidy(item.points));
+    fields.add("reading", item.doubt
+                              ? ordered_json{{"doubt", to_string(item.doubt->why)}, {"look_at", item.doubt->line}}
+                              : ordered_json(nullptr));
     return std::move(fields).json();
 }
 

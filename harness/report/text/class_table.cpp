@@ -93,6 +93,22 @@ std::string summary(const std::vector<Graded>& graded) {
     return text + scenes_summary(graded);
 }
 
+/// Whose printout a person should read, because something may have been misread.
+std::string doubtful(const std::vector<Graded>& graded) {
+    std::string who;
+    int count = 0;
+    for (const Graded& one : graded) {
+        for (const Flag& flag : one.flags) {
+            if (flag.kind != "reading_doubtful") continue;
+            who += fmt::format("  {}: {}\n", one_line(one.submission.id), one_line(flag.evidence));
+            ++count;
+        }
+    }
+    if (count == 0) return "";
+    return fmt::format("\n{} of {} to look at, because an answer may have been misread:\n{}", count, graded.size(),
+                       who);
+}
+
 }  // namespace
 
 std::string class_table(const std::vector<Graded>& graded) {
@@ -125,6 +141,7 @@ std::string class_table(const std::vector<Graded>& graded) {
     if (const std::string warning = sandbox_warning(graded.front().tier); !warning.empty()) {
         text += fmt::format("\nWarning: {}\n", warning);
     }
+    text += doubtful(graded);
     for (const Graded& one : graded) {
         if (one.outcome == Outcome::not_graded)
             text += fmt::format("not graded: {}: {}\n", one_line(one.submission.id), one_line(one.explanation));

@@ -66,6 +66,9 @@ std::string flag_title(const Flag& flag) {
     if (flag.kind == "nondeterministic") return "The program's answers differ from run to run";
     if (flag.kind == "hard_coded") return "The printed numbers do not change when the scene in the source does";
     if (flag.kind == "variants_not_tried") return "The program could not be tried in full on other scenes";
+    if (flag.kind == "reading_doubtful")
+        return "Some answers may not have been read as they were meant; each is best on a line of its own, as in t: "
+               "1.25";
     return flag.kind;
 }
 

@@ -1,0 +1,253 @@
+#include "harness/mark/score/doubt.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "harness/mark/compare/key_targets.h"
+#include "harness/read/token.h"
+
+namespace harness {
+namespace {
+
+using reference::Shape;
+
+/// Beyond this many numbers the printout is an endless loop's.
+constexpr std::size_t most_numbers = 4000;
+
+/// A number of the printout, wherever it stands.
+struct Found {
+    PrintedNumber number;
+    int question;
+    int line;
+    bool understood = false;  ///< it belongs to an answer, repeats one, is said to be no answer, or counts something
+};
+
+std::size_t numbers_of(Shape shape) {
+    switch (shape) {
+        case Shape::scalar: return 1;
+        case Shape::vector: return 3;
+        case Shape::matrix3: return 9;
+        case Shape::matrix4: return 16;
+        case Shape::verdict: return 0;
+    }
+    return 0;
+}
+
+bool same(const PrintedNumber& a, const PrintedNumber& b) {
+    return std::abs(a.value) == std::abs(b.value) || (std::isnan(a.value) && std::isnan(b.value));
+}
+
+class Doubter {
+  public:
+    Doubter(const Transcript& transcript, const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
+            const reference::Assignment& assignment)
+        : transcript_(transcript), matched_(matched), key_(key), rubric_(assignment.rubric) {
+        list_numbers();
+        account_for_answers();
+        account_for_asides();
+    }
+
+    void run(Score& score) {
+        const bool little_read = is_little_read();
+        for (QuestionScore& question : score.questions) {
+            for (ItemScore& item : question.items) {
+                if (item.verdict == ItemVerdict::right) continue;
+                item.doubt = doubt_of(item, little_read);
+            }
+        }
+    }
+
+  private:
+    void list_numbers() {
+        for (const Section& section : transcript_.sections) {
+            for (const PrintedLine& line : section.lines) {
+                const std::vector<Token> tokens = tokenize(line.text);
+                for (const Token& token : tokens) {
+                    if (token.kind == Token::Kind::number && numbers_.size() < most_numbers)
+                        numbers_.push_back({token.number, section.question, line.number});
+                }
+            }
+        }
+    }
+
+    void account_for_answers() {
+        for (const MatchedItem& item : matched_) {
+            if (!item.value) continue;
+            for (Found& found : numbers_) {
+                const bool within = item.value->line <= found.line && found.line <= item.value->last_line;
+                const auto& own = item.value->numbers;
+                const bool is_own =
+                    std::any_of(own.begin(), own.end(), [&](const PrintedNumber& x) { return same(x, found.number); });
+                if (is_own) answered_.push_back(found.number.value);
+                if (within && is_own && !item.unreadable) found.understood = true;
+            }
+        }
+    }
+
+    /// Repetitions of answers, values that are said to be none, whole numbers in sentences.
+    void account_for_asides() {
+        std::sort(answered_.begin(), answered_.end());
+        std::set<std::pair<int, int>> asides;  // first and last lines
+        std::set<int> with_values;
+        for (const Section& section : transcript_.sections) {
+            for (const PrintedValue& value : section.values) {
+                for (int line = value.line; line <= value.last_line; ++line) with_values.insert(line);
+                const auto& items = key_.questions.front().items;
+                if (fit_label(value.label, value.above, items.front().spec) == LabelFit::forbidden)
+                    asides.insert({value.line, value.last_line});
+            }
+        }
+        for (Found& found : numbers_) {
+            const bool repeats = std::binary_search(answered_.begin(), answered_.end(), found.number.value);
+            const bool counts = found.number.decimals == 0 && !with_values.contains(found.line);
+            const bool aside = std::any_of(asides.begin(), asides.end(), [&](const auto& lines) {
+                return lines.first <= found.line && found.line <= lines.second;
+            });
+            found.understood = found.understood || repeats || counts || aside;
+        }
+    }
+
+    bool is_little_read() const {
+        const auto read = std::count_if(matched_.begin(), matched_.end(), [](const MatchedItem& item) {
+            return (item.value && !item.unreadable) || item.verdict;
+        });
+        const bool printed = std::any_of(transcript_.sections.begin(), transcript_.sections.end(),
+                                         [](const Section& section) { return !section.values.empty(); });
+        const auto left = std::count_if(numbers_.begin(), numbers_.end(), [](const Found& f) { return !f.understood; });
+        return printed && left >= 3 && 2 * static_cast<std::size_t>(read) < matched_.size();
+    }
+
+    std::optional<Doubt> doubt_of(const ItemScore& item, bool little_read) const {
+        if (const int line = line_of_right_value(item); line != 0) return Doubt{Doubt::Why::right_elsewhere, line};
+        const auto left = [&](const Found& found) { return !found.understood && found.question == item.spec.question; };
+        const auto count = static_cast<std::size_t>(std::count_if(numbers_.begin(), numbers_.end(), left));
+        if (count > 0 && count >= numbers_of(item.spec.shape) && item.spec.shape != Shape::verdict)
+            return Doubt{Doubt::Why::numbers_left, std::find_if(numbers_.begin(), numbers_.end(), left)->line};
+        if (const int line = line_of_words(item); line != 0) return Doubt{Doubt::Why::words_left, line};
+        if (const int line = line_printed_before(item); line != 0) return Doubt{Doubt::Why::printed_again, line};
+        if (little_read && item.verdict != ItemVerdict::follow) return Doubt{Doubt::Why::little_read, 0};
+        return std::nullopt;
+    }
+
+    const reference::KeyItem& key_item(const reference::ItemSpec& spec) const {
+        for (const reference::KeyQuestion& question : key_.questions) {
+            for (const reference::KeyItem& item : question.items) {
+                if (id_of(item.spec) == id_of(spec)) return item;
+            }
+        }
+        return key_.questions.front().items.front();
+    }
+
+    /// The line where numbers that are not understood are right for the item; 0 if there is none. A single number must
+    /// have three digits and stand in the item's question: others are right by chance too often.
+    int line_of_right_value(const ItemScore& item) const {
+        const std::size_t size = numbers_of(item.spec.shape);
+        const reference::KeyItem& key = key_item(item.spec);
+        for (std::size_t i = 0; size > 0 && i + size <= numbers_.size(); ++i) {
+            const auto begin = numbers_.begin() + static_cast<std::ptrdiff_t>(i);
+            const auto end = begin + static_cast<std::ptrdiff_t>(size);
+            if (size == 1 && (begin->question != item.spec.question || begin->number.significant < 3)) continue;
+            if (std::all_of(begin, end, [](const Found& found) { return found.understood; })) continue;
+            MatchedItem read{item.spec, PrintedValue(), MatrixOrder::unsaid, {}, false};
+            for (auto found = begin; found != end; ++found) read.value->numbers.push_back(found->number);
+            for (const reference::Answer& answer : key.answers) {
+                const Target target = target_with_allowance(key, answer, rubric_);
+                if (!target.no_value && compare(read, target, 0, rubric_.min_decimals).within) return begin->line;
+            }
+        }
+        return 0;
+    }
+
+    /// A line of words in the item's question, where there is no value and the right answer is in words.
+    int line_of_words(const ItemScore& item) const {
+        if (item.verdict != ItemVerdict::missing) return 0;
+        const bool in_words =
+            item.spec.shape == Shape::verdict ||
+            std::any_of(key_item(item.spec).answers.begin(), key_item(item.spec).answers.end(),
+                        [&](const reference::Answer& answer) {
+                            return target_with_allowance(key_item(item.spec), answer, rubric_).no_value;
+                        });
+        if (!in_words) return 0;
+        for (const Section& section : transcript_.sections) {
+            if (section.question != item.spec.question) continue;
+            for (const PrintedLine& line : section.lines) {
+                const bool words = std::any_of(line.text.begin(), line.text.end(), is_letter);
+                const bool read = std::any_of(section.values.begin(), section.values.end(), [&](const PrintedValue& v) {
+                    return v.line <= line.number && line.number <= v.last_line;
+                });
+                if (words && !read) return line.number;
+            }
+        }
+        return 0;
+    }
+
+    /// The first line of an earlier printing of the item's question, which has as many values.
+    int line_printed_before(const ItemScore& item) const {
+        std::vector<const Section*> printings;
+        for (const Section& section : transcript_.sections) {
+            if (section.question == item.spec.question && !section.values.empty()) printings.push_back(&section);
+        }
+        for (std::size_t i = 0; i + 1 < printings.size(); ++i) {
+            const bool apart = printings[i + 1] - printings[i] > 1;
+            if (apart && printings[i]->values.size() >= printings.back()->values.size())
+                return printings[i]->values.front().line;
+        }
+        return 0;
+    }
+
+    const Transcript& transcript_;
+    const std::vector<MatchedItem>& matched_;
+    const reference::AnswerKey& key_;
+    const reference::Rubric& rubric_;
+    std::vector<Found> numbers_;
+    std::vector<double> answered_;  ///< sorted
+};
+
+std::string phrase_of(const Doubt& doubt) {
+    switch (doubt.why) {
+        case Doubt::Why::right_elsewhere:
+        case Doubt::Why::numbers_left: return fmt::format("line {} has numbers that were not understood", doubt.line);
+        case Doubt::Why::words_left: return fmt::format("line {} has words that were not understood", doubt.line);
+        case Doubt::Why::printed_again:
+            return fmt::format("the question was printed before, on line {}; its last printing was read", doubt.line);
+        case Doubt::Why::little_read: return "most of the printout was not understood";
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string doubts_text(const Score& score) {
+    std::vector<std::pair<std::string, std::string>> items_by_phrase;
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (!item.doubt) continue;
+            const std::string phrase = phrase_of(*item.doubt);
+            const std::string name = fmt::format("{}.{}", question.number, item.spec.name);
+            const auto found = std::find_if(items_by_phrase.begin(), items_by_phrase.end(),
+                                            [&](const auto& each) { return each.second == phrase; });
+            if (found == items_by_phrase.end()) {
+                items_by_phrase.emplace_back(name, phrase);
+            } else {
+                found->first += ", " + name;
+            }
+        }
+    }
+    std::string text;
+    for (const auto& [items, phrase] : items_by_phrase) text += (text.empty() ? "" : "; ") + items + ": " + phrase;
+    return text;
+}
+
+void doubt_readings(Score& score, const Transcript& transcript, const std::vector<MatchedItem>& matched,
+                    const reference::AnswerKey& key, const reference::Assignment& assignment) {
+    const bool all_right =
+        std::all_of(score.questions.begin(), score.questions.end(),
+                    [](const QuestionScore& question) { return question.verdict == ItemVerdict::right; });
+    if (all_right || transcript.sections.empty()) return;
+    Doubter(transcript, matched, key, assignment).run(score);
+}
+
+}  // namespace harness
