@@ -22,7 +22,10 @@ struct Found {
     PrintedNumber number;
     int question;
     int line;
-    bool understood = false;  ///< it belongs to an answer, repeats one, is said to be no answer, or counts something
+    bool in_answer = false;  ///< it belongs to what was read for an item
+    bool in_right_answer = false;
+    bool is_aside = false;  ///< it is said to be no answer, or counts something
+    bool repeats = false;   ///< an answer has the same number
 };
 
 std::size_t numbers_of(Shape shape) {
@@ -42,17 +45,17 @@ bool same(const PrintedNumber& a, const PrintedNumber& b) {
 
 class Doubter {
   public:
-    Doubter(const Transcript& transcript, const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
-            const reference::Assignment& assignment)
-        : transcript_(transcript), matched_(matched), key_(key), rubric_(assignment.rubric) {
+    Doubter(Score& score, const Transcript& transcript, const std::vector<MatchedItem>& matched,
+            const reference::AnswerKey& key, const reference::Assignment& assignment)
+        : transcript_(transcript), matched_(matched), key_(key), rubric_(assignment.rubric), score_(score) {
         list_numbers();
         account_for_answers();
         account_for_asides();
     }
 
-    void run(Score& score) {
+    void run() {
         const bool little_read = is_little_read();
-        for (QuestionScore& question : score.questions) {
+        for (QuestionScore& question : score_.questions) {
             for (ItemScore& item : question.items) {
                 if (item.verdict == ItemVerdict::right) continue;
                 item.doubt = doubt_of(item, little_read);
@@ -63,11 +66,16 @@ class Doubter {
   private:
     void list_numbers() {
         for (const Section& section : transcript_.sections) {
+            headings_.insert(section.question);
             for (const PrintedLine& line : section.lines) {
                 const std::vector<Token> tokens = tokenize(line.text);
-                for (const Token& token : tokens) {
-                    if (token.kind == Token::Kind::number && numbers_.size() < most_numbers)
-                        numbers_.push_back({token.number, section.question, line.number});
+                for (std::size_t i = 0; i < tokens.size(); ++i) {
+                    const bool in_brackets = i > 0 && i + 2 < tokens.size() &&
+                                             tokens[i - 1].kind == Token::Kind::open &&
+                                             tokens[i + 1].kind == Token::Kind::close;
+                    const bool is_index = in_brackets && tokens[i + 2].kind == Token::Kind::equals;
+                    if (tokens[i].kind == Token::Kind::number && !is_index && numbers_.size() < most_numbers)
+                        numbers_.push_back({tokens[i].number, section.question, line.number});
                 }
             }
         }
@@ -82,7 +90,9 @@ class Doubter {
                 const bool is_own =
                     std::any_of(own.begin(), own.end(), [&](const PrintedNumber& x) { return same(x, found.number); });
                 if (is_own) answered_.push_back(found.number.value);
-                if (within && is_own && !item.unreadable) found.understood = true;
+                if (!within || !is_own || item.unreadable) continue;
+                found.in_answer = true;
+                found.in_right_answer = found.in_right_answer || is_right(id_of(item.spec));
             }
         }
     }
@@ -101,12 +111,12 @@ class Doubter {
             }
         }
         for (Found& found : numbers_) {
-            const bool repeats = std::binary_search(answered_.begin(), answered_.end(), found.number.value);
+            found.repeats = std::binary_search(answered_.begin(), answered_.end(), found.number.value);
             const bool counts = found.number.decimals == 0 && !with_values.contains(found.line);
             const bool aside = std::any_of(asides.begin(), asides.end(), [&](const auto& lines) {
                 return lines.first <= found.line && found.line <= lines.second;
             });
-            found.understood = found.understood || repeats || counts || aside;
+            found.is_aside = counts || aside;
         }
     }
 
@@ -116,20 +126,42 @@ class Doubter {
         });
         const bool printed = std::any_of(transcript_.sections.begin(), transcript_.sections.end(),
                                          [](const Section& section) { return !section.values.empty(); });
-        const auto left = std::count_if(numbers_.begin(), numbers_.end(), [](const Found& f) { return !f.understood; });
+        const auto left = std::count_if(numbers_.begin(), numbers_.end(), is_left);
         return printed && left >= 3 && 2 * static_cast<std::size_t>(read) < matched_.size();
     }
 
     std::optional<Doubt> doubt_of(const ItemScore& item, bool little_read) const {
         if (const int line = line_of_right_value(item); line != 0) return Doubt{Doubt::Why::right_elsewhere, line};
-        const auto left = [&](const Found& found) { return !found.understood && found.question == item.spec.question; };
+        // Where an item is missing, numbers that an answer has too may be it: a matrix repeats the axes.
+        const bool is_wrong = item.verdict == ItemVerdict::wrong || item.verdict == ItemVerdict::follow;
+        const auto left = [&](const Found& found) {
+            return is_left(found) && may_be_of(found.question, item) && !(is_wrong && found.repeats);
+        };
         const auto count = static_cast<std::size_t>(std::count_if(numbers_.begin(), numbers_.end(), left));
-        if (count > 0 && count >= numbers_of(item.spec.shape) && item.spec.shape != Shape::verdict)
+        constexpr std::size_t row = 3;  // a row of a matrix may be left alone
+        if (count > 0 && count >= std::min(row, numbers_of(item.spec.shape)) && item.spec.shape != Shape::verdict)
             return Doubt{Doubt::Why::numbers_left, std::find_if(numbers_.begin(), numbers_.end(), left)->line};
         if (const int line = line_of_words(item); line != 0) return Doubt{Doubt::Why::words_left, line};
         if (const int line = line_printed_before(item); line != 0) return Doubt{Doubt::Why::printed_again, line};
         if (little_read && item.verdict != ItemVerdict::follow) return Doubt{Doubt::Why::little_read, 0};
         return std::nullopt;
+    }
+
+    static bool is_left(const Found& found) { return !found.in_answer && !found.is_aside; }
+
+    /// Whether what stands under this heading may be meant for the item: under the heading of its question, or, if
+    /// there is none, under any.
+    bool may_be_of(int question, const ItemScore& item) const {
+        return question == item.spec.question || !headings_.contains(item.spec.question);
+    }
+
+    bool is_right(const ItemId& id) const {
+        for (const QuestionScore& question : score_.questions) {
+            for (const ItemScore& item : question.items) {
+                if (id_of(item.spec) == id) return item.verdict == ItemVerdict::right;
+            }
+        }
+        return false;
     }
 
     const reference::KeyItem& key_item(const reference::ItemSpec& spec) const {
@@ -149,8 +181,14 @@ class Doubter {
         for (std::size_t i = 0; size > 0 && i + size <= numbers_.size(); ++i) {
             const auto begin = numbers_.begin() + static_cast<std::ptrdiff_t>(i);
             const auto end = begin + static_cast<std::ptrdiff_t>(size);
-            if (size == 1 && (begin->question != item.spec.question || begin->number.significant < 3)) continue;
-            if (std::all_of(begin, end, [](const Found& found) { return found.understood; })) continue;
+            if (size == 1 && (!may_be_of(begin->question, item) || begin->number.significant < 3)) continue;
+            const auto is_free = [&](const Found& found) {
+                return is_left(found) || (may_be_of(found.question, item) && !found.in_right_answer && !found.is_aside);
+            };
+            const bool tells_nothing = std::all_of(begin, end, [](const Found& found) {
+                return found.number.value == 0 || std::abs(found.number.value) == 1;
+            });
+            if (tells_nothing || std::none_of(begin, end, is_free)) continue;
             MatchedItem read{item.spec, PrintedValue(), MatrixOrder::unsaid, {}, false};
             for (auto found = begin; found != end; ++found) read.value->numbers.push_back(found->number);
             for (const reference::Answer& answer : key.answers) {
@@ -172,7 +210,7 @@ class Doubter {
                         });
         if (!in_words) return 0;
         for (const Section& section : transcript_.sections) {
-            if (section.question != item.spec.question) continue;
+            if (!may_be_of(section.question, item)) continue;
             for (const PrintedLine& line : section.lines) {
                 const bool words = std::any_of(line.text.begin(), line.text.end(), is_letter);
                 const bool read = std::any_of(section.values.begin(), section.values.end(), [&](const PrintedValue& v) {
@@ -202,7 +240,9 @@ class Doubter {
     const std::vector<MatchedItem>& matched_;
     const reference::AnswerKey& key_;
     const reference::Rubric& rubric_;
+    Score& score_;
     std::vector<Found> numbers_;
+    std::set<int> headings_;        ///< the questions that have one
     std::vector<double> answered_;  ///< sorted
 };
 
@@ -247,7 +287,7 @@ void doubt_readings(Score& score, const Transcript& transcript, const std::vecto
         std::all_of(score.questions.begin(), score.questions.end(),
                     [](const QuestionScore& question) { return question.verdict == ItemVerdict::right; });
     if (all_right || transcript.sections.empty()) return;
-    Doubter(transcript, matched, key, assignment).run(score);
+    Doubter(score, transcript, matched, key, assignment).run();
 }
 
 }  // namespace harness

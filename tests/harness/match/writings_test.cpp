@@ -1,11 +1,15 @@
 // Right answers get full marks in the way of writing of any student. A failing printout is printed whole.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <re2/re2.h>
 
 #include <cstdlib>
 #include <iostream>
 #include <map>
+#include <random>
+#include <sstream>
 
+#include "harness/mark/score/doubt.h"
 #include "harness/mark/score/score.h"
 #include "tests/given/cases.h"
 #include "tests/given/student/scenes.h"
@@ -22,7 +26,8 @@ std::vector<std::string> lost_by(const Score& score) {
     for (const QuestionScore& question : score.questions) {
         for (const ItemScore& item : question.items) {
             if (item.verdict != ItemVerdict::right)
-                lost.push_back(fmt::format("{}.{} {}: {}", question.number, item.spec.name, to_string(item.verdict), item.printed));
+                lost.push_back(fmt::format("{}.{} {}: {}", question.number, item.spec.name, to_string(item.verdict),
+                                           item.printed));
         }
     }
     return lost;
@@ -42,7 +47,8 @@ TEST(Writings, GetFullMarksForRightAnswers) {
             ++tried_and_failed[drawn].first;
             tried_and_failed[drawn].second += lost.empty() ? 0 : 1;
         }
-        if (const char* show = std::getenv("RAYGRADE_SHOW"); show != nullptr && !lost.empty() && failed <= std::atoi(show)) {
+        if (const char* show = std::getenv("RAYGRADE_SHOW");
+            show != nullptr && !lost.empty() && failed <= std::atoi(show)) {
             std::string told;
             for (const std::string& item : lost) told += item + ", ";
             for (const auto& [feature, choice] : writing.features) told += "\n  " + feature + ": " + choice;
@@ -51,9 +57,67 @@ TEST(Writings, GetFullMarksForRightAnswers) {
     }
     for (const auto& [drawn, counts] : tried_and_failed) {
         if (counts.second > 0)
-            std::cout << fmt::format("{:20} {:22} {:4} of {:4}\n", drawn.first, drawn.second, counts.second, counts.first);
+            std::cout << fmt::format("{:20} {:22} {:4} of {:4}\n", drawn.first, drawn.second, counts.second,
+                                     counts.first);
     }
     EXPECT_EQ(failed, 0) << "of " << count;
+}
+
+/// The printout with something in it that nobody could foresee: other signs between the numbers of a line, headings or
+/// labels that mean nothing, a word that is glued to each number, lines that are joined.
+std::string garbled(const Writing& writing, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    const auto one_of = [&](std::initializer_list<const char*> list) {
+        return *(list.begin() + random() % list.size());
+    };
+    const auto kind = random() % 5;
+    std::string text;
+    std::istringstream lines(writing.output);
+    const std::string heading = writing.features.contains("heading") ? writing.features.at("heading") : "";
+    const std::string before_number = heading.substr(0, heading.find('1'));
+    for (std::string line; std::getline(lines, line);) {
+        std::string changed = line;
+        if (kind == 0) {
+            static const re2::RE2 between(R"((\d)[ ,;|/_&\t]+([-+]?\d))");
+            const std::string sign =
+                fmt::format("\\1 {} \\2", one_of({"..", "<->", "to", "#", "$", "%%", "then", "@"}));
+            re2::RE2::GlobalReplace(&changed, between, sign);
+        } else if (kind == 1) {
+            static const re2::RE2 word(R"([A-Za-z]{2,})");
+            re2::RE2::GlobalReplace(&changed, word, one_of({"foo", "qux", "zzz", "lorem"}));
+        } else if (kind == 2) {
+            static const re2::RE2 number(R"((\d\.\d+))");
+            re2::RE2::GlobalReplace(&changed, number, one_of({"\\1m", "\\1_px", "v\\1", "'\\1'"}));
+        } else if (kind == 3 && random() % 4 == 0) {
+            text += changed + " ~ ";
+            continue;
+        } else if (kind == 4) {
+            if (before_number.size() > 1 && changed.starts_with(before_number)) changed = "next";
+        }
+        text += changed + "\n";
+    }
+    return text;
+}
+
+TEST(Writings, ThatAreMisreadAreDoubted) {
+    const student::Marking marking = student::off_axis_scene();
+    const student::Program program(marking.assignment, {});
+    int misread = 0, unnoticed = 0;
+    for (std::uint64_t seed = 1; seed <= cases(300); ++seed) {
+        const std::string output = garbled(write(program, seed), seed);
+        const Score marked = score(read_transcript(output), marking.key, marking.assignment);
+        if (marked.points == marked.max_points) continue;
+        ++misread;
+        const std::string doubts = doubts_text(marked);
+        if (!doubts.empty()) continue;
+        ++unnoticed;
+        std::string told;
+        for (const std::string& item : lost_by(marked)) told += item + ", ";
+        if (const char* show = std::getenv("RAYGRADE_SHOW"); show != nullptr && unnoticed <= std::atoi(show))
+            std::cout << "seed " << seed << ": " << told << "\n" << output << "\n";
+    }
+    EXPECT_GT(misread, 50) << "the printouts are not garbled enough";
+    EXPECT_EQ(unnoticed, 0) << "of " << misread << " that are misread";
 }
 
 }  // namespace
