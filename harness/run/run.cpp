@@ -11,7 +11,9 @@ ProcessResult run(const Build& build, const Limits& limits, const Sandbox& sandb
     command.working_directory = scratch.path();
     command.purpose = Purpose::run;
     command.account = scratch.account();
-    command.environment = {"PATH=/usr/local/bin:/usr/bin:/bin", "LANG=C.UTF-8"};
+    command.environment = {"PATH=/usr/local/bin:/usr/bin:/bin", "LANG=C.UTF-8",
+                           "LD_PRELOAD=" + sandbox.line_buffer_inside().string()};
+    if (sandbox.tier() != Tier::bwrap) command.readable.push_back(sandbox.line_buffer());
     command.environment.insert(command.environment.end(), more_environment.begin(), more_environment.end());
     command.limits = limits;
     return run_process(command, sandbox);

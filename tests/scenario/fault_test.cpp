@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
@@ -210,6 +211,31 @@ TEST_F(Fault, ABwrapRemovedDuringTheRunLeavesTheRestNotGraded) {
         EXPECT_THAT(one.at("explanation").get<std::string>(), HasSubstr("bwrap")) << id;
     }
     EXPECT_GE(not_graded, 1);
+}
+
+TEST_F(Fault, WhatWasPrintedBeforeACrashCountsHoweverItsLinesEnd) {
+    const auto crashing = [](const std::string& before, const std::string& print) {
+        return "#include <cstdio>\n#include <cstdlib>\n#include <iostream>\nint main() {\n    " + before + "\n    " +
+               print + "\n    abort();\n}\n";
+    };
+    const std::string stream = "std::cout << \"Question 5:\" << '\\n' << \"V: vec3(0, 0, -1)\" << '\\n';";
+    const std::map<std::string, std::string> sources = {
+        {"endl", crashing("", "std::cout << \"Question 5:\" << std::endl << \"V: vec3(0, 0, -1)\" << std::endl;")},
+        {"newline", crashing("", stream)},
+        {"unsynchronised", crashing("std::ios::sync_with_stdio(false);", stream)},
+        {"printf", crashing("", "std::printf(\"Question 5:\\nV: vec3(0, 0, -1)\\n\");")},
+        {"wide", crashing("", "std::wcout << L\"Question 5:\\nV: vec3(0, 0, -1)\\n\";")},
+    };
+    std::vector<std::string> words = {"grade", "--out", out().string(), "--apply"};
+    for (const auto& [name, source] : sources) {
+        write(folder / "class" / name / "ray_cast.cpp", source);
+        words.push_back((folder / "class" / name).string());
+    }
+    ASSERT_EQ(raygrade(words).status, 0);
+    for (const auto& [name, source] : sources) {
+        EXPECT_EQ(graded(name).at("outcome"), "crashed") << name;
+        EXPECT_EQ(graded(name).at("points").get<double>(), 10) << name;
+    }
 }
 
 /// grades.json without the fields that differ from run to run.

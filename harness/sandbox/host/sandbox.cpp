@@ -14,9 +14,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Copies it to where every account can reach it, as raygrade itself may lie in a private folder.
-fs::path copy_supervisor(const Workspace& workspace) {
-    const fs::path from = find_companion("raygrade-supervisor", RAYGRADE_SUPERVISOR);
-    const fs::path copy = workspace.path() / "supervisor";
+fs::path copy_companion(const Workspace& workspace, const std::string& name, const fs::path& built,
+                        const std::string& name_of_copy) {
+    const fs::path from = find_companion(name, built);
+    const fs::path copy = workspace.path() / name_of_copy;
     std::error_code error;
     fs::copy_file(from, copy, error);
     constexpr auto everyone_may_execute = static_cast<fs::perms>(0555);
@@ -41,12 +42,19 @@ bool is_there_itself(const fs::path& path) {
 
 }  // namespace
 
-Sandbox::Sandbox(Tier tier) : tier_(tier), supervisor_(copy_supervisor(workspace_)) {
+Sandbox::Sandbox(Tier tier)
+    : tier_(tier),
+      supervisor_(copy_companion(workspace_, "raygrade-supervisor", RAYGRADE_SUPERVISOR, "supervisor")),
+      line_buffer_(copy_companion(workspace_, "raygrade-line-buffer.so", RAYGRADE_LINE_BUFFER, "line_buffer.so")) {
     if (tier == Tier::bwrap) bwrap_ = find_bwrap();
 }
 
 fs::path Sandbox::inside(const fs::path& working_directory) const {
     return tier_ == Tier::bwrap ? fs::path("/submission") : working_directory;
+}
+
+fs::path Sandbox::line_buffer_inside() const {
+    return tier_ == Tier::bwrap ? fs::path("/line_buffer.so") : line_buffer_;
 }
 
 std::vector<fs::path> system_folders(Purpose purpose) {

@@ -11,7 +11,8 @@
 
 namespace harness {
 
-/// A tier with the files it needs: the workspace, and a copy of the supervisor that every account can execute. Safe to
+/// A tier with the files it needs: the workspace, and copies of the supervisor and of the line buffer that every account
+/// can use. Safe to
 /// use from several threads.
 class Sandbox {
   public:
@@ -23,6 +24,9 @@ class Sandbox {
     const Workspace& workspace() const { return workspace_; }
     /// The supervisor's copy in the workspace.
     const std::filesystem::path& supervisor() const { return supervisor_; }
+    /// The library that makes a program print line by line: its copy in the workspace, and its path for the program.
+    const std::filesystem::path& line_buffer() const { return line_buffer_; }
+    std::filesystem::path line_buffer_inside() const;
     /// bwrap; empty in the other tiers.
     const std::filesystem::path& bwrap() const { return bwrap_; }
 
@@ -32,7 +36,7 @@ class Sandbox {
   private:
     Tier tier_;
     Workspace workspace_;
-    std::filesystem::path supervisor_, bwrap_;
+    std::filesystem::path supervisor_, line_buffer_, bwrap_;
 };
 
 /// The folders and files of this machine that every program can read under their own paths, in mounting order: the

@@ -29,7 +29,6 @@ class Run : public testing::Test {
     /// bwrap also sets this variable.
     bool has_pwd() const { return sandbox_.tier() == harness::Tier::bwrap; }
 
-  private:
     harness::Sandbox sandbox_{strongest_tier()};
     harness::Scratch scratch_{sandbox_.workspace()};
 };
@@ -41,9 +40,9 @@ TEST_F(Run, DoesNotStartABuildWithoutAProgram) {
 TEST_F(Run, RunsTheProgramInItsScratchFolderWithAFreshEnvironment) {
     // The helper without a mode it knows exits with 93.
     EXPECT_EQ(run(copy_of(MISBEHAVE)).exit_code, 93);
-    EXPECT_EQ(run(copy_of("/usr/bin/env")).output, "PATH=/usr/local/bin:/usr/bin:/bin\nLANG=C.UTF-8\nHOME=" + home() +
-                                                       "\nTMPDIR=" + home() + "\n" +
-                                                       (has_pwd() ? "PWD=" + home() + "\n" : ""));
+    EXPECT_EQ(run(copy_of("/usr/bin/env")).output,
+              "PATH=/usr/local/bin:/usr/bin:/bin\nLANG=C.UTF-8\nLD_PRELOAD=" + sandbox_.line_buffer_inside().string() +
+                  "\nHOME=" + home() + "\nTMPDIR=" + home() + "\n" + (has_pwd() ? "PWD=" + home() + "\n" : ""));
     EXPECT_EQ(run(copy_of("/usr/bin/pwd")).output, home() + "\n");
 }
 
