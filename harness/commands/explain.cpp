@@ -2,14 +2,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "harness/commands/printout.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
-#include "harness/intake/source_file.h"
 #include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/report/picture/picture.h"
-#include "harness/report/text/look_first.h"
 
 namespace harness {
 namespace {
@@ -28,9 +27,6 @@ constexpr const char* to_stdout = "-";
 
 /// Every picture of raygrade's contains it, and hardly any other file does.
 constexpr std::string_view mark_of_ours = "<title id=\"raygrade-t\">";
-
-/// The default limit of a program's output.
-constexpr std::size_t most_bytes = std::size_t{1} << 20U;
 
 /// Throws UsageError unless there is nothing at `out` or an earlier picture that may be replaced.
 void check_out(const fs::path& out, bool may_replace) {
@@ -58,36 +54,15 @@ void check_out(const fs::path& out, bool may_replace) {
     }
 }
 
-std::string read_output(const fs::path& file) {
-    BoundedFile output = read_bounded(file, most_bytes, Links::follow);
-    if (!output.is_whole()) {
-        throw UsageError(fmt::format("{}: can't be read: {}; give a file with what a program printed", file.string(),
-                                     why_not_whole(output, most_bytes)));
-    }
-    return std::move(output.bytes);
-}
-
-/// Throws UsageError for a file that no program of this assignment printed, e.g. a source whose string literals look
-/// like answers.
-void require_answers(const fs::path& file, const Graded& graded) {
-    const char* way_out = "; give a file with what the program printed: ./ray_cast > output.txt";
-    if (is_source_name(file.filename().string()))
-        throw UsageError(fmt::format("{}: is a program{}", file.string(), way_out));
-    if (report::holds_no_answer(graded.score))
-        throw UsageError(fmt::format("{}: holds no answer to any question{}", file.string(), way_out));
-}
-
 int draw_explanation(const ExplainOptions& options) {
     const bool writes_file = options.out != to_stdout;
     if (writes_file) check_out(options.out, options.force);
     Graded graded;
     const bool has_transcript = !options.transcript.empty();
-    if (has_transcript) graded.run.output = read_output(options.transcript);
+    if (has_transcript) graded.run.output = read_printout(options.transcript);
     const Marking marking = make_marking(reference::load_assignment(options.assignment, assignments_folder()));
-    if (has_transcript) {
-        graded.score = score(read_transcript(graded.run.output), marking.key, marking.assignment);
-        require_answers(options.transcript, graded);
-    }
+    if (has_transcript)
+        graded.score = mark_printout(options.transcript, graded.run.output, marking.key, marking.assignment);
     const std::string picture =
         report::explaining_picture(marking, has_transcript ? &graded : nullptr, !options.without_answers, "raygrade-");
     if (!writes_file) {

@@ -30,6 +30,7 @@ constexpr const char* about =
     "  raygrade reference                      the canonical answers\n"
     "  raygrade cast < queries.jsonl           exact answers to any rays\n"
     "  raygrade accuracy --out accuracy        what accuracy costs in time: a page of pictures\n"
+    "  raygrade read output.txt                how a printout is read, line by line, and its marks\n"
     "  raygrade explain output.txt             a picture of the scene and of what a program printed\n"
     "  raygrade render -o scene.png            the scene as its camera sees it\n"
     "  raygrade doctor                         what this machine has and lacks";
@@ -57,9 +58,9 @@ int run(int argc, char** argv) {
     app.get_formatter()->column_width(36);
 
     const std::array commands{
-        grade_command(app),   override_command(app),  check_command(app),  serve_command(app),
-        stress_command(app),  reference_command(app), cast_command(app),   accuracy_command(app),
-        explain_command(app), render_command(app),    doctor_command(app),
+        grade_command(app),  override_command(app),  check_command(app),  serve_command(app),
+        stress_command(app), reference_command(app), cast_command(app),   accuracy_command(app),
+        read_command(app),   explain_command(app),   render_command(app), doctor_command(app),
     };
     if (argc > 1) require_command(argv[1], app);
     try {

@@ -112,6 +112,7 @@ std::vector<Candidate> gather_block(const std::vector<PrintedValue>& values, std
         matrix.value.printed += (k == 0 ? "" : "; ") + row.printed;
         if (count > n) rhs.value.numbers.push_back(row.numbers.back());
     }
+    matrix.value.last_line = rhs.value.last_line = values[at + n - 1].last_line;
     if (count == n) return {matrix};
     matrix.order = MatrixOrder::rows;
     rhs.value.printed = matrix.value.printed;

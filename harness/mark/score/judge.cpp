@@ -47,11 +47,12 @@ Judgement Judge::judge(const KeyItem& item, const Evidence& evidence) const {
     if (printed == matched_.end()) return judgement;
     if (printed->verdict) {
         score.printed = printed->verdict->printed;
-        score.line = printed->verdict->line;
+        score.line = score.last_line = printed->verdict->line;
         score.verdict = judge_verdict(item, *printed->verdict, evidence, score);
     } else if (printed->value) {
         score.printed = printed->value->printed;
         score.line = printed->value->line;
+        score.last_line = printed->value->last_line;
         note_reading(score, *printed->value);
         score.verdict = ItemVerdict::unreadable;
         if (!printed->unreadable) judge_value(item, *printed, evidence, judgement);

@@ -44,6 +44,7 @@ struct ItemScore {
     double max_points = 0;
     std::string printed;          ///< verbatim, at most 200 bytes; empty when nothing was
     int line = 0;                 ///< of the output, 1-based; 0 when nothing was printed
+    int last_line = 0;            ///< of the output; not kept by the gradebook
     std::optional<double> error;  ///< the largest distance of a component from the key; empty when there is none
     double allowance = 0;         ///< how far a component may be off, besides its rounding
     std::string accepted_as;      ///< why another form or reading is right; empty for the canonical one

@@ -1,0 +1,34 @@
+#include "harness/commands/printout.h"
+
+#include <fmt/format.h>
+
+#include "harness/intake/source_file.h"
+#include "harness/machine/bounded_file.h"
+#include "harness/machine/errors.h"
+#include "harness/read/transcript.h"
+#include "harness/report/text/look_first.h"
+
+namespace harness {
+
+std::string read_printout(const std::filesystem::path& file) {
+    constexpr std::size_t most_bytes = std::size_t{1} << 20U;
+    BoundedFile output = read_bounded(file, most_bytes, Links::follow);
+    if (!output.is_whole()) {
+        throw UsageError(fmt::format("{}: can't be read: {}; give a file with what a program printed", file.string(),
+                                     why_not_whole(output, most_bytes)));
+    }
+    return std::move(output.bytes);
+}
+
+Score mark_printout(const std::filesystem::path& file, const std::string& output, const reference::AnswerKey& key,
+                    const reference::Assignment& assignment) {
+    const char* way_out = "; give a file with what the program printed: ./ray_cast > output.txt";
+    if (is_source_name(file.filename().string()))
+        throw UsageError(fmt::format("{}: is a program{}", file.string(), way_out));
+    Score marked = score(read_transcript(output), key, assignment);
+    if (report::holds_no_answer(marked))
+        throw UsageError(fmt::format("{}: holds no answer to any question{}", file.string(), way_out));
+    return marked;
+}
+
+}  // namespace harness

@@ -1,0 +1,42 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "harness/commands/printout.h"
+#include "harness/commands/shared_options.h"
+#include "harness/commands/subcommand.h"
+#include "harness/grade/marking.h"
+#include "harness/report/text/reading_text.h"
+
+namespace harness {
+namespace {
+
+struct ReadOptions {
+    std::filesystem::path transcript;
+    std::string assignment;
+    bool json = false;
+};
+
+int show_reading(const ReadOptions& options) {
+    const std::string output = read_printout(options.transcript);
+    const Marking marking = make_marking(reference::load_assignment(options.assignment, assignments_folder()));
+    const Score score = mark_printout(options.transcript, output, marking.key, marking.assignment);
+    fmt::print("{}", options.json ? report::reading_json(output, score) : report::reading_text(output, score));
+    return all_graded;
+}
+
+void add_options(CLI::App& command, ReadOptions& options) {
+    command.add_option("transcript", options.transcript, "What a program printed")->type_name("TRANSCRIPT")->required();
+    add_assignment(command, options.assignment);
+    command.add_flag("--json", options.json, "Print JSON");
+    command.footer("Example: ./ray_cast > output.txt; raygrade read output.txt");
+}
+
+}  // namespace
+
+Subcommand read_command(CLI::App& app) {
+    return subcommand(app, "read", "Mark what a program printed, and show line by line how it was read", add_options,
+                      show_reading);
+}
+
+}  // namespace harness

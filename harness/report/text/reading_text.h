@@ -1,0 +1,19 @@
+// How a printout was read, line by line.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "harness/mark/score/score.h"
+
+namespace harness::report {
+
+/// Each line of the printout with its number and the answers that were read from it; below, the answers that were not
+/// found or that were doubtful. For a terminal: the student's text is escaped and cut to a width.
+std::string reading_text(std::string_view output, const Score& score);
+
+/// The same as JSON: `points`, `max_points`, `lines` (number, text, read_as) and `items` (question, name, verdict,
+/// printed, line, last_line, doubt, look_at).
+std::string reading_json(std::string_view output, const Score& score);
+
+}  // namespace harness::report
