@@ -121,6 +121,48 @@ TEST(Judge, AcceptsTheSystemWithRowsMultipliedOnBothSides) {
     EXPECT_EQ(verdict_with({{"A", rows_doubled}}, {8, "matrix"}), "wrong") << "the right-hand side is not doubled";
 }
 
+TEST(Judge, AcceptsTheSystemWithEitherSign) {
+    const char* negated =
+        "mat3x3((0.000000, 0.000000, -1.000000), (-2.000000, -4.000000, 0.000000), (2.000000, -4.000000, 0.000000))";
+    const char* reordered =
+        "mat3x3((-2.000000, -4.000000, 0.000000), (2.000000, -4.000000, 0.000000), (0.000000, 0.000000, -1.000000))";
+    const char* negated_rhs = "vec3(0.000000, -2.000000, 0.000000)";
+    for (const char* matrix : {negated, reordered}) {
+        EXPECT_EQ(verdict_with({{"A", matrix}, {"rhs", negated_rhs}}, {8, "matrix"}), "right");
+        EXPECT_EQ(verdict_with({{"A", matrix}, {"rhs", negated_rhs}}, {8, "rhs"}), "right");
+        EXPECT_EQ(verdict_with({{"A", matrix}, {"rhs", ""}}, {8, "matrix"}), "right") << "alone";
+        EXPECT_EQ(verdict_with({{"A", matrix}}, {8, "rhs"}), "wrong") << "not the sign of its matrix";
+    }
+    EXPECT_EQ(verdict_with({{"A", ""}, {"rhs", negated_rhs}}, {8, "rhs"}), "right") << "alone";
+    EXPECT_EQ(verdict_with({{"rhs", negated_rhs}}, {8, "rhs"}), "wrong") << "not the sign of its matrix";
+    EXPECT_EQ(accepted_with({{"A", reordered}, {"rhs", negated_rhs}}, {8, "matrix"}),
+              "columns in the order u, v, t, both sides multiplied by -1");
+}
+
+TEST(Judge, LetsASystemOfEitherSignFollow) {
+    // V is (0, 0.6, -0.8) and P_WCS is (0, 1, 2) by mistake; A is (0, -2, 2).
+    const std::map<std::string, std::string> own = {{"V", "vec3(0.000000, 0.600000, -0.800000)"},
+                                                    {"P_WCS", "vec3(0.000000, 1.000000, 2.000000)"}};
+    const auto verdict = [&](const std::string& matrix, const std::string& rhs, const ItemId& id) {
+        auto changed = own;
+        changed["A"] = matrix;
+        changed["rhs"] = rhs;
+        return verdict_with(changed, id);
+    };
+    const char* matrix =
+        "mat3x3((0.000000, -0.600000, 0.800000), (2.000000, 4.000000, 0.000000), (-2.000000, 4.000000, 0.000000))";
+    const char* negated =
+        "mat3x3((0.000000, 0.600000, -0.800000), (-2.000000, -4.000000, 0.000000), (2.000000, -4.000000, 0.000000))";
+    const char* rhs = "vec3(0.000000, 3.000000, 0.000000)";
+    const char* negated_rhs = "vec3(0.000000, -3.000000, 0.000000)";
+    for (const ItemId& id : {ItemId{8, "matrix"}, ItemId{8, "rhs"}}) {
+        EXPECT_EQ(verdict(matrix, rhs, id), "follow");
+        EXPECT_EQ(verdict(negated, negated_rhs, id), "follow");
+    }
+    EXPECT_EQ(verdict("", negated_rhs, {8, "rhs"}), "follow") << "alone";
+    EXPECT_EQ(verdict(matrix, negated_rhs, {8, "rhs"}), "wrong") << "not the sign of its matrix";
+}
+
 TEST(Judge, DoesNotAcceptATransposedSystem) {
     EXPECT_EQ(verdict_with({{"A",
                              "mat3x3((0.000000, 2.000000, -2.000000), (0.000000, 4.000000, 4.000000), (1.000000, "
