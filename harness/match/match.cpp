@@ -1,6 +1,9 @@
 #include "harness/match/match.h"
 
+#include <re2/re2.h>
+
 #include <algorithm>
+#include <set>
 
 #include "harness/match/question_match.h"
 #include "harness/match/without_headings.h"
@@ -30,19 +33,60 @@ std::vector<Question> list_questions(std::span<const ItemSpec> items) {
     return questions;
 }
 
-/// The values under a question's headings. Consecutive "6a" and "6b" form one part. If the program comes back to the
-/// question later, that is a new part.
-void collect_parts(Question& question, const std::vector<Section>& sections) {
-    bool goes_on = false;
-    for (const Section& section : sections) {
-        if (section.question == question.number) {
-            question.has_heading = true;
-            if (!goes_on) question.parts.emplace_back();
-            std::vector<PrintedValue>& part = question.parts.back();
-            part.insert(part.end(), section.values.begin(), section.values.end());
+/// Whether the words behind the section's last value say that what follows corrects it.
+bool announces_correction(const Section& section) {
+    static const RE2 words(
+        R"((?i)\b(?:again|oops|correct(?:ed|ion)?|fix(?:ed)?|wrong|mistake|instead|actually|redo(?:ne)?|improved|final)\b)");
+    const int last = section.values.empty() ? 0 : section.values.back().last_line;
+    return std::any_of(section.lines.begin(), section.lines.end(), [&](const PrintedLine& line) {
+        return line.number > last && RE2::PartialMatch(line.text, words);
+    });
+}
+
+/// Whether two sections one behind the other belong to one printing, as "6a" and "6b" do. The same names mean another
+/// printing.
+bool goes_on_in(const Section& before, const Section& section) {
+    const auto same_name = [](const PrintedValue& a, const PrintedValue& b) {
+        const std::string& name = a.label.empty() ? a.above : a.label;
+        return !name.empty() && name == (b.label.empty() ? b.above : b.label);
+    };
+    const bool same_names =
+        std::equal(before.values.begin(), before.values.end(), section.values.begin(), section.values.end(), same_name);
+    return before.question == section.question && (before.values.empty() || !same_names);
+}
+
+/// For each section, how much the printing counts that it belongs to, when the program printed questions more than
+/// once: the first printing counts more than later ones, e.g. of another pixel, but less than corrections.
+std::vector<int> ranks_of(const std::vector<Section>& sections) {
+    std::vector<int> ranks;
+    std::set<int> printed;  ///< in this printing
+    int rank = 0, highest = 0, lowest = 0;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        const bool goes_on = i > 0 && goes_on_in(sections[i - 1], sections[i]);
+        if (!goes_on && !printed.insert(sections[i].question).second) {
+            printed = {sections[i].question};
+            rank = announces_correction(sections[i - 1]) ? ++highest : --lowest;
         }
-        goes_on = section.question == question.number;
+        ranks.push_back(rank);
     }
+    return ranks;
+}
+
+/// The values under a question's headings. Consecutive "6a" and "6b" form one part. If the program comes back to the
+/// question later, that is a new part. The part that counts most comes last.
+void collect_parts(Question& question, const std::vector<Section>& sections, const std::vector<int>& ranks) {
+    std::vector<std::pair<int, std::vector<PrintedValue>>> parts;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        if (sections[i].question == question.number) {
+            question.has_heading = true;
+            if (i == 0 || !goes_on_in(sections[i - 1], sections[i]))
+                parts.emplace_back(ranks[i], std::vector<PrintedValue>());
+            std::vector<PrintedValue>& part = parts.back().second;
+            part.insert(part.end(), sections[i].values.begin(), sections[i].values.end());
+        }
+    }
+    std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (auto& [rank, values] : parts) question.parts.push_back(std::move(values));
 }
 
 /// Whether a value names an item of the question it was printed under. Such a value cannot answer another question.
@@ -72,8 +116,9 @@ void answer_first(const Section& section, std::span<Question> questions, Fits& f
 }
 
 void answer_all(std::vector<Question>& questions, const std::vector<Section>& sections, Fits& fits) {
+    const std::vector<int> ranks = ranks_of(sections);
     for (Question& question : questions) {
-        collect_parts(question, sections);
+        collect_parts(question, sections, ranks);
         if (question.has_heading)
             question.answers = answer_question(question.items, question.parts, Need::order_or_label, fits);
     }

@@ -25,9 +25,8 @@ struct Heading {
 std::optional<Heading> read_heading(std::string_view line);
 
 /// Finds the headings among `lines`. Only one style counts: the style that names the most of questions 1 to 10, with a
-/// preference for the earlier styles. Bare numbers count only if they name at least three questions, cells if they name at
-/// least five and the rows of each stand together. Returns one entry
-/// per line, empty if the line is not a heading.
+/// preference for the earlier styles. Bare numbers count only if they name at least three questions, cells if they name
+/// at least five and the rows of each stand together. Returns one entry per line, empty if the line is not a heading.
 std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_view>& lines);
 
 }  // namespace harness

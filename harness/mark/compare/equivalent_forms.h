@@ -58,8 +58,8 @@ SystemForm negated_form();
 std::optional<SystemForm> find_column_order(const MatchedItem& printed, const Target& matrix, double allowance,
                                             int min_decimals);
 
-/// Like find_column_order, but with rows multiplied by any number. The printed right-hand side `printed_rhs` (null if there is none)
-/// must be `rhs` with the same factors.
+/// Like find_column_order, but with rows multiplied by any number. The printed right-hand side `printed_rhs` (null if
+/// there is none) must be `rhs` with the same factors.
 std::optional<SystemForm> find_multiplied_form(const MatchedItem& printed, const MatchedItem* printed_rhs,
                                                const Target& matrix, const Target& rhs, double allowance,
                                                int min_decimals);

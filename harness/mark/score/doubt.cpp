@@ -132,17 +132,18 @@ class Doubter {
 
     std::optional<Doubt> doubt_of(const ItemScore& item, bool little_read) const {
         if (const int line = line_of_right_value(item); line != 0) return Doubt{Doubt::Why::right_elsewhere, line};
+        if (const int line = line_printed_again(item); line != 0) return Doubt{Doubt::Why::printed_again, line};
         // Where an item is missing, numbers that an answer has too may be it: a matrix repeats the axes.
         const bool is_wrong = item.verdict == ItemVerdict::wrong || item.verdict == ItemVerdict::follow;
         const auto left = [&](const Found& found) {
-            return is_left(found) && may_be_of(found.question, item) && !(is_wrong && found.repeats);
+            const bool on_its_line = item.line <= found.line && found.line <= item.last_line;
+            return is_left(found) && (on_its_line || (may_be_of(found.question, item) && !(is_wrong && found.repeats)));
         };
         const auto count = static_cast<std::size_t>(std::count_if(numbers_.begin(), numbers_.end(), left));
         constexpr std::size_t row = 3;  // a row of a matrix may be left alone
         if (count > 0 && count >= std::min(row, numbers_of(item.spec.shape)) && item.spec.shape != Shape::verdict)
             return Doubt{Doubt::Why::numbers_left, std::find_if(numbers_.begin(), numbers_.end(), left)->line};
         if (const int line = line_of_words(item); line != 0) return Doubt{Doubt::Why::words_left, line};
-        if (const int line = line_printed_before(item); line != 0) return Doubt{Doubt::Why::printed_again, line};
         if (little_read && item.verdict != ItemVerdict::follow) return Doubt{Doubt::Why::little_read, 0};
         return std::nullopt;
     }
@@ -222,16 +223,21 @@ class Doubter {
         return 0;
     }
 
-    /// The first line of an earlier printing of the item's question, which has as many values.
-    int line_printed_before(const ItemScore& item) const {
+    /// The first line of another printing of the item's question, which has as many values; 0 if there is none.
+    int line_printed_again(const ItemScore& item) const {
         std::vector<const Section*> printings;
         for (const Section& section : transcript_.sections) {
             if (section.question == item.spec.question && !section.values.empty()) printings.push_back(&section);
         }
-        for (std::size_t i = 0; i + 1 < printings.size(); ++i) {
-            const bool apart = printings[i + 1] - printings[i] > 1;
-            if (apart && printings[i]->values.size() >= printings.back()->values.size())
-                return printings[i]->values.front().line;
+        const auto is_read = [&](const Section* section) {
+            return section->values.front().line <= item.line && item.line <= section->values.back().last_line;
+        };
+        const auto read = std::find_if(printings.begin(), printings.end(), is_read);
+        for (const Section* section : printings) {
+            const bool apart = read == printings.end() || section > *read + 1 || section + 1 < *read;
+            if (apart && (read == printings.end() || section->values.size() >= (*read)->values.size()) &&
+                printings.size() > 1)
+                return section->values.front().line;
         }
         return 0;
     }
@@ -252,7 +258,7 @@ std::string phrase_of(const Doubt& doubt) {
         case Doubt::Why::numbers_left: return fmt::format("line {} has numbers that were not understood", doubt.line);
         case Doubt::Why::words_left: return fmt::format("line {} has words that were not understood", doubt.line);
         case Doubt::Why::printed_again:
-            return fmt::format("the question was printed before, on line {}; its last printing was read", doubt.line);
+            return fmt::format("the question was printed more than once, also on line {}", doubt.line);
         case Doubt::Why::little_read: return "most of the printout was not understood";
     }
     return "";

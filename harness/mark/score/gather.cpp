@@ -33,7 +33,7 @@ class Gatherer {
     bool is_right_but_coarse(const KeyItem& item, const MatchedItem& printed) const;
     bool is_right_quadratic(const KeyItem& item, const MatchedItem& printed, Finding& finding) const;
     bool is_right_matrix(const KeyItem& item, const MatchedItem& printed, Finding& finding);
-    bool is_right_beside_matrix(const KeyItem& item, const MatchedItem& printed, Finding& finding) const;
+    bool is_right_without_matrix(const KeyItem& item, const MatchedItem& printed, Finding& finding) const;
     void remember_own_value(const ItemId& id, const MatchedItem& printed);
 
     const std::vector<MatchedItem>& matched_;
@@ -84,13 +84,16 @@ Gathered Gatherer::gather() {
 Finding Gatherer::compare_with_key(const KeyItem& item, const MatchedItem& printed) {
     const ItemId id = id_of(item.spec);
     Finding finding;
+    const bool is_of_negated_system = id == rhs && evidence_.system && evidence_.system->is_negated();
     for (const reference::Answer& answer : item.answers) {
-        const Closeness closeness = compare(printed, target_with_allowance(item, answer, rubric_),
+        const Target target = target_with_allowance(item, answer, rubric_);
+        const Closeness closeness = compare(printed, is_of_negated_system ? negated(target) : target,
                                             allowance_of(item, rubric_), rubric_.min_decimals);
         if (!finding.error) finding.error = closeness.error;
         if (!closeness.within) continue;
         finding.right = true;
-        finding.accepted_as = reference::reason(answer, key_);
+        finding.accepted_as =
+            is_of_negated_system ? negated_form().describe() : std::string(reference::reason(answer, key_));
         finding.error = closeness.error;
         if (id == matrix) evidence_.system = SystemForm{};
         return finding;
@@ -101,7 +104,7 @@ Finding Gatherer::compare_with_key(const KeyItem& item, const MatchedItem& print
         } else if (id == matrix) {
             finding.right = is_right_matrix(item, printed, finding);
         } else if (id == rhs) {
-            finding.right = is_right_beside_matrix(item, printed, finding);
+            finding.right = is_right_without_matrix(item, printed, finding);
         }
     }
     finding.coarse = !finding.right && is_right_but_coarse(item, printed);
@@ -153,9 +156,8 @@ bool Gatherer::is_right_matrix(const KeyItem& item, const MatchedItem& printed, 
 }
 
 /// The sign of a right-hand side is that of its matrix. Without a matrix that shows it, either sign is the handout's.
-bool Gatherer::is_right_beside_matrix(const KeyItem& item, const MatchedItem& printed, Finding& finding) const {
-    const bool shows_no_sign = !evidence_.system && readable(matched_, matrix) == nullptr;
-    if (!shows_no_sign && !(evidence_.system && evidence_.system->is_negated())) return false;
+bool Gatherer::is_right_without_matrix(const KeyItem& item, const MatchedItem& printed, Finding& finding) const {
+    if (evidence_.system || readable(matched_, matrix) != nullptr) return false;
     for (const reference::Answer& answer : item.answers) {
         const Target target = target_with_allowance(item, answer, rubric_);
         if (target.no_value ||

@@ -27,7 +27,7 @@ struct Doubt {
         right_elsewhere,  ///< the right value stands elsewhere in the printout, unused
         numbers_left,     ///< its question has numbers that were not understood
         words_left,       ///< its question has only words that were not understood
-        printed_again,    ///< its question was printed more than once; the last printing was read
+        printed_again,    ///< its question was printed more than once, and one printing was read
         little_read,      ///< less than half of the answers were found in the whole printout
     };
     Why why = Why::numbers_left;

@@ -11,9 +11,8 @@
 
 namespace harness {
 
-/// A tier with the files it needs: the workspace, and copies of the supervisor and of the line buffer that every account
-/// can use. Safe to
-/// use from several threads.
+/// A tier with the files it needs: the workspace, and copies of the supervisor and of the line buffer that every
+/// account can use. Safe to use from several threads.
 class Sandbox {
   public:
     /// Does not check whether the tier works on this machine; choose_sandbox does (canary.h). Throws HarnessError if

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <random>
 #include <vector>
@@ -54,6 +55,19 @@ Words names_of(const ItemId& id) {
     return names.at(id);
 }
 
+constexpr const char* handout_text[] = {
+    "Transform the pixel P_DCS = (150 100) from DCS to VCS.",
+    "Obtain the three basis vectors of the VCS system, X_vcs, Y_vcs, and Z_vcs.",
+    "Compute M_VCS_to_WCS, the inverse of the view matrix.",
+    "Use this matrix to obtain P_WCS, the pixel's world coordinates.",
+    "Obtain a unit-length vector V in the direction from the eye to the pixel.",
+    "Compute the point P_s where the ray hits the sphere. If there are 2 positive roots, pick the smaller one.",
+    "Get the surface normal at the hit point: N = P_s - C. Normalize this vector.",
+    "Obtain a 3x3 linear system of equations for t, u, and v. 0 <= u <= 1, 0 <= v <= 1, u+v <= 1",
+    "Get the surface normal of the triangle: N = (B-A) x (C-A). Normalize this vector.",
+    "Chose the point with smaller t.",
+};
+
 constexpr const char* spelled[] = {"One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten"};
 
 class Hand {
@@ -70,11 +84,22 @@ class Hand {
         for (const int question : questions) {
             question_ = question;
             if (!table) head(question);
+            if (!table && one_of("handout's text", {"left out", "left out", "left out", "repeated"}) == "repeated")
+                text_ += handout_text[question - 1] + std::string("\n");
             for (const reference::ItemSpec& spec : reference::all_items()) {
                 if (spec.question == question) print(spec);
             }
             if (!table && one_of("between questions", {"nothing", "blank line", "rule"}) != "nothing")
                 text_ += is("between questions", "rule") ? "--------------------\n" : "\n";
+        }
+        if (!table && one_of("runs", {"one", "one", "one", "one", "another pixel"}) == "another pixel") {
+            text_ += "\nAnother pixel:\n";
+            for (int question = 1; question <= 10; ++question) {
+                head(question);
+                for (const reference::ItemSpec& spec : reference::all_items()) {
+                    if (spec.question == question) print_changed(spec);
+                }
+            }
         }
         leave();
         finish();
@@ -195,7 +220,9 @@ class Hand {
 
     /// The label and what belongs to it, where this student writes labels.
     void line(const ItemId& id, const std::string& value) {
-        const std::string name = label(id);
+        std::string name = label(id);
+        const std::string& remark = one_of("remark", {"none", "none", "none", "none", "(float)", "(in 3D)"});
+        if (remark != "none") name += " " + remark;
         if (is("page", "table")) {
             text_ += fmt::format("| {} | {} | {} |\n", question_, name, value);
             return;
@@ -222,11 +249,32 @@ class Hand {
         if (spec.shape == reference::Shape::verdict) return verdict();
         const auto& value = program_.values().at(id);
         if (!value) return line(id, one_of("no value", {"none", "no hit", "does not exist", "n/a"}));
+        if (id == ItemId{6, "t"} && one_of("roots", {"not printed", "not printed", "before t"}) == "before t") {
+            const float b = program_.scalar({6, "b"}), d = program_.scalar({6, "d"}), a = program_.scalar({6, "a"});
+            const std::string far = number((-b + std::sqrt(d)) / (2 * a)), near = number((-b - std::sqrt(d)) / (2 * a));
+            if (is("page", "table")) {
+                text_ += fmt::format("| 6 | t1 | {} |\n| 6 | t2 | {} |\n", near, far);
+            } else {
+                text_ += fmt::format("t1 = {}, t2 = {}\n", near, far);
+            }
+        }
         if (value->size() == 1) return scalar(id, value->front());
         if (value->size() == 3) return print_vector(id, *value);
         if (one_of("noise", {"none", "none", "none", "intermediate"}) == "intermediate")
             text_ += "debug: determinant before inverting: " + number(0.75F) + "\n";
         matrix(id, *value);
+    }
+
+    /// An item as for another pixel.
+    void print_changed(const reference::ItemSpec& spec) {
+        const ItemId id = reference::id_of(spec);
+        if (spec.shape == reference::Shape::verdict) return verdict();
+        const auto& value = program_.values().at(id);
+        if (!value || value->size() > 3) return;
+        Floats changed = *value;
+        for (float& x : changed) x = 0.75F * x + 0.125F;
+        if (value->size() == 1) return line(id, number(changed.front()));
+        print_vector(id, changed);
     }
 
     void verdict() {

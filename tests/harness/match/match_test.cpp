@@ -52,8 +52,21 @@ TEST(Match, ReadsTheSamePlacesWhateverTheNumbersAre) {
 
 TEST(Match, TakesTheLastOfSeveralValuesWithOneLabel) {
     EXPECT_EQ(found("Question 6:\nt = 3.4\nt = 0.6\n"), "6.t: 0.6 @3\n");
+}
+
+TEST(Match, TakesTheFirstOfSeveralPrintingsUnlessALaterOneCorrectsIt) {
     EXPECT_EQ(found("Question 6:\nt = 3.4\nQuestion 7:\nN = (0, 0, 1)\nQuestion 6:\nt = 0.6\n"),
-              "6.t: 0.6 @6\n7.normal: 0 0 1 @4\n");
+              "6.t: 3.4 @2\n7.normal: 0 0 1 @4\n");
+    EXPECT_EQ(found("Question 5:\nV = (1, 2, 3)\nAnother pixel\nQuestion 5:\nV = (3, 2, 1)\n"), "5.V: 1 2 3 @2\n");
+    for (const char* words : {"Corrected:", "Oops. Again:", "now with the mistake fixed"}) {
+        EXPECT_EQ(found("Question 6:\nt = 3.4\nQuestion 7:\nN = (0, 0, 1)\n" + std::string(words) +
+                        "\nQuestion 6:\nt = 0.6\n"),
+                  "6.t: 0.6 @7\n7.normal: 0 0 1 @4\n");
+    }
+}
+
+TEST(Match, JoinsThePartsOfAQuestion) {
+    EXPECT_EQ(found("Question 6a:\na = 3.4\nQuestion 6b:\nb = 0.6\n"), "6.a: 3.4 @2\n6.b: 0.6 @4\n");
 }
 
 TEST(Match, PrefersTheChosenRootToTheOthers) {

@@ -46,7 +46,7 @@ TEST(OwnSeparators, MayNameTheComponents) {
 }
 
 TEST(OwnSeparators, AreNotLearntFromFewLists) {
-    const Transcript transcript = read_transcript("p: 1.5 / 2.5 / 3.5\nq: 4.5 / 5.5 / 6.5\n");
+    const Transcript transcript = read_transcript("p: 1.5 / 2.5 / 3.5\nv: 4.5 / 5.5 / 6.5\n");
     for (const PrintedValue& value : transcript.sections.front().values) EXPECT_NE(value.numbers.size(), 3U);
 }
 
@@ -62,10 +62,10 @@ TEST(OwnSeparators, AreNoNamesOfOtherThings) {
 }
 
 TEST(OwnSeparators, KeepWhatWasPrinted) {
-    const Transcript transcript = read_transcript("p: 1 / 2 / 3\nq: 4 / 5 / 6\nr: 7 / 8 / 9\n");
+    const Transcript transcript = read_transcript("p: 1 / 2 / 3\nv: 4 / 5 / 6\nw: 7 / 8 / 9\n");
     ASSERT_EQ(transcript.sections.front().values.size(), 3U);
     EXPECT_EQ(transcript.sections.front().values[1].printed, "4 / 5 / 6");
-    EXPECT_EQ(transcript.sections.front().values[1].label, "q");
+    EXPECT_EQ(transcript.sections.front().values[1].label, "v");
 }
 
 TEST(Elements, AreJoinedToAMatrixInAnyOrder) {
