@@ -62,9 +62,15 @@ std::optional<reference::Mat4<Interval>> ItemTargets::matrix4(const ItemId& id) 
     return target == nullptr ? std::nullopt : std::optional(matrix_of<4>(target->components));
 }
 
+bool is_nan(const PrintedValue& value) {
+    return !value.numbers.empty() && std::all_of(value.numbers.begin(), value.numbers.end(), [](const PrintedNumber& x) {
+        return std::isnan(x.value);
+    });
+}
+
 Target printed_target(const MatchedItem& printed, Digits digits) {
     Target target;
-    if (printed.value->numbers.empty()) return no_value();
+    if (printed.value->numbers.empty() || is_nan(*printed.value)) return no_value();
     for (const PrintedNumber& number : by_columns(printed))
         target.components.push_back(rounded_by_stage(enclosure_of(number, digits)));
     if (printed.spec.shape == reference::Shape::vector) target.components.resize(3);

@@ -33,8 +33,11 @@ class ItemTargets {
     std::map<ItemId, Target> targets_;
 };
 
+/// Whether all of its numbers are nan: what a program prints that takes the root of a negative discriminant.
+bool is_nan(const PrintedValue& value);
+
 /// A readable printed value as a target that can replace the key's: the enclosure that its digits give, widened by the
-/// float error of a stage that computes with it.
+/// float error of a stage that computes with it. No value for nan.
 Target printed_target(const MatchedItem& printed, Digits digits);
 
 Target target_of(const Interval& x);

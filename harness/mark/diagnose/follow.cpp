@@ -31,6 +31,7 @@ std::optional<Agreement> agrees(const MatchedItem& printed, const Target& target
     const bool is_multiplied = is_rhs && evidence.system && evidence.system->is_scaled();
     bool within =
         is_multiplied ? is_rhs_of(*evidence.system) : compare(printed, target, allowance, evidence.min_decimals).within;
+    if (target.no_value) within = within || is_nan(*printed.value);
     if (is_rhs && !evidence.system) within = within || is_rhs_of(negated_form());
     return within ? std::optional(Agreement{}) : std::nullopt;
 }

@@ -85,7 +85,14 @@ Targets root_by(const ItemTargets& known, auto compute) {
     if (!discriminant || discriminant->lo() < 0) return {};
     return from(compute, known.scalar(a), known.scalar(b), discriminant);
 }
+Targets t_near_root(const ItemTargets& known) {
+    return root_by(known, [](const Interval& p, const Interval& q, const Interval& e) {
+        return (-q - sqrt(e)) / (Interval(2) * p);
+    });
+}
 Targets t_far_root(const ItemTargets& known, const IntervalScene&) {
+    const Targets near = t_near_root(known);
+    if (!near.empty() && sign_of(near.front().components.front()) < 0) return {};  // then it is right, or behind too
     return both(
         root_by(known, [](const Interval& p, const Interval& q,
                           const Interval& e) { return (-q + sqrt(e)) / (Interval(2) * p); }),
@@ -115,9 +122,10 @@ Targets t_sign_of_b(const ItemTargets& known, const IntervalScene&) {
                 }));
 }
 Targets t_behind(const ItemTargets& known, const IntervalScene&) {
-    return root_by(known, [](const Interval& p, const Interval& q, const Interval& e) {
-        return (-q - sqrt(e)) / (Interval(2) * p);
-    });
+    return both(t_near_root(known), root_by(known, [](const Interval& p, const Interval& q, const Interval& e) {
+                    const Interval far = (-q + sqrt(e)) / (Interval(2) * p);
+                    return sign_of(far) < 0 ? far : (-q - sqrt(e)) / (Interval(2) * p);
+                }));
 }
 Targets t_of_closest_approach(const ItemTargets& known, const IntervalScene&) {
     return from([](const Interval& p, const Interval& q) { return -q / (Interval(2) * p); }, known.scalar(a),
@@ -159,7 +167,7 @@ const std::vector<Mistake>& mistakes::of_sphere() {
          "This is the square root of the discriminant; the discriminant itself is asked for.", d, d_root},
         {"b not squared", "The discriminant is b squared minus 4ac.", d, d_b_not_squared},
         {"far root", "That is the far root of the quadratic; the smaller positive root is asked for.", t, t_far_root},
-        {"root behind the start", "That root is not positive: it lies behind the start of the ray.", t, t_behind},
+        {"root behind the start", "That root is not positive: it lies behind the start of the ray. If no root is positive, the ray misses.", t, t_behind},
         {"operator precedence", "The whole of -b - sqrt(d) is divided by the whole of 2a; put both in brackets.", t,
          t_precedence},
         {"not divided by 2", "The root is (-b - sqrt(d)) / (2a); the 2 is missing.", t, t_not_halved},

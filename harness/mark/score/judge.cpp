@@ -92,13 +92,13 @@ void Judge::judge_value(const KeyItem& item, const MatchedItem& printed, const E
         judgement.system = multiplied_form(printed, evidence, score.allowance);
         if (judgement.system) return accept(score, judgement.system->describe());
     }
-    judgement.says_nothing = is_empty;
+    judgement.says_nothing = is_empty || is_nan(*printed.value);
     Evidence without_this;  // nothing follows from a wrong "none"
-    if (is_empty) {
+    if (judgement.says_nothing) {
         without_this = evidence;
         learn(without_this, judgement);
     }
-    const auto found = find_mistake(printed, is_empty ? without_this : evidence, score.allowance);
+    const auto found = find_mistake(printed, judgement.says_nothing ? without_this : evidence, score.allowance);
     if (!found) return;
     score.diagnosis = found->mistake->name;
     score.advice = found->mistake->advice;

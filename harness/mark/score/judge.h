@@ -15,7 +15,7 @@ namespace harness {
 struct Judgement {
     ItemScore score;
     std::optional<SystemForm> system;  ///< the layout of the student's linear system, if this item shows it
-    bool says_nothing = false;         ///< a wrong "none": nothing can follow from it
+    bool says_nothing = false;         ///< a wrong "none" or nan: nothing can follow from it
 };
 
 /// Adds what a judgement tells to what is known.

@@ -50,6 +50,21 @@ PageData outcomes_of(const ClassStatistics& statistics, const std::vector<Graded
     return outcomes;
 }
 
+/// Those whose printout a person should read, with the reason.
+PageData doubtful_of(const std::vector<Graded>& graded) {
+    PageData list(PageData::type::list);
+    for (std::size_t i = 0; i < graded.size(); ++i) {
+        for (const Flag& flag : graded[i].flags) {
+            if (flag.kind != "reading_doubtful") continue;
+            PageData one;
+            one["who"] = links_to({i}, graded);
+            one["why"] = flag.evidence;
+            list.push_back(one);
+        }
+    }
+    return list;
+}
+
 PageData items_of(const ClassStatistics& statistics) {
     PageData items(PageData::type::list);
     for (const ItemTally& tally : statistics.items) {
@@ -122,6 +137,9 @@ void write_head(std::ostream& out, const std::vector<Graded>& graded, const Mark
     data["tiles"] = tiles_of(statistics);
     data["distribution"] = distribution_picture(statistics);
     data["outcomes"] = outcomes_of(statistics, graded);
+    PageData doubtful = doubtful_of(graded);
+    data["has_doubtful"] = doubtful.is_non_empty_list();
+    data["doubtful"] = std::move(doubtful);
     PageData shared = most_shared(mistakes);
     data["has_shared"] = shared.is_non_empty_list();
     data["shared"] = std::move(shared);

@@ -163,6 +163,16 @@ TEST(Judge, LetsASystemOfEitherSignFollow) {
     EXPECT_EQ(verdict(matrix, negated_rhs, {8, "rhs"}), "wrong") << "not the sign of its matrix";
 }
 
+TEST(Judge, LetsNanFollowFromAnOwnNegativeDiscriminant) {
+    // c is 6 by mistake, so d is -8, and the program takes its root.
+    const std::map<std::string, std::string> negative = {
+        {"c", "6"}, {"d", "-8"}, {"t", "-nan"}, {"P_s", "vec3(-nan, -nan, -nan)"}, {"N", "vec3(nan, nan, nan)"}};
+    for (const char* name : {"d", "t", "hit"}) EXPECT_EQ(verdict_with(negative, {6, name}), "follow") << name;
+    EXPECT_EQ(verdict_with(negative, {7, "normal"}), "follow");
+    EXPECT_EQ(verdict_with({{"t", "nan"}}, {6, "t"}), "wrong") << "with the right discriminant";
+    EXPECT_EQ(verdict_with({{"t", "nan"}, {"P_s", "vec3(nan, nan, nan)"}}, {6, "hit"}), "wrong");
+}
+
 TEST(Judge, DoesNotAcceptATransposedSystem) {
     EXPECT_EQ(verdict_with({{"A",
                              "mat3x3((0.000000, 2.000000, -2.000000), (0.000000, 4.000000, 4.000000), (1.000000, "
