@@ -70,7 +70,7 @@ bool is_nan(const PrintedValue& value) {
 
 Target printed_target(const MatchedItem& printed, Digits digits) {
     Target target;
-    if (printed.value->numbers.empty() || is_nan(*printed.value)) return no_value();
+    if (printed.value->numbers.empty()) return no_value();
     for (const PrintedNumber& number : by_columns(printed))
         target.components.push_back(rounded_by_stage(enclosure_of(number, digits)));
     if (printed.spec.shape == reference::Shape::vector) target.components.resize(3);

@@ -37,7 +37,7 @@ class ItemTargets {
 bool is_nan(const PrintedValue& value);
 
 /// A readable printed value as a target that can replace the key's: the enclosure that its digits give, widened by the
-/// float error of a stage that computes with it. No value for nan.
+/// float error of a stage that computes with it.
 Target printed_target(const MatchedItem& printed, Digits digits);
 
 Target target_of(const Interval& x);

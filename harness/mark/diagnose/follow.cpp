@@ -31,7 +31,6 @@ std::optional<Agreement> agrees(const MatchedItem& printed, const Target& target
     const bool is_multiplied = is_rhs && evidence.system && evidence.system->is_scaled();
     bool within =
         is_multiplied ? is_rhs_of(*evidence.system) : compare(printed, target, allowance, evidence.min_decimals).within;
-    if (target.no_value) within = within || is_nan(*printed.value);
     if (is_rhs && !evidence.system) within = within || is_rhs_of(negated_form());
     return within ? std::optional(Agreement{}) : std::nullopt;
 }
@@ -67,6 +66,8 @@ std::optional<Agreement> follows_by(const Derivation& derivation, const MatchedI
         for (const QuadraticForm form : {evidence.quadratic.form, QuadraticForm::full}) {
             const std::vector<Target> results = derivation.compute(*known, evidence.scene, form);
             if (const auto agreement = is_one_of(printed, results, evidence, allowance)) return agreement;
+            const bool none = std::any_of(results.begin(), results.end(), [](const Target& t) { return t.no_value; });
+            if (none && is_nan(*printed.value)) return Agreement{};
         }
     }
     return std::nullopt;

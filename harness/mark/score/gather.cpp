@@ -172,7 +172,7 @@ bool Gatherer::is_right_without_matrix(const KeyItem& item, const MatchedItem& p
 
 void Gatherer::remember_own_value(const ItemId& id, const MatchedItem& printed) {
     for (const Digits digits : {Digits::of_stream, Digits::as_printed}) {
-        Target own = printed_target(printed, digits);
+        Target own = is_nan(*printed.value) ? no_value() : printed_target(printed, digits);
         if (id == matrix && !own.no_value) {
             const Target key =
                 target_of(evidence_.key.matrix3(matrix).value_or(reference::Mat3<Interval>(Interval(0.0))));
