@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 
 #include "harness/mark/compare/key_targets.h"
 #include "harness/read/token.h"
@@ -16,6 +17,10 @@ using reference::Shape;
 
 /// Beyond this many numbers the printout is an endless loop's.
 constexpr std::size_t most_numbers = 4000;
+
+/// As many values that are said to be no answers, and lines of words, are looked at.
+constexpr std::size_t most_asides = 500;
+constexpr std::size_t most_lines = 500;
 
 /// A number of the printout, wherever it stands.
 struct Found {
@@ -89,7 +94,7 @@ class Doubter {
                 const auto& own = item.value->numbers;
                 const bool is_own =
                     std::any_of(own.begin(), own.end(), [&](const PrintedNumber& x) { return same(x, found.number); });
-                if (is_own) answered_.push_back(found.number.value);
+                if (is_own && !std::isnan(found.number.value)) answered_.push_back(found.number.value);
                 if (!within || !is_own || item.unreadable) continue;
                 found.in_answer = true;
                 found.in_right_answer = found.in_right_answer || is_right(id_of(item.spec));
@@ -102,11 +107,14 @@ class Doubter {
         std::sort(answered_.begin(), answered_.end());
         std::set<std::pair<int, int>> asides;  // first and last lines
         std::set<int> with_values;
+        std::size_t seen = 0;
         for (const Section& section : transcript_.sections) {
             for (const PrintedValue& value : section.values) {
+                if (++seen > most_numbers) break;
                 for (int line = value.line; line <= value.last_line; ++line) with_values.insert(line);
                 const auto& items = key_.questions.front().items;
-                if (fit_label(value.label, value.above, items.front().spec) == LabelFit::forbidden)
+                if (asides.size() < most_asides &&
+                    fit_label(value.label, value.above, items.front().spec) == LabelFit::forbidden)
                     asides.insert({value.line, value.last_line});
             }
         }
@@ -212,7 +220,7 @@ class Doubter {
         if (!in_words) return 0;
         for (const Section& section : transcript_.sections) {
             if (!may_be_of(section.question, item)) continue;
-            for (const PrintedLine& line : section.lines) {
+            for (const PrintedLine& line : std::span(section.lines).first(std::min(section.lines.size(), most_lines))) {
                 const bool words = std::any_of(line.text.begin(), line.text.end(), is_letter);
                 const bool read = std::any_of(section.values.begin(), section.values.end(), [&](const PrintedValue& v) {
                     return v.line <= line.number && line.number <= v.last_line;
