@@ -319,7 +319,7 @@ MatrixOrder matrix_order(std::string_view label) {
 
 bool is_row_label(std::string_view label) {
     static const RE2 pattern(
-        R"((?i)^\W*(?:(?:(?:the|of|matrix|mat|a|m)\s+)*(?:row|col|column|r|c|line|m|a|mat|eq|equation)\W*(?:no\W*|nr\W*|#)?\d(?:\W+-?[tuvxyz])?|\d|(?:first|second|third|fourth|1st|2nd|3rd|4th)\s+(?:row|col|column)|M\w*\[\d\]|[-]?[tuv]\s+col(?:umn)?|col(?:umn)?\s+[-]?[tuvxyz]|-\s*V|B\s*-\s*A|C\s*-\s*A|e1|e2|edge\s*[12])\W*$)");
+        R"((?i)^\W*(?:(?:(?:the|of|matrix|mat|a|m)\s+)*(?:row|col|column|r|c|line|m|a|mat|eq|equation)\W*(?:no\W*|nr\W*|#)?\d(?:\W+-?[tuvxyz])?|\d|row|col(?:umn)?|(?:first|second|third|fourth|1st|2nd|3rd|4th)\s+(?:row|col|column)|M\w*\[\d\]|[-]?[tuv]\s+col(?:umn)?|col(?:umn)?\s+[-]?[tuvxyz]|-\s*V|B\s*-\s*A|C\s*-\s*A|e1|e2|edge\s*[12])\W*$)");
     return RE2::FullMatch(re2::StringPiece(label.data(), label.size()), pattern) || !matrix_of_row(label).empty();
 }
 

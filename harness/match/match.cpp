@@ -43,26 +43,38 @@ bool announces_correction(const Section& section) {
     });
 }
 
-/// Whether two sections one behind the other belong to one printing, as "6a" and "6b" do. The same names mean another
-/// printing.
-bool goes_on_in(const Section& before, const Section& section) {
-    const auto same_name = [](const PrintedValue& a, const PrintedValue& b) {
-        const std::string& name = a.label.empty() ? a.above : a.label;
-        return !name.empty() && name == (b.label.empty() ? b.above : b.label);
+/// Whether two sections one behind the other belong to one printing, as "6a" and "6b" do. An item that is printed by
+/// the same name in both means another printing.
+bool goes_on_in(const Section& before, const Section& section, Fits& fits) {
+    if (before.question != section.question) return false;
+    const auto name_of = [](const PrintedValue& value) { return value.label.empty() ? value.above : value.label; };
+    const auto names_an_item = [&](const PrintedValue& value) {
+        const auto items = reference::all_items();
+        return std::any_of(items.begin(), items.end(), [&](const ItemSpec& item) {
+            return item.question == section.question && has_shape(value, item) && fits(value, item) >= LabelFit::title;
+        });
     };
-    const bool same_names =
-        std::equal(before.values.begin(), before.values.end(), section.values.begin(), section.values.end(), same_name);
-    return before.question == section.question && (before.values.empty() || !same_names);
+    constexpr std::size_t most = 32;  // a printing has no more answers to a question
+    const auto first = [&](const Section& each) {
+        return std::span(each.values).first(std::min(each.values.size(), most));
+    };
+    for (const PrintedValue& value : first(section)) {
+        if (name_of(value).empty() || !names_an_item(value)) continue;
+        for (const PrintedValue& earlier : first(before)) {
+            if (name_of(earlier) == name_of(value) && earlier.numbers.size() == value.numbers.size()) return false;
+        }
+    }
+    return true;
 }
 
 /// For each section, how much the printing counts that it belongs to, when the program printed questions more than
 /// once: the first printing counts more than later ones, e.g. of another pixel, but less than corrections.
-std::vector<int> ranks_of(const std::vector<Section>& sections) {
+std::vector<int> ranks_of(const std::vector<Section>& sections, Fits& fits) {
     std::vector<int> ranks;
     std::set<int> printed;  ///< in this printing
     int rank = 0, highest = 0, lowest = 0;
     for (std::size_t i = 0; i < sections.size(); ++i) {
-        const bool goes_on = i > 0 && goes_on_in(sections[i - 1], sections[i]);
+        const bool goes_on = i > 0 && goes_on_in(sections[i - 1], sections[i], fits);
         if (!goes_on && !printed.insert(sections[i].question).second) {
             printed = {sections[i].question};
             rank = announces_correction(sections[i - 1]) ? ++highest : --lowest;
@@ -74,12 +86,13 @@ std::vector<int> ranks_of(const std::vector<Section>& sections) {
 
 /// The values under a question's headings. Consecutive "6a" and "6b" form one part. If the program comes back to the
 /// question later, that is a new part. The part that counts most comes last.
-void collect_parts(Question& question, const std::vector<Section>& sections, const std::vector<int>& ranks) {
+void collect_parts(Question& question, const std::vector<Section>& sections, const std::vector<int>& ranks,
+                   Fits& fits) {
     std::vector<std::pair<int, std::vector<PrintedValue>>> parts;
     for (std::size_t i = 0; i < sections.size(); ++i) {
         if (sections[i].question == question.number) {
             question.has_heading = true;
-            if (i == 0 || !goes_on_in(sections[i - 1], sections[i]))
+            if (i == 0 || !goes_on_in(sections[i - 1], sections[i], fits))
                 parts.emplace_back(ranks[i], std::vector<PrintedValue>());
             std::vector<PrintedValue>& part = parts.back().second;
             part.insert(part.end(), sections[i].values.begin(), sections[i].values.end());
@@ -116,9 +129,9 @@ void answer_first(const Section& section, std::span<Question> questions, Fits& f
 }
 
 void answer_all(std::vector<Question>& questions, const std::vector<Section>& sections, Fits& fits) {
-    const std::vector<int> ranks = ranks_of(sections);
+    const std::vector<int> ranks = ranks_of(sections, fits);
     for (Question& question : questions) {
-        collect_parts(question, sections, ranks);
+        collect_parts(question, sections, ranks, fits);
         if (question.has_heading)
             question.answers = answer_question(question.items, question.parts, Need::order_or_label, fits);
     }
