@@ -66,7 +66,8 @@ TEST(Match, TakesTheFirstOfSeveralPrintingsUnlessALaterOneCorrectsIt) {
 }
 
 TEST(Match, JoinsThePartsOfAQuestion) {
-    EXPECT_EQ(found("Q8> row: 1 2 3\nQ8> row: 4 5 6\nQ8> row: 7 8 9\n"), "8.matrix: 1 2 3 4 5 6 7 8 9 @1\n");
+    EXPECT_EQ(found("Q8> row: 1 2 3\nQ8> row: 4 5 6\nQ8> row: 7 8 9\n"),
+              "8.matrix: (1 4 7) (2 5 8) (3 6 9) by rows @1\n");
     EXPECT_EQ(found("Question 6a:\na = 3.4\nQuestion 6b:\nb = 0.6\n"), "6.a: 3.4 @2\n6.b: 0.6 @4\n");
 }
 
