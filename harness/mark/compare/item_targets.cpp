@@ -63,9 +63,8 @@ std::optional<reference::Mat4<Interval>> ItemTargets::matrix4(const ItemId& id) 
 }
 
 bool is_nan(const PrintedValue& value) {
-    return !value.numbers.empty() && std::all_of(value.numbers.begin(), value.numbers.end(), [](const PrintedNumber& x) {
-        return std::isnan(x.value);
-    });
+    return !value.numbers.empty() && std::all_of(value.numbers.begin(), value.numbers.end(),
+                                                 [](const PrintedNumber& x) { return std::isnan(x.value); });
 }
 
 Target printed_target(const MatchedItem& printed, Digits digits) {
