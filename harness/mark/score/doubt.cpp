@@ -182,30 +182,42 @@ class Doubter {
         return key_.questions.front().items.front();
     }
 
-    /// The line where numbers that are not understood are right for the item; 0 if there is none. A single number must
-    /// have three digits and stand in the item's question: others are right by chance too often.
+    /// The line where numbers that are not understood are right for the item; 0 if there is none.
     int line_of_right_value(const ItemScore& item) const {
         const std::size_t size = numbers_of(item.spec.shape);
-        const reference::KeyItem& key = key_item(item.spec);
-        for (std::size_t i = 0; size > 0 && i + size <= numbers_.size(); ++i) {
-            const auto begin = numbers_.begin() + static_cast<std::ptrdiff_t>(i);
-            const auto end = begin + static_cast<std::ptrdiff_t>(size);
-            if (size == 1 && (!may_be_of(begin->question, item) || begin->number.significant < 3)) continue;
-            const auto is_free = [&](const Found& found) {
-                return is_left(found) || (may_be_of(found.question, item) && !found.in_right_answer && !found.is_aside);
-            };
-            const bool tells_nothing = std::all_of(begin, end, [](const Found& found) {
-                return found.number.value == 0 || std::abs(found.number.value) == 1;
-            });
-            if (tells_nothing || std::none_of(begin, end, is_free)) continue;
-            MatchedItem read{item.spec, PrintedValue(), MatrixOrder::unsaid, {}, false};
-            for (auto found = begin; found != end; ++found) read.value->numbers.push_back(found->number);
-            for (const reference::Answer& answer : key.answers) {
-                const Target target = target_with_allowance(key, answer, rubric_);
-                if (!target.no_value && compare(read, target, 0, rubric_.min_decimals).within) return begin->line;
+        if (size == 0) return 0;
+        // A vector may also be a column of a block with three or four columns.
+        for (const std::size_t stride : {std::size_t{1}, std::size_t{3}, std::size_t{4}}) {
+            if (stride > 1 && size != 3) break;
+            for (std::size_t i = 0; i + (size - 1) * stride < numbers_.size(); ++i) {
+                if (is_right_value(item, i, stride)) return numbers_[i].line;
             }
         }
         return 0;
+    }
+
+    /// Whether the numbers from `first` on, a stride apart, are right for the item and are not understood. A single
+    /// number must have three digits and stand in the item's question: others are right by chance too often.
+    bool is_right_value(const ItemScore& item, std::size_t first, std::size_t stride) const {
+        std::vector<const Found*> found;
+        for (std::size_t k = 0; k < numbers_of(item.spec.shape); ++k) found.push_back(&numbers_[first + k * stride]);
+        const bool is_own = may_be_of(found.front()->question, item);
+        if (found.size() == 1 && (!is_own || found.front()->number.significant < 3)) return false;
+        const auto is_free = [&](const Found* each) {
+            return is_left(*each) || (may_be_of(each->question, item) && !each->in_right_answer && !each->is_aside);
+        };
+        const auto is_plain = [](const Found* each) {
+            return each->number.value == 0 || std::abs(each->number.value) == 1;
+        };
+        if (std::all_of(found.begin(), found.end(), is_plain) || std::none_of(found.begin(), found.end(), is_free))
+            return false;
+        MatchedItem read{item.spec, PrintedValue(), MatrixOrder::unsaid, {}, false};
+        for (const Found* each : found) read.value->numbers.push_back(each->number);
+        const reference::KeyItem& key = key_item(item.spec);
+        return std::any_of(key.answers.begin(), key.answers.end(), [&](const reference::Answer& answer) {
+            const Target target = target_with_allowance(key, answer, rubric_);
+            return !target.no_value && compare(read, target, 0, rubric_.min_decimals).within;
+        });
     }
 
     /// A line of words in the item's question, where there is no value and the right answer is in words.

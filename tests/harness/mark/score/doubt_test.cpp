@@ -45,6 +45,15 @@ TEST(Doubt, SaysWhereTheRightValueStands) {
     EXPECT_EQ(in_pieces->line, 3);
 }
 
+TEST(Doubt, SeesTheColumnsOfABlock) {
+    // The axes are the columns, read as the rows.
+    const auto doubt =
+        doubt_of("Question 2:\n0.927345 0.045822 0.371391\n-0.151241 0.953698 0.259973\n-0.342282 -0.297255 0.891338\n",
+                 {2, "Y_vcs"});
+    ASSERT_TRUE(doubt);
+    EXPECT_EQ(doubt->why, Doubt::Why::right_elsewhere);
+}
+
 TEST(Doubt, SaysWhichNumbersWereLeft) {
     const auto doubt = doubt_of("Question 7:\nsomething 0.1 something 0.2 something 0.3\n", {7, "normal"});
     ASSERT_TRUE(doubt);
