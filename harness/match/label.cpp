@@ -290,24 +290,17 @@ std::vector<std::size_t> listed_items(std::string_view label, std::span<const It
     return listed.size() >= 2 ? listed : std::vector<std::size_t>();
 }
 
-namespace {
-
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> list) {
-    return std::find(list.begin(), list.end(), word) != list.end();
-}
-
-}  // namespace
-
 MatrixOrder matrix_order(std::string_view label) {
+    static const Vocabulary of_rows = {"row",   "rows",  "rowwise", "transpose", "transposed",
+                                       "zeile", "reihe", "ligne",   "fila",      "renglón"};
+    static const Vocabulary of_columns = {"column",     "columns", "col",     "cols",
+                                          "columnwise", "spalte",  "colonne", "columna"};
     const Words words = split_words(label);
     bool rows = false;
     bool columns = false;
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::string_view token = words[i];
-        rows = rows || is_one_of(token, {"row", "rows", "rowwise", "transpose", "transposed", "zeile", "reihe", "ligne",
-                                         "fila", "renglón"});
-        columns = columns ||
-                  is_one_of(token, {"column", "columns", "col", "cols", "columnwise", "spalte", "colonne", "columna"});
+        rows = rows || of_rows.contains(words[i]);
+        columns = columns || of_columns.contains(words[i]);
     }
     // A label that says what the columns mean, such as "matrix (columns are t, u, v)", says nothing about the order of
     // printing.

@@ -67,10 +67,14 @@ bool goes_on_in(const Section& before, const Section& section, Fits& fits) {
     return true;
 }
 
-/// For each section, how much the printing counts that it belongs to, when the program printed questions more than
-/// once: the first printing counts more than later ones, e.g. of another pixel, but less than corrections.
-std::vector<int> ranks_of(const std::vector<Section>& sections, Fits& fits) {
-    std::vector<int> ranks;
+/// Where a section stands when the program printed questions more than once.
+struct Place {
+    int rank;      ///< the first printing counts more than later ones, e.g. of another pixel, but less than corrections
+    bool goes_on;  ///< with the section before it
+};
+
+std::vector<Place> places_of(const std::vector<Section>& sections, Fits& fits) {
+    std::vector<Place> places;
     std::set<int> printed;  ///< in this printing
     int rank = 0, highest = 0, lowest = 0;
     for (std::size_t i = 0; i < sections.size(); ++i) {
@@ -79,21 +83,19 @@ std::vector<int> ranks_of(const std::vector<Section>& sections, Fits& fits) {
             printed = {sections[i].question};
             rank = announces_correction(sections[i - 1]) ? ++highest : --lowest;
         }
-        ranks.push_back(rank);
+        places.push_back({rank, goes_on});
     }
-    return ranks;
+    return places;
 }
 
 /// The values under a question's headings. Consecutive "6a" and "6b" form one part. If the program comes back to the
 /// question later, that is a new part. The part that counts most comes last.
-void collect_parts(Question& question, const std::vector<Section>& sections, const std::vector<int>& ranks,
-                   Fits& fits) {
+void collect_parts(Question& question, const std::vector<Section>& sections, const std::vector<Place>& places) {
     std::vector<std::pair<int, std::vector<PrintedValue>>> parts;
     for (std::size_t i = 0; i < sections.size(); ++i) {
         if (sections[i].question == question.number) {
             question.has_heading = true;
-            if (i == 0 || !goes_on_in(sections[i - 1], sections[i], fits))
-                parts.emplace_back(ranks[i], std::vector<PrintedValue>());
+            if (!places[i].goes_on) parts.emplace_back(places[i].rank, std::vector<PrintedValue>());
             std::vector<PrintedValue>& part = parts.back().second;
             part.insert(part.end(), sections[i].values.begin(), sections[i].values.end());
         }
@@ -129,9 +131,9 @@ void answer_first(const Section& section, std::span<Question> questions, Fits& f
 }
 
 void answer_all(std::vector<Question>& questions, const std::vector<Section>& sections, Fits& fits) {
-    const std::vector<int> ranks = ranks_of(sections, fits);
+    const std::vector<Place> places = places_of(sections, fits);
     for (Question& question : questions) {
-        collect_parts(question, sections, ranks, fits);
+        collect_parts(question, sections, places);
         if (question.has_heading)
             question.answers = answer_question(question.items, question.parts, Need::order_or_label, fits);
     }

@@ -11,7 +11,7 @@ using Kind = Token::Kind;
 
 /// What stands between two numbers.
 struct Gap {
-    std::string form;              ///< in lower case, with '#' for a component's name; empty if it separates no list
+    std::string form;              ///< its text, with '#' for a component's name; empty if it separates no list
     std::optional<int> component;  ///< the name in it: 0 to 3 for x, y, z, w, or 0 to 2 for i, j, k
     bool negates = false;          ///< it ends with the minus sign of the next number
 };
@@ -88,17 +88,11 @@ std::optional<int> names_side(const List& list) {
     return std::nullopt;
 }
 
-/// Whether the number is the index in "[0] = 1.5".
-bool is_index(const std::vector<Token>& tokens, std::size_t i) {
-    return i > 0 && i + 2 < tokens.size() && tokens[i - 1].kind == Kind::open && tokens[i + 1].kind == Kind::close &&
-           tokens[i + 2].kind == Kind::equals;
-}
-
 std::vector<List> lists_of(const std::vector<Token>& tokens, std::string_view line) {
     std::vector<List> lists;
     std::optional<std::size_t> before;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
-        if (tokens[i].kind != Kind::number || is_index(tokens, i)) continue;
+        if (tokens[i].kind != Kind::number || is_bracketed_index(tokens, i)) continue;
         if (before) {
             Gap gap = gap_of(line.substr(tokens[*before].end, tokens[i].begin - tokens[*before].end));
             const bool goes_on =
@@ -121,7 +115,7 @@ std::vector<List> lists_of(const std::vector<Token>& tokens, std::string_view li
 /// "[0] =".
 std::optional<std::size_t> name_beside(const std::vector<Token>& tokens, std::string_view line, std::size_t from,
                                        int step, int component) {
-    if (step < 0 && from >= 4 && is_index(tokens, from - 3) && tokens[from - 3].number.value == component)
+    if (step < 0 && from >= 4 && is_bracketed_index(tokens, from - 3) && tokens[from - 3].number.value == component)
         return from - 4;
     for (int distance = 1; distance <= 2; ++distance) {
         const std::size_t at = from + static_cast<std::size_t>(step * distance);
@@ -133,6 +127,11 @@ std::optional<std::size_t> name_beside(const std::vector<Token>& tokens, std::st
 }
 
 }  // namespace
+
+bool is_bracketed_index(const std::vector<Token>& tokens, std::size_t i) {
+    return i > 0 && i + 2 < tokens.size() && tokens[i].kind == Kind::number && tokens[i - 1].kind == Kind::open &&
+           tokens[i + 1].kind == Kind::close && tokens[i + 2].kind == Kind::equals;
+}
 
 OwnSeparators::OwnSeparators(const std::vector<std::string_view>& lines) {
     constexpr int fewest = 3;

@@ -11,6 +11,9 @@
 
 namespace harness {
 
+/// Whether token i is the index in "[0] = 1.5".
+bool is_bracketed_index(const std::vector<Token>& tokens, std::size_t i);
+
 /// A program prints all its lists through the same lines of code. So what stands between the numbers of three lists,
 /// the same within each list, separates numbers everywhere in its output.
 class OwnSeparators {

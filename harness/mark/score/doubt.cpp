@@ -8,7 +8,7 @@
 #include <span>
 
 #include "harness/mark/compare/key_targets.h"
-#include "harness/read/token.h"
+#include "harness/read/own_separators.h"
 
 namespace harness {
 namespace {
@@ -70,16 +70,13 @@ class Doubter {
 
   private:
     void list_numbers() {
+        for (const Section& section : transcript_.sections) headings_.insert(section.question);
         for (const Section& section : transcript_.sections) {
-            headings_.insert(section.question);
             for (const PrintedLine& line : section.lines) {
+                if (numbers_.size() >= most_numbers) return;
                 const std::vector<Token> tokens = tokenize(line.text);
                 for (std::size_t i = 0; i < tokens.size(); ++i) {
-                    const bool in_brackets = i > 0 && i + 2 < tokens.size() &&
-                                             tokens[i - 1].kind == Token::Kind::open &&
-                                             tokens[i + 1].kind == Token::Kind::close;
-                    const bool is_index = in_brackets && tokens[i + 2].kind == Token::Kind::equals;
-                    if (tokens[i].kind == Token::Kind::number && !is_index && numbers_.size() < most_numbers)
+                    if (tokens[i].kind == Token::Kind::number && !is_bracketed_index(tokens, i))
                         numbers_.push_back({tokens[i].number, section.question, line.number});
                 }
             }
@@ -223,12 +220,11 @@ class Doubter {
     /// A line of words in the item's question, where there is no value and the right answer is in words.
     int line_of_words(const ItemScore& item) const {
         if (item.verdict != ItemVerdict::missing) return 0;
-        const bool in_words =
-            item.spec.shape == Shape::verdict ||
-            std::any_of(key_item(item.spec).answers.begin(), key_item(item.spec).answers.end(),
-                        [&](const reference::Answer& answer) {
-                            return target_with_allowance(key_item(item.spec), answer, rubric_).no_value;
-                        });
+        const reference::KeyItem& key = key_item(item.spec);
+        const bool in_words = item.spec.shape == Shape::verdict ||
+                              std::any_of(key.answers.begin(), key.answers.end(), [&](const reference::Answer& answer) {
+                                  return target_with_allowance(key, answer, rubric_).no_value;
+                              });
         if (!in_words) return 0;
         for (const Section& section : transcript_.sections) {
             if (!may_be_of(section.question, item)) continue;

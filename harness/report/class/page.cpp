@@ -12,6 +12,7 @@
 #include "harness/report/class/wrong_answers.h"
 #include "harness/report/page/page_template.h"
 #include "harness/report/page/templates.h"
+#include "harness/report/text/sentences.h"
 #include "harness/report/text/verdict_words.h"
 #include "harness/text/points.h"
 
@@ -54,13 +55,12 @@ PageData outcomes_of(const ClassStatistics& statistics, const std::vector<Graded
 PageData doubtful_of(const std::vector<Graded>& graded) {
     PageData list(PageData::type::list);
     for (std::size_t i = 0; i < graded.size(); ++i) {
-        for (const Flag& flag : graded[i].flags) {
-            if (flag.kind != "reading_doubtful") continue;
-            PageData one;
-            one["who"] = links_to({i}, graded);
-            one["why"] = flag.evidence;
-            list.push_back(one);
-        }
+        const std::string why = doubtful_reading(graded[i]);
+        if (why.empty()) continue;
+        PageData one;
+        one["who"] = links_to({i}, graded);
+        one["why"] = why;
+        list.push_back(one);
     }
     return list;
 }

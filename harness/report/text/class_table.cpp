@@ -9,6 +9,7 @@
 #include "harness/grade/final_mark.h"
 #include "harness/grade/override_place.h"
 #include "harness/report/text/columns.h"
+#include "harness/report/text/sentences.h"
 #include "harness/text/points.h"
 
 namespace harness::report {
@@ -98,11 +99,10 @@ std::string doubtful(const std::vector<Graded>& graded) {
     std::string who;
     int count = 0;
     for (const Graded& one : graded) {
-        for (const Flag& flag : one.flags) {
-            if (flag.kind != "reading_doubtful") continue;
-            who += fmt::format("  {}: {}\n", one_line(one.submission.id), one_line(flag.evidence));
-            ++count;
-        }
+        const std::string why = doubtful_reading(one);
+        if (why.empty()) continue;
+        who += fmt::format("  {}: {}\n", one_line(one.submission.id), one_line(why));
+        ++count;
     }
     if (count == 0) return "";
     return fmt::format("\n{} of {} to look at, because an answer may have been misread:\n{}", count, graded.size(),

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "harness/grade/final_mark.h"
@@ -60,6 +61,12 @@ std::string reason_for_student(const Submission& submission) {
         problem.erase(at, folder.size());
     }
     return problem;
+}
+
+std::string doubtful_reading(const Graded& graded) {
+    const auto found = std::find_if(graded.flags.begin(), graded.flags.end(),
+                                    [](const Flag& flag) { return flag.kind == "reading_doubtful"; });
+    return found == graded.flags.end() ? "" : found->evidence;
 }
 
 std::string flag_title(const Flag& flag) {

@@ -20,6 +20,9 @@ std::string cap_sentence(double cap);
 /// both in the class table. May hold the student's own file names.
 std::string reason_for_student(const Submission& submission);
 
+/// Why answers of the submission may have been misread; empty if none may.
+std::string doubtful_reading(const Graded& graded);
+
 /// What a flag means, as a sentence.
 std::string flag_title(const Flag& flag);
 
