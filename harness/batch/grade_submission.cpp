@@ -7,11 +7,13 @@
 #include <system_error>
 #include <utility>
 
+#include "harness/batch/own_scene_score.h"
 #include "harness/batch/repetition.h"
 #include "harness/machine/errors.h"
 #include "harness/mark/score/doubt.h"
 #include "harness/read/transcript.h"
 #include "harness/run/sanitizer.h"
+#include "harness/scenes/source/written_answers.h"
 
 namespace harness {
 namespace {
@@ -121,6 +123,18 @@ std::shared_ptr<const Score> read_and_score(const std::string& output, const Mar
     return known;
 }
 
+/// Adds what the source tells about the answers: that they belong to another scene, or that they stand in it.
+void judge_by_source(Graded& graded, const std::string& source, const std::string& output, const Marking& marking) {
+    if (auto own = score_on_own_scene(graded.score, output, source, marking)) {
+        graded.score = std::move(own->score);
+        graded.flags.push_back({"other_scene", own->scene.cause + "; answers belong to that scene."});
+        graded.own_scene = std::move(own->scene);
+    }
+    const auto written = scenes::printed_constants(source, graded.score, marking.assignment.scene);
+    if (written.size() >= scenes::fewest_written)
+        graded.flags.push_back({"hard_coded", scenes::written_evidence(written)});
+}
+
 }  // namespace
 
 Graded grade(const Submission& submission, const Marking& marking, const Runner& runner) {
@@ -146,9 +160,10 @@ Graded mark(const Submission& submission, const Executions& executions, const Ma
              is_same ? *score : *read_and_score(each.run.output, marking, nullptr, timeline, submission.id)});
     }
     if (const auto evidence = difference(repetitions)) graded.flags.push_back({"nondeterministic", *evidence});
-    if (const std::string doubts = doubts_text(*score); !doubts.empty())
-        graded.flags.push_back({"reading_doubtful", doubts});
     graded.score = *score;
+    judge_by_source(graded, submission.source, first.run.output, marking);
+    if (const std::string doubts = doubts_text(graded.score); !doubts.empty())
+        graded.flags.push_back({"reading_doubtful", doubts});
     graded.build = first.build;
     graded.run = first.run;
     release(graded.run.output);  // up to a mebibyte, no longer needed: the score holds the answers

@@ -38,12 +38,19 @@ std::string_view limit_name(Ended ended);
 
 /// A finding that a person should look at. It does not change the mark.
 struct Flag {
-    std::string kind;      ///< "nondeterministic", "hard_coded", "variants_not_tried" or "reading_doubtful"
+    /// "nondeterministic", "hard_coded", "other_scene", "variants_not_tried" or "reading_doubtful"
+    std::string kind;
     std::string evidence;  ///< a sentence
 };
 
 /// The `item`, with question 0, of an override of the points for other scenes. People write it this way too.
 inline constexpr std::string_view other_scenes_place = "variants";
+
+/// The scene that a source states in place of the assignment's, and to which its wrong answers belong.
+struct OwnScene {
+    std::string toml;   ///< its tables in an assignment file
+    std::string cause;  ///< "Your source sets center = (1, 1, 1) where the assignment has (1, 1, 0)"
+};
 
 /// Replaces an automatic mark. The automatic mark is still shown beside it.
 struct Override {
@@ -68,6 +75,7 @@ struct Graded {
     std::optional<scenes::OtherScenesReport> other_scenes;  ///< with --variants; empty if not tried
     std::optional<scenes::HardScenesReport> hard_scenes;    ///< with --stress; empty if not tried
     Score score;                                            ///< all items missing if nothing was printed
+    std::optional<OwnScene> own_scene;                      ///< empty if the answers belong to the assignment's scene
     double late_share = 0;                                  ///< share of its points lost for lateness; 0 if on time
     std::vector<Override> overrides;  ///< the instructor's, oldest first; final_mark decides which count
 };

@@ -43,6 +43,9 @@ std::string_view to_string(Lms system) {
 auto row(Flag& flag) {
     return std::tie(flag.kind, flag.evidence);
 }
+auto row(OwnScene& scene) {
+    return std::tie(scene.toml, scene.cause);
+}
 auto row(Submitter& one) {
     return std::tie(one.name, one.sid, one.email);
 }
@@ -156,6 +159,7 @@ void fields(Archive& at, Graded& graded) {
     at.unless_default("flags", graded.flags);
     at.unless_default("sanitizer", graded.sanitizer);
     at.unless_default("late_share", graded.late_share);
+    at.unless_default("own_scene", graded.own_scene);
     at.unless_default("other_scenes", graded.other_scenes);
     at.unless_default("stress", graded.hard_scenes);
 }

@@ -67,7 +67,7 @@ Runner open_runner(const RunnerOptions& options, const std::vector<reference::Li
 
 std::string execution_key(const std::string& source, const Runner& runner, const std::string& which) {
     // Raise the number when programs are compiled or run differently, e.g. in another environment.
-    Fingerprint fingerprint("raygrade/execution/2");
+    Fingerprint fingerprint("raygrade/execution/3");
     fingerprint.add(runner.toolchain).add(to_string(runner.sandbox->tier()));
     add_words(fingerprint, runner.build.flags);
     add_words(fingerprint, runner.build.linker);

@@ -26,6 +26,9 @@ struct Rubric {
     BoundaryPolicy boundary = BoundaryPolicy::either;
     /// Credit for an answer that follows from an earlier mistake, as a share of its points, 0 to 1.
     double follow_through = 1.0;
+    /// The same for an answer that is right for the scene that the student's source states in place of the
+    /// assignment's.
+    double wrong_scene_credit = 0.5;
     /// The most that all such answers of a submission together may earn, as a share of its points, 0 to 1. Beyond it
     /// each of them earns proportionally less.
     double follow_through_cap = 1.0;

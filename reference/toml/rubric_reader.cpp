@@ -81,7 +81,7 @@ void read_tolerance(const TomlTable& table, Rubric& rubric) {
 
 Rubric read_rubric(const TomlTable& table) {
     table.allow_only({"pixel_conventions", "boundary", "follow_through", "follow_through_cap", "late_deduction",
-                      "min_decimals", "points", "show_expected", "tolerance", "variant_points"});
+                      "min_decimals", "points", "show_expected", "tolerance", "variant_points", "wrong_scene_credit"});
     Rubric rubric;
     if (table.has("pixel_conventions")) {
         rubric.pixel_conventions.clear();
@@ -101,6 +101,7 @@ Rubric read_rubric(const TomlTable& table) {
     }
     if (table.has("follow_through")) rubric.follow_through = read_amount(table, "follow_through", 0, 1);
     if (table.has("follow_through_cap")) rubric.follow_through_cap = read_amount(table, "follow_through_cap", 0, 1);
+    if (table.has("wrong_scene_credit")) rubric.wrong_scene_credit = read_amount(table, "wrong_scene_credit", 0, 1);
     if (table.has("late_deduction")) rubric.late_deduction = read_amount(table, "late_deduction", 0, 1);
     if (table.has("variant_points")) rubric.other_scene_points = read_amount(table, "variant_points", 0, most_points);
     if (table.has("min_decimals")) rubric.min_decimals = table.integer("min_decimals", 0, 9);

@@ -8,11 +8,11 @@
 namespace harness {
 namespace {
 
-/// `follow` is the share that a follow-through answer earns.
-double share_of(ItemVerdict verdict, double follow) {
-    switch (verdict) {
+/// The share of its points that an answer earns before the rubric's cap.
+double share_of(const ItemScore& item, const reference::Rubric& rubric) {
+    switch (item.verdict) {
         case ItemVerdict::right: return 1.0;
-        case ItemVerdict::follow: return follow;
+        case ItemVerdict::follow: return item.credit.value_or(rubric.follow_through);
         case ItemVerdict::wrong:
         case ItemVerdict::missing:
         case ItemVerdict::unreadable: return 0.0;
@@ -30,6 +30,14 @@ int rank(ItemVerdict verdict) {
         case ItemVerdict::wrong: return 3;
     }
     return 3;
+}
+
+ItemVerdict worst_verdict(const std::vector<ItemScore>& items) {
+    ItemVerdict worst = ItemVerdict::right;
+    for (const ItemScore& item : items) {
+        if (rank(item.verdict) > rank(worst)) worst = item.verdict;
+    }
+    return worst == ItemVerdict::unreadable ? ItemVerdict::wrong : worst;
 }
 
 /// The item's points as the rubric lists them; else an equal share of the question's points.
@@ -54,26 +62,28 @@ QuestionScore judge_question(const reference::KeyQuestion& question, const Judge
         learn(evidence, judgement);
         ItemScore judged = std::move(judgement.score);
         judged.max_points = item_points(rubric, question, item.spec);
-        if (rank(judged.verdict) > rank(score.verdict)) score.verdict = judged.verdict;
         score.items.push_back(std::move(judged));
     }
-    if (score.verdict == ItemVerdict::unreadable) score.verdict = ItemVerdict::wrong;
+    score.verdict = worst_verdict(score.items);
     return score;
 }
 
-/// The full points of all follow-through answers, before the follow-through share applies.
-double followed_points(const Score& score) {
+/// The points of all follow-through answers before the rubric's cap.
+double followed_points(const Score& score, const reference::Rubric& rubric) {
     double sum = 0;
     for (const QuestionScore& question : score.questions) {
-        for (const ItemScore& item : question.items) sum += item.verdict == ItemVerdict::follow ? item.max_points : 0.0;
+        for (const ItemScore& item : question.items)
+            sum += item.verdict == ItemVerdict::follow ? item.max_points * share_of(item, rubric) : 0.0;
     }
     return sum;
 }
 
-void award(QuestionScore& question, double follow) {
+/// `cut` is the share of follow-through points that the rubric's cap leaves.
+void award(QuestionScore& question, const reference::Rubric& rubric, double cut) {
     double lost = 0;  // subtracted from the maximum, so that a question without a mistake gets exactly its points
     for (ItemScore& item : question.items) {
-        item.points = item.max_points * share_of(item.verdict, follow);
+        const double left = item.verdict == ItemVerdict::follow ? cut : 1.0;
+        item.points = item.max_points * share_of(item, rubric) * left;
         lost += item.max_points - item.points;
     }
     const bool nothing = std::all_of(question.items.begin(), question.items.end(),
@@ -82,17 +92,43 @@ void award(QuestionScore& question, double follow) {
 }
 
 void award_points(Score& score, const reference::Rubric& rubric) {
-    double follow = rubric.follow_through;
-    const double followed = followed_points(score) * follow;
+    const double followed = followed_points(score, rubric);
     const double cap = rubric.follow_through_cap * score.max_points;
+    double cut = 1.0;
+    score.follow_cap.reset();
+    score.points = 0;
     if (followed > cap) {
         score.follow_cap = cap;
-        follow *= cap / followed;
+        cut = cap / followed;
     }
     for (QuestionScore& question : score.questions) {
-        award(question, follow);
+        award(question, rubric, cut);
         score.points += question.points;
     }
+}
+
+/// Whether an answer says more than yes or no, so that it is hardly right by chance.
+bool is_number(const ItemScore& item) {
+    return item.spec.shape != reference::Shape::verdict && !item.no_value && !item.printed.empty();
+}
+
+bool is_right(const ItemScore& item) {
+    return item.verdict == ItemVerdict::right;
+}
+
+/// What an answer that is not right for the assignment is, given its score under the scene of the student's source.
+ItemScore explained(const ItemScore& item, const ItemScore& own, const reference::Rubric& rubric) {
+    const bool follows_there = own.verdict == ItemVerdict::right || own.verdict == ItemVerdict::follow;
+    const double credit = rubric.wrong_scene_credit * (is_right(own) ? 1.0 : rubric.follow_through);
+    ItemScore result = item;
+    if (is_right(own)) result.doubt.reset();
+    if (item.verdict == ItemVerdict::follow && (!follows_there || rubric.follow_through >= credit)) return result;
+    result.diagnosis = follows_there ? another_scene : own.diagnosis;
+    result.advice = follows_there ? "" : own.advice;
+    if (!follows_there) return result;
+    result.verdict = ItemVerdict::follow;
+    result.credit = credit;
+    return result;
 }
 
 }  // namespace
@@ -136,6 +172,31 @@ Score score(const Transcript& transcript, const reference::AnswerKey& key, const
     award_points(score, assignment.rubric);
     doubt_readings(score, transcript, matched, key, assignment);
     return score;
+}
+
+std::optional<Score> explained_by_scene(const Score& score, const Score& own, const std::string& cause,
+                                        const reference::Rubric& rubric) {
+    Score result = score;
+    bool explains = false;
+    for (std::size_t q = 0; q < score.questions.size(); ++q) {
+        QuestionScore& question = result.questions[q];
+        for (std::size_t i = 0; i < question.items.size(); ++i) {
+            ItemScore& item = question.items[i];
+            const ItemScore& there = own.questions.at(q).items.at(i);
+            if (is_number(item) && is_right(item) && !is_right(there)) return std::nullopt;
+            if (is_right(item)) continue;
+            const bool first = is_number(item) && is_right(there) && !explains;
+            item = explained(item, there, rubric);
+            if (item.diagnosis == another_scene)
+                item.advice = first ? cause + ". This answer follows from that."
+                                    : "It follows from the scene that your source sets.";
+            explains = explains || first;
+        }
+        question.verdict = worst_verdict(question.items);
+    }
+    if (!explains) return std::nullopt;
+    award_points(result, rubric);
+    return result;
 }
 
 }  // namespace harness

@@ -55,6 +55,8 @@ struct ItemScore {
     bool no_value = false;    ///< read as "none"
     bool not_finite = false;  ///< its numbers include nan or inf
     double half_unit = 0;     ///< half a unit of the last printed digit; the largest among its numbers
+    /// The share of its points that a follow-through answer earns, where it is not the rubric's follow_through.
+    std::optional<double> credit;
 };
 
 struct QuestionScore {
@@ -81,5 +83,15 @@ struct Score {
 
 /// Marks a transcript. `key` must be the assignment's.
 Score score(const Transcript& transcript, const reference::AnswerKey& key, const reference::Assignment& assignment);
+
+/// The diagnosis of answers that belong to another scene than the assignment's.
+inline constexpr std::string_view another_scene = "another scene";
+
+/// Marks the answers that belong to another scene, which the student's source states: `own` is the same printout marked
+/// under that scene. An answer that is right there follows, for the rubric's wrong_scene_credit; the diagnosis of a
+/// wrong one is the one it gets there. `cause` names the scene: "Your source sets …". Empty if no number is right under
+/// that scene alone, or if one is right under the assignment's alone.
+std::optional<Score> explained_by_scene(const Score& score, const Score& own, const std::string& cause,
+                                        const reference::Rubric& rubric);
 
 }  // namespace harness

@@ -71,7 +71,8 @@ std::string doubtful_reading(const Graded& graded) {
 
 std::string flag_title(const Flag& flag) {
     if (flag.kind == "nondeterministic") return "The program's answers differ from run to run";
-    if (flag.kind == "hard_coded") return "The printed numbers do not change when the scene in the source does";
+    if (flag.kind == "hard_coded") return "Printed numbers may not depend on the scene in the source";
+    if (flag.kind == "other_scene") return "The source states another scene than the assignment";
     if (flag.kind == "variants_not_tried") return "The program could not be tried in full on other scenes";
     if (flag.kind == "reading_doubtful")
         return "Some answers may not have been read as they were meant; each is best on a line of its own, as in t: "
@@ -83,6 +84,7 @@ std::string item_sentence(const ItemScore& item, Outcome outcome) {
     switch (item.verdict) {
         case ItemVerdict::right: return item.accepted_as.empty() ? "" : fmt::format("Accepted: {}.", item.accepted_as);
         case ItemVerdict::follow:
+            if (!item.advice.empty()) return item.advice;
             return "Not the right value, but it follows correctly from an earlier mistake of yours.";
         case ItemVerdict::missing:
             if (was_cut_short(outcome)) return "Not found in what the program printed before it ended.";

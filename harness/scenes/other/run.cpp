@@ -1,5 +1,6 @@
 #include "harness/scenes/other/run.h"
 
+#include <algorithm>
 #include <map>
 
 #include "harness/grade/other_scenes_sentences.h"
@@ -80,12 +81,13 @@ class ClassOnOtherScenes {
         graded.other_scenes =
             compare(graded.score, std::move(runs), std::move(not_tried), parts_not_found(scene, one.literals.located));
         graded.other_scenes->seed = options_.seed;
+        const auto is_hard_coded = [](const Flag& flag) { return flag.kind == "hard_coded"; };
+        if (!nothing_tried) std::erase_if(graded.flags, is_hard_coded);  // running it says more than its source
         if (graded.other_scenes->verdict == OtherSceneVerdict::does_not_move) {
             graded.flags.push_back({"hard_coded", unmoved_evidence(*graded.other_scenes)});
-        } else if (nothing_tried) {
-            constexpr std::size_t fewest = 3;  // one or two may be a coincidence
+        } else if (nothing_tried && std::none_of(graded.flags.begin(), graded.flags.end(), is_hard_coded)) {
             const auto written = written_answers(sources_[one.index], graded.score, scene);
-            if (written.size() >= fewest) graded.flags.push_back({"hard_coded", written_evidence(written)});
+            if (written.size() >= fewest_written) graded.flags.push_back({"hard_coded", written_evidence(written)});
         }
     }
 

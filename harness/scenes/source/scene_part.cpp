@@ -79,6 +79,16 @@ void copy_part(DecimalScene& to, const DecimalScene& from, ScenePart part) {
     }
 }
 
+void set_part(DecimalScene& scene, ScenePart part, const std::array<Decimal, 3>& numbers) {
+    if (part == ScenePart::radius) {
+        scene.spheres.front().radius = numbers[0];
+    } else if (part == ScenePart::pixel) {
+        scene.pixel = {static_cast<int>(numbers[0].to_double()), static_cast<int>(numbers[1].to_double())};
+    } else {
+        *vector_of(scene, part) = {numbers[0], numbers[1], numbers[2]};
+    }
+}
+
 std::string describe(const DecimalScene& scene, ScenePart part) {
     const std::array<double, 3> value = value_of(scene, part);
     switch (size_of(part)) {

@@ -48,6 +48,9 @@ std::array<double, 3> value_of(const DecimalScene& scene, ScenePart part);
 /// Copies the part from `from` to `to`. Both must have the part.
 void copy_part(DecimalScene& to, const DecimalScene& from, ScenePart part);
 
+/// Sets the part, which the scene must have, to as many of the numbers as size_of says; a pixel's are whole.
+void set_part(DecimalScene& scene, ScenePart part, const std::array<reference::Decimal, 3>& numbers);
+
 /// "eye = (0, 0, 4)"
 std::string describe(const DecimalScene& scene, ScenePart part);
 

@@ -128,7 +128,7 @@ class Finder {
         }
         if (numbers.size() < 3) return false;
         const bool chunks = numbers.size() == parts.size() && parts.size() % 3 == 0 && parts.size() > 3;
-        StatedList chunked{naming_of_list.callee, {}};
+        StatedList chunked{naming_of_list.callee, naming_of_list.name, {}};
         for (std::size_t i = 0; i + 3 <= (chunks ? numbers.size() : 3); i += 3) {
             StatedVector vector;
             for (std::size_t k = 0; k < 3; ++k) {
@@ -153,7 +153,8 @@ class Finder {
 
     /// Adds a list that has vectors among its elements, as in Camera({0, 0, 4}, vec3(0), up).
     void list_of_vectors(std::size_t open) {
-        StatedList result{names_.of_list(open).callee, {}};
+        Naming naming = names_.of_list(open);
+        StatedList result{naming.callee, std::move(naming.name), {}};
         bool any = false;
         for (const Range& part : elements(open + 1, words_[open].partner)) {
             ListElement element;

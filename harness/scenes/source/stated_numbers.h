@@ -45,6 +45,7 @@ struct ListElement {
 
 struct StatedList {
     std::string_view callee;  ///< the function or type before its bracket; may be empty
+    std::string name;         ///< of the variable that it initialises; may be empty
     std::vector<ListElement> elements;
 };
 

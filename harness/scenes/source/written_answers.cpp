@@ -43,36 +43,47 @@ bool is_telling(const std::string& number) {
     return number.size() - first - (number.find('.') > first ? 1 : 0) >= fewest;
 }
 
+/// Which places of a source count.
+enum class Place { anywhere, where_printed };
+
 /// The numbers in the source's strings and literals that are long enough to count, each with its first line.
-std::map<std::string, std::size_t> numbers_of(std::string_view source) {
+std::map<std::string, std::size_t> numbers_of(std::string_view source, Place place) {
     std::map<std::string, std::size_t> lines;
     std::size_t line = 1;
+    std::string_view before;  // the last token that is neither blank nor comment
     for (const Token& token : lex_cpp(source)) {
         const std::string_view text = source.substr(token.begin, token.end - token.begin);
-        if (token.kind == TokenKind::text || token.kind == TokenKind::number) {
+        const bool is_printed = place == Place::anywhere || before == "<<";
+        if (token.kind == TokenKind::text || (token.kind == TokenKind::number && is_printed)) {
             for (const std::string_view number : numbers_in(text)) {
                 const std::string known = plain_number(number);
                 if (is_telling(known)) lines.try_emplace(known, line);
             }
         }
         line += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+        const bool is_code =
+            token.kind != TokenKind::blank && token.kind != TokenKind::line_end && token.kind != TokenKind::comment;
+        if (is_code && text != "-") before = text;
     }
     return lines;
 }
 
-}  // namespace
-
-std::vector<WrittenAnswer> written_answers(std::string_view source, const Score& score, const DecimalScene& scene) {
-    std::map<std::string, std::size_t> lines = numbers_of(source);
+/// The numbers of `lines` that are not the scene's own.
+void leave_out_scene(std::map<std::string, std::size_t>& lines, const DecimalScene& scene) {
     for (const ScenePart part : all_parts) {
         if (!has_part(scene, part)) continue;
         for (const double number : value_of(scene, part))
             lines.erase(plain_number(fmt::format("{}", std::abs(number))));
     }
+}
+
+/// The answers of which a number is in `lines`.
+std::vector<WrittenAnswer> answers_in(const std::map<std::string, std::size_t>& lines, const Score& score,
+                                      bool only_right) {
     std::vector<WrittenAnswer> written;
     for (const QuestionScore& question : score.questions) {
         for (const ItemScore& item : question.items) {
-            if (item.verdict != ItemVerdict::right) continue;
+            if (only_right && item.verdict != ItemVerdict::right) continue;
             for (const std::string_view number : numbers_in(item.printed)) {
                 const auto found = lines.find(plain_number(number));
                 if (found == lines.end()) continue;
@@ -82,6 +93,36 @@ std::vector<WrittenAnswer> written_answers(std::string_view source, const Score&
         }
     }
     return written;
+}
+
+/// Whether some printed number of four digits stands in the source at all, which is quickly told.
+bool may_hold_answers(std::string_view source, const Score& score) {
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) {
+            for (const std::string_view number : numbers_in(item.printed)) {
+                const std::string plain = plain_number(number);
+                const std::size_t point = plain.find('.');
+                if (is_telling(plain) && source.find(std::string_view(plain).substr(point)) != std::string_view::npos)
+                    return true;
+            }
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+std::vector<WrittenAnswer> written_answers(std::string_view source, const Score& score, const DecimalScene& scene) {
+    std::map<std::string, std::size_t> lines = numbers_of(source, Place::anywhere);
+    leave_out_scene(lines, scene);
+    return answers_in(lines, score, /*only_right=*/true);
+}
+
+std::vector<WrittenAnswer> printed_constants(std::string_view source, const Score& score, const DecimalScene& scene) {
+    if (!may_hold_answers(source, score)) return {};
+    std::map<std::string, std::size_t> lines = numbers_of(source, Place::where_printed);
+    leave_out_scene(lines, scene);
+    return answers_in(lines, score, /*only_right=*/false);
 }
 
 std::string written_evidence(const std::vector<WrittenAnswer>& written) {

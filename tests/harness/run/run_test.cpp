@@ -40,9 +40,11 @@ TEST_F(Run, DoesNotStartABuildWithoutAProgram) {
 TEST_F(Run, RunsTheProgramInItsScratchFolderWithAFreshEnvironment) {
     // The helper without a mode it knows exits with 93.
     EXPECT_EQ(run(copy_of(MISBEHAVE)).exit_code, 93);
-    EXPECT_EQ(run(copy_of("/usr/bin/env")).output,
-              "PATH=/usr/local/bin:/usr/bin:/bin\nLANG=C.UTF-8\nLD_PRELOAD=" + sandbox_.line_buffer_inside().string() +
-                  "\nHOME=" + home() + "\nTMPDIR=" + home() + "\n" + (has_pwd() ? "PWD=" + home() + "\n" : ""));
+    const harness::ProcessResult env = run(copy_of("/usr/bin/env"));
+    EXPECT_EQ(env.output, "PATH=/usr/local/bin:/usr/bin:/bin\nLANG=C.UTF-8\nHOME=" + home() + "\nTMPDIR=" + home() +
+                              "\nLD_PRELOAD=" + sandbox_.line_buffer_inside().string() + "\n" +
+                              (has_pwd() ? "PWD=" + home() + "\n" : ""));
+    EXPECT_EQ(env.errors, "") << "nothing but the program writes to its standard error";
     EXPECT_EQ(run(copy_of("/usr/bin/pwd")).output, home() + "\n");
 }
 

@@ -115,6 +115,67 @@ TEST(Score, UsesTheRubricsPointsForSingleItems) {
     expect_that_points_add_up(score);
 }
 
+/// A program for the sphere one unit further along x, with a mistake or without, marked under both scenes.
+struct OnOwnScene {
+    student::Marking given = student::off_axis_scene();
+    student::Marking own = given;
+    Score score, score_there;
+
+    explicit OnOwnScene(const student::Program::Mistake& mistake = {}) {
+        auto& x = own.assignment.scene.spheres.front().center.x;
+        x = reference::Decimal::parse(std::to_string(x.to_double() + 1)).value();
+        own.key = reference::make_key(own.assignment, reference::Precision::certified);
+        const std::string output = print(Program(own.assignment, {}, mistake));
+        score = mark(output, given);
+        score_there = mark(output, own);
+    }
+    std::optional<Score> explained() const {
+        return explained_by_scene(score, score_there, "Your source sets center = 1", given.assignment.rubric);
+    }
+};
+
+TEST(OwnScene, GivesItsShareToAnswersThatAreRightThere) {
+    OnOwnScene one;
+    ASSERT_EQ(item_of(one.score, {6, "b"}).verdict, ItemVerdict::wrong);
+    const auto explained = one.explained();
+    ASSERT_TRUE(explained);
+    const ItemScore& b = item_of(*explained, {6, "b"});
+    EXPECT_EQ(b.verdict, ItemVerdict::follow);
+    EXPECT_EQ(b.points, 0.5 * b.max_points);
+    EXPECT_EQ(b.diagnosis, another_scene);
+    EXPECT_EQ(b.advice, "Your source sets center = 1. This answer follows from that.");
+    EXPECT_EQ(item_of(*explained, {6, "t"}).points, item_of(*explained, {6, "t"}).max_points)
+        << "it follows from the printed b and c, for the rubric's whole follow_through";
+    EXPECT_EQ(item_of(*explained, {5, "V"}).verdict, ItemVerdict::right);
+    expect_that_points_add_up(*explained);
+
+    one.given.assignment.rubric.wrong_scene_credit = 0.25;
+    EXPECT_EQ(item_of(*one.explained(), {6, "b"}).points, 0.25 * b.max_points);
+}
+
+TEST(OwnScene, GivesAWrongAnswerTheDiagnosisThatItGetsThere) {
+    for (const student::NamedMistake& mistake : student::named_mistakes()) {
+        if (mistake.name != "factor 2 missing") continue;
+        const OnOwnScene one(mistake.mistake);
+        const auto explained = one.explained();
+        ASSERT_TRUE(explained);
+        EXPECT_EQ(item_of(*explained, {6, "b"}).verdict, ItemVerdict::wrong);
+        EXPECT_EQ(item_of(*explained, {6, "b"}).diagnosis, "factor 2 missing");
+        EXPECT_EQ(item_of(*explained, {6, "c"}).diagnosis, another_scene);
+        return;
+    }
+    FAIL() << "no such mistake";
+}
+
+TEST(OwnScene, ExplainsNothingWhereAnAnswerIsRightForTheAssignmentAlone) {
+    const OnOwnScene one;
+    const student::Marking given = student::off_axis_scene();
+    const Score all_right = mark(print(Program(given.assignment, {})), given);
+    const Score there = mark(print(Program(given.assignment, {})), one.own);
+    EXPECT_FALSE(explained_by_scene(all_right, there, "", given.assignment.rubric));
+    EXPECT_FALSE(explained_by_scene(one.score, one.score, "", given.assignment.rubric)) << "nothing is right there";
+}
+
 TEST(QuestionVerdict, IsTheWorstOfItsItems) {
     const student::Marking marking = student::off_axis_scene();
 

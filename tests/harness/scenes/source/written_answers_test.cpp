@@ -53,5 +53,14 @@ TEST(WrittenAnswers, ExcludeNumbersOfTheScene) {
     EXPECT_THAT(written_answers("vec3 eye(-3.125, 0, 4);", printed("3.125000"), other), IsEmpty());
 }
 
+TEST(PrintedConstants, StandInStringsOrBehindTheStreamOperatorAndMayBeWrong) {
+    const auto wrong = [](const std::string& text) { return printed(text, ItemVerdict::wrong); };
+    EXPECT_THAT(printed_constants("puts(\"t = 0.712345\");", wrong("0.712345"), scene()), SizeIs(1));
+    EXPECT_THAT(printed_constants("cout << \"t = \" << -0.71234f;", wrong("-0.71234"), scene()), SizeIs(1));
+    EXPECT_THAT(printed_constants("assert(abs(t - 0.585786) < 1e-4);", printed("0.585786"), scene()), IsEmpty())
+        << "a program may check what it computes";
+    EXPECT_THAT(printed_constants("cout << t;", wrong("0.712345"), scene()), IsEmpty());
+}
+
 }  // namespace
 }  // namespace harness::scenes

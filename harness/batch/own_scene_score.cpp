@@ -1,0 +1,75 @@
+#include "harness/batch/own_scene_score.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+
+#include "harness/scenes/source/stated_scene.h"
+#include "reference/toml/scene_toml.h"
+
+namespace harness {
+namespace {
+
+/// The transcript's score where `scene` takes the assignment's place. Empty if the scene can't be marked.
+std::optional<Score> score_on(const reference::Scene<reference::Decimal>& scene, const Transcript& transcript,
+                              const Marking& marking) {
+    try {
+        reference::Assignment other = marking.assignment;
+        other.scene = reference::check_scene(scene, "the scene in the source");
+        const Marking own = make_marking(std::move(other));
+        return score(transcript, own.key, own.assignment);
+    } catch (const reference::AssignmentError&) {
+        return std::nullopt;
+    } catch (const std::domain_error&) {
+        return std::nullopt;
+    }
+}
+
+bool has_wrong_answer(const Score& score) {
+    return std::any_of(score.questions.begin(), score.questions.end(), [](const QuestionScore& question) {
+        return std::any_of(question.items.begin(), question.items.end(), [](const ItemScore& item) {
+            return item.verdict == ItemVerdict::wrong || item.verdict == ItemVerdict::follow;
+        });
+    });
+}
+
+std::ptrdiff_t right_answers(const Score& score) {
+    std::ptrdiff_t sum = 0;
+    for (const QuestionScore& question : score.questions) {
+        sum += std::count_if(question.items.begin(), question.items.end(),
+                             [](const ItemScore& item) { return item.verdict == ItemVerdict::right; });
+    }
+    return sum;
+}
+
+}  // namespace
+
+std::optional<OwnSceneScore> score_on_own_scene(const Score& score, const std::string& output, std::string_view source,
+                                                const Marking& marking) {
+    if (!has_wrong_answer(score)) return std::nullopt;
+    const auto stated_scenes = scenes::stated_scenes(source, marking.assignment.scene);
+    if (stated_scenes.empty()) return std::nullopt;
+    const Transcript transcript = read_transcript(output);
+    std::optional<OwnSceneScore> best;
+    std::ptrdiff_t most_explained = 0;
+    for (const scenes::StatedScene& stated : stated_scenes) {
+        const auto own = score_on(stated.scene, transcript, marking);
+        if (!own) continue;
+        OwnScene scene{reference::scene_toml(stated.scene), describe(stated.parts)};
+        auto explained = explained_by_scene(score, *own, scene.cause, marking.assignment.rubric);
+        if (!explained || right_answers(*own) <= most_explained) continue;
+        most_explained = right_answers(*own);
+        best = OwnSceneScore{std::move(*explained), std::move(scene)};
+        if (!has_wrong_answer(*own)) break;
+    }
+    return best;
+}
+
+Score score_again_on(const OwnScene& scene, const Score& score, const Transcript& transcript, const Marking& marking) {
+    const auto stated = reference::parse_assignment(scene.toml, "the scene in the source");
+    const auto own = score_on(stated.scene, transcript, marking);
+    if (!own) return score;
+    return explained_by_scene(score, *own, scene.cause, marking.assignment.rubric).value_or(score);
+}
+
+}  // namespace harness

@@ -1,0 +1,27 @@
+// Answers that belong to the scene that a student's source states, where it is not the assignment's.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "harness/grade/graded.h"
+#include "harness/grade/marking.h"
+#include "harness/read/transcript.h"
+
+namespace harness {
+
+/// A score in which another scene is the reason of wrong answers.
+struct OwnSceneScore {
+    Score score;
+    OwnScene scene;
+};
+
+/// Looks for a scene in the source to which the answers that are not right for the assignment belong. `score` is that
+/// of the output. Empty if there is none. Makes a key for each scene tried, of which there are at most twelve.
+std::optional<OwnSceneScore> score_on_own_scene(const Score& score, const std::string& output, std::string_view source,
+                                                const Marking& marking);
+
+/// Marks the transcript again with a scene that was found before.
+Score score_again_on(const OwnScene& scene, const Score& score, const Transcript& transcript, const Marking& marking);
+
+}  // namespace harness

@@ -1,0 +1,57 @@
+#include "harness/batch/own_scene_score.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/given/student/printout.h"
+#include "tests/given/student/scenes.h"
+
+namespace harness {
+namespace {
+
+using testing::HasSubstr;
+
+const Marking& marking() {
+    static const Marking edge = make_marking(student::edge_scene().assignment);
+    return edge;
+}
+
+/// What a right program prints whose sphere is 0.25 higher.
+std::string output_with_higher_sphere() {
+    reference::Assignment other = marking().assignment;
+    auto& y = other.scene.spheres.front().center.y;
+    y = reference::Decimal::parse(std::to_string(y.to_double() + 0.25)).value();
+    return print(student::Program(other, {}));
+}
+
+std::string center_in_source(double higher) {
+    const auto& center = marking().assignment.scene.spheres.front().center;
+    return "glm::vec3 center(" + center.x.text() + ", " + std::to_string(center.y.to_double() + higher) + ", " +
+           center.z.text() + ");";
+}
+
+std::optional<OwnSceneScore> on_own_scene(const std::string& output, const std::string& source) {
+    return score_on_own_scene(score(read_transcript(output), marking().key, marking().assignment), output, source,
+                              marking());
+}
+
+TEST(OwnSceneScore, IsThereIfTheSourceStatesTheSceneOfTheAnswers) {
+    const std::string output = output_with_higher_sphere();
+    const auto own = on_own_scene(output, center_in_source(0.25));
+    ASSERT_TRUE(own);
+    EXPECT_THAT(own->scene.cause, HasSubstr("center"));
+    const Score first = score(read_transcript(output), marking().key, marking().assignment);
+    EXPECT_GT(own->score.points, first.points);
+    EXPECT_EQ(score_again_on(own->scene, first, read_transcript(output), marking()).points, own->score.points)
+        << "the kept scene gives the same score";
+}
+
+TEST(OwnSceneScore, IsNotThereIfSourceAndAnswersDiffer) {
+    EXPECT_FALSE(on_own_scene(output_with_higher_sphere(), center_in_source(0.5)));
+    EXPECT_FALSE(on_own_scene(output_with_higher_sphere(), center_in_source(0)));
+    EXPECT_FALSE(on_own_scene(print(student::Program(marking().assignment, {})), center_in_source(0.25)))
+        << "all is right";
+}
+
+}  // namespace
+}  // namespace harness
