@@ -9,6 +9,7 @@
 
 #include "harness/batch/own_scene_score.h"
 #include "harness/batch/repetition.h"
+#include "harness/batch/reread.h"
 #include "harness/machine/errors.h"
 #include "harness/mark/score/doubt.h"
 #include "harness/read/transcript.h"
@@ -103,29 +104,32 @@ Graded begun(const Submission& submission, const Marking& marking, const Runner&
     return graded;
 }
 
-/// The score of an output: from the memo, or else read and scored now.
-std::shared_ptr<const Score> read_and_score(const std::string& output, const Marking& marking, ScoreMemo* memo,
-                                            Timeline& timeline, const std::string& id) {
+/// The score of an output: from the memo, or else read and scored now. A submission's rereads are its own.
+std::shared_ptr<const Score> read_and_score(const std::string& output, const Submission& submission,
+                                            const Marking& marking, ScoreMemo* memo, Timeline& timeline) {
+    if (!submission.rereads.empty()) memo = nullptr;
     std::shared_ptr<const Score> known;
     Transcript transcript;
     {
-        const Timeline::Span span(timeline, Stage::read, id);
+        const Timeline::Span span(timeline, Stage::read, submission.id);
         if (memo) known = memo->find(output);
         if (!known) transcript = read_transcript(output);
     }
-    const Timeline::Span span(timeline, Stage::score, id);
+    const Timeline::Span span(timeline, Stage::score, submission.id);
     if (known) {
         if (!output.empty()) ++timeline.alike;
         return known;
     }
-    known = std::make_shared<const Score>(score(transcript, marking.key, marking.assignment));
+    known = std::make_shared<const Score>(
+        score(transcript, marking.key, marking.assignment, places_in(submission.rereads, output)));
     if (memo) memo->keep(output, known);
     return known;
 }
 
 /// Adds what the source tells about the answers: that they belong to another scene, or that they stand in it.
 void judge_by_source(Graded& graded, const std::string& source, const std::string& output, const Marking& marking) {
-    if (auto own = score_on_own_scene(graded.score, output, source, marking)) {
+    const auto places = places_in(graded.submission.rereads, output);
+    if (auto own = score_on_own_scene(graded.score, output, source, marking, places)) {
         graded.score = std::move(own->score);
         graded.flags.push_back({"other_scene", own->scene.cause + "; answers belong to that scene."});
         graded.own_scene = std::move(own->scene);
@@ -151,24 +155,30 @@ Graded mark(const Submission& submission, const Executions& executions, const Ma
     const Execution& first = executions.runs.front();
     graded.outcome = outcome_of(first.run);
     graded.explanation = explain(first.build, first.run, runner.run);
-    const auto score = read_and_score(first.run.output, marking, memo, timeline, submission.id);
+    const auto score = read_and_score(first.run.output, submission, marking, memo, timeline);
     std::vector<Repetition> repetitions;
     for (const Execution& each : executions.runs) {
         const bool is_same = each.run.output == first.run.output;
         repetitions.push_back(
             {each.run.ended,
-             is_same ? *score : *read_and_score(each.run.output, marking, nullptr, timeline, submission.id)});
+             is_same ? *score : *read_and_score(each.run.output, submission, marking, nullptr, timeline)});
     }
     if (const auto evidence = difference(repetitions)) graded.flags.push_back({"nondeterministic", *evidence});
     graded.score = *score;
     judge_by_source(graded, submission.source, first.run.output, marking);
-    if (const std::string doubts = doubts_text(graded.score); !doubts.empty())
-        graded.flags.push_back({"reading_doubtful", doubts});
+    note_doubts(graded);
+    if (first.run.output.size() <= longest_printout) graded.printout = first.run.output;
     graded.build = first.build;
     graded.run = first.run;
     release(graded.run.output);  // up to a mebibyte, no longer needed: the score holds the answers
     if (executions.sanitized) graded.sanitizer = sanitizer_findings(executions.sanitized->run.errors);
     return graded;
+}
+
+void note_doubts(Graded& graded) {
+    std::erase_if(graded.flags, [](const Flag& flag) { return flag.kind == "reading_doubtful"; });
+    if (const std::string doubts = doubts_text(graded.score); !doubts.empty())
+        graded.flags.push_back({"reading_doubtful", doubts});
 }
 
 Graded ungraded(const Submission& submission, const std::string& why, const Marking& marking, const Runner& runner) {

@@ -23,6 +23,9 @@ Graded grade(const Submission& submission, const Marking& marking, const Runner&
 Graded mark(const Submission& submission, const Executions& executions, const Marking& marking, const Runner& runner,
             ScoreMemo* memo, Timeline& timeline);
 
+/// Sets the flag for doubtful readings as the score has them.
+void note_doubts(Graded& graded);
+
 /// A submission without marks, because of a problem of its own, of the machine or of raygrade.
 Graded ungraded(const Submission& submission, const std::string& why, const Marking& marking, const Runner& runner);
 

@@ -12,12 +12,12 @@ namespace {
 
 /// The transcript's score where `scene` takes the assignment's place. Empty if the scene can't be marked.
 std::optional<Score> score_on(const reference::Scene<reference::Decimal>& scene, const Transcript& transcript,
-                              const Marking& marking) {
+                              const Marking& marking, std::span<const ItemPlace> places) {
     try {
         reference::Assignment other = marking.assignment;
         other.scene = reference::check_scene(scene, "the scene in the source");
         const Marking own = make_marking(std::move(other));
-        return score(transcript, own.key, own.assignment);
+        return score(transcript, own.key, own.assignment, places);
     } catch (const reference::AssignmentError&) {
         return std::nullopt;
     } catch (const std::domain_error&) {
@@ -45,7 +45,7 @@ std::ptrdiff_t right_answers(const Score& score) {
 }  // namespace
 
 std::optional<OwnSceneScore> score_on_own_scene(const Score& score, const std::string& output, std::string_view source,
-                                                const Marking& marking) {
+                                                const Marking& marking, std::span<const ItemPlace> places) {
     if (!has_wrong_answer(score)) return std::nullopt;
     const auto stated_scenes = scenes::stated_scenes(source, marking.assignment.scene);
     if (stated_scenes.empty()) return std::nullopt;
@@ -53,7 +53,7 @@ std::optional<OwnSceneScore> score_on_own_scene(const Score& score, const std::s
     std::optional<OwnSceneScore> best;
     std::ptrdiff_t most_explained = 0;
     for (const scenes::StatedScene& stated : stated_scenes) {
-        const auto own = score_on(stated.scene, transcript, marking);
+        const auto own = score_on(stated.scene, transcript, marking, places);
         if (!own) continue;
         OwnScene scene{reference::scene_toml(stated.scene), describe(stated.parts)};
         auto explained = explained_by_scene(score, *own, scene.cause, marking.assignment.rubric);
@@ -65,9 +65,10 @@ std::optional<OwnSceneScore> score_on_own_scene(const Score& score, const std::s
     return best;
 }
 
-Score score_again_on(const OwnScene& scene, const Score& score, const Transcript& transcript, const Marking& marking) {
+Score score_again_on(const OwnScene& scene, const Score& score, const Transcript& transcript, const Marking& marking,
+                     std::span<const ItemPlace> places) {
     const auto stated = reference::parse_assignment(scene.toml, "the scene in the source");
-    const auto own = score_on(stated.scene, transcript, marking);
+    const auto own = score_on(stated.scene, transcript, marking, places);
     if (!own) return score;
     return explained_by_scene(score, *own, scene.cause, marking.assignment.rubric).value_or(score);
 }

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "harness/grade/graded.h"
 #include "harness/grade/marking.h"
+#include "harness/match/item_place.h"
 #include "harness/read/transcript.h"
 
 namespace harness {
@@ -17,11 +19,13 @@ struct OwnSceneScore {
 };
 
 /// Looks for a scene in the source to which the answers that are not right for the assignment belong. `score` is that
-/// of the output. Empty if there is none. Makes a key for each scene tried, of which there are at most twelve.
+/// of the output, in which items that have a place were read from there. Empty if there is none. Makes a key for each
+/// scene tried, of which there are at most twelve.
 std::optional<OwnSceneScore> score_on_own_scene(const Score& score, const std::string& output, std::string_view source,
-                                                const Marking& marking);
+                                                const Marking& marking, std::span<const ItemPlace> places = {});
 
 /// Marks the transcript again with a scene that was found before.
-Score score_again_on(const OwnScene& scene, const Score& score, const Transcript& transcript, const Marking& marking);
+Score score_again_on(const OwnScene& scene, const Score& score, const Transcript& transcript, const Marking& marking,
+                     std::span<const ItemPlace> places = {});
 
 }  // namespace harness

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "harness/batch/batch.h"
+#include "harness/batch/reread.h"
 #include "harness/commands/class_run.h"
 #include "harness/commands/progress.h"
 #include "harness/commands/regrade.h"
@@ -109,6 +110,17 @@ void tell_without_place(const std::vector<KeptOverride>& overrides) {
     }
 }
 
+void tell_that_count_not(const std::vector<KeptReread>& rereads, const std::vector<Graded>& graded) {
+    for (const KeptReread& each : rereads) {
+        const auto one = std::find_if(graded.begin(), graded.end(),
+                                      [&](const Graded& any) { return any.submission.id == each.submission; });
+        if (one != graded.end() && counts(*one, each.given)) continue;
+        fmt::print(stderr, "note: the reread of {}.{} for {} is kept but does not count: {}\n", each.given.question,
+                   each.given.item, escape_control(each.submission),
+                   one == graded.end() ? "there is no such submission here" : "its printout has another layout now");
+    }
+}
+
 /// Prints the notes of the submissions. A note that every submission has is printed once.
 void tell_notes(const std::vector<Graded>& graded) {
     std::map<std::string_view, std::size_t> times;
@@ -179,6 +191,8 @@ int grade_class(const GradeOptions& options) {
     read_kept_rosters(inputs.rosters, options.rosters, session.gradebook, options.out);
     check_places(options, session.writes);
 
+    const std::vector<KeptReread> rereads = session.gradebook.rereads();
+    attach(rereads, inputs.submissions);
     ClassRun run = open_class_run(inputs.assignment, options.runner);
     tell_key_notes(run.marking);
     std::vector<Graded> graded = grade_submissions(inputs, run, options);
@@ -190,6 +204,7 @@ int grade_class(const GradeOptions& options) {
         Run{0, author_now(), RAYGRADE_VERSION, inputs.assignment.name, inputs.file.path, inputs.file.toml, tier},
         ClassResults{graded, run.marking, tier, inputs.rosters.canvas, inputs.rosters.moodle}};
     show(grading, session, inputs, options);
+    tell_that_count_not(rereads, graded);
     if (session.writes) write(grading, session, inputs, options);
     return status_of(graded);
 }

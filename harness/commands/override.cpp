@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "harness/commands/kept_class.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/machine/errors.h"
@@ -28,38 +29,7 @@ struct OverrideOptions {
 
 namespace fs = std::filesystem;
 
-/// A class as its gradebook keeps it.
-struct Kept {
-    Run run;
-    std::vector<Graded> graded;  ///< with the overrides
-    std::vector<KeptOverride> overrides;
-};
-
-Kept restore(const Gradebook& gradebook, const fs::path& folder) {
-    const auto run = gradebook.last_run();
-    if (!run) {
-        throw UsageError(
-            fmt::format("{}: holds no gradebook; name the folder that `raygrade grade --out` wrote to "
-                        "with --results",
-                        folder.string()));
-    }
-    Kept kept{*run, gradebook.restore(), gradebook.overrides()};
-    attach(kept.overrides, kept.graded);
-    return kept;
-}
-
-/// The submission's place in the class. Throws UsageError with similar names if there is none.
-std::size_t find_submission(const std::vector<Graded>& graded, const std::string& id) {
-    std::vector<std::string> ids;
-    for (std::size_t i = 0; i < graded.size(); ++i) {
-        if (graded[i].submission.id == id) return i;
-        ids.push_back(graded[i].submission.id);
-    }
-    throw UsageError(
-        fmt::format("{}: is none of the submissions graded; {}", escape_control(id), did_you_mean(id, ids)));
-}
-
-void list(const Kept& kept) {
+void list(const KeptClass& kept) {
     for (const KeptOverride& each : kept.overrides) {
         const auto one = std::find_if(kept.graded.begin(), kept.graded.end(),
                                       [&](const Graded& any) { return any.submission.id == each.submission; });
@@ -74,36 +44,7 @@ void list(const Kept& kept) {
     if (kept.overrides.empty()) fmt::print("no overrides\n");
 }
 
-/// Writes all reports, because the last command may have left some unwritten, or only those that an override of one
-/// submission changes.
-void rewrite_reports(Gradebook& gradebook, const Kept& kept, bool all, std::optional<std::size_t> changed,
-                     const fs::path& folder) {
-    const Marking marking = make_marking(reference::parse_assignment(kept.run.toml, kept.run.assignment_file));
-    std::optional<report::CanvasRoster> roster;
-    std::optional<report::MoodleWorksheet> worksheet;
-    try {
-        roster = read_roster(gradebook.input(canvas_roster_input));
-        worksheet = read_worksheet(gradebook.input(moodle_worksheet_input));
-    } catch (const report::RosterError& error) {
-        throw HarnessError(
-            fmt::format("{}: the roster kept in it {}", (folder / gradebook_name).string(), error.what()));
-    }
-    make_results_folder(folder, "feedback");
-    const ClassResults results{kept.graded, marking, kept.run.tier, roster, worksheet};
-    if (all || changed) write_reports(results, folder, all ? std::nullopt : changed);
-    gradebook.note_reports_written();
-}
-
-void tell_mark(const Graded& before, const Graded& after) {
-    const auto text = [](const Graded& one) {
-        const auto points = points_that_count(one);
-        return points ? points_text(*points) : "no mark";
-    };
-    fmt::print("{}: {} -> {} of {} points in all\n", escape_control(after.submission.id), text(before), text(after),
-               points_text(after.score.max_points));
-}
-
-void put(Gradebook& gradebook, Kept& kept, std::size_t index, const OverrideOptions& options) {
+void put(Gradebook& gradebook, KeptClass& kept, std::size_t index, const OverrideOptions& options) {
     Graded& one = kept.graded[index];
     const Graded before = one;
     const OverridePlace place = read_place(options.item, one);
@@ -125,7 +66,7 @@ void put(Gradebook& gradebook, Kept& kept, std::size_t index, const OverrideOpti
 }
 
 /// The place of the submission in the class, if it still is in it.
-std::optional<std::size_t> remove(Gradebook& gradebook, Kept& kept, const OverrideOptions& options) {
+std::optional<std::size_t> remove(Gradebook& gradebook, KeptClass& kept, const OverrideOptions& options) {
     std::vector<std::string> places;
     for (const KeptOverride& each : kept.overrides) {
         if (each.submission == options.id) places.push_back(place_of(each.given));
@@ -168,7 +109,7 @@ int override_points(const OverrideOptions& options) {
     if (!options.list) check(options);
     const FolderLock lock(options.results);
     Gradebook gradebook(options.results);
-    Kept kept = restore(gradebook, options.results);
+    KeptClass kept = restore(gradebook, options.results);
     if (options.list) {
         list(kept);
         return all_graded;
@@ -176,14 +117,14 @@ int override_points(const OverrideOptions& options) {
     // Writes all reports again if an interrupted command left some unwritten or somebody changed one. The check comes
     // first: once the gradebook is saved again, a changed report would look unchanged.
     const bool all = !gradebook.reports_are_written() || !class_reports_are_as_left(kept.graded, options.results);
-    std::optional<std::size_t> changed;
+    std::vector<std::size_t> changed;
     if (options.remove) {
-        changed = remove(gradebook, kept, options);
+        if (const auto place = remove(gradebook, kept, options)) changed.push_back(*place);
     } else {
-        changed = find_submission(kept.graded, options.id);
-        put(gradebook, kept, *changed, options);
+        changed.push_back(find_submission(kept.graded, options.id));
+        put(gradebook, kept, changed.front(), options);
     }
-    rewrite_reports(gradebook, kept, all, changed, options.results);
+    rewrite_reports(gradebook, kept, marking_of(kept), all, changed, options.results);
     return all_graded;
 }
 

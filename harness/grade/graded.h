@@ -69,7 +69,8 @@ struct Graded {
     std::string explanation;  ///< a sentence about the first stage that went wrong; empty if none did
     Tier tier = Tier::bwrap;  ///< what its programs ran under
     Build build;
-    ProcessResult run;  ///< without the output, which was already read
+    ProcessResult run;     ///< without the output, which was already read
+    std::string printout;  ///< for rereads: what it printed, if that is not too long; not in the record
     std::vector<Flag> flags;
     std::vector<std::string> sanitizer;                     ///< what a sanitizer build found; costs no points
     std::optional<scenes::OtherScenesReport> other_scenes;  ///< with --variants; empty if not tried

@@ -87,6 +87,23 @@ constexpr const char* tables = R"(
     INSERT INTO reports VALUES (0);
 )";
 
+/// Added later. A gradebook that has none gets them.
+constexpr const char* later_tables = R"(
+    CREATE TABLE IF NOT EXISTS printouts (  -- of the submissions as they are now, as printed
+        submission TEXT PRIMARY KEY,
+        output BLOB NOT NULL);
+    CREATE TABLE IF NOT EXISTS rereads (    -- those in force, whether or not they count for the printout there is now
+        submission TEXT NOT NULL,
+        question INTEGER NOT NULL,
+        item TEXT NOT NULL,
+        lines TEXT NOT NULL,                -- '12', '12-14', '12:2-4'; '' if the item was not printed
+        layout TEXT NOT NULL,               -- of the printout that it was made for
+        why TEXT NOT NULL,
+        who TEXT NOT NULL,
+        at TEXT NOT NULL,
+        PRIMARY KEY (submission, question, item));
+)";
+
 /// One statement per table; a database of the right version can prepare them all.
 constexpr const char* probes[] = {
     "SELECT run, at, who, raygrade, assignment, assignment_file, toml, sandbox, submissions, graded FROM runs",
@@ -98,6 +115,8 @@ constexpr const char* probes[] = {
     "SELECT entry, at, who, what, before, after FROM audit",
     "SELECT name, choice, content FROM inputs",
     "SELECT entry FROM reports",
+    "SELECT submission, output FROM printouts",
+    "SELECT submission, question, item, lines, layout, why, who, at FROM rereads",
 };
 
 void check(SQLite::Database& database, const fs::path& file) {
@@ -113,11 +132,13 @@ void check(SQLite::Database& database, const fs::path& file) {
                         "reads version {}. Use that one, or name another folder",
                         file.string(), found, version));
     }
+    database.exec(later_tables);
     for (const char* probe : probes) SQLite::Statement(database, probe).executeStep();
 }
 
 void make_tables(SQLite::Database& database) {
     database.exec(tables);
+    database.exec(later_tables);
     database.exec(fmt::format("PRAGMA application_id = {}", ours));
     database.exec(fmt::format("PRAGMA user_version = {}", version));
 }

@@ -67,6 +67,30 @@ std::string override_of(const KeptOverride& kept) {
     return fmt::format("override of {} of {}", place_of(kept.given), kept.submission);
 }
 
+std::string reread_text(const Reread& given) {
+    return fmt::format("{}: {}", given.lines.empty() ? "not printed" : "line " + given.lines, given.why);
+}
+
+std::string reread_of(const KeptReread& kept) {
+    return fmt::format("reading of {}.{} of {}", kept.given.question, kept.given.item, kept.submission);
+}
+
+/// Where the item was read from: "line 12"; nothing if it was not found.
+std::optional<std::string> line_of(const Graded& graded, const Reread& given) {
+    for (const QuestionScore& question : graded.score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (question.number == given.question && item.spec.name == given.item && item.line > 0)
+                return fmt::format("line {}", item.line);
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> mark_text_of(const Graded& graded) {
+    const auto points = points_that_count(graded);
+    return points ? std::optional(points_text(*points)) : std::nullopt;
+}
+
 std::string account_name() {
     const passwd* account = getpwuid(geteuid());
     return account == nullptr ? fmt::format("user {}", geteuid()) : account->pw_name;
@@ -179,7 +203,10 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
         // A transaction, so that all reads see the same state even if another program writes meanwhile.
         const SQLite::Transaction view(*database_);
         comparison.run = database_->execAndGet(last_run_number).getInt64();
-        Statement find(*database_, "SELECT record, place FROM submissions WHERE id = ?");
+        // A gradebook that an older raygrade wrote has no printouts.
+        Statement find(*database_,
+                       "SELECT record, place, EXISTS (SELECT 1 FROM printouts WHERE submission = id) "
+                       "FROM submissions WHERE id = ?");
         std::unordered_set<std::string> present;
         std::int64_t last_place = -1;
         for (std::size_t i = 0; i < graded.size(); ++i) {
@@ -193,6 +220,8 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
             }
             auto compared = compare_one(bytes(find.getColumn(0)), one);
             if (!compared) throw HarnessError(gradebook_damage(file_, "the record of " + one.submission.id));
+            const bool has_printout = find.getColumn(2).getInt() != 0 || one.printout.empty();
+            if (compared->record == Record::same && !has_printout) compared->record = Record::other;
             comparison.records[i] = compared->record;
             if (compared->change) {
                 add(comparison.changes, std::move(*compared->change));
@@ -279,6 +308,71 @@ void Gradebook::remove_override(const KeptOverride& removed, const Author& autho
         write_audit(*database_, author, override_of(removed), override_text(removed.given), "removed: " + why);
         transaction.commit();
     });
+}
+
+std::vector<KeptReread> Gradebook::rereads() const {
+    if (!database_) return {};
+    return attempt([&] {
+        Statement query(
+            *database_,
+            "SELECT submission, question, item, lines, layout, why, who, at FROM rereads ORDER BY at, rowid");
+        std::vector<KeptReread> all;
+        while (query.executeStep()) {
+            const auto text = [&](int column) { return query.getColumn(column).getString(); };
+            all.push_back(
+                {text(0), {query.getColumn(1).getInt(), text(2), text(3), text(4), text(5), text(6), text(7)}});
+        }
+        return all;
+    });
+}
+
+std::string Gradebook::printout(const std::string& submission) const {
+    if (!database_) return {};
+    return attempt([&]() -> std::string {
+        Statement query(*database_, "SELECT output FROM printouts WHERE submission = ?");
+        query.bind(1, submission);
+        if (!query.executeStep()) return {};
+        const std::vector<std::uint8_t> output = bytes(query.getColumn(0));
+        return {output.begin(), output.end()};
+    });
+}
+
+void Gradebook::put_reread(const KeptReread& kept, const Graded& before, const Graded& after, std::size_t place) {
+    attempt([&] {
+        SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+        const Author author{kept.given.by, kept.given.when};
+        write_reread(*database_, kept);
+        write_audit(*database_, author, reread_of(kept), line_of(before, kept.given), reread_text(kept.given));
+        write_marked_again(before, after, place, author);
+        transaction.commit();
+    });
+}
+
+void Gradebook::remove_reread(const KeptReread& removed, const Author& author, const std::string& why,
+                              const Graded& before, const Graded& after, std::size_t place) {
+    attempt([&] {
+        SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+        erase_reread(*database_, removed);
+        write_audit(*database_, author, reread_of(removed), reread_text(removed.given), "removed: " + why);
+        write_marked_again(before, after, place, author);
+        transaction.commit();
+    });
+}
+
+void Gradebook::remove_reread(const KeptReread& removed, const Author& author, const std::string& why) {
+    attempt([&] {
+        SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+        erase_reread(*database_, removed);
+        write_audit(*database_, author, reread_of(removed), reread_text(removed.given), "removed: " + why);
+        transaction.commit();
+    });
+}
+
+void Gradebook::write_marked_again(const Graded& before, const Graded& after, std::size_t place, const Author& author) {
+    const std::int64_t run = database_->execAndGet(last_run_number).getInt64();
+    SubmissionRows(*database_, run).write(after, place, to_record(after));
+    if (is_same_mark(points_that_count(before), points_that_count(after))) return;
+    write_audit(*database_, author, "mark of " + after.submission.id, mark_text_of(before), mark_text_of(after));
 }
 
 }  // namespace harness

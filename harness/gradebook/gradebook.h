@@ -103,7 +103,20 @@ class Gradebook {
     void remove_override(const KeptOverride& removed, const Author& author, const std::string& why,
                          const std::optional<double>& points);
 
+    /// All rereads, the oldest first.
+    std::vector<KeptReread> rereads() const;
+    /// What a submission printed; empty if it printed nothing, or too much to be kept.
+    std::string printout(const std::string& submission) const;
+    /// Saves a reread, which replaces an earlier one of the same item, or removes it. `after` is the submission as it
+    /// is marked then, in the place of the class; `before` as it was.
+    void put_reread(const KeptReread& kept, const Graded& before, const Graded& after, std::size_t place);
+    void remove_reread(const KeptReread& removed, const Author& author, const std::string& why, const Graded& before,
+                       const Graded& after, std::size_t place);
+    /// Removes the reread of a submission that is not in the class.
+    void remove_reread(const KeptReread& removed, const Author& author, const std::string& why);
+
   private:
+    void write_marked_again(const Graded& before, const Graded& after, std::size_t place, const Author& author);
     template <class Work>
     auto attempt(Work work) const -> decltype(work());
     std::filesystem::path file_;

@@ -67,7 +67,7 @@ auto row(Doubt& doubt) {
 /// Items make up most of a record, and names would make up most of an item.
 auto row(ItemScore& item) {
     return std::tie(item.spec.name, item.verdict, item.points, item.max_points, item.printed, item.line, item.error,
-                    item.allowance, item.accepted_as, item.diagnosis, item.advice, item.doubt);
+                    item.allowance, item.accepted_as, item.diagnosis, item.advice, item.doubt, item.reread);
 }
 
 template <class Archive>

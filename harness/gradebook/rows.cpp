@@ -78,6 +78,8 @@ SubmissionRows::SubmissionRows(SQLite::Database& database, std::int64_t run)
             "INSERT INTO items (submission, question, item, verdict, points, max_points, printed, line, diagnosis) "
             "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       remove_items_(database, "DELETE FROM items WHERE submission = ?"),
+      printout_(database, "INSERT OR REPLACE INTO printouts (submission, output) VALUES (?, ?)"),
+      remove_printout_(database, "DELETE FROM printouts WHERE submission = ?"),
       history_(database,
                "INSERT INTO history (submission, run, outcome, automatic_points, final_points, max_points, "
                "source_sha256, items) VALUES (?, ?, ?, ?, ?, ?, ?, ?)"),
@@ -99,6 +101,17 @@ void SubmissionRows::write(const Graded& graded, std::size_t place, const std::v
     submission_.bindNoCopy(12, record.data(), static_cast<int>(record.size()));
     execute(submission_);
     write_items(graded);
+    write_printout(graded);
+}
+
+void SubmissionRows::write_printout(const Graded& graded) {
+    if (graded.printout.empty()) {
+        remove_printout_.bind(1, graded.submission.id);
+        return execute(remove_printout_);
+    }
+    printout_.bind(1, graded.submission.id);
+    printout_.bindNoCopy(2, graded.printout.data(), static_cast<int>(graded.printout.size()));
+    execute(printout_);
 }
 
 void SubmissionRows::write_items(const Graded& graded) {
@@ -128,7 +141,7 @@ void SubmissionRows::move(const std::string& id, std::size_t place) {
 }
 
 void SubmissionRows::remove(const std::string& id) {
-    for (Statement* statement : {&remove_, &remove_items_}) {
+    for (Statement* statement : {&remove_, &remove_items_, &remove_printout_}) {
         statement->bind(1, id);
         execute(*statement);
     }
@@ -214,6 +227,29 @@ void write_override(SQLite::Database& database, const KeptOverride& kept) {
 
 void erase_override(SQLite::Database& database, const KeptOverride& kept) {
     Statement erase(database, "DELETE FROM overrides WHERE submission = ? AND question = ? AND item = ?");
+    erase.bind(1, kept.submission);
+    erase.bind(2, kept.given.question);
+    erase.bind(3, kept.given.item);
+    erase.exec();
+}
+
+void write_reread(SQLite::Database& database, const KeptReread& kept) {
+    Statement insert(database,
+                     "INSERT OR REPLACE INTO rereads (submission, question, item, lines, layout, why, who, at) "
+                     "VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+    insert.bind(1, kept.submission);
+    insert.bind(2, kept.given.question);
+    insert.bind(3, kept.given.item);
+    insert.bind(4, kept.given.lines);
+    insert.bind(5, kept.given.layout);
+    insert.bind(6, kept.given.why);
+    insert.bind(7, kept.given.by);
+    insert.bind(8, kept.given.when);
+    insert.exec();
+}
+
+void erase_reread(SQLite::Database& database, const KeptReread& kept) {
+    Statement erase(database, "DELETE FROM rereads WHERE submission = ? AND question = ? AND item = ?");
     erase.bind(1, kept.submission);
     erase.bind(2, kept.given.question);
     erase.bind(3, kept.given.item);

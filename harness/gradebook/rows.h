@@ -31,9 +31,10 @@ class SubmissionRows {
 
   private:
     void write_items(const Graded& graded);
+    void write_printout(const Graded& graded);
 
     std::int64_t run_;
-    SQLite::Statement submission_, place_, remove_, item_, remove_items_, history_, gone_;
+    SQLite::Statement submission_, place_, remove_, item_, remove_items_, printout_, remove_printout_, history_, gone_;
 };
 
 /// Writes an entry of the audit trail. `before` and `after` may be empty.
@@ -49,6 +50,10 @@ void write_override(SQLite::Database& database, const KeptOverride& kept);
 void erase_override(SQLite::Database& database, const KeptOverride& kept);
 /// Writes the points of the submission that count. Does nothing if there is no such submission.
 void write_final_points(SQLite::Database& database, const std::string& id, const std::optional<double>& points);
+
+/// Replaces an earlier reread of the same item.
+void write_reread(SQLite::Database& database, const KeptReread& kept);
+void erase_reread(SQLite::Database& database, const KeptReread& kept);
 
 void write_input(SQLite::Database& database, const KeptInput& input);
 

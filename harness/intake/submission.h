@@ -10,6 +10,23 @@
 
 namespace harness {
 
+/// Says where an item stands in the printout, where that was misread. The marks are computed anew from it.
+struct Reread {
+    int question = 0;
+    std::string item;
+    std::string lines;   ///< of the output: "12", "12-14", "12:2-4"; empty if the item was not printed
+    std::string layout;  ///< of the printout that it was made for; it counts for printouts of this layout only
+    std::string why;     ///< the instructor's reason, never empty
+    std::string by;
+    std::string when;  ///< in UTC, ISO 8601
+};
+
+/// A reread and its submission, which may no longer be in the class.
+struct KeptReread {
+    std::string submission;
+    Reread given;
+};
+
 struct Submission {
     /// Unique within a batch: the folder's name, or the file's without its ending. Valid UTF-8 without control
     /// characters and '/', so that it can name a report (other bytes are written as %XX).
@@ -19,6 +36,7 @@ struct Submission {
     std::string source_sha256;           ///< lower-case hexadecimal; empty if there is no source
     std::optional<LmsName> lms;          ///< what its name in a learning management system's download says
     std::vector<std::string> notes;      ///< what the instructor should know, e.g. other files in the folder
+    std::vector<Reread> rereads;         ///< the instructor's
     std::optional<std::string> problem;  ///< why it can't be graded and what to do; empty if it can
 };
 

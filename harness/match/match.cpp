@@ -193,7 +193,7 @@ std::optional<PrintedVerdict> find_verdict(const std::vector<Section>& sections,
 std::vector<MatchedItem> matched_items(const Question& question, const std::vector<Section>& sections, Fits& fits) {
     std::vector<MatchedItem> matched;
     for (std::size_t i = 0; i < question.items.size(); ++i) {
-        MatchedItem item{question.items[i], {}, MatrixOrder::unsaid, {}, false};
+        MatchedItem item{question.items[i], {}, MatrixOrder::unsaid, {}, false, {}};
         if (question.answers.candidate_of[i]) {
             const Candidate& candidate = question.answers.candidates[*question.answers.candidate_of[i]];
             item.value = candidate.value;
@@ -208,20 +208,39 @@ std::vector<MatchedItem> matched_items(const Question& question, const std::vect
     return matched;
 }
 
-}  // namespace
-
-std::vector<MatchedItem> match(const Transcript& transcript, std::span<const ItemSpec> items) {
+std::vector<MatchedItem> match_all(const Transcript& transcript, std::span<const ItemSpec> items) {
     Fits fits;
     std::vector<Question> questions = list_questions(items);
     std::vector<MatchedItem> result;
     if (transcript.sections.empty()) {
-        for (const ItemSpec& item : items) result.push_back({item, {}, MatrixOrder::unsaid, {}, false});
+        for (const ItemSpec& item : items) result.push_back({item, {}, MatrixOrder::unsaid, {}, false, {}});
         return result;
     }
     answer_all(questions, transcript.sections, fits);
     for (const Question& question : questions) {
         for (MatchedItem& item : matched_items(question, transcript.sections, fits)) result.push_back(std::move(item));
     }
+    return result;
+}
+
+}  // namespace
+
+std::vector<MatchedItem> match(const Transcript& transcript, std::span<const ItemSpec> items,
+                               std::span<const ItemPlace> places) {
+    if (places.empty()) return match_all(transcript, items);
+    Transcript rest = transcript;
+    std::vector<std::optional<MatchedItem>> placed;
+    std::vector<ItemSpec> others;
+    for (const ItemSpec& item : items) {
+        const auto place = std::find_if(places.begin(), places.end(), [&](const ItemPlace& each) {
+            return each.question == item.question && each.item == item.name;
+        });
+        placed.push_back(place == places.end() ? std::nullopt : read_at(rest, item, *place));
+        if (!placed.back()) others.push_back(item);
+    }
+    std::vector<MatchedItem> matched = match_all(rest, others), result;
+    auto next = matched.begin();
+    for (std::optional<MatchedItem>& item : placed) result.push_back(item ? std::move(*item) : std::move(*next++));
     return result;
 }
 

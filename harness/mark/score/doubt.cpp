@@ -62,7 +62,7 @@ class Doubter {
         const bool little_read = is_little_read();
         for (QuestionScore& question : score_.questions) {
             for (ItemScore& item : question.items) {
-                if (item.verdict == ItemVerdict::right) continue;
+                if (item.verdict == ItemVerdict::right || !item.reread.empty()) continue;
                 item.doubt = doubt_of(item, little_read);
             }
         }
@@ -208,7 +208,7 @@ class Doubter {
         };
         if (std::all_of(found.begin(), found.end(), is_plain) || std::none_of(found.begin(), found.end(), is_free))
             return false;
-        MatchedItem read{item.spec, PrintedValue(), MatrixOrder::unsaid, {}, false};
+        MatchedItem read{item.spec, PrintedValue(), MatrixOrder::unsaid, {}, false, {}};
         for (const Found* each : found) read.value->numbers.push_back(each->number);
         const reference::KeyItem& key = key_item(item.spec);
         return std::any_of(key.answers.begin(), key.answers.end(), [&](const reference::Answer& answer) {

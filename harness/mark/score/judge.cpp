@@ -45,6 +45,7 @@ Judgement Judge::judge(const KeyItem& item, const Evidence& evidence) const {
     const auto printed = std::find_if(matched_.begin(), matched_.end(),
                                       [&](const MatchedItem& m) { return id_of(m.spec) == id_of(item.spec); });
     if (printed == matched_.end()) return judgement;
+    score.reread = printed->reread;
     if (printed->verdict) {
         score.printed = printed->verdict->printed;
         score.line = score.last_line = printed->verdict->line;

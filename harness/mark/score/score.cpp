@@ -155,12 +155,13 @@ std::string_view to_string(Doubt::Why why) {
     return "";
 }
 
-Score score(const Transcript& transcript, const reference::AnswerKey& key, const reference::Assignment& assignment) {
+Score score(const Transcript& transcript, const reference::AnswerKey& key, const reference::Assignment& assignment,
+            std::span<const ItemPlace> places) {
     std::vector<reference::ItemSpec> items;
     for (const reference::KeyQuestion& question : key.questions) {
         for (const reference::KeyItem& item : question.items) items.push_back(item.spec);
     }
-    const std::vector<MatchedItem> matched = match(transcript, items);
+    const std::vector<MatchedItem> matched = match(transcript, items, places);
     Gathered gathered = gather(matched, key, assignment);
     const Judge judge(matched, gathered.findings, key, assignment);
     Score score;

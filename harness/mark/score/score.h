@@ -2,10 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "harness/read/transcript.h"
+#include "harness/match/item_place.h"
 #include "reference/key/answer_key.h"
 
 namespace harness {
@@ -51,6 +52,7 @@ struct ItemScore {
     std::string diagnosis;        ///< the mistake's name, e.g. "far root"; empty when unknown
     std::string advice;           ///< one sentence about the mistake; never the expected value
     std::optional<Doubt> doubt;   ///< of the reading; only if the item is not right
+    std::string reread;           ///< who says where it stands, and why; empty if nobody does
     // How the value was read. `printed` alone does not tell: "none (d < 0)" contains a number.
     bool no_value = false;    ///< read as "none"
     bool not_finite = false;  ///< its numbers include nan or inf
@@ -81,8 +83,9 @@ struct Score {
     std::vector<QuestionScore> questions;     ///< in the handout's order
 };
 
-/// Marks a transcript. `key` must be the assignment's.
-Score score(const Transcript& transcript, const reference::AnswerKey& key, const reference::Assignment& assignment);
+/// Marks a transcript. `key` must be the assignment's. Items that have a place are read from there.
+Score score(const Transcript& transcript, const reference::AnswerKey& key, const reference::Assignment& assignment,
+            std::span<const ItemPlace> places = {});
 
 /// The diagnosis of answers that belong to another scene than the assignment's.
 inline constexpr std::string_view another_scene = "another scene";

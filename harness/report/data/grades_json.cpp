@@ -65,7 +65,7 @@ class Fields {
 
 ordered_json item_json(const Graded& graded, const QuestionScore& question, const ItemScore& item,
                        const Expected& expected) {
-    constexpr std::size_t count = 13;
+    constexpr std::size_t count = 14;
     Fields fields(count);
     fields.add("name", item.spec.name);
     fields.add("verdict", to_string(item.verdict));
@@ -82,6 +82,7 @@ ordered_json item_json(const Graded& graded, const QuestionScore& question, cons
     fields.add("reading", item.doubt
                               ? ordered_json{{"doubt", to_string(item.doubt->why)}, {"look_at", item.doubt->line}}
                               : ordered_json(nullptr));
+    if (!item.reread.empty()) fields.add("reread", escape_control(item.reread));
     return std::move(fields).json();
 }
 

@@ -62,6 +62,7 @@ PageData list_of_changes(const Graded& graded, const std::optional<FinalMark>& m
         add(fmt::format("Your instructor gave {} points for {}: {}", points_text(given.points), place_in_words(given),
                         given.why));
     }
+    for (const std::string& sentence : reread_sentences(graded.score)) add(sentence);
     if (mark && mark->late_deduction > 0)
         add(fmt::format("Handed in late: {} points are taken off.", points_text(mark->late_deduction)));
     return list;
@@ -145,7 +146,8 @@ std::string StudentPages::question(const Graded& graded, const QuestionScore& qu
         if (is_plainly_right(each, graded.outcome)) {
             right += (right.empty() ? "" : ", ") + std::string(each.spec.name);
         } else if (!all_missing) {
-            items.push_back(item(graded, question, each, !note.empty() && each.verdict == ItemVerdict::follow));
+            items.push_back(item(graded, question, each,
+                                 !note.empty() && each.verdict == ItemVerdict::follow && each.advice.empty()));
         }
     }
     set_text(data, "right", right);

@@ -79,6 +79,7 @@ std::string from_the_instructor(const Graded& graded) {
         text += fmt::format("- Your instructor gave {} of {} for {}{}: {}\n", points_text(given.points),
                             points_text(there->most), place_in_words(given), instead, code(given.why));
     }
+    for (const std::string& sentence : reread_sentences(graded.score)) text += fmt::format("- {}\n", plain(sentence));
     return text.empty() ? "" : text + "\n";
 }
 

@@ -49,6 +49,7 @@ std::string item_text(const Graded& graded, const QuestionScore& question, const
         if (!item.printed.empty()) text += "  You printed " + escape_control(item.printed) + "\n";
         text += "  " + sentence + (item.diagnosis.empty() ? "" : fmt::format(" ({})", item.diagnosis)) + "\n";
     }
+    if (!item.reread.empty()) text += "  " + escape_control(item.reread) + "\n";
     const bool is_shown = marking.assignment.rubric.show_expected && item.verdict != ItemVerdict::right;
     if (is_shown) text += "  Right value: " + right_value(item, marking) + "\n";
     const std::string word = override_text(find_override(graded, question.number, std::string(item.spec.name)));

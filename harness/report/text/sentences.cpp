@@ -11,17 +11,6 @@
 namespace harness::report {
 namespace {
 
-std::string expected_shape(reference::Shape shape) {
-    switch (shape) {
-        case reference::Shape::scalar: return "one number";
-        case reference::Shape::vector: return "a vector of three numbers";
-        case reference::Shape::matrix3: return "a 3 x 3 matrix";
-        case reference::Shape::matrix4: return "a 4 x 4 matrix";
-        case reference::Shape::verdict: return "a sentence that says which object is hit first";
-    }
-    return "";
-}
-
 bool holds_no_number(const ItemScore& item) {
     return !item.error &&
            (item.printed.find("nan") != std::string::npos || item.printed.find("inf") != std::string::npos);
@@ -43,6 +32,17 @@ bool was_cut_short(Outcome outcome) {
 }
 
 }  // namespace
+
+std::string expected_shape(reference::Shape shape) {
+    switch (shape) {
+        case reference::Shape::scalar: return "one number";
+        case reference::Shape::vector: return "a vector of three numbers";
+        case reference::Shape::matrix3: return "a 3 x 3 matrix";
+        case reference::Shape::matrix4: return "a 4 x 4 matrix";
+        case reference::Shape::verdict: return "a sentence that says which object is hit first";
+    }
+    return "";
+}
 
 std::string scenes_sentence(const Graded& graded) {
     return fmt::format("Other scenes: {} of {} points.", points_text(final_scenes_points(graded)),
@@ -67,6 +67,17 @@ std::string doubtful_reading(const Graded& graded) {
     const auto found = std::find_if(graded.flags.begin(), graded.flags.end(),
                                     [](const Flag& flag) { return flag.kind == "reading_doubtful"; });
     return found == graded.flags.end() ? "" : found->evidence;
+}
+
+std::vector<std::string> reread_sentences(const Score& score) {
+    std::vector<std::string> sentences;
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (!item.reread.empty())
+                sentences.push_back(fmt::format("Question {}, {}: {}", question.number, item.spec.name, item.reread));
+        }
+    }
+    return sentences;
 }
 
 std::string flag_title(const Flag& flag) {

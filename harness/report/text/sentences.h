@@ -2,10 +2,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "harness/grade/graded.h"
 
 namespace harness::report {
+
+/// What an answer of this shape looks like: "a vector of three numbers".
+std::string expected_shape(reference::Shape shape);
 
 /// Why an item lost its mark or was accepted in another form, as sentences; empty for a plainly right one.
 std::string item_sentence(const ItemScore& item, Outcome outcome);
@@ -19,6 +23,9 @@ std::string cap_sentence(double cap);
 /// Tells the student why a submission has no marks, without the machine's problems and folders; the instructor finds
 /// both in the class table. May hold the student's own file names.
 std::string reason_for_student(const Submission& submission);
+
+/// What the instructor said about how answers are to be read, as sentences: "Question 6, t: Read from line 12, …"
+std::vector<std::string> reread_sentences(const Score& score);
 
 /// Why answers of the submission may have been misread; empty if none may.
 std::string doubtful_reading(const Graded& graded);

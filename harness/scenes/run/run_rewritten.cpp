@@ -49,6 +49,7 @@ class RewrittenPart {
         submission.id = fmt::format("{} ({})", graded_[one.index].submission.id, scene.scene.name);
         submission.file = graded_[one.index].submission.file;
         submission.source = std::move(source);
+        submission.rereads = graded_[one.index].submission.rereads;
         submissions_.push_back(std::move(submission));
         markings_.push_back(scene.marking.get());
         places_.emplace_back(rewritten_.size(), run);

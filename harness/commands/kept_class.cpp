@@ -1,0 +1,74 @@
+#include "harness/commands/kept_class.h"
+
+#include <fmt/format.h>
+
+#include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
+#include "harness/results/reports.h"
+#include "harness/text/escape.h"
+#include "harness/text/near_names.h"
+#include "harness/text/points.h"
+
+namespace harness {
+
+namespace fs = std::filesystem;
+
+KeptClass restore(const Gradebook& gradebook, const fs::path& folder) {
+    const auto run = gradebook.last_run();
+    if (!run) {
+        throw UsageError(
+            fmt::format("{}: holds no gradebook; name the folder that `raygrade grade --out` wrote to "
+                        "with --results",
+                        folder.string()));
+    }
+    KeptClass kept{*run, gradebook.restore(), gradebook.overrides(), gradebook.rereads()};
+    attach(kept.overrides, kept.graded);
+    attach(kept.rereads, kept.graded);
+    return kept;
+}
+
+std::size_t find_submission(const std::vector<Graded>& graded, const std::string& id) {
+    std::vector<std::string> ids;
+    for (std::size_t i = 0; i < graded.size(); ++i) {
+        if (graded[i].submission.id == id) return i;
+        ids.push_back(graded[i].submission.id);
+    }
+    throw UsageError(
+        fmt::format("{}: is none of the submissions graded; {}", escape_control(id), did_you_mean(id, ids)));
+}
+
+Marking marking_of(const KeptClass& kept) {
+    return make_marking(reference::parse_assignment(kept.run.toml, kept.run.assignment_file));
+}
+
+void rewrite_reports(Gradebook& gradebook, const KeptClass& kept, const Marking& marking, bool all,
+                     const std::vector<std::size_t>& changed, const fs::path& folder) {
+    std::optional<report::CanvasRoster> roster;
+    std::optional<report::MoodleWorksheet> worksheet;
+    try {
+        roster = read_roster(gradebook.input(canvas_roster_input));
+        worksheet = read_worksheet(gradebook.input(moodle_worksheet_input));
+    } catch (const report::RosterError& error) {
+        throw HarnessError(
+            fmt::format("{}: the roster kept in it {}", (folder / gradebook_name).string(), error.what()));
+    }
+    make_results_folder(folder, "feedback");
+    const ClassResults results{kept.graded, marking, kept.run.tier, roster, worksheet};
+    if (all || changed.size() > 1) {
+        write_reports(results, folder);
+    } else if (!changed.empty()) {
+        write_reports(results, folder, changed.front());
+    }
+    gradebook.note_reports_written();
+}
+
+void tell_mark(const Graded& before, const Graded& after) {
+    const auto text = [](const Graded& one) {
+        const auto points = points_that_count(one);
+        return points ? points_text(*points) : "no mark";
+    };
+    fmt::print("{}: {} -> {} of {} points in all\n", escape_control(after.submission.id), text(before), text(after),
+               points_text(after.score.max_points));
+}
+
+}  // namespace harness

@@ -1,0 +1,37 @@
+// What override and reread have in common: a class as its gradebook keeps it, changed and written again.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "harness/grade/marking.h"
+#include "harness/gradebook/gradebook.h"
+
+namespace harness {
+
+struct KeptClass {
+    Run run;
+    std::vector<Graded> graded;  ///< with overrides and rereads, without printouts
+    std::vector<KeptOverride> overrides;
+    std::vector<KeptReread> rereads;
+};
+
+/// Throws UsageError if the folder holds no gradebook.
+KeptClass restore(const Gradebook& gradebook, const std::filesystem::path& folder);
+
+/// The submission's place in the class. Throws UsageError with similar names if there is none.
+std::size_t find_submission(const std::vector<Graded>& graded, const std::string& id);
+
+/// The marking that the class was graded with.
+Marking marking_of(const KeptClass& kept);
+
+/// Writes all reports, because the last command may have left some unwritten, or only those that a change of these
+/// submissions changes.
+void rewrite_reports(Gradebook& gradebook, const KeptClass& kept, const Marking& marking, bool all,
+                     const std::vector<std::size_t>& changed, const std::filesystem::path& folder);
+
+/// Prints how the mark of a submission changed.
+void tell_mark(const Graded& before, const Graded& after);
+
+}  // namespace harness

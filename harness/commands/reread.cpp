@@ -1,0 +1,259 @@
+#include "harness/batch/reread.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "harness/commands/kept_class.h"
+#include "harness/commands/subcommand.h"
+#include "harness/grade/override_place.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
+#include "harness/report/text/sentences.h"
+#include "harness/results/reports.h"
+#include "harness/text/escape.h"
+#include "harness/text/near_names.h"
+
+namespace harness {
+namespace {
+
+struct RereadOptions {
+    std::string id;     ///< of the submission
+    std::string item;   ///< "6.t"
+    std::string lines;  ///< "12", "12-14", "12:2"; empty with none or remove
+    std::optional<std::string> why;
+    std::string by;  ///< empty for the account that runs raygrade
+    std::filesystem::path results = "results";
+    bool none = false;   ///< the item was not printed
+    bool alike = false;  ///< also for every other submission whose printout has the same layout
+    bool remove = false;
+    bool list = false;  ///< only list the rereads
+};
+
+constexpr const char* example = "raygrade reread s05 6.t 12 --why \"the label is misspelt\"";
+
+void check_reread(const RereadOptions& options) {
+    const bool says_where = !options.lines.empty() || options.none;
+    const bool contradicts = (!options.lines.empty() && options.none) || (says_where && options.remove);
+    if (options.id.empty() || options.item.empty() || contradicts || says_where == options.remove) {
+        throw UsageError(
+            options.remove
+                ? "reread --remove takes a submission and an item: raygrade reread s05 6.t --remove --why "
+                  "\"a slip\""
+                : fmt::format("reread takes a submission, an item, and lines of its output or --none: {}", example));
+    }
+    if (!options.why) throw UsageError(fmt::format("reread takes a reason: {}", example));
+}
+
+std::string item_of(const Reread& given) {
+    return fmt::format("{}.{}", given.question, given.item);
+}
+
+const ItemScore& item_score(const Graded& graded, const Reread& given) {
+    for (const QuestionScore& question : graded.score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (question.number == given.question && item.spec.name == given.item) return item;
+        }
+    }
+    throw UsageError(fmt::format("{}: is no item of this assignment", item_of(given)));
+}
+
+void list_rereads(const KeptClass& kept) {
+    for (const KeptReread& each : kept.rereads) {
+        const auto one = std::find_if(kept.graded.begin(), kept.graded.end(),
+                                      [&](const Graded& any) { return any.submission.id == each.submission; });
+        const bool holds = one != kept.graded.end() && counts(*one, each.given);
+        fmt::print("{}  {}  {}{}  {}: {}\n", escape_control(each.submission), item_of(each.given),
+                   each.given.lines.empty() ? "not printed" : "line " + each.given.lines,
+                   holds ? "" : " (kept, but there is no such submission or its printout has another layout now)",
+                   each.given.when, escape_control(note_of(each.given)));
+    }
+    if (kept.rereads.empty()) fmt::print("no rereads\n");
+}
+
+/// The printout as the gradebook keeps it. Throws UsageError if it is not kept.
+std::string printout_of(const Gradebook& gradebook, const std::string& id) {
+    std::string printout = gradebook.printout(id);
+    if (!printout.empty()) return printout;
+    throw UsageError(
+        fmt::format("{}: there is no printout of it to read again: the program printed nothing, or more than {} KiB, "
+                    "or the class was last graded by an older raygrade (then grade it again with --apply). "
+                    "`raygrade override` gives points without one",
+                    escape_control(id), longest_printout >> 10U));
+}
+
+/// Throws UsageError if the lines of the reread hold nothing that has the item's shape.
+void require_value(const Reread& given, const ItemScore& item, const std::string& printout) {
+    if (given.lines.empty()) return;
+    const auto place = read_lines(given.lines);
+    if (!place) {
+        throw UsageError(fmt::format(
+            "{}: are no lines of an output; write 12, 12-14, or 12:2 and 12:2-4 for some of a line's numbers",
+            escape_control(given.lines)));
+    }
+    Transcript transcript = read_transcript(printout);
+    if (read_at(transcript, item.spec, *place)) return;
+    throw UsageError(fmt::format(
+        "{}: {} holds {} numbers and nothing that can be read as {}, which {} is. Name the lines that hold just that, "
+        "or some of a line's numbers, as in {}:2-4; `raygrade read` shows an output with its lines",
+        escape_control(given.lines), place->first_line == place->last_line ? "the line" : "this",
+        numbers_at(transcript, *place), report::expected_shape(item.spec.shape), item_of(given), place->first_line));
+}
+
+/// The submissions whose printouts have this layout, by their places in the class.
+std::vector<std::size_t> with_layout(const Gradebook& gradebook, const KeptClass& kept, const std::string& layout) {
+    std::vector<std::size_t> alike;
+    for (std::size_t i = 0; i < kept.graded.size(); ++i) {
+        const std::string printout = gradebook.printout(kept.graded[i].submission.id);
+        if (!printout.empty() && layout_of(printout) == layout) alike.push_back(i);
+    }
+    return alike;
+}
+
+class Rereading {
+  public:
+    Rereading(const RereadOptions& options, Gradebook& gradebook, KeptClass& kept, const Marking& marking)
+        : options_(options), gradebook_(gradebook), kept_(kept), marking_(marking) {}
+
+    /// The places of the submissions that it changes. Tells what it does.
+    std::vector<std::size_t> put() {
+        const std::size_t index = find_submission(kept_.graded, options_.id);
+        const Reread given = read_options(kept_.graded[index]);
+        const std::vector<std::size_t> alike = with_layout(gradebook_, kept_, given.layout);
+        std::vector<std::string> others;
+        for (const std::size_t i : alike) {
+            if (i != index) others.push_back(kept_.graded[i].submission.id);
+        }
+        const std::vector<std::size_t> changed = options_.alike ? alike : std::vector{index};
+        for (const std::size_t i : changed) put(i, given);
+        if (!options_.alike && !others.empty()) {
+            fmt::print("The same layout: {}. The same command with --alike rereads them too.\n",
+                       escape_control(fmt::format("{}", fmt::join(others, ", "))));
+        }
+        return changed;
+    }
+
+    std::vector<std::size_t> remove() {
+        std::vector<std::string> items;
+        std::optional<KeptReread> removed;
+        for (const KeptReread& each : kept_.rereads) {
+            if (each.submission != options_.id) continue;
+            items.push_back(item_of(each.given));
+            if (items.back() == options_.item) removed = each;
+        }
+        if (!removed) {
+            throw UsageError(fmt::format("{} of {}: was not reread; {}", escape_control(options_.item),
+                                         escape_control(options_.id), did_you_mean(options_.item, items)));
+        }
+        const Author author = author_now(options_.by.empty() ? "" : read_line(options_.by, "--by"));
+        const std::string why = read_line(*options_.why, "--why");
+        for (std::size_t i = 0; i < kept_.graded.size(); ++i) {
+            Graded& one = kept_.graded[i];
+            if (one.submission.id != options_.id || !counts(one, removed->given)) continue;
+            const Graded before = one;
+            std::erase_if(one.submission.rereads, [&](const Reread& each) { return item_of(each) == options_.item; });
+            one.printout = printout_of(gradebook_, options_.id);
+            mark_again(one, marking_);
+            gradebook_.remove_reread(*removed, author, why, before, one, i);
+            tell(before, one, removed->given);
+            return {i};
+        }
+        gradebook_.remove_reread(*removed, author, why);
+        fmt::print("{} {}: removed\n", escape_control(options_.id), escape_control(options_.item));
+        return {};
+    }
+
+  private:
+    Reread read_options(const Graded& one) const {
+        const OverridePlace place = read_place(options_.item, one);
+        if (place.question == 0 || place.item.empty()) {
+            throw UsageError(fmt::format("{}: is not a single item; name one, such as 6.t", options_.item));
+        }
+        const std::string printout = printout_of(gradebook_, options_.id);
+        const Author author = author_now(options_.by.empty() ? "" : read_line(options_.by, "--by"));
+        Reread given{place.question, place.item, options_.lines, layout_of(printout), read_line(*options_.why, "--why"),
+                     author.name,    author.when};
+        require_value(given, item_score(one, given), printout);
+        return given;
+    }
+
+    void put(std::size_t index, const Reread& given) {
+        Graded& one = kept_.graded[index];
+        const Graded before = one;
+        std::erase_if(one.submission.rereads, [&](const Reread& each) { return item_of(each) == item_of(given); });
+        one.submission.rereads.push_back(given);
+        one.printout = printout_of(gradebook_, one.submission.id);
+        mark_again(one, marking_);
+        gradebook_.put_reread({one.submission.id, given}, before, one, index);
+        tell(before, one, given);
+    }
+
+    static void tell(const Graded& before, const Graded& after, const Reread& given) {
+        const auto text = [](const ItemScore& item) {
+            return item.printed.empty() ? std::string(to_string(item.verdict))
+                                        : fmt::format("{} ({})", escape_control(item.printed), to_string(item.verdict));
+        };
+        fmt::print("{} {}: {} -> {}\n", escape_control(after.submission.id), item_of(given),
+                   text(item_score(before, given)), text(item_score(after, given)));
+        tell_mark(before, after);
+    }
+
+    const RereadOptions& options_;
+    Gradebook& gradebook_;
+    KeptClass& kept_;
+    const Marking& marking_;
+};
+
+int reread(const RereadOptions& options) {
+    if (!options.list) check_reread(options);
+    const FolderLock lock(options.results);
+    Gradebook gradebook(options.results);
+    KeptClass kept = restore(gradebook, options.results);
+    if (options.list) {
+        list_rereads(kept);
+        return all_graded;
+    }
+    // As in override: once the gradebook is saved again, a changed report would look unchanged.
+    const bool all = !gradebook.reports_are_written() || !class_reports_are_as_left(kept.graded, options.results);
+    const Marking marking = marking_of(kept);
+    Rereading rereading(options, gradebook, kept, marking);
+    const std::vector<std::size_t> changed = options.remove ? rereading.remove() : rereading.put();
+    rewrite_reports(gradebook, kept, marking, all, changed, options.results);
+    return all_graded;
+}
+
+void add_options(CLI::App& command, RereadOptions& options) {
+    command.add_option("id", options.id, "The submission, as the reports name it")->type_name("ID");
+    command.add_option("item", options.item, "The item that was misread, such as 6.t")->type_name("ITEM");
+    command
+        .add_option(
+            "lines", options.lines,
+            "Where it stands in the program's output: 12, 12-14, or 12:2 and 12:2-4 for some of a line's numbers")
+        ->type_name("LINES");
+    command.add_flag("--none", options.none, "In place of lines: the program did not print the item");
+    command.add_option("--why", options.why, "The reason, which the student reads too")->type_name("TEXT");
+    command.add_option("--by", options.by, "Who decides; by default the account that runs raygrade")->type_name("NAME");
+    command.add_flag("--alike", options.alike,
+                     "Also for every other submission whose output looks the same but for its numbers");
+    command.add_option("--results", options.results, "The folder that `raygrade grade` wrote its results to")
+        ->type_name("DIR")
+        ->capture_default_str();
+    command.add_flag("--remove", options.remove, "Take a reread back: the item is read automatically again");
+    command.add_flag("--list", options.list, "Show the rereads there are");
+    command.footer(fmt::format(
+        "Verdicts, points and follow-through are worked out anew from what stands there, and the reports are written "
+        "again at once. It stays through every regrade while the output's layout stays. Example: {}",
+        example));
+}
+
+}  // namespace
+
+Subcommand reread_command(CLI::App& app) {
+    return subcommand(app, "reread",
+                      "Say where an answer stands that was misread: it is marked from there, and what follows from it",
+                      add_options, reread);
+}
+
+}  // namespace harness

@@ -1,0 +1,24 @@
+// An item of the assignment and what was printed for it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "harness/match/label.h"
+#include "harness/read/verdict.h"
+
+namespace harness {
+
+struct MatchedItem {
+    reference::ItemSpec spec;
+    /// What was printed for it; empty when nothing was. Its numbers have the item's shape: 1 for a scalar, 3 or 4 (with
+    /// w) for a vector, 9 or 16 for a matrix in the order of `order`; none for a word such as "none".
+    std::optional<PrintedValue> value;
+    MatrixOrder order = MatrixOrder::unsaid;  ///< of a matrix; unsaid when the printout does not tell
+    std::optional<PrintedVerdict> verdict;    ///< for question 10
+    /// The item's label stands before a value of another shape; `value` holds that value.
+    bool unreadable = false;
+    std::string reread;  ///< the note of the ItemPlace that it was read from; empty if it has none
+};
+
+}  // namespace harness

@@ -1,0 +1,104 @@
+#include "harness/match/item_place.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "harness/match/match.h"
+
+namespace harness {
+namespace {
+
+using testing::ElementsAre;
+
+const reference::ItemSpec& spec_of(int question, std::string_view name) {
+    for (const reference::ItemSpec& item : reference::all_items()) {
+        if (item.question == question && item.name == name) return item;
+    }
+    throw std::logic_error("no such item");
+}
+
+ItemPlace place(int question, std::string_view item, std::string_view lines) {
+    ItemPlace result = lines.empty() ? ItemPlace{} : read_lines(lines).value();
+    result.question = question;
+    result.item = item;
+    result.note = "somebody says so";
+    return result;
+}
+
+std::vector<double> numbers(const std::optional<MatchedItem>& item) {
+    std::vector<double> values;
+    if (!item || !item->value) return values;
+    for (const PrintedNumber& number : item->value->numbers) values.push_back(number.value);
+    return values;
+}
+
+/// What is read for an item from the lines of an output.
+std::vector<double> read(int question, std::string_view item, std::string_view lines, std::string_view output) {
+    Transcript transcript = read_transcript(output);
+    return numbers(read_at(transcript, spec_of(question, item), place(question, item, lines)));
+}
+
+/// All items matched, with places.
+std::vector<double> matched(int question, std::string_view item, std::string_view output,
+                            const std::vector<ItemPlace>& places) {
+    for (const MatchedItem& each : match(read_transcript(output), reference::all_items(), places)) {
+        if (each.spec.question == question && each.spec.name == item) return numbers(each);
+    }
+    return {};
+}
+
+TEST(ItemPlace, IsReadFromLinesAndNumbers) {
+    EXPECT_EQ(read_lines("12")->last_line, 12);
+    EXPECT_EQ(read_lines("12-14")->last_line, 14);
+    EXPECT_EQ(read_lines("12:2")->last_number, 2);
+    EXPECT_EQ(read_lines("12:2-4")->last_number, 4);
+    for (const char* wrong : {"", "0", "x", "14-12", "12-", "-12", "12:", "12:0", "12-14:2", "1e3", "99999999999"})
+        EXPECT_FALSE(read_lines(wrong)) << wrong;
+}
+
+TEST(ItemPlace, HoldsTheValueOfTheItemsShape) {
+    const std::string output = "Question 6\nfoo: 2.5\nbar: (1, 2, 3) and 4.5\n";
+    EXPECT_THAT(read(6, "t", "2", output), ElementsAre(2.5));
+    EXPECT_THAT(read(6, "hit", "3", output), ElementsAre(1, 2, 3));
+    EXPECT_THAT(read(6, "t", "3:4", output), ElementsAre(4.5));
+    EXPECT_THAT(read(6, "hit", "3:2-4", output), ElementsAre(2, 3, 4.5));
+}
+
+TEST(ItemPlace, HoldsNumbersThatAreGluedToLetters) {
+    EXPECT_THAT(read(6, "hit", "2", "Question 6\nx1.5y-2e-3z3m\n"), ElementsAre(1.5, -2e-3, 3));
+}
+
+TEST(ItemPlace, MayRunOverSeveralLines) {
+    EXPECT_THAT(read(6, "hit", "2-4", "Question 6\n1\nthen 2\nand 3\n"), ElementsAre(1, 2, 3));
+}
+
+TEST(ItemPlace, HoldsNothingWhereTheCountDiffers) {
+    const std::string output = "Question 6\nfoo 1 bar 2\n";
+    EXPECT_THAT(read(6, "hit", "2", output), testing::IsEmpty());
+    EXPECT_THAT(read(6, "t", "2:3", output), testing::IsEmpty());
+    EXPECT_THAT(read(6, "t", "7", output), testing::IsEmpty());
+}
+
+TEST(ItemPlace, MayHoldASentence) {
+    Transcript transcript = read_transcript("The winner: triangle first\n");
+    const auto item = read_at(transcript, spec_of(10, "verdict"), place(10, "verdict", "1"));
+    ASSERT_TRUE(item && item->verdict);
+    EXPECT_EQ(item->verdict->verdict, reference::Verdict::triangle_first);
+}
+
+TEST(Match, ReadsAnItemFromItsPlaceAndLeavesTheValueToNoOther) {
+    const std::string output = "Question 6\na: 1\nb: 2\nc: 3\nd: 4\n5.5\n6.5\n";
+    EXPECT_THAT(matched(6, "t", output, {}), ElementsAre(5.5));
+    EXPECT_THAT(matched(6, "t", output, {place(6, "t", "7")}), ElementsAre(6.5));
+    EXPECT_THAT(matched(6, "d", output, {place(6, "t", "5")}), testing::Not(ElementsAre(4)))
+        << "line 5 is read for t alone";
+}
+
+TEST(Match, GivesTheValueOfAnItemThatWasNotPrintedToAnother) {
+    const std::string output = "Question 4\n(1, 2, 3)\nQuestion 1\nP_VCS (4, 5, 6)\n";
+    EXPECT_THAT(matched(4, "P_WCS", output, {}), ElementsAre(1, 2, 3));
+    EXPECT_THAT(matched(4, "P_WCS", output, {place(4, "P_WCS", "")}), testing::IsEmpty());
+}
+
+}  // namespace
+}  // namespace harness
