@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <mutex>
 #include <system_error>
 
 #include "harness/build/include_block.h"
@@ -169,6 +170,70 @@ ProcessResult compile(const std::string& source, const BuildSettings& settings, 
     return run_process(command, sandbox);
 }
 
+bool is_program(const ProcessResult& result, const std::filesystem::path& program) {
+    return result.ended == Ended::exited && result.exit_code == 0 && std::filesystem::is_regular_file(program);
+}
+
+/// Whether a line of the messages ends with what the machine says of itself, such as "No space left on device". Lines
+/// that quote the source begin with a blank.
+bool names_the_machine(const std::string& messages) {
+    static const std::vector<std::string> words = [] {
+        std::vector<std::string> all{"virtual memory exhausted", "memory exhausted"};
+        for (const int error : {ENOSPC, EDQUOT, ENOMEM, EMFILE, ENFILE, EAGAIN, EIO, EROFS})
+            all.push_back(std::generic_category().message(error));
+        return all;
+    }();
+    std::string_view rest = messages;
+    while (!rest.empty()) {
+        const std::string_view line = rest.substr(0, rest.find('\n'));
+        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+        if (line.starts_with(' ')) continue;
+        for (const std::string& word : words) {
+            if (line.ends_with(word)) return true;
+        }
+    }
+    return false;
+}
+
+/// Whether the compiler gave no reason of the source's: no error at one of its lines, and nothing missing to link.
+bool says_nothing_of_the_source(const std::string& messages) {
+    for (const char* words : {": error: ", "undefined reference", "multiple definition"}) {
+        if (messages.find(words) != std::string::npos) return false;
+    }
+    return true;
+}
+
+bool may_be_the_machine(const ProcessResult& result) {
+    if (result.ended == Ended::signalled || result.ended == Ended::refused || has_broken_down(result)) return true;
+    return result.ended == Ended::exited &&
+           (names_the_machine(result.errors) || says_nothing_of_the_source(result.errors));
+}
+
+/// The beginning of the compiler's messages on one line.
+std::string beginning(std::string text) {
+    constexpr std::size_t longest = 500;
+    text.resize(std::min(text.size(), longest));
+    while (text.ends_with('\n')) text.pop_back();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return printable(text);
+}
+
+/// Uses what most submissions use, so it takes about as much memory and room.
+constexpr const char* known_program =
+    "#include <glm/glm.hpp>\n#include <glm/gtx/string_cast.hpp>\n#include <iostream>\n"
+    "int main() { std::cout << glm::to_string(glm::vec3(1)) << '\\n'; }\n";
+
+/// A failure counts only where a program that is known to compile does so, in the same place under the same limits.
+void require_that_programs_compile(const BuildSettings& settings, const Sandbox& sandbox) {
+    const Scratch scratch(sandbox.workspace());
+    const ProcessResult result = compile(known_program, settings, sandbox, scratch, {});
+    if (is_program(result, scratch.path() / program_name)) return;
+    throw HarnessError(
+        "The source does not compile, but neither does a program that is known to be right, so it is not "
+        "marked. `raygrade doctor` says what the machine lacks. The compiler said: " +
+        beginning(messages(result, settings.limits)));
+}
+
 void empty_folder(const std::filesystem::path& folder) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) std::filesystem::remove_all(entry.path());
 }
@@ -222,17 +287,28 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
         }
         empty_folder(scratch.path());
     }
-    const ProcessResult result = compile(submission.source, settings, sandbox, scratch, {});
+    ProcessResult result = compile(submission.source, settings, sandbox, scratch, {});
+    if (!is_program(result, program) && may_be_the_machine(result)) {
+        static std::mutex one_at_a_time;  // what was short for several may do for one
+        const std::lock_guard lock(one_at_a_time);
+        empty_folder(scratch.path());
+        result = compile(submission.source, settings, sandbox, scratch, {});
+    }
     const bool broke_down = has_broken_down(result);
     build.reached_limit = !reached_limit(result.ended, settings.limits).empty() || broke_down;
     build.depends_on_load = result.ended == Ended::wall_limit || result.ended == Ended::signalled || broke_down;
     build.diagnostics = messages(result, settings.limits);
     build.wall += result.wall;
-    if (result.ended == Ended::exited && result.exit_code == 0 && std::filesystem::is_regular_file(program)) {
+    if (is_program(result, program)) {
         succeed();
-    } else {
-        refuse_a_full_disk(scratch.path(), settings.limits);
+        return build;
     }
+    refuse_a_full_disk(scratch.path(), settings.limits);
+    if (result.ended == Ended::exited && names_the_machine(result.errors)) {
+        throw HarnessError("The compiler says that the machine lacks something, twice, so its failure is not marked: " +
+                           beginning(build.diagnostics));
+    }
+    require_that_programs_compile(settings, sandbox);
     return build;
 }
 

@@ -36,7 +36,8 @@ struct PrecompiledHeader {
 /// Compiles the submission's bytes in `scratch`, an empty folder of this submission alone. Warnings are kept and cost
 /// no points. Given a header, it compiles with that first. If the compiler prints anything or fails, it compiles again
 /// without the header, and the messages and verdict of that count. So a header changes nothing but the time. A still
-/// faster way to build, such as a compiler that stays in memory, would go here too. Throws HarnessError, also if there
+/// faster way to build, such as a compiler that stays in memory, would go here too. What only the machine can have
+/// caused is tried once more, and a failure counts only if a known program compiles. Throws HarnessError, also if there
 /// is no compiler.
 Build build(const Submission& submission, const BuildSettings& settings, const Sandbox& sandbox, const Scratch& scratch,
             const std::optional<PrecompiledHeader>& header = {});

@@ -26,6 +26,7 @@ struct Build {
 struct Execution {
     Build build;
     ProcessResult run;
+    bool depends_on_machine = false;  ///< the machine may have ended the run; another time it could end otherwise
 };
 
 }  // namespace harness

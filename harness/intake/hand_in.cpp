@@ -82,19 +82,22 @@ Submission take_packed(const FileTree& tree, const HandIn& hand_in, std::string 
     }
 }
 
-std::optional<LmsName> read_name(Lms lms, const path& file, bool is_folder) {
+std::vector<LmsName> readings_of(Lms lms, const path& file, bool is_folder) {
     const std::string name = file.filename();
     switch (lms) {
-        case Lms::canvas: return is_folder ? std::nullopt : read_canvas_name(name);
+        case Lms::canvas: return is_folder ? std::vector<LmsName>() : canvas_readings(name);
         case Lms::moodle: {
-            auto read = read_moodle_name(name);
+            auto readings = moodle_readings(name);
             // Older versions of Moodle end a folder's name with '_'; in the flat form the file's name follows.
-            if (read && is_folder != read->file.empty()) return std::nullopt;
-            return read;
+            std::erase_if(readings, [&](const LmsName& read) { return is_folder != read.file.empty(); });
+            return readings;
         }
-        case Lms::gradescope: return is_folder ? read_gradescope_name(name) : std::nullopt;
+        case Lms::gradescope: {
+            const auto read = is_folder ? read_gradescope_name(name) : std::nullopt;
+            return read ? std::vector{*read} : std::vector<LmsName>();
+        }
     }
-    return std::nullopt;
+    return {};
 }
 
 std::vector<path> files_of(const Contents& contents) {
@@ -114,9 +117,10 @@ bool is_of(Lms lms, const Contents& contents) {
     // The export's own metadata file is no student's file.
     std::erase_if(files, is_gradescope_metadata);
     if (!contents.linked.empty() || (files.empty() && contents.folders.empty())) return false;
-    return std::all_of(files.begin(), files.end(), [&](const path& file) { return read_name(lms, file, false); }) &&
+    return std::all_of(files.begin(), files.end(),
+                       [&](const path& file) { return !readings_of(lms, file, false).empty(); }) &&
            std::all_of(contents.folders.begin(), contents.folders.end(),
-                       [&](const path& folder) { return read_name(lms, folder, true); });
+                       [&](const path& folder) { return !readings_of(lms, folder, true).empty(); });
 }
 
 std::optional<Lms> lms_of(const Contents& contents) {
@@ -146,28 +150,78 @@ void add_file(Student& student, const LmsName& name, const path& file) {
     }
 }
 
-/// Groups files and folders by the system's number.
-std::map<std::string, Student> students_of(Lms lms, const FileTree& tree, const Contents& contents) {
-    std::map<std::string, Student> students;
-    const auto student_of = [&](const LmsName& name) -> Student& {
-        Student& student = students.try_emplace(name.id, Student{name, {}, {}}).first->second;
-        if (name.late == true) student.name.late = true;
-        return student;
-    };
-    for (const path& file : files_of(contents)) {
-        const auto name = read_name(lms, file, false);
-        if (name) add_file(student_of(*name), *name, file);
+/// Whose a file or folder of a download is.
+struct Owned {
+    path file;
+    bool is_folder = false;
+    std::vector<LmsName> readings;  ///< one, unless its name says several things
+};
+
+/// Canvas numbers the files of one assignment closely, so a number that has far fewer digits than those of the files
+/// with a single reading belongs to the student's own name of the file: "doejane_4711_70815_6_2.cpp".
+void leave_out_short_attachments(std::vector<Owned>& owned) {
+    std::size_t fewest = 0;
+    for (const Owned& one : owned) {
+        const std::size_t digits = one.readings.front().attachment.size();
+        if (one.readings.size() == 1 && digits > 0) fewest = fewest == 0 ? digits : std::min(fewest, digits);
     }
-    for (const path& folder : contents.folders) {
-        const auto name = read_name(lms, folder, true);
-        Student& student = student_of(*name);
-        if (name->is_file) {
-            student.hand_in.add(tree.list(folder));
+    for (Owned& one : owned) {
+        const auto is_short = [&](const LmsName& read) { return read.is_file && read.attachment.size() + 1 < fewest; };
+        if (one.readings.size() > 1 && !std::all_of(one.readings.begin(), one.readings.end(), is_short))
+            std::erase_if(one.readings, is_short);
+    }
+}
+
+std::vector<Owned> owned_files(Lms lms, const Contents& contents) {
+    std::vector<Owned> owned;
+    const auto add = [&](const path& file, bool is_folder) {
+        auto readings = readings_of(lms, file, is_folder);
+        if (!readings.empty()) owned.push_back({file, is_folder, std::move(readings)});
+    };
+    for (const path& file : files_of(contents)) add(file, false);
+    for (const path& folder : contents.folders) add(folder, true);
+    if (lms == Lms::canvas) leave_out_short_attachments(owned);
+    return owned;
+}
+
+std::string reading_text(const LmsName& name) {
+    const std::string who = name.student.empty() ? "" : " (" + in_quotes(name.student) + ")";
+    return "number " + name.id + who + " with the file " + in_quotes(name.file);
+}
+
+/// A hand-in whose name may be that of several students. Nobody is given its marks.
+Submission of_unclear_owner(const Owned& owned) {
+    return with_problem(printable(owned.file.filename().native()),
+                        "Its name can be read in several ways: " + reading_text(owned.readings[0]) + ", or " +
+                            reading_text(owned.readings[1]) +
+                            ". Find out who handed it in, and put it into a folder of that name by itself.");
+}
+
+/// The students of a download by number and name, and what belongs to nobody for sure.
+struct Download {
+    std::map<std::pair<std::string, std::string>, Student> students;
+    std::vector<Submission> unclear;
+};
+
+Download students_of(Lms lms, const FileTree& tree, const Contents& contents) {
+    Download download;
+    for (const Owned& owned : owned_files(lms, contents)) {
+        if (owned.readings.size() > 1) {
+            download.unclear.push_back(of_unclear_owner(owned));
+            continue;
+        }
+        const LmsName& name = owned.readings.front();
+        Student& student = download.students.try_emplace({name.id, name.student}, Student{name, {}, {}}).first->second;
+        if (name.late == true) student.name.late = true;
+        if (!owned.is_folder) {
+            add_file(student, name, owned.file);
+        } else if (name.is_file) {
+            student.hand_in.add(tree.list(owned.file));
         } else {
-            student.no_files.push_back(folder.filename());
+            student.no_files.push_back(owned.file.filename());
         }
     }
-    return students;
+    return download;
 }
 
 /// Reads the export's metadata file; a problem if it is missing or can't be read.
@@ -270,19 +324,29 @@ bool is_of_lms(const Contents& contents) {
 std::optional<std::vector<Submission>> from_lms_download(const FileTree& tree, const Contents& contents) {
     const auto lms = lms_of(contents);
     if (!lms) return std::nullopt;
-    auto students = students_of(*lms, tree, contents);
+    auto [students, submissions] = students_of(*lms, tree, contents);
     if (*lms == Lms::gradescope) {
         const GradescopeMetadata metadata = metadata_of(tree, contents);
-        for (auto& [id, student] : students) give_names(student, metadata);
+        for (auto& [key, student] : students) give_names(student, metadata);
     }
-    std::map<std::string, int> named;
-    for (const auto& [id, student] : students) ++named[student.name.student];
-    std::vector<Submission> submissions;
-    for (const auto& [number, student] : students) {
+    std::map<std::string, int> named, numbered;
+    for (const auto& [key, student] : students) {
+        ++named[student.name.student];
+        ++numbered[key.first];
+    }
+    for (const auto& [key, student] : students) {
+        const std::string& number = key.first;
         const std::string& name = student.name.student;
         std::string id = !name.empty() ? name : *lms == Lms::gradescope ? "submission_" + number : number;
         if (!name.empty() && named[name] > 1) id += '_' + number;
-        submissions.push_back(from_student(tree, student, printable(id)));
+        if (numbered[number] > 1) {
+            submissions.push_back(
+                with_problem(printable(id),
+                             "Files of several names have the number " + number +
+                                 ". Find out whose it is, and put that student's files into a folder by themselves."));
+        } else {
+            submissions.push_back(from_student(tree, student, printable(id)));
+        }
     }
     return submissions;
 }

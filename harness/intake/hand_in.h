@@ -39,8 +39,9 @@ Submission take(const FileTree& tree, const HandIn& hand_in, std::string id, con
 bool is_of_lms(const Contents& contents);
 
 /// The submissions of a learning management system's download. Their ids are the students' names, followed by the
-/// system's number if two students have the same name. Text entries and hand-ins without a source become submissions
-/// with a problem. Empty for other folders.
+/// system's number if two students have the same name. What may be several students', by its name, is nobody's: a
+/// submission with a problem that names the ways to read it. So are files of different names with one number. Text
+/// entries and hand-ins without a source become submissions with a problem. Empty for other folders.
 std::optional<std::vector<Submission>> from_lms_download(const FileTree& tree, const Contents& contents);
 
 /// Whether a file is called ray_cast, regardless of its extension and of an addition such as " (2)".

@@ -5,38 +5,67 @@
 namespace harness {
 namespace {
 
+/// More than two say no more.
+constexpr std::size_t most_readings = 8;
+
 re2::StringPiece piece(std::string_view text) {
     return {text.data(), text.size()};
 }
 
 }  // namespace
 
-std::optional<LmsName> read_canvas_name(std::string_view file) {
-    // The student's name may hold digits and '_', so the match for it is as short as possible.
-    static const RE2 of_a_file(R"((?s)(?:(.*?)_)??(LATE_)?(?:(\d+)|anon_([^_]+))_(\d+)_(.+))");
-    static const RE2 of_no_file(R"((?s)(?:(.*?)_)??(LATE_)?(?:(\d+)|anon_([^_]+))_(text|link)\.html)");
-    LmsName name;
-    std::string late, user, anonymous, kind;
-    if (RE2::FullMatch(piece(file), of_no_file, &name.student, &late, &user, &anonymous, &kind)) {
-        name.is_file = false;
-        name.file = kind + ".html";
-    } else if (!RE2::FullMatch(piece(file), of_a_file, &name.student, &late, &user, &anonymous, &name.attachment,
-                               &name.file)) {
-        return std::nullopt;
+std::vector<LmsName> canvas_readings(std::string_view file) {
+    static const RE2 after_name(R"((?s)(LATE_)?(?:(\d+)|anon_([^_]+))_(?:(\d+)_(.+)|(text|link)\.html))");
+    std::vector<LmsName> readings;
+    for (std::size_t begin = 0; begin < file.size(); ++begin) {  // of what follows the student's name
+        if (begin > 0 && file[begin - 1] != '_') continue;
+        LmsName name;
+        std::string late, user, anonymous, kind;
+        if (!RE2::FullMatch(piece(file.substr(begin)), after_name, &late, &user, &anonymous, &name.attachment,
+                            &name.file, &kind)) {
+            continue;
+        }
+        name.student = file.substr(0, begin == 0 ? 0 : begin - 1);
+        // A LATE before the number is Canvas's, as it writes students' names in lower case, and so is "anon".
+        const auto ends_with = [&](std::string_view word) {
+            return name.student == word || name.student.ends_with("_" + std::string(word));
+        };
+        if (ends_with("LATE") || ends_with("anon")) continue;
+        name.is_file = kind.empty();
+        if (!name.is_file) name.file = kind + ".html";
+        name.late = !late.empty();
+        name.id = user.empty() ? "anon_" + anonymous : user;
+        readings.push_back(std::move(name));
+        if (readings.size() == most_readings) break;
     }
-    name.late = !late.empty();
-    name.id = user.empty() ? "anon_" + anonymous : user;
-    return name;
+    return readings;
 }
 
-std::optional<LmsName> read_moodle_name(std::string_view text) {
-    static const RE2 pattern(R"((?s)(.*)_(\d+)_assignsubmission_(file|onlinetext)(?:_(.*))?)");
-    LmsName name;
-    name.system = Lms::moodle;
-    std::string kind;
-    if (!RE2::FullMatch(piece(text), pattern, &name.student, &name.id, &kind, &name.file)) return std::nullopt;
-    name.is_file = kind == "file";
-    return name;
+std::vector<LmsName> moodle_readings(std::string_view text) {
+    static const RE2 after_name(R"((?s)_(\d+)_assignsubmission_(file|onlinetext)(?:_(.*))?)");
+    std::vector<LmsName> readings;
+    for (std::size_t begin = text.size(); begin-- > 0;) {
+        if (text[begin] != '_') continue;
+        LmsName name;
+        name.system = Lms::moodle;
+        std::string kind;
+        if (!RE2::FullMatch(piece(text.substr(begin)), after_name, &name.id, &kind, &name.file)) continue;
+        name.student = text.substr(0, begin);
+        name.is_file = kind == "file";
+        readings.push_back(std::move(name));
+        if (readings.size() == most_readings) break;
+    }
+    return readings;
+}
+
+std::optional<LmsName> read_canvas_name(std::string_view file) {
+    const auto readings = canvas_readings(file);
+    return readings.empty() ? std::nullopt : std::optional(readings.front());
+}
+
+std::optional<LmsName> read_moodle_name(std::string_view name) {
+    const auto readings = moodle_readings(name);
+    return readings.empty() ? std::nullopt : std::optional(readings.front());
 }
 
 std::optional<LmsName> read_gradescope_name(std::string_view folder) {

@@ -29,11 +29,16 @@ struct LmsName {
 
 /// A file of Canvas's "Download Submissions": `<name>[_LATE]_<user>_<attachment>_<file>`, or anonymous
 /// `[LATE_]anon_<id>_<attachment>_<file>`; `_text.html` and `_link.html` for text entries and links (canvas-lms,
-/// content_zipper.rb).
-std::optional<LmsName> read_canvas_name(std::string_view file);
+/// content_zipper.rb). A student chooses the name and the file, and either may look like numbers, so there may be
+/// several readings. The one with the shortest name comes first.
+std::vector<LmsName> canvas_readings(std::string_view file);
 
 /// A folder of Moodle's download, `<Full name>_<participant>_assignsubmission_file`, or a file of its flat form, which
-/// ends in `_<file>`. Names may hold '_', so the name is parsed from the right (mod/assign, downloader.php).
+/// ends in `_<file>` (mod/assign, downloader.php). The one with the longest name comes first.
+std::vector<LmsName> moodle_readings(std::string_view name);
+
+/// The first reading; empty if there is none.
+std::optional<LmsName> read_canvas_name(std::string_view file);
 std::optional<LmsName> read_moodle_name(std::string_view name);
 
 /// A folder of a Gradescope export: `submission_<number>`.

@@ -101,7 +101,17 @@ std::vector<std::string> marks_of_results() {
 std::string feedback_name(const std::string& id, std::size_t index) {
     constexpr std::size_t longest = 200;
     std::string name;
-    for (const char c : id) name += c == '/' ? "%2F" : std::string(1, c);
+    for (std::size_t i = 0; i < id.size(); ++i) {
+        // Two ids never share a page: "Ann/Lee" becomes "Ann%2FLee", and "Ann%2FLee" becomes "Ann%252FLee".
+        const std::string_view next = std::string_view(id).substr(i, 3);
+        if (next.starts_with('/')) {
+            name += "%2F";
+        } else if (next == "%2F" || next == "%25") {
+            name += "%25";
+        } else {
+            name += id[i];
+        }
+    }
     if (name.size() > longest) name = fmt::format("{}-{}", beginning_of_characters(name, longest), index + 1);
     return name;
 }

@@ -1,6 +1,10 @@
 #include "harness/run/execute.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <initializer_list>
+#include <mutex>
+#include <system_error>
 #include <utility>
 
 #include "harness/build/include_block.h"
@@ -52,6 +56,29 @@ std::optional<PrecompiledHeader> kept_header(const Submission& submission, const
     return runner.headers->get(plan.headers.front());
 }
 
+/// Whether the machine, and not the program, may have ended the program, for example by having no memory for it.
+bool may_be_the_machine(const ProcessResult& run) {
+    return run.ended == Ended::signalled || (run.ended == Ended::exited && run.exit_code != 0 && run.output.empty());
+}
+
+/// Whether the program said that it did not get memory or processes.
+bool lacks_something(const ProcessResult& run) {
+    const std::initializer_list<std::string> words{"bad_alloc", std::generic_category().message(ENOMEM),
+                                                   std::generic_category().message(EAGAIN)};
+    return std::any_of(words.begin(), words.end(),
+                       [&](const std::string& word) { return run.errors.find(word) != std::string::npos; });
+}
+
+/// Runs a program, and once more by itself if the machine may have ended it. Then the second run counts.
+void run_fairly(Execution& execution, const Runner& runner, const Scratch& program) {
+    execution.run = run(execution.build, runner.run, *runner.sandbox, program);
+    if (!may_be_the_machine(execution.run)) return;
+    static std::mutex one_at_a_time;
+    const std::lock_guard lock(one_at_a_time);
+    execution.run = run(execution.build, runner.run, *runner.sandbox, program);
+    execution.depends_on_machine = !may_be_the_machine(execution.run) || lacks_something(execution.run);
+}
+
 }  // namespace
 
 HeaderLines header_lines(const std::string& source) {
@@ -93,8 +120,7 @@ Executions run_compiled(Compiled compiled, const Submission& submission, const R
     if (executions.from_cache) return std::move(executions);
     {
         const Timeline::Span span(timeline, Stage::run, submission.id);
-        for (Execution& each : executions.runs)
-            each.run = run(each.build, runner.run, *runner.sandbox, *compiled.program);
+        for (Execution& each : executions.runs) run_fairly(each, runner, *compiled.program);
         if (executions.sanitized) {
             executions.sanitized->run = run(executions.sanitized->build, sanitizer_limits(runner.run), *runner.sandbox,
                                             *compiled.sanitized_program, sanitizer_environment());

@@ -87,7 +87,7 @@ bool is_worth_keeping(const Execution& execution) {
     const bool killed_from_outside =
         run.ended == Ended::signalled && (run.signal == SIGKILL || run.signal == SIGTERM || run.signal == SIGHUP);
     // The output of a fork bomb depends on the moment it was stopped.
-    return build.tried && !build.depends_on_load && run.ended != Ended::wall_limit &&
+    return build.tried && !build.depends_on_load && !execution.depends_on_machine && run.ended != Ended::wall_limit &&
            run.ended != Ended::process_limit && !killed_from_outside;
 }
 

@@ -109,11 +109,18 @@ void award_points(Score& score, const reference::Rubric& rubric) {
 
 /// Whether an answer says more than yes or no, so that it is hardly right by chance.
 bool is_number(const ItemScore& item) {
-    return item.spec.shape != reference::Shape::verdict && !item.no_value && !item.printed.empty();
+    return item.spec.shape != reference::Shape::verdict && !item.no_value && !item.not_finite && !item.printed.empty();
 }
 
 bool is_right(const ItemScore& item) {
     return item.verdict == ItemVerdict::right;
+}
+
+/// How well a scene explains an answer: best if it is right, then if it follows, then if a known mistake gives it.
+int explanation(const ItemScore& item) {
+    if (is_right(item)) return 3;
+    if (item.verdict == ItemVerdict::follow) return 2;
+    return item.verdict == ItemVerdict::wrong && !item.diagnosis.empty() ? 1 : 0;
 }
 
 /// What an answer that is not right for the assignment is, given its score under the scene of the student's source.
@@ -178,24 +185,29 @@ Score score(const Transcript& transcript, const reference::AnswerKey& key, const
 std::optional<Score> explained_by_scene(const Score& score, const Score& own, const std::string& cause,
                                         const reference::Rubric& rubric) {
     Score result = score;
-    bool explains = false;
+    int gained = 0, lost = 0;
+    bool told = false;
     for (std::size_t q = 0; q < score.questions.size(); ++q) {
         QuestionScore& question = result.questions[q];
         for (std::size_t i = 0; i < question.items.size(); ++i) {
             ItemScore& item = question.items[i];
             const ItemScore& there = own.questions.at(q).items.at(i);
-            if (is_number(item) && is_right(item) && !is_right(there)) return std::nullopt;
+            if (is_number(item)) {
+                gained += std::max(explanation(there) - explanation(item), 0);
+                lost += std::max(explanation(item) - explanation(there), 0);
+            }
             if (is_right(item)) continue;
-            const bool first = is_number(item) && is_right(there) && !explains;
             item = explained(item, there, rubric);
-            if (item.diagnosis == another_scene)
-                item.advice = first ? cause + ". This answer follows from that."
-                                    : "It follows from the scene that your source sets.";
-            explains = explains || first;
+            if (item.diagnosis != another_scene) continue;
+            item.advice =
+                told ? "It follows from the scene that your source sets." : cause + ". This answer follows from that.";
+            told = true;
         }
         question.verdict = worst_verdict(question.items);
     }
-    if (!explains) return std::nullopt;
+    // An answer or two may be right under the assignment's scene by chance, where mistakes cancel.
+    constexpr int at_least = 2;
+    if (gained < at_least || gained <= lost) return std::nullopt;
     award_points(result, rubric);
     return result;
 }

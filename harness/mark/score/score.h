@@ -92,8 +92,8 @@ inline constexpr std::string_view another_scene = "another scene";
 
 /// Marks the answers that belong to another scene, which the student's source states: `own` is the same printout marked
 /// under that scene. An answer that is right there follows, for the rubric's wrong_scene_credit; the diagnosis of a
-/// wrong one is the one it gets there. `cause` names the scene: "Your source sets …". Empty if no number is right under
-/// that scene alone, or if one is right under the assignment's alone.
+/// wrong one is the one it gets there. `cause` names the scene: "Your source sets …". Empty unless that scene
+/// explains answers that the assignment's does not, and more than the other way round.
 std::optional<Score> explained_by_scene(const Score& score, const Score& own, const std::string& cause,
                                         const reference::Rubric& rubric);
 

@@ -163,12 +163,14 @@ class Searcher {
             return i < list.elements.size() && list.elements[i].vector.has_value();
         };
         const std::string called = std::string(list.callee) + " " + list.name;
-        if (is_point(0) && is_point(1) && is_point(2)) {
+        for (std::size_t i = 0; is_point(i) || is_point(i + 1) || is_point(i + 2); ++i) {
+            if (!is_point(i) || !is_point(i + 1) || !is_point(i + 2)) continue;
             if (holds(called, {"lookat", "cam", "view"})) {
-                place(0, ScenePart::eye), place(1, ScenePart::lookat), place(2, ScenePart::vup);
+                place(i, ScenePart::eye), place(i + 1, ScenePart::lookat), place(i + 2, ScenePart::vup);
             } else if (holds(called, {"tri", "vert"})) {
-                place(0, ScenePart::A), place(1, ScenePart::B), place(2, ScenePart::C);
+                place(i, ScenePart::A), place(i + 1, ScenePart::B), place(i + 2, ScenePart::C);
             }
+            break;
         }
         if (holds(called, {"sph", "ball"}) && is_point(0)) {
             place(0, ScenePart::center);
@@ -185,10 +187,8 @@ class Searcher {
         for (const ScenePart vertex : {ScenePart::A, ScenePart::B}) {
             if (called(vertex)) return vertex;
         }
-        if (called(ScenePart::C)) {
-            const bool has_others = is_any_called(ScenePart::A) && is_any_called(ScenePart::B);
-            if (has_others || !called(ScenePart::center)) return ScenePart::C;
-        }
+        if (called(ScenePart::C) && called(ScenePart::center)) return C_or_center(vector.value);
+        if (called(ScenePart::C)) return ScenePart::C;
         if (called(ScenePart::vup)) return ScenePart::vup;
         if (called(ScenePart::center) && called(ScenePart::lookat))
             return value_of(scene_, ScenePart::lookat) == vector.value ? ScenePart::lookat : ScenePart::center;
@@ -201,6 +201,20 @@ class Searcher {
     bool is_any_called(ScenePart part) const {
         return std::any_of(numbers_.vectors.begin(), numbers_.vectors.end(),
                            [&](const StatedVector& vector) { return may_name(vector.name, part); });
+    }
+
+    /// The handout calls both C: the sphere's center and the triangle's third vertex.
+    ScenePart C_or_center(const Numbers& value) const {
+        for (const ScenePart part : {ScenePart::C, ScenePart::center}) {
+            if (value_of(scene_, part) == value) return part;
+        }
+        const auto is_stated = [&](ScenePart part) {
+            return std::any_of(numbers_.vectors.begin(), numbers_.vectors.end(), [&](const StatedVector& vector) {
+                return vector.value == value_of(scene_, part) && may_name(vector.name, part);
+            });
+        };
+        const bool beside_others = is_any_called(ScenePart::A) && is_any_called(ScenePart::B);
+        return beside_others && !is_stated(ScenePart::C) ? ScenePart::C : ScenePart::center;
     }
 
     void change_part(ScenePart part) {

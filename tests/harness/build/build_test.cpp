@@ -119,20 +119,67 @@ TEST(Build, SkipsASubmissionWithAProblem) {
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+/// What the HarnessError says that a build throws; empty if it throws none.
+std::string blame(const std::string& source, const harness::BuildSettings& settings) {
+    try {
+        Folder().build(with_source(source), settings);
+        return "";
+    } catch (const harness::HarnessError& error) {
+        return error.what();
+    }
+}
+
 TEST(Build, ReportsThatTheCompilerRanOutOfTime) {
-    const Folder folder;
+    std::string endless =
+        "template <int K> constexpr int f() {\n int s = K;\n for (int i = 0; i < 5000; ++i)\n"
+        " for (int j = 0; j < 1000; ++j) s ^= j;\n return s;\n}\nint main() {}\n";
+    for (int i = 0; i < 60; ++i) endless += "static_assert(f<" + std::to_string(i) + ">() >= 0);\n";
     auto settings = default_settings();
-    settings.limits.cpu = 100ms;
-    const Build built = folder.build(with_source("#include <bits/stdc++.h>\nint main() {}\n"), settings);
+    settings.limits.cpu = 3s;
+    const Build built = Folder().build(with_source(endless), settings);
     EXPECT_TRUE(built.reached_limit);
     EXPECT_FALSE(built.program);
     // In some sandboxes g++ first prints that its subprocess was killed.
-    EXPECT_THAT(built.diagnostics,
-                EndsWith("raygrade: the compiler was stopped at the limit compile.cpu_seconds=0.1\n"));
+    EXPECT_THAT(built.diagnostics, EndsWith("raygrade: the compiler was stopped at the limit compile.cpu_seconds=3\n"));
+}
+
+TEST(Build, BlamesTheMachineWhereAKnownProgramDoesNotCompileEither) {
+    auto settings = default_settings();
+    settings.limits.cpu = 100ms;
+    EXPECT_THAT(blame("#include <bits/stdc++.h>\nint main() {}\n", settings), HasSubstr("compile.cpu_seconds=0.1"));
     settings.limits.cpu = 20s;
     settings.limits.wall = 50ms;
-    EXPECT_THAT(Folder().build(with_source("#include <bits/stdc++.h>\nint main() {}\n"), settings).diagnostics,
-                HasSubstr("compile.wall_seconds=0.05"));
+    EXPECT_THAT(blame("#include <bits/stdc++.h>\nint main() {}\n", settings), HasSubstr("compile.wall_seconds=0.05"));
+    EXPECT_EQ(blame("int main() { return x; }\n", default_settings()), "") << "that is the source's fault";
+}
+
+/// Builds a right source with a compiler that fails so often with these words, and then is g++. Outside of sandboxes,
+/// where it can count.
+Build build_after_failures(int times, const std::string& words) {
+    const TemporaryFolder installation;
+    auto settings = default_settings();
+    settings.compiler = installation.write(
+        "bin/g++", "#!/bin/sh\numask 0\ncd \"${0%/bin/*}\"\necho x >> tries\n[ $(wc -l < tries) -gt " +
+                       std::to_string(times) + " ] || { echo '" + words +
+                       "' >&2; exit 1; }\ncd - > /dev/null\nexec /usr/bin/g++ \"$@\"\n");
+    for (const auto& path : {installation.path(), installation.path() / "bin", settings.compiler})
+        std::filesystem::permissions(path, static_cast<std::filesystem::perms>(0777));
+    const harness::Sandbox sandbox(harness::Tier::unsafe);
+    const harness::Scratch scratch(sandbox.workspace());
+    return harness::build(with_source("int main() {}\n"), settings, sandbox, scratch);
+}
+
+TEST(Build, TriesOnceMoreWhatOnlyTheMachineCanHaveCaused) {
+    for (const char* words : {"cc1plus: out of space: No space left on device", "as: Cannot allocate memory",
+                              "ray_cast.cpp:1:10: fatal error: glm/glm.hpp: Too many open files", ""}) {
+        EXPECT_TRUE(build_after_failures(1, words).program) << words;
+    }
+    EXPECT_FALSE(build_after_failures(1, "ray_cast.cpp:1:5: error: no x").program) << "that is the source's fault";
+    EXPECT_THROW(build_after_failures(2, "cc1plus: No space left on device"), harness::HarnessError)
+        << "known programs compile, but the compiler still blames the machine";
+    EXPECT_THROW(build_after_failures(9, "something else"), harness::HarnessError);
+    EXPECT_FALSE(build_after_failures(1, "   12 | // No space left on device\nray_cast.cpp:1:5: error: x").program)
+        << "quoted from the source";
 }
 
 TEST(Build, ReportsThatTheCompilersFileBecameTooLarge) {
@@ -180,12 +227,10 @@ TEST(Build, FindsACompilerOutsideTheSystemFolders) {
         std::filesystem::permissions(installation.path() / name, static_cast<std::filesystem::perms>(0755));
     }
     std::filesystem::permissions(settings.compiler, static_cast<std::filesystem::perms>(0755));
-    const Folder folder;
-    EXPECT_EQ(folder.build(with_source(""), settings).diagnostics, "from beside it");
+    EXPECT_THAT(blame("", settings), EndsWith("from beside it"));
     installation.write("opt/bin/g++", "#!/bin/sh\nls -A \"${0%/bin/*}\" >&2; exit 1\n");
-    const Folder other;
     // "bin" and "lib", or that the folder may not be read.
-    EXPECT_THAT(other.build(with_source(""), settings).diagnostics, AllOf(Not(IsEmpty()), Not(HasSubstr("secret"))));
+    EXPECT_THAT(blame("", settings), AllOf(HasSubstr("The compiler said: "), Not(HasSubstr("secret"))));
 }
 
 /// A header of these lines in a folder that every account may read.

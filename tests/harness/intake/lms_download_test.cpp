@@ -137,6 +137,55 @@ TEST_P(LmsDownload, OfMoodleMayBeFlat) {
     EXPECT_EQ(taken.at("Participant_8").source, "b");
 }
 
+/// The problem of a hand-in that may be two students', and that both are named in it.
+testing::Matcher<const std::string&> names_both(const std::string& one, const std::string& other) {
+    return AllOf(HasSubstr("several ways"), HasSubstr(one), HasSubstr(other));
+}
+
+TEST_P(LmsDownload, OfMoodleGivesNobodyWhatMayBeTwoStudents) {
+    for (const char* attacker : {"Ann", "Zed"}) {  // before and after the victim
+        const std::string file =
+            std::string(attacker) + "_111_assignsubmission_file_x_222_assignsubmission_file_ray_cast-9.cpp";
+        const auto taken = take_in({{file, "forged"}, {"Vic_222_assignsubmission_file_ray_cast.cpp", "own"}});
+        EXPECT_THAT(ids(taken), testing::UnorderedElementsAre("Vic", file));
+        EXPECT_EQ(taken.at("Vic").source, "own");
+        EXPECT_EQ(taken.at(file).source, "");
+        EXPECT_FALSE(taken.at(file).lms) << "so that no system gets marks for it";
+        EXPECT_THAT(*taken.at(file).problem, names_both("number 222", "number 111"));
+        if (!GetParam()) std::filesystem::remove_all(folder_.path() / "unpacked");
+    }
+}
+
+TEST_P(LmsDownload, OfCanvasGivesNobodyWhatMayBeTwoStudents) {
+    const auto taken = take_in({{"222_111_5678_ray_cast.cpp", "display name 222"},
+                                {"x_222_333_112_5679_ray_cast.cpp", "display name x_222_333"},
+                                {"vic_222_5680_ray_cast.cpp", "own"}});
+    EXPECT_THAT(ids(taken),
+                testing::UnorderedElementsAre("222_111_5678_ray_cast.cpp", "x_222_333_112_5679_ray_cast.cpp", "vic"));
+    EXPECT_EQ(taken.at("vic").source, "own");
+    EXPECT_THAT(*taken.at("222_111_5678_ray_cast.cpp").problem, names_both("number 222", "number 111"));
+    EXPECT_THAT(*taken.at("x_222_333_112_5679_ray_cast.cpp").problem, names_both("number 222", "number"));
+}
+
+TEST_P(LmsDownload, OfCanvasKnowsTheNumbersInAFilesOwnName) {
+    const auto taken = take_in({{"doejane_4711_7081512_6_2_ray.cpp", "six"},
+                                {"doejohn_4712_7081513_2021_10_24.cpp", "date"},
+                                {"roe_4713_7081514_ray_cast.cpp", "plain"}});
+    EXPECT_THAT(ids(taken), ElementsAre("doejane", "doejohn", "roe"));
+    EXPECT_EQ(taken.at("doejane").source, "six");
+    EXPECT_EQ(taken.at("doejohn").lms->id, "4712");
+}
+
+TEST_P(LmsDownload, FilesOfTwoNamesNeverMerge) {
+    const auto taken =
+        take_in({{"eve_5_50_ray_cast.cpp", "e"}, {"vic_5_51_ray_cast-9.cpp", "v"}, {"roe_6_52_ray_cast.cpp", "r"}});
+    EXPECT_THAT(ids(taken), ElementsAre("eve", "roe", "vic"));
+    EXPECT_THAT(*taken.at("eve").problem, HasSubstr("number 5"));
+    EXPECT_THAT(*taken.at("vic").problem, HasSubstr("number 5"));
+    EXPECT_FALSE(taken.at("vic").lms);
+    EXPECT_EQ(taken.at("roe").source, "r");
+}
+
 TEST_P(LmsDownload, OfGradescopeGivesASubmissionPerFolder) {
     const auto taken = take_in(
         {{"submission_901/ray_cast.cpp", "a"}, {"submission_902/main.cpp", "b"}, {"submission_metadata.yml", "---\n"}});

@@ -143,6 +143,9 @@ TEST_F(ClassReports, ReportAnUnwritableFolder) {
 
 TEST(FeedbackName, HasNoSlashAndFitsAFileName) {
     EXPECT_EQ(feedback_name("2021/s01", 3), "2021%2Fs01");
+    EXPECT_EQ(feedback_name("2021%2Fs01", 3), "2021%252Fs01") << "another student's page";
+    EXPECT_NE(feedback_name("2021%252Fs01", 3), feedback_name("2021%2Fs01", 3));
+    EXPECT_EQ(feedback_name("a%0Ab", 3), "a%0Ab");
     EXPECT_EQ(feedback_name(std::string(300, 'x'), 3), std::string(200, 'x') + "-4");
     EXPECT_EQ(feedback_name(std::string(199, 'x') + "éé", 3), std::string(199, 'x') + "-4") << "no half character";
 }

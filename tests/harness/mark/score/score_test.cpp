@@ -167,7 +167,7 @@ TEST(OwnScene, GivesAWrongAnswerTheDiagnosisThatItGetsThere) {
     FAIL() << "no such mistake";
 }
 
-TEST(OwnScene, ExplainsNothingWhereAnAnswerIsRightForTheAssignmentAlone) {
+TEST(OwnScene, ExplainsNothingWhereTheAssignmentsExplainsMore) {
     const OnOwnScene one;
     const student::Marking given = student::off_axis_scene();
     const Score all_right = mark(print(Program(given.assignment, {})), given);

@@ -45,6 +45,13 @@ TEST(StatedScene, KnowsPartsByTheirPlace) {
     EXPECT_THAT(parts("const Sphere sphere{{1, 0, 0}, 3};"), ElementsAre("center = (1, 0, 0)", "radius = 3"));
 }
 
+TEST(StatedScene, TellsTheSpheresCFromTheTriangles) {
+    EXPECT_THAT(parts("vec3 C(1, 1, 1); vec3 A(0,-2,2), B(2,2,2); { vec3 C(-2, 2, 2); }"),
+                ElementsAre("center = (1, 1, 1)"));
+    EXPECT_THAT(parts("vec3 C(1, 1, 0); vec3 A(0,-2,2), B(2,2,2); { vec3 C(-2, 2, 3); }"),
+                ElementsAre("C = (-2, 2, 3)"));
+}
+
 TEST(StatedScene, MayBeAtAnotherPixel) {
     EXPECT_THAT(parts("vec3 P = pixelToVCS(plane, 120, 100);"), ElementsAre("P_DCS = (120, 100)"));
     EXPECT_THAT(parts("vec3 P = pixelToVCS(plane, 150.5, 100.5);"), IsEmpty()) << "the middle of the pixel";
