@@ -12,6 +12,8 @@
 #include <deque>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -75,13 +77,27 @@ class Batch {
           made_(submissions_.size()),
           builders_(jobs_) {}
 
+    /// Throws HarnessError if the machine starts no threads. Where it starts only some, they do the work.
     std::vector<Graded> grade() {
+        std::size_t started = 0;
+        std::string why_not;
         {
             std::vector<std::jthread> teams;
-            for (std::size_t i = 0; i < jobs_; ++i) {
-                teams.emplace_back([this] { build_all(); });
-                teams.emplace_back([this] { run_all(); });
+            try {
+                for (; started < jobs_; ++started) {
+                    teams.emplace_back([this] { run_all(); });
+                    teams.emplace_back([this] { build_all(); });
+                }
+            } catch (const std::system_error& error) {
+                why_not = error.what();
             }
+            const std::lock_guard guard(mutex_);
+            builders_ -= jobs_ - started;
+            queue_grew_.notify_all();
+        }
+        if (started == 0) {
+            throw HarnessError("The machine starts no threads (" + why_not +
+                               "). See to its memory, and to the limits `ulimit -v` and `ulimit -u`.");
         }
         return std::move(results_);
     }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "harness/batch/reread.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/results/reports.h"

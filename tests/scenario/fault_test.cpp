@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -167,6 +168,54 @@ TEST_F(Fault, ADiskThatFillsUpLeavesASubmissionNotGraded) {
     EXPECT_THAT(result.both(), HasSubstr("TMPDIR"));
     EXPECT_EQ(graded("fills").at("outcome"), "not_graded");
     EXPECT_EQ(graded("honest").at("points").get<double>(), 10) << result.both();
+}
+
+TEST_F(Fault, FewFilesOnTheDiskAreNobodysCompileError) {
+    add("honest", honest);
+    for (const int files : {8, 10, 12, 14, 16, 20}) {
+        fs::remove_all(out());
+        const Result result = raygrade(command({"-j", "1"}), in_temporary([&] {
+                                           return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0 &&
+                                                  mount_disk(temporary(), "64m,nr_inodes=" + std::to_string(files));
+                                       }));
+        if (!fs::exists(out() / "grades.json")) continue;  // raygrade did not begin
+        const json honest_one = graded("honest");
+        const bool fair = honest_one.at("points") == 10.0 || honest_one.at("outcome") == "not_graded";
+        EXPECT_TRUE(fair) << files << honest_one.dump(2) << result.both();
+    }
+    ASSERT_EQ(
+        raygrade(command(), in_temporary([&] { return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0; }))
+            .status,
+        0);
+    EXPECT_EQ(graded("honest").at("points"), 10.0) << "nothing of it is kept";
+}
+
+TEST_F(Fault, ScarceMemoryIsNobodysCompileError) {
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "a sanitised raygrade needs terabytes of addresses";
+#endif
+    add("honest", "#include <iostream>\n" + std::string(honest));
+    constexpr rlim_t megabyte = 1'000'000;
+    for (const rlim_t megabytes : {70, 85, 100, 115, 130, 160}) {
+        fs::remove_all(out());
+        const Result result = raygrade(command({"-j", "2"}), in_temporary([&] {
+                                           const rlimit addresses{megabytes * megabyte, megabytes * megabyte};
+                                           return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0 &&
+                                                  setrlimit(RLIMIT_AS, &addresses) == 0;
+                                       }));
+        if (!fs::exists(out() / "grades.json")) {
+            EXPECT_NE(result.voice, "") << "it says why it did not begin";
+            continue;
+        }
+        const json honest_one = graded("honest");
+        const bool fair = honest_one.at("points") == 10.0 || honest_one.at("outcome") == "not_graded";
+        EXPECT_TRUE(fair) << megabytes << honest_one.dump(2) << result.both();
+    }
+    ASSERT_EQ(
+        raygrade(command(), in_temporary([&] { return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0; }))
+            .status,
+        0);
+    EXPECT_EQ(graded("honest").at("points"), 10.0) << "nothing of it is kept";
 }
 
 TEST_F(Fault, AFullDiskIsReportedBeforeTheFirstSubmission) {
