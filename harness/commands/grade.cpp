@@ -191,6 +191,7 @@ int grade_class(const GradeOptions& options) {
     read_kept_rosters(inputs.rosters, options.rosters, session.gradebook, options.out);
     check_places(options, session.writes);
 
+    session.gradebook.go_by_number(inputs.submissions);
     const std::vector<KeptReread> rereads = session.gradebook.rereads();
     attach(rereads, inputs.submissions);
     ClassRun run = open_class_run(inputs.assignment, options.runner);

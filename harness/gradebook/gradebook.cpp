@@ -144,6 +144,44 @@ void Gradebook::note_reports_written() {
     attempt([&] { database_->exec("UPDATE reports SET entry = (SELECT COALESCE(MAX(entry), 0) FROM audit)"); });
 }
 
+void Gradebook::go_by_number(const std::vector<Submission>& submissions) {
+    new_ids_.clear();
+    if (!database_) return;
+    std::map<std::string, std::string> id_of_number, number_of_id;
+    for (const Submission& one : submissions) {
+        // Gradescope numbers hand-ins, not students.
+        if (!one.lms || one.lms->system == Lms::gradescope) continue;
+        id_of_number[one.lms->id] = one.id;
+        number_of_id[one.id] = one.lms->id;
+    }
+    attempt([&] {
+        Statement query(*database_, "SELECT id, lms_id FROM submissions WHERE lms_id IS NOT NULL");
+        while (query.executeStep()) {
+            const std::string id = query.getColumn(0).getString(), number = query.getColumn(1).getString();
+            const auto now = id_of_number.find(number);
+            const auto taken = number_of_id.find(id);
+            if (now != id_of_number.end()) {
+                if (now->second != id) new_ids_[id] = now->second;
+            } else if (taken != number_of_id.end()) {
+                new_ids_[id] = id + "_" + number;
+            }
+        }
+    });
+}
+
+std::string Gradebook::new_id(const std::string& kept) const {
+    const auto found = new_ids_.find(kept);
+    return found == new_ids_.end() ? kept : found->second;
+}
+
+/// The id under which a submission is kept; one that nothing has if its own is that of another student.
+std::string Gradebook::kept_id(const std::string& id) const {
+    const auto found =
+        std::find_if(new_ids_.begin(), new_ids_.end(), [&](const auto& change) { return change.second == id; });
+    if (found != new_ids_.end()) return found->first;
+    return new_ids_.contains(id) ? "" : id;
+}
+
 std::vector<KeptOverride> Gradebook::overrides() const {
     if (!database_) return {};
     return attempt([&] {
@@ -153,7 +191,7 @@ std::vector<KeptOverride> Gradebook::overrides() const {
         while (query.executeStep()) {
             const auto text = [&](int column) { return query.getColumn(column).getString(); };
             all.push_back(
-                {text(0),
+                {new_id(text(0)),
                  {query.getColumn(1).getInt(), text(2), query.getColumn(3).getDouble(), text(4), text(5), text(6)}});
         }
         return all;
@@ -213,7 +251,7 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
             const Graded& one = graded[i];
             present.insert(one.submission.id);
             find.reset();
-            find.bind(1, one.submission.id);
+            find.bind(1, kept_id(one.submission.id));
             if (!find.executeStep()) {
                 add_fresh(one);
                 continue;
@@ -235,7 +273,7 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
         }
         Statement all(*database_, "SELECT id, final_points FROM submissions ORDER BY place");
         while (all.executeStep()) {
-            const std::string id = all.getColumn(0).getString();
+            const std::string id = new_id(all.getColumn(0).getString());
             const SQLite::Column mark = all.getColumn(1);
             if (present.contains(id)) continue;
             comparison.changes.gone.push_back(
@@ -264,6 +302,7 @@ void Gradebook::save(const Run& run, const std::vector<Graded>& graded, const Co
                             "run the command again",
                             file_.string()));
         }
+        rename_submissions(*database_, new_ids_, run.author);
         write_run(*database_, numbered, graded);
         SubmissionRows rows(*database_, numbered.number);
         for (const MarkChange& change : comparison.changes.gone) {
@@ -282,6 +321,7 @@ void Gradebook::save(const Run& run, const std::vector<Graded>& graded, const Co
         for (const KeptInput& input : inputs) write_input(*database_, input);
         write_changes(*database_, numbered, comparison.changes);
         transaction.commit();
+        new_ids_.clear();
     });
 }
 
@@ -320,7 +360,7 @@ std::vector<KeptReread> Gradebook::rereads() const {
         while (query.executeStep()) {
             const auto text = [&](int column) { return query.getColumn(column).getString(); };
             all.push_back(
-                {text(0), {query.getColumn(1).getInt(), text(2), text(3), text(4), text(5), text(6), text(7)}});
+                {new_id(text(0)), {query.getColumn(1).getInt(), text(2), text(3), text(4), text(5), text(6), text(7)}});
         }
         return all;
     });

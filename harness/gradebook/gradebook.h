@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -70,6 +71,11 @@ class Gradebook {
     bool reports_are_written() const;
     void note_reports_written();
 
+    /// From now on what is kept of a student goes by the learning management system's number, where these submissions
+    /// have one: a namesake changes ids ("doejane" becomes "doejane_1001"), and may get an id that was another's. All
+    /// other members then use the ids of these submissions; save() writes them.
+    void go_by_number(const std::vector<Submission>& submissions);
+
     /// All overrides, the oldest first.
     std::vector<KeptOverride> overrides() const;
     /// The class in the order in which it was saved, without overrides.
@@ -116,11 +122,14 @@ class Gradebook {
     void remove_reread(const KeptReread& removed, const Author& author, const std::string& why);
 
   private:
+    std::string new_id(const std::string& kept) const;
+    std::string kept_id(const std::string& id) const;
     void write_marked_again(const Graded& before, const Graded& after, std::size_t place, const Author& author);
     template <class Work>
     auto attempt(Work work) const -> decltype(work());
     std::filesystem::path file_;
     std::unique_ptr<SQLite::Database> database_;  ///< null until there is one
+    std::map<std::string, std::string> new_ids_;  ///< by the kept ids that change
 };
 
 }  // namespace harness

@@ -177,6 +177,28 @@ void write_audit(SQLite::Database& database, const Author& author, const std::st
     execute(entry);
 }
 
+void rename_submissions(SQLite::Database& database, const std::map<std::string, std::string>& new_ids,
+                        const Author& author) {
+    const auto rename = [&](const std::string& from, const std::string& to) {
+        for (const char* table : {"submissions SET id", "items SET submission", "history SET submission",
+                                  "overrides SET submission", "rereads SET submission", "printouts SET submission"}) {
+            const bool by_id = std::string_view(table).ends_with(" id");
+            Statement update(
+                database, fmt::format("UPDATE OR REPLACE {} = ?1 WHERE {} = ?2", table, by_id ? "id" : "submission"));
+            update.bind(1, to);
+            update.bind(2, from);
+            update.exec();
+        }
+    };
+    // In two steps, as a new id may be another's kept one.
+    const auto between = [](const std::string& id) { return id + "\x01"; };
+    for (const auto& [from, to] : new_ids) rename(from, between(to));
+    for (const auto& [from, to] : new_ids) {
+        rename(between(to), to);
+        write_audit(database, author, "id of " + from, from, to);
+    }
+}
+
 void write_run(SQLite::Database& database, const Run& run, const std::vector<Graded>& graded) {
     Statement insert(database, "INSERT INTO runs VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     insert.bind(1, run.number);

@@ -4,6 +4,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,10 @@ class SubmissionRows {
 /// Writes an entry of the audit trail. `before` and `after` may be empty.
 void write_audit(SQLite::Database& database, const Author& author, const std::string& what,
                  const std::optional<std::string>& before, const std::optional<std::string>& after);
+
+/// Gives all that is kept of submissions their new ids, and tells the audit trail.
+void rename_submissions(SQLite::Database& database, const std::map<std::string, std::string>& new_ids,
+                        const Author& author);
 
 /// write_run writes the run with its number; write_changes adds to the audit trail the run and each mark that it moved.
 void write_run(SQLite::Database& database, const Run& run, const std::vector<Graded>& graded);

@@ -20,6 +20,9 @@ Run a_run(const std::string& when) {
 Gradebook::Comparison save(const std::filesystem::path& folder, std::vector<Graded> all,
                            const std::vector<KeptInput>& inputs) {
     Gradebook gradebook(folder);
+    std::vector<Submission> submissions;
+    for (const Graded& one : all) submissions.push_back(one.submission);
+    gradebook.go_by_number(submissions);
     attach(gradebook.overrides(), all);
     auto comparison = gradebook.compare(all);
     gradebook.save(a_run(), all, comparison, inputs);

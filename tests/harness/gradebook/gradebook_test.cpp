@@ -133,6 +133,44 @@ TEST(Gradebook, KeepsOverridesThroughRunsAndAfterTheirSubmission) {
         json::parse("[[98.33, 99.83]]"));
 }
 
+/// A student of Canvas's with this number.
+Graded of_canvas(const std::string& id, const std::string& number) {
+    Graded one = graded(id, output_with_a_mistake());
+    one.submission.lms = read_canvas_name("doejane_" + number + "_4_ray_cast.cpp");
+    return one;
+}
+
+TEST(Gradebook, GoesByTheNumberWhenANamesakeHandsIn) {
+    const TemporaryFolder folder;
+    save(folder.path(), {of_canvas("doejane", "1001")});
+    Gradebook(folder.path()).put_override({"doejane", {6, "t", 1.5, "why", "bea", "2026-11-23T10:00:00Z"}}, 0, 99.83);
+    const auto comparison = save(folder.path(), {of_canvas("doejane_1001", "1001"), of_canvas("doejane_1004", "1004")});
+    EXPECT_THAT(comparison.changes.gone, SizeIs(0));
+    EXPECT_THAT(comparison.changes.fresh, SizeIs(1));
+    EXPECT_EQ(rows(folder, "SELECT submission FROM overrides"), json::parse(R"([["doejane_1001"]])"));
+    EXPECT_EQ(rows(folder, "SELECT id, round(final_points, 2) FROM submissions ORDER BY id"),
+              json::parse(R"([["doejane_1001", 99.83], ["doejane_1004", 98.33]])"));
+    EXPECT_EQ(rows(folder, "SELECT what, before, after FROM audit WHERE what LIKE 'id of%'"),
+              json::parse(R"([["id of doejane", "doejane", "doejane_1001"]])"));
+    EXPECT_EQ(rows(folder, "SELECT DISTINCT submission FROM history WHERE run = 1"),
+              json::parse(R"([["doejane_1001"]])"));
+    save(folder.path(), {of_canvas("doejane", "1001")});
+    EXPECT_EQ(rows(folder, "SELECT submission FROM overrides"), json::parse(R"([["doejane"]])")) << "and back";
+}
+
+TEST(Gradebook, GivesNobodyTheOverrideOfANamesakeWhoLeft) {
+    const TemporaryFolder folder;
+    save(folder.path(), {of_canvas("doejane", "1001")});
+    Gradebook(folder.path()).put_override({"doejane", {0, "", 40, "why", "bea", "2026-11-23T10:00:00Z"}}, 0, 40);
+    const auto comparison = save(folder.path(), {of_canvas("doejane", "1004")});
+    EXPECT_THAT(comparison.changes.fresh, SizeIs(1));
+    ASSERT_THAT(comparison.changes.gone, SizeIs(1));
+    EXPECT_EQ(comparison.changes.gone[0].id, "doejane_1001");
+    EXPECT_EQ(rows(folder, "SELECT id, round(final_points, 2) FROM submissions"),
+              json::parse(R"([["doejane", 98.33]])"));
+    EXPECT_EQ(rows(folder, "SELECT submission FROM overrides"), json::parse(R"([["doejane_1001"]])"));
+}
+
 TEST(Gradebook, RecordsWhoOverrodeWhatWhenAndWhy) {
     const TemporaryFolder folder;
     save(folder.path(), three());
