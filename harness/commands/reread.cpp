@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "harness/commands/kept_class.h"
+#include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/grade/override_place.h"
 #include "harness/machine/errors.h"

@@ -27,7 +27,7 @@ MatchedItem printed_item(const reference::ItemId& id, std::string_view text, Mat
     const auto spec = std::find_if(items.begin(), items.end(), [&](const reference::ItemSpec& item) {
         return item.question == id.first && item.name == id.second;
     });
-    MatchedItem item{*spec, PrintedValue{}, order, {}, false};
+    MatchedItem item{*spec, PrintedValue{}, order, {}, false, {}};
     item.value->numbers = numbers_in(text);
     item.value->printed = std::string(text);
     item.value->line = 1;
