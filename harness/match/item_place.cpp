@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "harness/match/question_match.h"
+#include "harness/match/take_out.h"
 #include "harness/read/own_separators.h"
 
 namespace harness {
@@ -50,12 +51,6 @@ std::vector<PrintedLine> lines_at(const Transcript& transcript, const ItemPlace&
     }
     return lines;
 }
-
-/// The values on the lines of the place, each with its section and its index there.
-struct ValuesAt {
-    std::vector<PrintedValue> values;
-    std::vector<std::pair<std::size_t, std::size_t>> from;
-};
 
 ValuesAt values_at(const Transcript& transcript, const ItemPlace& place) {
     ValuesAt found;
@@ -124,32 +119,34 @@ std::vector<PrintedLine> without_letters(std::vector<PrintedLine> lines) {
 }
 
 /// As many of these numbers as the item has: those that the place names, or else all.
-std::optional<MatchedItem> as_item(std::vector<NumberAt> numbers, const reference::ItemSpec& item,
-                                   const ItemPlace& place) {
-    if (place.first_number > 0) {
-        if (static_cast<std::size_t>(place.last_number) > numbers.size()) return std::nullopt;
-        numbers.erase(numbers.begin() + place.last_number, numbers.end());
-        numbers.erase(numbers.begin(), numbers.begin() + place.first_number - 1);
-    }
-    if (!has_count(item.shape, numbers.size())) return std::nullopt;
+std::optional<MatchedItem> as_item(Transcript& transcript, const std::vector<NumberAt>& numbers,
+                                   const reference::ItemSpec& item, const ItemPlace& place) {
+    const bool names_some = place.first_number > 0;
+    const std::size_t first = names_some ? static_cast<std::size_t>(place.first_number) - 1 : 0;
+    const std::size_t last = names_some ? static_cast<std::size_t>(place.last_number) : numbers.size();
+    if (last > numbers.size() || !has_count(item.shape, last - first)) return std::nullopt;
     PrintedValue value;
-    for (const NumberAt& each : numbers) {
-        value.numbers.push_back(each.number);
-        value.printed += (value.printed.empty() ? "" : " ") + std::string(each.text);
+    for (std::size_t i = first; i < last; ++i) {
+        value.numbers.push_back(numbers[i].number);
+        if (i > first) value.printed += ' ';
+        value.printed += numbers[i].text;
     }
     value.printed.resize(std::min(value.printed.size(), longest_printed));
-    value.line = numbers.front().line;
-    value.last_line = numbers.back().line;
+    value.line = numbers[first].line;
+    value.last_line = numbers[last - 1].line;
+    std::vector<PrintedNumber> printed;
+    for (const NumberAt& each : numbers) printed.push_back(each.number);
+    take_out(transcript, values_at(transcript, place), {printed, first, last}, place.question);
     return MatchedItem{item, std::move(value), MatrixOrder::unsaid, {}, false, place.note};
 }
 
-/// The numbers of the lines, in order, if there are as many as the item has.
-std::optional<MatchedItem> numbers_at_place(const Transcript& transcript, const reference::ItemSpec& item,
+/// The numbers of the lines, in order, if there are as many as the item has. They are taken out of the transcript.
+std::optional<MatchedItem> numbers_at_place(Transcript& transcript, const reference::ItemSpec& item,
                                             const ItemPlace& place) {
     const std::vector<PrintedLine> lines = lines_at(transcript, place);
-    if (auto matched = as_item(all_numbers(lines), item, place)) return matched;
+    if (auto matched = as_item(transcript, all_numbers(lines), item, place)) return matched;
     const std::vector<PrintedLine> plain = without_letters(lines);
-    return as_item(all_numbers(plain), item, place);
+    return as_item(transcript, all_numbers(plain), item, place);
 }
 
 }  // namespace
@@ -181,7 +178,11 @@ std::optional<MatchedItem> read_at(Transcript& transcript, const reference::Item
 }
 
 std::size_t numbers_at(const Transcript& transcript, const ItemPlace& place) {
-    return all_numbers(lines_at(transcript, place)).size();
+    const std::vector<PrintedLine> lines = lines_at(transcript, place);
+    const std::size_t count = all_numbers(lines).size();
+    if (count > 0) return count;
+    const std::vector<PrintedLine> plain = without_letters(lines);
+    return all_numbers(plain).size();
 }
 
 }  // namespace harness

@@ -23,12 +23,17 @@ struct Question {
     Answers answers;
 };
 
-std::vector<Question> list_questions(std::span<const ItemSpec> items) {
+/// Items that were read from their places, in the order of all items; empty for an item that is to be matched.
+using PlacedItems = std::vector<std::optional<MatchedItem>>;
+
+/// The questions with the items to be matched. A question without any is listed too: other answers may stand under its
+/// heading.
+std::vector<Question> list_questions(std::span<const ItemSpec> items, const PlacedItems& placed) {
     std::vector<Question> questions;
-    for (const ItemSpec& item : items) {
-        if (questions.empty() || questions.back().number != item.question)
-            questions.push_back({item.question, {}, false, {}, {}});
-        questions.back().items.push_back(item);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (questions.empty() || questions.back().number != items[i].question)
+            questions.push_back({items[i].question, {}, false, {}, {}});
+        if (!placed[i]) questions.back().items.push_back(items[i]);
     }
     return questions;
 }
@@ -208,12 +213,17 @@ std::vector<MatchedItem> matched_items(const Question& question, const std::vect
     return matched;
 }
 
-std::vector<MatchedItem> match_all(const Transcript& transcript, std::span<const ItemSpec> items) {
+/// The items that have no place, matched with the transcript.
+std::vector<MatchedItem> match_others(const Transcript& transcript, std::span<const ItemSpec> items,
+                                      const PlacedItems& placed) {
     Fits fits;
-    std::vector<Question> questions = list_questions(items);
+    std::vector<Question> questions = list_questions(items, placed);
     std::vector<MatchedItem> result;
     if (transcript.sections.empty()) {
-        for (const ItemSpec& item : items) result.push_back({item, {}, MatrixOrder::unsaid, {}, false, {}});
+        for (const Question& question : questions) {
+            for (const ItemSpec& item : question.items)
+                result.push_back({item, {}, MatrixOrder::unsaid, {}, false, {}});
+        }
         return result;
     }
     answer_all(questions, transcript.sections, fits);
@@ -227,18 +237,16 @@ std::vector<MatchedItem> match_all(const Transcript& transcript, std::span<const
 
 std::vector<MatchedItem> match(const Transcript& transcript, std::span<const ItemSpec> items,
                                std::span<const ItemPlace> places) {
-    if (places.empty()) return match_all(transcript, items);
+    PlacedItems placed(items.size());
+    if (places.empty()) return match_others(transcript, items, placed);
     Transcript rest = transcript;
-    std::vector<std::optional<MatchedItem>> placed;
-    std::vector<ItemSpec> others;
-    for (const ItemSpec& item : items) {
+    for (std::size_t i = 0; i < items.size(); ++i) {
         const auto place = std::find_if(places.begin(), places.end(), [&](const ItemPlace& each) {
-            return each.question == item.question && each.item == item.name;
+            return each.question == items[i].question && each.item == items[i].name;
         });
-        placed.push_back(place == places.end() ? std::nullopt : read_at(rest, item, *place));
-        if (!placed.back()) others.push_back(item);
+        if (place != places.end()) placed[i] = read_at(rest, items[i], *place);
     }
-    std::vector<MatchedItem> matched = match_all(rest, others), result;
+    std::vector<MatchedItem> matched = match_others(rest, items, placed), result;
     auto next = matched.begin();
     for (std::optional<MatchedItem>& item : placed) result.push_back(item ? std::move(*item) : std::move(*next++));
     return result;

@@ -94,6 +94,39 @@ TEST(Match, ReadsAnItemFromItsPlaceAndLeavesTheValueToNoOther) {
         << "line 5 is read for t alone";
 }
 
+TEST(Match, LeavesNumbersThatWereReadByTheirPlaceToNoOtherItem) {
+    const std::string output = "Question 6\nfoo bar 1 2 3\nqux 4\n";
+    ASSERT_THAT(matched(6, "a", output, {}), ElementsAre(1)) << "the list was read as a, b and c";
+    EXPECT_THAT(matched(6, "hit", output, {place(6, "hit", "2:1-3")}), ElementsAre(1, 2, 3));
+    for (const char* item : {"a", "b", "c"})
+        EXPECT_THAT(matched(6, item, output, {place(6, "hit", "2:1-3")}), testing::Not(testing::Contains(1))) << item;
+}
+
+TEST(Match, LeavesTheRestOfAListToTheOtherItems) {
+    const std::string output = "Question 6\na, b, c, d: 5 5 7 5\n";
+    const std::vector<ItemPlace> one = {place(6, "b", "2:2")};
+    EXPECT_THAT(matched(6, "a", output, one), ElementsAre(5));
+    EXPECT_THAT(matched(6, "c", output, one), ElementsAre(7));
+    EXPECT_THAT(matched(6, "d", output, one), ElementsAre(5));
+    const std::vector<ItemPlace> three = {place(6, "a", "2:1"), place(6, "b", "2:2"), place(6, "d", "2:4")};
+    EXPECT_THAT(matched(6, "c", output, three), ElementsAre(7)) << "equal numbers are taken once each";
+}
+
+TEST(Match, FindsAnswersUnderTheHeadingOfAQuestionWhoseOnlyItemHasAPlace) {
+    const std::string output = "Question 5\nV = (0, 0, -1)\na: 1\nt: 3\nnormal: (0, 0, 1)\n";
+    for (const char* lines : {"2", ""}) {
+        EXPECT_THAT(matched(6, "t", output, {place(5, "V", lines)}), ElementsAre(3)) << lines;
+        EXPECT_THAT(matched(7, "normal", output, {place(5, "V", lines)}), ElementsAre(0, 0, 1)) << lines;
+    }
+}
+
+TEST(Match, MatchesTheOthersWhereAQuestionWithoutAHeadingIsReadFromItsPlace) {
+    const std::string output = "(1, 2, 3)\nV = (0, 0, -1)\na: 1\nt: 3\n";
+    EXPECT_THAT(matched(5, "V", output, {place(5, "V", "2")}), ElementsAre(0, 0, -1));
+    EXPECT_THAT(matched(6, "t", output, {place(5, "V", "2")}), ElementsAre(3));
+    EXPECT_THAT(matched(5, "V", "nothing\n", {place(5, "V", "")}), testing::IsEmpty());
+}
+
 TEST(Match, GivesTheValueOfAnItemThatWasNotPrintedToAnother) {
     const std::string output = "Question 4\n(1, 2, 3)\nQuestion 1\nP_VCS (4, 5, 6)\n";
     EXPECT_THAT(matched(4, "P_WCS", output, {}), ElementsAre(1, 2, 3));

@@ -1,0 +1,96 @@
+#include "harness/match/take_out.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <ranges>
+#include <set>
+
+#include "harness/match/candidates.h"
+
+namespace harness {
+namespace {
+
+bool is_same_number(const PrintedNumber& a, const PrintedNumber& b) {
+    return a.value == b.value || (std::isnan(a.value) && std::isnan(b.value));
+}
+
+/// A number of a value in the transcript: the value's place among those on the lines, and the number's in it.
+using NumberOfValue = std::pair<std::size_t, std::size_t>;
+
+/// For each number of the lines the value that has it; empty if none has. Both are in the same order, forwards or
+/// backwards, but values don't have all numbers.
+template <class Numbers, class Parts>
+std::vector<std::optional<NumberOfValue>> align(const Numbers& numbers, const Parts& parts,
+                                                const std::vector<PrintedValue>& values) {
+    std::vector<std::optional<NumberOfValue>> aligned;
+    auto part = parts.begin();
+    for (const PrintedNumber& each : numbers) {
+        const bool is_next = part != parts.end() && is_same_number(each, values[part->first].numbers[part->second]);
+        aligned.push_back(is_next ? std::optional(*part++) : std::nullopt);
+    }
+    return aligned;
+}
+
+/// Which numbers of the values were read. Equal ones can't be told apart where an earlier
+/// place took some of them; then any will do.
+std::set<NumberOfValue> numbers_of_values(const TakenNumbers& read, const std::vector<PrintedValue>& values) {
+    std::vector<NumberOfValue> parts;
+    for (std::size_t v = 0; v < values.size(); ++v) {
+        for (std::size_t i = 0; i < values[v].numbers.size(); ++i) parts.emplace_back(v, i);
+    }
+    const auto forwards = align(read.numbers, parts, values);
+    const auto backwards = align(std::views::reverse(read.numbers), std::views::reverse(parts), values);
+    std::set<NumberOfValue> found;
+    for (std::size_t i = read.first; i < read.last; ++i) {
+        const auto& part = forwards[i] ? forwards[i] : backwards[read.numbers.size() - 1 - i];
+        if (part) found.insert(*part);
+    }
+    return found;
+}
+
+/// A list with a name for each of its numbers, as in "a, b, c: 1 2 3", as its numbers; any other value as it is.
+std::vector<PrintedValue> named_numbers(const PrintedValue& value, int question) {
+    std::vector<reference::ItemSpec> items;
+    std::ranges::copy_if(reference::all_items(), std::back_inserter(items),
+                         [&](const reference::ItemSpec& each) { return each.question == question; });
+    std::vector<PrintedValue> numbers;
+    for (Candidate& candidate : candidates_of({value}, items)) numbers.push_back(std::move(candidate.value));
+    return numbers.size() == value.numbers.size() ? numbers : std::vector{value};
+}
+
+/// What remains of a value without these of its numbers.
+std::vector<PrintedValue> without_numbers(const PrintedValue& value, const std::vector<std::size_t>& taken,
+                                          int question) {
+    std::vector<PrintedValue> rest = named_numbers(value, question);
+    for (auto i = taken.rbegin(); i != taken.rend(); ++i) {
+        if (rest.size() > 1) {
+            rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(*i));
+            continue;
+        }
+        rest.front().numbers.erase(rest.front().numbers.begin() + static_cast<std::ptrdiff_t>(*i));
+        rest.front().groups = 1;
+        rest.front().bar_after = 0;
+    }
+    return rest;
+}
+
+}  // namespace
+
+void take_out(Transcript& transcript, const ValuesAt& there, const TakenNumbers& read, int question) {
+    std::map<std::size_t, std::vector<std::size_t>, std::greater<>> taken;  // the last value first
+    for (const auto& [value, index] : numbers_of_values(read, there.values)) taken[value].push_back(index);
+    for (const auto& [value, indices] : taken) {
+        const auto [section, index] = there.from[value];
+        auto& values = transcript.sections[section].values;
+        const auto at = values.erase(values.begin() + static_cast<std::ptrdiff_t>(index));
+        if (indices.size() == there.values[value].numbers.size()) continue;
+        const auto rest = without_numbers(there.values[value], indices, question);
+        values.insert(at, rest.begin(), rest.end());
+    }
+}
+
+}  // namespace harness

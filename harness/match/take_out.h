@@ -1,0 +1,30 @@
+// What remains of a transcript when some numbers of a line were read for an item by their place on it.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "harness/read/transcript.h"
+
+namespace harness {
+
+/// The values on some lines of an output, each with its section and its index there.
+struct ValuesAt {
+    std::vector<PrintedValue> values;
+    std::vector<std::pair<std::size_t, std::size_t>> from;
+};
+
+/// All numbers of these lines in order. Numbers [first, last) were read.
+struct TakenNumbers {
+    std::span<const PrintedNumber> numbers;
+    std::size_t first;
+    std::size_t last;
+};
+
+/// Takes the numbers that were read for an item of the question out of the values, so that they answer no other item.
+/// What remains of a list is for other items.
+void take_out(Transcript& transcript, const ValuesAt& there, const TakenNumbers& read, int question);
+
+}  // namespace harness
