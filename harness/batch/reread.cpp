@@ -7,43 +7,75 @@
 #include "harness/batch/grade_submission.h"
 #include "harness/batch/own_scene_score.h"
 #include "harness/machine/fingerprint.h"
+#include "harness/read/clean_text.h"
 #include "harness/read/transcript.h"
 
 namespace harness {
 namespace {
 
-bool is_number_sign(char c) {
-    return c == '.' || c == '+' || c == '-';
+bool is_layout_digit(std::string_view line, std::size_t at) {
+    return at < line.size() && is_digit(line[at]);
+}
+
+bool is_sign(char c) {
+    return c == '+' || c == '-';
+}
+
+/// Where the word ends that begins there.
+std::size_t end_of_word(std::string_view line, std::size_t at) {
+    while (at < line.size() && (is_letter(line[at]) || is_digit(line[at]) || line[at] == '_')) ++at;
+    return at;
+}
+
+/// Where the digits, the point and the exponent end that begin there; `at` itself if none do. An address such as 0x7ffe
+/// is one number.
+std::size_t end_of_digits(std::string_view line, std::size_t at) {
+    if (line.substr(at).starts_with("0x")) return end_of_word(line, at);
+    const auto skip_digits = [&] {
+        while (is_layout_digit(line, at)) ++at;
+    };
+    skip_digits();
+    if (at < line.size() && line[at] == '.' && is_layout_digit(line, at + 1)) {
+        ++at;
+        skip_digits();
+    }
+    if (at == 0 || !is_layout_digit(line, at - 1) || at == line.size() || (line[at] != 'e' && line[at] != 'E'))
+        return at;
+    const std::size_t exponent = at + 1 < line.size() && is_sign(line[at + 1]) ? at + 2 : at + 1;
+    if (!is_layout_digit(line, exponent)) return at;
+    at = exponent;
+    skip_digits();
+    return at;
+}
+
+/// Where the number ends that begins there, perhaps with a sign; `at` itself if none does. Numbers may stand in words,
+/// as in "x1.5y2.5", but nan and inf are words.
+std::size_t end_of_number(std::string_view line, std::size_t at) {
+    const std::size_t begin = is_sign(line[at]) ? at + 1 : at;
+    const std::size_t end = end_of_digits(line, begin);
+    if (end > begin) return end;
+    const bool begins_word = begin > at || at == 0 || end_of_word(line, at - 1) == at - 1;
+    const std::string_view word = line.substr(begin, end_of_word(line, begin) - begin);
+    const bool is_word_for_number = word == "nan" || word == "inf" || word == "NAN" || word == "INF";
+    return begins_word && is_word_for_number ? begin + word.size() : at;
 }
 
 /// A line with every number as '#' and every run of blanks as one.
 std::string layout_of_line(std::string_view line) {
     std::string layout;
-    const auto is_word = [](char c) { return is_digit(c) || is_letter(c) || c == '_'; };
     for (std::size_t at = 0; at < line.size();) {
-        std::size_t end = at;
-        if (is_word(line[at]) || (is_number_sign(line[at]) && at + 1 < line.size() && is_word(line[at + 1]))) {
-            const auto goes_on = [&](std::size_t i) {
-                const bool is_exponent = is_number_sign(line[i]) && (line[i - 1] == 'e' || line[i - 1] == 'E');
-                return is_word(line[i]) || line[i] == '.' || is_exponent;
-            };
-            const std::size_t begin = is_word(line[at]) ? at : at + 1;
-            end = begin + 1;
-            while (end < line.size() && goes_on(end)) ++end;
-            const std::string_view word = line.substr(begin, end - begin);
-            const bool is_number = is_digit(word.front()) || word == "nan" || word == "inf";
-            layout += is_number ? "#" : line.substr(at, end - at);
-        } else if (line[at] == ' ' || line[at] == '\t' || line[at] == '\r') {
-            while (end < line.size() && (line[end] == ' ' || line[end] == '\t' || line[end] == '\r')) ++end;
-            layout += ' ';
+        if (const std::size_t end = end_of_number(line, at); end > at) {
+            layout += '#';
+            at = end;
+        } else if (line[at] == ' ' || line[at] == '\t') {
+            if (!layout.empty() && layout.back() != ' ') layout += ' ';
+            ++at;
         } else {
-            end = at + 1;
-            layout += line[at];
+            layout += line[at++];
         }
-        at = end;
     }
-    while (layout.ends_with(' ')) layout.pop_back();
-    return layout.substr(std::min(layout.find_first_not_of(' '), layout.size()));
+    if (layout.ends_with(' ')) layout.pop_back();
+    return layout;
 }
 
 void attach(const std::vector<KeptReread>& rereads, Submission& submission) {
@@ -56,11 +88,12 @@ void attach(const std::vector<KeptReread>& rereads, Submission& submission) {
 }  // namespace
 
 std::string layout_of(std::string_view printout) {
-    Fingerprint layout("raygrade/layout/1");
-    while (!printout.empty()) {
-        const std::size_t end = printout.find('\n');
-        layout.add(layout_of_line(printout.substr(0, end)));
-        printout.remove_prefix(end == std::string_view::npos ? printout.size() : end + 1);
+    Fingerprint layout("raygrade/layout/2");
+    const std::string text = clean_text(printout);
+    for (std::string_view rest = text; !rest.empty();) {
+        const std::size_t end = rest.find('\n');
+        layout.add(layout_of_line(rest.substr(0, end)));
+        rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
     }
     return layout.hex();
 }

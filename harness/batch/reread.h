@@ -15,8 +15,8 @@ namespace harness {
 /// Longer printouts are not kept, and can't be reread.
 inline constexpr std::size_t longest_printout = std::size_t{64} << 10U;
 
-/// Identifies what a printout looks like apart from its numbers, nan and inf included, and from the width of its
-/// blanks.
+/// Identifies what a printout looks like, as it is read, apart from its numbers, nan and inf included, and from the
+/// width of its blanks.
 std::string layout_of(std::string_view printout);
 
 /// "Read from line 12, as Ada says: the label is misspelt" or "Not printed, as Ada says: that is a debug line".

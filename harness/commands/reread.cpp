@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iterator>
 
 #include "harness/commands/kept_class.h"
 #include "harness/commands/shared_options.h"
@@ -85,6 +86,21 @@ std::string printout_of(const Gradebook& gradebook, const std::string& id) {
                     escape_control(id), longest_printout >> 10U));
 }
 
+/// "line 12 holds 3 numbers", or that the printout has no such line.
+std::string what_stands_at(const ItemPlace& place, const Transcript& transcript, const std::string& lines) {
+    int last = 0;
+    for (const Section& section : transcript.sections) {
+        for (const PrintedLine& line : section.lines) last = std::max(last, line.number);
+    }
+    if (place.first_line > last)
+        return fmt::format("the output has no line {}, its last is {}", place.first_line, last);
+    const std::size_t count = numbers_at(transcript, place);
+    const bool is_one = place.first_line == place.last_line;
+    return fmt::format("{} {} {} {} number{}", is_one ? "line" : "lines",
+                       is_one ? std::to_string(place.first_line) : lines, is_one ? "holds" : "hold", count,
+                       count == 1 ? "" : "s");
+}
+
 /// Throws UsageError if the lines of the reread hold nothing that has the item's shape.
 void require_value(const Reread& given, const ItemScore& item, const std::string& printout) {
     if (given.lines.empty()) return;
@@ -95,12 +111,14 @@ void require_value(const Reread& given, const ItemScore& item, const std::string
             escape_control(given.lines)));
     }
     Transcript transcript = read_transcript(printout);
+    const std::string there = what_stands_at(*place, transcript, given.lines);
     if (read_at(transcript, item.spec, *place)) return;
     throw UsageError(fmt::format(
-        "{}: {} holds {} numbers and nothing that can be read as {}, which {} is. Name the lines that hold just that, "
-        "or some of a line's numbers, as in {}:2-4; `raygrade read` shows an output with its lines",
-        escape_control(given.lines), place->first_line == place->last_line ? "the line" : "this",
-        numbers_at(transcript, *place), report::expected_shape(item.spec.shape), item_of(given), place->first_line));
+        "{}: {}, and nothing there can be read as {}, which {} is. Name the lines that hold just that, or some of a "
+        "line's numbers, as in {}:2-4; `raygrade read` shows an output with its lines, and --none says that the item "
+        "was not printed",
+        escape_control(given.lines), there, report::expected_shape(item.spec.shape), item_of(given),
+        place->first_line));
 }
 
 /// The submissions whose printouts have this layout, by their places in the class.
@@ -136,34 +154,15 @@ class Rereading {
         return changed;
     }
 
+    /// The places of the submissions that it changes. Tells what it does.
     std::vector<std::size_t> remove() {
-        std::vector<std::string> items;
-        std::optional<KeptReread> removed;
-        for (const KeptReread& each : kept_.rereads) {
-            if (each.submission != options_.id) continue;
-            items.push_back(item_of(each.given));
-            if (items.back() == options_.item) removed = each;
-        }
-        if (!removed) {
-            throw UsageError(fmt::format("{} of {}: was not reread; {}", escape_control(options_.item),
-                                         escape_control(options_.id), did_you_mean(options_.item, items)));
-        }
         const Author author = author_now(options_.by.empty() ? "" : read_line(options_.by, "--by"));
         const std::string why = read_line(*options_.why, "--why");
-        for (std::size_t i = 0; i < kept_.graded.size(); ++i) {
-            Graded& one = kept_.graded[i];
-            if (one.submission.id != options_.id || !counts(one, removed->given)) continue;
-            const Graded before = one;
-            std::erase_if(one.submission.rereads, [&](const Reread& each) { return item_of(each) == options_.item; });
-            one.printout = printout_of(gradebook_, options_.id);
-            mark_again(one, marking_);
-            gradebook_.remove_reread(*removed, author, why, before, one, i);
-            tell(before, one, removed->given);
-            return {i};
+        std::vector<std::size_t> changed;
+        for (const KeptReread& each : to_be_removed()) {
+            if (const auto place = remove(each, author, why)) changed.push_back(*place);
         }
-        gradebook_.remove_reread(*removed, author, why);
-        fmt::print("{} {}: removed\n", escape_control(options_.id), escape_control(options_.item));
-        return {};
+        return changed;
     }
 
   private:
@@ -189,6 +188,46 @@ class Rereading {
         mark_again(one, marking_);
         gradebook_.put_reread({one.submission.id, given}, before, one, index);
         tell(before, one, given);
+    }
+
+    /// The reread that is named, and with --alike those of the same item for the same layout.
+    std::vector<KeptReread> to_be_removed() const {
+        std::vector<std::string> items;
+        std::optional<KeptReread> named;
+        for (const KeptReread& each : kept_.rereads) {
+            if (each.submission != options_.id) continue;
+            items.push_back(item_of(each.given));
+            if (items.back() == options_.item) named = each;
+        }
+        if (!named) {
+            throw UsageError(fmt::format("{} of {}: was not reread; {}", escape_control(options_.item),
+                                         escape_control(options_.id), did_you_mean(options_.item, items)));
+        }
+        if (!options_.alike) return {*named};
+        std::vector<KeptReread> alike;
+        std::copy_if(kept_.rereads.begin(), kept_.rereads.end(), std::back_inserter(alike),
+                     [&](const KeptReread& each) {
+                         return item_of(each.given) == options_.item && each.given.layout == named->given.layout;
+                     });
+        return alike;
+    }
+
+    /// The submission's place in the class, if its marks may change.
+    std::optional<std::size_t> remove(const KeptReread& removed, const Author& author, const std::string& why) {
+        for (std::size_t i = 0; i < kept_.graded.size(); ++i) {
+            Graded& one = kept_.graded[i];
+            if (one.submission.id != removed.submission || !counts(one, removed.given)) continue;
+            const Graded before = one;
+            std::erase_if(one.submission.rereads, [&](const Reread& each) { return item_of(each) == options_.item; });
+            one.printout = printout_of(gradebook_, removed.submission);
+            mark_again(one, marking_);
+            gradebook_.remove_reread(removed, author, why, before, one, i);
+            tell(before, one, removed.given);
+            return i;
+        }
+        gradebook_.remove_reread(removed, author, why);
+        fmt::print("{} {}: removed\n", escape_control(removed.submission), escape_control(options_.item));
+        return std::nullopt;
     }
 
     static void tell(const Graded& before, const Graded& after, const Reread& given) {
@@ -236,8 +275,10 @@ void add_options(CLI::App& command, RereadOptions& options) {
     command.add_flag("--none", options.none, "In place of lines: the program did not print the item");
     command.add_option("--why", options.why, "The reason, which the student reads too")->type_name("TEXT");
     command.add_option("--by", options.by, "Who decides; by default the account that runs raygrade")->type_name("NAME");
-    command.add_flag("--alike", options.alike,
-                     "Also for every other submission whose output looks the same but for its numbers");
+    command.add_flag(
+        "--alike", options.alike,
+        "Also for every other submission whose output looks the same but for its numbers; with --remove, take "
+        "those back too");
     command.add_option("--results", options.results, "The folder that `raygrade grade` wrote its results to")
         ->type_name("DIR")
         ->capture_default_str();

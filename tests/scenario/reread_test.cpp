@@ -86,6 +86,49 @@ TEST_F(Reread, OfPrintoutsThatLookAlikeIsOneCommand) {
     EXPECT_THAT(read(folder / "out/feedback/cy.md"), Not(HasSubstr("Read from")));
 }
 
+TEST_F(Reread, OfPrintoutsThatLookAlikeIsTakenBackByOneCommand) {
+    ASSERT_EQ(reread({"ada", "5.V", "2", "--why", "dir is V", "--alike"}).status, 0);
+    ASSERT_EQ(reread({"cy", "5.V", "--none", "--why", "another layout"}).status, 0);
+    const Result back = reread({"ben", "5.V", "--remove", "--alike", "--why", "it is not"});
+    EXPECT_THAT(back.output, AllOf(HasSubstr("ada: 10 -> 0"), HasSubstr("ben 5.V"), Not(HasSubstr("cy"))));
+    EXPECT_EQ(points("ada"), 0);
+    EXPECT_THAT(reread({"--list"}).output, AllOf(HasSubstr("cy  5.V"), Not(HasSubstr("ada")), Not(HasSubstr("ben"))));
+    EXPECT_THAT(read(folder / "out/feedback/ben.md"), Not(HasSubstr("Read from")));
+}
+
+TEST_F(Reread, OfNumbersGluedToLettersStaysWhenTheNumbersChange) {
+    const auto glued = [](const std::string& x) {
+        return "#include <cstdio>\nint main() { puts(\"Question 5:\\nx" + x + "y0z-1\"); }\n";
+    };
+    write(student("ada"), glued("0.5"));
+    write(student("ben"), glued("-2.25"));
+    grade();
+    EXPECT_THAT(reread({"ada", "5.V", "2", "--why", "x, y and z"}).output, HasSubstr("The same layout: ben."));
+    write(student("ada"), glued("0"));
+    EXPECT_THAT(grade().voice, Not(HasSubstr("does not count")));
+    EXPECT_EQ(points("ada"), 10);
+}
+
+TEST_F(Reread, WorksOutAnewWhatFollows) {
+    write(student("ada"),
+          "#include <cstdio>\nint main() { puts(\"Question 6:\\na: 1\\nDEBUG b is -3\\nc: 2\\nd: 1\\nt: 1\"); }\n");
+    grade();
+    const auto verdicts = [&] {
+        std::string all;
+        const json items = graded("ada").at("questions").at(5).at("items");
+        for (const json& item : items)
+            all += item.at("name").get<std::string>() + " " + item.at("verdict").get<std::string>() + ", ";
+        return all;
+    };
+    ASSERT_THAT(verdicts(), testing::StartsWith("a right, b missing, c right, d wrong, t wrong, "));
+    const Result done = reread({"ada", "6.b", "3", "--why", "that is b"});
+    ASSERT_EQ(done.status, 0) << done.both();
+    EXPECT_THAT(verdicts(), testing::StartsWith("a right, b wrong, c right, d follow, t follow, "));
+    const std::string marked_again = read(folder / "out/grades.json");
+    EXPECT_THAT(grade().both(), HasSubstr("Nothing has changed"));
+    EXPECT_EQ(read(folder / "out/grades.json"), marked_again);
+}
+
 TEST_F(Reread, CanBeTakenBackAndCanSayThatNothingWasPrinted) {
     ASSERT_EQ(reread({"cy", "5.V", "--none", "--why", "that is a debug line"}).status, 0);
     EXPECT_EQ(points("cy"), 0);
@@ -103,6 +146,9 @@ TEST_F(Reread, RefusesWhatItCannotRead) {
         return result.voice;
     };
     EXPECT_THAT(refusal({"ada", "5.V", "1", "--why", "x"}), HasSubstr("a vector of three numbers, which 5.V is"));
+    EXPECT_THAT(refusal({"ada", "5.V", "1", "--why", "x"}), HasSubstr("line 1 holds 0 numbers, and nothing there"));
+    EXPECT_THAT(refusal({"ada", "5.V", "2:3", "--why", "x"}), HasSubstr("line 2 holds 3 numbers, and nothing there"));
+    EXPECT_THAT(refusal({"ada", "5.V", "9", "--why", "x"}), HasSubstr("the output has no line 9, its last is 2"));
     EXPECT_THAT(refusal({"ada", "5.V", "x", "--why", "x"}), HasSubstr("write 12, 12-14"));
     EXPECT_THAT(refusal({"ada", "5", "2", "--why", "x"}), HasSubstr("is not a single item"));
     EXPECT_THAT(refusal({"ada", "5.v", "2", "--why", "x"}), HasSubstr("5.V"));

@@ -19,11 +19,30 @@ TEST(Layout, IsTheSameForOtherNumbersAndOtherBlanks) {
     EXPECT_EQ(layout_of("t = 1"), layout_of("t = 12 \n"));
 }
 
+TEST(Layout, IsTheSameForOtherNumbersThatAreGluedToLetters) {
+    EXPECT_EQ(layout_of("t1.5\n"), layout_of("t2.25e-7\n"));
+    EXPECT_EQ(layout_of("x1.5y-2e-3z3m\n"), layout_of("x1y0.3z-30m\n"));
+    EXPECT_EQ(layout_of("at 0x7ffe12ab, 5.\n"), layout_of("at 0x55d0, 5.25.\n"));
+    EXPECT_EQ(layout_of("P.x .5 -.5\n"), layout_of("P.x 1 2\n"));
+}
+
+TEST(Layout, IsThatOfThePrintoutAsItIsRead) {
+    EXPECT_EQ(layout_of("t = -1\r\n"), layout_of("t = 1\n"));
+    EXPECT_EQ(layout_of("t = \xE2\x88\x92"
+                        "1\n"),
+              layout_of("t = 1\n"))
+        << "a minus sign beyond ASCII";
+    EXPECT_EQ(layout_of("\x1b[31mt\x1b[0m = 1\n"), layout_of("t = 1\n"));
+    EXPECT_NE(layout_of("t = 1\rs = 2\n"), layout_of("t = 1 s = 2\n")) << "a return begins a line";
+}
+
 TEST(Layout, DiffersWhereWordsOrLinesDo) {
     EXPECT_NE(layout_of("t = 1.5\n"), layout_of("s = 1.5\n"));
     EXPECT_NE(layout_of("t = 1.5\n"), layout_of("t = none\n"));
     EXPECT_NE(layout_of("t = 1.5\n"), layout_of("\nt = 1.5\n"));
     EXPECT_NE(layout_of("1 2\n"), layout_of("1\n2\n"));
+    EXPECT_NE(layout_of("t = nano\n"), layout_of("t = 1\n"));
+    EXPECT_NE(layout_of("info\n"), layout_of("1o\n"));
 }
 
 /// A right printout in which t stands under a name that nobody knows, marked without and with a reread.
