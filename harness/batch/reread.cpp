@@ -1,7 +1,5 @@
 #include "harness/batch/reread.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "harness/batch/grade_submission.h"
@@ -98,13 +96,6 @@ std::string layout_of(std::string_view printout) {
     return layout.hex();
 }
 
-std::string note_of(const Reread& reread) {
-    if (reread.lines.empty()) return fmt::format("Not printed, as {} says: {}", reread.by, reread.why);
-    const std::string_view lines =
-        reread.lines.find('-') == std::string::npos || reread.lines.find(':') != std::string::npos ? "line" : "lines";
-    return fmt::format("Read from {} {}, as {} says: {}", lines, reread.lines, reread.by, reread.why);
-}
-
 std::vector<ItemPlace> places_in(const std::vector<Reread>& rereads, std::string_view printout) {
     std::vector<ItemPlace> places;
     if (rereads.empty()) return places;
@@ -126,17 +117,6 @@ void attach(const std::vector<KeptReread>& rereads, std::vector<Submission>& sub
 
 void attach(const std::vector<KeptReread>& rereads, std::vector<Graded>& graded) {
     for (Graded& one : graded) attach(rereads, one.submission);
-}
-
-bool counts(const Graded& graded, const Reread& reread) {
-    const std::string note = note_of(reread);
-    return std::any_of(graded.score.questions.begin(), graded.score.questions.end(),
-                       [&](const QuestionScore& question) {
-                           return question.number == reread.question &&
-                                  std::any_of(question.items.begin(), question.items.end(), [&](const ItemScore& item) {
-                                      return item.spec.name == reread.item && item.reread == note;
-                                  });
-                       });
 }
 
 void mark_again(Graded& graded, const Marking& marking) {

@@ -19,18 +19,12 @@ inline constexpr std::size_t longest_printout = std::size_t{64} << 10U;
 /// width of its blanks.
 std::string layout_of(std::string_view printout);
 
-/// "Read from line 12, as Ada says: the label is misspelt" or "Not printed, as Ada says: that is a debug line".
-std::string note_of(const Reread& reread);
-
 /// The places of those rereads that were made for the layout of this printout.
 std::vector<ItemPlace> places_in(const std::vector<Reread>& rereads, std::string_view printout);
 
 /// Gives each submission its rereads. Those of others are left out.
 void attach(const std::vector<KeptReread>& rereads, std::vector<Submission>& submissions);
 void attach(const std::vector<KeptReread>& rereads, std::vector<Graded>& graded);
-
-/// Whether an item of the submission was read where the reread says.
-bool counts(const Graded& graded, const Reread& reread);
 
 /// Marks the kept printout again with the rereads that the submission has now. The marks for other scenes stay.
 void mark_again(Graded& graded, const Marking& marking);

@@ -8,12 +8,12 @@
 #include <iterator>
 
 #include "harness/commands/kept_class.h"
+#include "harness/commands/kept_printout.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/grade/override_place.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
-#include "harness/report/text/sentences.h"
 #include "harness/results/reports.h"
 #include "harness/text/escape.h"
 #include "harness/text/near_names.h"
@@ -75,62 +75,6 @@ void list_rereads(const KeptClass& kept) {
     if (kept.rereads.empty()) fmt::print("no rereads\n");
 }
 
-/// The printout as the gradebook keeps it. Throws UsageError if it is not kept.
-std::string printout_of(const Gradebook& gradebook, const std::string& id) {
-    std::string printout = gradebook.printout(id);
-    if (!printout.empty()) return printout;
-    throw UsageError(
-        fmt::format("{}: there is no printout of it to read again: the program printed nothing, or more than {} KiB, "
-                    "or the class was last graded by an older raygrade (then grade it again with --apply). "
-                    "`raygrade override` gives points without one",
-                    escape_control(id), longest_printout >> 10U));
-}
-
-/// "line 12 holds 3 numbers", or that the printout has no such line.
-std::string what_stands_at(const ItemPlace& place, const Transcript& transcript, const std::string& lines) {
-    int last = 0;
-    for (const Section& section : transcript.sections) {
-        for (const PrintedLine& line : section.lines) last = std::max(last, line.number);
-    }
-    if (place.first_line > last)
-        return fmt::format("the output has no line {}, its last is {}", place.first_line, last);
-    const std::size_t count = numbers_at(transcript, place);
-    const bool is_one = place.first_line == place.last_line;
-    return fmt::format("{} {} {} {} number{}", is_one ? "line" : "lines",
-                       is_one ? std::to_string(place.first_line) : lines, is_one ? "holds" : "hold", count,
-                       count == 1 ? "" : "s");
-}
-
-/// Throws UsageError if the lines of the reread hold nothing that has the item's shape.
-void require_value(const Reread& given, const ItemScore& item, const std::string& printout) {
-    if (given.lines.empty()) return;
-    const auto place = read_lines(given.lines);
-    if (!place) {
-        throw UsageError(fmt::format(
-            "{}: are no lines of an output; write 12, 12-14, or 12:2 and 12:2-4 for some of a line's numbers",
-            escape_control(given.lines)));
-    }
-    Transcript transcript = read_transcript(printout);
-    const std::string there = what_stands_at(*place, transcript, given.lines);
-    if (read_at(transcript, item.spec, *place)) return;
-    throw UsageError(fmt::format(
-        "{}: {}, and nothing there can be read as {}, which {} is. Name the lines that hold just that, or some of a "
-        "line's numbers, as in {}:2-4; `raygrade read` shows an output with its lines, and --none says that the item "
-        "was not printed",
-        escape_control(given.lines), there, report::expected_shape(item.spec.shape), item_of(given),
-        place->first_line));
-}
-
-/// The submissions whose printouts have this layout, by their places in the class.
-std::vector<std::size_t> with_layout(const Gradebook& gradebook, const KeptClass& kept, const std::string& layout) {
-    std::vector<std::size_t> alike;
-    for (std::size_t i = 0; i < kept.graded.size(); ++i) {
-        const std::string printout = gradebook.printout(kept.graded[i].submission.id);
-        if (!printout.empty() && layout_of(printout) == layout) alike.push_back(i);
-    }
-    return alike;
-}
-
 class Rereading {
   public:
     Rereading(const RereadOptions& options, Gradebook& gradebook, KeptClass& kept, const Marking& marking)
@@ -175,7 +119,7 @@ class Rereading {
         const Author author = author_now(options_.by.empty() ? "" : read_line(options_.by, "--by"));
         Reread given{place.question, place.item, options_.lines, layout_of(printout), read_line(*options_.why, "--why"),
                      author.name,    author.when};
-        require_value(given, item_score(one, given), printout);
+        require_value(given, item_score(one, given).spec, printout);
         return given;
     }
 
@@ -212,22 +156,29 @@ class Rereading {
         return alike;
     }
 
-    /// The submission's place in the class, if its marks may change.
+    /// The submission's place in the class, if it still is in it.
     std::optional<std::size_t> remove(const KeptReread& removed, const Author& author, const std::string& why) {
-        for (std::size_t i = 0; i < kept_.graded.size(); ++i) {
-            Graded& one = kept_.graded[i];
-            if (one.submission.id != removed.submission || !counts(one, removed.given)) continue;
-            const Graded before = one;
-            std::erase_if(one.submission.rereads, [&](const Reread& each) { return item_of(each) == options_.item; });
-            one.printout = printout_of(gradebook_, removed.submission);
-            mark_again(one, marking_);
-            gradebook_.remove_reread(removed, author, why, before, one, i);
-            tell(before, one, removed.given);
-            return i;
+        const auto found = std::find_if(kept_.graded.begin(), kept_.graded.end(),
+                                        [&](const Graded& any) { return any.submission.id == removed.submission; });
+        const auto place = found == kept_.graded.end()
+                               ? std::nullopt
+                               : std::optional(static_cast<std::size_t>(found - kept_.graded.begin()));
+        const bool changes_marks = place && counts(*found, removed.given);
+        const std::optional<Graded> before = changes_marks ? std::optional(*found) : std::nullopt;
+        if (place) {
+            std::erase_if(found->submission.rereads,
+                          [&](const Reread& each) { return item_of(each) == options_.item; });
         }
-        gradebook_.remove_reread(removed, author, why);
-        fmt::print("{} {}: removed\n", escape_control(removed.submission), escape_control(options_.item));
-        return std::nullopt;
+        if (changes_marks) {
+            found->printout = printout_of(gradebook_, removed.submission);
+            mark_again(*found, marking_);
+            gradebook_.remove_reread(removed, author, why, *before, *found, *place);
+            tell(*before, *found, removed.given);
+        } else {
+            gradebook_.remove_reread(removed, author, why);
+            fmt::print("{} {}: removed\n", escape_control(removed.submission), escape_control(options_.item));
+        }
+        return place;
     }
 
     static void tell(const Graded& before, const Graded& after, const Reread& given) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace harness {
@@ -37,6 +38,24 @@ std::string_view limit_name(Ended ended) {
         case Ended::output_limit: return "run.output_kib";
     }
     return "";
+}
+
+std::string note_of(const Reread& reread) {
+    if (reread.lines.empty()) return fmt::format("Not printed, as {} says: {}", reread.by, reread.why);
+    const std::string_view lines =
+        reread.lines.find('-') == std::string::npos || reread.lines.find(':') != std::string::npos ? "line" : "lines";
+    return fmt::format("Read from {} {}, as {} says: {}", lines, reread.lines, reread.by, reread.why);
+}
+
+bool counts(const Graded& graded, const Reread& reread) {
+    const std::string note = note_of(reread);
+    return std::any_of(graded.score.questions.begin(), graded.score.questions.end(),
+                       [&](const QuestionScore& question) {
+                           return question.number == reread.question &&
+                                  std::any_of(question.items.begin(), question.items.end(), [&](const ItemScore& item) {
+                                      return item.spec.name == reread.item && item.reread == note;
+                                  });
+                       });
 }
 
 }  // namespace harness

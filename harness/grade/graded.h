@@ -81,4 +81,10 @@ struct Graded {
     std::vector<Override> overrides;  ///< the instructor's, oldest first; final_mark decides which count
 };
 
+/// "Read from line 12, as Ada says: the label is misspelt" or "Not printed, as Ada says: that is a debug line".
+std::string note_of(const Reread& reread);
+
+/// Whether an item of the submission was read where the reread says.
+bool counts(const Graded& graded, const Reread& reread);
+
 }  // namespace harness

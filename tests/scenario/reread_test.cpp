@@ -75,6 +75,9 @@ TEST_F(Reread, DoesNotCountForAnotherLayout) {
                                          "another layout now"));
     EXPECT_EQ(points("ada"), 0);
     EXPECT_THAT(reread({"--list"}).output, HasSubstr("kept, but"));
+    EXPECT_FALSE(graded("ada").at("rereads").at(0).at("counts"));
+    EXPECT_THAT(reread({"ada", "5.V", "--remove", "--why", "of no use"}).output, HasSubstr("ada 5.V: removed"));
+    EXPECT_FALSE(graded("ada").contains("rereads"));
 }
 
 TEST_F(Reread, OfPrintoutsThatLookAlikeIsOneCommand) {

@@ -110,6 +110,20 @@ ordered_json overrides_json(const Graded& graded) {
     return overrides;
 }
 
+ordered_json rereads_json(const Graded& graded) {
+    ordered_json rereads = ordered_json::array();
+    for (const Reread& given : graded.submission.rereads) {
+        rereads.push_back({{"question", given.question},
+                           {"item", escape_control(given.item)},
+                           {"lines", or_null(given.lines)},
+                           {"why", escape_control(given.why)},
+                           {"by", escape_control(given.by)},
+                           {"when", given.when},
+                           {"counts", counts(graded, given)}});
+    }
+    return rereads;
+}
+
 ordered_json run_json(const ProcessResult& run) {
     const bool exited = run.ended == Ended::exited;
     const bool signalled = run.ended == Ended::signalled;
@@ -185,7 +199,7 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
         for (const QuestionScore& question : graded.score.questions)
             questions.push_back(question_json(graded, question, expected));
     }
-    return {
+    ordered_json submission = {
         {"id", escape_control(graded.submission.id)},
         {"student", student_json(graded.submission.lms)},
         {"file", escape_control(graded.submission.file.string())},
@@ -206,6 +220,8 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
         {"variants", other_scenes_json(graded.other_scenes)},
         {"other_scenes", scenes_json(graded)},
         {"stress", graded.hard_scenes ? scenes::hard_scenes_json(*graded.hard_scenes) : ordered_json(nullptr)}};
+    if (!graded.submission.rereads.empty()) submission["rereads"] = rereads_json(graded);
+    return submission;
 }
 
 }  // namespace

@@ -120,13 +120,6 @@ TEST(Match, FindsAnswersUnderTheHeadingOfAQuestionWhoseOnlyItemHasAPlace) {
     }
 }
 
-TEST(Match, MatchesTheOthersWhereAQuestionWithoutAHeadingIsReadFromItsPlace) {
-    const std::string output = "(1, 2, 3)\nV = (0, 0, -1)\na: 1\nt: 3\n";
-    EXPECT_THAT(matched(5, "V", output, {place(5, "V", "2")}), ElementsAre(0, 0, -1));
-    EXPECT_THAT(matched(6, "t", output, {place(5, "V", "2")}), ElementsAre(3));
-    EXPECT_THAT(matched(5, "V", "nothing\n", {place(5, "V", "")}), testing::IsEmpty());
-}
-
 TEST(Match, GivesTheValueOfAnItemThatWasNotPrintedToAnother) {
     const std::string output = "Question 4\n(1, 2, 3)\nQuestion 1\nP_VCS (4, 5, 6)\n";
     EXPECT_THAT(matched(4, "P_WCS", output, {}), ElementsAre(1, 2, 3));

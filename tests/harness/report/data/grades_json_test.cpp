@@ -176,6 +176,18 @@ TEST(GradesJson, HasFinalAndAutomaticPointsAndOverrides) {
         {"question": 8, "item": null, "points": 4.0, "why": "idea", "by": "bea", "when": ""}])"));
 }
 
+TEST(GradesJson, HasRereadsAndWhetherTheyCount) {
+    Graded one = graded("zoe", output_with_a_mistake());
+    EXPECT_FALSE(grades({one}).at("submissions").at(0).contains("rereads"));
+    one.submission.rereads = {{5, "V", "12", "abc", "it is V\x1b", "bea", "2026-11-22T09:30:00Z"},
+                              {6, "t", "", "abc", "debug", "bea", ""}};
+    one.score.questions.at(4).items.at(0).reread = note_of(one.submission.rereads.front());
+    EXPECT_EQ(grades({one}).at("submissions").at(0).at("rereads"), json::parse(R"([
+        {"question": 5, "item": "V", "lines": "12", "why": "it is V\\x1b", "by": "bea", "when": "2026-11-22T09:30:00Z",
+         "counts": true},
+        {"question": 6, "item": "t", "lines": null, "why": "debug", "by": "bea", "when": "", "counts": false}])"));
+}
+
 TEST(GradesJson, HasTheInstructorsMarkOfAnUngradedSubmission) {
     Graded bob = not_graded("bob");
     bob.overrides = {{0, "", 40, "by hand", "bea", ""}};

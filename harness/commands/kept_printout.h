@@ -1,0 +1,21 @@
+// What a gradebook keeps of printouts, for reread.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "harness/commands/kept_class.h"
+
+namespace harness {
+
+/// The printout as the gradebook keeps it. Throws UsageError if it is not kept.
+std::string printout_of(const Gradebook& gradebook, const std::string& id);
+
+/// Throws UsageError if the lines of the reread hold nothing that has the item's shape.
+void require_value(const Reread& given, const reference::ItemSpec& item, const std::string& printout);
+
+/// The submissions whose printouts have this layout, by their places in the class.
+std::vector<std::size_t> with_layout(const Gradebook& gradebook, const KeptClass& kept, const std::string& layout);
+
+}  // namespace harness
