@@ -94,6 +94,27 @@ class Fault : public testing::Test {
     }
     json graded(const std::string& id) const { return submission_in(read_json(out() / "grades.json"), id); }
 
+    Preparation with_own_cache(Preparation more = {}) const {
+        return in_temporary(
+            [this, more] { return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0 && (!more || more()); });
+    }
+    /// Grades where the machine lacks something. Then raygrade says why it does not begin, or "honest" has its points
+    /// or is not graded.
+    void grade_fairly(const Preparation& lacking) const {
+        fs::remove_all(out());
+        const Result result = raygrade(command({"-j", "2"}), with_own_cache(lacking));
+        if (!fs::exists(out() / "grades.json")) {
+            EXPECT_NE(result.voice, "");
+            return;
+        }
+        const json one = graded("honest");
+        EXPECT_TRUE(one.at("points") == 10.0 || one.at("outcome") == "not_graded") << one.dump(2) << result.both();
+    }
+    void expect_that_nothing_is_kept() const {
+        ASSERT_EQ(raygrade(command(), with_own_cache()).status, 0);
+        EXPECT_EQ(graded("honest").at("points"), 10.0);
+    }
+
     TemporaryFolder folder;
 };
 
@@ -172,22 +193,9 @@ TEST_F(Fault, ADiskThatFillsUpLeavesASubmissionNotGraded) {
 
 TEST_F(Fault, FewFilesOnTheDiskAreNobodysCompileError) {
     add("honest", honest);
-    for (const int files : {8, 10, 12, 14, 16, 20}) {
-        fs::remove_all(out());
-        const Result result = raygrade(command({"-j", "1"}), in_temporary([&] {
-                                           return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0 &&
-                                                  mount_disk(temporary(), "64m,nr_inodes=" + std::to_string(files));
-                                       }));
-        if (!fs::exists(out() / "grades.json")) continue;  // raygrade did not begin
-        const json honest_one = graded("honest");
-        const bool fair = honest_one.at("points") == 10.0 || honest_one.at("outcome") == "not_graded";
-        EXPECT_TRUE(fair) << files << honest_one.dump(2) << result.both();
-    }
-    ASSERT_EQ(
-        raygrade(command(), in_temporary([&] { return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0; }))
-            .status,
-        0);
-    EXPECT_EQ(graded("honest").at("points"), 10.0) << "nothing of it is kept";
+    for (const int files : {8, 10, 12, 14, 16, 20})
+        grade_fairly([&] { return mount_disk(temporary(), "64m,nr_inodes=" + std::to_string(files)); });
+    expect_that_nothing_is_kept();
 }
 
 TEST_F(Fault, ScarceMemoryIsNobodysCompileError) {
@@ -197,25 +205,12 @@ TEST_F(Fault, ScarceMemoryIsNobodysCompileError) {
     add("honest", "#include <iostream>\n" + std::string(honest));
     constexpr rlim_t megabyte = 1'000'000;
     for (const rlim_t megabytes : {70, 85, 100, 115, 130, 160}) {
-        fs::remove_all(out());
-        const Result result = raygrade(command({"-j", "2"}), in_temporary([&] {
-                                           const rlimit addresses{megabytes * megabyte, megabytes * megabyte};
-                                           return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0 &&
-                                                  setrlimit(RLIMIT_AS, &addresses) == 0;
-                                       }));
-        if (!fs::exists(out() / "grades.json")) {
-            EXPECT_NE(result.voice, "") << "it says why it did not begin";
-            continue;
-        }
-        const json honest_one = graded("honest");
-        const bool fair = honest_one.at("points") == 10.0 || honest_one.at("outcome") == "not_graded";
-        EXPECT_TRUE(fair) << megabytes << honest_one.dump(2) << result.both();
+        grade_fairly([&] {
+            const rlimit addresses{megabytes * megabyte, megabytes * megabyte};
+            return setrlimit(RLIMIT_AS, &addresses) == 0;
+        });
     }
-    ASSERT_EQ(
-        raygrade(command(), in_temporary([&] { return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0; }))
-            .status,
-        0);
-    EXPECT_EQ(graded("honest").at("points"), 10.0) << "nothing of it is kept";
+    expect_that_nothing_is_kept();
 }
 
 TEST_F(Fault, AFullDiskIsReportedBeforeTheFirstSubmission) {
