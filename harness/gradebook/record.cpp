@@ -64,10 +64,16 @@ auto row(scenes::UntriedScene& scene) {
 auto row(Doubt& doubt) {
     return std::tie(doubt.why, doubt.line);
 }
+/// A text that is not written if it is empty.
+struct IfThere {
+    std::string& text;
+};
 /// Items make up most of a record, and names would make up most of an item.
 auto row(ItemScore& item) {
-    return std::tie(item.spec.name, item.verdict, item.points, item.max_points, item.printed, item.line, item.error,
-                    item.allowance, item.accepted_as, item.diagnosis, item.advice, item.doubt, item.reread);
+    return std::tuple_cat(
+        std::tie(item.spec.name, item.verdict, item.points, item.max_points, item.printed, item.line, item.error,
+                 item.allowance, item.accepted_as, item.diagnosis, item.advice, item.doubt),
+        std::tuple(IfThere{item.reread}));
 }
 
 template <class Archive>
@@ -191,6 +197,8 @@ struct Writer {
             return value.count();
         } else if constexpr (std::same_as<Value, scenes::HardScenesReport>) {
             return scenes::hard_scenes_json(value);
+        } else if constexpr (std::same_as<Value, IfThere>) {
+            return value.text.empty() ? json() : json(value.text);
         } else if constexpr (Nullable<Value>) {
             return value ? written(*value) : json();
         } else if constexpr (List<Value>) {
@@ -198,7 +206,7 @@ struct Writer {
             for (auto& each : value) list.push_back(written(each));
             return list;
         } else if constexpr (Row<Value>) {
-            json::array_t list = std::apply([](auto&... each) { return json::array_t{written(each)...}; }, row(value));
+            json::array_t list = std::apply([](auto&&... each) { return json::array_t{written(each)...}; }, row(value));
             while (!list.empty() && list.back().is_null())
                 list.pop_back();  // so that a new optional field changes no record
             return list;
@@ -245,6 +253,8 @@ struct Reader {
             value = scenes::hard_scenes_from_json(from);
         } else if constexpr (std::same_as<Value, std::string_view>) {
             value = item_name(from.get<std::string>());
+        } else if constexpr (std::same_as<Value, IfThere>) {
+            if (!from.is_null()) value.text = from.get<std::string>();
         } else if constexpr (Nullable<Value>) {
             if (!from.is_null()) read(from, value.emplace());
         } else if constexpr (List<Value>) {
@@ -252,7 +262,7 @@ struct Reader {
         } else if constexpr (Row<Value>) {
             // An older raygrade's row may be shorter.
             std::size_t i = 0;
-            std::apply([&](auto&... each) { ((i < from.size() ? read(from.at(i++), each) : void()), ...); },
+            std::apply([&](auto&&... each) { ((i < from.size() ? read(from.at(i++), each) : void()), ...); },
                        row(value));
         } else if constexpr (requires(Reader at) { fields(at, value); }) {
             Reader inner{from};

@@ -31,6 +31,7 @@ std::vector<Graded> a_class() {
     Graded late = graded("late", output_with_a_mistake());
     late.submission.lms = read_canvas_name("łzoe_LATE_17_4_ray_cast.cpp");
     late.late_share = 0.1;
+    late.score.questions.at(5).items.at(4).reread = "Read from line 12, as Ada says: \xff";
     late.own_scene = OwnScene{"[camera]\neye = [0, 0, 5]\n", "Your source sets eye = (0, 0, 5)"};
     late.flags = {{"nondeterministic", "run 1 printed \x1b 2"}};
     late.sanitizer = {"line 8: heap-buffer-overflow", "line 9: \xff"};
