@@ -167,6 +167,7 @@ void leave_out_short_attachments(std::vector<Owned>& owned) {
     }
     for (Owned& one : owned) {
         const auto is_short = [&](const LmsName& read) { return read.is_file && read.attachment.size() + 1 < fewest; };
+        if (one.readings.size() == most_readings) continue;  // the true one may not be among them
         if (one.readings.size() > 1 && !std::all_of(one.readings.begin(), one.readings.end(), is_short))
             std::erase_if(one.readings, is_short);
     }

@@ -5,9 +5,6 @@
 namespace harness {
 namespace {
 
-/// More than two say no more.
-constexpr std::size_t most_readings = 8;
-
 re2::StringPiece piece(std::string_view text) {
     return {text.data(), text.size()};
 }

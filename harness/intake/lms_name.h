@@ -1,6 +1,7 @@
 // Parses the file names of learning management systems' downloads.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,6 +33,9 @@ struct LmsName {
 /// content_zipper.rb). A student chooses the name and the file, and either may look like numbers, so there may be
 /// several readings. The one with the shortest name comes first.
 std::vector<LmsName> canvas_readings(std::string_view file);
+
+/// So many readings are given of a name, and no more; it may have others.
+constexpr std::size_t most_readings = 8;
 
 /// A folder of Moodle's download, `<Full name>_<participant>_assignsubmission_file`, or a file of its flat form, which
 /// ends in `_<file>` (mod/assign, downloader.php). The one with the longest name comes first.

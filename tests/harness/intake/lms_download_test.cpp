@@ -176,6 +176,13 @@ TEST_P(LmsDownload, OfCanvasKnowsTheNumbersInAFilesOwnName) {
     EXPECT_EQ(taken.at("doejohn").lms->id, "4712");
 }
 
+TEST_P(LmsDownload, OfCanvasGivesNobodyWhatHidesItsOwnerBehindManyNumbers) {
+    const std::string file = "x_222_7081519_1_1_1_1_1_1_1_1_1_1_111_7081513_ray_cast.cpp";
+    const auto taken = take_in({{file, "forged"}, {"roe_4713_7081514_ray_cast.cpp", "plain"}});
+    ASSERT_TRUE(taken.contains(file)) << "its owner is unclear";
+    EXPECT_THAT(*taken.at(file).problem, HasSubstr("several ways"));
+}
+
 TEST_P(LmsDownload, FilesOfTwoNamesNeverMerge) {
     const auto taken =
         take_in({{"eve_5_50_ray_cast.cpp", "e"}, {"vic_5_51_ray_cast-9.cpp", "v"}, {"roe_6_52_ray_cast.cpp", "r"}});
