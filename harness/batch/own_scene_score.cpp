@@ -51,14 +51,15 @@ std::optional<OwnSceneScore> score_on_own_scene(const Score& score, const std::s
     if (stated_scenes.empty()) return std::nullopt;
     const Transcript transcript = read_transcript(output);
     std::optional<OwnSceneScore> best;
-    std::ptrdiff_t most_explained = 0;
+    std::ptrdiff_t most_right = 0;
     for (const scenes::StatedScene& stated : stated_scenes) {
         const auto own = score_on(stated.scene, transcript, marking, places);
         if (!own) continue;
         OwnScene scene{reference::scene_toml(stated.scene), describe(stated.parts)};
         auto explained = explained_by_scene(score, *own, scene.cause, marking.assignment.rubric);
-        if (!explained || right_answers(*own) <= most_explained) continue;
-        most_explained = right_answers(*own);
+        const std::ptrdiff_t right = right_answers(*own);
+        if (!explained || right <= most_right) continue;
+        most_right = right;
         best = OwnSceneScore{std::move(*explained), std::move(scene)};
         if (!has_wrong_answer(*own)) break;
     }

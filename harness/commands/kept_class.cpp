@@ -42,6 +42,14 @@ Marking marking_of(const KeptClass& kept) {
     return make_marking(reference::parse_assignment(kept.run.toml, kept.run.assignment_file));
 }
 
+Author author_of(const std::string& by) {
+    return author_now(by.empty() ? "" : read_line(by, "--by"));
+}
+
+bool must_rewrite_all(const Gradebook& gradebook, const KeptClass& kept, const fs::path& folder) {
+    return !gradebook.reports_are_written() || !class_reports_are_as_left(kept.graded, folder);
+}
+
 void rewrite_reports(Gradebook& gradebook, const KeptClass& kept, const Marking& marking, bool all,
                      const std::vector<std::size_t>& changed, const fs::path& folder) {
     std::optional<report::CanvasRoster> roster;

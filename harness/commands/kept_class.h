@@ -26,6 +26,13 @@ std::size_t find_submission(const std::vector<Graded>& graded, const std::string
 /// The marking that the class was graded with.
 Marking marking_of(const KeptClass& kept);
 
+/// Who changes something: as --by says, or if it is empty, the account that runs raygrade. Throws UsageError.
+Author author_of(const std::string& by);
+
+/// Whether all reports are to be written again, because an interrupted command left some unwritten or somebody changed
+/// one. Ask before the gradebook is saved: afterwards, a changed report looks unchanged.
+bool must_rewrite_all(const Gradebook& gradebook, const KeptClass& kept, const std::filesystem::path& folder);
+
 /// Writes all reports, because the last command may have left some unwritten, or only those that a change of these
 /// submissions changes.
 void rewrite_reports(Gradebook& gradebook, const KeptClass& kept, const Marking& marking, bool all,

@@ -49,7 +49,7 @@ void put(Gradebook& gradebook, KeptClass& kept, std::size_t index, const Overrid
     const Graded before = one;
     const OverridePlace place = read_place(options.item, one);
     const double points = read_override_points(options.points);
-    const Author author = author_now(options.by.empty() ? "" : read_line(options.by, "--by"));
+    const Author author = author_of(options.by);
     const Override given{place.question, place.item, points, read_line(*options.why, "--why"),
                          author.name,    author.when};
     const PlacePoints there = points_at(one.score, given).value();
@@ -78,7 +78,7 @@ std::optional<std::size_t> remove(Gradebook& gradebook, KeptClass& kept, const O
         throw UsageError(fmt::format("{} of {}: is not overridden; {}", escape_control(options.item),
                                      escape_control(options.id), did_you_mean(options.item, places)));
     }
-    const Author author = author_now(options.by.empty() ? "" : read_line(options.by, "--by"));
+    const Author author = author_of(options.by);
     const std::string why = read_line(*options.why, "--why");
     const auto one = std::find_if(kept.graded.begin(), kept.graded.end(),
                                   [&](const Graded& any) { return any.submission.id == options.id; });
@@ -114,9 +114,7 @@ int override_points(const OverrideOptions& options) {
         list(kept);
         return all_graded;
     }
-    // Writes all reports again if an interrupted command left some unwritten or somebody changed one. The check comes
-    // first: once the gradebook is saved again, a changed report would look unchanged.
-    const bool all = !gradebook.reports_are_written() || !class_reports_are_as_left(kept.graded, options.results);
+    const bool all = must_rewrite_all(gradebook, kept, options.results);
     std::vector<std::size_t> changed;
     if (options.remove) {
         if (const auto place = remove(gradebook, kept, options)) changed.push_back(*place);

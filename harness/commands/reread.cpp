@@ -100,7 +100,7 @@ class Rereading {
 
     /// The places of the submissions that it changes. Tells what it does.
     std::vector<std::size_t> remove() {
-        const Author author = author_now(options_.by.empty() ? "" : read_line(options_.by, "--by"));
+        const Author author = author_of(options_.by);
         const std::string why = read_line(*options_.why, "--why");
         std::vector<std::size_t> changed;
         for (const KeptReread& each : to_be_removed()) {
@@ -116,7 +116,7 @@ class Rereading {
             throw UsageError(fmt::format("{}: is not a single item; name one, such as 6.t", options_.item));
         }
         const std::string printout = printout_of(gradebook_, options_.id);
-        const Author author = author_now(options_.by.empty() ? "" : read_line(options_.by, "--by"));
+        const Author author = author_of(options_.by);
         Reread given{place.question, place.item, options_.lines, layout_of(printout), read_line(*options_.why, "--why"),
                      author.name,    author.when};
         require_value(given, item_score(one, given).spec, printout);
@@ -206,8 +206,7 @@ int reread(const RereadOptions& options) {
         list_rereads(kept);
         return all_graded;
     }
-    // As in override: once the gradebook is saved again, a changed report would look unchanged.
-    const bool all = !gradebook.reports_are_written() || !class_reports_are_as_left(kept.graded, options.results);
+    const bool all = must_rewrite_all(gradebook, kept, options.results);
     const Marking marking = marking_of(kept);
     Rereading rereading(options, gradebook, kept, marking);
     const std::vector<std::size_t> changed = options.remove ? rereading.remove() : rereading.put();

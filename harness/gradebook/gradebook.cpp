@@ -343,7 +343,7 @@ void Gradebook::remove_override(const KeptOverride& removed, const Author& autho
                                 const std::optional<double>& points) {
     attempt([&] {
         SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
-        erase_override(*database_, removed);
+        erase_correction(*database_, "overrides", removed.submission, removed.given.question, removed.given.item);
         write_final_points(*database_, removed.submission, points);
         write_audit(*database_, author, override_of(removed), override_text(removed.given), "removed: " + why);
         transaction.commit();
@@ -392,8 +392,7 @@ void Gradebook::remove_reread(const KeptReread& removed, const Author& author, c
                               const Graded& before, const Graded& after, std::size_t place) {
     attempt([&] {
         SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
-        erase_reread(*database_, removed);
-        write_audit(*database_, author, reread_of(removed), reread_text(removed.given), "removed: " + why);
+        erase_reread(removed, author, why);
         write_marked_again(before, after, place, author);
         transaction.commit();
     });
@@ -402,10 +401,14 @@ void Gradebook::remove_reread(const KeptReread& removed, const Author& author, c
 void Gradebook::remove_reread(const KeptReread& removed, const Author& author, const std::string& why) {
     attempt([&] {
         SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
-        erase_reread(*database_, removed);
-        write_audit(*database_, author, reread_of(removed), reread_text(removed.given), "removed: " + why);
+        erase_reread(removed, author, why);
         transaction.commit();
     });
+}
+
+void Gradebook::erase_reread(const KeptReread& removed, const Author& author, const std::string& why) {
+    erase_correction(*database_, "rereads", removed.submission, removed.given.question, removed.given.item);
+    write_audit(*database_, author, reread_of(removed), reread_text(removed.given), "removed: " + why);
 }
 
 void Gradebook::write_marked_again(const Graded& before, const Graded& after, std::size_t place, const Author& author) {

@@ -124,6 +124,7 @@ class Gradebook {
   private:
     std::string new_id(const std::string& kept) const;
     std::string kept_id(const std::string& id) const;
+    void erase_reread(const KeptReread& removed, const Author& author, const std::string& why);
     void write_marked_again(const Graded& before, const Graded& after, std::size_t place, const Author& author);
     template <class Work>
     auto attempt(Work work) const -> decltype(work());

@@ -247,11 +247,12 @@ void write_override(SQLite::Database& database, const KeptOverride& kept) {
     insert.exec();
 }
 
-void erase_override(SQLite::Database& database, const KeptOverride& kept) {
-    Statement erase(database, "DELETE FROM overrides WHERE submission = ? AND question = ? AND item = ?");
-    erase.bind(1, kept.submission);
-    erase.bind(2, kept.given.question);
-    erase.bind(3, kept.given.item);
+void erase_correction(SQLite::Database& database, const char* table, const std::string& submission, int question,
+                      const std::string& item) {
+    Statement erase(database, fmt::format("DELETE FROM {} WHERE submission = ? AND question = ? AND item = ?", table));
+    erase.bind(1, submission);
+    erase.bind(2, question);
+    erase.bind(3, item);
     erase.exec();
 }
 
@@ -268,14 +269,6 @@ void write_reread(SQLite::Database& database, const KeptReread& kept) {
     insert.bind(7, kept.given.by);
     insert.bind(8, kept.given.when);
     insert.exec();
-}
-
-void erase_reread(SQLite::Database& database, const KeptReread& kept) {
-    Statement erase(database, "DELETE FROM rereads WHERE submission = ? AND question = ? AND item = ?");
-    erase.bind(1, kept.submission);
-    erase.bind(2, kept.given.question);
-    erase.bind(3, kept.given.item);
-    erase.exec();
 }
 
 void write_input(SQLite::Database& database, const KeptInput& input) {

@@ -52,13 +52,14 @@ void write_changes(SQLite::Database& database, const Run& run, const ClassChange
 
 /// Replaces an earlier override of the same item.
 void write_override(SQLite::Database& database, const KeptOverride& kept);
-void erase_override(SQLite::Database& database, const KeptOverride& kept);
 /// Writes the points of the submission that count. Does nothing if there is no such submission.
 void write_final_points(SQLite::Database& database, const std::string& id, const std::optional<double>& points);
 
 /// Replaces an earlier reread of the same item.
 void write_reread(SQLite::Database& database, const KeptReread& kept);
-void erase_reread(SQLite::Database& database, const KeptReread& kept);
+/// Erases what the table, "overrides" or "rereads", has for an item of a submission.
+void erase_correction(SQLite::Database& database, const char* table, const std::string& submission, int question,
+                      const std::string& item);
 
 void write_input(SQLite::Database& database, const KeptInput& input);
 
