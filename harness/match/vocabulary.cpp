@@ -1,0 +1,140 @@
+#include "harness/match/vocabulary.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace harness {
+namespace {
+
+/// Adds the names that both normals go by to `names`.
+Vocabulary names_of_normal(Vocabulary names) {
+    for (const char* name :
+         {"n", "normal", "surfacenormal", "unitnormal", "nhat", "normaln", "normalvector", "normalized", "normalised",
+          "nnormalized", "nnormalised", "normalizedn", "normalisedn", "unitn", "nunit"})
+        names.emplace(name);
+    return names;
+}
+
+const std::vector<Names>& names_of_items() {
+    static const std::vector<Names> table = {
+        {1,
+         "P_VCS",
+         {"pvcs", "pixelvcs", "pixelinvcs", "pvc", "vcs", "pixelinviewcoordinates", "pixelincameracoordinates", "pview",
+          "pcam", "pcamera"},
+         {"p", "pixel", "point", "view", "camera", "viewcoordinates", "cameracoordinates"}},
+        {2,
+         "X_vcs",
+         {"xvcs", "x", "xaxis", "xbasis", "basisx", "vcsx", "xvector", "xcam", "xdir"},
+         {"right", "u", "side", "s", "basis1", "vx", "e1", "ex"}},
+        {2,
+         "Y_vcs",
+         {"yvcs", "y", "yaxis", "ybasis", "basisy", "vcsy", "yvector", "ycam", "ydir"},
+         {"up", "v", "trueup", "basis2", "vy", "e2", "ey"}},
+        {2,
+         "Z_vcs",
+         {"zvcs", "z", "zaxis", "zbasis", "basisz", "vcsz", "zvector", "zcam", "zdir"},
+         {"w", "n", "forward", "back", "backward", "basis3", "vz", "e3", "ez"}},
+        {3,
+         "M_VCS_to_WCS",
+         {"mvcstowcs", "m", "mvcs2wcs", "vcstowcs", "mvcswcs", "matrix", "inverseview", "inverseviewmatrix",
+          "inverseofview", "inverseoftheviewmatrix", "viewinverse", "inverseofviewmatrix", "minv", "vcs2wcs",
+          "invview"},
+         {"transform", "inverse", "cameratoworld", "viewtoworld"}},
+        {4,
+         "P_WCS",
+         {"pwcs", "pixelwcs", "pixelinwcs", "wcs", "pwc", "pixelinworldcoordinates", "pworld", "worldcoordinates", "s",
+          "worldposition"},
+         {"p", "pixel", "point", "world", "position"}},
+        {5,
+         "V",
+         {"v", "direction", "raydirection", "raydir", "unitv", "vhat", "dir", "vector", "unitvector", "d", "vwcs",
+          "ray", "directionv", "vnormalized", "vnormalised", "normalizedv", "normalisedv", "normalized", "normalised"},
+         {"unit", "normalized", "normalised"}},
+        {6, "a", {"a", "acoefficient", "coefficienta", "coeffa", "qa", "aq", "alpha"}, {}},
+        {6,
+         "b",
+         {"b", "bcoefficient", "coefficientb", "coeffb", "b'", "bprime", "halfb", "bhalf", "qb", "beta"},
+         {"h", "b2"}},
+        {6, "c", {"c", "ccoefficient", "coefficientc", "coeffc", "qc", "gamma"}, {}},
+        {6,
+         "d",
+         {"d", "disc", "discriminant", "delta", "dis", "discr", "bb4ac", "b24ac", "bbac", "b2ac", "d'", "det"},
+         {"determinant", "radicand", "d4"}},
+        {6,
+         "t",
+         {"t", "ts", "tsphere", "tval", "tvalue", "rayparameter", "rayparametert", "parametert", "parameter", "thit",
+          "smallert", "tsmaller", "tmin", "tnear", "smallestt", "smallerroot", "smallerpositiveroot", "solution",
+          "rayt"},
+         {"t1", "t0", "t2", "root", "root1", "root2", "roots", "distance", "lambda", "raydistance", "tminus", "tplus"}},
+        {6,
+         "hit",
+         {"hit", "hitpoint", "ps", "psphere", "intersection", "intersectionpoint", "pointofintersection", "hitpos",
+          "hitposition", "spherehit", "spherehitpoint", "sphereintersection", "phit"},
+         {"p", "point", "pos", "position", "location", "i"}},
+        {7, "normal", names_of_normal({"ns", "nsphere", "spherenormal", "normalofsphere", "normalofthesphere"}), {}},
+        {8,
+         "matrix",
+         {"a", "matrix", "matrixa", "amatrix", "m", "coefficientmatrix", "systemmatrix", "linearsystem", "system",
+          "lhs", "mat", "leftside", "lefthandside", "thematrix"},
+         {"equations", "augmented"}},
+        {8,
+         "rhs",
+         {"rhs", "b", "righthandside", "rightside", "right", "righthand", "bvector", "vectorb", "rhsvector", "constant",
+          "rightvector"},
+         {"d", "y", "sa", "solutionvector"}},
+        {8,
+         "t",
+         {"t", "tt", "ttri", "ttriangle", "tval", "tvalue", "rayparameter", "parametert", "rayparametert", "thit",
+          "rayt"},
+         {"distance", "parameter", "t1", "lambda", "raydistance", "mu"}},
+        {8, "u", {"u", "uvalue", "barycentricu", "baryu", "beta"}, {}},
+        {8, "v", {"v", "vvalue", "barycentricv", "baryv", "gamma"}, {}},
+        {8,
+         "hit",
+         {"hit", "hitpoint", "pt", "ptri", "ptriangle", "intersection", "intersectionpoint", "pointofintersection",
+          "hitpos", "hitposition", "trianglehit", "trianglehitpoint", "triangleintersection", "phit"},
+         {"p", "point", "pos", "position", "location", "i"}},
+        {9,
+         "normal",
+         names_of_normal({"nt", "ntri", "ntriangle", "trianglenormal", "normaloftriangle", "normalofthetriangle"}),
+         {}},
+        {10, "verdict", {}, {}},
+    };
+    return table;
+}
+
+}  // namespace
+
+const Names& names_of(const reference::ItemSpec& item) {
+    const auto& table = names_of_items();
+    return *std::find_if(table.begin(), table.end(),
+                         [&](const Names& n) { return n.question == item.question && n.item == item.name; });
+}
+
+const Vocabulary& fillers() {
+    static const Vocabulary words = {
+        "the",  "is",       "of",     "value", "values", "are",        "for",        "answer",      "result",
+        "my",   "final",    "so",     "then",  "get",    "we",         "and",        "in",          "at",
+        "its",  "computed", "equals", "with",  "also",   "normalized", "normalised", "unit-length", "vec3",
+        "vec4", "vector",   "point",  "unit",  "length", "xyz"};
+    return words;
+}
+
+const Vocabulary& not_an_answer() {
+    static const Vocabulary words = {
+        "debug",   "dbg",          "before",      "unnormalized", "unnormalised", "nonnormalized", "raw",
+        "temp",    "tmp",          "check",       "checking",     "verify",       "verification",  "test",
+        "reduced", "reduction",    "elimination", "echelon",      "expected",     "wrong",         "trace",
+        "log",     "intermediate", "sanity",      "old",          "undivided"};
+    return words;
+}
+
+const Vocabulary& given_by_the_scene() {
+    static const Vocabulary words = {"r",      "radius",       "r2",           "center",         "centre",  "eye",
+                                     "lookat", "vup",          "width",        "height",         "dx",      "dy",
+                                     "pdcs",   "spherecenter", "sphereradius", "cameraposition", "epsilon", "eps",
+                                     "time"};
+    return words;
+}
+
+}  // namespace harness
