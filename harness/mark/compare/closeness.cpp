@@ -95,4 +95,13 @@ Closeness compare(const MatchedItem& printed, const Target& target, double allow
     return compare_numbers(numbers, target, allowance, min_decimals);
 }
 
+bool is_one(const Interval& factor) {
+    return factor.lo() == 1 && factor.hi() == 1;
+}
+
+const PrintedNumber* single_number(const MatchedItem* item) {
+    const bool readable = item != nullptr && item->value && !item->unreadable && item->value->numbers.size() == 1;
+    return readable ? &item->value->numbers.front() : nullptr;
+}
+
 }  // namespace harness

@@ -45,6 +45,12 @@ bool is_within(const PrintedNumber& given, const Interval& target, double allowa
 bool is_multiple(const PrintedNumber& given, const Interval& target, const Interval& factor, double allowance,
                  int min_decimals);
 
+/// Whether the factor is 1 and nothing else.
+bool is_one(const Interval& factor);
+
+/// The item's number; null if the item is null, was not printed readably, or is not one number.
+const PrintedNumber* single_number(const MatchedItem* item);
+
 /// How a printed number represents the exact number behind it.
 enum class Digits {
     as_printed,  ///< half a unit of the last digit either way

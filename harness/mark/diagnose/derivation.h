@@ -4,8 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "harness/mark/compare/equivalent_forms.h"
 #include "harness/mark/compare/item_targets.h"
+#include "harness/mark/compare/quadratic_form.h"
+#include "harness/mark/compare/system_form.h"
 #include "harness/mark/diagnose/interval_scene.h"
 
 namespace harness {

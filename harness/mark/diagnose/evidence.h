@@ -6,7 +6,8 @@
 #include <set>
 #include <vector>
 
-#include "harness/mark/compare/equivalent_forms.h"
+#include "harness/mark/compare/quadratic_form.h"
+#include "harness/mark/compare/system_form.h"
 #include "harness/mark/diagnose/interval_scene.h"
 
 namespace harness {

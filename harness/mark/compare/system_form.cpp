@@ -1,4 +1,4 @@
-#include "harness/mark/compare/equivalent_forms.h"
+#include "harness/mark/compare/system_form.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +11,6 @@
 
 namespace harness {
 namespace {
-
-const PrintedNumber* number_of(const MatchedItem* item) {
-    const bool readable = item != nullptr && item->value && !item->unreadable && item->value->numbers.size() == 1;
-    return readable ? &item->value->numbers.front() : nullptr;
-}
 
 /// The student's numbers in GLM's order, [3 * column + row].
 std::vector<PrintedNumber> columns_of(const MatchedItem& printed, bool by_rows) {
@@ -46,70 +41,6 @@ std::size_t at(int column, std::size_t row) {
 
 double middle(const Interval& x) {
     return 0.5 * (x.lo() + x.hi());
-}
-
-/// Whether the printed d may be b^2 - factor ac, given the digits of all four numbers and four float roundings.
-bool is_possible(const PrintedNumber& d, const PrintedNumber& a, const PrintedNumber& b, const PrintedNumber& c,
-                 const Interval& factor, Digits digits) {
-    const Interval square = enclosure_of(b, digits) * enclosure_of(b, digits);
-    const Interval product = factor * enclosure_of(a, digits) * enclosure_of(c, digits);
-    const Interval given = enclosure_of(d, digits);
-    const double roundings =
-        4 * 0x1p-24 * (std::abs(square.hi()) + std::max(std::abs(product.lo()), std::abs(product.hi())));
-    const Interval difference = square - product + Interval(-roundings, roundings);
-    return given.lo() <= difference.hi() && difference.lo() <= given.hi();
-}
-
-/// Whether the number is the target, within its allowance, divided by `divisor` and multiplied by `factor`.
-bool is_right_multiple(const PrintedNumber& number, const Target& target, int divisor, const Interval& factor,
-                       int min_decimals) {
-    return is_multiple(number, target.components.front() / Interval(divisor), factor, target.allowance.front(),
-                       min_decimals);
-}
-
-QuadraticForm find_quadratic_form(const PrintedQuadratic& printed, std::span<const ItemTargets> keys,
-                                  int min_decimals) {
-    const PrintedNumber* a = number_of(printed.a);
-    const PrintedNumber* b = number_of(printed.b);
-    const PrintedNumber* c = number_of(printed.c);
-    const PrintedNumber* d = number_of(printed.d);
-    if (a == nullptr || b == nullptr || c == nullptr || d == nullptr) return QuadraticForm::full;
-    const auto is_discriminant = [&](const Interval& factor) {
-        return is_possible(*d, *a, *b, *c, factor, Digits::as_printed) ||
-               is_possible(*d, *a, *b, *c, factor, Digits::of_stream);
-    };
-    if (!is_discriminant(Interval(1))) return QuadraticForm::full;
-    if (!is_discriminant(Interval(4))) return QuadraticForm::half_b;
-    const auto is_b_over = [&](int divisor) {
-        return std::any_of(keys.begin(), keys.end(), [&](const ItemTargets& key) {
-            const Target* target = key.number(item::sphere::b);
-            return target != nullptr && is_right_multiple(*b, *target, divisor, Interval(1.0), min_decimals);
-        });
-    };
-    return is_b_over(2) && !is_b_over(1) ? QuadraticForm::half_b : QuadraticForm::full;
-}
-
-/// The common factor of the printed a, b and c over the key's; empty if there is none or if it is 1.
-std::optional<Interval> find_factor(const PrintedQuadratic& printed, const ItemTargets& key, QuadraticForm form,
-                                    int min_decimals) {
-    const PrintedNumber* a = number_of(printed.a);
-    const PrintedNumber* b = number_of(printed.b);
-    const PrintedNumber* c = number_of(printed.c);
-    const Target* key_a = key.number(item::sphere::a);
-    const Target* key_b = key.number(item::sphere::b);
-    const Target* key_c = key.number(item::sphere::c);
-    if (a == nullptr || b == nullptr || c == nullptr || key_a == nullptr || key_b == nullptr || key_c == nullptr)
-        return std::nullopt;
-    const int b_divisor = form == QuadraticForm::half_b ? 2 : 1;
-    const auto multiplied_by = [&](const Interval& factor) {
-        return is_right_multiple(*b, *key_b, b_divisor, factor, min_decimals) &&
-               is_right_multiple(*c, *key_c, 1, factor, min_decimals);
-    };
-    // The factor is 1 if b and c are right and a is wrong, or if the digits are too few to tell.
-    if (is_right_multiple(*a, *key_a, 1, Interval(1.0), min_decimals) || multiplied_by(Interval(1.0)))
-        return std::nullopt;
-    const Interval factor = enclosure_of(*a, Digits::as_printed) / key_a->components.front();
-    return multiplied_by(factor) ? std::optional(factor) : std::nullopt;
 }
 
 /// The factor of the student's row over the target's row, taken at the target's largest component; 1 for a row of
@@ -185,7 +116,7 @@ int solved_unknowns(const MatchedItem& printed, const MatchedItem* printed_rhs, 
     const auto solved =
         reference::solve_by_cramer(reference::LinearSystem<Interval>{{column(0), column(1), column(2)}, right});
     const auto fits = [&](const MatchedItem* unknown, const Interval& numerator) {
-        const PrintedNumber* number = number_of(unknown);
+        const PrintedNumber* number = single_number(unknown);
         const Interval value = numerator / solved.det;
         return number != nullptr && value.is_bounded() && is_within(*number, value, 0.0, min_decimals) ? 1 : 0;
     };
@@ -209,23 +140,6 @@ std::optional<SystemForm> find_form(const MatchedItem& printed, const Target& ma
 }
 
 }  // namespace
-
-QuadraticScale find_quadratic_scale(const PrintedQuadratic& printed, std::span<const ItemTargets> keys,
-                                    int min_decimals) {
-    QuadraticScale scale;
-    scale.form = find_quadratic_form(printed, keys, min_decimals);
-    for (const ItemTargets& key : keys) {
-        const auto factor = find_factor(printed, key, scale.form, min_decimals);
-        if (!factor) continue;
-        scale.factor = *factor;
-        break;
-    }
-    return scale;
-}
-
-bool is_one(const Interval& factor) {
-    return factor.lo() == 1 && factor.hi() == 1;
-}
 
 bool SystemForm::is_scaled() const {
     return !std::all_of(row_factor.begin(), row_factor.end(), is_one);

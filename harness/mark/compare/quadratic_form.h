@@ -1,0 +1,34 @@
+// Quadratics that are equivalent to the handout's: b' = b/2, or all coefficients multiplied.
+#pragma once
+
+#include <span>
+
+#include "harness/mark/compare/closeness.h"
+#include "harness/mark/compare/item_targets.h"
+
+namespace harness {
+
+/// full: the handout's quadratic. half_b: a t^2 + 2 b' t + c = 0, with d' = b'^2 - ac.
+enum class QuadraticForm { full, half_b };
+
+/// The form and scale that a student's items of question 6 are held to.
+struct QuadraticScale {
+    QuadraticForm form = QuadraticForm::full;
+    Interval factor = Interval(1.0);  ///< student's coefficients over the handout's, known to the printed digits
+};
+
+/// The printed a, b, c, d of question 6; null if an item was not printed readably.
+struct PrintedQuadratic {
+    const MatchedItem* a;
+    const MatchedItem* b;
+    const MatchedItem* c;
+    const MatchedItem* d;
+};
+
+/// The form of the printed quadratic. It is half-b if d' = b'^2 - a'c' holds among the printed numbers and d' = b'^2 -
+/// 4a'c' does not; if the digits leave both open, it is half-b if b is half the key's. It has a factor if a, b and c
+/// are those of one of `keys` times the same number. Otherwise it is the handout's form. `keys` have allowances.
+QuadraticScale find_quadratic_scale(const PrintedQuadratic& printed, std::span<const ItemTargets> keys,
+                                    int min_decimals);
+
+}  // namespace harness

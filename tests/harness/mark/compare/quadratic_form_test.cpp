@@ -1,0 +1,60 @@
+#include "harness/mark/compare/quadratic_form.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/given/printed_values.h"
+
+namespace harness {
+namespace {
+
+constexpr ItemId a{6, "a"}, b{6, "b"}, c{6, "c"}, d{6, "d"};
+
+/// t^2 - 4.5 t + 3 = 0: d = 8.25, d' = 2.0625.
+std::vector<ItemTargets> quadratic_key() {
+    ItemTargets key;
+    key.set(a, {false, {Interval(1.0)}, {0.0}});
+    key.set(b, {false, {Interval(-4.5)}, {0.0}});
+    key.set(c, {false, {Interval(3.0)}, {0.0}});
+    return {key};
+}
+
+QuadraticScale scale_of(std::string_view pa, std::string_view pb, std::string_view pc, std::string_view pd) {
+    const MatchedItem ia = printed_item(a, pa), ib = printed_item(b, pb), ic = printed_item(c, pc),
+                      id = printed_item(d, pd);
+    const auto keys = quadratic_key();
+    return find_quadratic_scale({&ia, &ib, &ic, pd.empty() ? nullptr : &id}, keys, 2);
+}
+
+TEST(QuadraticScale, IsOneForTheHandoutsForm) {
+    const QuadraticScale scale = scale_of("1", "-4.5", "3", "8.25");
+    EXPECT_EQ(scale.form, QuadraticForm::full);
+    EXPECT_TRUE(is_one(scale.factor));
+}
+
+TEST(QuadraticScale, IsHalfBIfTheDiscriminantFits) {
+    EXPECT_EQ(scale_of("1", "-2.25", "3", "2.0625").form, QuadraticForm::half_b);
+    EXPECT_EQ(scale_of("1.000000e+00", "-2.250000e+00", "3.000000e+00", "2.062500e+00").form, QuadraticForm::half_b);
+}
+
+TEST(QuadraticScale, IsNotHalfBWithTheFullDiscriminant) {
+    EXPECT_EQ(scale_of("1", "-2.25", "3", "-6.9375").form, QuadraticForm::full)
+        << "b'^2 - 4ac: the factor 2 is missing";
+    EXPECT_EQ(scale_of("1", "-2.25", "3", "8.25").form, QuadraticForm::full);
+    EXPECT_EQ(scale_of("1", "-2.25", "3", "").form, QuadraticForm::full) << "no discriminant";
+}
+
+TEST(QuadraticScale, FindsACommonFactorOfAllCoefficients) {
+    EXPECT_TRUE(scale_of("2", "-9", "6", "33").factor.contains(2.0));
+    EXPECT_TRUE(scale_of("-1", "4.5", "-3", "8.25").factor.contains(-1.0));
+    EXPECT_TRUE(is_one(scale_of("2", "-9", "3", "57").factor)) << "c is not multiplied";
+    EXPECT_TRUE(is_one(scale_of("2", "-4.5", "3", "-3.75").factor)) << "a alone is wrong";
+}
+
+TEST(QuadraticScale, IgnoresZerosNanAndATinyA) {
+    EXPECT_TRUE(is_one(scale_of("0", "0", "0", "0").factor));
+    EXPECT_TRUE(is_one(scale_of("nan", "nan", "nan", "nan").factor));
+    EXPECT_TRUE(is_one(scale_of("0.001", "0", "0", "0").factor));
+}
+
+}  // namespace
+}  // namespace harness
