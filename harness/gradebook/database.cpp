@@ -189,4 +189,13 @@ std::unique_ptr<SQLite::Database> open_gradebook(const fs::path& file, Create cr
     }
 }
 
+std::vector<std::uint8_t> bytes_of(const SQLite::Column& column) {
+    const auto* begin = static_cast<const std::uint8_t*>(column.getBlob());
+    return {begin, begin + column.getBytes()};
+}
+
+std::int64_t last_run_number(SQLite::Database& database) {
+    return database.execAndGet("SELECT COALESCE(MAX(run), 0) FROM runs").getInt64();
+}
+
 }  // namespace harness

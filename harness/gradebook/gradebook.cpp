@@ -24,13 +24,6 @@ using SQLite::Statement;
 
 using Record = Gradebook::Comparison::Record;
 
-constexpr const char* last_run_number = "SELECT COALESCE(MAX(run), 0) FROM runs";
-
-std::vector<std::uint8_t> bytes(const SQLite::Column& column) {
-    const auto* begin = static_cast<const std::uint8_t*>(column.getBlob());
-    return {begin, begin + column.getBytes()};
-}
-
 Tier tier_called(const std::string& name) {
     for (const Tier tier : {Tier::bwrap, Tier::landlock}) {
         if (to_string(tier) == name) return tier;
@@ -59,38 +52,6 @@ std::optional<Compared> compare_one(const std::vector<std::uint8_t>& kept, const
     return compared;
 }
 
-std::string override_text(const Override& given) {
-    return fmt::format("{}: {}", points_text(given.points), given.why);
-}
-
-std::string override_of(const KeptOverride& kept) {
-    return fmt::format("override of {} of {}", place_of(kept.given), kept.submission);
-}
-
-std::string reread_text(const Reread& given) {
-    return fmt::format("{}: {}", given.lines.empty() ? "not printed" : "line " + given.lines, given.why);
-}
-
-std::string reread_of(const KeptReread& kept) {
-    return fmt::format("reading of {}.{} of {}", kept.given.question, kept.given.item, kept.submission);
-}
-
-/// Where the item was read from: "line 12"; nothing if it was not found.
-std::optional<std::string> line_of(const Graded& graded, const Reread& given) {
-    for (const QuestionScore& question : graded.score.questions) {
-        for (const ItemScore& item : question.items) {
-            if (question.number == given.question && item.spec.name == given.item && item.line > 0)
-                return fmt::format("line {}", item.line);
-        }
-    }
-    return std::nullopt;
-}
-
-std::optional<std::string> mark_text_of(const Graded& graded) {
-    const auto points = points_that_count(graded);
-    return points ? std::optional(points_text(*points)) : std::nullopt;
-}
-
 std::string account_name() {
     const passwd* account = getpwuid(geteuid());
     return account == nullptr ? fmt::format("user {}", geteuid()) : account->pw_name;
@@ -109,18 +70,9 @@ Gradebook::Gradebook(const std::filesystem::path& folder)
 Gradebook::~Gradebook() = default;
 Gradebook::Gradebook(Gradebook&&) noexcept = default;
 
-template <class Work>
-auto Gradebook::attempt(Work work) const -> decltype(work()) {
-    try {
-        return work();
-    } catch (const SQLite::Exception& error) {
-        throw HarnessError(gradebook_problem(file_, error));
-    }
-}
-
 std::optional<Run> Gradebook::last_run() const {
     if (!database_) return std::nullopt;
-    return attempt([&]() -> std::optional<Run> {
+    return in_database(file_, [&]() -> std::optional<Run> {
         Statement query(*database_,
                         "SELECT run, who, at, raygrade, assignment, assignment_file, toml, sandbox FROM runs "
                         "ORDER BY run DESC LIMIT 1");
@@ -133,7 +85,7 @@ std::optional<Run> Gradebook::last_run() const {
 
 bool Gradebook::reports_are_written() const {
     if (!database_) return true;
-    return attempt([&] {
+    return in_database(file_, [&] {
         return database_->execAndGet("SELECT entry = (SELECT COALESCE(MAX(entry), 0) FROM audit) FROM reports")
                    .getInt() != 0;
     });
@@ -141,7 +93,8 @@ bool Gradebook::reports_are_written() const {
 
 void Gradebook::note_reports_written() {
     if (!database_) return;
-    attempt([&] { database_->exec("UPDATE reports SET entry = (SELECT COALESCE(MAX(entry), 0) FROM audit)"); });
+    in_database(file_,
+                [&] { database_->exec("UPDATE reports SET entry = (SELECT COALESCE(MAX(entry), 0) FROM audit)"); });
 }
 
 void Gradebook::go_by_number(const std::vector<Submission>& submissions) {
@@ -154,7 +107,7 @@ void Gradebook::go_by_number(const std::vector<Submission>& submissions) {
         id_of_number[one.lms->id] = one.id;
         number_of_id[one.id] = one.lms->id;
     }
-    attempt([&] {
+    in_database(file_, [&] {
         Statement query(*database_, "SELECT id, lms_id FROM submissions WHERE lms_id IS NOT NULL");
         while (query.executeStep()) {
             const std::string id = query.getColumn(0).getString(), number = query.getColumn(1).getString();
@@ -182,29 +135,13 @@ std::string Gradebook::kept_id(const std::string& id) const {
     return new_ids_.contains(id) ? "" : id;
 }
 
-std::vector<KeptOverride> Gradebook::overrides() const {
-    if (!database_) return {};
-    return attempt([&] {
-        Statement query(*database_,
-                        "SELECT submission, question, item, points, why, who, at FROM overrides ORDER BY at, rowid");
-        std::vector<KeptOverride> all;
-        while (query.executeStep()) {
-            const auto text = [&](int column) { return query.getColumn(column).getString(); };
-            all.push_back(
-                {new_id(text(0)),
-                 {query.getColumn(1).getInt(), text(2), query.getColumn(3).getDouble(), text(4), text(5), text(6)}});
-        }
-        return all;
-    });
-}
-
 std::vector<Graded> Gradebook::restore() const {
     if (!database_) return {};
-    return attempt([&] {
+    return in_database(file_, [&] {
         Statement query(*database_, "SELECT id, record FROM submissions ORDER BY place");
         std::vector<Graded> graded;
         while (query.executeStep()) {
-            auto one = from_record(bytes(query.getColumn(1)));
+            auto one = from_record(bytes_of(query.getColumn(1)));
             if (!one) throw HarnessError(gradebook_damage(file_, "the record of " + query.getColumn(0).getString()));
             graded.push_back(std::move(*one));
         }
@@ -214,7 +151,7 @@ std::vector<Graded> Gradebook::restore() const {
 
 std::optional<KeptInput> Gradebook::input(const std::string& name) const {
     if (!database_) return std::nullopt;
-    return attempt([&]() -> std::optional<KeptInput> {
+    return in_database(file_, [&]() -> std::optional<KeptInput> {
         Statement query(*database_, "SELECT choice, content FROM inputs WHERE name = ?");
         query.bind(1, name);
         if (!query.executeStep()) return std::nullopt;
@@ -237,10 +174,10 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
         std::for_each(graded.begin(), graded.end(), add_fresh);
         return comparison;
     }
-    return attempt([&] {
+    return in_database(file_, [&] {
         // A transaction, so that all reads see the same state even if another program writes meanwhile.
         const SQLite::Transaction view(*database_);
-        comparison.run = database_->execAndGet(last_run_number).getInt64();
+        comparison.run = last_run_number(*database_);
         // A gradebook that an older raygrade wrote has no printouts.
         Statement find(*database_,
                        "SELECT record, place, EXISTS (SELECT 1 FROM printouts WHERE submission = id) "
@@ -256,7 +193,7 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
                 add_fresh(one);
                 continue;
             }
-            auto compared = compare_one(bytes(find.getColumn(0)), one);
+            auto compared = compare_one(bytes_of(find.getColumn(0)), one);
             if (!compared) throw HarnessError(gradebook_damage(file_, "the record of " + one.submission.id));
             const bool has_printout = find.getColumn(2).getInt() != 0 || one.printout.empty();
             if (compared->record == Record::same && !has_printout) compared->record = Record::other;
@@ -292,10 +229,10 @@ void Gradebook::save(const Run& run, const std::vector<Graded>& graded, const Co
             throw HarnessError(error.what());
         }
     }
-    attempt([&] {
+    in_database(file_, [&] {
         SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
         Run numbered = run;
-        numbered.number = database_->execAndGet(last_run_number).getInt64() + 1;
+        numbered.number = last_run_number(*database_) + 1;
         if (numbered.number != comparison.run + 1) {
             throw HarnessError(
                 fmt::format("{}: was changed by another raygrade meanwhile, so nothing was written; "
@@ -323,99 +260,6 @@ void Gradebook::save(const Run& run, const std::vector<Graded>& graded, const Co
         transaction.commit();
         new_ids_.clear();
     });
-}
-
-void Gradebook::put_override(const KeptOverride& kept, double automatic, const std::optional<double>& points) {
-    attempt([&] {
-        SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
-        std::string before = fmt::format("{}, automatically", points_text(automatic));
-        for (const KeptOverride& each : overrides()) {
-            if (is_same_place(each, kept)) before = override_text(each.given);
-        }
-        write_override(*database_, kept);
-        write_final_points(*database_, kept.submission, points);
-        write_audit(*database_, {kept.given.by, kept.given.when}, override_of(kept), before, override_text(kept.given));
-        transaction.commit();
-    });
-}
-
-void Gradebook::remove_override(const KeptOverride& removed, const Author& author, const std::string& why,
-                                const std::optional<double>& points) {
-    attempt([&] {
-        SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
-        erase_correction(*database_, "overrides", removed.submission, removed.given.question, removed.given.item);
-        write_final_points(*database_, removed.submission, points);
-        write_audit(*database_, author, override_of(removed), override_text(removed.given), "removed: " + why);
-        transaction.commit();
-    });
-}
-
-std::vector<KeptReread> Gradebook::rereads() const {
-    if (!database_) return {};
-    return attempt([&] {
-        Statement query(
-            *database_,
-            "SELECT submission, question, item, lines, layout, why, who, at FROM rereads ORDER BY at, rowid");
-        std::vector<KeptReread> all;
-        while (query.executeStep()) {
-            const auto text = [&](int column) { return query.getColumn(column).getString(); };
-            all.push_back(
-                {new_id(text(0)), {query.getColumn(1).getInt(), text(2), text(3), text(4), text(5), text(6), text(7)}});
-        }
-        return all;
-    });
-}
-
-std::string Gradebook::printout(const std::string& submission) const {
-    if (!database_) return {};
-    return attempt([&]() -> std::string {
-        Statement query(*database_, "SELECT output FROM printouts WHERE submission = ?");
-        query.bind(1, submission);
-        if (!query.executeStep()) return {};
-        const std::vector<std::uint8_t> output = bytes(query.getColumn(0));
-        return {output.begin(), output.end()};
-    });
-}
-
-void Gradebook::put_reread(const KeptReread& kept, const Graded& before, const Graded& after, std::size_t place) {
-    attempt([&] {
-        SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
-        const Author author{kept.given.by, kept.given.when};
-        write_reread(*database_, kept);
-        write_audit(*database_, author, reread_of(kept), line_of(before, kept.given), reread_text(kept.given));
-        write_marked_again(before, after, place, author);
-        transaction.commit();
-    });
-}
-
-void Gradebook::remove_reread(const KeptReread& removed, const Author& author, const std::string& why,
-                              const Graded& before, const Graded& after, std::size_t place) {
-    attempt([&] {
-        SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
-        erase_reread(removed, author, why);
-        write_marked_again(before, after, place, author);
-        transaction.commit();
-    });
-}
-
-void Gradebook::remove_reread(const KeptReread& removed, const Author& author, const std::string& why) {
-    attempt([&] {
-        SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
-        erase_reread(removed, author, why);
-        transaction.commit();
-    });
-}
-
-void Gradebook::erase_reread(const KeptReread& removed, const Author& author, const std::string& why) {
-    erase_correction(*database_, "rereads", removed.submission, removed.given.question, removed.given.item);
-    write_audit(*database_, author, reread_of(removed), reread_text(removed.given), "removed: " + why);
-}
-
-void Gradebook::write_marked_again(const Graded& before, const Graded& after, std::size_t place, const Author& author) {
-    const std::int64_t run = database_->execAndGet(last_run_number).getInt64();
-    SubmissionRows(*database_, run).write(after, place, to_record(after));
-    if (is_same_mark(points_that_count(before), points_that_count(after))) return;
-    write_audit(*database_, author, "mark of " + after.submission.id, mark_text_of(before), mark_text_of(after));
 }
 
 }  // namespace harness

@@ -126,8 +126,6 @@ class Gradebook {
     std::string kept_id(const std::string& id) const;
     void erase_reread(const KeptReread& removed, const Author& author, const std::string& why);
     void write_marked_again(const Graded& before, const Graded& after, std::size_t place, const Author& author);
-    template <class Work>
-    auto attempt(Work work) const -> decltype(work());
     std::filesystem::path file_;
     std::unique_ptr<SQLite::Database> database_;  ///< null until there is one
     std::map<std::string, std::string> new_ids_;  ///< by the kept ids that change
