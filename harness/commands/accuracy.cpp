@@ -3,7 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
-#include "harness/commands/progress.h"
+#include "harness/class_run/installation.h"
+#include "harness/class_run/progress.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/machine/errors.h"

@@ -6,8 +6,9 @@
 #include <cstdlib>
 #include <optional>
 
-#include "harness/commands/class_run.h"
-#include "harness/commands/requested_files.h"
+#include "harness/class_run/class_run.h"
+#include "harness/class_run/installation.h"
+#include "harness/class_run/requested_files.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/grade/final_mark.h"

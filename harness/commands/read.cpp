@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "harness/class_run/installation.h"
 #include "harness/commands/printout.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"

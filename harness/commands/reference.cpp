@@ -3,14 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
+#include "harness/class_run/installation.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 
 namespace harness {
-
-std::filesystem::path assignments_folder() {
-    return RAYGRADE_ASSIGNMENTS;
-}
 
 namespace {
 

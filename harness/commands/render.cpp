@@ -4,6 +4,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "harness/class_run/installation.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/machine/bounded_file.h"

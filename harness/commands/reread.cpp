@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "harness/commands/kept_class.h"
-#include "harness/commands/kept_printout.h"
+#include "harness/class_run/kept_class.h"
+#include "harness/class_run/kept_printout.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/grade/override_place.h"

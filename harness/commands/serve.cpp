@@ -7,7 +7,8 @@
 #include <cstdlib>
 #include <memory>
 
-#include "harness/commands/class_run.h"
+#include "harness/class_run/class_run.h"
+#include "harness/class_run/installation.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/machine/errors.h"

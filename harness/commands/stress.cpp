@@ -3,7 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "harness/commands/class_run.h"
+#include "harness/class_run/class_run.h"
+#include "harness/class_run/installation.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/grade/hard_scenes_json.h"

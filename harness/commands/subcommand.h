@@ -1,22 +1,15 @@
 // The subcommands of raygrade. Each writes results to stdout and messages to stderr, and returns the exit status.
 #pragma once
 
-#include <filesystem>
 #include <functional>
+
+#include "harness/class_run/exit_status.h"
 
 namespace CLI {
 class App;
 }
 
 namespace harness {
-
-/// The exit status of raygrade. Marks never change it, except under `check --fail-under`.
-enum ExitStatus : int {
-    all_graded = 0,
-    some_not_graded = 1,  ///< also if a check gave no marks or too few
-    usage = 2,            ///< the command line, a path or an assignment is wrong; nothing was graded
-    our_fault = 3,
-};
 
 /// A subcommand of the command line. After parsing, `run` does what the options ask for.
 struct Subcommand {
@@ -38,8 +31,5 @@ Subcommand read_command(CLI::App& app);
 Subcommand explain_command(CLI::App& app);
 Subcommand render_command(CLI::App& app);
 Subcommand doctor_command(CLI::App& app);
-
-/// The folder of the assignments that come with raygrade.
-std::filesystem::path assignments_folder();
 
 }  // namespace harness

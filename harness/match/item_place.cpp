@@ -27,17 +27,6 @@ std::optional<std::pair<int, int>> read_range(std::string_view text) {
     return std::pair(*first, *last);
 }
 
-bool has_count(Shape shape, std::size_t count) {
-    switch (shape) {
-        case Shape::scalar: return count == 1;
-        case Shape::vector: return count == 3 || count == 4;
-        case Shape::matrix3: return count == 9;
-        case Shape::matrix4: return count == 16;
-        case Shape::verdict: return false;
-    }
-    return false;
-}
-
 bool is_within(const ItemPlace& place, int first, int last) {
     return place.first_line <= first && last <= place.last_line;
 }

@@ -222,17 +222,15 @@ bool may_be_absent(const ItemSpec& item) {
            (item.name == "normal" && item.question == 7);
 }
 
+bool has_count(Shape shape, std::size_t count) {
+    const auto usual = static_cast<std::size_t>(reference::component_count(shape));
+    return count > 0 && (count == usual || (shape == Shape::vector && count == 4));
+}
+
 bool has_shape(const PrintedValue& value, const ItemSpec& item) {
     const std::size_t count = value.numbers.size();
     if (count == 0) return may_be_absent(item);
-    switch (item.shape) {
-        case Shape::scalar: return count == 1;
-        case Shape::vector: return value.groups == 1 && (count == 3 || count == 4);
-        case Shape::matrix3: return count == 9;
-        case Shape::matrix4: return count == 16;
-        case Shape::verdict: return false;
-    }
-    return false;
+    return has_count(item.shape, count) && (item.shape != Shape::vector || value.groups == 1);
 }
 
 const Fits::Row& Fits::of(const PrintedValue& value) {

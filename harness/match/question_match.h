@@ -29,6 +29,9 @@ class Fits {
     std::unordered_map<std::string, Row> known_;
 };
 
+/// Whether an item of this shape may have so many numbers: a vector may come with a w.
+bool has_count(reference::Shape shape, std::size_t count);
+
 /// Whether the value has the item's shape. A value without numbers, such as "none", fits an item that may be absent.
 bool has_shape(const PrintedValue& value, const reference::ItemSpec& item);
 

@@ -33,15 +33,8 @@ struct Found {
     bool repeats = false;   ///< an answer has the same number
 };
 
-std::size_t numbers_of(Shape shape) {
-    switch (shape) {
-        case Shape::scalar: return 1;
-        case Shape::vector: return 3;
-        case Shape::matrix3: return 9;
-        case Shape::matrix4: return 16;
-        case Shape::verdict: return 0;
-    }
-    return 0;
+std::size_t numbers_in(Shape shape) {
+    return static_cast<std::size_t>(reference::component_count(shape));
 }
 
 bool same(const PrintedNumber& a, const PrintedNumber& b) {
@@ -146,7 +139,7 @@ class Doubter {
         };
         const auto count = static_cast<std::size_t>(std::count_if(numbers_.begin(), numbers_.end(), left));
         constexpr std::size_t row = 3;  // a row of a matrix may be left alone
-        if (count > 0 && count >= std::min(row, numbers_of(item.spec.shape)) && item.spec.shape != Shape::verdict)
+        if (count > 0 && count >= std::min(row, numbers_in(item.spec.shape)) && item.spec.shape != Shape::verdict)
             return Doubt{Doubt::Why::numbers_left, std::find_if(numbers_.begin(), numbers_.end(), left)->line};
         if (const int line = line_of_words(item); line != 0) return Doubt{Doubt::Why::words_left, line};
         if (little_read && item.verdict != ItemVerdict::follow) return Doubt{Doubt::Why::little_read, 0};
@@ -181,7 +174,7 @@ class Doubter {
 
     /// The line where numbers that are not understood are right for the item; 0 if there is none.
     int line_of_right_value(const ItemScore& item) const {
-        const std::size_t size = numbers_of(item.spec.shape);
+        const std::size_t size = numbers_in(item.spec.shape);
         if (size == 0) return 0;
         // A vector may also be a column of a block with three or four columns.
         for (const std::size_t stride : {std::size_t{1}, std::size_t{3}, std::size_t{4}}) {
@@ -197,7 +190,7 @@ class Doubter {
     /// number must have three digits and stand in the item's question: others are right by chance too often.
     bool is_right_value(const ItemScore& item, std::size_t first, std::size_t stride) const {
         std::vector<const Found*> found;
-        for (std::size_t k = 0; k < numbers_of(item.spec.shape); ++k) found.push_back(&numbers_[first + k * stride]);
+        for (std::size_t k = 0; k < numbers_in(item.spec.shape); ++k) found.push_back(&numbers_[first + k * stride]);
         const bool is_own = may_be_of(found.front()->question, item);
         if (found.size() == 1 && (!is_own || found.front()->number.significant < 3)) return false;
         const auto is_free = [&](const Found* each) {

@@ -170,12 +170,10 @@ std::string StudentPages::page(const Graded& graded) {
     const bool ungraded = graded.outcome == Outcome::not_graded;
     if (ungraded) data["not_graded"] = reason_for_student(graded.submission);
     if (!ungraded) set_text(data, "explanation", graded.explanation);
-    if (const std::string look = look_first_sentence(graded); !look.empty()) {
+    if (const std::optional<LookFirst> look = look_first(graded)) {
         PageData first;
-        const std::size_t colon = look.find(':');
-        first["number"] = std::to_string(look_first(graded)->question);
-        first["start"] = look.substr(0, colon);
-        first["rest"] = look.substr(colon);
+        first["number"] = std::to_string(look->question);
+        first["reason"] = reason(*look);
         data["first"] = std::move(first);
     } else if (graded.outcome == Outcome::graded && graded.score.points == graded.score.max_points) {
         data["all_right"] = "Every answer is right.";

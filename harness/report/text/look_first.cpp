@@ -71,21 +71,21 @@ std::optional<LookFirst> look_first(const Graded& graded) {
     return look;
 }
 
+std::string reason(const LookFirst& look) {
+    std::string text = "it is the earliest with a missing answer.";
+    if (!look.is_missing)
+        text = look.is_only ? "it is the only one with a wrong answer." : "it is the earliest with a wrong answer.";
+    if (look.following.empty()) return text;
+    const bool one = look.following.size() == 1;
+    const bool from_it = look.is_only && !look.is_missing && look.following.front() > look.question;
+    return text + fmt::format(" {} {} only {} from {} and {} no mistake of {} own.", one ? "Question" : "Questions",
+                              listed(look.following), one ? "follows" : "follow", from_it ? "it" : "earlier answers",
+                              one ? "has" : "have", one ? "its" : "their");
+}
+
 std::string look_first_sentence(const Graded& graded) {
     const std::optional<LookFirst> look = look_first(graded);
-    if (!look) return "";
-    std::string text = fmt::format("Look at question {} first: ", look->question);
-    if (look->is_missing) {
-        text += "it is the earliest with a missing answer.";
-    } else {
-        text += look->is_only ? "it is the only one with a wrong answer." : "it is the earliest with a wrong answer.";
-    }
-    if (look->following.empty()) return text;
-    const bool one = look->following.size() == 1;
-    const bool from_it = look->is_only && !look->is_missing && look->following.front() > look->question;
-    return text + fmt::format(" {} {} only {} from {} and {} no mistake of {} own.", one ? "Question" : "Questions",
-                              listed(look->following), one ? "follows" : "follow", from_it ? "it" : "earlier answers",
-                              one ? "has" : "have", one ? "its" : "their");
+    return look ? fmt::format("Look at question {} first: {}", look->question, reason(*look)) : "";
 }
 
 }  // namespace harness::report

@@ -28,7 +28,10 @@ bool holds_no_answer(const Score& score);
 /// reporting.
 bool is_without_answers(const Graded& graded);
 
-/// The result of look_first() as plain-text sentences; empty if there is none.
+/// Why to look there first: "it is the only one with a wrong answer." In plain text, one or two sentences.
+std::string reason(const LookFirst& look);
+
+/// "Look at question 3 first: " and the reason; empty if look_first() is.
 std::string look_first_sentence(const Graded& graded);
 
 }  // namespace harness::report

@@ -11,11 +11,6 @@
 namespace harness::report {
 namespace {
 
-bool holds_no_number(const ItemScore& item) {
-    return !item.error &&
-           (item.printed.find("nan") != std::string::npos || item.printed.find("inf") != std::string::npos);
-}
-
 /// Whether the program was cut short, so that it might still have printed what is missing.
 bool was_cut_short(Outcome outcome) {
     switch (outcome) {
@@ -106,7 +101,7 @@ std::string item_sentence(const ItemScore& item, Outcome outcome) {
                                expected_shape(item.spec.shape));
         case ItemVerdict::wrong: break;
     }
-    if (holds_no_number(item))
+    if (item.not_finite)
         return "That is not a number (nan or inf): look for a division by zero or the root of a negative number.";
     if (!item.advice.empty()) return item.advice;
     if (item.spec.question == 1) return "That is not the right value.";

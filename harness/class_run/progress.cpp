@@ -1,4 +1,4 @@
-#include "harness/commands/progress.h"
+#include "harness/class_run/progress.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "harness/commands/kept_class.h"
+#include "harness/class_run/kept_class.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "harness/commands/requested_files.h"
+#include "harness/class_run/requested_files.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

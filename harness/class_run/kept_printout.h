@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/commands/kept_class.h"
+#include "harness/class_run/kept_class.h"
 
 namespace harness {
 

@@ -1,12 +1,12 @@
-#include "harness/commands/class_run.h"
+#include "harness/class_run/class_run.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
-#include "harness/commands/progress.h"
-#include "harness/commands/subcommand.h"
+#include "harness/class_run/exit_status.h"
+#include "harness/class_run/progress.h"
 #include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
 #include "harness/run/timeline.h"

@@ -1,4 +1,4 @@
-#include "harness/commands/rosters.h"
+#include "harness/class_run/rosters.h"
 
 #include <fmt/format.h>
 

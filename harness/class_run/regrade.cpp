@@ -1,4 +1,4 @@
-#include "harness/commands/regrade.h"
+#include "harness/class_run/regrade.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "harness/commands/subcommand.h"
+#include "harness/class_run/installation.h"
 #include "harness/machine/errors.h"
 #include "harness/report/text/changed_feedback.h"
 #include "harness/report/text/changed_marks.h"

@@ -1,4 +1,4 @@
-#include "harness/commands/kept_printout.h"
+#include "harness/class_run/kept_printout.h"
 
 #include <fmt/format.h>
 
