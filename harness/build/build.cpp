@@ -195,18 +195,9 @@ bool names_the_machine(const std::string& messages) {
     return false;
 }
 
-/// Whether the compiler gave no reason of the source's: no error at one of its lines, and nothing missing to link.
-bool says_nothing_of_the_source(const std::string& messages) {
-    for (const char* words : {": error: ", "undefined reference", "multiple definition"}) {
-        if (messages.find(words) != std::string::npos) return false;
-    }
-    return true;
-}
-
-bool may_be_the_machine(const ProcessResult& result) {
-    if (result.ended == Ended::signalled || result.ended == Ended::refused || has_broken_down(result)) return true;
-    return result.ended == Ended::exited &&
-           (names_the_machine(result.errors) || says_nothing_of_the_source(result.errors));
+/// Whether the compiler failed by itself. What reached a limit is not tried again, because it would do so again.
+bool failed(const ProcessResult& result) {
+    return result.ended == Ended::exited || result.ended == Ended::signalled || result.ended == Ended::refused;
 }
 
 /// The beginning of the compiler's messages on one line.
@@ -288,7 +279,8 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
         empty_folder(scratch.path());
     }
     ProcessResult result = compile(submission.source, settings, sandbox, scratch, {});
-    if (!is_program(result, program) && may_be_the_machine(result)) {
+    if (!is_program(result, program) && failed(result)) {
+        // The machine can cause any error: where it fails to read a file of the compiler's, a name is undefined.
         static std::mutex one_at_a_time;  // what was short for several may do for one
         const std::lock_guard lock(one_at_a_time);
         empty_folder(scratch.path());

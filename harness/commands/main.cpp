@@ -74,6 +74,12 @@ int run(int argc, char** argv) {
     return chosen == commands.end() ? usage : chosen->run();
 }
 
+/// Does not throw: stderr may be what can't be written to.
+int complain(ExitStatus status, const std::string& what) {
+    std::fputs(("raygrade: " + what + "\n").c_str(), stderr);
+    return status;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -86,23 +92,17 @@ int main(int argc, char** argv) {
         }
         return status;
     } catch (const UsageError& error) {
-        fmt::print(stderr, "raygrade: {}\n", error.what());
-        return usage;
+        return complain(usage, error.what());
     } catch (const LimitError& error) {
-        fmt::print(stderr, "raygrade: {}\n", error.what());
-        return usage;
+        return complain(usage, error.what());
     } catch (const reference::AssignmentError& error) {
-        fmt::print(stderr, "raygrade: {}\n", error.what());
-        return usage;
+        return complain(usage, error.what());
     } catch (const std::domain_error& error) {
-        fmt::print(stderr, "raygrade: {}\n", error.what());
-        return usage;
+        return complain(usage, error.what());
     } catch (const HarnessError& error) {
-        fmt::print(stderr, "raygrade: {}\n", error.what());
-        return some_not_graded;
+        return complain(some_not_graded, error.what());
     } catch (const std::exception& error) {
-        fmt::print(stderr, "raygrade: a fault of raygrade: {}\nPlease report it with the command you ran.\n",
-                   error.what());
-        return our_fault;
+        return complain(our_fault, fmt::format("a fault of raygrade: {}\nPlease report it with the command you ran.",
+                                               error.what()));
     }
 }
