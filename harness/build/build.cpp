@@ -209,15 +209,10 @@ std::string beginning(std::string text) {
     return printable(text);
 }
 
-/// Uses what most submissions use, so it takes about as much memory and room.
-constexpr const char* known_program =
-    "#include <glm/glm.hpp>\n#include <glm/gtx/string_cast.hpp>\n#include <iostream>\n"
-    "int main() { std::cout << glm::to_string(glm::vec3(1)) << '\\n'; }\n";
-
 /// A failure counts only where a program that is known to compile does so, in the same place under the same limits.
 void require_that_programs_compile(const BuildSettings& settings, const Sandbox& sandbox) {
     const Scratch scratch(sandbox.workspace());
-    const ProcessResult result = compile(known_program, settings, sandbox, scratch, {});
+    const ProcessResult result = compile(known_source, settings, sandbox, scratch, {});
     if (is_program(result, scratch.path() / program_name)) return;
     throw HarnessError(
         "The source does not compile, but neither does a program that is known to be right, so it is not "
@@ -230,6 +225,11 @@ void empty_folder(const std::filesystem::path& folder) {
 }
 
 }  // namespace
+
+const char* const known_source =
+    "#include <glm/glm.hpp>\n#include <glm/gtx/string_cast.hpp>\n#include <iostream>\n"
+    "int main() { std::cout << glm::to_string(glm::vec3(1)) << '\\n'; }\n";
+const char* const known_output = "vec3(1.000000, 1.000000, 1.000000)\n";
 
 std::filesystem::path find_compiler() {
     return find_on_path("g++");

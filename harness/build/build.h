@@ -36,11 +36,16 @@ struct PrecompiledHeader {
 /// Compiles the submission's bytes in `scratch`, an empty folder of this submission alone. Warnings are kept and cost
 /// no points. Given a header, it compiles with that first. If the compiler prints anything or fails, it compiles again
 /// without the header, and the messages and verdict of that count. So a header changes nothing but the time. A still
-/// faster way to build, such as a compiler that stays in memory, would go here too. What only the machine can have
-/// caused is tried once more, and a failure counts only if a known program compiles. Throws HarnessError, also if there
-/// is no compiler.
+/// faster way to build, such as a compiler that stays in memory, would go here too. A failed build is tried once more,
+/// by itself, and counts only if a program that is known to be right compiles. Throws HarnessError, also if there is no
+/// compiler.
 Build build(const Submission& submission, const BuildSettings& settings, const Sandbox& sandbox, const Scratch& scratch,
             const std::optional<PrecompiledHeader>& header = {});
+
+/// A program that is known to be right, and what it prints. It uses what most submissions use, so that it takes about
+/// as much memory and room.
+extern const char* const known_source;
+extern const char* const known_output;
 
 /// Writes `text` to the header `file` in `scratch` and precompiles it to `file`.gch there. Returns false if the
 /// compiler printed anything or failed. Throws HarnessError.

@@ -9,6 +9,7 @@
 #include "harness/class_run/progress.h"
 #include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
+#include "harness/machine/say.h"
 #include "harness/run/timeline.h"
 #include "harness/scenes/hard/generate.h"
 #include "harness/scenes/hard/run.h"
@@ -26,7 +27,7 @@ void with_progress(const char* what, std::size_t count, bool shows_progress, Wor
         if (shows_progress) progress.emplace(timeline, count);
         work(timeline);
     }
-    if (shows_progress) fmt::print(stderr, "{}: {}\n", what, closing_line(timeline));
+    if (shows_progress) say("{}: {}\n", what, closing_line(timeline));
 }
 
 }  // namespace
@@ -38,12 +39,12 @@ ClassRun open_class_run(const reference::Assignment& assignment, const RunnerOpt
 }
 
 void tell_key_notes(const Marking& marking) {
-    for (const std::string& note : marking.key.notes) fmt::print(stderr, "note: {}\n", note);
+    for (const std::string& note : marking.key.notes) say("note: {}\n", note);
 }
 
 void tell_problems(const Runner& runner) {
     if (!runner.result_cache) return;
-    for (const std::string& problem : runner.result_cache->problems()) fmt::print(stderr, "note: {}\n", problem);
+    for (const std::string& problem : runner.result_cache->problems()) say("note: {}\n", problem);
 }
 
 Submission the_only_submission(const std::filesystem::path& source, const std::string& command) {

@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <mutex>
 
+#include "harness/machine/say.h"
 #include "harness/run/timeline.h"
 
 namespace harness {
@@ -66,7 +67,7 @@ Progress::Progress(const Timeline& timeline, std::size_t total)
 Progress::~Progress() {
     teller_.request_stop();
     teller_.join();
-    if (is_terminal_) fmt::print(stderr, "\r\x1b[K");
+    if (is_terminal_) say("\r\x1b[K");
 }
 
 void Progress::tell(const std::stop_token& stop) const {
@@ -81,9 +82,9 @@ void Progress::tell(const std::stop_token& stop) const {
             const std::string text = progress_text(finished, total_, Timeline::Clock::now() - start);
             if (is_terminal_) {
                 const double share = total_ == 0 ? 1.0 : static_cast<double>(finished) / static_cast<double>(total_);
-                fmt::print(stderr, "{} {}\x1b[K", bar(share), text);
+                say("{} {}\x1b[K", bar(share), text);
             } else {
-                fmt::print(stderr, "{}\n", text);
+                say("{}\n", text);
             }
         }
         wake.wait_for(lock, stop, pause, [] { return false; });
@@ -101,7 +102,7 @@ ShareProgress::ShareProgress()
     : is_terminal_(isatty(STDERR_FILENO) == 1), start_(Timeline::Clock::now()), told_(start_) {}
 
 ShareProgress::~ShareProgress() {
-    if (is_terminal_) fmt::print(stderr, "\r\x1b[K");
+    if (is_terminal_) say("\r\x1b[K");
 }
 
 void ShareProgress::tell(double done) {
@@ -110,9 +111,9 @@ void ShareProgress::tell(double done) {
     told_ = now;
     const std::string text = share_text(done, now - start_);
     if (is_terminal_) {
-        fmt::print(stderr, "{} {}\x1b[K", bar(done), text);
+        say("{} {}\x1b[K", bar(done), text);
     } else {
-        fmt::print(stderr, "{}\n", text);
+        say("{}\n", text);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "harness/commands/subcommand.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
+#include "harness/machine/say.h"
 #include "harness/report/accuracy/report.h"
 
 namespace harness {
@@ -79,8 +80,7 @@ int show_accuracy(const AccuracyOptions& options) {
     std::fflush(stdout);  // shows the result of a minute's work before anything can go wrong with the files
     if (options.out.empty()) return all_graded;
     write_results(findings, options.out);
-    fmt::print(stderr, "page: {}\npicture: {}\n", (options.out / "accuracy.html").string(),
-               (options.out / "accuracy.svg").string());
+    say("page: {}\npicture: {}\n", (options.out / "accuracy.html").string(), (options.out / "accuracy.svg").string());
     return all_graded;
 }
 

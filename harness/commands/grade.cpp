@@ -19,6 +19,7 @@
 #include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
+#include "harness/machine/say.h"
 #include "harness/report/exchange/junit.h"
 #include "harness/report/text/class_table.h"
 #include "harness/results/reports.h"
@@ -95,7 +96,7 @@ std::vector<Graded> grade_submissions(Inputs& inputs, ClassRun& run, const Grade
         const Progress progress(timeline, inputs.submissions.size());
         graded = grade_all(std::move(inputs.submissions), run.marking, run.runner, options.jobs, timeline);
     }
-    fmt::print(stderr, "{}\n", closing_line(timeline));
+    say("{}\n", closing_line(timeline));
     tell_problems(run.runner);
     if (!options.trace.empty()) write_file(options.trace, timeline.chrome_trace());
     run_on_more_scenes(graded, inputs.sources, run,
@@ -105,8 +106,8 @@ std::vector<Graded> grade_submissions(Inputs& inputs, ClassRun& run, const Grade
 
 void tell_without_place(const std::vector<KeptOverride>& overrides) {
     for (const KeptOverride& each : overrides) {
-        fmt::print(stderr, "note: the override of {} for {} is kept, but there is no such submission or item here\n",
-                   place_of(each.given), escape_control(each.submission));
+        say("note: the override of {} for {} is kept, but there is no such submission or item here\n",
+            place_of(each.given), escape_control(each.submission));
     }
 }
 
@@ -115,9 +116,9 @@ void tell_that_count_not(const std::vector<KeptReread>& rereads, const std::vect
         const auto one = std::find_if(graded.begin(), graded.end(),
                                       [&](const Graded& any) { return any.submission.id == each.submission; });
         if (one != graded.end() && counts(*one, each.given)) continue;
-        fmt::print(stderr, "note: the reread of {}.{} for {} is kept but does not count: {}\n", each.given.question,
-                   each.given.item, escape_control(each.submission),
-                   one == graded.end() ? "there is no such submission here" : "its printout has another layout now");
+        say("note: the reread of {}.{} for {} is kept but does not count: {}\n", each.given.question, each.given.item,
+            escape_control(each.submission),
+            one == graded.end() ? "there is no such submission here" : "its printout has another layout now");
     }
 }
 
@@ -131,9 +132,9 @@ void tell_notes(const std::vector<Graded>& graded) {
     for (const Graded& one : graded) {
         for (const std::string& note : one.submission.notes) {
             if (!is_of_all(note)) {
-                fmt::print(stderr, "note: {}: {}\n", one.submission.id, note);
+                say("note: {}: {}\n", one.submission.id, note);
             } else if (&one == &graded.front()) {
-                fmt::print(stderr, "note: all {} submissions: {}\n", graded.size(), note);
+                say("note: all {} submissions: {}\n", graded.size(), note);
             }
         }
     }

@@ -11,6 +11,7 @@
 
 #include "harness/commands/subcommand.h"
 #include "harness/machine/errors.h"
+#include "harness/machine/say.h"
 #include "harness/run/limits.h"
 #include "harness/text/escape.h"
 #include "harness/text/near_names.h"
@@ -76,7 +77,7 @@ int run(int argc, char** argv) {
 
 /// Does not throw: stderr may be what can't be written to.
 int complain(ExitStatus status, const std::string& what) {
-    std::fputs(("raygrade: " + what + "\n").c_str(), stderr);
+    say("raygrade: {}\n", what);
     return status;
 }
 

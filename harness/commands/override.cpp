@@ -8,6 +8,7 @@
 #include "harness/commands/subcommand.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
+#include "harness/machine/say.h"
 #include "harness/results/reports.h"
 #include "harness/text/escape.h"
 #include "harness/text/near_names.h"
@@ -54,8 +55,7 @@ void put(Gradebook& gradebook, KeptClass& kept, std::size_t index, const Overrid
                          author.name,    author.when};
     const PlacePoints there = points_at(one.score, given).value();
     if (points > there.most) {
-        fmt::print(stderr, "note: {} is more than the {} points of the rubric\n", points_text(points),
-                   points_text(there.most));
+        say("note: {} is more than the {} points of the rubric\n", points_text(points), points_text(there.most));
     }
     std::erase_if(one.overrides, [&](const Override& each) { return place_of(each) == place_of(given); });
     one.overrides.push_back(given);

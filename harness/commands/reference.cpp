@@ -6,6 +6,7 @@
 #include "harness/class_run/installation.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
+#include "harness/machine/say.h"
 
 namespace harness {
 
@@ -29,13 +30,13 @@ int print_reference(const ReferenceOptions& options) {
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
     const reference::AnswerKey key = reference::make_key(assignment, precision_of(options.precision));
     fmt::print("{}", options.format == "json" ? reference::to_json(key) : reference::to_text(key));
-    for (const std::string& note : key.notes) fmt::print(stderr, "note: {}\n", note);
+    for (const std::string& note : key.notes) say("note: {}\n", note);
     for (const reference::KeyQuestion& question : key.questions) {
         if (options.format == "json") break;
         for (const reference::KeyItem& item : question.items) {
             for (std::size_t i = 1; i < item.answers.size(); ++i) {
-                fmt::print(stderr, "note: question {}, {} has another right answer: {}\n", question.number,
-                           item.spec.name, reference::reason(item.answers[i], key));
+                say("note: question {}, {} has another right answer: {}\n", question.number, item.spec.name,
+                    reference::reason(item.answers[i], key));
             }
         }
     }

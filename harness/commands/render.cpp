@@ -10,6 +10,7 @@
 #include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
+#include "harness/machine/say.h"
 #include "reference/render/picture/explanation.h"
 
 namespace harness {
@@ -69,13 +70,13 @@ int render_scene(const RenderOptions& options) {
     const render::Effects effects = options.all_effects ? render::all_effects : called_for;
     const render::Rendering rendering = render::render(scene, effects, options.jobs);
     write_file(options.out, render::to_png(rendering.picture));
-    for (const std::string& note : assignment.notes) fmt::print(stderr, "note: {}\n", note);
-    for (const std::string& note : scene.notes) fmt::print(stderr, "note: {}\n", note);
+    for (const std::string& note : assignment.notes) say("note: {}\n", note);
+    for (const std::string& note : scene.notes) say("note: {}\n", note);
     if (options.explain) {
         const auto times = render::time_by_effect(scene, effects, options.jobs);
         fmt::print("{}", render::explanation(decisions, rendering, times));
     }
-    fmt::print(stderr, "picture: {}\n", options.out.string());
+    say("picture: {}\n", options.out.string());
     return all_graded;
 }
 

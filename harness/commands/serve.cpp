@@ -12,6 +12,7 @@
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/machine/errors.h"
+#include "harness/machine/say.h"
 #include "harness/run/runner.h"
 #include "harness/serve/http/own_addresses.h"
 #include "harness/serve/http/server.h"
@@ -100,11 +101,10 @@ void tell_addresses(const ServeOptions& options, const Reach& reach, std::uint16
 
 void announce(const ServeOptions& options, const Reach& reach, const serve::About& about, std::uint16_t port) {
     if (!reach.loopback) {
-        fmt::print(stderr,
-                   "raygrade: warning: whoever reaches {} can use this page, and what they send and read goes over the "
-                   "network in plain text. For more than a quiet room put a proxy with a certificate before it and use "
-                   "--behind-proxy; see README.\n",
-                   options.host);
+        say("raygrade: warning: whoever reaches {} can use this page, and what they send and read goes over the "
+            "network in plain text. For more than a quiet room put a proxy with a certificate before it and use "
+            "--behind-proxy; see README.\n",
+            options.host);
     }
     if (reach.behind_proxy) {
         fmt::print("Open https://{}/ once its proxy passes requests on to {}\n", reach.names.front(),
@@ -134,7 +134,7 @@ int serve_pages(const ServeOptions& options) {
     serve::SpoolBounds bounds;
     bounds.age = about.keep;
     serve::KeptPrograms kept_programs(state_of(options, assignment.name), bounds);
-    if (!kept_programs.problem().empty()) fmt::print(stderr, "note: {}\n", kept_programs.problem());
+    if (!kept_programs.problem().empty()) say("note: {}\n", kept_programs.problem());
     kept_programs.take_for(assignment.name, file.toml);
     for (const std::string& key : kept_programs.given_up()) kept_programs.finish(key, serve::given_up(about));
     serve::Queue queue(kept_programs, options.queue);
@@ -143,7 +143,7 @@ int serve_pages(const ServeOptions& options) {
     const auto server = listen(options, reach, site, queue);
     const ClassRun run = open_class_run(assignment, options.runner);
     tell_key_notes(run.marking);
-    if (!queue.is_idle()) fmt::print(stderr, "from before: {} waiting\n", queue.queue_length());
+    if (!queue.is_idle()) say("from before: {} waiting\n", queue.queue_length());
 
     const serve::Graders graders(queue, kept_programs, about, run.runner, run.marking, options.jobs);
     server->stop_on_signals();
@@ -151,13 +151,13 @@ int serve_pages(const ServeOptions& options) {
     server->run(std::chrono::seconds(options.grace_seconds));
     if (!queue.is_idle()) {
         const std::size_t left = queue.leave();
-        fmt::print(stderr, "stopped; {} not graded yet and kept for the next start\n", left);
+        say("stopped; {} not graded yet and kept for the next start\n", left);
         std::fflush(stdout);
         // Exits as if killed, which also ends what runs in the sandbox: a compiler could take minutes.
         std::_Exit(all_graded);
     }
     tell_problems(run.runner);
-    fmt::print(stderr, "stopped; nothing waits\n");
+    say("stopped; nothing waits\n");
     return all_graded;
 }
 

@@ -10,6 +10,7 @@
 #include "harness/grade/hard_scenes_json.h"
 #include "harness/grade/hard_scenes_sentences.h"
 #include "harness/machine/errors.h"
+#include "harness/machine/say.h"
 #include "harness/run/runner.h"
 #include "harness/text/escape.h"
 
@@ -63,7 +64,7 @@ int stress_source(const StressOptions& options) {
     run_on_more_scenes(all, {submission.source}, run, {.hard = true, .jobs = options.jobs});
     const Graded& graded = all.front();
     tell_problems(run.runner);
-    for (const std::string& note : graded.submission.notes) fmt::print(stderr, "note: {}\n", note);
+    for (const std::string& note : graded.submission.notes) say("note: {}\n", note);
     const bool tried = graded.hard_scenes && graded.hard_scenes->tried() > 0;
     if (options.json) {
         fmt::print("{}\n", report_json(options, graded, run.marking)

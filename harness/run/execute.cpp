@@ -56,9 +56,10 @@ std::optional<PrecompiledHeader> kept_header(const Submission& submission, const
     return runner.headers->get(plan.headers.front());
 }
 
-/// Whether the machine, and not the program, may have ended the program, for example by having no memory for it.
+/// Whether the machine, and not the program, may be why it printed nothing or crashed: by having no memory for it, or
+/// not all of a library.
 bool may_be_the_machine(const ProcessResult& run) {
-    return run.ended == Ended::signalled || (run.ended == Ended::exited && run.exit_code != 0 && run.output.empty());
+    return run.ended == Ended::signalled || (run.ended == Ended::exited && run.output.empty());
 }
 
 /// Whether the program said that it did not get memory or processes.
@@ -69,13 +70,15 @@ bool lacks_something(const ProcessResult& run) {
                        [&](const std::string& word) { return run.errors.find(word) != std::string::npos; });
 }
 
-/// Runs a program, and once more by itself if the machine may have ended it. Then the second run counts.
+/// Runs a program, and once more by itself if the machine may have ended it. Then the second run counts, if a program
+/// that is known to be right runs in the same place.
 void run_fairly(Execution& execution, const Runner& runner, const Scratch& program) {
     execution.run = run(execution.build, runner.run, *runner.sandbox, program);
     if (!may_be_the_machine(execution.run)) return;
     static std::mutex one_at_a_time;
     const std::lock_guard lock(one_at_a_time);
     execution.run = run(execution.build, runner.run, *runner.sandbox, program);
+    if (may_be_the_machine(execution.run)) runner.known_program->require_that_it_runs(runner.run);
     execution.depends_on_machine = !may_be_the_machine(execution.run) || lacks_something(execution.run);
 }
 

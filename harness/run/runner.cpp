@@ -6,6 +6,7 @@
 #include "harness/execution/tier.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fingerprint.h"
+#include "harness/machine/say.h"
 #include "harness/sandbox/host/canary.h"
 #include "harness/text/printable.h"
 
@@ -50,6 +51,7 @@ Runner open_runner(const RunnerOptions& options, const std::vector<reference::Li
     BuildSettings build = default_build_settings(stages.compile);
     Choice choice = choose_sandbox(wanted_tier(options.sandbox), without);
     Runner runner{std::move(choice.sandbox), failures(choice.reports), std::move(build), stages.run};
+    runner.known_program = std::make_unique<const KnownProgram>(runner.build, *runner.sandbox);
     runner.repetitions = options.repetitions;
     runner.sanitize = options.sanitize;
     runner.fresh = options.fresh;
@@ -78,15 +80,15 @@ std::string execution_key(const std::string& source, const Runner& runner, const
 
 void tell_of_the_sandbox(const Runner& runner, const RunnerOptions& options) {
     if (options.unsafe && runner.sandbox->tier() != Tier::unsafe) {
-        fmt::print(stderr, "note: --unsafe changes nothing here: this machine holds {}, and programs run in it\n",
-                   to_string(runner.sandbox->tier()));
+        say("note: --unsafe changes nothing here: this machine holds {}, and programs run in it\n",
+            to_string(runner.sandbox->tier()));
     }
     if (!runner.why_no_stronger.empty()) {
-        fmt::print(stderr, "note: programs run in {}, as {}; see `raygrade doctor`\n",
-                   to_string(runner.sandbox->tier()), runner.why_no_stronger);
+        say("note: programs run in {}, as {}; see `raygrade doctor`\n", to_string(runner.sandbox->tier()),
+            runner.why_no_stronger);
     }
     const std::string warning = sandbox_warning(runner.sandbox->tier());
-    if (!warning.empty()) fmt::print(stderr, "raygrade: warning: {}\n", warning);
+    if (!warning.empty()) say("raygrade: warning: {}\n", warning);
 }
 
 }  // namespace harness

@@ -9,6 +9,7 @@
 
 #include "harness/build/build.h"
 #include "harness/build/header_cache.h"
+#include "harness/run/known_program.h"
 #include "harness/run/limits.h"
 #include "harness/run/result_cache.h"
 #include "harness/sandbox/host/sandbox.h"
@@ -20,8 +21,9 @@ struct Runner {
     std::string why_no_stronger;  ///< what failed in the stronger tiers that were tried; empty if nothing did
     BuildSettings build;
     Limits run;
-    std::string toolchain{};                       ///< see toolchain_fingerprint; empty if nothing is cached
-    std::unique_ptr<ResultCache> result_cache{};   ///< null if nothing is cached
+    std::unique_ptr<const KnownProgram> known_program{};  ///< null in tests that run nothing
+    std::string toolchain{};                              ///< see toolchain_fingerprint; empty if nothing is cached
+    std::unique_ptr<ResultCache> result_cache{};          ///< null if nothing is cached
     std::unique_ptr<const HeaderCache> headers{};  ///< null if everything is compiled without precompiled headers
     int repetitions = 1;    ///< how often each program is run, to see if its answers stay the same
     bool sanitize = false;  ///< also build and run each program under the sanitizers

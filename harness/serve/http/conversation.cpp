@@ -14,6 +14,7 @@
 #include <boost/beast/http/serializer.hpp>
 #include <boost/beast/http/write.hpp>
 
+#include "harness/machine/say.h"
 #include "harness/serve/http/http_message.h"
 
 namespace harness::serve {
@@ -72,7 +73,7 @@ auto answer_or_fail(const Common& common, const Head& head, Ask ask) -> decltype
     try {
         return ask();
     } catch (const std::exception& error) {
-        fmt::print(stderr, "raygrade: {}\n", error.what());
+        say("raygrade: {}\n", error.what());
         return common.site.problem(head, 500);
     }
 }

@@ -18,6 +18,7 @@
 #include <list>
 #include <map>
 
+#include "harness/machine/say.h"
 #include "harness/serve/http/conversation.h"
 #include "harness/serve/http/own_addresses.h"
 
@@ -129,8 +130,8 @@ void Server::Network::stop() {
 void Server::Network::tell_what_is_left() const {
     const std::size_t left = queue_.unfinished();
     if (left == 0 || grace_ == 0ms) return;
-    fmt::print(stderr, "stopping: {} {} still to check, for up to {:g} s; press Ctrl-C again to stop now\n", left,
-               left == 1 ? "program" : "programs", std::chrono::duration<double>(grace_).count());
+    say("stopping: {} {} still to check, for up to {:g} s; press Ctrl-C again to stop now\n", left,
+        left == 1 ? "program" : "programs", std::chrono::duration<double>(grace_).count());
 }
 
 /// Students can still read their results meanwhile.
@@ -210,7 +211,7 @@ void Server::Network::admit(tcp::socket socket) {
         connections_.end(),
         Connection{boost::beast::tcp_stream(std::move(socket)), client, boost::beast::flat_buffer(most_bytes)});
     asio::co_spawn(io, converse(*connection, common_), [this, connection](const std::exception_ptr& failure) {
-        if (failure) fmt::print(stderr, "raygrade: closed a connection because of an internal error\n");
+        if (failure) say("raygrade: closed a connection because of an internal error\n");
         forget(connection);
     });
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "harness/machine/errors.h"
+#include "harness/machine/say.h"
 #include "harness/serve/queue/result_address.h"
 
 namespace harness::serve {
@@ -34,7 +35,7 @@ std::variant<std::string, Refusal> Queue::accept(const std::string& source, cons
     try {
         kept_programs_.add(key, source, file);
     } catch (const HarnessError& error) {
-        fmt::print(stderr, "raygrade: {}\n", error.what());
+        say("raygrade: {}\n", error.what());
         return Refusal::no_room_on_disk;
     }
     const std::lock_guard guard(mutex_);
@@ -83,7 +84,7 @@ std::optional<Task> Queue::next() {
             task.file = std::move(program.file);
             return task;
         } catch (const HarnessError& error) {
-            fmt::print(stderr, "raygrade: {}\n", error.what());
+            say("raygrade: {}\n", error.what());
             lose(task.key);
         }
     }
@@ -99,7 +100,7 @@ void Queue::finish(const Task& task, const Result& result) {
     try {
         kept_programs_.finish(task.key, result);
     } catch (const HarnessError& error) {
-        fmt::print(stderr, "raygrade: {}\n", error.what());
+        say("raygrade: {}\n", error.what());
         lose(task.key);
         return;
     }

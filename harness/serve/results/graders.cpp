@@ -12,6 +12,7 @@
 #include "harness/grade/final_mark.h"
 #include "harness/intake/source_file.h"
 #include "harness/machine/errors.h"
+#include "harness/machine/say.h"
 #include "harness/report/page/student_page.h"
 #include "harness/run/runner.h"
 
@@ -47,8 +48,8 @@ void Graders::work() {
         const auto begin = Clock::now();
         std::string outcome;
         queue_.finish(*task, grade_one(*task, outcome));
-        fmt::print(stderr, "program {}: {}, {:.1f} s, {} waiting\n", task->number, outcome,
-                   std::chrono::duration<double>(Clock::now() - begin).count(), queue_.queue_length());
+        say("program {}: {}, {:.1f} s, {} waiting\n", task->number, outcome,
+            std::chrono::duration<double>(Clock::now() - begin).count(), queue_.queue_length());
     }
 }
 
@@ -82,7 +83,7 @@ void Graders::tidy(const std::stop_token& stop) {
             kept_programs_.trim();
             if (runner_.result_cache) runner_.result_cache->trim();
         } catch (const HarnessError& error) {
-            fmt::print(stderr, "raygrade: {}\n", error.what());
+            say("raygrade: {}\n", error.what());
         }
         wake.wait_for(lock, stop, 60s, [] { return false; });
     }

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+#include <utility>
+
+namespace harness {
+
+/// Writes a message to stderr. Unlike fmt::print it does not throw if stderr can't be written to, e.g. because it is a
+/// log on a full disk: a lost message must not end what is being done.
+template <class... Args>
+void say(fmt::format_string<Args...> format, Args&&... args) {
+    const std::string text = fmt::format(format, std::forward<Args>(args)...);
+    std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+}  // namespace harness
