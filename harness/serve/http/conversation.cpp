@@ -1,10 +1,11 @@
-// Every read and write has one deadline from its beginning, so a client that sends a byte a second gains nothing.
-// Before closing a connection, the server reads and drops for a moment what the client still sends: closing at once
-// would reset the connection, and the client would never see the answer.
+// Heads have one deadline from their beginning, bodies and answers a least rate besides, so a client that sends a byte
+// a second gains nothing. Before closing a connection, the server reads and drops for a moment what the client still
+// sends: closing at once would reset the connection, and the client would never see the answer.
 #include "harness/serve/http/conversation.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/asio/as_tuple.hpp>
 #include <boost/asio/use_awaitable.hpp>
@@ -26,43 +27,51 @@ using boost::system::error_code;
 
 constexpr auto as_awaitable = asio::as_tuple(asio::use_awaitable);
 
-/// One connection's share of the common budget for bodies.
-class Share {
+/// The time by which something must have moved in a body or an answer.
+class Pace {
   public:
-    explicit Share(std::size_t& total) : total_(total) {}
-    ~Share() { total_ -= bytes_; }
-    Share(const Share&) = delete;
-    Share& operator=(const Share&) = delete;
-    void set(std::size_t bytes) {
-        total_ = total_ - bytes_ + bytes;
-        bytes_ = bytes;
+    using Clock = Connection::Clock;
+
+    Pace(const ServerLimits& limits, std::chrono::milliseconds whole) : limits_(limits), end_(Clock::now() + whole) {}
+
+    /// To be called before each read or write, with the bytes moved so far.
+    void expect_more(Connection& connection, std::size_t moved) const {
+        connection.silent_since = Clock::now();
+        const auto paid = std::chrono::milliseconds(1000 * moved / limits_.least_bytes_a_second);
+        connection.stream.expires_at(
+            std::min({end_, connection.silent_since + limits_.silence_time, begin_ + limits_.rate_grace + paid}));
     }
 
   private:
-    std::size_t& total_;
-    std::size_t bytes_ = 0;
+    const ServerLimits& limits_;
+    Clock::time_point begin_ = Clock::now();
+    Clock::time_point end_;
 };
 
 /// How reading a body ended.
 enum class Body { whole, too_large, no_room, malformed, gone };
 
-asio::awaitable<Body> read_body(Connection& connection, Common& common, Parser& parser, Share& share) {
+asio::awaitable<Body> read_body(Connection& connection, Common& common, Parser& parser) {
     const ServerLimits& limits = common.limits;
     if (parser.content_length().value_or(0) > limits.body_bytes) co_return Body::too_large;
     parser.body_limit(limits.body_bytes);
-    connection.stream.expires_after(limits.body_time);
+    const Pace pace(limits, limits.body_time);
+    pace.expect_more(connection, 0);
     if (boost::beast::iequals(parser.get()[http::field::expect], "100-continue")) {
         constexpr std::string_view go_on = "HTTP/1.1 100 Continue\r\n\r\n";
         const auto [failure, size] = co_await asio::async_write(connection.stream, asio::buffer(go_on), as_awaitable);
         if (failure) co_return Body::gone;
     }
+    std::size_t moved = 0;
     while (!parser.is_done()) {
+        pace.expect_more(connection, moved);
         const auto [failure, size] =
             co_await http::async_read_some(connection.stream, connection.buffer, parser, as_awaitable);
         if (failure == http::error::body_limit) co_return Body::too_large;
+        if (connection.is_refused_body) co_return Body::no_room;
         if (failure) co_return status_of(failure) ? Body::malformed : Body::gone;
-        share.set(parser.get().body().size());
-        if (common.body_bytes > limits.all_body_bytes) co_return Body::no_room;
+        moved += size;
+        if (!common.connections.hold_body(connection, parser.get().body().size())) co_return Body::no_room;
     }
     co_return Body::whole;
 }
@@ -86,28 +95,33 @@ struct Answer {
 /// Empty if the client is gone.
 asio::awaitable<std::optional<Answer>> answer_program(Connection& connection, Common& common, Parser& parser,
                                                       const Head& head) {
-    Share share(common.body_bytes);
-    switch (co_await read_body(connection, common, parser, share)) {
+    const Body read = co_await read_body(connection, common, parser);
+    const std::string body = std::move(parser.get().body());
+    common.connections.hold_body(connection, 0);
+    switch (read) {
         case Body::whole: break;
         case Body::too_large: co_return Answer{common.site.problem(head, 413)};
         case Body::no_room: co_return Answer{common.site.problem(head, 503)};
         case Body::malformed: co_return Answer{common.site.problem(head, 400)};
         case Body::gone: co_return std::nullopt;
     }
-    co_return Answer{answer_or_fail(common, head, [&] { return common.site.take_in(head, parser.get().body()); }),
-                     true};
+    co_return Answer{answer_or_fail(common, head, [&] { return common.site.take_in(head, body); }), true};
 }
 
 asio::awaitable<bool> write(Connection& connection, const ServerLimits& limits, const Message& message,
                             bool only_head) {
-    connection.stream.expires_after(limits.answer_time);
     http::response_serializer<http::string_body> serializer(message);
-    if (only_head) {
-        const auto [failure, size] = co_await http::async_write_header(connection.stream, serializer, as_awaitable);
-        co_return !failure;
+    serializer.split(only_head);
+    const Pace pace(limits, limits.answer_time);
+    std::size_t moved = 0;
+    while (only_head ? !serializer.is_header_done() : !serializer.is_done()) {
+        pace.expect_more(connection, moved);
+        const auto [failure, size] = co_await http::async_write_some(connection.stream, serializer, as_awaitable);
+        if (failure) co_return false;
+        moved += size;
     }
-    const auto [failure, size] = co_await http::async_write(connection.stream, serializer, as_awaitable);
-    co_return !failure;
+    connection.silent_since = Connection::Clock::now();
+    co_return true;
 }
 
 asio::awaitable<void> linger(Connection& connection, const ServerLimits& limits) {
@@ -128,10 +142,11 @@ asio::awaitable<bool> exchange(Connection& connection, Common& common, bool is_l
     parser.header_limit(static_cast<std::uint32_t>(common.limits.head_bytes));
     parser.body_limit(boost::none);  // a limit would refuse the request before its head is known
     connection.stream.expires_after(common.limits.head_time);
-    connection.idle_since = std::chrono::steady_clock::now();
+    connection.is_idle = true;
+    connection.is_refused_body = false;
     const auto [failure, size] =
         co_await http::async_read_header(connection.stream, connection.buffer, parser, as_awaitable);
-    connection.idle_since.reset();
+    connection.is_idle = false;
     const Head head = head_of(parser, connection.client);
     std::optional<Answer> answer;
     if (failure) {

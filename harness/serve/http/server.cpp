@@ -1,6 +1,6 @@
 // Theory of operation. One thread, one io_context; each connection is a coroutine (conversation.h). Memory is bounded
-// by the number of connections and what each may hold. At the limit, the connection that has been idle longest is
-// closed for a new one, so idle and slow clients can't keep others out. One address can't use all connections.
+// by the number of connections and what each may hold. At the limits, the client that holds most makes room
+// (connections.h), so idle and slow clients can't keep others out.
 #include "harness/serve/http/server.h"
 
 #include <fmt/format.h>
@@ -15,8 +15,6 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <csignal>
-#include <list>
-#include <map>
 
 #include "harness/machine/say.h"
 #include "harness/serve/http/conversation.h"
@@ -67,7 +65,7 @@ void listen(tcp::acceptor& acceptor, const std::string& address, std::uint16_t p
 class Server::Network {
   public:
     Network(const ServerLimits& limits, bool behind_proxy, Site& site, Queue& queue)
-        : limits_(limits), behind_proxy_(behind_proxy), queue_(queue), common_{site, limits_} {}
+        : limits_(limits), queue_(queue), common_{site, limits_, Connections(limits_, behind_proxy)} {}
 
     void stop();
     void run(std::chrono::milliseconds grace);
@@ -77,24 +75,18 @@ class Server::Network {
     asio::signal_set signals{io};
 
   private:
-    using Connections = std::list<Connection>;
-
     asio::awaitable<void> wait_for_signals();
     asio::awaitable<void> accept();
-    bool has_room_for(const std::string& client);
     void admit(tcp::socket socket);
-    void forget(Connections::iterator connection);
+    void forget(Connections::Iterator connection);
     asio::awaitable<void> wait_for_the_queue();
     void tell_what_is_left() const;
     void close();
 
     asio::steady_timer last_moment_{io};
     const ServerLimits limits_;
-    const bool behind_proxy_;
     Queue& queue_;
     Common common_;
-    Connections connections_;
-    std::map<std::string, std::size_t> connections_of_;  ///< how many each address has
     std::chrono::milliseconds grace_{0};
     int stops_ = 0;
 };
@@ -152,14 +144,14 @@ void Server::Network::close() {
     error_code ignored;
     acceptor.close(ignored);
     signals.cancel(ignored);
-    for (Connection& connection : connections_) {
-        if (connection.idle_since) connection.stream.close();
+    for (Connection& connection : common_.connections) {
+        if (connection.is_idle) connection.stream.close();
     }
-    if (connections_.empty()) return;
+    if (common_.connections.empty()) return;
     last_moment_.expires_after(limits_.linger_time);
     last_moment_.async_wait([this](error_code error) {
         if (error) return;
-        for (Connection& connection : connections_) connection.stream.close();
+        for (Connection& connection : common_.connections) connection.stream.close();
     });
 }
 
@@ -177,50 +169,26 @@ asio::awaitable<void> Server::Network::accept() {
     }
 }
 
-bool Server::Network::has_room_for(const std::string& client) {
-    const auto of_client = connections_of_.find(client);
-    if (!behind_proxy_ && of_client != connections_of_.end() &&
-        of_client->second >= limits_.connections_of_one_address) {
-        return false;
-    }
-    if (connections_.size() < limits_.connections) return true;
-    const auto longest_idle =
-        std::min_element(connections_.begin(), connections_.end(), [](const Connection& a, const Connection& b) {
-            return a.idle_since && a.stream.socket().is_open() &&
-                   (!b.idle_since || !b.stream.socket().is_open() || a.idle_since < b.idle_since);
-        });
-    if (!longest_idle->idle_since || !longest_idle->stream.socket().is_open()) return false;
-    longest_idle->stream.close();
-    return true;
-}
-
 void Server::Network::admit(tcp::socket socket) {
     error_code error;
     const auto peer = socket.remote_endpoint(error);
     if (error) return;
     const std::string client = client_of(peer.address().to_string());
-    if (!has_room_for(client)) {
+    if (!common_.connections.make_room_for(client)) {
         socket.non_blocking(true, error);
         socket.write_some(asio::buffer(busy), error);
         return;
     }
-    ++connections_of_[client];
-    // Room for a head and for what one read returns beyond it.
-    const std::size_t most_bytes = 2 * limits_.head_bytes;
-    const auto connection = connections_.insert(
-        connections_.end(),
-        Connection{boost::beast::tcp_stream(std::move(socket)), client, boost::beast::flat_buffer(most_bytes)});
+    const auto connection = common_.connections.add(std::move(socket), client);
     asio::co_spawn(io, converse(*connection, common_), [this, connection](const std::exception_ptr& failure) {
         if (failure) say("raygrade: closed a connection because of an internal error\n");
         forget(connection);
     });
 }
 
-void Server::Network::forget(Connections::iterator connection) {
-    const auto of_client = connections_of_.find(connection->client);
-    if (--of_client->second == 0) connections_of_.erase(of_client);
-    connections_.erase(connection);
-    if (common_.is_closing && connections_.empty()) last_moment_.cancel();
+void Server::Network::forget(Connections::Iterator connection) {
+    common_.connections.remove(connection);
+    if (common_.is_closing && common_.connections.empty()) last_moment_.cancel();
 }
 
 Server::Server(const std::string& address, std::uint16_t port, const ServerLimits& limits, bool behind_proxy,

@@ -13,7 +13,7 @@
 
 namespace harness::serve {
 
-Client::Client(std::uint16_t port) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+Client::Client(std::uint16_t port, std::uint8_t from) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_port = htons(port);
@@ -21,6 +21,11 @@ Client::Client(std::uint16_t port) : socket_(::socket(AF_INET, SOCK_STREAM | SOC
     const timeval half_a_minute{30, 0};
     setsockopt(socket_.get(), SOL_SOCKET, SO_RCVTIMEO, &half_a_minute, sizeof half_a_minute);
     setsockopt(socket_.get(), SOL_SOCKET, SO_SNDTIMEO, &half_a_minute, sizeof half_a_minute);
+    sockaddr_in own{};
+    own.sin_family = AF_INET;
+    own.sin_addr.s_addr = htonl((INADDR_LOOPBACK & ~0xffU) | from);
+    if (bind(socket_.get(), reinterpret_cast<const sockaddr*>(&own), sizeof own) != 0)
+        throw std::runtime_error("can't use the address");
     if (connect(socket_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
         throw std::runtime_error("can't connect");
 }
@@ -86,8 +91,8 @@ bool Client::ends_within(std::chrono::milliseconds time) {
     }
 }
 
-HttpAnswer ask(std::uint16_t port, std::string_view request) {
-    Client client(port);
+HttpAnswer ask(std::uint16_t port, std::string_view request, std::uint8_t from) {
+    Client client(port, from);
     client.send(request);
     return client.answer(request.starts_with("HEAD"));
 }

@@ -20,8 +20,8 @@ struct HttpAnswer {
 
 class Client {
   public:
-    /// Connects to 127.0.0.1. Throws std::runtime_error.
-    explicit Client(std::uint16_t port);
+    /// Connects to 127.0.0.1, from the address 127.0.0.`from`. Throws std::runtime_error.
+    explicit Client(std::uint16_t port, std::uint8_t from = 1);
 
     /// Returns false if the server no longer accepts bytes.
     bool send(std::string_view bytes);
@@ -43,7 +43,7 @@ class Client {
 };
 
 /// Sends one request on a new connection.
-HttpAnswer ask(std::uint16_t port, std::string_view request);
+HttpAnswer ask(std::uint16_t port, std::string_view request, std::uint8_t from = 1);
 
 /// "GET path HTTP/1.1" with the fields that every browser sends, and further fields `more` ("Name: value\r\n").
 std::string get(const std::string& path, const std::string& more = "");

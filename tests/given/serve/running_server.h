@@ -29,7 +29,7 @@ class RunningServer {
     RunningServer& operator=(const RunningServer&) = delete;
 
     std::uint16_t port() const { return server_->port(); }
-    HttpAnswer ask(std::string_view request) const { return serve::ask(port(), request); }
+    HttpAnswer ask(std::string_view request, std::uint8_t from = 1) const { return serve::ask(port(), request, from); }
     Queue& queue() { return *queue_; }
     /// The folder of the spool.
     const std::filesystem::path& folder() const { return folder_; }

@@ -205,18 +205,27 @@ TEST(Server, SendsContinueOnlyForAWelcomeBody) {
     EXPECT_EQ(stranger.answer().status, 403);
 }
 
-TEST(Server, LimitsTheConnectionsOfAnAddress) {
+TEST(Server, AnAddressAtItsLimitGivesUpItsOwnIdleConnectionOrIsRefused) {
     RunningServer::Options options;
-    options.limits.connections_of_one_address = 5;
+    options.limits.connections_of_one_address = 3;
     const RunningServer server(options);
     std::list<Client> clients;
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 3; ++i) {
         clients.emplace_back(server.port()).send(get("/icon.svg"));
         ASSERT_EQ(clients.back().answer().status, 200);
     }
+    EXPECT_EQ(server.ask(get("/icon.svg")).status, 200) << "the longest idle one made room";
+    EXPECT_TRUE(clients.front().ends_within(soon));
+    clients.clear();
+    ASSERT_TRUE(has_room_within(soon, server));
+    for (int i = 0; i < 3; ++i) {
+        clients.emplace_back(server.port()).send(head_of_upload("Expect: 100-continue\r\nContent-Length: 9\r\n"));
+        ASSERT_EQ(clients.back().answer().status, 100);
+    }
     const HttpAnswer refused = server.ask("");
-    EXPECT_EQ(refused.status, 503);
+    EXPECT_EQ(refused.status, 503) << "all are at work";
     EXPECT_EQ(refused.fields.at("retry-after"), "5");
+    EXPECT_EQ(server.ask(get("/icon.svg"), 2).status, 200) << "another address";
     clients.clear();
     EXPECT_TRUE(has_room_within(soon, server));
 }
@@ -257,6 +266,93 @@ TEST(Server, LimitsTheBytesOfAllBodiesTogether) {
     other.send(std::string_view(whole).substr(most));
     EXPECT_EQ(other.answer().status, 303);
     for (int i = 0; i < 2; ++i) EXPECT_EQ(server.ask(whole).status, 303) << "what was held is held no more";
+}
+
+/// Sends all of an upload but for its end.
+void send_most_of(Client& client, const std::string& whole) {
+    client.send(std::string_view(whole).substr(0, whole.size() - 100));
+}
+
+TEST(Server, BodiesThatFallSilentCostNobodyElsesUpload) {
+    RunningServer::Options options;
+    options.limits.all_body_bytes = 1'000'000;
+    const RunningServer server(options);
+    const std::string large = upload(std::string(90'000, 'x'));
+    std::list<Client> silent;
+    for (int i = 0; i < 40; ++i) send_most_of(silent.emplace_back(server.port(), 9), large);
+    std::this_thread::sleep_for(100ms);
+    for (int i = 0; i < 20; ++i)
+        EXPECT_EQ(server.ask(large, static_cast<std::uint8_t>(10 + i % 5)).status, 303) << "upload " << i;
+}
+
+TEST(Server, OneAddressMayUseAllTheRoomWhileNobodyElseNeedsIt) {
+    RunningServer::Options options;
+    options.limits.all_body_bytes = 1'000'000;
+    const RunningServer server(options);
+    const std::string large = upload(std::string(90'000, 'x'));
+    std::list<Client> lab;
+    for (int i = 0; i < 10; ++i) send_most_of(lab.emplace_back(server.port(), 9), large);
+    for (Client& each : lab) {
+        each.send(std::string_view(large).substr(large.size() - 100));
+        EXPECT_EQ(each.answer().status, 303);
+    }
+}
+
+TEST(Server, HalfSentBodiesMakeRoomForNewConnections) {
+    RunningServer::Options options;
+    options.limits.connections = 16;
+    options.limits.connections_of_one_address = 4;
+    const RunningServer server(options);
+    const std::string whole = upload(std::string(1'000, 'x'));
+    std::list<Client> halves;
+    for (std::uint8_t address = 10; address < 14; ++address) {
+        for (int i = 0; i < 4; ++i) send_most_of(halves.emplace_back(server.port(), address), whole);
+    }
+    for (int i = 0; i < 20; ++i)
+        EXPECT_EQ(server.ask(get("/icon.svg"), static_cast<std::uint8_t>(20 + i % 6)).status, 200) << "page " << i;
+}
+
+TEST(Server, AReaderThatStopsMakesRoomForNewConnections) {
+    RunningServer::Options options;
+    options.limits.connections = 8;
+    const RunningServer server(options);
+    std::list<Client> readers;
+    for (int i = 0; i < 8; ++i) {
+        Client& reader = readers.emplace_back(server.port(), 9);
+        for (int k = 0; k < 90; ++k) reader.send(get("/"));
+    }
+    for (int i = 0; i < 10; ++i) EXPECT_EQ(server.ask(get("/icon.svg"), 20).status, 200) << "page " << i;
+}
+
+TEST(Server, CutsOffABodyBelowTheLeastRate) {
+    RunningServer::Options options;
+    options.limits.body_time = 5min;
+    options.limits.rate_grace = 100ms;
+    options.limits.least_bytes_a_second = 1'000;
+    const RunningServer server(options);
+    const std::string whole = upload(std::string(100'000, 'x'));
+    Client slow(server.port());
+    std::size_t sent = 0;
+    const auto end = std::chrono::steady_clock::now() + soon;
+    while (!slow.ends_within(20ms) && std::chrono::steady_clock::now() < end)
+        slow.send(std::string_view(whole).substr(sent++, 1));
+    EXPECT_LT(std::chrono::steady_clock::now(), end);
+    Client steady(server.port());
+    for (std::size_t at = 0; at < whole.size(); at += 10'000) {
+        steady.send(std::string_view(whole).substr(at, 10'000));
+        std::this_thread::sleep_for(50ms);
+    }
+    EXPECT_EQ(steady.answer().status, 303);
+}
+
+TEST(Server, CutsOffABodyThatFallsSilent) {
+    RunningServer::Options options;
+    options.limits.body_time = options.limits.rate_grace = 5min;
+    options.limits.silence_time = 100ms;
+    const RunningServer server(options);
+    Client silent(server.port());
+    send_most_of(silent, upload(std::string(100'000, 'x')));
+    EXPECT_TRUE(ends_unanswered(silent));
 }
 
 TEST(Server, ServesOthersWhileManyAreSlow) {
