@@ -17,6 +17,7 @@
 #include "harness/serve/http/own_addresses.h"
 #include "harness/serve/http/server.h"
 #include "harness/serve/results/graders.h"
+#include "harness/serve/results/suspects.h"
 #include "reference/toml/assignment.h"
 
 namespace harness {
@@ -144,6 +145,14 @@ int serve_pages(const ServeOptions& options) {
     const ClassRun run = open_class_run(assignment, options.runner);
     tell_key_notes(run.marking);
     if (!queue.is_idle()) say("from before: {} waiting\n", queue.queue_length());
+
+    serve::try_suspects(
+        queue,
+        [&](const serve::Task& task) {
+            std::string outcome;
+            return serve::grade_program(task, about, without_caches(run.runner), run.marking, outcome);
+        },
+        serve::given_up(about));
 
     const serve::Graders graders(queue, kept_programs, about, run.runner, run.marking, options.jobs);
     server->stop_on_signals();

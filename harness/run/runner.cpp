@@ -67,6 +67,15 @@ Runner open_runner(const RunnerOptions& options, const std::vector<reference::Li
     return runner;
 }
 
+Runner without_caches(const Runner& runner) {
+    Runner own{std::make_unique<const Sandbox>(runner.sandbox->tier()), runner.why_no_stronger, runner.build,
+               runner.run};
+    own.known_program = std::make_unique<const KnownProgram>(own.build, *own.sandbox);
+    own.repetitions = runner.repetitions;
+    own.sanitize = runner.sanitize;
+    return own;
+}
+
 std::string execution_key(const std::string& source, const Runner& runner, const std::string& which) {
     // Raise the number when programs are compiled or run differently, e.g. in another environment.
     Fingerprint fingerprint("raygrade/execution/3");

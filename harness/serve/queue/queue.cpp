@@ -17,7 +17,7 @@ constexpr std::size_t most_lost = 1'000;
 }  // namespace
 
 Queue::Queue(KeptPrograms& kept_programs, std::size_t longest_queue)
-    : kept_programs_(kept_programs), longest_queue_(longest_queue) {
+    : kept_programs_(kept_programs), longest_queue_(longest_queue), suspects_(kept_programs.suspects()) {
     for (std::string& key : kept_programs.waiting()) waiting_.push_back(std::move(key));
 }
 

@@ -55,6 +55,9 @@ class Queue {
     /// The page of a result; empty if it is not Done. Throws HarnessError.
     std::optional<std::string> page(const std::string& result_address) const;
 
+    /// How many of the next programs were being graded when an earlier process ended without a stop.
+    std::size_t suspects() const { return suspects_; }
+
     /// Waits for the next program and returns it. Empty if there will be no more.
     std::optional<Task> next();
     void finish(const Task& task, const Result& result);
@@ -75,6 +78,7 @@ class Queue {
 
     KeptPrograms& kept_programs_;
     const std::size_t longest_queue_;
+    const std::size_t suspects_;
     mutable std::mutex mutex_;  ///< guards all that follows
     std::condition_variable grew_;
     std::deque<std::string> waiting_;  ///< keys

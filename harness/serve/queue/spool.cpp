@@ -124,7 +124,9 @@ std::vector<std::string> KeptPrograms::without_page(const char* attempts) {
         std::vector<std::string> keys;
         SQLite::Statement query(
             *database_,
-            fmt::format("SELECT key FROM submissions WHERE page IS NULL AND attempts {} ? ORDER BY number", attempts));
+            fmt::format(
+                "SELECT key FROM submissions WHERE page IS NULL AND attempts {} ? ORDER BY attempts = 0, number",
+                attempts));
         query.bind(1, bounds_.attempts);
         while (query.executeStep()) keys.push_back(query.getColumn(0).getString());
         return keys;
@@ -133,6 +135,16 @@ std::vector<std::string> KeptPrograms::without_page(const char* attempts) {
 
 std::vector<std::string> KeptPrograms::waiting() {
     return without_page("<");
+}
+
+std::size_t KeptPrograms::suspects() {
+    return attempt("read", [&] {
+        SQLite::Statement query(
+            *database_, "SELECT COUNT(*) FROM submissions WHERE page IS NULL AND attempts > 0 AND attempts < ?");
+        query.bind(1, bounds_.attempts);
+        query.executeStep();
+        return static_cast<std::size_t>(query.getColumn(0).getInt64());
+    });
 }
 
 std::vector<std::string> KeptPrograms::given_up() {

@@ -26,7 +26,7 @@ struct SpoolBounds {
     std::chrono::seconds age = std::chrono::hours(24);  ///< since the result was stored
     std::size_t results = 2'000;
     std::uint64_t bytes = std::uint64_t{256} << 20;  ///< of all pages together
-    int attempts = 3;                                ///< a program that crashed raygrade this often is not tried again
+    int attempts = 20;                               ///< raygrade ended so often while a program was graded: give it up
 };
 
 struct Program {
@@ -61,9 +61,11 @@ class KeptPrograms {
     /// found.
     void take_for(const std::string& assignment, const std::string& toml);
 
-    /// The keys of programs that an earlier process left without a result, in the order of arrival. Programs that were
-    /// tried too often are in given_up instead.
+    /// The keys of programs that an earlier process left without a result: first those that were being graded when it
+    /// ended without a stop, the suspects, then the others, in the order of arrival. Programs that were tried too often
+    /// are in given_up instead.
     std::vector<std::string> waiting();
+    std::size_t suspects();
     std::vector<std::string> given_up();
 
     /// Stores a program. It is on the disk when this returns.

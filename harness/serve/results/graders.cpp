@@ -47,28 +47,29 @@ void Graders::work() {
     while (const auto task = queue_.next()) {
         const auto begin = Clock::now();
         std::string outcome;
-        queue_.finish(*task, grade_one(*task, outcome));
+        queue_.finish(*task, grade_program(*task, about_, runner_, marking_, outcome));
         say("program {}: {}, {:.1f} s, {} waiting\n", task->number, outcome,
             std::chrono::duration<double>(Clock::now() - begin).count(), queue_.queue_length());
     }
 }
 
-Result Graders::grade_one(const Task& task, std::string& outcome) const {
+Result grade_program(const Task& task, const About& about, const Runner& runner, const Marking& marking,
+                     std::string& outcome) {
     try {
         Submission submission;
         // The title by which students distinguish their results.
         submission.id = fmt::format("Checked on {:%Y-%m-%d at %H:%M:%S %Z}", fmt::localtime(std::time(nullptr)));
         submission.file = task.file.empty() ? "ray_cast.cpp" : task.file;
         set_source(submission, task.source, false);
-        const Graded graded = grade(submission, marking_, runner_);
+        const Graded graded = grade(submission, marking, runner);
         outcome = to_string(graded.outcome);
         if (graded.outcome == Outcome::not_graded) outcome += ": " + graded.explanation;
-        Result result{as_result(about_, report::student_page(graded, marking_)), std::nullopt, graded.score.max_points};
+        Result result{as_result(about, report::student_page(graded, marking)), std::nullopt, graded.score.max_points};
         if (const auto mark = final_mark(graded)) result.points = mark->points;
         return result;
     } catch (const std::exception& error) {
         outcome = fmt::format("internal error: {}", error.what());
-        return not_checked(about_);
+        return not_checked(about);
     }
 }
 

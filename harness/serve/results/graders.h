@@ -1,6 +1,7 @@
 // The threads that grade the programs in the queue.
 #pragma once
 
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -25,7 +26,6 @@ class Graders {
 
   private:
     void work();
-    Result grade_one(const Task& task, std::string& outcome) const;
     void tidy(const std::stop_token& stop);
 
     Queue& queue_;
@@ -37,7 +37,11 @@ class Graders {
     std::jthread tidier_;
 };
 
-/// The result of a program that crashed raygrade each time it was tried.
+/// Grades one program. `outcome` becomes a word for the log, with the reason if there are no marks.
+Result grade_program(const Task& task, const About& about, const Runner& runner, const Marking& marking,
+                     std::string& outcome);
+
+/// The result of a program that crashed raygrade.
 Result given_up(const About& about);
 
 }  // namespace harness::serve

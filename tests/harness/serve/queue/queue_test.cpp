@@ -151,18 +151,43 @@ TEST_F(QueueTest, ResultsSurviveARestart) {
     EXPECT_EQ(queue.page(address), "page");
 }
 
-TEST_F(QueueTest, AProgramThatCrashesRaygradeIsNotRetriedForEver) {
+TEST_F(QueueTest, WhatWasAtWorkInACrashComesFirst) {
     {
         KeptPrograms kept_programs(folder);
+        Queue queue(kept_programs, 10);
+        EXPECT_EQ(queue.suspects(), 0U);
+        for (const char* source : {"a", "b", "c"}) hand_in(queue, source);
+        queue.finish(queue.next().value(), {"page", 1.0, 1});
+        queue.next();  // b is being graded
+    }
+    {
+        KeptPrograms kept_programs(folder);
+        Queue queue(kept_programs, 10);
+        EXPECT_EQ(queue.suspects(), 1U);
+        hand_in(queue, "d");
+        EXPECT_EQ(queue.next().value().source, "b");
+        EXPECT_EQ(queue.next().value().source, "c");
+    }
+    KeptPrograms kept_programs(folder);
+    Queue queue(kept_programs, 10);
+    EXPECT_EQ(queue.suspects(), 2U);
+    for (const char* source : {"b", "c", "d"}) EXPECT_EQ(queue.next().value().source, source);
+}
+
+TEST_F(QueueTest, AProgramIsNotTriedForEver) {
+    SpoolBounds bounds;
+    bounds.attempts = 3;
+    {
+        KeptPrograms kept_programs(folder, bounds);
         Queue queue(kept_programs, 10);
         hand_in(queue, "deadly");
     }
     for (int i = 0; i < 3; ++i) {
-        KeptPrograms kept_programs(folder);
+        KeptPrograms kept_programs(folder, bounds);
         Queue queue(kept_programs, 10);
         ASSERT_EQ(queue.next().value().source, "deadly") << i;
     }
-    KeptPrograms kept_programs(folder);
+    KeptPrograms kept_programs(folder, bounds);
     EXPECT_THAT(kept_programs.waiting(), IsEmpty());
     EXPECT_EQ(kept_programs.given_up().size(), 1U);
 }
