@@ -106,12 +106,8 @@ path without_wrapping(const FileTree& tree, path folder) {
 }
 
 std::vector<Submission> from_given_archive(const path& archive) {
-    try {
-        const auto tree = DiskTree().open(archive);
-        return from_given_folder(*tree, without_wrapping(*tree, archive));
-    } catch (const ArchiveError& error) {
-        throw UsageError(error.what());
-    }
+    const auto tree = open_class(archive);
+    return from_given_folder(*tree, without_wrapping(*tree, archive));
 }
 
 struct Taken {
@@ -163,9 +159,7 @@ std::vector<Submission> unique(std::vector<Taken> all) {
     return submissions;
 }
 
-}  // namespace
-
-std::vector<Submission> take_in(const path& given) {
+std::vector<Submission> submissions_at(const path& given) {
     std::error_code error;
     const auto status = std::filesystem::status(given, error);
     if (!std::filesystem::exists(status)) {
@@ -195,10 +189,28 @@ std::vector<Submission> take_in(const path& given) {
     return unique(std::move(all));
 }
 
+}  // namespace
+
+std::vector<Submission> take_in(const path& given) {
+    try {
+        return submissions_at(given);
+    } catch (const ArchiveError& error) {
+        throw UsageError(error.what());
+    }
+}
+
 std::vector<Submission> take_in_all(const std::vector<path>& paths) {
+    if (paths.size() == 1) return take_in(paths.front());
+    const auto submissions_or_problem = [](const path& given) {
+        try {
+            return submissions_at(given);
+        } catch (const ArchiveError& error) {  // it may be one student's
+            return std::vector{with_problem(printable(given.stem().native()), error.what())};
+        }
+    };
     std::vector<Taken> all;
     for (const auto& given : paths) {
-        for (auto& one : take_in(given)) {
+        for (auto& one : submissions_or_problem(given)) {
             std::string id = one.id;
             all.push_back({given, std::move(id), std::move(one)});
         }
