@@ -105,9 +105,14 @@ path without_wrapping(const FileTree& tree, path folder) {
     return folder;
 }
 
+/// Throws ArchiveError, also if it holds no submission.
 std::vector<Submission> from_given_archive(const path& archive) {
     const auto tree = open_class(archive);
-    return from_given_folder(*tree, without_wrapping(*tree, archive));
+    try {
+        return from_given_folder(*tree, without_wrapping(*tree, archive));
+    } catch (const UsageError& error) {
+        throw ArchiveError(error.what());
+    }
 }
 
 struct Taken {
