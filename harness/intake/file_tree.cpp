@@ -1,10 +1,11 @@
 #include "harness/intake/file_tree.h"
 
-#include <fcntl.h>
-
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <optional>
 #include <set>
+#include <string_view>
 
 #include "harness/intake/archive.h"
 #include "harness/intake/gradescope_metadata.h"
@@ -33,17 +34,20 @@ std::uint64_t wanted_of_a_student(std::string_view file) {
 /// Finds the metadata file of a Gradescope export, which lies beside the folders submission_<number>. If there are
 /// several, e.g. within a student's folder, returns the outermost. Null if there is none.
 ArchiveFile* find_gradescope_metadata(std::vector<ArchiveFile>& files) {
-    std::set<path> exports;
+    std::set<std::string_view> exports;  // each as a path that ends in '/', or as nothing
     for (const ArchiveFile& file : files) {
-        for (path inner = path(file.path).parent_path(); !inner.empty(); inner = inner.parent_path()) {
-            if (read_gradescope_name(inner.filename().native())) exports.insert(inner.parent_path());
+        std::size_t begin = 0;
+        for (std::size_t end = 0; (end = file.path.find('/', begin)) != std::string::npos; begin = end + 1) {
+            const std::string_view file_path = file.path;
+            if (read_gradescope_name(file_path.substr(begin, end - begin))) exports.insert(file_path.substr(0, begin));
         }
     }
     const auto depth = [](const ArchiveFile& file) { return std::count(file.path.begin(), file.path.end(), '/'); };
     ArchiveFile* found = nullptr;
     for (ArchiveFile& file : files) {
-        const path place(file.path);
-        if (place.filename() != gradescope_metadata_name || !exports.contains(place.parent_path())) continue;
+        const std::string_view place = file.path;
+        const std::size_t name = place.rfind('/') + 1;
+        if (place.substr(name) != gradescope_metadata_name || !exports.contains(place.substr(0, name))) continue;
         if (found == nullptr || depth(file) < depth(*found)) found = &file;
     }
     return found;
@@ -71,30 +75,45 @@ bool holds_results(const path& folder) {
            std::filesystem::is_directory(folder / "feedback", ignored);
 }
 
+void for_each_name(std::string_view file, const std::function<void(std::string_view name)>& work) {
+    for (std::size_t begin = 0; begin < file.size();) {
+        const std::size_t end = std::min(file.find('/', begin), file.size());
+        if (end > begin) work(file.substr(begin, end - begin));
+        begin = end + 1;
+    }
+}
+
+/// A folder or file of an archive. One node for each name, so that deep paths with equal beginnings take no more room
+/// than the archive's list of them.
+struct Node {
+    std::optional<ArchiveFile> file;
+    std::map<std::string, std::unique_ptr<Node>, std::less<>> inner;
+};
+
 class ArchiveTree final : public FileTree {
   public:
     ArchiveTree(path archive, std::vector<ArchiveFile> files) : archive_(std::move(archive)) {
+        std::map<std::string, int> turns;
         for (ArchiveFile& file : files) {
-            path place = archive_ / file.path;
-            // If two entries have the same name, keep both.
-            for (int i = 2; !files_.emplace(place, std::move(file)).second; ++i) {
-                place = archive_ / (file.path + " (entry " + std::to_string(i) + ")" + place.extension().string());
+            Node* node = &add(file.path);
+            // If two entries have the same name, keep both. Each name goes on where it was left, as there may be many.
+            for (int& turn = turns.try_emplace(file.path, 1).first->second; node->file;) {
+                node =
+                    &add(file.path + " (entry " + std::to_string(++turn) + ")" + path(file.path).extension().string());
             }
-            for (path inner = place; inner != archive_; inner = inner.parent_path()) {
-                children_[inner.parent_path()].insert(inner);
-            }
+            node->file = std::move(file);
         }
     }
 
     Contents list(const path& folder) const override {
         Contents contents;
-        const auto found = children_.find(folder);
-        if (found == children_.end()) return contents;
-        for (const path& child : found->second) {
-            if (children_.contains(child)) {
-                contents.folders.push_back(child);
+        const Node* const found = find(folder);
+        if (found == nullptr) return contents;
+        for (const auto& [name, child] : found->inner) {
+            if (child->inner.empty()) {
+                kind_of(folder / name, contents).push_back(folder / name);
             } else {
-                kind_of(child, contents).push_back(child);
+                contents.folders.push_back(folder / name);
             }
         }
         sort(contents);
@@ -102,31 +121,70 @@ class ArchiveTree final : public FileTree {
     }
 
     void read(Submission& submission, Links /*links*/) const override {
-        const ArchiveFile& file = files_.at(submission.file);
+        const ArchiveFile& file = file_at(submission.file);
         set_source(submission, file.bytes, file.too_large);
     }
 
     BoundedFile read(const path& file, std::uintmax_t most) const override {
-        const ArchiveFile& found = files_.at(file);
+        const ArchiveFile& found = file_at(file);
         return {found.bytes.substr(0, most), found.too_large || found.bytes.size() > most};
     }
 
     std::unique_ptr<FileTree> open(const path& archive) const override {
-        const ArchiveFile& file = files_.at(archive);
+        const ArchiveFile& file = file_at(archive);
         if (file.too_large) {
             throw ArchiveError(in_quotes(archive.filename()) + " is larger than " +
                                std::to_string(largest_inner_archive >> 20U) +
                                " MiB and was not read. Ask for the source alone.");
         }
         return std::make_unique<ArchiveTree>(
-            archive, read_archive(file.bytes, archive.filename().native(), wanted_of_a_student));
+            archive, read_archive(file.bytes, archive.filename().native(), wanted_of_a_student, limits_of_a_student));
     }
 
   private:
+    Node& add(std::string_view file) {
+        Node* node = &root_;
+        for_each_name(file, [&](std::string_view name) {
+            auto& inner = node->inner.try_emplace(std::string(name)).first->second;
+            if (!inner) inner = std::make_unique<Node>();
+            node = inner.get();
+        });
+        return *node;
+    }
+
+    /// `place` begins with `archive_`. Null if there is no such folder or file.
+    const Node* find(const path& place) const {
+        const Node* node = &root_;
+        for_each_name(std::string_view(place.native()).substr(archive_.native().size()), [&](std::string_view name) {
+            if (node == nullptr) return;
+            const auto found = node->inner.find(name);
+            node = found == node->inner.end() ? nullptr : found->second.get();
+        });
+        return node;
+    }
+
+    const ArchiveFile& file_at(const path& place) const { return find(place)->file.value(); }
+
     path archive_;
-    std::map<path, ArchiveFile> files_;
-    std::map<path, std::set<path>> children_;  ///< by folder
+    Node root_;
 };
+
+/// What is kept of an archive on the disk that holds a class.
+std::vector<ArchiveFile> read_class(const path& archive) {
+    std::vector<ArchiveFile> files = read_archive(archive, Links::follow, wanted_of_a_class);
+    // Several files may have the metadata file's name, too many to keep. Which of them counts is known only after the
+    // first reading.
+    if (ArchiveFile* const metadata = find_gradescope_metadata(files)) {
+        const auto wanted = [&](std::string_view file) {
+            return file == metadata->path ? largest_gradescope_metadata : 0;
+        };
+        std::vector<ArchiveFile> again = read_archive(archive, Links::follow, wanted);
+        const auto read = std::find_if(again.begin(), again.end(),
+                                       [&](const ArchiveFile& file) { return file.path == metadata->path; });
+        if (read != again.end()) *metadata = std::move(*read);
+    }
+    return files;
+}
 
 }  // namespace
 
@@ -159,19 +217,12 @@ BoundedFile DiskTree::read(const path& file, std::uintmax_t most) const {
 }
 
 std::unique_ptr<FileTree> DiskTree::open(const path& archive) const {
-    std::vector<ArchiveFile> files = read_archive(archive, wanted_of_a_class);
-    // Several files may have the metadata file's name, too many to keep. Which of them counts is known only after the
-    // first reading.
-    if (ArchiveFile* const metadata = find_gradescope_metadata(files)) {
-        const auto wanted = [&](std::string_view file) {
-            return file == metadata->path ? largest_gradescope_metadata : 0;
-        };
-        std::vector<ArchiveFile> again = read_archive(archive, wanted);
-        const auto read = std::find_if(again.begin(), again.end(),
-                                       [&](const ArchiveFile& file) { return file.path == metadata->path; });
-        if (read != again.end()) *metadata = std::move(*read);
-    }
-    return std::make_unique<ArchiveTree>(archive, std::move(files));
+    return std::make_unique<ArchiveTree>(
+        archive, read_archive(archive, Links::refuse, wanted_of_a_student, limits_of_a_student));
+}
+
+std::unique_ptr<FileTree> open_class(const path& archive) {
+    return std::make_unique<ArchiveTree>(archive, read_class(archive));
 }
 
 }  // namespace harness

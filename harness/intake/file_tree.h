@@ -34,7 +34,8 @@ class FileTree {
     virtual void read(Submission& submission, Links links) const = 0;
     /// Reads at most `most` bytes of any other file.
     virtual BoundedFile read(const std::filesystem::path& file, std::uintmax_t most) const = 0;
-    /// Opens an archive within this tree. The paths of the result begin with `archive`. Throws ArchiveError.
+    /// Opens a student's archive within this tree. The paths of the result begin with `archive`. Throws ArchiveError,
+    /// and HarnessError as read_archive does.
     virtual std::unique_ptr<FileTree> open(const std::filesystem::path& archive) const = 0;
 };
 
@@ -46,5 +47,8 @@ class DiskTree final : public FileTree {
     BoundedFile read(const std::filesystem::path& file, std::uintmax_t most) const override;
     std::unique_ptr<FileTree> open(const std::filesystem::path& archive) const override;
 };
+
+/// Opens an archive on the disk that holds a class. Throws like FileTree::open.
+std::unique_ptr<FileTree> open_class(const std::filesystem::path& archive);
 
 }  // namespace harness

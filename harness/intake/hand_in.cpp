@@ -1,10 +1,13 @@
 #include "harness/intake/hand_in.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 
 #include "harness/intake/archive.h"
 #include "harness/intake/gradescope_metadata.h"
+#include "harness/machine/errors.h"
 #include "harness/text/printable.h"
 
 namespace harness {
@@ -13,10 +16,12 @@ namespace {
 using std::filesystem::path;
 using Source = HandIn::Source;
 
+/// A student decides how many files there are, so only the first are named.
 std::string list_of(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 20;
     std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + in_quotes(name);
-    return text;
+    for (std::size_t i = 0; i < std::min(names.size(), most); ++i) text += (i == 0 ? "" : ", ") + in_quotes(names[i]);
+    return names.size() <= most ? text : text + fmt::format(" and {} more", names.size() - most);
 }
 
 std::string list_of(const std::vector<path>& files) {
@@ -78,6 +83,8 @@ Submission take_packed(const FileTree& tree, const HandIn& hand_in, std::string 
         }
         return take(*inside, packed, std::move(id), in_quotes(archive));
     } catch (const ArchiveError& error) {
+        return with_problem(std::move(id), error.what());
+    } catch (const HarnessError& error) {
         return with_problem(std::move(id), error.what());
     }
 }

@@ -105,12 +105,13 @@ path without_wrapping(const FileTree& tree, path folder) {
     return folder;
 }
 
+/// Throws ArchiveError, also if it holds no submission.
 std::vector<Submission> from_given_archive(const path& archive) {
+    const auto tree = open_class(archive);
     try {
-        const auto tree = DiskTree().open(archive);
         return from_given_folder(*tree, without_wrapping(*tree, archive));
-    } catch (const ArchiveError& error) {
-        throw UsageError(error.what());
+    } catch (const UsageError& error) {
+        throw ArchiveError(error.what());
     }
 }
 
@@ -163,9 +164,7 @@ std::vector<Submission> unique(std::vector<Taken> all) {
     return submissions;
 }
 
-}  // namespace
-
-std::vector<Submission> take_in(const path& given) {
+std::vector<Submission> submissions_at(const path& given) {
     std::error_code error;
     const auto status = std::filesystem::status(given, error);
     if (!std::filesystem::exists(status)) {
@@ -195,10 +194,28 @@ std::vector<Submission> take_in(const path& given) {
     return unique(std::move(all));
 }
 
+}  // namespace
+
+std::vector<Submission> take_in(const path& given) {
+    try {
+        return submissions_at(given);
+    } catch (const ArchiveError& error) {
+        throw UsageError(error.what());
+    }
+}
+
 std::vector<Submission> take_in_all(const std::vector<path>& paths) {
+    if (paths.size() == 1) return take_in(paths.front());
+    const auto submissions_or_problem = [](const path& given) {
+        try {
+            return submissions_at(given);
+        } catch (const ArchiveError& error) {  // it may be one student's
+            return std::vector{with_problem(printable(given.stem().native()), error.what())};
+        }
+    };
     std::vector<Taken> all;
     for (const auto& given : paths) {
-        for (auto& one : take_in(given)) {
+        for (auto& one : submissions_or_problem(given)) {
             std::string id = one.id;
             all.push_back({given, std::move(id), std::move(one)});
         }

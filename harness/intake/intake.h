@@ -25,7 +25,8 @@ namespace harness {
 std::vector<Submission> take_in(const std::filesystem::path& path);
 
 /// Reads several paths in the order given. Equal ids get as many folder names of their paths in front as are needed to
-/// make them differ (2020-s01, 2021-s01). If the same path is given twice, its ids get a number at the end.
+/// make them differ (2020-s01, 2021-s01). If the same path is given twice, its ids get a number at the end. Of several
+/// paths an archive that can't be read is a submission with a problem, because it may be one student's.
 std::vector<Submission> take_in_all(const std::vector<std::filesystem::path>& paths);
 
 }  // namespace harness

@@ -12,6 +12,7 @@ namespace {
 using harness::ArchiveError;
 using harness::ArchiveFile;
 using harness::ArchiveLimits;
+using harness::Links;
 using harness::read_archive;
 using testing::AllOf;
 using testing::ElementsAre;
@@ -34,7 +35,7 @@ class Archive : public testing::TestWithParam<const char*> {
     }
     std::string why_not_read(const std::filesystem::path& archive, const ArchiveLimits& limits = {}) const {
         try {
-            read_archive(archive, everything, limits);
+            read_archive(archive, Links::follow, everything, limits);
         } catch (const ArchiveError& error) {
             return error.what();
         }
@@ -49,13 +50,14 @@ class Archive : public testing::TestWithParam<const char*> {
 
 TEST_P(Archive, GivesItsFilesInOrderWithTheirBytes) {
     const auto zoe_alone = [](std::string_view path) { return path.starts_with("zoe") ? 3 : 0; };
-    EXPECT_THAT(
-        read_archive(archive({{"zoe", "", Type::folder}, {"zoe/a.cpp", "abc"}, {"adam.cpp", "xyz"}}), zoe_alone),
-        ElementsAre(file("zoe/a.cpp", "abc"), file("adam.cpp", "")));
+    EXPECT_THAT(read_archive(archive({{"zoe", "", Type::folder}, {"zoe/a.cpp", "abc"}, {"adam.cpp", "xyz"}}),
+                             Links::follow, zoe_alone),
+                ElementsAre(file("zoe/a.cpp", "abc"), file("adam.cpp", "")));
 }
 
 TEST_P(Archive, KeepsNoBytesOfATooLargeFile) {
-    const auto files = read_archive(archive({{"a.cpp", "abc"}, {"b.cpp", "abcd"}}), [](auto) { return 3; });
+    const auto files =
+        read_archive(archive({{"a.cpp", "abc"}, {"b.cpp", "abcd"}}), Links::follow, [](auto) { return 3; });
     ASSERT_EQ(files.size(), 2U);
     EXPECT_FALSE(files[0].too_large);
     EXPECT_TRUE(files[1].too_large);
@@ -63,14 +65,14 @@ TEST_P(Archive, KeepsNoBytesOfATooLargeFile) {
 }
 
 TEST_P(Archive, ReadsNamesInAnyScript) {
-    EXPECT_THAT(read_archive(archive({{"Łukasz/ray_cast.cpp", "l"}, {"李/光.cpp", "q"}}), everything),
+    EXPECT_THAT(read_archive(archive({{"Łukasz/ray_cast.cpp", "l"}, {"李/光.cpp", "q"}}), Links::follow, everything),
                 ElementsAre(file("Łukasz/ray_cast.cpp", "l"), file("李/光.cpp", "q")));
 }
 
 TEST_P(Archive, LeavesOutFilesThatNobodyHandedIn) {
     EXPECT_THAT(
         read_archive(archive({{"__MACOSX/._a.cpp", "m"}, {".DS_Store", "d"}, {"x/.git/a.cpp", "g"}, {"./a.cpp", "a"}}),
-                     everything),
+                     Links::follow, everything),
         ElementsAre(file("a.cpp", "a")));
 }
 

@@ -1,0 +1,63 @@
+// Does work on untrusted bytes in a process of its own, which can use up or break nothing but itself.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+
+#include "harness/machine/file_descriptor.h"
+
+namespace harness {
+
+struct ChildLimits {
+    std::uint64_t memory_bytes;  ///< addresses beyond those that this process has
+    std::chrono::seconds cpu;
+    std::chrono::seconds wall;
+};
+
+/// How a child ended.
+enum class ChildEnd {
+    done,
+    cpu_limit,
+    wall_limit,
+    memory_limit,
+    machine_memory,  ///< it could have had more memory, but not on this machine or not under this `ulimit -v`
+    crashed,
+};
+
+/// A child process that may use its memory, read the descriptor it was given and write to its pipe: nothing else. It
+/// opens no file and makes no process, where the kernel has seccomp. A child under AddressSanitizer has only the limits
+/// of time, because the sanitizer needs terabytes of addresses and many system calls.
+///
+/// It is a copy of this process without its other threads; start it while there are none.
+class ConfinedChild {
+  public:
+    /// Starts `work` with the pipe to write to. `input` is what it may read; negative for nothing. Work that fails for
+    /// lack of memory throws std::bad_alloc. Throws HarnessError if no process can be started.
+    ConfinedChild(const ChildLimits& limits, int input, const std::function<void(int pipe)>& work);
+    /// Kills the child.
+    ~ConfinedChild();
+    ConfinedChild(const ConfinedChild&) = delete;
+    ConfinedChild& operator=(const ConfinedChild&) = delete;
+
+    /// Reads exactly `size` bytes of what it writes. False if it ended or reached a limit before.
+    bool read(void* bytes, std::size_t size);
+    /// Kills the child if it lives, and says how it ended. Call it once.
+    ChildEnd end();
+
+  private:
+    bool wait_for_bytes() const;
+
+    ChildLimits limits_;
+    std::chrono::steady_clock::time_point deadline_;
+    pid_t pid_ = -1;
+    FileDescriptor pipe_;
+    bool is_late_ = false;
+};
+
+/// Writes all bytes to the child's pipe; ends the child if nobody reads them.
+void write_all(int pipe, const void* bytes, std::size_t size);
+
+}  // namespace harness

@@ -1,0 +1,148 @@
+#include "harness/intake/member_pipe.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+
+#include "harness/machine/errors.h"
+#include "harness/text/printable.h"
+
+namespace harness {
+namespace {
+
+enum class Frame : std::uint32_t { file = 1, too_large_file, refusal, end };
+
+/// What comes before the bytes. Both ends are the same program, so it goes over the pipe as it lies in memory.
+struct Head {
+    Frame kind;
+    std::uint32_t path_bytes;  ///< for a refusal the length of the sentence
+    std::uint64_t bytes;
+};
+
+constexpr std::size_t longest_refusal = 4096;
+
+std::string why_ended(ChildEnd how, const ChildLimits& limits) {
+    switch (how) {
+        case ChildEnd::cpu_limit:
+            return fmt::format("takes more than {} s of processor time to read", limits.cpu.count());
+        case ChildEnd::wall_limit: return fmt::format("takes longer than {} s to read", limits.wall.count());
+        case ChildEnd::memory_limit:
+            return fmt::format("takes more than {} MiB of memory to read", limits.memory_bytes >> 20U);
+        case ChildEnd::done:
+        case ChildEnd::machine_memory:
+        case ChildEnd::crashed: break;
+    }
+    return "can't be read: the process that reads it broke down";
+}
+
+[[noreturn]] void refuse(const std::string& shown, const std::string& why) {
+    throw ArchiveError(fmt::format("{} {}. Ask whoever packed it to pack it anew.", shown, why));
+}
+
+/// Whether archive_entries.cpp sends such a path.
+bool is_sent(std::string_view path, const ArchiveLimits& limits) {
+    if (path.find('\0') != std::string_view::npos) return false;
+    std::size_t names = 0;
+    for (std::size_t begin = 0; begin <= path.size();) {
+        const std::size_t end = std::min(path.find('/', begin), path.size());
+        const std::string_view name = path.substr(begin, end - begin);
+        if (name.empty() || name.front() == '.' || ++names > limits.path_names) return false;
+        begin = end + 1;
+    }
+    return true;
+}
+
+class MemberReceiver {
+  public:
+    MemberReceiver(ConfinedChild& child, const std::string& shown, const Wanted& wanted, const ArchiveLimits& limits)
+        : child_(child), shown_(shown), wanted_(wanted), limits_(limits) {}
+
+    std::vector<ArchiveFile> receive() {
+        std::vector<ArchiveFile> files;
+        for (;;) {
+            Head head{};
+            read(&head, sizeof head);
+            switch (head.kind) {
+                case Frame::file:
+                case Frame::too_large_file:
+                    if (files.size() == limits_.entries) distrust();
+                    files.push_back(receive_file(head));
+                    continue;
+                case Frame::refusal: {
+                    if (head.path_bytes > longest_refusal) distrust();
+                    throw ArchiveError(printable(text(head.path_bytes)));
+                }
+                case Frame::end: return files;
+            }
+            distrust();
+        }
+    }
+
+  private:
+    ArchiveFile receive_file(const Head& head) {
+        if (head.path_bytes > limits_.path_bytes || (path_bytes_ += head.path_bytes) > limits_.all_path_bytes)
+            distrust();
+        ArchiveFile file{text(head.path_bytes), {}, head.kind == Frame::too_large_file};
+        if (!is_sent(file.path, limits_)) distrust();
+        if (head.bytes > (file.too_large ? 0 : wanted_(file.path))) distrust();
+        if (head.bytes > limits_.kept_bytes - kept_) distrust();
+        kept_ += head.bytes;
+        file.bytes = text(static_cast<std::size_t>(head.bytes));
+        return file;
+    }
+
+    std::string text(std::size_t size) {
+        std::string bytes(size, '\0');
+        read(bytes.data(), size);
+        return bytes;
+    }
+
+    void read(void* bytes, std::size_t size) {
+        if (child_.read(bytes, size)) return;
+        const ChildEnd how = child_.end();
+        if (how == ChildEnd::machine_memory) {
+            throw HarnessError(shown_ +
+                               " could not be read: too little memory is left for it. See to this machine's memory and "
+                               "to the limit `ulimit -v`.");
+        }
+        refuse(shown_, why_ended(how, limits_.reading));
+    }
+
+    [[noreturn]] void distrust() const { refuse(shown_, why_ended(ChildEnd::crashed, limits_.reading)); }
+
+    ConfinedChild& child_;
+    const std::string& shown_;
+    const Wanted& wanted_;
+    const ArchiveLimits& limits_;
+    std::size_t path_bytes_ = 0;
+    std::uint64_t kept_ = 0;
+};
+
+}  // namespace
+
+void MemberSender::send(const ArchiveFile& file) {
+    const Head head{file.too_large ? Frame::too_large_file : Frame::file, static_cast<std::uint32_t>(file.path.size()),
+                    file.bytes.size()};
+    write_all(pipe_, &head, sizeof head);
+    write_all(pipe_, file.path.data(), file.path.size());
+    write_all(pipe_, file.bytes.data(), file.bytes.size());
+}
+
+void MemberSender::refuse(std::string_view why) {
+    const std::string_view sentence = why.substr(0, longest_refusal);
+    const Head head{Frame::refusal, static_cast<std::uint32_t>(sentence.size()), 0};
+    write_all(pipe_, &head, sizeof head);
+    write_all(pipe_, sentence.data(), sentence.size());
+}
+
+void MemberSender::finish() {
+    const Head head{Frame::end, 0, 0};
+    write_all(pipe_, &head, sizeof head);
+}
+
+std::vector<ArchiveFile> receive_members(ConfinedChild& child, const std::string& shown, const Wanted& wanted,
+                                         const ArchiveLimits& limits) {
+    return MemberReceiver(child, shown, wanted, limits).receive();
+}
+
+}  // namespace harness
