@@ -8,6 +8,7 @@
 #include "harness/intake/archive.h"
 #include "harness/intake/file_tree.h"
 #include "harness/intake/hand_in.h"
+#include "harness/intake/lms_download.h"
 #include "harness/machine/errors.h"
 #include "harness/text/printable.h"
 

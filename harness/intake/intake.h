@@ -18,7 +18,7 @@ namespace harness {
 ///   both                    if a folder inside holds sources, it is a class: one submission per source and per
 ///                           folder. Otherwise the folders are something the student has left there, and only the
 ///                           sources count.
-///   an LMS's download       one submission per student (hand_in.h), packed or unpacked.
+///   an LMS's download       one submission per student (lms_download.h), packed or unpacked.
 /// Returns the submissions sorted by id. A submission that can't be graded (no source, several, a symbolic link, not a
 /// file, unreadable, too large) is never left out: it has a problem. Symbolic links inside a folder are not followed;
 /// `path` itself may be one. Throws UsageError if the path itself can't be read or holds no submission.

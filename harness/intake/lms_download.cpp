@@ -1,0 +1,239 @@
+#include "harness/intake/lms_download.h"
+
+#include <algorithm>
+#include <map>
+
+#include "harness/intake/archive.h"
+#include "harness/intake/gradescope_metadata.h"
+#include "harness/intake/hand_in.h"
+#include "harness/intake/lms_name.h"
+#include "harness/text/printable.h"
+
+namespace harness {
+namespace {
+
+using std::filesystem::path;
+
+std::vector<LmsName> readings_of(Lms lms, const path& file, bool is_folder) {
+    const std::string name = file.filename();
+    switch (lms) {
+        case Lms::canvas: return is_folder ? std::vector<LmsName>() : canvas_readings(name);
+        case Lms::moodle: {
+            auto readings = moodle_readings(name);
+            // Older versions of Moodle end a folder's name with '_'; in the flat form the file's name follows.
+            std::erase_if(readings, [&](const LmsName& read) { return is_folder != read.file.empty(); });
+            return readings;
+        }
+        case Lms::gradescope: {
+            const auto read = is_folder ? read_gradescope_name(name) : std::nullopt;
+            return read ? std::vector{*read} : std::vector<LmsName>();
+        }
+    }
+    return {};
+}
+
+std::vector<path> files_of(const Contents& contents) {
+    std::vector<path> files;
+    for (const auto* some : {&contents.sources, &contents.headers, &contents.archives, &contents.others}) {
+        files.insert(files.end(), some->begin(), some->end());
+    }
+    return files;
+}
+
+bool is_gradescope_metadata(const path& file) {
+    return file.filename() == gradescope_metadata_name;
+}
+
+bool is_of(Lms lms, const Contents& contents) {
+    std::vector<path> files = files_of(contents);
+    // The export's own metadata file is no student's file.
+    std::erase_if(files, is_gradescope_metadata);
+    if (!contents.linked.empty() || (files.empty() && contents.folders.empty())) return false;
+    return std::all_of(files.begin(), files.end(),
+                       [&](const path& file) { return !readings_of(lms, file, false).empty(); }) &&
+           std::all_of(contents.folders.begin(), contents.folders.end(),
+                       [&](const path& folder) { return !readings_of(lms, folder, true).empty(); });
+}
+
+std::optional<Lms> lms_of(const Contents& contents) {
+    for (const Lms lms : {Lms::canvas, Lms::moodle, Lms::gradescope}) {
+        if (is_of(lms, contents)) return lms;
+    }
+    return std::nullopt;
+}
+
+/// One student of a download.
+struct Student {
+    LmsName name;  ///< of the first file or folder; late if any of them is
+    HandIn hand_in;
+    std::vector<std::string> no_files;  ///< text entries and links
+    std::vector<std::string> notes{};
+};
+
+void add_file(Student& student, const LmsName& name, const path& file) {
+    if (is_source_name(name.file)) {
+        student.hand_in.sources.push_back({file, name.file, name.attachment});
+    } else if (!name.is_file) {
+        student.no_files.push_back(name.file);
+    } else if (is_archive_name(name.file)) {
+        student.hand_in.archives.push_back(file);
+    } else {
+        student.hand_in.others.push_back(file);
+    }
+}
+
+/// Whose a file or folder of a download is.
+struct Owned {
+    path file;
+    bool is_folder = false;
+    std::vector<LmsName> readings;  ///< one, unless its name says several things
+};
+
+/// Canvas numbers the files of one assignment closely, so a number that has far fewer digits than those of the files
+/// with a single reading belongs to the student's own name of the file: "doejane_4711_70815_6_2.cpp".
+void leave_out_short_attachments(std::vector<Owned>& owned) {
+    std::size_t fewest = 0;
+    for (const Owned& one : owned) {
+        const std::size_t digits = one.readings.front().attachment.size();
+        if (one.readings.size() == 1 && digits > 0) fewest = fewest == 0 ? digits : std::min(fewest, digits);
+    }
+    for (Owned& one : owned) {
+        const auto is_short = [&](const LmsName& read) { return read.is_file && read.attachment.size() + 1 < fewest; };
+        if (one.readings.size() == most_readings) continue;  // the true one may not be among them
+        if (one.readings.size() > 1 && !std::all_of(one.readings.begin(), one.readings.end(), is_short))
+            std::erase_if(one.readings, is_short);
+    }
+}
+
+std::vector<Owned> owned_files(Lms lms, const Contents& contents) {
+    std::vector<Owned> owned;
+    const auto add = [&](const path& file, bool is_folder) {
+        auto readings = readings_of(lms, file, is_folder);
+        if (!readings.empty()) owned.push_back({file, is_folder, std::move(readings)});
+    };
+    for (const path& file : files_of(contents)) add(file, false);
+    for (const path& folder : contents.folders) add(folder, true);
+    if (lms == Lms::canvas) leave_out_short_attachments(owned);
+    return owned;
+}
+
+std::string reading_text(const LmsName& name) {
+    const std::string who = name.student.empty() ? "" : " (" + in_quotes(name.student) + ")";
+    return "number " + name.id + who + " with the file " + in_quotes(name.file);
+}
+
+/// A hand-in whose name may be that of several students. Nobody is given its marks.
+Submission of_unclear_owner(const Owned& owned) {
+    return with_problem(printable(owned.file.filename().native()),
+                        "Its name can be read in several ways: " + reading_text(owned.readings[0]) + ", or " +
+                            reading_text(owned.readings[1]) +
+                            ". Find out who handed it in, and put it into a folder of that name by itself.");
+}
+
+/// The students of a download by number and name, and what belongs to nobody for sure.
+struct Download {
+    std::map<std::pair<std::string, std::string>, Student> students;
+    std::vector<Submission> unclear;
+};
+
+Download students_of(Lms lms, const FileTree& tree, const Contents& contents) {
+    Download download;
+    for (const Owned& owned : owned_files(lms, contents)) {
+        if (owned.readings.size() > 1) {
+            download.unclear.push_back(of_unclear_owner(owned));
+            continue;
+        }
+        const LmsName& name = owned.readings.front();
+        Student& student = download.students.try_emplace({name.id, name.student}, Student{name, {}, {}}).first->second;
+        if (name.late == true) student.name.late = true;
+        if (!owned.is_folder) {
+            add_file(student, name, owned.file);
+        } else if (name.is_file) {
+            student.hand_in.add(tree.list(owned.file));
+        } else {
+            student.no_files.push_back(owned.file.filename());
+        }
+    }
+    return download;
+}
+
+/// Reads the export's metadata file; a problem if it is missing or can't be read.
+GradescopeMetadata metadata_of(const FileTree& tree, const Contents& contents) {
+    const auto file = std::find_if(contents.others.begin(), contents.others.end(), is_gradescope_metadata);
+    if (file == contents.others.end()) return {{}, {}, "is not there"};
+    const BoundedFile read = tree.read(*file, largest_gradescope_metadata);
+    if (!read.is_whole()) return {{}, {}, "can't be read: " + why_not_whole(read, largest_gradescope_metadata)};
+    return read_gradescope_metadata(read.bytes);
+}
+
+/// Gives a Gradescope submission the names of its submitters, or says why it has none.
+void give_names(Student& student, const GradescopeMetadata& metadata) {
+    const std::string folder = "submission_" + student.name.id;
+    const auto found = metadata.submitters.find(folder);
+    if (found != metadata.submitters.end()) {
+        student.name.submitters = found->second;
+        student.name.student = names_of(found->second);
+        return;
+    }
+    const auto problem = metadata.problems.find(folder);
+    const std::string why = metadata.problem                     ? *metadata.problem
+                            : problem != metadata.problems.end() ? problem->second
+                                                                 : "has nothing of it";
+    student.notes.push_back("Named by its folder, not by who handed it in: submission_metadata.yml " + why +
+                            ". Export the submissions from Gradescope anew.");
+}
+
+Submission from_student(const FileTree& tree, const Student& student, const std::string& id) {
+    std::vector<std::string> others = student.no_files;
+    for (const path& file : student.hand_in.others) others.push_back(file.filename());
+    Submission submission;
+    if (student.hand_in.is_without_source()) {
+        submission = with_problem(
+            id, (others.empty() ? std::string("Nothing was handed in") : "Handed in was " + list_of(others)) +
+                    ", and no C++ source (.cpp, .cc or .cxx). Ask for ray_cast.cpp.");
+    } else {
+        submission = take(tree, student.hand_in, id, "The hand-in");
+    }
+    if (student.name.late == true) submission.notes.insert(submission.notes.begin(), "Handed in late.");
+    submission.notes.insert(submission.notes.end(), student.notes.begin(), student.notes.end());
+    submission.lms = student.name;
+    return submission;
+}
+
+}  // namespace
+
+bool is_of_lms(const Contents& contents) {
+    return lms_of(contents).has_value();
+}
+
+std::optional<std::vector<Submission>> from_lms_download(const FileTree& tree, const Contents& contents) {
+    const auto lms = lms_of(contents);
+    if (!lms) return std::nullopt;
+    auto [students, submissions] = students_of(*lms, tree, contents);
+    if (*lms == Lms::gradescope) {
+        const GradescopeMetadata metadata = metadata_of(tree, contents);
+        for (auto& [key, student] : students) give_names(student, metadata);
+    }
+    std::map<std::string, int> named, numbered;
+    for (const auto& [key, student] : students) {
+        ++named[student.name.student];
+        ++numbered[key.first];
+    }
+    for (const auto& [key, student] : students) {
+        const std::string& number = key.first;
+        const std::string& name = student.name.student;
+        std::string id = !name.empty() ? name : *lms == Lms::gradescope ? "submission_" + number : number;
+        if (!name.empty() && named[name] > 1) id += '_' + number;
+        if (numbered[number] > 1) {
+            submissions.push_back(
+                with_problem(printable(id),
+                             "Files of several names have the number " + number +
+                                 ". Find out whose it is, and put that student's files into a folder by themselves."));
+        } else {
+            submissions.push_back(from_student(tree, student, printable(id)));
+        }
+    }
+    return submissions;
+}
+
+}  // namespace harness
