@@ -15,6 +15,7 @@
 #include <boost/beast/http/write.hpp>
 
 #include "harness/serve/http/http_message.h"
+#include "harness/text/escape.h"
 
 namespace harness::serve {
 namespace {
@@ -72,7 +73,7 @@ auto answer_or_fail(const Common& common, const Head& head, Ask ask) -> decltype
     try {
         return ask();
     } catch (const std::exception& error) {
-        fmt::print(stderr, "raygrade: {}\n", error.what());
+        fmt::print(stderr, "raygrade: {}\n", escape_control(error.what()));
         return common.site.problem(head, 500);
     }
 }

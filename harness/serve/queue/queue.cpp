@@ -6,6 +6,7 @@
 
 #include "harness/machine/errors.h"
 #include "harness/serve/queue/result_address.h"
+#include "harness/text/escape.h"
 
 namespace harness::serve {
 namespace {
@@ -34,7 +35,7 @@ std::variant<std::string, Refusal> Queue::accept(const std::string& source, cons
     try {
         kept_programs_.add(key, source, file);
     } catch (const HarnessError& error) {
-        fmt::print(stderr, "raygrade: {}\n", error.what());
+        fmt::print(stderr, "raygrade: {}\n", escape_control(error.what()));
         return Refusal::no_room_on_disk;
     }
     const std::lock_guard guard(mutex_);
@@ -83,7 +84,7 @@ std::optional<Task> Queue::next() {
             task.file = std::move(program.file);
             return task;
         } catch (const HarnessError& error) {
-            fmt::print(stderr, "raygrade: {}\n", error.what());
+            fmt::print(stderr, "raygrade: {}\n", escape_control(error.what()));
             lose(task.key);
         }
     }
@@ -99,7 +100,7 @@ void Queue::finish(const Task& task, const Result& result) {
     try {
         kept_programs_.finish(task.key, result);
     } catch (const HarnessError& error) {
-        fmt::print(stderr, "raygrade: {}\n", error.what());
+        fmt::print(stderr, "raygrade: {}\n", escape_control(error.what()));
         lose(task.key);
         return;
     }

@@ -14,6 +14,7 @@
 #include "harness/machine/errors.h"
 #include "harness/report/page/student_page.h"
 #include "harness/run/runner.h"
+#include "harness/text/escape.h"
 
 namespace harness::serve {
 namespace {
@@ -66,7 +67,7 @@ Result Graders::grade_one(const Task& task, std::string& outcome) const {
         if (const auto mark = final_mark(graded)) result.points = mark->points;
         return result;
     } catch (const std::exception& error) {
-        outcome = fmt::format("internal error: {}", error.what());
+        outcome = fmt::format("internal error: {}", escape_control(error.what()));
         return not_checked(about_);
     }
 }
@@ -82,7 +83,7 @@ void Graders::tidy(const std::stop_token& stop) {
             kept_programs_.trim();
             if (runner_.result_cache) runner_.result_cache->trim();
         } catch (const HarnessError& error) {
-            fmt::print(stderr, "raygrade: {}\n", error.what());
+            fmt::print(stderr, "raygrade: {}\n", escape_control(error.what()));
         }
         wake.wait_for(lock, stop, 60s, [] { return false; });
     }
