@@ -174,8 +174,8 @@ bool is_program(const ProcessResult& result, const std::filesystem::path& progra
     return result.ended == Ended::exited && result.exit_code == 0 && std::filesystem::is_regular_file(program);
 }
 
-/// Whether a line of the messages ends with what the machine says of itself, such as "No space left on device". Lines
-/// that quote the source begin with a blank.
+/// Whether a line of the messages ends with what the machine says of itself, such as "No space left on device", or says
+/// that the compiler is out of memory. Lines that quote the source begin with a blank.
 bool names_the_machine(const std::string& messages) {
     static const std::vector<std::string> words = [] {
         std::vector<std::string> all{"virtual memory exhausted", "memory exhausted"};
@@ -191,6 +191,8 @@ bool names_the_machine(const std::string& messages) {
         for (const std::string& word : words) {
             if (line.ends_with(word)) return true;
         }
+        if (line.find(": out of memory allocating ") != std::string_view::npos)
+            return true;  // cc1plus goes on: "65536 bytes"
     }
     return false;
 }

@@ -1,12 +1,18 @@
 // The command line.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <clocale>
 #include <cstdio>
+#include <exception>
+#include <new>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "harness/commands/subcommand.h"
@@ -75,15 +81,43 @@ int run(int argc, char** argv) {
     return chosen == commands.end() ? usage : chosen->run();
 }
 
-/// Does not throw: stderr may be what can't be written to.
-int complain(ExitStatus status, const std::string& what) {
-    say("raygrade: {}\n", what);
-    return status;
+/// Whether the machine refused memory or a thread.
+bool is_for_want_of_memory(const std::exception& error) {
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return true;
+    const auto* of_system = dynamic_cast<const std::system_error*>(&error);
+    return of_system != nullptr && (of_system->code() == std::errc::not_enough_memory ||
+                                    of_system->code() == std::errc::resource_unavailable_try_again);
+}
+
+constexpr std::string_view want_of_memory =
+    "raygrade: this machine gives too little memory or too few threads to go on. See to its memory, and to the limits "
+    "`ulimit -v` and `ulimit -u`.\n";
+
+/// Says so where an exception can reach no handler, as one from a thread or a destructor. What it does takes no memory.
+[[noreturn]] void end_with_a_word() {
+    static std::atomic_flag told;
+    while (told.test_and_set()) pause();  // the thread that came first ends the process
+    constexpr std::string_view fault =
+        "raygrade: a fault of raygrade ended it. Please report it with the command you ran.\n";
+    std::string_view word = fault;
+    int status = our_fault;
+    try {
+        if (const auto current = std::current_exception()) std::rethrow_exception(current);
+    } catch (const std::exception& error) {
+        if (is_for_want_of_memory(error)) {
+            word = want_of_memory;
+            status = some_not_graded;
+        }
+    } catch (...) {
+    }
+    if (write(STDERR_FILENO, word.data(), word.size()) < 0) status = our_fault;
+    _exit(status);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    std::set_terminate(end_with_a_word);
     std::setlocale(LC_CTYPE, "C.UTF-8");
     try {
         const int status = run(argc, argv);
@@ -93,17 +127,27 @@ int main(int argc, char** argv) {
         }
         return status;
     } catch (const UsageError& error) {
-        return complain(usage, error.what());
+        complain(error);
+        return usage;
     } catch (const LimitError& error) {
-        return complain(usage, error.what());
+        complain(error);
+        return usage;
     } catch (const reference::AssignmentError& error) {
-        return complain(usage, error.what());
+        complain(error);
+        return usage;
     } catch (const std::domain_error& error) {
-        return complain(usage, error.what());
+        complain(error);
+        return usage;
     } catch (const HarnessError& error) {
-        return complain(some_not_graded, error.what());
+        complain(error);
+        return some_not_graded;
     } catch (const std::exception& error) {
-        return complain(our_fault, fmt::format("a fault of raygrade: {}\nPlease report it with the command you ran.",
-                                               error.what()));
+        if (is_for_want_of_memory(error)) {
+            say("{}", want_of_memory);
+            return some_not_graded;
+        }
+        say("raygrade: a fault of raygrade: {}\nPlease report it with the command you ran.\n",
+            escape_control(error.what()));
+        return our_fault;
     }
 }

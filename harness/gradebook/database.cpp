@@ -4,6 +4,7 @@
 #include <sqlite3.h>
 
 #include "harness/machine/errors.h"
+#include "harness/text/printable.h"
 
 namespace harness {
 namespace {
@@ -149,7 +150,7 @@ std::string gradebook_damage(const fs::path& file, const std::string& what) {
     return fmt::format(
         "{0}: is damaged ({1}) and was left as it is. Put a backup in its place; `sqlite3 {0} .recover` shows what can "
         "still be read. Without one move it away, and with it the overrides: `raygrade grade --apply` begins a new one",
-        file.string(), what);
+        file.string(), printable(what));
 }
 
 std::string gradebook_problem(const fs::path& file, const SQLite::Exception& error) {
@@ -161,7 +162,7 @@ std::string gradebook_problem(const fs::path& file, const SQLite::Exception& err
         return gradebook_damage(file, error.what());
     }
     return fmt::format("{}: can't be read or written: {}; see to its permissions and to the room on the disk",
-                       file.string(), error.what());
+                       file.string(), printable(error.what()));
 }
 
 std::unique_ptr<SQLite::Database> open_gradebook(const fs::path& file, Create create) {

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <exception>
 #include <string>
 #include <utility>
+
+#include "harness/text/escape.h"
 
 namespace harness {
 
@@ -14,6 +17,11 @@ template <class... Args>
 void say(fmt::format_string<Args...> format, Args&&... args) {
     const std::string text = fmt::format(format, std::forward<Args>(args)...);
     std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+/// Writes an error's message to stderr. It may quote what strangers chose, so its control characters are escaped.
+inline void complain(const std::exception& error) {
+    say("raygrade: {}\n", escape_control(error.what()));
 }
 
 }  // namespace harness

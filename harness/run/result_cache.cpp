@@ -98,7 +98,7 @@ ResultCache::ResultCache(fs::path folder, const ResultCacheBounds& bounds)
         ::chmod(folder_.c_str(), S_IRWXU);
         open();
     } catch (const std::exception& error) {
-        give_up(error.what());
+        give_up(printable(error.what()));
     }
 }
 
@@ -121,7 +121,7 @@ void ResultCache::open() {
         rebuild(error.what());
     } catch (const SQLite::Exception& error) {
         if (!is_corrupt(error) && error.getErrorCode() != SQLITE_ERROR) throw;
-        rebuild(fmt::format("can't be read ({})", error.what()));
+        rebuild(fmt::format("can't be read ({})", printable(error.what())));
     }
 }
 
@@ -156,12 +156,12 @@ Result ResultCache::attempt(Work work) {
         try {
             if (!is_corrupt(error)) throw;
             const ResultsLock lock(folder_);
-            rebuild(fmt::format("is damaged ({})", error.what()));
+            rebuild(fmt::format("is damaged ({})", printable(error.what())));
         } catch (const std::exception& failure) {
-            give_up(failure.what());
+            give_up(printable(failure.what()));
         }
     } catch (const std::exception& error) {
-        give_up(error.what());
+        give_up(printable(error.what()));
     }
     return Result();
 }

@@ -198,6 +198,32 @@ TEST_F(Fault, FewFilesOnTheDiskAreNobodysCompileError) {
     expect_that_nothing_is_kept();
 }
 
+TEST_F(Fault, EveryCommandSaysThatMemoryIsScarce) {
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "a sanitised raygrade needs terabytes of addresses";
+#endif
+    add("honest", honest);
+    const std::string source = (students() / "honest/ray_cast.cpp").string();
+    const std::vector<std::vector<std::string>> commands = {{"check", source},
+                                                            {"stress", source},
+                                                            command({"-j", "2"}),
+                                                            {"reference"},
+                                                            {"doctor"},
+                                                            {"explain", "-o", "-"},
+                                                            {"accuracy", "--out", (folder / "accuracy").string()}};
+    constexpr rlim_t kibibyte = 1024;
+    for (const rlim_t kibibytes : {72'000, 80'000}) {
+        for (const auto& words : commands) {
+            const Result result = raygrade(words, with_own_cache([&] {
+                                               const rlimit addresses{kibibytes * kibibyte, kibibytes * kibibyte};
+                                               return setrlimit(RLIMIT_AS, &addresses) == 0;
+                                           }));
+            EXPECT_NE(result.both(), "") << words.front();
+            EXPECT_LT(result.status, our_fault) << words.front() << '\n' << result.both();
+        }
+    }
+}
+
 TEST_F(Fault, ScarceMemoryIsNobodysCompileError) {
 #if defined(__SANITIZE_ADDRESS__)
     GTEST_SKIP() << "a sanitised raygrade needs terabytes of addresses";

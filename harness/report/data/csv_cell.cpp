@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "harness/text/escape.h"
+#include "harness/text/utf8.h"
 
 namespace harness::report {
 namespace {
@@ -15,14 +16,37 @@ std::string quoted(const std::string& text) {
     return quoted;
 }
 
+/// Blanks and characters without a width, which some spreadsheets overlook before a formula. Without those that
+/// escape_control has made visible.
+bool is_overlooked(char32_t code) {
+    return code == ' ' || code == 0x00A0 || code == 0x00AD || code == 0x034F || code == 0x1680 || code == 0x180E ||
+           (code >= 0x2000 && code <= 0x200D) || code == 0x202F || (code >= 0x205F && code <= 0x206F) ||
+           code == 0x3000 || code == 0xFEFF;
+}
+
+/// Whether a formula begins so: with = + - @, also in full width, small, raised or lowered, which some spreadsheets
+/// take for the same, or with a tab or a new line (OWASP, CSV Injection).
+bool begins_a_formula(char32_t code) {
+    constexpr std::u32string_view beginnings =
+        U"=+-@\t\r\n\uFF1D\uFF0B\uFF0D\uFF20\uFE66\uFE62\uFE63\uFE6B\u207C\u207A\u207B\u208C\u208A\u208B\u2212";
+    return beginnings.find(code) != std::u32string_view::npos;
+}
+
+bool looks_like_a_formula(std::string_view text) {
+    while (!text.empty()) {
+        const Decoded first = decode(text);
+        if (!is_overlooked(first.code)) return begins_a_formula(first.code);
+        text.remove_prefix(first.bytes);
+    }
+    return false;
+}
+
 }  // namespace
 
 std::string csv_cell(const std::string& text) {
+    // A control character is text by now, "\x00", and no formula begins after it.
     std::string safe = escape_control(text);
-    // Some spreadsheets overlook blanks before a formula.
-    const std::size_t first = safe.find_first_not_of(' ');
-    if (first != std::string::npos && std::string_view("=+-@\t\r").find(safe[first]) != std::string_view::npos)
-        safe.insert(0, 1, '\'');
+    if (looks_like_a_formula(safe)) safe.insert(0, 1, '\'');
     return quoted(safe);
 }
 

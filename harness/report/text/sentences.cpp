@@ -11,6 +11,12 @@
 namespace harness::report {
 namespace {
 
+/// By what was printed, because the gradebook does not keep ItemScore::not_finite.
+bool holds_no_number(const ItemScore& item) {
+    return !item.error &&
+           (item.printed.find("nan") != std::string::npos || item.printed.find("inf") != std::string::npos);
+}
+
 /// Whether the program was cut short, so that it might still have printed what is missing.
 bool was_cut_short(Outcome outcome) {
     switch (outcome) {
@@ -101,7 +107,7 @@ std::string item_sentence(const ItemScore& item, Outcome outcome) {
                                expected_shape(item.spec.shape));
         case ItemVerdict::wrong: break;
     }
-    if (item.not_finite)
+    if (holds_no_number(item))
         return "That is not a number (nan or inf): look for a division by zero or the root of a negative number.";
     if (!item.advice.empty()) return item.advice;
     if (item.spec.question == 1) return "That is not the right value.";

@@ -82,7 +82,7 @@ auto answer_or_fail(const Common& common, const Head& head, Ask ask) -> decltype
     try {
         return ask();
     } catch (const std::exception& error) {
-        say("raygrade: {}\n", error.what());
+        complain(error);
         return common.site.problem(head, 500);
     }
 }

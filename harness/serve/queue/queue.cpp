@@ -35,7 +35,7 @@ std::variant<std::string, Refusal> Queue::accept(const std::string& source, cons
     try {
         kept_programs_.add(key, source, file);
     } catch (const HarnessError& error) {
-        say("raygrade: {}\n", error.what());
+        complain(error);
         return Refusal::no_room_on_disk;
     }
     const std::lock_guard guard(mutex_);
@@ -84,7 +84,7 @@ std::optional<Task> Queue::next() {
             task.file = std::move(program.file);
             return task;
         } catch (const HarnessError& error) {
-            say("raygrade: {}\n", error.what());
+            complain(error);
             lose(task.key);
         }
     }
@@ -100,7 +100,7 @@ void Queue::finish(const Task& task, const Result& result) {
     try {
         kept_programs_.finish(task.key, result);
     } catch (const HarnessError& error) {
-        say("raygrade: {}\n", error.what());
+        complain(error);
         lose(task.key);
         return;
     }

@@ -65,7 +65,7 @@ auto KeptPrograms::attempt(const char* what, Work work) {
     } catch (const SQLite::Exception& error) {
         throw HarnessError(
             fmt::format("{} can't be {}: {}. Make room on its disk and make sure that it can be written.",
-                        in_quotes(file_), what, error.what()));
+                        in_quotes(file_), what, printable(error.what())));
     }
 }
 
@@ -80,9 +80,9 @@ void KeptPrograms::open() {
             throw HarnessError(
                 fmt::format("{} can't be used: {}. Make room or give permission there, or name another "
                             "folder with --state.",
-                            in_quotes(file_), error.what()));
+                            in_quotes(file_), printable(error.what())));
         }
-        why = fmt::format("can't be read ({})", error.what());
+        why = fmt::format("can't be read ({})", printable(error.what()));
     } catch (const std::runtime_error& error) {
         why = error.what();
     }

@@ -84,7 +84,7 @@ void Graders::tidy(const std::stop_token& stop) {
             kept_programs_.trim();
             if (runner_.result_cache) runner_.result_cache->trim();
         } catch (const HarnessError& error) {
-            say("raygrade: {}\n", error.what());
+            complain(error);
         }
         wake.wait_for(lock, stop, 60s, [] { return false; });
     }

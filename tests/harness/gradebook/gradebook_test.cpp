@@ -250,6 +250,15 @@ TEST(Gradebook, IsRefusedAndLeftUnchangedIfDamaged) {
     EXPECT_THAT(refusal(folder), HasSubstr("is damaged"));
 }
 
+TEST(Gradebook, ShowsNoControlCharactersOfADamagedFile) {
+    const TemporaryFolder folder;
+    save(folder.path(), three());
+    alter(folder,
+          "PRAGMA writable_schema = ON; UPDATE sqlite_schema SET name = char(27) || '[2J' || char(10), sql = 'CREATE "
+          "TABLE x(' WHERE name = 'overrides'");
+    EXPECT_THAT(refusal(folder), AllOf(HasSubstr("is damaged"), HasSubstr("malformed"), HasSubstr("%1B[2J%0A")));
+}
+
 TEST(Gradebook, ReportsARecordThatTheDiskHasGarbled) {
     const TemporaryFolder folder;
     save(folder.path(), three());

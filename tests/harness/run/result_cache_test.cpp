@@ -199,6 +199,15 @@ TEST(ResultCache, SetsAsideAFileThatIsNoDatabase) {
     }
 }
 
+TEST(ResultCache, ShowsNoControlCharactersOfADamagedFile) {
+    const TemporaryFolder folder;
+    ResultCache(folder.path()).keep("k", printed("a"));
+    alter(folder.path(),
+          "PRAGMA writable_schema = ON; UPDATE sqlite_schema SET name = char(27) || '[2J', sql = 'CREATE TABLE x(' "
+          "WHERE name = 'results'");
+    EXPECT_THAT(ResultCache(folder.path()).problems(), ElementsAre(HasSubstr("%1B[2J")));
+}
+
 TEST(ResultCache, SetsAsideADatabaseOfADifferentVersion) {
     for (const char* change :
          {"PRAGMA user_version = 0", "PRAGMA user_version = 99", "ALTER TABLE results RENAME COLUMN seal TO sealed"}) {

@@ -61,11 +61,33 @@ TEST(GradesCsv, ContainsNoSpreadsheetFormulas) {
     EXPECT_EQ(rows[1].size(), rows[0].size());
     EXPECT_THAT(rows[1].front(), StartsWith("'="));
     EXPECT_THAT(rows[1].at(14), StartsWith("'=")) << "the explanation";
-    for (const char* start : {"=1", "+1", "-1", "@x", "\tx", "  =1"}) {
-        Graded one = graded("s", "");
-        one.submission.id = start;
-        EXPECT_THAT(read_csv(grades_csv({one}))[1].front(), StartsWith("'")) << start;
+}
+
+std::string first_cell_of(const std::string& id) {
+    Graded one = graded("s", "");
+    one.submission.id = id;
+    return read_csv(grades_csv({one}))[1].front();
+}
+
+TEST(GradesCsv, DefusesEachBeginningOfAFormula) {
+    for (const char* start : {"=1", "+1", "-1", "@x", "\tx", "  =1", "\nx", "\t=1"}) {
+        EXPECT_THAT(first_cell_of(start), StartsWith("'")) << start;
     }
+    for (const char* start :
+         {"＝1", "＋1", "－1", "＠x", "﹦1", "﹢1", "﹣1", "﹫x", "⁼1", "⁺1", "⁻1", "₌1", "₊1", "₋1", "−1"}) {
+        EXPECT_THAT(first_cell_of(start), StartsWith("'")) << start;
+        EXPECT_THAT(first_cell_of(std::string(" ") + start), StartsWith("'")) << start;
+    }
+}
+
+TEST(GradesCsv, DefusesAFormulaAfterWhatNobodySees) {
+    for (const char* unseen :
+         {"\u00a0", "\u00ad", "\u2003", "\u200b", "\u202f", "\u2060", "\u3000", "\ufeff", "\ufeff \u200d"}) {
+        EXPECT_THAT(first_cell_of(std::string(unseen) + "=1"), StartsWith("'")) << unseen;
+        EXPECT_EQ(first_cell_of(std::string(unseen) + "a=1"), std::string(unseen) + "a=1");
+    }
+    EXPECT_EQ(first_cell_of(std::string("\0=1", 3)), "\\x00=1");
+    EXPECT_EQ(first_cell_of("\r=1"), "\\x0d=1");
 }
 
 TEST(GradesCsv, ContainsNoControlBytes) {

@@ -55,7 +55,6 @@ TEST(ItemSentence, DoesNotBlameTheLabelsOfAProgramThatWasCutShort) {
 TEST(ItemSentence, ExplainsNan) {
     ItemScore nan = item(ItemVerdict::wrong);
     nan.printed = "t: -nan";
-    nan.not_finite = true;
     EXPECT_THAT(item_sentence(nan, Outcome::graded), HasSubstr("not a number"));
 }
 
