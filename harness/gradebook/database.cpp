@@ -103,6 +103,9 @@ constexpr const char* later_tables = R"(
         who TEXT NOT NULL,
         at TEXT NOT NULL,
         PRIMARY KEY (submission, question, item));
+    CREATE TABLE IF NOT EXISTS numbers (    -- of submissions that are gone: the learning management system's
+        submission TEXT PRIMARY KEY,
+        lms_id TEXT NOT NULL);
 )";
 
 /// One statement per table; a database of the right version can prepare them all.
@@ -118,6 +121,7 @@ constexpr const char* probes[] = {
     "SELECT entry FROM reports",
     "SELECT submission, output FROM printouts",
     "SELECT submission, question, item, lines, layout, why, who, at FROM rereads",
+    "SELECT submission, lms_id FROM numbers",
 };
 
 void check(SQLite::Database& database, const fs::path& file) {

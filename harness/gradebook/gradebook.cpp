@@ -108,7 +108,9 @@ void Gradebook::go_by_number(const std::vector<Submission>& submissions) {
         number_of_id[one.id] = one.lms->id;
     }
     in_database(file_, [&] {
-        Statement query(*database_, "SELECT id, lms_id FROM submissions WHERE lms_id IS NOT NULL");
+        Statement query(
+            *database_,
+            "SELECT id, lms_id FROM submissions WHERE lms_id IS NOT NULL UNION SELECT submission, lms_id FROM numbers");
         while (query.executeStep()) {
             const std::string id = query.getColumn(0).getString(), number = query.getColumn(1).getString();
             const auto now = id_of_number.find(number);

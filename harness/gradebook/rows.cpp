@@ -73,6 +73,9 @@ SubmissionRows::SubmissionRows(SQLite::Database& database, std::int64_t run)
                   "automatic_points, final_points, max_points, source_sha256, record) "
                   "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       place_(database, "UPDATE submissions SET place = ?1 WHERE id = ?2 AND place <> ?1"),
+      keep_number_(
+          database,
+          "INSERT OR REPLACE INTO numbers SELECT id, lms_id FROM submissions WHERE id = ? AND lms_id IS NOT NULL"),
       remove_(database, "DELETE FROM submissions WHERE id = ?"),
       item_(database,
             "INSERT INTO items (submission, question, item, verdict, points, max_points, printed, line, diagnosis) "
@@ -141,7 +144,7 @@ void SubmissionRows::move(const std::string& id, std::size_t place) {
 }
 
 void SubmissionRows::remove(const std::string& id) {
-    for (Statement* statement : {&remove_, &remove_items_, &remove_printout_}) {
+    for (Statement* statement : {&keep_number_, &remove_, &remove_items_, &remove_printout_}) {
         statement->bind(1, id);
         execute(*statement);
     }
@@ -180,8 +183,9 @@ void write_audit(SQLite::Database& database, const Author& author, const std::st
 void rename_submissions(SQLite::Database& database, const std::map<std::string, std::string>& new_ids,
                         const Author& author) {
     const auto rename = [&](const std::string& from, const std::string& to) {
-        for (const char* table : {"submissions SET id", "items SET submission", "history SET submission",
-                                  "overrides SET submission", "rereads SET submission", "printouts SET submission"}) {
+        for (const char* table :
+             {"submissions SET id", "items SET submission", "history SET submission", "overrides SET submission",
+              "rereads SET submission", "printouts SET submission", "numbers SET submission"}) {
             const bool by_id = std::string_view(table).ends_with(" id");
             Statement update(
                 database, fmt::format("UPDATE OR REPLACE {} = ?1 WHERE {} = ?2", table, by_id ? "id" : "submission"));

@@ -35,7 +35,8 @@ class SubmissionRows {
     void write_printout(const Graded& graded);
 
     std::int64_t run_;
-    SQLite::Statement submission_, place_, remove_, item_, remove_items_, printout_, remove_printout_, history_, gone_;
+    SQLite::Statement submission_, place_, keep_number_, remove_, item_, remove_items_, printout_, remove_printout_,
+        history_, gone_;
 };
 
 /// Writes an entry of the audit trail. `before` and `after` may be empty.

@@ -171,6 +171,17 @@ TEST(Gradebook, GivesNobodyTheOverrideOfANamesakeWhoLeft) {
     EXPECT_EQ(rows(folder, "SELECT submission FROM overrides"), json::parse(R"([["doejane_1001"]])"));
 }
 
+TEST(Gradebook, KeepsTheOverrideOfWhoLeftBeforeTheirNamesakeCameAndGivesItBack) {
+    const TemporaryFolder folder;
+    save(folder.path(), {of_canvas("doejane", "1001"), of_canvas("other", "1002")});
+    Gradebook(folder.path()).put_override({"doejane", {0, "", 40, "why", "bea", "2026-11-23T10:00:00Z"}}, 0, 40);
+    save(folder.path(), {of_canvas("other", "1002")});
+    save(folder.path(), {of_canvas("doejane", "1004"), of_canvas("other", "1002")});
+    EXPECT_EQ(rows(folder, "SELECT submission FROM overrides"), json::parse(R"([["doejane_1001"]])"));
+    save(folder.path(), {of_canvas("doejane", "1001"), of_canvas("other", "1002")});
+    EXPECT_EQ(rows(folder, "SELECT submission FROM overrides"), json::parse(R"([["doejane"]])"));
+}
+
 TEST(Gradebook, RecordsWhoOverrodeWhatWhenAndWhy) {
     const TemporaryFolder folder;
     save(folder.path(), three());
