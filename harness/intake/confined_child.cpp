@@ -26,6 +26,20 @@ namespace {
 
 using std::chrono::steady_clock;
 
+/// AddressSanitizer needs terabytes of addresses and many system calls.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define RAYGRADE_UNDER_ASAN
+#endif
+#elif defined(__SANITIZE_ADDRESS__)
+#define RAYGRADE_UNDER_ASAN
+#endif
+#if defined(RAYGRADE_UNDER_ASAN)
+constexpr bool is_sanitised = true;
+#else
+constexpr bool is_sanitised = false;
+#endif
+
 /// Exit codes of the child.
 enum ExitCode : int { ended_well = 0, without_memory = 3, without_the_machines_memory = 4, gave_up = 5 };
 
@@ -55,15 +69,11 @@ bool set_limits(const ChildLimits& limits) {
     lower(RLIMIT_FSIZE, 0, 0);
     const auto seconds = static_cast<rlim_t>(limits.cpu.count());
     lower(RLIMIT_CPU, seconds, seconds + 1);  // at the hard limit the kernel sends SIGKILL, which says less
-#if defined(__SANITIZE_ADDRESS__)
-    return true;
-#else
+    if (is_sanitised) return true;
     const rlim_t most = used_addresses() + limits.memory_bytes;
     return lower(RLIMIT_AS, most, most);
-#endif
 }
 
-#if !defined(__SANITIZE_ADDRESS__)
 void allow(scmp_filter_ctx filter, int call, std::initializer_list<scmp_arg_cmp> arguments = {}) {
     // A call that this architecture does not have can't be made either.
     seccomp_rule_add_array(filter, SCMP_ACT_ALLOW, call, static_cast<unsigned>(arguments.size()),
@@ -95,18 +105,13 @@ void forbid_the_rest(int input, int pipe) {
     seccomp_load(filter);
     seccomp_release(filter);
 }
-#endif
 
 [[noreturn]] void run_child(const ChildLimits& limits, int input, int pipe, const std::function<void(int)>& work) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGPIPE}) signal(number, SIG_DFL);
     const bool memory_is_ours = set_limits(limits);
     try {
-#if !defined(__SANITIZE_ADDRESS__)
-        forbid_the_rest(input, pipe);
-#else
-        static_cast<void>(input);
-#endif
+        if (!is_sanitised) forbid_the_rest(input, pipe);
         work(pipe);
     } catch (const std::bad_alloc&) {
         _exit(memory_is_ours ? without_memory : without_the_machines_memory);
