@@ -45,9 +45,10 @@ ordered_json item_json(const HardItem& item) {
 }
 
 HardItem item_from(const json& record) {
-    const auto count = [](const json& digits) { return digits.is_null() ? 0 : digits.get<int>(); };
-    return {record.at("question").get<int>(), record.at("item").get<std::string>(), loss_called(record.at("loss")),
-            count(record.at("digits_kept")),  count(record.at("digits_printed")),   text_of(record.at("diagnosis"))};
+    const auto count = [](const json& digits) { return digits.is_null() ? 0 : whole_number<int>(digits); };
+    return {whole_number<int>(record.at("question")), record.at("item").get<std::string>(),
+            loss_called(record.at("loss")),           count(record.at("digits_kept")),
+            count(record.at("digits_printed")),       text_of(record.at("diagnosis"))};
 }
 
 }  // namespace

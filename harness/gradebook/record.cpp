@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "harness/grade/hard_scenes_json.h"
+#include "harness/gradebook/cbor_depth.h"
 
 // Each struct names its fields once, in `fields` (a map from names) or in `row` (an array). A Writer and a Reader go
 // through the same list. Names and the order of a row never change; a new field of a row goes to its end.
@@ -248,7 +249,7 @@ struct Reader {
             for (value = Value(); to_string(value) != word; value = static_cast<Value>(static_cast<int>(value) + 1))
                 if (value == last<Value>) throw std::invalid_argument(word);
         } else if constexpr (std::same_as<Value, std::chrono::milliseconds>) {
-            value = std::chrono::milliseconds(from.get<std::int64_t>());
+            value = std::chrono::milliseconds(scenes::whole_number<std::int64_t>(from));
         } else if constexpr (std::same_as<Value, scenes::HardScenesReport>) {
             value = scenes::hard_scenes_from_json(from);
         } else if constexpr (std::same_as<Value, std::string_view>) {
@@ -267,6 +268,8 @@ struct Reader {
         } else if constexpr (requires(Reader at) { fields(at, value); }) {
             Reader inner{from};
             fields(inner, value);
+        } else if constexpr (std::integral<Value> && !std::same_as<Value, bool>) {
+            value = scenes::whole_number<Value>(from);
         } else {
             value = from.get<Value>();
         }
@@ -319,6 +322,7 @@ std::vector<std::uint8_t> to_record(const Graded& graded) {
 }
 
 std::optional<Graded> from_record(const std::vector<std::uint8_t>& record) {
+    if (!is_shallow_cbor(record)) return std::nullopt;
     try {
         Graded graded;
         Reader::read(json::from_cbor(record), graded);

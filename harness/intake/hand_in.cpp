@@ -120,8 +120,11 @@ Submission take(const FileTree& tree, const HandIn& hand_in, std::string id, con
             if (source != chosen) others.push_back(source->name);
         }
         if (chosen == sources.end()) {
-            return with_problem(std::move(id), where + " holds several sources: " + list_of(others) +
-                                                   ". Keep the one to be graded, or call it ray_cast.cpp.");
+            Submission unclear =
+                with_problem(std::move(id), where + " holds several sources: " + list_of(others) +
+                                                ". Keep the one to be graded, or call it ray_cast.cpp.");
+            unclear.notes = std::move(notes);
+            return unclear;
         }
     }
     Submission submission;

@@ -6,7 +6,6 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <ranges>
 #include <set>
 
 #include "harness/match/candidates.h"
@@ -23,13 +22,12 @@ using NumberOfValue = std::pair<std::size_t, std::size_t>;
 
 /// For each number of the lines the value that has it; empty if none has. Both are in the same order, forwards or
 /// backwards, but values don't have all numbers.
-template <class Numbers, class Parts>
-std::vector<std::optional<NumberOfValue>> align(const Numbers& numbers, const Parts& parts,
+template <class Number, class Part>
+std::vector<std::optional<NumberOfValue>> align(Number number, Number last_number, Part part, Part last_part,
                                                 const std::vector<PrintedValue>& values) {
     std::vector<std::optional<NumberOfValue>> aligned;
-    auto part = parts.begin();
-    for (const PrintedNumber& each : numbers) {
-        const bool is_next = part != parts.end() && is_same_number(each, values[part->first].numbers[part->second]);
+    for (; number != last_number; ++number) {
+        const bool is_next = part != last_part && is_same_number(*number, values[part->first].numbers[part->second]);
         aligned.push_back(is_next ? std::optional(*part++) : std::nullopt);
     }
     return aligned;
@@ -42,8 +40,8 @@ std::set<NumberOfValue> numbers_of_values(const TakenNumbers& read, const std::v
     for (std::size_t v = 0; v < values.size(); ++v) {
         for (std::size_t i = 0; i < values[v].numbers.size(); ++i) parts.emplace_back(v, i);
     }
-    const auto forwards = align(read.numbers, parts, values);
-    const auto backwards = align(std::views::reverse(read.numbers), std::views::reverse(parts), values);
+    const auto forwards = align(read.numbers.begin(), read.numbers.end(), parts.begin(), parts.end(), values);
+    const auto backwards = align(read.numbers.rbegin(), read.numbers.rend(), parts.rbegin(), parts.rend(), values);
     std::set<NumberOfValue> found;
     for (std::size_t i = read.first; i < read.last; ++i) {
         const auto& part = forwards[i] ? forwards[i] : backwards[read.numbers.size() - 1 - i];

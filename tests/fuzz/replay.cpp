@@ -1,31 +1,60 @@
-// Replays the fuzzer's corpus without the fuzzer: reads and matches every corpus file, golden transcript and labelled
-// output, unchanged and with seeded random changes. Most useful in the build with sanitizers.
+// Replays the fuzzers' corpora without a fuzzer: every property on every file, unchanged and with seeded random
+// changes. Most useful in the build with sanitizers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <ostream>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "tests/fuzz/transcript_properties.h"
+#include "tests/fuzz/properties.h"
 #include "tests/given/bytes_of.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The corpus, sorted by path, so that a seed means the same on every machine.
-std::vector<fs::path> corpus() {
+struct Target {
+    std::string name;  ///< of its folder in corpus/
+    std::string (*check)(std::string_view);
+    int trials;                        ///< with random changes
+    std::vector<std::string> also{};   ///< folders with further inputs
+    std::vector<std::string> names{};  ///< of the files there that count; all if empty
+
+    friend std::ostream& operator<<(std::ostream& out, const Target& target) { return out << target.name; }
+};
+
+std::vector<Target> targets() {
+    return {{"archive", check_archive, 2000},
+            {"csv", check_csv, 2000},
+            {"http", check_http, 2000},
+            {"lms_name", check_lms_name, 2000},
+            {"metadata", check_metadata, 2000},
+            {"record", check_record, 2000},
+            {"source", check_source, 500, {"submissions"}, {"ray_cast.cpp"}},
+            {"toml", check_toml, 2000, {"reference/assignments", "reference/scenes"}},
+            {"transcript",
+             check_transcript,
+             500,
+             {"tests/given/transcripts", "submissions"},
+             {"output.txt", "expected_stdout.txt"}}};
+}
+
+/// The inputs of a target, sorted by path, so that a seed means the same on every machine.
+std::vector<fs::path> inputs(const Target& target) {
     const fs::path project = RAYGRADE_PROJECT;
     std::vector<fs::path> files;
-    for (const char* folder : {"tests/fuzz/transcript_corpus", "tests/given/transcripts", "submissions"}) {
+    for (const auto& entry : fs::directory_iterator(project / "tests/fuzz/corpus" / target.name))
+        files.push_back(entry.path());
+    for (const std::string& folder : target.also) {
         for (const auto& entry : fs::recursive_directory_iterator(project / folder)) {
-            const std::string name = entry.path().filename();
-            const bool output = name == "output.txt" || name == "expected_stdout.txt";
-            const bool crafted = entry.path().parent_path().filename() == "transcript_corpus";
-            if (entry.is_regular_file() && (output || crafted)) files.push_back(entry.path());
+            const auto& names = target.names;
+            const bool counts =
+                names.empty() || std::find(names.begin(), names.end(), entry.path().filename()) != names.end();
+            if (entry.is_regular_file() && counts) files.push_back(entry.path());
         }
     }
     std::sort(files.begin(), files.end());
@@ -38,7 +67,7 @@ std::size_t below(Random& random, std::size_t bound) {
     return bound == 0 ? 0 : random() % bound;
 }
 
-/// One small change: sets, removes or doubles bytes, or inserts a piece of a different output.
+/// One small change: sets, removes or doubles bytes, or inserts a piece of a different input.
 void change(std::string& text, const std::string& other, Random& random) {
     constexpr std::string_view signs = "()[]{}<>|=:,;.-+*/^'\"\n\t\r\x1b 0123456789eE_tuvxyzQ#\xe2\x88\x92\xff";
     const std::size_t at = below(random, text.size() + 1);
@@ -53,24 +82,30 @@ void change(std::string& text, const std::string& other, Random& random) {
     }
 }
 
-TEST(TranscriptCorpus, IsReadUnchanged) {
-    for (const fs::path& file : corpus()) EXPECT_EQ(check_transcript(bytes_of(file)), "") << file;
+class Corpus : public testing::TestWithParam<Target> {};
+
+TEST_P(Corpus, KeepsEveryProperty) {
+    const std::vector<fs::path> files = inputs(GetParam());
+    ASSERT_FALSE(files.empty());
+    for (const fs::path& file : files) EXPECT_EQ(GetParam().check(bytes_of(file)), "") << file;
 }
 
-TEST(TranscriptCorpus, IsReadWithTwoThousandRandomChanges) {
+TEST_P(Corpus, KeepsEveryPropertyWithRandomChanges) {
     constexpr std::uint64_t seed = 20211101;
-    constexpr int trials = 2000;
     Random random(seed);
     std::vector<std::string> texts;
-    for (const fs::path& file : corpus()) texts.push_back(bytes_of(file));
+    for (const fs::path& file : inputs(GetParam())) texts.push_back(bytes_of(file));
     ASSERT_FALSE(texts.empty());
-    for (int trial = 0; trial < trials; ++trial) {
+    for (int trial = 0; trial < GetParam().trials; ++trial) {
         std::string text = texts[below(random, texts.size())];
         const std::string& other = texts[below(random, texts.size())];
         for (std::size_t changes = 1 + below(random, 12); changes > 0; --changes) change(text, other, random);
-        ASSERT_EQ(check_transcript(text), "") << "seed " << seed << ", trial " << trial << ":\n"
+        ASSERT_EQ(GetParam().check(text), "") << "seed " << seed << ", trial " << trial << ":\n"
                                               << testing::PrintToString(text);
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(OfEach, Corpus, testing::ValuesIn(targets()),
+                         [](const testing::TestParamInfo<Target>& one) { return one.param.name; });
 
 }  // namespace

@@ -51,8 +51,9 @@ std::string csv_cell(const std::string& text) {
 }
 
 std::string csv_cell_as_it_is(const std::string& text, char separator) {
+    // A byte order mark without quotes would be the file's if the cell is its first.
     const bool plain = text.find_first_of(std::string("\"\r\n") + separator) == std::string::npos &&
-                       !text.starts_with(' ') && !text.ends_with(' ');
+                       !text.starts_with(' ') && !text.ends_with(' ') && !text.starts_with("\xef\xbb\xbf");
     return plain ? text : quoted(text);
 }
 

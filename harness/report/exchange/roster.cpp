@@ -44,7 +44,9 @@ std::vector<Row> parse_csv(std::string_view text, char separator, Blanks blanks)
     };
     const auto on_row = [](int, void* data) {
         auto* all = static_cast<Rows*>(data);
-        all->rows.push_back(std::exchange(all->row, {}));
+        Row row = std::exchange(all->row, {});
+        // The line "" would be empty if it were written without the quotes, which it does not need.
+        if (row.size() > 1 || !row.front().empty()) all->rows.push_back(std::move(row));
     };
     csv_parse(&parser, text.data(), text.size(), on_cell, on_row, &rows);
     csv_fini(&parser, on_cell, on_row, &rows);

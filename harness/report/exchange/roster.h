@@ -25,7 +25,7 @@ using Row = std::vector<std::string>;
 /// What is done with blanks around a cell that is not in quotes.
 enum class Blanks { trim, keep };
 
-/// Parses RFC 4180, also with the byte order mark that spreadsheets put before it. Skips empty lines.
+/// Parses RFC 4180, also with the byte order mark that spreadsheets put before it. Skips lines that hold nothing.
 std::vector<Row> parse_csv(std::string_view text, char separator = ',', Blanks blanks = Blanks::trim);
 
 /// The first column with exactly this name.

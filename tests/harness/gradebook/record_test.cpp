@@ -75,6 +75,28 @@ TEST(GradedRecord, GivesTheSameReportsByteForByte) {
     }
 }
 
+TEST(GradedRecord, IsNoneIfItIsOfAMillionLists) {
+    constexpr std::size_t many = 1'000'000;
+    constexpr std::uint8_t list_of_one = 0x81, map_of_one = 0xA1, no_text = 0x60, text_in_parts = 0x7F;
+    EXPECT_FALSE(from_record(std::vector<std::uint8_t>(many, list_of_one)));
+    EXPECT_FALSE(from_record(std::vector<std::uint8_t>(many, text_in_parts)));
+    std::vector<std::uint8_t> maps;
+    for (std::size_t i = 0; i < many; ++i) maps.insert(maps.end(), {map_of_one, no_text});
+    EXPECT_FALSE(from_record(maps));
+}
+
+TEST(GradedRecord, IsNoneIfANumberIsTooLargeForItsField) {
+    const auto with_exit_code = [](const nlohmann::json& exit_code) {
+        auto record = nlohmann::json::from_cbor(to_record(graded("zoe", "")));
+        record["run"]["exit_code"] = exit_code;
+        return from_record(nlohmann::json::to_cbor(record));
+    };
+    EXPECT_TRUE(with_exit_code(3));
+    EXPECT_FALSE(with_exit_code(1e300));
+    EXPECT_FALSE(with_exit_code(std::int64_t{1} << 40));
+    EXPECT_FALSE(with_exit_code(2.5));
+}
+
 TEST(GradedRecord, RestoresWhatNoReportShows) {
     Graded one = graded("zoe", output_with_a_mistake());
     one.our_fault = true;
