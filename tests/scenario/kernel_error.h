@@ -10,7 +10,7 @@
 
 namespace scenario {
 
-/// Which calls fail, and how.
+/// Which calls fail, and how. Calls that read from or write to a pipe are not counted and never fail.
 struct KernelError {
     std::string call;         ///< the system call's name: "openat"
     int error = 0;            ///< ENOSPC
