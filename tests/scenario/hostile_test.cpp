@@ -65,7 +65,9 @@ Runner quick_runner(Tier tier) {
     run.cpu = 1s;
     run.wall = 4s;
     run.memory_bytes = std::uint64_t{128} << 20U;
-    return {std::make_unique<harness::Sandbox>(tier), {}, harness::default_build_settings(compile), run};
+    Runner runner{std::make_unique<harness::Sandbox>(tier), {}, harness::default_build_settings(compile), run};
+    runner.known_program = std::make_unique<const harness::KnownProgram>(runner.build, *runner.sandbox);
+    return runner;
 }
 
 Submission take_in_one(const fs::path& path) {
@@ -172,7 +174,7 @@ class Hostile : public testing::Test {
         const Submission neighbour = take_in_one(project / "tests/scenario/hostile/neighbour.cpp");
         const auto held_to =
             harness::make_marking(reference::load_assignment("a6-2021", project / "reference/assignments"));
-        const Runner runner = quick_runner(tier_);
+        Runner runner = quick_runner(tier_);
         harness::Timeline timeline;
         const auto graded = harness::grade_all({hostile, neighbour}, held_to, runner, 2, timeline);
 
@@ -192,6 +194,7 @@ class Hostile : public testing::Test {
         expect_nothing_learnt(graded[0].run, graded[0].build.diagnostics);
         EXPECT_FALSE(listener.was_called());
         EXPECT_THAT(changes_to_decoy_files(), testing::IsEmpty());
+        runner.known_program.reset();  // and its folder
         expect_only_our_files_in(runner.sandbox->workspace().path());
         expect_no_process_left();
     }
