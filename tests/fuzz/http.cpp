@@ -151,8 +151,6 @@ std::string check_http(std::string_view bytes) {
         if (pieces.is_whole != whole.is_whole || (whole.is_whole && pieces.body != whole.body))
             return "a body that depends on the pieces in which it arrives";
     }
-    if (whole.has_head && !whole.status && whole.head.path.empty() && whole.head.method == Method::get)
-        return "a request for nothing";
     if (whole.is_whole) {
         if (std::string broken = check_form(whole.head.content_type, whole.body); !broken.empty()) return broken;
     }

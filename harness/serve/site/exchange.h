@@ -15,10 +15,10 @@ enum class Method { get, head, post, other };
 /// reads.
 struct Head {
     Method method = Method::other;
-    std::string path;                   ///< begins with '/', without the query; not decoded
-    std::string host;                   ///< empty if there is no Host field, or more than one
-    std::string client;                 ///< the address the connection came from
-    std::string forwarded_for;          ///< all X-Forwarded-For fields in order, joined by commas
+    std::string path;           ///< without the query, not decoded; begins with '/' in a request that the site answers
+    std::string host;           ///< empty if there is no Host field, or more than one
+    std::string client;         ///< the address the connection came from
+    std::string forwarded_for;  ///< all X-Forwarded-For fields in order, joined by commas
     std::optional<std::string> origin;  ///< Origin: the site of the page that sends the request
     std::string fetch_site;             ///< Sec-Fetch-Site
     std::string content_type;
