@@ -1,30 +1,21 @@
 #include "harness/intake/confined_child.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
-#include <poll.h>
 #include <seccomp.h>
 #include <signal.h>
 #include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <initializer_list>
 #include <new>
-#include <system_error>
-
-#include "harness/machine/errors.h"
 
 namespace harness {
 namespace {
-
-using std::chrono::steady_clock;
 
 /// AddressSanitizer needs terabytes of addresses and many system calls.
 #if defined(__has_feature)
@@ -107,7 +98,6 @@ void forbid_the_rest(int input, int pipe) {
 }
 
 [[noreturn]] void run_child(const ChildLimits& limits, int input, int pipe, const std::function<void(int)>& work) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
     for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGPIPE}) signal(number, SIG_DFL);
     const bool memory_is_ours = set_limits(limits);
     try {
@@ -121,91 +111,21 @@ void forbid_the_rest(int input, int pipe) {
     _exit(ended_well);
 }
 
-[[noreturn]] void fail_to_start(int error) {
-    throw HarnessError(fmt::format(
-        "No process could be started to read an archive: {}. See to this machine's memory and to `ulimit -u` and "
-        "`ulimit -n`.",
-        std::generic_category().message(error)));
-}
+}  // namespace
 
-ChildEnd end_of(int status) {
-    if (WIFSIGNALED(status)) return WTERMSIG(status) == SIGXCPU ? ChildEnd::cpu_limit : ChildEnd::crashed;
-    switch (WEXITSTATUS(status)) {
+ConfinedChild::ConfinedChild(const ChildLimits& limits, int input, const std::function<void(int pipe)>& work)
+    : child_("to read an archive", limits.wall, [&](int pipe) { run_child(limits, input, pipe, work); }) {}
+
+ChildEnd ConfinedChild::end() {
+    const std::optional<int> status = child_.end();
+    if (child_.is_late()) return ChildEnd::wall_limit;
+    if (!status) return ChildEnd::crashed;
+    if (WIFSIGNALED(*status)) return WTERMSIG(*status) == SIGXCPU ? ChildEnd::cpu_limit : ChildEnd::crashed;
+    switch (WEXITSTATUS(*status)) {
         case ended_well: return ChildEnd::done;
         case without_memory: return ChildEnd::memory_limit;
         case without_the_machines_memory: return ChildEnd::machine_memory;
         default: return ChildEnd::crashed;
-    }
-}
-
-}  // namespace
-
-ConfinedChild::ConfinedChild(const ChildLimits& limits, int input, const std::function<void(int pipe)>& work)
-    : limits_(limits), deadline_(steady_clock::now() + limits.wall) {
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) fail_to_start(errno);
-    pipe_ = FileDescriptor(ends[0]);
-    FileDescriptor written(ends[1]);
-    pid_ = fork();
-    if (pid_ < 0) fail_to_start(errno);
-    if (pid_ > 0) return;
-    pipe_.close();  // so that it ends when its parent has
-    run_child(limits, input, written.get(), work);
-}
-
-ConfinedChild::~ConfinedChild() {
-    end();
-}
-
-bool ConfinedChild::wait_for_bytes() const {
-    for (;;) {
-        const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline_ - steady_clock::now());
-        if (left.count() <= 0) return false;
-        pollfd waiting{pipe_.get(), POLLIN, 0};
-        const int ready = poll(&waiting, 1, static_cast<int>(std::min<std::int64_t>(left.count(), 1'000'000)));
-        if (ready > 0) return true;
-        if (ready < 0 && errno != EINTR) return true;  // read will tell
-    }
-}
-
-bool ConfinedChild::read(void* bytes, std::size_t size) {
-    auto* to = static_cast<char*>(bytes);
-    while (size > 0) {
-        if (!wait_for_bytes()) {
-            is_late_ = true;
-            return false;
-        }
-        const ssize_t got = ::read(pipe_.get(), to, size);
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) return false;
-        to += got;
-        size -= static_cast<std::size_t>(got);
-    }
-    return true;
-}
-
-ChildEnd ConfinedChild::end() {
-    if (pid_ < 0) return ChildEnd::crashed;
-    // A child whose pipe has ended is ending itself: this does not change how.
-    kill(pid_, SIGKILL);
-    int status = 0;
-    pid_t reaped = -1;
-    while ((reaped = waitpid(pid_, &status, 0)) < 0 && errno == EINTR) {
-    }
-    const bool is_known = reaped == pid_;
-    pid_ = -1;
-    if (is_late_) return ChildEnd::wall_limit;
-    return is_known ? end_of(status) : ChildEnd::crashed;
-}
-
-void write_all(int pipe, const void* bytes, std::size_t size) {
-    const auto* from = static_cast<const char*>(bytes);
-    while (size > 0) {
-        const ssize_t put = write(pipe, from, size);
-        if (put < 0 && errno == EINTR) continue;
-        if (put <= 0) _exit(gave_up);
-        from += put;
-        size -= static_cast<std::size_t>(put);
     }
 }
 

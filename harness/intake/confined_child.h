@@ -1,13 +1,11 @@
 // Does work on untrusted bytes in a process of its own, which can use up or break nothing but itself.
 #pragma once
 
-#include <sys/types.h>
-
 #include <chrono>
 #include <cstdint>
 #include <functional>
 
-#include "harness/machine/file_descriptor.h"
+#include "harness/machine/child_process.h"
 
 namespace harness {
 
@@ -37,27 +35,14 @@ class ConfinedChild {
     /// Starts `work` with the pipe to write to. `input` is what it may read; negative for nothing. Work that fails for
     /// lack of memory throws std::bad_alloc. Throws HarnessError if no process can be started.
     ConfinedChild(const ChildLimits& limits, int input, const std::function<void(int pipe)>& work);
-    /// Kills the child.
-    ~ConfinedChild();
-    ConfinedChild(const ConfinedChild&) = delete;
-    ConfinedChild& operator=(const ConfinedChild&) = delete;
 
     /// Reads exactly `size` bytes of what it writes. False if it ended or reached a limit before.
-    bool read(void* bytes, std::size_t size);
+    bool read(void* bytes, std::size_t size) { return child_.read(bytes, size); }
     /// Kills the child if it lives, and says how it ended. Call it once.
     ChildEnd end();
 
   private:
-    bool wait_for_bytes() const;
-
-    ChildLimits limits_;
-    std::chrono::steady_clock::time_point deadline_;
-    pid_t pid_ = -1;
-    FileDescriptor pipe_;
-    bool is_late_ = false;
+    ChildProcess child_;
 };
-
-/// Writes all bytes to the child's pipe; ends the child if nobody reads them.
-void write_all(int pipe, const void* bytes, std::size_t size);
 
 }  // namespace harness
