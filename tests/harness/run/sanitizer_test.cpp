@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include "harness/run/limits.h"
+#include "harness/run/run.h"
+#include "harness/sandbox/host/canary.h"
+
 namespace {
 
 using harness::sanitizer_findings;
@@ -58,5 +62,27 @@ TEST(SanitizerFindings, HandleHostileText) {
     const std::string long_line(100000, 'x');
     EXPECT_LT(sanitizer_findings("a: runtime error: " + long_line).at(0).size(), 1000U);
 }
+
+/// A tier that can see nothing of /proc hides the sanitizers' options from them.
+class SanitizedRun : public testing::TestWithParam<harness::Tier> {};
+
+TEST_P(SanitizedRun, ReportsFindingsInEveryTier) {
+    const harness::Sandbox sandbox(GetParam());
+    if (!harness::try_canary(sandbox).held()) GTEST_SKIP() << "this machine does not hold the tier";
+    const harness::StageLimits limits = harness::read_limits({}, {});
+    harness::BuildSettings settings = harness::default_build_settings(limits.compile);
+    for (const std::string& flag : harness::sanitizer_flags()) settings.flags.push_back(flag);
+    harness::Submission submission;
+    submission.source = "int main(int argc, char**) { int x = 2147483647; x += argc; return x & 0; }\n";
+    const harness::Scratch scratch(sandbox.workspace());
+    const harness::Build built = harness::build(submission, settings, sandbox, scratch);
+    ASSERT_TRUE(built.compiled) << built.diagnostics;
+    const harness::ProcessResult result =
+        harness::run(built, harness::sanitizer_limits(limits.run), sandbox, scratch, harness::sanitizer_environment());
+    EXPECT_THAT(harness::sanitizer_findings(result.errors), SizeIs(1)) << result.errors;
+}
+
+INSTANTIATE_TEST_SUITE_P(Tiers, SanitizedRun, testing::Values(harness::Tier::bwrap, harness::Tier::landlock),
+                         [](const auto& tier) { return tier.param == harness::Tier::bwrap ? "bwrap" : "landlock"; });
 
 }  // namespace
