@@ -50,8 +50,8 @@ Runner open_runner(const RunnerOptions& options, const std::vector<reference::Li
     const auto without = options.unsafe ? WithoutSandbox::run_unsafe : WithoutSandbox::refuse;
     BuildSettings build = default_build_settings(stages.compile);
     Choice choice = choose_sandbox(wanted_tier(options.sandbox), without);
-    Runner runner{std::move(choice.sandbox), failures(choice.reports), std::move(build), stages.run};
-    runner.known_program = std::make_unique<const KnownProgram>(runner.build, *runner.sandbox);
+    Runner runner = make_runner(std::move(choice.sandbox), std::move(build), stages.run);
+    runner.why_no_stronger = failures(choice.reports);
     runner.repetitions = options.repetitions;
     runner.sanitize = options.sanitize;
     runner.fresh = options.fresh;
@@ -67,10 +67,14 @@ Runner open_runner(const RunnerOptions& options, const std::vector<reference::Li
     return runner;
 }
 
+Runner make_runner(std::unique_ptr<const Sandbox> sandbox, BuildSettings build, const Limits& run) {
+    auto known_program = std::make_unique<const KnownProgram>(build, *sandbox);
+    return {std::move(sandbox), {}, std::move(build), run, std::move(known_program)};
+}
+
 Runner without_caches(const Runner& runner) {
-    Runner own{std::make_unique<const Sandbox>(runner.sandbox->tier()), runner.why_no_stronger, runner.build,
-               runner.run};
-    own.known_program = std::make_unique<const KnownProgram>(own.build, *own.sandbox);
+    Runner own = make_runner(std::make_unique<const Sandbox>(runner.sandbox->tier()), runner.build, runner.run);
+    own.why_no_stronger = runner.why_no_stronger;
     own.repetitions = runner.repetitions;
     own.sanitize = runner.sanitize;
     return own;

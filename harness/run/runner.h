@@ -21,9 +21,9 @@ struct Runner {
     std::string why_no_stronger;  ///< what failed in the stronger tiers that were tried; empty if nothing did
     BuildSettings build;
     Limits run;
-    std::unique_ptr<const KnownProgram> known_program{};  ///< null in tests that run nothing
-    std::string toolchain{};                              ///< see toolchain_fingerprint; empty if nothing is cached
-    std::unique_ptr<ResultCache> result_cache{};          ///< null if nothing is cached
+    std::unique_ptr<const KnownProgram> known_program{};
+    std::string toolchain{};                       ///< see toolchain_fingerprint; empty if nothing is cached
+    std::unique_ptr<ResultCache> result_cache{};   ///< null if nothing is cached
     std::unique_ptr<const HeaderCache> headers{};  ///< null if everything is compiled without precompiled headers
     int repetitions = 1;    ///< how often each program is run, to see if its answers stay the same
     bool sanitize = false;  ///< also build and run each program under the sanitizers
@@ -43,6 +43,9 @@ struct RunnerOptions {
 /// Finds the strongest sandbox that works on this machine, reads the limits and opens the caches. Throws HarnessError,
 /// AssignmentError and LimitError.
 Runner open_runner(const RunnerOptions& options, const std::vector<reference::LimitEntry>& limits);
+
+/// A runner without caches, which runs each program once.
+Runner make_runner(std::unique_ptr<const Sandbox> sandbox, BuildSettings build, const Limits& run);
 
 /// A runner with the same settings and a sandbox of its own, for a process of its own: a database must not be used by
 /// two. Throws HarnessError.

@@ -47,8 +47,7 @@ std::vector<std::string> sanitizer_flags() {
 
 std::vector<std::string> sanitizer_environment() {
     // Leaks do not matter in a ray caster, and detecting them needs ptrace, which the sandbox forbids.
-    return {"ASAN_OPTIONS=detect_leaks=0:color=never",
-            "UBSAN_OPTIONS=print_stacktrace=0:color=never"};
+    return {"ASAN_OPTIONS=detect_leaks=0:color=never", "UBSAN_OPTIONS=print_stacktrace=0:color=never"};
 }
 
 Limits sanitizer_limits(Limits limits) {

@@ -65,9 +65,8 @@ Runner quick_runner(Tier tier) {
     run.cpu = 1s;
     run.wall = 4s;
     run.memory_bytes = std::uint64_t{128} << 20U;
-    Runner runner{std::make_unique<harness::Sandbox>(tier), {}, harness::default_build_settings(compile), run};
-    runner.known_program = std::make_unique<const harness::KnownProgram>(runner.build, *runner.sandbox);
-    return runner;
+    return harness::make_runner(std::make_unique<harness::Sandbox>(tier), harness::default_build_settings(compile),
+                                run);
 }
 
 Submission take_in_one(const fs::path& path) {

@@ -1,8 +1,6 @@
 // Makes system calls of a program and of all its descendants fail, by a seccomp filter that asks another process.
 #pragma once
 
-#include <map>
-#include <memory>
 #include <string>
 #include <vector>
 

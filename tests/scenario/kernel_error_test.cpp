@@ -9,7 +9,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <iostream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <random>
 

@@ -44,18 +44,11 @@ bool Connections::make_room_for(const std::string& client) {
     std::size_t open = 0;
     for (const auto& [name, count] : counts_) open += count;
     if (!has_its_share && open < limits_.connections) return true;
-    Connection* leaves = nullptr;
-    if (has_its_share) {
-        leaves = longest_silent(&client);
-        if (!is_waiting(*leaves)) return false;
-    } else if (count_of(largest_client()) > own + 1) {
-        leaves = longest_silent(&largest_client());
-        // Where all come from one proxy, its connections are those of many clients.
-        if (behind_proxy_ && !is_waiting(*leaves)) return false;
-    } else {
-        leaves = longest_silent(nullptr);
-        if (!is_waiting(*leaves)) return false;
-    }
+    const std::string& largest = largest_client();
+    const bool another_holds_more = !has_its_share && count_of(largest) > own + 1;
+    Connection* const leaves = longest_silent(has_its_share ? &client : another_holds_more ? &largest : nullptr);
+    // Who holds more gives up what is at work too; but the connections of a proxy are those of many clients.
+    if (!is_waiting(*leaves) && (!another_holds_more || behind_proxy_)) return false;
     leaves->is_displaced = true;
     body_bytes_ -= std::exchange(leaves->body_bytes, 0);
     if (--counts_[leaves->client] == 0) counts_.erase(leaves->client);
