@@ -109,4 +109,13 @@ std::string upload(const std::string& source, const std::string& more) {
            "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
 }
 
+std::string head_of_upload(const std::string& length) {
+    return "POST /check HTTP/1.1\r\nHost: localhost\r\nContent-Type: multipart/form-data; boundary=cut\r\n" + length +
+           "\r\n";
+}
+
+void send_most_of(Client& client, const std::string& whole) {
+    client.send(std::string_view(whole).substr(0, whole.size() - 100));
+}
+
 }  // namespace harness::serve

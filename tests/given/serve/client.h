@@ -12,6 +12,9 @@
 
 namespace harness::serve {
 
+/// Long enough for a busy machine. The tests only check that the connection ends at all.
+constexpr auto soon = std::chrono::seconds(20);
+
 struct HttpAnswer {
     int status = 0;                             ///< 0: the connection ended before a complete answer
     std::map<std::string, std::string> fields;  ///< by name in lower case
@@ -49,5 +52,10 @@ HttpAnswer ask(std::uint16_t port, std::string_view request, std::uint8_t from =
 std::string get(const std::string& path, const std::string& more = "");
 /// A request that posts the form with a file.
 std::string upload(const std::string& source, const std::string& more = "");
+
+/// The head of such a request, with `length` ("Content-Length: 9\r\n").
+std::string head_of_upload(const std::string& length);
+/// Sends all of an upload but for its end.
+void send_most_of(Client& client, const std::string& whole);
 
 }  // namespace harness::serve

@@ -31,4 +31,11 @@ RunningServer::~RunningServer() {
     std::filesystem::remove_all(folder_, ignored);
 }
 
+bool RunningServer::has_room_within(std::chrono::milliseconds time) const {
+    const auto end = std::chrono::steady_clock::now() + time;
+    int status = 0;
+    while (status != 200 && std::chrono::steady_clock::now() < end) status = ask(get("/icon.svg")).status;
+    return status == 200;
+}
+
 }  // namespace harness::serve

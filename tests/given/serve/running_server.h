@@ -30,6 +30,8 @@ class RunningServer {
 
     std::uint16_t port() const { return server_->port(); }
     HttpAnswer ask(std::string_view request, std::uint8_t from = 1) const { return serve::ask(port(), request, from); }
+    /// Whether the server accepts a further connection within the time.
+    bool has_room_within(std::chrono::milliseconds time) const;
     Queue& queue() { return *queue_; }
     /// The folder of the spool.
     const std::filesystem::path& folder() const { return folder_; }

@@ -17,25 +17,9 @@ using testing::AllOf;
 using testing::HasSubstr;
 using namespace std::chrono_literals;
 
-/// Long enough for a busy machine. The tests only check that the connection ends at all.
-constexpr auto soon = 20s;
-
-std::string head_of_upload(const std::string& length) {
-    return "POST /check HTTP/1.1\r\nHost: localhost\r\nContent-Type: multipart/form-data; boundary=cut\r\n" + length +
-           "\r\n";
-}
-
 /// Whether the connection ends without a further complete answer.
 bool ends_unanswered(Client& client) {
     return client.ends_within(soon) && client.answer().status == 0;
-}
-
-/// Whether the server accepts a further connection.
-bool has_room_within(std::chrono::milliseconds time, const RunningServer& server) {
-    const auto end = std::chrono::steady_clock::now() + time;
-    int status = 0;
-    while (status != 200 && std::chrono::steady_clock::now() < end) status = server.ask(get("/icon.svg")).status;
-    return status == 200;
 }
 
 TEST(Server, RefusesABodyWithATooLargeStatedSize) {
@@ -118,7 +102,7 @@ TEST(Server, CutsOffAClientThatDoesNotReadItsAnswer) {
     const std::string result = "/" + client.answer().fields.at("location");
     server.queue().finish(server.queue().next().value(), {std::string(24 << 20, 'x'), 1, 1});
     client.send(get(result));
-    EXPECT_TRUE(has_room_within(soon, server)) << "it can't see that it was left without reading";
+    EXPECT_TRUE(server.has_room_within(soon)) << "it can't see that it was left without reading";
     EXPECT_TRUE(ends_unanswered(client));
 }
 
@@ -205,125 +189,6 @@ TEST(Server, SendsContinueOnlyForAWelcomeBody) {
     EXPECT_EQ(stranger.answer().status, 403);
 }
 
-TEST(Server, AnAddressAtItsLimitGivesUpItsOwnIdleConnectionOrIsRefused) {
-    RunningServer::Options options;
-    options.limits.connections_of_one_address = 3;
-    const RunningServer server(options);
-    std::list<Client> clients;
-    for (int i = 0; i < 3; ++i) {
-        clients.emplace_back(server.port()).send(get("/icon.svg"));
-        ASSERT_EQ(clients.back().answer().status, 200);
-    }
-    EXPECT_EQ(server.ask(get("/icon.svg")).status, 200) << "the longest idle one made room";
-    EXPECT_TRUE(clients.front().ends_within(soon));
-    clients.clear();
-    ASSERT_TRUE(has_room_within(soon, server));
-    for (int i = 0; i < 3; ++i) {
-        clients.emplace_back(server.port()).send(head_of_upload("Expect: 100-continue\r\nContent-Length: 9\r\n"));
-        ASSERT_EQ(clients.back().answer().status, 100);
-    }
-    const HttpAnswer refused = server.ask("");
-    EXPECT_EQ(refused.status, 503) << "all are at work";
-    EXPECT_EQ(refused.fields.at("retry-after"), "5");
-    EXPECT_EQ(server.ask(get("/icon.svg"), 2).status, 200) << "another address";
-    clients.clear();
-    EXPECT_TRUE(has_room_within(soon, server));
-}
-
-TEST(Server, ClosesTheLongestIdleConnectionToMakeRoom) {
-    RunningServer::Options options;
-    options.limits.connections = 3;
-    options.limits.head_time = 5min;  // so that no connection ends by itself
-    const RunningServer server(options);
-    std::list<Client> clients;
-    for (int i = 0; i < 3; ++i) {
-        clients.emplace_back(server.port()).send(get("/icon.svg"));
-        ASSERT_EQ(clients.back().answer().status, 200);
-        std::this_thread::sleep_for(5ms);
-    }
-    EXPECT_EQ(server.ask(get("/")).status, 200);
-    EXPECT_TRUE(clients.front().ends_within(soon));
-    clients.back().send(get("/"));
-    EXPECT_EQ(clients.back().answer().status, 200);
-}
-
-TEST(Server, LimitsTheBytesOfAllBodiesTogether) {
-    RunningServer::Options options;
-    options.limits.all_body_bytes = 1'000'000;
-    const RunningServer server(options);
-    const std::string whole = upload(std::string(900'000, 'x'));
-    constexpr std::size_t most = 800'000;
-    Client a(server.port()), b(server.port());
-    a.send(std::string_view(whole).substr(0, most));
-    b.send(std::string_view(whole).substr(0, most));
-    // It is random which of them was one too many.
-    const auto end = std::chrono::steady_clock::now() + soon;
-    while (!a.is_told_within(10ms) && !b.is_told_within(10ms) && std::chrono::steady_clock::now() < end) {
-    }
-    Client& refused = a.is_told_within(0ms) ? a : b;
-    Client& other = &refused == &a ? b : a;
-    EXPECT_EQ(refused.answer().status, 503);
-    other.send(std::string_view(whole).substr(most));
-    EXPECT_EQ(other.answer().status, 303);
-    for (int i = 0; i < 2; ++i) EXPECT_EQ(server.ask(whole).status, 303) << "what was held is held no more";
-}
-
-/// Sends all of an upload but for its end.
-void send_most_of(Client& client, const std::string& whole) {
-    client.send(std::string_view(whole).substr(0, whole.size() - 100));
-}
-
-TEST(Server, BodiesThatFallSilentCostNobodyElsesUpload) {
-    RunningServer::Options options;
-    options.limits.all_body_bytes = 1'000'000;
-    const RunningServer server(options);
-    const std::string large = upload(std::string(90'000, 'x'));
-    std::list<Client> silent;
-    for (int i = 0; i < 40; ++i) send_most_of(silent.emplace_back(server.port(), 9), large);
-    std::this_thread::sleep_for(100ms);
-    for (int i = 0; i < 20; ++i)
-        EXPECT_EQ(server.ask(large, static_cast<std::uint8_t>(10 + i % 5)).status, 303) << "upload " << i;
-}
-
-TEST(Server, OneAddressMayUseAllTheRoomWhileNobodyElseNeedsIt) {
-    RunningServer::Options options;
-    options.limits.all_body_bytes = 1'000'000;
-    const RunningServer server(options);
-    const std::string large = upload(std::string(90'000, 'x'));
-    std::list<Client> lab;
-    for (int i = 0; i < 10; ++i) send_most_of(lab.emplace_back(server.port(), 9), large);
-    for (Client& each : lab) {
-        each.send(std::string_view(large).substr(large.size() - 100));
-        EXPECT_EQ(each.answer().status, 303);
-    }
-}
-
-TEST(Server, HalfSentBodiesMakeRoomForNewConnections) {
-    RunningServer::Options options;
-    options.limits.connections = 16;
-    options.limits.connections_of_one_address = 4;
-    const RunningServer server(options);
-    const std::string whole = upload(std::string(1'000, 'x'));
-    std::list<Client> halves;
-    for (std::uint8_t address = 10; address < 14; ++address) {
-        for (int i = 0; i < 4; ++i) send_most_of(halves.emplace_back(server.port(), address), whole);
-    }
-    for (int i = 0; i < 20; ++i)
-        EXPECT_EQ(server.ask(get("/icon.svg"), static_cast<std::uint8_t>(20 + i % 6)).status, 200) << "page " << i;
-}
-
-TEST(Server, AReaderThatStopsMakesRoomForNewConnections) {
-    RunningServer::Options options;
-    options.limits.connections = 8;
-    const RunningServer server(options);
-    std::list<Client> readers;
-    for (int i = 0; i < 8; ++i) {
-        Client& reader = readers.emplace_back(server.port(), 9);
-        for (int k = 0; k < 90; ++k) reader.send(get("/"));
-    }
-    for (int i = 0; i < 10; ++i) EXPECT_EQ(server.ask(get("/icon.svg"), 20).status, 200) << "page " << i;
-}
-
 TEST(Server, CutsOffABodyBelowTheLeastRate) {
     RunningServer::Options options;
     options.limits.body_time = 5min;
@@ -353,16 +218,6 @@ TEST(Server, CutsOffABodyThatFallsSilent) {
     Client silent(server.port());
     send_most_of(silent, upload(std::string(100'000, 'x')));
     EXPECT_TRUE(ends_unanswered(silent));
-}
-
-TEST(Server, ServesOthersWhileManyAreSlow) {
-    const RunningServer server;
-    std::list<Client> slow;
-    for (int i = 0; i < 50; ++i) {
-        slow.emplace_back(server.port())
-            .send(i % 2 == 0 ? "GET / HTTP/1.1\r\nX-" : head_of_upload("Content-Length: 9\r\n"));
-    }
-    EXPECT_EQ(server.ask(upload("int main() {}")).status, 303);
 }
 
 TEST(Server, ShowsResultsButAcceptsNoProgramsWhileStopping) {
