@@ -2,62 +2,51 @@
 
 #include <algorithm>
 
-#include "reference/numbers/affine.h"
-#include "reference/stages/formulations.h"
+#include "reference/key/formulations.h"
 
 namespace reference {
 namespace {
 
 using Range = Interval<double>;
 
-bool is_bounded(const std::vector<Range>& ranges) {
+bool is_bounded(const ItemBounds& ranges) {
     return std::all_of(ranges.begin(), ranges.end(), [](const Range& x) { return x.is_bounded(); });
 }
 
-/// Collects, item by item, the hull of the bounded formulations. A formulation that may divide by zero on this scene
-/// does not count as correct here, as long as a different formulation is bounded. The hull is the whole line where none
-/// is bounded.
+/// Collects, item by item, the hull of the formulations: the whole line where one of them has no bound.
 class Hulls {
   public:
     template <class Value>
     void add(const ItemId& id, const Value& formulation) {
-        std::vector<Range> ranges;
+        ItemBounds ranges;
         for (const auto& x : components(formulation)) ranges.push_back(x.range());
-        std::vector<Range>& known = hulls_[id];
-        if (known.empty() || !is_bounded(known)) {
-            known = ranges;
-        } else if (is_bounded(ranges)) {
-            for (std::size_t i = 0; i < ranges.size(); ++i) known[i] = hull(known[i], ranges[i]);
-        }
+        ItemBounds& known = hulls_[id];
+        if (known.empty()) known = ranges;
+        for (std::size_t i = 0; i < ranges.size(); ++i) known[i] = hull(known[i], ranges[i]);
+        if (!is_bounded(known)) known.assign(known.size(), Range::whole());
     }
-    const std::map<ItemId, std::vector<Range>>& all() const { return hulls_; }
+    const std::map<ItemId, ItemBounds>& all() const { return hulls_; }
 
   private:
-    std::map<ItemId, std::vector<Range>> hulls_;
+    std::map<ItemId, ItemBounds> hulls_;
 };
 
-/// x as a program reads it: rounded to T.
-template <class T>
-Affine<T> read_number(const Rational& x, Roundings& roundings) {
+/// x as a program reads it: rounded to float, or to anything finer.
+Affine read_number(const Rational& x, Roundings& roundings) {
     const Enclosure doubles = enclose(x);
-    const auto lo = static_cast<T>(doubles.lo);
-    const auto hi = static_cast<T>(doubles.hi);
-    if (doubles.lo == doubles.hi && static_cast<double>(lo) == doubles.lo) return {Range(doubles.lo), roundings};
-    const Interval<T> around = Interval<T>::widened(lo, hi);
-    return {Range(static_cast<double>(around.lo()), static_cast<double>(around.hi())), roundings};
+    return Affine::read(doubles.nearest, doubles.hi - doubles.lo, roundings);
 }
 
-/// The hull of the bounded ways to compute a number, as a new number.
-template <class S>
-S any_of(const std::vector<S>& formulations, Roundings& roundings) {
-    Hulls hulls;
-    for (const S& formulation : formulations) hulls.add({}, formulation);
-    return S(hulls.all().begin()->second.front(), roundings);
+/// The hull of the ways to compute a number, as a new number.
+Affine any_of(const std::vector<Affine>& formulations, Roundings& roundings) {
+    Range all = formulations.front().range();
+    for (const Affine& formulation : formulations) all = hull(all, formulation.range());
+    return {all, roundings};
 }
 
-template <class S>
-Vec3<S> P_VCS_of(const Window<S>& window, const Pixel& pixel, PixelConvention convention, Roundings& roundings) {
-    const auto coordinate = [&](const S& from, const S& to, int index, int count) {
+AffineVec3 P_VCS_of(const Window<Affine>& window, const Pixel& pixel, PixelConvention convention,
+                    Roundings& roundings) {
+    const auto coordinate = [&](const Affine& from, const Affine& to, int index, int count) {
         const bool grid = convention == PixelConvention::grid;
         if (grid && count == 1) return any_of(window_coordinates(from, to, 0, 1, 1), roundings);
         const int halves = convention == PixelConvention::centre ? 1 : 0;
@@ -67,136 +56,144 @@ Vec3<S> P_VCS_of(const Window<S>& window, const Pixel& pixel, PixelConvention co
             coordinate(window.clip_bottom, window.clip_top, pixel.y, window.height), -window.clip_near};
 }
 
-/// The ways in which a program may answer questions 1 to 5 once it has a basis: one for each way to answer question 4.
-template <class S>
-std::vector<CameraAnswers<S>> camera_ways(const Vec3<S>& p, const Basis<S>& basis, const Vec3<S>& eye) {
-    std::vector<CameraAnswers<S>> ways;
-    for (const Mat4<S>& M : inverse_views(basis, eye)) {
-        const Vec3<S> P_WCS = pixel_to_wcs(M, p);
-        ways.push_back({p, basis, M, P_WCS, unit_vector(Vec3<S>(P_WCS - eye))});
-    }
-    const Vec3<S> step = scaled(basis.X_vcs, p.x) + scaled(basis.Y_vcs, p.y) + scaled(basis.Z_vcs, p.z);
-    ways.push_back({p, basis, vcs_to_wcs(basis, eye), eye + step, unit_vector(step)});
-    return ways;
-}
+/// Collects the items of one basis after the other.
+class Formulations {
+  public:
+    Formulations(const Scene<Affine>& scene, const Branches& branches, Roundings& roundings)
+        : scene_(scene), branches_(branches), roundings_(roundings) {}
 
-template <class S>
-void add_camera(Hulls& hulls, const CameraAnswers<S>& ray) {
-    const Mat4<S>& M = ray.M_VCS_to_WCS;
-    hulls.add(item::P_VCS, ray.P_VCS);
-    hulls.add(item::X_vcs, ray.basis.X_vcs);
-    hulls.add(item::Y_vcs, ray.basis.Y_vcs);
-    hulls.add(item::Z_vcs, ray.basis.Z_vcs);
-    // The axes as columns of an inverted view matrix.
-    hulls.add(item::X_vcs, Vec3<S>(M[0]));
-    hulls.add(item::Y_vcs, Vec3<S>(M[1]));
-    hulls.add(item::Z_vcs, Vec3<S>(M[2]));
-    hulls.add(item::M_VCS_to_WCS, M);
-    hulls.add(item::P_WCS, ray.P_WCS);
-    hulls.add(item::V, ray.V);
-}
+    void add(const AffineVec3& P_VCS, const Basis<Affine>& basis);
+    void add_triangle_normal();
+    const Hulls& hulls() const { return hulls_; }
 
-template <class S>
-void add_sphere(Hulls& hulls, const CameraAnswers<S>& ray, const Sphere<S>& sphere, RootChoice choice) {
-    const Quadratic<S> quadratic = sphere_quadratic(ray.P_WCS, ray.V, sphere);
-    const S half_b = dot(ray.V, Vec3<S>(ray.P_WCS - sphere.center));
-    hulls.add(item::sphere::a, quadratic.a);
-    hulls.add(item::sphere::b, quadratic.b);
-    hulls.add(item::sphere::c, quadratic.c);
-    hulls.add(item::sphere::d, quadratic.d);
-    hulls.add(item::sphere::d, S(4) * (half_b * half_b - quadratic.a * quadratic.c));
-    if (choice != RootChoice::smaller && choice != RootChoice::larger) return;
-    for (const S& t : sphere_roots(quadratic, choice)) {
-        const Vec3<S> hit = point_on_ray(ray.P_WCS, ray.V, t);
-        const Vec3<S> outward = hit - sphere.center;
-        hulls.add(item::sphere::t, t);
-        hulls.add(item::sphere::hit, hit);
-        hulls.add(item::sphere::normal, unit_vector(outward));
-        hulls.add(item::sphere::normal, scaled(outward, S(S(1) / sphere.radius)));
-    }
-}
+  private:
+    void add_matrix(const Mat4<Affine>& M);
+    void add_ray(const AffineVec3& start, const AffineVec3& V);
+    void add_sphere(const AffineVec3& start, const AffineVec3& V, const Sphere<Affine>& sphere);
+    void add_hit(const AffineVec3& start, const AffineVec3& V, const Sphere<Affine>& sphere, const Affine& t);
+    void add_triangle(const AffineVec3& start, const AffineVec3& V, const Triangle<Affine>& triangle);
 
-template <class S>
-void add_triangle(Hulls& hulls, const CameraAnswers<S>& ray, const Triangle<S>& triangle, bool has_solution) {
-    const LinearSystem<S> system = triangle_system(ray.P_WCS, ray.V, triangle);
-    const Vec3<S> normal = unit_vector(cross(system.matrix[1], system.matrix[2]));
-    hulls.add(item::triangle::matrix, system.matrix);
-    hulls.add(item::triangle::rhs, system.rhs);
-    hulls.add(item::triangle::normal, normal);
-    if (!has_solution) return;
-    for (const Vec3<S>& solution : triangle_solutions(system)) {
-        hulls.add(item::triangle::t, solution.x);
-        hulls.add(item::triangle::u, solution.y);
-        hulls.add(item::triangle::v, solution.z);
-        hulls.add(item::triangle::hit, point_on_ray(ray.P_WCS, ray.V, solution.x));
-        hulls.add(item::triangle::hit,
-                  triangle.A + scaled(system.matrix[1], solution.y) + scaled(system.matrix[2], solution.z));
-    }
-    const S t = plane_distance(system, normal);
-    hulls.add(item::triangle::t, t);
-    hulls.add(item::triangle::hit, point_on_ray(ray.P_WCS, ray.V, t));
-}
+    const Scene<Affine>& scene_;
+    const Branches& branches_;
+    Roundings& roundings_;
+    Hulls hulls_;
+};
 
-template <class T>
-Hulls hulls_in(const Scene<Rational>& exact, PixelConvention convention, const Branches& branches) {
-    using S = Affine<T>;
-    Roundings roundings;
-    const Scene<S> scene = convert_scene<S>(exact, [&](const Rational& x) { return read_number<T>(x, roundings); });
-    const Vec3<S> p = P_VCS_of(scene.window, scene.pixel, convention, roundings);
-    const std::vector<Basis<S>> all_bases = bases(scene.camera);
-    const std::size_t before_ways = roundings.count();
-    Hulls hulls;
-    for (const Basis<S>& basis : all_bases) {
-        roundings.restart_at(before_ways);
-        const std::vector<CameraAnswers<S>> ways = camera_ways(p, basis, scene.camera.eye);
-        const std::size_t before_objects = roundings.count();
-        for (const CameraAnswers<S>& ray : ways) {
-            roundings.restart_at(before_objects);
-            add_camera(hulls, ray);
-            if (!scene.spheres.empty()) add_sphere(hulls, ray, scene.spheres.at(branches.sphere_index), branches.root);
-            if (scene.triangles.empty()) continue;
-            add_triangle(hulls, ray, scene.triangles.at(branches.triangle_index), branches.triangle_has_solution);
+void Formulations::add(const AffineVec3& P_VCS, const Basis<Affine>& basis) {
+    const AffineVec3& eye = scene_.camera.eye;
+    hulls_.add(item::P_VCS, P_VCS);
+    hulls_.add(item::X_vcs, basis.X_vcs);
+    hulls_.add(item::Y_vcs, basis.Y_vcs);
+    hulls_.add(item::Z_vcs, basis.Z_vcs);
+    const Roundings before = roundings_;
+    for (int way = 0; way < inverse_views; ++way) {
+        roundings_ = before;
+        const Mat4<Affine> M = inverse_view(basis, eye, way);
+        add_matrix(M);
+        for (const AffineVec3& start : points_in_wcs(M, P_VCS)) {
+            for (const AffineVec3& V : directions(M, P_VCS, start, eye, roundings_)) add_ray(start, V);
         }
     }
-    return hulls;
 }
 
-ItemBounds as_bounds(const std::vector<Range>& ranges, Arithmetic arithmetic) {
-    ItemBounds result{{}, {}, arithmetic};
-    for (const Range& range : ranges) {
-        result.lo.push_back(range.lo());
-        result.hi.push_back(range.hi());
+void Formulations::add_triangle_normal() {
+    if (scene_.triangles.empty()) return;
+    const Roundings before = roundings_;
+    for (const AffineVec3& normal : triangle_normals(scene_.triangles.at(branches_.triangle_index), roundings_))
+        hulls_.add(item::triangle::normal, normal);
+    roundings_ = before;
+}
+
+void Formulations::add_matrix(const Mat4<Affine>& M) {
+    hulls_.add(item::M_VCS_to_WCS, M);
+    // The axes as columns of an inverted view matrix.
+    hulls_.add(item::X_vcs, AffineVec3(M[0]));
+    hulls_.add(item::Y_vcs, AffineVec3(M[1]));
+    hulls_.add(item::Z_vcs, AffineVec3(M[2]));
+}
+
+void Formulations::add_ray(const AffineVec3& start, const AffineVec3& V) {
+    const Roundings before = roundings_;
+    hulls_.add(item::P_WCS, start);
+    hulls_.add(item::V, V);
+    if (!scene_.spheres.empty()) add_sphere(start, V, scene_.spheres.at(branches_.sphere_index));
+    if (!scene_.triangles.empty()) add_triangle(start, V, scene_.triangles.at(branches_.triangle_index));
+    roundings_ = before;
+}
+
+void Formulations::add_sphere(const AffineVec3& start, const AffineVec3& V, const Sphere<Affine>& sphere) {
+    const bool hits = branches_.root == RootChoice::smaller || branches_.root == RootChoice::larger;
+    const Roundings before = roundings_;
+    for (const Quadratic<Affine>& quadratic : quadratics(start, V, sphere, roundings_)) {
+        hulls_.add(item::sphere::a, quadratic.a);
+        hulls_.add(item::sphere::b, quadratic.b);
+        hulls_.add(item::sphere::c, quadratic.c);
+        hulls_.add(item::sphere::d, quadratic.d);
+        if (!hits) continue;
+        const Roundings before_roots = roundings_;
+        for (const Affine& t : sphere_roots(quadratic, branches_.root, roundings_)) add_hit(start, V, sphere, t);
+        roundings_ = before_roots;
     }
-    return result;
+    roundings_ = before;
+    if (!hits) return;
+    for (const Affine& t : geometric_roots(start, V, sphere, branches_.root, roundings_)) add_hit(start, V, sphere, t);
+    roundings_ = before;
+}
+
+void Formulations::add_hit(const AffineVec3& start, const AffineVec3& V, const Sphere<Affine>& sphere,
+                           const Affine& t) {
+    const Roundings before = roundings_;
+    const AffineVec3 hit = point_on_ray(start, V, t);
+    const AffineVec3 outward = hit - sphere.center;
+    hulls_.add(item::sphere::t, t);
+    hulls_.add(item::sphere::hit, hit);
+    hulls_.add(item::sphere::normal, unit_vector(outward));
+    hulls_.add(item::sphere::normal, scaled(outward, Affine(Affine(1) / sphere.radius)));
+    roundings_ = before;
+}
+
+void Formulations::add_triangle(const AffineVec3& start, const AffineVec3& V, const Triangle<Affine>& triangle) {
+    const LinearSystem<Affine> system = triangle_system(start, V, triangle);
+    hulls_.add(item::triangle::matrix, system.matrix);
+    hulls_.add(item::triangle::rhs, system.rhs);
+    if (!branches_.triangle_has_solution) return;
+    const Roundings before = roundings_;
+    for (const AffineVec3& solution : triangle_solutions(system, roundings_)) {
+        const auto& [t, u, v] = std::tie(solution.x, solution.y, solution.z);
+        hulls_.add(item::triangle::t, t);
+        hulls_.add(item::triangle::u, u);
+        hulls_.add(item::triangle::v, v);
+        hulls_.add(item::triangle::hit, point_on_ray(start, V, t));
+        hulls_.add(item::triangle::hit, triangle.A + scaled(system.matrix[1], u) + scaled(system.matrix[2], v));
+        hulls_.add(item::triangle::hit,
+                   scaled(triangle.A, sum(Affine(1), -u, -v)) + scaled(triangle.B, u) + scaled(triangle.C, v));
+        roundings_ = before;
+    }
+}
+
+std::map<ItemId, ItemBounds> bounds_of(const Scene<Rational>& exact, PixelConvention convention,
+                                       const Branches& branches) {
+    Roundings roundings;
+    const Scene<Affine> scene =
+        convert_scene<Affine>(exact, [&](const Rational& x) { return read_number(x, roundings); });
+    const AffineVec3 P_VCS = P_VCS_of(scene.window, scene.pixel, convention, roundings);
+    Formulations formulations(scene, branches, roundings);
+    formulations.add_triangle_normal();
+    const Roundings before_basis = roundings;
+    for (int way = 0; way < bases; ++way) {
+        roundings = before_basis;
+        formulations.add(P_VCS, basis(scene.camera, way));
+    }
+    return formulations.hulls().all();
 }
 
 }  // namespace
 
-std::string_view to_string(Arithmetic arithmetic) {
-    switch (arithmetic) {
-        case Arithmetic::float_: return "float";
-        case Arithmetic::double_: return "double";
-        case Arithmetic::none: return "none";
-    }
-    return "";
-}
-
-std::map<ItemId, ItemBounds> bounds_of_correct_programs(const Scene<Rational>& scene, PixelConvention convention,
-                                                        const Branches& branches) {
-    const Hulls floats = hulls_in<float>(scene, convention, branches);
-    std::map<ItemId, ItemBounds> result;
-    bool all_bounded = true;
-    for (const auto& [id, ranges] : floats.all()) {
-        all_bounded = all_bounded && is_bounded(ranges);
-        result[id] = as_bounds(ranges, is_bounded(ranges) ? Arithmetic::float_ : Arithmetic::none);
-    }
-    if (all_bounded) return result;
-    const Hulls doubles = hulls_in<double>(scene, convention, branches);
-    for (const auto& [id, ranges] : doubles.all()) {
-        const bool better = result.at(id).arithmetic == Arithmetic::none && is_bounded(ranges);
-        if (better) result[id] = as_bounds(ranges, Arithmetic::double_);
-    }
-    return result;
+const std::map<ItemId, ItemBounds>& CorrectPrograms::bounds(PixelConvention convention, const Branches& branches) {
+    const std::pair key(convention, branches);
+    const auto found = known_.find(key);
+    return found != known_.end() ? found->second
+                                 : known_.emplace(key, bounds_of(scene_, convention, branches)).first->second;
 }
 
 }  // namespace reference

@@ -1,19 +1,17 @@
 // How far a correct program may be off, item by item: the distance from the key to the farthest value that any of the
-// usual formulations (formulations.h) may give in float32, whatever its roundings were.
+// usual formulations (formulations.h) may give in float32 or in anything finer, whatever its roundings were.
 #pragma once
 
+#include <compare>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "reference/numbers/interval.h"
 #include "reference/numbers/rational.h"
 #include "reference/stages/item_values.h"
 
 namespace reference {
-
-/// The arithmetic whose roundings an allowance covers.
-enum class Arithmetic {
-    float_,
-    double_,  ///< float32 gives no bound for this item here: a divisor may be zero, or an overflow
-    none,     ///< double gives no bound either
-};
-std::string_view to_string(Arithmetic arithmetic);
 
 /// What the exact decisions chose: the objects asked about and the root. A program that decides otherwise is not
 /// covered by an allowance, but by the boundary policy and by follow-through from its own values.
@@ -22,17 +20,25 @@ struct Branches {
     RootChoice root = RootChoice::miss;
     std::size_t triangle_index = 0;
     bool triangle_has_solution = false;  ///< det is not 0
+
+    friend auto operator<=>(const Branches&, const Branches&) = default;
 };
 
-/// Where a correct program's numbers for one item lie.
-struct ItemBounds {
-    std::vector<double> lo;
-    std::vector<double> hi;
-    Arithmetic arithmetic;
-};
+/// Where correct programs' numbers for an item lie, by component; the whole line for each where a formulation has no
+/// bound for one: a divisor may be zero there, or a number may overflow.
+using ItemBounds = std::vector<Interval<double>>;
 
-/// For every item that has numbers. Infinite where the arithmetic is `none`.
-std::map<ItemId, ItemBounds> bounds_of_correct_programs(const Scene<Rational>& scene, PixelConvention convention,
-                                                        const Branches& branches);
+/// The bounds of a scene's correct programs.
+class CorrectPrograms {
+  public:
+    explicit CorrectPrograms(Scene<Rational> scene) : scene_(std::move(scene)) {}
+    const Scene<Rational>& scene() const { return scene_; }
+    /// For every item that has numbers. Remembers what it has computed.
+    const std::map<ItemId, ItemBounds>& bounds(PixelConvention convention, const Branches& branches);
+
+  private:
+    Scene<Rational> scene_;
+    std::map<std::pair<PixelConvention, Branches>, std::map<ItemId, ItemBounds>> known_;
+};
 
 }  // namespace reference

@@ -8,6 +8,8 @@
 #include <stdexcept>
 
 #include "reference/key/certified_answers.h"
+#include "reference/key/wide_allowances.h"
+#include "reference/stages/scene_numbers.h"
 
 namespace reference {
 namespace {
@@ -98,13 +100,18 @@ ReadingAnswers answer_in(const Assignment& assignment, const Reading& reading) {
     return result;
 }
 
-ReadingAnswers answer_at(Precision precision, const Assignment& assignment, const Reading& reading) {
-    switch (precision) {
-        case Precision::float_: return answer_in<float>(assignment, reading);
-        case Precision::double_: return answer_in<double>(assignment, reading);
-        case Precision::certified: return certified_answers(assignment, reading);
+/// The answers under each reading.
+std::vector<ReadingAnswers> answer_at(Precision precision, const Assignment& assignment,
+                                      const std::vector<Reading>& readings) {
+    std::vector<ReadingAnswers> answers;
+    std::optional<CorrectPrograms> programs;
+    if (precision == Precision::certified) programs.emplace(rational_scene(assignment.scene));
+    for (const Reading& reading : readings) {
+        if (precision == Precision::float_) answers.push_back(answer_in<float>(assignment, reading));
+        if (precision == Precision::double_) answers.push_back(answer_in<double>(assignment, reading));
+        if (programs) answers.push_back(certified_answers(*programs, reading));
     }
-    throw std::logic_error("a precision without a scalar");
+    return answers;
 }
 
 void refuse_unsure(const Decisions& decisions, const Assignment& assignment, Precision precision) {
@@ -122,15 +129,15 @@ void refuse_narrow_tolerance(const AnswerKey& key, const Rubric& rubric) {
         for (const KeyItem& item : question.items) {
             const Answer& answer = item.answers.front();
             const std::optional<double> tolerance = rubric.tolerance_of(question.number, std::string(item.spec.name));
-            if (!tolerance || answer.allowance.empty() || answer.allowance_from == Arithmetic::none) continue;
+            if (!tolerance || answer.allowance.empty() || !std::isfinite(answer.allowance.front())) continue;
             const double needed = *std::max_element(answer.allowance.begin(), answer.allowance.end());
             const double given = *tolerance * unit_of(std::get<Numbers>(answer.value));
             if (given >= needed) continue;
             throw AssignmentError(fmt::format(
-                "{}: rubric.tolerance: question {}, {}: {} allows {:.3g}, and a correct program in {} may be off by "
-                "{:.3g}; leave the tolerance out or write at least {:.3g}",
-                key.assignment, question.number, item.spec.name, *tolerance, given, to_string(answer.allowance_from),
-                needed, std::nextafter(needed / unit_of(std::get<Numbers>(answer.value)), HUGE_VAL) * 1.01));
+                "{}: rubric.tolerance: question {}, {}: {} allows {:.3g}, and a correct program in float may be off "
+                "by {:.3g}; leave the tolerance out or write at least {:.3g}",
+                key.assignment, question.number, item.spec.name, *tolerance, given, needed,
+                std::nextafter(needed / unit_of(std::get<Numbers>(answer.value)), HUGE_VAL) * 1.01));
         }
     }
 }
@@ -161,14 +168,16 @@ std::string reason(const Answer& answer, const AnswerKey& key) {
 AnswerKey make_key(const Assignment& assignment, Precision precision) {
     const std::vector<Reading> readings = accepted_readings(assignment.rubric);
     AnswerKey key{assignment.name, precision, readings.front(), {}, {}, assignment.notes};
-    for (const Reading& reading : readings) {
-        const ReadingAnswers run = answer_at(precision, assignment, reading);
+    for (const ReadingAnswers& run : answer_at(precision, assignment, readings)) {
         refuse_unsure(run.decisions, assignment, precision);
         if (key.questions.empty()) key.decisions = run.decisions;
         add_answers(key, run);
     }
     note_policy(key);
-    if (precision == Precision::certified) refuse_narrow_tolerance(key, assignment.rubric);
+    if (precision != Precision::certified) return key;
+    refuse_narrow_tolerance(key, assignment.rubric);
+    for (std::string& note : tell_wide_allowances(key.questions, assignment.scene))
+        key.notes.push_back(std::move(note));
     return key;
 }
 

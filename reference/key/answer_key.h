@@ -29,11 +29,10 @@ struct Answer {
     Reading reading;
 
     // By component. Filled in a certified key only; empty for NoValue and verdicts.
-    Numbers lo = {};  ///< lo <= true value <= hi, proven; lo = hi where the true value is a double
-    Numbers hi = {};  ///< else neighbouring doubles, and `value` is the nearer one
-    Numbers allowance =
-        {};  ///< how far a correct program may be outside [lo, hi]; >= 0, infinite where nothing bounds it
-    Arithmetic allowance_from = Arithmetic::float_;  ///< the arithmetic whose roundings the allowance covers
+    Numbers lo = {};         ///< lo <= true value <= hi, proven; lo = hi where the true value is a double
+    Numbers hi = {};         ///< else neighbouring doubles, and `value` is the nearer one
+    Numbers allowance = {};  ///< how far a correct program may be outside [lo, hi]; >= 0. All infinite where float32
+                             ///< can't answer: it has no bound there.
 };
 
 struct KeyItem {
@@ -56,7 +55,8 @@ struct AnswerKey {
     Reading canonical;                   ///< the reading of every item's first answer
     std::vector<KeyQuestion> questions;  ///< the questions that the scene calls for, by number
     Decisions decisions;
-    std::vector<std::string> notes;  ///< what an instructor should know about the scene; from the Assignment
+    std::vector<std::string> notes;  ///< what an instructor should know about the scene: the Assignment's notes, and
+                                     ///< which answers float leaves uncertain
 };
 
 /// Why `answer` is right besides the canonical answer, as a phrase that follows "accepted because": "the rubric accepts

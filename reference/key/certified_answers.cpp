@@ -16,9 +16,9 @@ Branches branches_of(const SceneAnswers<Certified>& answers) {
     return branches;
 }
 
-/// The distance from [lo, hi] to the farther end of the range of correct programs, rounded up.
-double allowance(double lo, double hi, double least, double most) {
-    const double farther = std::max(lo - least, most - hi);
+/// The distance from the true value to the farther end of the range of correct programs, rounded up.
+double allowance(const Enclosure& truth, const Interval<double>& programs) {
+    const double farther = std::max(truth.lo - programs.lo(), programs.hi() - truth.hi);
     return farther > 0 ? std::nextafter(farther, HUGE_VAL) : 0.0;
 }
 
@@ -29,20 +29,17 @@ void enclose_numbers(Answer& answer, const std::vector<Certified>& numbers, cons
         values.push_back(enclosure.nearest);
         answer.lo.push_back(enclosure.lo);
         answer.hi.push_back(enclosure.hi);
-        answer.allowance.push_back(allowance(enclosure.lo, enclosure.hi, bounds.lo.at(i), bounds.hi.at(i)));
+        answer.allowance.push_back(allowance(enclosure, bounds.at(i)));
     }
     answer.value = values;
-    answer.allowance_from = bounds.arithmetic;
 }
 
 }  // namespace
 
-ReadingAnswers certified_answers(const Assignment& assignment, const Reading& reading) {
-    const Scene<Rational> rationals = rational_scene(assignment.scene);
+ReadingAnswers certified_answers(CorrectPrograms& programs, const Reading& reading) {
     const SceneAnswers<Certified> answers =
-        answer_scene(certified_scene(rationals), reading.convention, reading.boundary);
-    const std::map<ItemId, ItemBounds> bounds =
-        bounds_of_correct_programs(rationals, reading.convention, branches_of(answers));
+        answer_scene(certified_scene(programs.scene()), reading.convention, reading.boundary);
+    const std::map<ItemId, ItemBounds>& bounds = programs.bounds(reading.convention, branches_of(answers));
     ReadingAnswers result{decisions_of(answers), {}};
     for (const auto& [id, value] : values_of(answers, reading.boundary)) {
         Answer& answer = result.answers[id];

@@ -14,6 +14,6 @@ struct ReadingAnswers {
 
 /// Exact decisions, proven enclosures and allowances. Throws std::domain_error for a number that to_rational refuses
 /// and for a degenerate camera or triangle; parse_assignment rejects both.
-ReadingAnswers certified_answers(const Assignment& assignment, const Reading& reading);
+ReadingAnswers certified_answers(CorrectPrograms& programs, const Reading& reading);
 
 }  // namespace reference

@@ -6,14 +6,14 @@
 namespace reference {
 namespace {
 
-/// The accepted error as a share of the answer's size where nothing bounds the error of float arithmetic, e.g. at a
-/// tangent.
-constexpr double allowance_without_bound = 0.01;
-
 /// The accepted error as a share of the item's size for a key without certified allowances: some roundings of float.
 constexpr double uncertified_allowance = 1e-4;
 
 }  // namespace
+
+bool float_can_answer(const Answer& answer) {
+    return std::all_of(answer.allowance.begin(), answer.allowance.end(), [](double x) { return std::isfinite(x); });
+}
 
 Numbers graded_allowance(const KeyItem& item, const Answer& answer, const Rubric& rubric) {
     const auto* numbers = std::get_if<Numbers>(&answer.value);
@@ -23,7 +23,6 @@ Numbers graded_allowance(const KeyItem& item, const Answer& answer, const Rubric
     Numbers allowances;
     for (std::size_t i = 0; i < numbers->size(); ++i) {
         double allowance = answer.allowance.empty() ? uncertified_allowance * unit : answer.allowance[i];
-        if (!std::isfinite(allowance)) allowance = allowance_without_bound * unit;
         allowances.push_back(std::max(allowance, tolerance));
     }
     return allowances;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "reference/key/answer_key.h"
@@ -39,18 +40,13 @@ ordered_json shaped(const Numbers& numbers, Shape shape) {
     return columns;
 }
 
-/// An infinite allowance is null: nothing bounds what a program may find.
-ordered_json allowance_json(const Answer& answer, Shape shape) {
-    if (answer.allowance_from == Arithmetic::none) return nullptr;
-    return shaped(answer.allowance, shape);
-}
-
 void add_enclosure(ordered_json& json, const Answer& answer, Shape shape) {
     if (answer.lo.empty()) return;
     json["lo"] = shaped(answer.lo, shape);
     json["hi"] = shaped(answer.hi, shape);
-    json["allowance"] = allowance_json(answer, shape);
-    if (answer.allowance_from != Arithmetic::float_) json["allowance_from"] = to_string(answer.allowance_from);
+    const bool has_bound = std::isfinite(answer.allowance.front());
+    json["allowance"] = has_bound ? shaped(answer.allowance, shape) : ordered_json();
+    if (!has_bound) json["allowance_from"] = "none";
 }
 
 ordered_json item_json(const KeyItem& item, const AnswerKey& key) {

@@ -1,40 +1,78 @@
-// Affine arithmetic: intervals that remember which roundings they depend on. They contain every value that a variable
-// of a program computing in T may have, whatever the roundings were. Plain intervals forget, for instance, that V has
-// length 1, and bound the handout's t a hundred times too widely. De Figueiredo and Stolfi, "Affine arithmetic:
-// concepts and applications" (2004).
+// Affine arithmetic: intervals that remember which roundings they depend on. They contain the values that a variable of
+// a program has that computes in float32 or in anything finer. Plain intervals forget, for instance, that V has length
+// 1, and bound the handout's t a hundred times too widely. De Figueiredo and Stolfi, "Affine arithmetic: concepts and
+// applications" (2004).
 #pragma once
 
+#include <algorithm>
 #include <boost/container/vector.hpp>
 #include <compare>
 #include <cstddef>
-#include <limits>
+#include <initializer_list>
 
 #include "reference/numbers/interval.h"
+#include "reference/numbers/vector.h"
 
 namespace reference {
 
-/// Numbers the roundings of one run. Must outlive the Affine values made with it.
-class Roundings {
-  public:
-    std::size_t next() { return count_++; }
-    std::size_t count() const { return count_; }
-    /// Reuses the numbers from `count` on. Values made since must not be combined with values made later.
-    void restart_at(std::size_t count) { count_ = count; }
+/// Numbers the errors of one run. Must outlive the Affine values made with it.
+struct Roundings {
+    std::size_t random = 0;
+    std::size_t known = 2;  ///< the first two are of_float and of_estimate
 
-  private:
-    std::size_t count_ = 0;
+    /// What float makes of true numbers that are known: all of it, or nothing.
+    static constexpr std::size_t of_float = 0;
+    /// Half of what an estimate of a root costs: all of it, or nothing.
+    static constexpr std::size_t of_estimate = 1;
 };
 
-/// center + sum of deviation_i e_i + rest, where each e_i in [-1, 1] belongs to one rounding and |rest| <= slack.
-/// Everything is computed in double; the errors of that are part of the slack. T is float or double, rounding to
-/// nearest.
-template <std::floating_point T>
+/// Numbers the errors of ways to compute the same value, each from the same number on: values of different ways must
+/// not be combined.
+class Alternatives {
+  public:
+    explicit Alternatives(Roundings& roundings) : roundings_(roundings), start_(roundings), most_(roundings) {}
+    Alternatives(const Alternatives&) = delete;
+    Alternatives& operator=(const Alternatives&) = delete;
+    ~Alternatives() {
+        next();
+        roundings_ = most_;
+    }
+    /// Ends one way and begins the next.
+    void next() {
+        most_ = {std::max(most_.random, roundings_.random), std::max(most_.known, roundings_.known)};
+        roundings_ = start_;
+    }
+
+  private:
+    Roundings& roundings_;
+    Roundings start_;
+    Roundings most_;
+};
+
+/// center + the sums of deviation_i e_i for random and for known errors + rest, with each e_i in [-1, 1] and
+/// |rest| <= slack. Everything is computed in double; the errors of that are part of the slack.
+///
+/// Each result is rounded once, to nearest, to float or to anything finer, or not at all: a compiler may fuse a product
+/// with the sum that follows. What a rounding does to a number that is known, rather than to a range, is known too:
+/// results that float holds exactly stay exact, and the others are what float makes of them, or the true number. What
+/// compilers do under -ffast-math is covered: x / y as x (1 / y), 1 / sqrt(x) by an estimate and a step of Newton's,
+/// and zero for what is below the normal floats.
+///
+/// Known errors add up at their worst. Random ones do so too while they are few; beyond that they are taken as
+/// independent, which bounds their sum by `certainty` times the root of the sum of their squares. Of sums of errors
+/// spread evenly over half a unit in the last place, less than 3 in a million are larger (2 exp(-3/2 certainty^2), for
+/// any number of terms; by the normal distribution 2 in ten million). Higham and Mary, "A new approach to probabilistic
+/// rounding error analysis" (2019); Hoeffding (1963).
 class Affine {
   public:
+    static constexpr double certainty = 3;
+
     Affine() = default;
     explicit Affine(int x) : center_(x) {}
     /// An unknown number of the interval. All uses of it mean the same number.
     Affine(const Interval<double>& range, Roundings& roundings);
+    /// A number as programs read it: x rounded to float, or x, which is off by `error` at most.
+    static Affine read(double x, double error, Roundings& roundings);
 
     /// Where the values lie; the whole line when they cannot be bounded.
     Interval<double> range() const;
@@ -45,48 +83,87 @@ class Affine {
     Affine& operator*=(const Affine& y) { return *this = *this * y; }
     Affine& operator/=(const Affine& y) { return *this = *this / y; }
 
-    // Each result is rounded to T once, except sums with zero and products with zero or one, which are exact.
-    friend Affine operator+(const Affine& x, const Affine& y) { return x.plus(y); }
-    friend Affine operator-(const Affine& x, const Affine& y) { return x.minus(y); }
+    friend Affine operator+(const Affine& x, const Affine& y) { return total({{&x, 1}, {&y, 1}}); }
+    friend Affine operator-(const Affine& x, const Affine& y) { return total({{&x, 1}, {&y, -1}}); }
     friend Affine operator*(const Affine& x, const Affine& y) { return x.times(y); }
     /// Unbounded where y may be zero.
     friend Affine operator/(const Affine& x, const Affine& y) { return x.over(y); }
     /// The root of the part of x that is not negative; unbounded when all of x is negative.
     friend Affine sqrt(const Affine& x) { return x.root(); }
+    /// 1 / sqrt(x); unbounded where x may be zero or less.
+    friend Affine reciprocal_root(const Affine& x) { return x.reciprocal_root(); }
+    /// The terms added up in any order. At most four terms.
+    friend Affine sum(const Affine& x, const Affine& y, const Affine& z) { return total({{&x, 1}, {&y, 1}, {&z, 1}}); }
+    friend Affine sum(const Affine& x, const Affine& y, const Affine& z, const Affine& w) {
+        return total({{&x, 1}, {&y, 1}, {&z, 1}, {&w, 1}});
+    }
+    /// One of two ways to compute the same value: x, with a further error as large as their difference.
+    friend Affine either(const Affine& x, const Affine& y);
 
     /// Unordered where the range contains zero and other numbers.
     friend std::partial_ordering sign_of(const Affine& x) { return sign_of(x.range()); }
 
   private:
-    /// Unlike std::vector, it can grow without setting the new elements to zero.
-    using Deviations = boost::container::vector<double>;
+    /// Deviations by the error's number; those missing at the end are 0.
+    struct Deviations {
+        boost::container::vector<double> sizes;  ///< unlike std::vector, it grows without setting elements to zero
+        double sum = 0;                          ///< of |size|
+        double squares = 0;                      ///< the sum of size squared
 
-    Affine plus(const Affine& y) const;
-    Affine minus(const Affine& y) const;
+        void add(std::size_t error, double size);
+        void scale(double factor);
+    };
+
+    struct Term {
+        const Affine* value;
+        double sign;
+    };
+    static Affine total(std::initializer_list<Term> terms);
     Affine times(const Affine& y) const;
     Affine over(const Affine& y) const;
     Affine root() const;
+    Affine reciprocal_root() const;
 
     static Affine unbounded();
-    void deviate(double size);
-    bool is_exactly(double x) const { return deviations_.empty() && slack_ == 0 && center_ == x; }
-    /// An upper bound of a value's distance from the center.
+    bool is_exact() const { return random_.sizes.empty() && known_.sizes.empty() && slack_ == 0; }
+    bool is_exactly(double x) const { return is_exact() && center_ == x; }
+    /// Whether a product with it is exact.
+    bool is_power_of_two() const;
+    /// How far a value may be from the center.
     double radius() const;
+    double largest_size() const;
+
+    /// r = p x + q y without a rounding.
+    static void combine(Deviations& r, double p, const Deviations& x, double q, const Deviations& y);
     /// p x + q y for the deviations, and p center + q center: the linear part of every operation.
     static Affine combination(double p, const Affine& x, double q, const Affine& y);
+    static Affine exact_sum(double p, const Affine& x, double q, const Affine& y);
     Affine exact_product(const Affine& y) const;
-    /// Adds the rounding of the result to T and the errors of computing it here in double.
-    Affine rounded() &&;
+    Affine scaled_by(double power_of_two) const;
+    void add_random(double size);
+    void add_known(double size);
     void add_own_errors();
+    /// Adds the rounding of the result and the errors of computing it here in double.
+    Affine rounded() &&;
+    /// What float makes of the true number z, or z, which is off by `error` at most.
+    static Affine rounded(double z, double error, Roundings* roundings);
 
     Roundings* roundings_ = nullptr;
     double center_ = 0;
-    double slack_ = 0;       ///< infinite when nothing is known
-    double sizes_ = 0;       ///< the sum of the deviations' sizes
-    Deviations deviations_;  ///< by the rounding's number; those missing at the end are 0
+    double slack_ = 0;  ///< infinite when nothing is known
+    Deviations random_;
+    Deviations known_;
 };
 
-extern template class Affine<float>;
-extern template class Affine<double>;
+Affine either(const Affine& x, const Affine& y);
+
+inline Vec3<Affine> either(const Vec3<Affine>& p, const Vec3<Affine>& q) {
+    return {either(p.x, q.x), either(p.y, q.y), either(p.z, q.z)};
+}
+
+/// In any order of the sum.
+inline Affine dot(const Vec3<Affine>& p, const Vec3<Affine>& q) {
+    return sum(p.x * q.x, p.y * q.y, p.z * q.z);
+}
 
 }  // namespace reference

@@ -39,6 +39,11 @@ bool has_right_inputs(const ItemId& id, const Evidence& evidence) {
     });
 }
 
+bool may_be_negative(const ItemTargets& float_key) {
+    const auto d = float_key.scalar(item::sphere::d);
+    return d && d->lo() < 0;
+}
+
 }  // namespace
 
 bool is_close_call(const MatchedItem& printed, const Evidence& evidence, double allowance) {
@@ -48,6 +53,9 @@ bool is_close_call(const MatchedItem& printed, const Evidence& evidence, double 
         return is_one_of(printed, results_of(id, known, evidence.scene, form), evidence, allowance).has_value();
     };
     if (may_be(evidence.key, QuadraticForm::full)) return true;
+    // A miss of the sphere need not follow from the printed discriminant: not every formula for t uses it.
+    const bool is_miss = id == item::sphere::t && printed.value->numbers.empty();
+    if (is_miss && std::any_of(evidence.float_keys.begin(), evidence.float_keys.end(), may_be_negative)) return true;
     if (!has_right_inputs(id, evidence)) return false;
     const bool possible = std::any_of(evidence.float_keys.begin(), evidence.float_keys.end(),
                                       [&](const ItemTargets& key) { return may_be(key, QuadraticForm::full); });

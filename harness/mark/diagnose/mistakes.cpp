@@ -11,11 +11,25 @@ ItemTargets with_own(const Evidence& evidence, Digits digits) {
     return known;
 }
 
+/// Whether the result is so far from the key's value that a printed value cannot be near both: else it names no
+/// mistake.
+bool tells_from_key(const Target& result, const Target& key, double allowance) {
+    if (result.no_value != key.no_value || result.components.size() != key.components.size()) return true;
+    for (std::size_t i = 0; i < result.components.size(); ++i) {
+        const Interval difference = result.components[i] - key.components[i];
+        if (difference.lo() > 2 * allowance || difference.hi() < -2 * allowance) return true;
+    }
+    return false;
+}
+
 std::optional<Agreement> explains(const Mistake& mistake, const MatchedItem& printed, const Evidence& evidence,
                                   double allowance) {
     for (const ItemTargets& known :
          {with_own(evidence, Digits::of_stream), with_own(evidence, Digits::as_printed), evidence.key}) {
-        const std::vector<Target> results = mistake.compute(known, evidence.scene);
+        std::vector<Target> results = mistake.compute(known, evidence.scene);
+        const auto key = evidence.key.targets().find(mistake.item);
+        if (key != evidence.key.targets().end())
+            std::erase_if(results, [&](const Target& r) { return !tells_from_key(r, key->second, allowance); });
         if (const auto agreement = is_one_of(printed, results, evidence, allowance)) return agreement;
     }
     return std::nullopt;

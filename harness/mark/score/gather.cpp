@@ -5,6 +5,7 @@
 
 #include "harness/mark/compare/key_targets.h"
 #include "harness/mark/diagnose/close_call.h"
+#include "reference/key/graded_allowance.h"
 
 namespace harness {
 namespace {
@@ -20,6 +21,16 @@ bool swallows_scene(const PrintedValue& value, const IntervalScene& scene) {
     const double largest = 0x1p24 * scene.size * scene.size;
     return std::any_of(value.numbers.begin(), value.numbers.end(),
                        [&](const PrintedNumber& number) { return std::abs(number.value) > largest; });
+}
+
+/// An axis, a direction and a triangle's normal have length 1 whatever they are made of.
+bool has_its_length(const ItemId& id, const MatchedItem& printed) {
+    const ItemId unit_vectors[] = {item::X_vcs, item::Y_vcs, item::Z_vcs, item::V, item::triangle::normal};
+    if (std::find(std::begin(unit_vectors), std::end(unit_vectors), id) == std::end(unit_vectors)) return true;
+    double square = 0;
+    for (std::size_t i = 0; i < 3 && i < printed.value->numbers.size(); ++i)
+        square += printed.value->numbers[i].value * printed.value->numbers[i].value;
+    return std::abs(std::sqrt(square) - 1) < 0.01;
 }
 
 class Gatherer {
@@ -91,9 +102,12 @@ Finding Gatherer::compare_with_key(const KeyItem& item, const MatchedItem& print
                                             allowance_of(item, rubric_), rubric_.min_decimals);
         if (!finding.error) finding.error = closeness.error;
         if (!closeness.within) continue;
+        const bool is_judged_by_number = reference::float_can_answer(answer);
+        if (!is_judged_by_number && !has_its_length(id, printed)) continue;
         finding.right = true;
         finding.accepted_as =
             is_of_negated_system ? negated_form().describe() : std::string(reference::reason(answer, key_));
+        if (!is_judged_by_number) finding.accepted_as = "float has too few digits for this answer here";
         finding.error = closeness.error;
         if (id == matrix) evidence_.system = SystemForm{};
         return finding;
@@ -203,7 +217,11 @@ const MatchedItem* readable(const std::vector<MatchedItem>& matched, const ItemI
 }
 
 double allowance_of(const KeyItem& item, const reference::Rubric& rubric) {
-    const std::vector<double> allowances = target_with_allowance(item, item.answers.front(), rubric).allowance;
+    constexpr double without_bound = 0.01;  // of the answer's size: what follows from a student's own numbers is near
+    const reference::Answer& answer = item.answers.front();
+    if (!reference::float_can_answer(answer))
+        return without_bound * reference::unit_of(std::get<reference::Numbers>(answer.value));
+    const std::vector<double> allowances = target_with_allowance(item, answer, rubric).allowance;
     return allowances.empty() ? 0.0 : *std::max_element(allowances.begin(), allowances.end());
 }
 

@@ -7,6 +7,7 @@
 #include "harness/mark/compare/key_targets.h"
 #include "harness/mark/diagnose/follow.h"
 #include "harness/mark/diagnose/mistakes.h"
+#include "reference/key/graded_allowance.h"
 
 namespace harness {
 namespace {
@@ -42,6 +43,7 @@ Judgement Judge::judge(const KeyItem& item, const Evidence& evidence) const {
     ItemScore& score = judgement.score;
     score.spec = item.spec;
     score.allowance = allowance_of(item, rubric_);
+    if (!reference::float_can_answer(item.answers.front())) score.allowance.reset();
     const auto printed = std::find_if(matched_.begin(), matched_.end(),
                                       [&](const MatchedItem& m) { return id_of(m.spec) == id_of(item.spec); });
     if (printed == matched_.end()) return judgement;
@@ -66,6 +68,7 @@ void Judge::judge_value(const KeyItem& item, const MatchedItem& printed, const E
     const ItemId id = id_of(item.spec);
     const Finding& finding = findings_.at(id);
     const bool is_empty = printed.value->numbers.empty();
+    const double allowance = allowance_of(item, rubric_);
     ItemScore& score = judgement.score;
     score.verdict = ItemVerdict::wrong;
     score.error = finding.error;
@@ -84,13 +87,13 @@ void Judge::judge_value(const KeyItem& item, const MatchedItem& printed, const E
         score.advice = "As far as it goes this is right, but it is rounded too much; print more decimals.";
         return;
     }
-    if (const auto agreement = follows(printed, evidence, score.allowance)) {
+    if (const auto agreement = follows(printed, evidence, allowance)) {
         score.verdict = ItemVerdict::follow;
         judgement.system = agreement->system;
         return;
     }
     if (id == matrix && !is_empty) {
-        judgement.system = multiplied_form(printed, evidence, score.allowance);
+        judgement.system = multiplied_form(printed, evidence, allowance);
         if (judgement.system) return accept(score, judgement.system->describe());
     }
     judgement.says_nothing = is_empty || is_nan(*printed.value);
@@ -99,7 +102,7 @@ void Judge::judge_value(const KeyItem& item, const MatchedItem& printed, const E
         without_this = evidence;
         learn(without_this, judgement);
     }
-    const auto found = find_mistake(printed, judgement.says_nothing ? without_this : evidence, score.allowance);
+    const auto found = find_mistake(printed, judgement.says_nothing ? without_this : evidence, allowance);
     if (!found) return;
     score.diagnosis = found->mistake->name;
     score.advice = found->mistake->advice;

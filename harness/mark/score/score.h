@@ -47,12 +47,13 @@ struct ItemScore {
     int line = 0;                 ///< of the output, 1-based; 0 when nothing was printed
     int last_line = 0;            ///< of the output; not kept by the gradebook
     std::optional<double> error;  ///< the largest distance of a component from the key; empty when there is none
-    double allowance = 0;         ///< how far a component may be off, besides its rounding
-    std::string accepted_as;      ///< why another form or reading is right; empty for the canonical one
-    std::string diagnosis;        ///< the mistake's name, e.g. "far root"; empty when unknown
-    std::string advice;           ///< one sentence about the mistake; never the expected value
-    std::optional<Doubt> doubt;   ///< of the reading; only if the item is not right
-    std::string reread;           ///< who says where it stands, and why; empty if nobody does
+    std::optional<double> allowance = 0;  ///< how far a component may be off, besides its rounding; empty where float
+                                          ///< can't answer (reference/key/graded_allowance.h)
+    std::string accepted_as;              ///< why another form or reading is right; empty for the canonical one
+    std::string diagnosis;                ///< the mistake's name, e.g. "far root"; empty when unknown
+    std::string advice;                   ///< one sentence about the mistake; never the expected value
+    std::optional<Doubt> doubt;           ///< of the reading; only if the item is not right
+    std::string reread;                   ///< who says where it stands, and why; empty if nobody does
     // How the value was read. `printed` alone does not tell: "none (d < 0)" contains a number.
     bool no_value = false;    ///< read as "none"
     bool not_finite = false;  ///< its numbers include nan or inf

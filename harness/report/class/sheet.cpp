@@ -80,7 +80,8 @@ std::string why_of(const ItemScore& item, Outcome outcome) {
     std::string why = item_sentence(item, outcome);
     if (!item.diagnosis.empty()) why += fmt::format(" ({})", item.diagnosis);
     const bool off = item.error && item.verdict != ItemVerdict::right;
-    if (off) why += fmt::format(" Off by {:.3g}; {:.2g} is allowed.", *item.error, item.allowance);
+    if (off) why += fmt::format(" Off by {:.3g}", *item.error);
+    if (off) why += item.allowance ? fmt::format("; {:.2g} is allowed.", *item.allowance) : ".";
     return why;
 }
 

@@ -75,7 +75,7 @@ ordered_json item_json(const Graded& graded, const QuestionScore& question, cons
     fields.add("line", item.line == 0 ? ordered_json(nullptr) : ordered_json(item.line));
     fields.add("expected", expected.of(item.spec));
     fields.add("error", item.error ? ordered_json(*item.error) : ordered_json(nullptr));
-    fields.add("allowance", item.allowance);
+    fields.add("allowance", item.allowance ? ordered_json(*item.allowance) : ordered_json(nullptr));
     fields.add("accepted_as", or_null(item.accepted_as));
     fields.add("diagnosis", or_null(item.diagnosis));
     fields.add("automatic_points", tidy(item.points));

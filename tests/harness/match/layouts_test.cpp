@@ -167,8 +167,8 @@ std::string unjust_verdicts(const Score& score, const Program& wrong, const Prog
             const bool is_verdict = item.spec.shape == reference::Shape::verdict;
             const bool same =
                 is_verdict ? wrong.verdict() == right.verdict() : wrong.values().at(id) == right.values().at(id);
-            const bool different =
-                !is_verdict && differs_clearly(wrong.values().at(id), right.values().at(id), item.allowance);
+            const bool different = !is_verdict && differs_clearly(wrong.values().at(id), right.values().at(id),
+                                                                  item.allowance.value_or(0));
             std::string fair = "right or follow";
             const bool no_value = !is_verdict && (!wrong.values().at(id) || !right.values().at(id));
             if (id == mistake)
@@ -182,7 +182,7 @@ std::string unjust_verdicts(const Score& score, const Program& wrong, const Prog
             if (fair.find(to_string(item.verdict)) != std::string::npos) continue;
             text += fmt::format("{}.{} is {}, not {}: {} (accepted as '{}', allowance {})\n", question.number,
                                 item.spec.name, to_string(item.verdict), fair, item.printed, item.accepted_as,
-                                item.allowance);
+                                item.allowance.value_or(0));
         }
     }
     return text;

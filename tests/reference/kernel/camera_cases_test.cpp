@@ -6,6 +6,7 @@
 #include <string>
 
 #include "reference/key/certified_answers.h"
+#include "reference/stages/scene_numbers.h"
 
 namespace {
 
@@ -33,7 +34,8 @@ ReadingAnswers answers(const Camera<Decimal>& camera, const Window<Decimal>& win
                        Pixel pixel = {0, 0}, const std::vector<Triangle<Decimal>>& triangles = {}) {
     Assignment assignment;
     assignment.scene = {camera, window, pixel, {}, triangles};
-    return certified_answers(assignment, {PixelConvention::centre, Boundary::nonnegative});
+    CorrectPrograms programs(rational_scene(assignment.scene));
+    return certified_answers(programs, {PixelConvention::centre, Boundary::nonnegative});
 }
 
 void expect(const ReadingAnswers& run, const ItemId& id, const std::vector<double>& quoted, double within) {
@@ -76,7 +78,7 @@ TEST(HardCases, H54_VupNearlyParallelToTheView) {
 TEST(HardCases, H56_FarEye) {
     const ReadingAnswers one = answers(camera({"1e8", "0", "100000001"}, {"1e8", "0", "1e8"}, {"0", "1", "0"}));
     expect(one, {2, "Z_vcs"}, {0, 0, 1}, 0);
-    EXPECT_EQ(one.answers.at({2, "Z_vcs"}).allowance_from, Arithmetic::double_);
+    EXPECT_FALSE(std::isfinite(one.answers.at({2, "Z_vcs"}).allowance[0]));  // float cannot tell eye from lookat
     expect(answers(camera({"16777217", "0", "0"}, {"16777216", "0", "0"}, {"0", "1", "0"})), {2, "Z_vcs"}, {1, 0, 0},
            0);
 }

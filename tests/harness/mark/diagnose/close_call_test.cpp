@@ -38,10 +38,18 @@ TEST(CloseCall, AcceptsBothDecisionsForATangent) {
     }
 }
 
-TEST(CloseCall, DoesNotApplyAgainstTheStudentsOwnDiscriminant) {
+TEST(CloseCall, AcceptsAMissBesideAPositiveDiscriminant) {
+    // The root may come from the ray's point nearest to the center, which does not use d.
     const student::Marking marking = student::scene_named("barely hit");
     std::string output = with_line(right_output(marking), 6, "d", "0.000004");
     output = with_line(output, 6, "t", "no hit");
+    EXPECT_EQ(verdict_on(mark(output, marking), {6, "t"}), "right");
+}
+
+TEST(CloseCall, DoesNotAcceptARootAgainstTheStudentsOwnDiscriminant) {
+    const student::Marking marking = student::scene_named("barely missed");
+    std::string output = with_line(right_output(marking), 6, "d", "-0.000004");
+    output = with_line(output, 6, "t", "4.999500");
     EXPECT_EQ(verdict_on(mark(output, marking), {6, "t"}), "wrong");
 }
 

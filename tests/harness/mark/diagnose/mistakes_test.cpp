@@ -120,5 +120,22 @@ TEST(Misconceptions, AreNotNamedForArbitraryNumbers) {
     }
 }
 
+TEST(Misconceptions, AreNotNamedWhereTheAllowanceIsAsWideAsTheirEffect) {
+    student::Marking marking = student::off_axis_scene();
+    const ItemId normal = reference::item::sphere::normal;
+    std::string output = with_line(print(Program(marking.assignment, {})), 7, "Sphere normal", "(0, 0, -1)");
+    EXPECT_EQ(item_of(mark(output, marking), normal).diagnosis, "") << "neither the normal nor its opposite";
+    // With 1.2 for each component, (0, 0, -1) is near the opposite of the normal, which marking could hardly tell from
+    // it.
+    for (auto& question : marking.key.questions) {
+        for (auto& item : question.items) {
+            if (id_of(item.spec) == normal) item.answers.front().allowance = {1.2, 1.2, 1.2};
+        }
+    }
+    const Score score = mark(output, marking);
+    EXPECT_EQ(verdict_on(score, normal), "wrong");
+    EXPECT_EQ(item_of(score, normal).diagnosis, "");
+}
+
 }  // namespace
 }  // namespace harness

@@ -85,7 +85,7 @@ TEST(UndeservedMarks, AreNotEarnedByPrintingFewDigits) {
     for (const QuestionScore& question : score.questions) {
         for (const ItemScore& item : question.items) {
             if (item.verdict != ItemVerdict::right || item.spec.shape == reference::Shape::verdict) continue;
-            EXPECT_LE(item.error.value_or(0), 0.005 + item.allowance)
+            EXPECT_LE(item.error.value_or(0), 0.005 + item.allowance.value_or(0))
                 << question.number << item.spec.name << item.printed;
         }
     }

@@ -1,0 +1,45 @@
+// A correct program loses no mark: whatever formulas it uses, whatever it computes in, whatever flags it is compiled
+// under, and whatever the scene.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "tests/given/printed_values.h"
+#include "tests/harness/mark/correct_programs/graded.h"
+#include "tests/harness/mark/correct_programs/scenes.h"
+
+namespace {
+
+using namespace correct;
+
+class CorrectPrograms : public testing::TestWithParam<std::string_view> {};
+
+TEST_P(CorrectPrograms, LoseNoMark) {
+    const std::uint64_t scenes = std::getenv("RAYGRADE_NIGHTLY") != nullptr ? 200 : 3;
+    std::vector<student::Marking> markings;
+    for (std::uint64_t seed = 0; seed < scenes; ++seed) {
+        const reference::Assignment assignment = scene_of(GetParam(), seed);
+        markings.push_back({assignment, make_key(assignment, reference::Precision::certified)});
+    }
+    std::uint64_t seed = 0;
+    for (const std::string_view flags : flag_sets) {
+        std::vector<Task> tasks;
+        for (const student::Marking& marking : markings) {
+            for (int i = 0; i < 4; ++i) tasks.push_back({&marking.assignment.scene, random_program(seed++)});
+        }
+        const std::vector<std::string> printed = printouts(flags, tasks);
+        for (std::size_t i = 0; i < tasks.size(); ++i) {
+            const student::Marking& marking = markings[i / 4];
+            for (const Loss& loss : losses(mark(printed[i], marking))) {
+                if (loss.not_finite) continue;
+                ADD_FAILURE() << marking.assignment.name << ", " << flags << ", " << tasks[i].program.describe() << "\n"
+                              << loss.text;
+            }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, CorrectPrograms, testing::ValuesIn(kinds),
+                         [](const auto& kind) { return std::string(kind.param); });
+
+}  // namespace
