@@ -7,8 +7,10 @@
 #include <sys/stat.h>
 
 #include <cerrno>
+#include <chrono>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
@@ -60,6 +62,16 @@ void bring_up_to_date(SQLite::Database& database) {
     transaction.commit();
 }
 
+/// What a server had started when it ended may hold its lock for a moment longer.
+bool take_lock(const FileDescriptor& file) {
+    constexpr std::chrono::milliseconds patience(2000), step(20);
+    for (std::chrono::milliseconds waited(0); waited < patience; waited += step) {
+        if (flock(file.get(), LOCK_EX | LOCK_NB) == 0) return true;
+        std::this_thread::sleep_for(step);
+    }
+    return false;
+}
+
 }  // namespace
 
 FileDescriptor take_spool_folder(const fs::path& folder) {
@@ -77,7 +89,7 @@ FileDescriptor take_spool_folder(const fs::path& folder) {
         throw HarnessError(fmt::format("Could not write in {}: {}. Name another folder with --state.",
                                        in_quotes(folder), std::generic_category().message(errno)));
     }
-    if (flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
+    if (!take_lock(file)) {
         throw HarnessError(
             fmt::format("Another raygrade serve uses {}. Stop it first, or give this one a folder and a port of its "
                         "own with --state and --port.",
