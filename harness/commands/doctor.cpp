@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "harness/commands/subcommand.h"
+#include "reference/kernel/self_test.h"
 
 namespace harness {
 namespace {
@@ -26,8 +27,16 @@ std::string indented(const std::string& text) {
     return result;
 }
 
+/// What every decision and every mark counts on.
+Finding arithmetic() {
+    const std::string trouble = reference::kernel::arithmetic_trouble();
+    if (trouble.empty()) return {"arithmetic", Finding::Level::good, "known hard decisions come out right", ""};
+    return {"arithmetic", Finding::Level::bad, trouble, "build raygrade as README says"};
+}
+
 int tell_findings() {
-    const std::vector<Finding> findings = examine_machine();
+    std::vector<Finding> findings = examine_machine();
+    findings.push_back(arithmetic());
     for (const Finding& finding : findings) {
         fmt::print("{:<8} {}: {}\n", mark(finding.level), finding.what, indented(finding.detail));
         if (!finding.way_out.empty()) fmt::print("{:<8} -> {}\n", "", finding.way_out);

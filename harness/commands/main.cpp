@@ -21,6 +21,7 @@
 #include "harness/run/limits.h"
 #include "harness/text/escape.h"
 #include "harness/text/near_names.h"
+#include "reference/kernel/self_test.h"
 
 namespace {
 
@@ -78,7 +79,11 @@ int run(int argc, char** argv) {
     }
     const auto chosen =
         std::find_if(commands.begin(), commands.end(), [](const Subcommand& command) { return command.app->parsed(); });
-    return chosen == commands.end() ? usage : chosen->run();
+    if (chosen == commands.end()) return usage;
+    const std::string trouble = reference::kernel::arithmetic_trouble();
+    if (!trouble.empty() && chosen->app->get_name() != "doctor")
+        throw HarnessError("This program's arithmetic is not to be trusted. " + trouble);
+    return chosen->run();
 }
 
 /// Whether the machine refused memory or a thread.

@@ -100,9 +100,9 @@ auto operator-(const Fixed<n>& x, const Fixed<m>& y) {
 template <int n, int m>
 auto operator*(const Fixed<n>& x, const Fixed<m>& y) {
     Fixed<n + m> product;
-    if constexpr (product.words == 1) {
+    if constexpr (Fixed<n + m>::words == 1) {
         product.word_[0] = x.word_[0] * y.word_[0];
-    } else if constexpr (x.words == 1 && y.words == 1) {
+    } else if constexpr (Fixed<n>::words == 1 && Fixed<m>::words == 1) {
         const auto whole =
             static_cast<SignedTwoWords>(static_cast<std::int64_t>(x.word_[0])) * static_cast<std::int64_t>(y.word_[0]);
         product.word_[0] = static_cast<std::uint64_t>(whole);

@@ -200,6 +200,9 @@ struct HalfQuadratic {
     bool smaller_is_first() const { return sign_of(c) > 0 || (sign_of(c) == 0 && sign_of(h) < 0); }
 };
 
+template <class A, class H, class C>
+HalfQuadratic(A, H, C) -> HalfQuadratic<A, H, C>;
+
 template <class N>
 auto quadratic_of(const Whole<N>& whole, const Ray<double>& ray, const Sphere<double>& sphere) {
     const auto d = whole.direction(ray.direction);
@@ -222,6 +225,9 @@ struct Determinants {
     auto u() const { return dot(cross(s, d), q); }
     auto v() const { return dot(cross(d, s), p); }
 };
+
+template <class N, class E>
+Determinants(Point<N>, Point<E>, Point<E>, Point<E>) -> Determinants<N, E>;
 
 template <class N>
 auto determinants_of(const Whole<N>& whole, const Ray<double>& ray, const Triangle<double>& triangle) {

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <tuple>
 
 namespace reference {
 namespace {
@@ -166,7 +165,7 @@ Basis<Affine> basis(const Camera<Affine>& camera, int way) {
 
 Mat4<Affine> inverse_view(const Basis<Affine>& basis, const A3& eye, int way) {
     if (way == 0) return vcs_to_wcs(basis, eye);
-    const auto& [X, Y, Z] = basis;
+    const A3 &X = basis.X_vcs, &Y = basis.Y_vcs, &Z = basis.Z_vcs;
     const A3 moved(-dot(X, eye), -dot(Y, eye), -dot(Z, eye));
     if (way == 1) return vcs_to_wcs(basis, scaled(times(Mat3<Affine>(X, Y, Z), moved), Affine(-1)));
     const auto row = [&](int i) { return Vec4<Affine>(X[i], Y[i], Z[i], Affine()); };
@@ -197,7 +196,7 @@ std::vector<Quadratic<Affine>> quadratics(const A3& start, const A3& V, const Sp
     const A3 from_center = start - sphere.center;
     const Affine b = Affine(2) * dot(V, from_center);
     const Affine& radius = sphere.radius;
-    const auto& [x, y, z] = std::tie(from_center.x, from_center.y, from_center.z);
+    const Affine &x = from_center.x, &y = from_center.y, &z = from_center.z;
     const Affine square = radius * radius;
     const std::function<Affine()> ways_to_c[] = {
         [&] { return sum(x * x, y * y, z * z, -square); },

@@ -9,6 +9,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "reference/numbers/arithmetic.h"
+
 #ifndef GLM_FORCE_XYZW_ONLY
 #error "Define GLM_FORCE_XYZW_ONLY for the whole project: GLM's unions refuse scalars that are classes."
 #endif

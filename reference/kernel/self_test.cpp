@@ -1,0 +1,122 @@
+#include "reference/kernel/self_test.h"
+
+#include <cmath>
+#include <limits>
+
+#include "reference/kernel/sphere.h"
+#include "reference/kernel/triangle.h"
+
+namespace reference::kernel {
+namespace {
+
+/// x, which the compiler can't know.
+double unknown(double x) {
+    volatile double kept = x;
+    return kept;
+}
+
+bool rounds_to_nearest() {
+    const double one = unknown(1), little = unknown(0x1p-60);
+    return one + little == 1 && one - little == 1 && -one - little == -1;
+}
+
+bool keeps_subnormals() {
+    const double smallest = unknown(std::numeric_limits<double>::min());
+    const double half = smallest / unknown(2);
+    return half > 0 && half + half == smallest &&
+           unknown(std::numeric_limits<double>::denorm_min()) * unknown(0x1p60) > 0;
+}
+
+/// Knuth's two-sum finds what a rounding left out, unless terms are reordered.
+bool keeps_the_order_of_sums() {
+    const double a = unknown(1), b = unknown(0x1p-60);
+    const double total = a + b;
+    const double of_b = total - a;
+    return (a - (total - of_b)) + (b - of_b) == 0x1p-60;
+}
+
+/// Each quotient is the double nearest to the true one: what it leaves is at most half a unit.
+bool divides_exactly() {
+    const double divisor = unknown(49);
+    bool all = true;
+    for (int i = 1; i <= 50; ++i) {
+        const double quotient = i / divisor;
+        const double half = std::ldexp(0.5, std::ilogb(quotient) - 52);
+        all = all && std::abs(std::fma(-quotient, divisor, i)) <= half * divisor;
+    }
+    return all;
+}
+
+/// splitmix64 (Steele, Lea and Flood, 2014).
+std::uint64_t bits_of(std::uint64_t& state) {
+    std::uint64_t z = (state += 0x9e3779b97f4a7c15U);
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31U);
+}
+
+int whole(std::uint64_t& state, int size) {
+    return static_cast<int>(bits_of(state) % static_cast<std::uint64_t>(2 * size + 1)) - size;
+}
+
+struct Whole3 {
+    long long x, y, z;
+    Vec3<double> times(double unit) const {
+        return {static_cast<double>(x) * unit, static_cast<double>(y) * unit, static_cast<double>(z) * unit};
+    }
+};
+
+Whole3 point(std::uint64_t& state, int size) {
+    const int x = whole(state, size), y = whole(state, size), z = whole(state, size);
+    return {x, y, z};
+}
+
+}  // namespace
+
+NarrowCase narrow_case(std::uint64_t seed) {
+    std::uint64_t state = seed;
+    const double unit = std::ldexp(1.0, whole(state, 40));
+    const int steps = 1 + std::abs(whole(state, 1000));
+    const Whole3 start = point(state, 100000), A = point(state, 100000), edge = point(state, 30000);
+    // A point of the edge from A to B, or a step beside it: the ray goes through it at t = 1.
+    const int share = 1 + std::abs(whole(state, 6));
+    const Whole3 B{A.x + 7 * edge.x, A.y + 7 * edge.y, A.z + 7 * edge.z};
+    const Whole3 on_edge{A.x + share * edge.x, A.y + share * edge.y, A.z + share * edge.z};
+    const Whole3 beside = point(state, steps % 3 == 0 ? 1 : 0);
+    const Whole3 direction{on_edge.x + beside.x - start.x, on_edge.y + beside.y - start.y,
+                           on_edge.z + beside.z - start.z};
+    // The ray comes nearest to the sphere's center at t = 1, at a distance that is its radius up to a double's last
+    // place.
+    const Whole3 across{direction.y, -direction.x, 0};
+    const Whole3 center{start.x + direction.x + across.x, start.y + direction.y + across.y,
+                        start.z + direction.z + across.z};
+    const double distance = std::sqrt(static_cast<double>(across.x * across.x + across.y * across.y));
+    const double radius = distance * (1 + whole(state, 1) * std::numeric_limits<double>::epsilon());
+    return {{start.times(unit), direction.times(unit)},
+            {center.times(unit), (radius > 0 ? radius : 1) * unit},
+            {A.times(unit), B.times(unit), point(state, 100000).times(unit)}};
+}
+
+std::uint64_t hash_of_decisions(std::uint64_t cases) {
+    std::uint64_t hash = no_decision;
+    for (std::uint64_t seed = 0; seed < cases; ++seed) {
+        const auto [ray, sphere, triangle] = narrow_case(seed);
+        hash = hashed(hash, static_cast<int>(decide(ray, sphere)));
+        hash = hashed(hash, static_cast<int>(decide(ray, triangle)));
+    }
+    return hash;
+}
+
+std::string arithmetic_trouble() {
+    if (!rounds_to_nearest()) return "Doubles are not rounded to nearest: another rounding mode is set.";
+    if (!keeps_subnormals()) {
+        return "The smallest doubles become zero: something that was compiled with -ffast-math is linked or loaded.";
+    }
+    if (!keeps_the_order_of_sums() || !divides_exactly())
+        return "Sums or quotients are not computed as written: compile raygrade without -ffast-math and its parts.";
+    if (hash_of_decisions(self_test_cases) != self_test_hash)
+        return "Known decisions come out wrong: this program is damaged, or was compiled with flags it can't bear.";
+    return "";
+}
+
+}  // namespace reference::kernel
