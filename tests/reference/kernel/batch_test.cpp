@@ -77,7 +77,7 @@ void check_batch(Random& random, const Ray<double>& given, const Object& object)
 
 TEST(Batch, GivesWhatSingleRaysGive) {
     for (const auto& distribution : accuracy::sphere_distributions()) {
-        for_seeds(distribution.name, "max_success=60", [&](std::uint64_t seed) {
+        for_seeds(distribution.name, 60, [&](std::uint64_t seed) {
             const accuracy::SphereCase c = distribution.make(seed);
             Random random(seed + 7);
             check_batch<float>(random, c.ray, object_of<float>(c.sphere));
@@ -85,7 +85,7 @@ TEST(Batch, GivesWhatSingleRaysGive) {
         });
     }
     for (const auto& distribution : accuracy::triangle_distributions()) {
-        for_seeds(distribution.name, "max_success=60", [&](std::uint64_t seed) {
+        for_seeds(distribution.name, 60, [&](std::uint64_t seed) {
             const accuracy::TriangleCase c = distribution.make(seed);
             Random random(seed + 7);
             check_batch<float>(random, c.ray, object_of<float>(c.triangle));

@@ -16,7 +16,7 @@ using namespace any_precision;
 using reference::accuracy::P;
 using reference::accuracy::Random;
 
-constexpr const char* rays_in_ci = "max_success=5000";
+constexpr int rays_in_ci = 5000;
 
 SphereResult true_result(const Ray<double>& ray, const Sphere<double>& sphere) {
     const bool valid = is_valid(ray) && is_finite(sphere.center) && std::isfinite(sphere.radius) && sphere.radius > 0;
@@ -164,7 +164,7 @@ struct Spread {
 };
 
 TEST(Levels, AgreeAtEachSizeOfTheExactLevel) {
-    for_seeds("spread", "max_success=5000", [](std::uint64_t seed) {
+    for_seeds("spread", 5000, [](std::uint64_t seed) {
         const Spread c(seed);
         check_levels(c.ray, c.sphere);
         check_levels(c.ray, c.triangle);
@@ -176,7 +176,7 @@ TEST(Levels, AgreeAtEachSizeOfTheExactLevel) {
 /// A hit at a slant of 2^-45 to 1 and at a distance of 2^-45 to 1 times the direction. Whether it is a hit is decided
 /// at a coarser level than its t.
 TEST(Levels, DecideShallowRaysAndRaysFromNearThePlane) {
-    for_seeds("shallow or near", "max_success=20000", [](std::uint64_t seed) {
+    for_seeds("shallow or near", 20000, [](std::uint64_t seed) {
         Random random(seed);
         const Triangle<double> triangle{random.point(4), random.point(4), random.point(4)};
         const P p = triangle.B - triangle.A;
@@ -191,7 +191,7 @@ TEST(Levels, DecideShallowRaysAndRaysFromNearThePlane) {
 /// A triangle through the point where the ray meets the sphere, shifted by 2^-52 to 2^-20 of the ray's way.
 TEST(Levels, OrderATriangleAlmostWhereTheSphereIsHit) {
     const auto benign = accuracy::sphere_distributions().front();
-    for_seeds("almost together", "max_success=20000", [&](std::uint64_t seed) {
+    for_seeds("almost together", 20000, [&](std::uint64_t seed) {
         const accuracy::SphereCase c = benign.make(seed);
         Random random(seed + 1);
         const double t = intersect(c.ray, c.sphere).t * (1 + random.number() * std::exp2(-random.whole(20, 52)));

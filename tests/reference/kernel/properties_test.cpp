@@ -9,6 +9,7 @@
 #include "reference/accuracy/rays/distributions.h"
 #include "reference/accuracy/rays/truth.h"
 #include "reference/kernel/first.h"
+#include "tests/reference/kernel/any_precision.h"
 
 namespace {
 
@@ -18,16 +19,15 @@ namespace truth = reference::accuracy::truth;
 using namespace reference::kernel;
 
 /// Rays per distribution, unless RC_PARAMS says otherwise.
-constexpr const char* rays_in_ci = "max_success=20000";
+constexpr int rays_in_ci = 20000;
 
 template <class Case>
 class Kernel : public testing::TestWithParam<accuracy::Distribution<Case>> {
   protected:
     template <class Check>
     void check_all(Check check) {
-        setenv("RC_PARAMS", rays_in_ci, 0);
-        const auto seeds = rc::gen::noShrink(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()));
-        EXPECT_TRUE(rc::check(std::string(this->GetParam().name), [&] { check(this->GetParam().make(*seeds)); }));
+        any_precision::for_seeds(this->GetParam().name, rays_in_ci,
+                                 [&](std::uint64_t seed) { check(this->GetParam().make(seed)); });
     }
 };
 

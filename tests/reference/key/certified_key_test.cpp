@@ -136,4 +136,49 @@ TEST(CertifiedKey, WritesEnclosuresIn17DigitsThatReadBackAsTheSameDoubles) {
     EXPECT_FALSE(json.contains("notes"));
 }
 
+/// The 2021 camera and window, with these lines of the window and these objects.
+AnswerKey key_of_scene(const std::string& window, const std::string& objects, const std::string& rubric = "") {
+    const std::string toml = R"(
+[camera]
+eye = [0, 0, 4]
+lookat = [0, 0, 0]
+vup = [0, 1, 0]
+[window]
+clip_left = -2
+clip_right = 2
+clip_bottom = -1
+clip_top = 1
+clip_near = 2
+)" + window + "\n" + objects +
+                             "\n[rubric]\n" + rubric;
+    return make_key(parse_assignment(toml, "scene.toml"), Precision::certified);
+}
+
+constexpr const char* middle_pixel = "width = 301\nheight = 201\npixel = [150, 100]";
+
+TEST(CertifiedKey, HasAHitOnTheEdgeFromBToC) {
+    // The ray runs down the z axis, through the middle of the edge from (2, -2, 0) to (-2, 2, 0): u = v = 1/2.
+    const AnswerKey key = key_of_scene(middle_pixel, "[[triangle]]\nvertices = [[-2, -2, 0], [2, -2, 0], [-2, 2, 0]]");
+    expect_item(key, 8, "u", {0.5}, true);
+    expect_item(key, 8, "v", {0.5}, true);
+    EXPECT_EQ(key.decisions.triangle, "hit");
+}
+
+TEST(CertifiedKey, ComparesATriangleWithTheFarRoot) {
+    // The ray starts in the sphere, at (0, 0, 2), and leaves it at z = -1, t = 3.
+    const std::string sphere = "[[sphere]]\ncenter = [0, 0, 1]\nradius = 2\n[[triangle]]\nvertices = ";
+    const auto first = [&](const std::string& z) {
+        return key_of_scene(middle_pixel, sphere + "[[-9, -9, " + z + "], [9, -9, " + z + "], [0, 9, " + z + "]]")
+            .decisions.first;
+    };
+    EXPECT_EQ(first("-1"), "tie");
+    EXPECT_EQ(first("-0.99999999999999999999"), "triangle");
+    EXPECT_EQ(first("-1.00000000000000000001"), "sphere");
+}
+
+TEST(CertifiedKey, PutsAGridOfOnePixelInTheMiddle) {
+    const AnswerKey key = key_of_scene("width = 1\nheight = 3\npixel = [0, 2]", "", "pixel_conventions = [\"grid\"]");
+    expect_item(key, 1, "P_VCS", {0, 1, -2}, true);
+}
+
 }  // namespace

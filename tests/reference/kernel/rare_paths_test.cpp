@@ -1,0 +1,53 @@
+// Rays that take a path of the kernel which random rays hardly ever take, made for it by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "reference/kernel/first.h"
+
+namespace reference::kernel {
+namespace {
+
+using P = Vec3<double>;
+
+// c = |S|² + |C|² - 2 S.C - R² with S = (2, p, 0), C = (2^-300, 0, 0) and R = 2 is p² - 2^-298 + 2^-600. No whole
+// number of bits holds all of it. With p² = 1.125 2^-299 the ray starts inside; with S.C in place of 2 S.C it would
+// start outside and point away.
+TEST(RarePath, CountsTheMixedTermOfCTwice) {
+    const P start(2, 0x1.8p-150, 0);
+    for (const double scale : {1.0, 0x1p-40, 0x1p60}) {
+        const Ray<double> ray{scaled(start, scale), P(1, 0, 0)};
+        const Sphere<double> sphere{P(0x1p-300 * scale, 0, 0), 2 * scale};
+        EXPECT_EQ(decide(ray, sphere), SphereResult::hit) << scale;
+        // From the other side of the center, every term has the other sign but p²: outside.
+        const Ray<double> other{scaled(P(-2, start.y, 0), scale), P(-1, 0, 0)};
+        EXPECT_EQ(decide(other, sphere), SphereResult::miss) << scale;
+    }
+}
+
+// x² + y² - R² = -1 for x = 2^47, y = 2^24, R = 2^47 + 1: a ray along z cuts the sphere at z = 1 and -1, and loses the
+// discriminant 4 among squares of 2^106 even in double-double.
+TEST(RarePath, FindsTheRootWhereDoubleDoubleLosesTheDiscriminant) {
+    for (const double z : {0x1p52 + 12345, 0x1p52 + 1, 0x1p51 + 0.5}) {
+        const Ray<double> ray{P(0x1p47, 0x1p24, z), P(0, 0, -1)};
+        const SphereHit hit = intersect(ray, Sphere<double>{P(0, 0, 0), 0x1p47 + 1});
+        EXPECT_EQ(hit.result, SphereResult::hit) << z;
+        EXPECT_EQ(hit.t, z - 1) << z;
+    }
+}
+
+TEST(RarePath, ComparesATriangleWithTheFarRoot) {
+    const Ray<double> ray{P(0, 0, 0), P(0, 0, -2)};
+    const Sphere<double> sphere{P(0, 0, -1), 4};
+    const auto first = [&](double z) {
+        return first_of(ray, sphere, Triangle<double>{P(-9, -9, z), P(9, -9, z), P(0, 9, z)}).kind;
+    };
+    EXPECT_EQ(first(-5), First::Kind::tie) << "from inside, the sphere is met at z = -5";
+    EXPECT_EQ(first(std::nextafter(-5.0, 0)), First::Kind::triangle);
+    EXPECT_EQ(first(std::nextafter(-5.0, -9)), First::Kind::sphere);
+    EXPECT_EQ(order_exactly(ray, sphere, Triangle<double>{P(-9, -9, -5), P(9, -9, -5), P(0, 9, -5)}),
+              std::partial_ordering::equivalent);
+}
+
+}  // namespace
+}  // namespace reference::kernel
