@@ -5,7 +5,6 @@
 #ifndef GLM_ENABLE_EXPERIMENTAL
 #define GLM_ENABLE_EXPERIMENTAL
 #endif
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtx/intersect.hpp>
@@ -98,11 +97,12 @@ Hit<S> half_b_with_epsilon(const Ray<S>& ray, const Sphere<S>& sphere) {
     const S b = dot(f, ray.direction);
     const S c = dot(f, f) - sphere.radius * sphere.radius;
     const S D = b * b - a * c;
-    const S root = std::sqrt(std::max(D, S(0)));
-    const S near = (-b - root) / a;
-    const S far = (root - b) / a;
-    const S first = near >= -epsilon ? near : far;
-    return {(static_cast<int>(D >= -epsilon) & static_cast<int>(first >= -epsilon)) != 0, first};
+    const S root = std::sqrt(std::abs(D));
+    const S near = -b - root;
+    const S far = root - b;
+    const S least = -epsilon * a;
+    const S first = near >= least ? near : far;
+    return {(static_cast<int>(D >= -epsilon) & static_cast<int>(first >= least)) != 0, first / a};
 }
 
 /// The roots of a t² + 2bt + c without subtracting nearly equal numbers: q = -b - sign(b) √D, then q/a and c/q. Press
