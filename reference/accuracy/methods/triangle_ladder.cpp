@@ -36,14 +36,12 @@ using Methods = std::vector<Method<TriangleProblem>>;
 
 /// Adds a method in float and in double, each with and without the preparation in its time.
 template <template <class> class Prepared, class F>
-void add_preparing(Methods& methods, const std::string& kernel, const std::string& source, F find,
-                   Certain certain = Certain::no) {
-    add_both(
-        methods, kernel, source,
-        [find]<class T>(const Ray<T>& ray, const Triangle<T>& triangle) { return find(ray, Prepared<T>(triangle)); },
-        certain);
-    methods.push_back(prepared_method<float, Prepared<float>>({kernel, "float", source}, find, certain));
-    methods.push_back(prepared_method<double, Prepared<double>>({kernel, "double", source}, find, certain));
+void add_preparing(Methods& methods, const std::string& kernel, const std::string& source, F find) {
+    add_both(methods, kernel, source, [find]<class T>(const Ray<T>& ray, const Triangle<T>& triangle) {
+        return find(ray, Prepared<T>(triangle));
+    });
+    methods.push_back(prepared_method<float, Prepared<float>>({kernel, "float", source}, find, Certain::no));
+    methods.push_back(prepared_method<double, Prepared<double>>({kernel, "double", source}, find, Certain::no));
 }
 
 void add_textbooks(Methods& methods) {
@@ -95,20 +93,26 @@ void add_papers(Methods& methods) {
         [](const TriangleCase& c) { return interval_filtered(c.ray, c.triangle); }, Certain::yes));
 }
 
+template <class F>
+void add_certified(Methods& methods, const std::string& kernel, const std::string& source, F find) {
+    add_both(methods, kernel, source, find, Certain::yes);
+    methods.push_back(
+        prepared_method<float, kernel::PreparedTriangle<float>>({kernel, "float", source}, find, Certain::yes));
+    methods.push_back(
+        prepared_method<double, kernel::PreparedTriangle<double>>({kernel, "double", source}, find, Certain::yes));
+}
+
 void add_certified(Methods& methods) {
-    add_preparing<kernel::PreparedTriangle>(
-        methods, "certified decision", "this project: an error filter, then whole numbers",
-        [](const auto& ray, const auto& triangle) {
-            return kernel::decide(ray, triangle) == kernel::TriangleResult::hit;
-        },
-        Certain::yes);
-    add_preparing<kernel::PreparedTriangle>(
-        methods, "certified with t", "this project: t to 2^-26, a quarter of a unit in the last place of float",
-        [](const auto& ray, const auto& triangle) {
-            const auto found = kernel::intersect_to_float(ray, triangle);
-            return Hit<double>{found.result == kernel::TriangleResult::hit, found.t};
-        },
-        Certain::yes);
+    add_certified(methods, "certified decision", "this project: an error filter, then whole numbers",
+                  [](const auto& ray, const auto& triangle) {
+                      return kernel::decide(ray, triangle) == kernel::TriangleResult::hit;
+                  });
+    add_certified(methods, "certified with t",
+                  "this project: t to 2^-26, a quarter of a unit in the last place of float",
+                  [](const auto& ray, const auto& triangle) {
+                      const auto found = kernel::intersect_to_float(ray, triangle);
+                      return Hit<double>{found.result == kernel::TriangleResult::hit, found.t};
+                  });
     methods.push_back(method<double, TriangleProblem>(
         {"certified to the last place", "double", "this project: t, u, v to one unit in the last place of double"},
         [](const TriangleCase& c) {
