@@ -31,18 +31,15 @@ std::vector<Contestant> contestants_of(const Measurement& measured) {
         for (const MethodSummary& method : summary.methods) {
             if (!(method.ns > 0)) continue;  // not measured on benign rays
             all.push_back({{summary.primitive, method.scalar, method.gives_t, method.prepared, false, "", ""},
-                           method_name(method.kernel, method.scalar),
+                           method.kernel,
                            method.certain,
                            {method.ns_low, method.ns, method.ns_high},
                            method.latency});
         }
     }
     for (const BlockRow& row : measured.blocks) {
-        all.push_back({{row.primitive, row.scalar, row.gives_t, false, true, "", ""},
-                       method_name(row.kernel, row.scalar),
-                       row.certain,
-                       row.ns,
-                       {}});
+        all.push_back(
+            {{row.primitive, row.scalar, row.gives_t, false, true, "", ""}, row.kernel, row.certain, row.ns, {}});
     }
     return all;
 }

@@ -17,7 +17,7 @@ struct Price {
     bool gives_t = true;    ///< t as well, not the decision alone
     bool prepared = false;  ///< without the time for what depends on the object alone
     bool in_vectors = false;
-    std::string certain;
+    std::string certain;  ///< the methods' names, without the scalar
     std::string rival;
     reference::accuracy::Quartiles ns{};
     reference::accuracy::Quartiles rival_ns{};

@@ -54,6 +54,9 @@ void add_textbooks(Methods& methods) {
         [](const auto& ray, const auto& triangle) { return cramer_branch_free(ray, triangle); });
     add_preparing<CramerTriangle>(methods, "Cramer decision", "the same without t, which needs no division",
                                   [](const auto& ray, const auto& triangle) { return cramer_decision(ray, triangle); });
+    methods.push_back(
+        method<double, TriangleProblem>({"Cramer in pairs", "double", "branch-free, two numbers in one register"},
+                                        [](const TriangleCase& c) { return cramer_in_pairs(c.ray, c.triangle); }));
     add_both(methods, "Möller-Trumbore",
              "Möller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997), without its epsilon",
              [](const auto& ray, const auto& triangle) { return moller_trumbore(ray, triangle); });

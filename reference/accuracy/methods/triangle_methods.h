@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "reference/accuracy/rays/hit.h"
+#include "reference/kernel/pair.h"
 
 namespace reference::accuracy {
 
@@ -82,6 +83,26 @@ Hit<S> cramer_branch_free(const Ray<S>& ray, const CramerTriangle<S>& triangle) 
 template <class S>
 bool cramer_decision(const Ray<S>& ray, const CramerTriangle<S>& triangle) {
     return cramer_branch_free(ray, triangle).hit;
+}
+
+/// Cramer's rule without a branch as this project's kernel computes it, two numbers in one register, but without
+/// bounds.
+template <class S>
+Hit<double> cramer_in_pairs(const Ray<S>& ray, const Triangle<S>& triangle) {
+    using kernel::Pair;
+    using kernel::PairVec3;
+    const PairVec3 p_s = PairVec3(triangle.B, ray.origin) - PairVec3(triangle.A, triangle.A);
+    const PairVec3 q_d = PairVec3(triangle.C, ray.direction) - PairVec3(triangle.A, Vec3<S>(0, 0, 0));
+    const PairVec3 side_normal = swapped(cross(p_s, q_d));
+    const Pair signed_det = dot(q_d, side_normal);
+    const auto towards = kernel::sign_of_second(signed_det);
+    const Pair v_minus_t = kernel::turned(dot(p_s, side_normal), towards);
+    const Pair minus_u_det = kernel::turned(signed_det, towards);
+    const Pair w = minus_u_det + kernel::swapped(minus_u_det) - v_minus_t;
+    const double least = kernel::lesser(kernel::lesser(-minus_u_det, v_minus_t), w)[0];
+    const int hit =
+        static_cast<int>(least >= 0) & static_cast<int>(v_minus_t[1] <= 0) & static_cast<int>(minus_u_det[1] > 0);
+    return {hit != 0, -v_minus_t[1] / minus_u_det[1]};
 }
 
 /// Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997), with its early exits; det is compared

@@ -41,8 +41,8 @@ TEST(Prices, CompareTheCertainMethodWithTheFastestThatRoundsInItsShape) {
                                         decision(row("sign", "double", 3)), prepared(row("ready", "double", 4)),
                                         certain(row("proven", "double", 12)), certain(row("careful", "double", 90))}));
     ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(found[0].certain, "proven double");
-    EXPECT_EQ(found[0].rival, "fast double");
+    EXPECT_EQ(found[0].certain, "proven");
+    EXPECT_EQ(found[0].rival, "fast");
     EXPECT_DOUBLE_EQ(found[0].times(), 1.5);
     EXPECT_DOUBLE_EQ(found[0].least_times(), 11.0 / 9);
     EXPECT_DOUBLE_EQ(found[0].most_times(), 13.0 / 7);
@@ -54,7 +54,7 @@ TEST(Prices, CompareAChainWithTheMethodThatIsFastestInIt) {
     quick_in_a_chain.latency = {12, 12, 12};
     const auto found =
         prices(measured({row("fast", "double", 8), quick_in_a_chain, certain(row("proven", "double", 12))}));
-    EXPECT_EQ(found.at(0).rival, "fast double");
+    EXPECT_EQ(found.at(0).rival, "fast");
     EXPECT_EQ(found.at(0).times_in_a_chain, 3);
 }
 
