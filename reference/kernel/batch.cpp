@@ -18,33 +18,34 @@ namespace {
 
 constexpr std::size_t block_size = 128;
 
-/// What the filter says about a block of rays. The words are as long as a double, so that comparisons stay in vector
-/// registers.
+/// What the filter says about a block of rays: 1 or 0. The words are as long as a double, so that comparisons stay in
+/// vector registers.
 struct Block {
     std::array<std::int64_t, block_size> known;
     std::array<std::int64_t, block_size> hit;
-    std::array<double, block_size> t;
 };
 
 enum class With { decision, t };
 
 template <With with>
-KERNEL_INLINE void fill(Block& block, std::size_t i, const SphereFilter& filter) {
-    block.known[i] = filter.is_known(with == With::t ? SphereFilter::margin_for_t : 1) ? 1 : 0;
-    block.hit[i] = filter.is_hit() ? 1 : 0;
-    if constexpr (with == With::t) block.t[i] = filter.is_hit() ? filter.root() : 0;
+KERNEL_INLINE bool is_known(const SphereFilter& filter) {
+    return filter.is_known(with == With::t ? SphereFilter::margin_for_t : 1);
 }
 template <With with>
-KERNEL_INLINE void fill(Block& block, std::size_t i, const TriangleFilter& filter) {
-    const bool known = with == With::t ? filter.is_known_with_t() : filter.is_known();
-    block.known[i] = known ? 1 : 0;
-    block.hit[i] = filter.is_hit() ? 1 : 0;
-    if constexpr (with == With::t) block.t[i] = filter.is_hit() ? filter.t() : 0;
+KERNEL_INLINE bool is_known(const TriangleFilter& filter) {
+    return with == With::t ? filter.is_known_with_t() : filter.is_known();
+}
+KERNEL_INLINE double t_of(const SphereFilter& filter) {
+    return filter.root();
+}
+KERNEL_INLINE double t_of(const TriangleFilter& filter) {
+    return filter.t();
 }
 
+/// Also writes t for each ray of the block.
 template <With with, class Filter, class T, class Object>
 KERNEL_INLINE void filter_block(const Rays<T>& rays, std::size_t from, std::size_t size, const Object& object,
-                                Block& block) {
+                                Block& __restrict block, double* __restrict t) {
     const T* const ox = rays.origin[0].data() + from;
     const T* const oy = rays.origin[1].data() + from;
     const T* const oz = rays.origin[2].data() + from;
@@ -52,7 +53,10 @@ KERNEL_INLINE void filter_block(const Rays<T>& rays, std::size_t from, std::size
     const T* const dy = rays.direction[1].data() + from;
     const T* const dz = rays.direction[2].data() + from;
     for (std::size_t i = 0; i < size; ++i) {
-        fill<with>(block, i, Filter(Ray<T>{Vec3<T>(ox[i], oy[i], oz[i]), Vec3<T>(dx[i], dy[i], dz[i])}, object));
+        const Filter filter(Ray<T>{Vec3<T>(ox[i], oy[i], oz[i]), Vec3<T>(dx[i], dy[i], dz[i])}, object);
+        block.known[i] = is_known<with>(filter) ? 1 : 0;
+        block.hit[i] = filter.is_hit() ? 1 : 0;
+        if constexpr (with == With::t) t[i] = filter.is_hit() ? t_of(filter) : 0;
     }
 }
 
@@ -72,13 +76,10 @@ KERNEL_INLINE void by_blocks(const Rays<T>& rays, const Object& object, Result* 
     for (std::size_t from = 0; from < rays.size(); from += block_size) {
         const std::size_t size = std::min(block_size, rays.size() - from);
         Block block;
-        filter_block<with, Filter>(rays, from, size, object, block);
+        filter_block<with, Filter>(rays, from, size, object, block, with == With::t ? t + from : nullptr);
         std::int64_t all_known = 1;
         for (std::size_t i = 0; i < size; ++i) all_known &= block.known[i];
-        for (std::size_t i = 0; i < size; ++i) {
-            results[from + i] = block.hit[i] != 0 ? Result::hit : Result::miss;
-            if constexpr (with == With::t) t[from + i] = block.t[i];
-        }
+        for (std::size_t i = 0; i < size; ++i) results[from + i] = block.hit[i] != 0 ? Result::hit : Result::miss;
         if (all_known != 0) continue;
         for (std::size_t i = 0; i < size; ++i) {
             if (block.known[i] != 0) continue;

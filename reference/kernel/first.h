@@ -44,9 +44,19 @@ std::partial_ordering order_exactly(const Ray<double>& ray, const Sphere<double>
 std::partial_ordering order_exactly(const Ray<float>& ray, const Sphere<float>& sphere,
                                     const Triangle<float>& triangle);
 
-/// Each t is known to a relative error of 2^-26, so a difference above 2^-24 of the smaller t decides the order.
 template <class T>
-KERNEL_INLINE FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, const PreparedTriangle<T>& triangle) {
+KERNEL_INLINE const Triangle<T>& corners_of(const Triangle<T>& triangle) {
+    return triangle;
+}
+template <class T>
+KERNEL_INLINE const Triangle<T>& corners_of(const PreparedTriangle<T>& triangle) {
+    return triangle.triangle;
+}
+
+/// `triangle` is a Triangle<T> or a PreparedTriangle<T>. Each t is known to a relative error of 2^-26, so a difference
+/// above 2^-24 of the smaller t decides the order.
+template <class T>
+KERNEL_INLINE FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, const auto& triangle) {
     const auto at_sphere = intersect_to_float(ray, sphere);
     const auto at_triangle = intersect_to_float(ray, triangle);
     if (at_sphere.result == SphereResult::invalid || at_triangle.result == TriangleResult::invalid) {
@@ -58,7 +68,7 @@ KERNEL_INLINE FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, cons
     const double difference = at_sphere.t - at_triangle.t;
     bool sphere_is_nearer = difference < 0;
     if (sphere_is_hit & triangle_is_hit & !(std::abs(difference) > slack)) [[unlikely]] {
-        const auto order = order_exactly(ray, sphere, triangle.triangle);
+        const auto order = order_exactly(ray, sphere, corners_of(triangle));
         if (order == 0) return {First::Kind::tie, at_sphere.t};
         sphere_is_nearer = order < 0;
     }
@@ -67,10 +77,6 @@ KERNEL_INLINE FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, cons
     const std::array kinds{First::Kind::none, First::Kind::triangle, First::Kind::sphere, First::Kind::sphere};
     const std::array ts{at_triangle.t, at_sphere.t};
     return {kinds[std::size_t{2} * sphere_is_first + triangle_is_hit], ts[sphere_is_first]};
-}
-template <class T>
-KERNEL_INLINE FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
-    return first_of(ray, sphere, PreparedTriangle<T>(triangle));
 }
 
 }  // namespace reference::kernel

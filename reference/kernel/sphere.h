@@ -59,7 +59,7 @@ struct SphereFilter {
     /// more, because h is known to 2^-51 √am and √D > 2^-10 √am. So t is known to 2^-27.
     double root() const {
         const double q = std::abs(h) + std::sqrt(std::abs(D));
-        const bool from_inside = (c < 0) & (h < 0);
+        const bool from_inside = (sign(c) & sign(h)) != 0;  // for h = -0 both forms give √D
         return (from_inside ? q : std::abs(c)) / (from_inside ? a : q);
     }
     static constexpr double margin_for_t = 0x1p28;
@@ -98,7 +98,7 @@ KERNEL_INLINE FloatHit<SphereResult> intersect_to_float(const Ray<T>& ray, const
         const SphereHit hit = intersect(ray, sphere);
         return {hit.result, hit.t};
     }
-    return {filter.is_hit() ? SphereResult::hit : SphereResult::miss, filter.root() * filter.is_hit()};
+    return {filter.is_hit() ? SphereResult::hit : SphereResult::miss, only_of_hit(filter.root(), filter.is_hit())};
 }
 
 }  // namespace reference::kernel

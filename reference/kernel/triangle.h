@@ -2,6 +2,7 @@
 // the few rays that the filter leaves open.
 #pragma once
 
+#include "reference/kernel/pair.h"
 #include "reference/kernel/ray.h"
 
 namespace reference::kernel {
@@ -14,7 +15,7 @@ struct PreparedTriangle {
     Vec3<double> p;  ///< B - A
     Vec3<double> q;  ///< C - A
     Vec3<double> normal;
-    double edges;  ///< |p|₁ + |q|₁
+    double edges;  ///< |p|₁ + |q|₁, for doubles + 2^-300
 
     KERNEL_INLINE explicit PreparedTriangle(const Triangle<T>& given)
         : triangle(given),
@@ -22,7 +23,7 @@ struct PreparedTriangle {
           p(Vec3<double>(given.B) - A),
           q(Vec3<double>(given.C) - A),
           normal(cross(p, q)),
-          edges(norm(p) + norm(q)) {}
+          edges(norm(p) + norm(q) + (std::is_same_v<T, double> ? 0x1p-300 : 0)) {}
 
     static double norm(const Vec3<double>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 };
@@ -34,14 +35,46 @@ struct PreparedTriangle {
 /// of three factors, off by at most 7u of the product of the factors' norms, and these three products add up to |V|₁en
 /// at most; W is off by 9u|V|₁en and T by 8ue²n. The bounds are 16u|V|₁en and 16ue²n, which also cover the rounding of
 /// the bounds themselves. Floats stay far inside the range of doubles. With doubles an underflow costs at most 2^-1072
-/// (|V|₁ + n + 1): k = 2^-300 added to |V|₁ and e covers that; and sizes beyond 2^300, where a product could overflow,
-/// make the bounds infinite. For a NaN, an infinity, a zero direction or a triangle without area, nothing is known.
+/// (|V|₁ + n + 1): k = 2^-300 added to |V|₁ and e, and so to n, covers that; and sizes beyond 2^300, where a product
+/// could overflow, make the bounds infinite. For a NaN, an infinity, a zero direction or a triangle without area,
+/// nothing is known.
 struct TriangleFilter {
     double det;
     double t_numerator;
     double inside;  ///< the least of u, v and w
     double error;
     double t_error;
+
+    /// For a triangle that serves one ray: the formulas of the other constructor, two at a time. The pairs are (p, s)
+    /// and (q, d), so their cross products are (p × q, s × d), and the products of the pairs with these, swapped, are
+    /// the numerators.
+    template <class T>
+    KERNEL_INLINE TriangleFilter(const Ray<T>& ray, const Triangle<T>& triangle) {
+        const PairVec3 p_s = PairVec3(triangle.B, ray.origin) - PairVec3(triangle.A, triangle.A);
+        const PairVec3 q_d = PairVec3(triangle.C, ray.direction) - PairVec3(triangle.A, Vec3<T>(0, 0, 0));
+        const PairVec3 side_normal = swapped(cross(p_s, q_d));
+        const Pair minus_u_det = dot(q_d, side_normal);
+        const PairBits towards = sign_of_second(minus_u_det);
+        const Pair v_minus_t = turned(dot(p_s, side_normal), towards);
+        const Pair minus_u_and_det = turned(minus_u_det, towards);
+        const Pair p_s_norms = norm(p_s);
+        const Pair w = minus_u_and_det + swapped(minus_u_and_det) - v_minus_t;  // in its first number
+        det = minus_u_and_det[1];
+        t_numerator = -v_minus_t[1];
+        inside = lesser(lesser(-minus_u_and_det, v_minus_t), w)[0];
+        constexpr double added = std::is_same_v<T, double> ? k : 0;
+        const Pair q_d_norms = norm(q_d) + Pair{added, added};
+        const Pair sums = p_s_norms + q_d_norms;
+        const double e = sums[0];
+        const double e_n = e * (e + swapped(p_s_norms)[0]);
+        const Pair errors = Pair{0x1p-49, 0x1p-49} * Pair{e_n, e_n} * Pair{q_d_norms[1], e};
+        error = errors[0];
+        t_error = errors[1];
+        if constexpr (std::is_same_v<T, double>) {
+            if (!(e + swapped(sums)[0] < 0x1p300)) [[unlikely]]
+                error = HUGE_VAL;
+        }
+    }
 
     template <class T>
     KERNEL_INLINE TriangleFilter(const Ray<T>& ray, const PreparedTriangle<T>& triangle) {
@@ -55,17 +88,13 @@ struct TriangleFilter {
         const double minus_u = towards * dot(side, triangle.q);
         const double v = towards * dot(side, triangle.p);
         inside = std::min(std::min(-minus_u, v), det + minus_u - v);
-        double e = triangle.edges;
-        double d_norm = triangle.norm(d);
+        const double e = triangle.edges;
+        const double d_norm = triangle.norm(d) + (std::is_same_v<T, double> ? k : 0);
         double n = e + triangle.norm(s);
         if constexpr (std::is_same_v<T, double>) {
-            constexpr double k = 0x1p-300;
-            e += k;
-            d_norm += k;
-            n += k;
             if (!(n + d_norm < 0x1p300)) n = HUGE_VAL;
         }
-        const double unit = 0x1p-49 * (e * n);
+        const double unit = (0x1p-49 * e) * n;  // in this order, for a loop over rays to compute the first product once
         error = unit * d_norm;
         t_error = unit * e;
     }
@@ -84,6 +113,7 @@ struct TriangleFilter {
     double t() const { return t_numerator / det; }
 
   private:
+    static constexpr double k = 0x1p-300;
     static std::uint64_t sign(double x) { return std::bit_cast<std::uint64_t>(x) >> 63U; }
 };
 
@@ -102,7 +132,10 @@ KERNEL_INLINE TriangleResult decide(const Ray<T>& ray, const PreparedTriangle<T>
 }
 template <class T>
 KERNEL_INLINE TriangleResult decide(const Ray<T>& ray, const Triangle<T>& triangle) {
-    return decide(ray, PreparedTriangle<T>(triangle));
+    const TriangleFilter filter(ray, triangle);
+    if (!filter.is_known()) [[unlikely]]
+        return decide_exactly(ray, triangle);
+    return filter.is_hit() ? TriangleResult::hit : TriangleResult::miss;
 }
 
 /// decide(), with t, u and v.
@@ -117,11 +150,16 @@ KERNEL_INLINE FloatHit<TriangleResult> intersect_to_float(const Ray<T>& ray, con
         const TriangleHit hit = intersect(ray, triangle.triangle);
         return {hit.result, hit.t};
     }
-    return {filter.is_hit() ? TriangleResult::hit : TriangleResult::miss, filter.t() * filter.is_hit()};
+    return {filter.is_hit() ? TriangleResult::hit : TriangleResult::miss, only_of_hit(filter.t(), filter.is_hit())};
 }
 template <class T>
 KERNEL_INLINE FloatHit<TriangleResult> intersect_to_float(const Ray<T>& ray, const Triangle<T>& triangle) {
-    return intersect_to_float(ray, PreparedTriangle<T>(triangle));
+    const TriangleFilter filter(ray, triangle);
+    if (!filter.is_known_with_t()) [[unlikely]] {
+        const TriangleHit hit = intersect(ray, triangle);
+        return {hit.result, hit.t};
+    }
+    return {filter.is_hit() ? TriangleResult::hit : TriangleResult::miss, only_of_hit(filter.t(), filter.is_hit())};
 }
 
 }  // namespace reference::kernel

@@ -1,19 +1,18 @@
 // mesh_bench [ROUNDS]: compares primary visibility of a closed mesh of 100,000 triangles on one core with Embree (Wald
 // and others, 2014), fast and robust, one ray at a time, with the same float rays for all. Also counts the rays from
 // inside, aimed at edges and vertices, that miss the closed mesh.
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdlib>
-#include <functional>
 #include <numbers>
 
 #include "reference/accuracy/rays/random_numbers.h"
 #include "reference/render/trace/visibility.h"
 #include "reference/toml/assignment.h"
+#include "tests/bench/contest.h"
+#include "tests/bench/embree.h"
 
 using namespace reference;
 using namespace reference::render;
@@ -89,48 +88,6 @@ Rays aimed_rays(const Mesh& mesh, Random& random) {
     return rays;
 }
 
-class Embree {
-  public:
-    Embree(const Mesh& mesh, RTCSceneFlags flags) : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_)) {
-        rtcSetSceneFlags(scene_, flags);
-        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* const vertices = static_cast<Point*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Point), mesh.vertices.size()));
-        std::copy(mesh.vertices.begin(), mesh.vertices.end(), vertices);
-        auto* const faces = static_cast<std::array<unsigned, 3>*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(mesh.faces[0]), mesh.faces.size()));
-        std::copy(mesh.faces.begin(), mesh.faces.end(), faces);
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene_, geometry);
-        rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene_);
-    }
-    ~Embree() {
-        rtcReleaseScene(scene_);
-        rtcReleaseDevice(device_);
-    }
-    Embree(const Embree&) = delete;
-    Embree& operator=(const Embree&) = delete;
-
-    std::size_t hits(const Rays& rays) const {
-        std::size_t count = 0;
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        for (const auto& [origin, direction] : rays) {
-            RTCRayHit hit{};
-            hit.ray = {origin.x, origin.y, origin.z, 0, direction.x, direction.y, direction.z, 0, HUGE_VALF, ~0U, 0, 0};
-            hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-            rtcIntersect1(scene_, &context, &hit);
-            count += hit.hit.geomID != RTC_INVALID_GEOMETRY_ID ? 1 : 0;
-        }
-        return count;
-    }
-
-  private:
-    RTCDevice device_;
-    RTCScene scene_;
-};
-
 std::size_t certified_hits(const PreparedScene& scene, const Rays& rays) {
     std::size_t count = 0;
     for (const auto& ray : rays) {
@@ -163,29 +120,21 @@ int main(int argc, char** argv) {
     const Rays rays = camera_rays(1000);
     const Rays aimed = aimed_rays(mesh, random);
     const PreparedScene scene = scene_of(mesh);
-    const Embree fast(mesh, RTC_SCENE_FLAG_NONE);
-    const Embree robust(mesh, RTC_SCENE_FLAG_ROBUST);
-    struct Way {
-        const char* name;
-        std::function<std::size_t(const Rays&)> hits;
-        std::vector<double> seconds;
-    };
-    std::array ways{Way{"certified", [&](const Rays& r) { return certified_hits(scene, r); }, {}},
-                    Way{"Embree, fast", [&](const Rays& r) { return fast.hits(r); }, {}},
-                    Way{"Embree, robust", [&](const Rays& r) { return robust.hits(r); }, {}}};
-    for (int round = 0; round < rounds; ++round) {
-        for (Way& way : ways) {
-            const auto start = std::chrono::steady_clock::now();
-            way.hits(rays);
-            way.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-        }
-    }
-    fmt::print("| {} triangles, one core | million rays/s | misses of {} at edges and vertices |\n|---|---:|---:|\n",
+    const Embree fast(mesh.vertices, mesh.faces, RTC_SCENE_FLAG_NONE);
+    const Embree robust(mesh.vertices, mesh.faces, RTC_SCENE_FLAG_ROBUST);
+    std::vector<Contestant> ways{{"certified", [&] { return certified_hits(scene, rays); }},
+                                 {"Embree, fast", [&] { return fast.hits(rays); }},
+                                 {"Embree, robust", [&] { return robust.hits(rays); }}};
+    contest(ways, rounds);
+    fmt::print("| {} triangles, one core | million rays/s | quartiles | misses of {} at edges and vertices |\n",
                mesh.faces.size(), aimed.size());
-    for (Way& way : ways) {
-        std::sort(way.seconds.begin(), way.seconds.end());
-        const double median = way.seconds[way.seconds.size() / 2];
-        fmt::print("| {} | {:.2f} | {} |\n", way.name, static_cast<double>(rays.size()) / median / 1e6,
-                   aimed.size() - way.hits(aimed));
+    fmt::print("|---|---:|---:|---:|\n");
+    const std::array aimed_hits{certified_hits(scene, aimed), fast.hits(aimed), robust.hits(aimed)};
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        const auto rate = [&](int quartile) {
+            return static_cast<double>(rays.size()) / ways[i].quartile(quartile) / 1e6;
+        };
+        fmt::print("| {} | {:.2f} | {:.2f}–{:.2f} | {} |\n", ways[i].name, rate(2), rate(3), rate(1),
+                   aimed.size() - aimed_hits[i]);
     }
 }

@@ -11,27 +11,7 @@ namespace harness::report {
 
 using namespace reference::accuracy;
 
-namespace {
-
-/// Breaks into lines of at most 110 characters, except for longer words; indents all lines but the first.
-std::string wrapped(const std::string& sentence) {
-    constexpr std::size_t most = 110;
-    std::string text;
-    std::string line;
-    for (std::size_t at = 0; at < sentence.size();) {
-        const std::size_t end = std::min(sentence.find(' ', at), sentence.size());
-        const std::string word = sentence.substr(at, end - at);
-        if (!line.empty() && line.size() + 1 + word.size() > most) {
-            text += line + "\n";
-            line = " ";
-        }
-        line += (line.empty() ? "" : " ") + word;
-        at = end + 1;
-    }
-    return text + line + "\n";
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::string assignment_text(const AssignmentAccuracy& assignment) {
     std::string text = fmt::format("{}\n\n", escape_control(assignment.title));

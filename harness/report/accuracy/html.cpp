@@ -1,7 +1,11 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "harness/report/accuracy/assignment.h"
 #include "harness/report/accuracy/panels.h"
+#include "harness/report/accuracy/price.h"
 #include "harness/report/accuracy/report.h"
 #include "harness/report/plot/numbers.h"
 #include "harness/text/markup.h"
@@ -23,6 +27,13 @@ a { color: #0062a0; }
 figure { margin: 0.5rem 0 1rem; }
 .pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 26rem), 1fr)); gap: 0.5rem;
   align-items: start; }
+.row { display: grid; grid-template-columns: repeat(3, minmax(0, 1fr)); gap: 0.5rem; align-items: start;
+  width: min(97vw, 100rem); margin-left: 50%; transform: translateX(-50%); }
+.row .picture svg { min-width: 0; max-width: none; }
+@media (max-width: 62rem) { .row { grid-template-columns: minmax(0, 1fr); width: auto; margin: 0; transform: none; } }
+.price { font-size: 1.2rem; font-weight: bold; }
+.bar { display: block; height: 0.5rem; background: #0062a0; }
+.bar.rounds { background: #b34700; }
 .picture { overflow-x: auto; }
 .picture svg { display: block; width: 100%; min-width: 24rem; max-width: 42rem; height: auto; }
 .wide { overflow-x: auto; }
@@ -41,6 +52,7 @@ nav ul { columns: 14rem; column-gap: 2rem; padding-left: 1.2rem; }
   body { max-width: none; padding: 0; }
   nav { display: none; }
   .pair { grid-template-columns: 1fr 1fr; }
+  .row { width: auto; margin: 0; transform: none; grid-template-columns: repeat(3, minmax(0, 1fr)); }
   .picture svg { min-width: 0; }
   .picture, .wide { overflow: visible; }
   table { font-size: 8pt; }
@@ -62,8 +74,9 @@ constexpr const char* reading_aid = R"(
 <section id="reading">
 <h2>How to read the pictures</h2>
 <ul>
-<li>Each mark is a method, with its name beside it: a circle computes in float, a square in double, a diamond in something
-else.</li>
+<li>Each mark is a method: a circle computes in float, a square in double, a diamond in something else. In a picture of more
+than 24 methods those on the frontier are named, and the fastest of each kind (of one precision, with t or without, prepared
+or not, certain or not); the others are pale, and their tooltips name them.</li>
 <li>Wrong means a hit taken for a miss, a miss for a hit, or the wrong order of two hits. A mark in the green band made no
 wrong decision at all; its height within the band means nothing: the fastest is on top.</li>
 <li>The stepped line is the frontier. No other method beats a method on it, in bold, in both at once; whatever lies above
@@ -82,12 +95,47 @@ std::string picture(const Scatter& scatter) {
     return "<div class=\"picture\">\n" + draw(scatter).svg + "</div>\n";
 }
 
+std::string bar(double ns, double most, const char* kind) {
+    return fmt::format("<span class=\"{}\" style=\"width: {:.2f}rem\"></span>", kind, 10 * ns / most);
+}
+
+std::string price_section(const std::vector<Price>& all) {
+    if (all.empty()) return "";
+    std::string html =
+        "<section id=\"price\">\n<h2>What certainty costs</h2>\n<p>Each line compares the certain method with the "
+        "fastest formula that rounds and does the same: from numbers of the same precision, with t or the decision "
+        "alone, "
+        "with the object prepared beforehand or not, ray by ray or many rays of one object in vector instructions. "
+        "In a chain, each ray waits for the answer before it.</p>\n<div class=\"wide\"><table>\n<thead><tr><th "
+        "scope=\"col\">what</th><th scope=\"col\">certain, ns</th><th scope=\"col\">rounding, ns</th><th "
+        "scope=\"col\" class=\"words\">fastest that rounds</th><th scope=\"col\">times (quartiles)</th><th "
+        "scope=\"col\">in a chain</th><th scope=\"col\" class=\"words\">certain above, rounding "
+        "below</th></tr></thead>\n<tbody>\n";
+    double most = 0;
+    for (const Price& price : all) most = std::max(most, price.ns.median);
+    for (const Price& price : all) {
+        html += fmt::format(
+            "<tr><th scope=\"row\">{}: {}</th><td>{}</td><td>{}</td><td class=\"words\">{}</td><td>{:.2f} "
+            "({:.2f}–{:.2f})</td><td>{}</td><td class=\"words\">{}{}</td></tr>\n",
+            name_of(price.primitive), escape_markup(shape_text(price)), three_digits(price.ns.median),
+            three_digits(price.rival_ns.median), escape_markup(price.rival), price.times(), price.least_times(),
+            price.most_times(), price.times_in_a_chain ? fmt::format("{:.2f}", *price.times_in_a_chain) : "–",
+            bar(price.ns.median, most, "bar"), bar(price.rival_ns.median, most, "bar rounds"));
+    }
+    return html + "</tbody></table></div>\n</section>\n";
+}
+
 std::string summary_section(const std::vector<PrimitiveSummary>& summaries) {
-    std::string html = "<section id=\"summary\">\n<h2>At a glance</h2>\n<figure>\n<div class=\"pair\">\n";
+    std::string html = "<section id=\"summary\">\n<h2>At a glance</h2>\n<figure>\n<div class=\"row\">\n";
     for (const PrimitiveSummary& summary : summaries) html += picture(summary_scatter(summary));
-    return html +
-           "</div>\n<figcaption class=\"facts\">Time on benign rays against wrong decisions on all hard ones "
-           "together.</figcaption>\n</figure>\n</section>\n";
+    html +=
+        "</div>\n<figcaption class=\"facts\">Time on benign rays against wrong decisions per million hard rays: the "
+        "mean of the sets that aim at what rounding gets wrong, all of one size. ";
+    for (const PrimitiveSummary& summary : summaries) {
+        html += fmt::format("{}: {}. ", title_of(summary.primitive),
+                            escape_markup(fmt::format("{}", fmt::join(summary.hard, ", "))));
+    }
+    return html + "Each set's own rate is in the last table.</figcaption>\n</figure>\n</section>\n";
 }
 
 std::string panel_id(std::size_t index) {
@@ -142,25 +190,31 @@ std::string panel_sections(const std::vector<Panel>& panels) {
 std::string methods_section(const std::vector<PrimitiveSummary>& summaries) {
     std::string html =
         "<section id=\"methods\">\n<h2>The methods and where they are from</h2>\n<p>Time and error of t (mean, in "
-        "units in "
-        "the last place of float) are those of benign rays, wrong decisions those of hard ones. Bold: on the frontier "
-        "of "
-        "the first picture.</p>\n";
+        "units in the last place of float) are those of benign rays; in a chain each ray waits for the answer before "
+        "it. "
+        "Wrong decisions are per million hard rays: the mean of all sets, then each set. Bold: on the frontier of the "
+        "first "
+        "picture.</p>\n";
     for (const PrimitiveSummary& summary : summaries) {
         html += fmt::format(
             "<h3>{}</h3>\n<div class=\"wide\"><table>\n<thead><tr><th scope=\"col\">method</th><th "
-            "scope=\"col\">ns</th>"
-            "<th scope=\"col\">t off, ULP</th><th scope=\"col\">wrong per million</th><th scope=\"col\" "
-            "class=\"words\">worst on</th><th scope=\"col\" class=\"words\">source</th></tr></thead>\n<tbody>\n",
+            "scope=\"col\">ns</th><th scope=\"col\">in a chain, ns</th>"
+            "<th scope=\"col\">t off, ULP</th><th scope=\"col\">wrong per million</th>",
             title_of(summary.primitive));
+        for (const std::string& set : summary.hard) {
+            html += fmt::format("<th scope=\"col\">{}</th>", escape_markup(set));
+        }
+        html += "<th scope=\"col\" class=\"words\">source</th></tr></thead>\n<tbody>\n";
         for (const MethodSummary& method : summary.methods) {
-            html += fmt::format(
-                "<tr{}><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td class=\"words\">{}</td><td "
-                "class=\"words\">{}</td></tr>\n",
-                method.pareto_wrong ? " class=\"frontier\"" : "",
-                escape_markup(method_name(method.kernel, method.scalar)), three_digits(method.ns),
-                method.error ? error_text(*method.error) : "–", rate_text(method.wrong_per_million),
-                escape_markup(method.worst_set), escape_markup(method.source));
+            html += fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
+                                method.pareto_wrong ? " class=\"frontier\"" : "",
+                                escape_markup(method_name(method.kernel, method.scalar)), three_digits(method.ns),
+                                method.latency ? three_digits(*method.latency) : "–",
+                                method.error ? error_text(*method.error) : "–", rate_text(method.wrong_per_million));
+            if (!summary.hard.empty()) {
+                for (const double rate : method.per_set) html += fmt::format("<td>{}</td>", rate_text(rate));
+            }
+            html += fmt::format("<td class=\"words\">{}</td></tr>\n", escape_markup(method.source));
         }
         html += "</tbody></table></div>\n";
     }
@@ -187,9 +241,14 @@ std::string accuracy_html(const AccuracyFindings& findings) {
         "charset=\"utf-8\"/>\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
         "<title>What accuracy costs in time</title>\n<style>{}</style>\n</head>\n<body>\n<header>\n"
-        "<h1>What accuracy costs in time</h1>\n{}</header>\n<main>\n",
-        style, introduction);
-    html += summary_section(summaries) + run_facts(measured) + reading_aid;
+        "<h1>What accuracy costs in time</h1>\n",
+        style);
+    const std::vector<Price> all = prices(measured);
+    if (const std::string sentence = price_sentence(all); !sentence.empty()) {
+        html += fmt::format("<p class=\"price\">{}</p>\n", escape_markup(sentence));
+    }
+    html += fmt::format("{}</header>\n<main>\n", introduction);
+    html += price_section(all) + summary_section(summaries) + run_facts(measured) + reading_aid;
     if (findings.assignment) html += assignment_html(*findings.assignment);
     html += contents(panels) + panel_sections(panels) + methods_section(summaries);
     return html + "</main>\n</body>\n</html>\n";

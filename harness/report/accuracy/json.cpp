@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "harness/report/accuracy/price.h"
 #include "harness/report/accuracy/report.h"
 #include "harness/text/escape.h"
 
@@ -31,7 +32,42 @@ ordered_json row_json(const Row& row) {
             {"p99_ulp", ulp(&TError::p99_ulp)},
             {"mean_ulp", ulp(&TError::mean_ulp)},
             {"pareto", row.pareto_wrong},
-            {"pareto_error", row.pareto_error}};
+            {"pareto_error", row.pareto_error},
+            {"gives_t", row.gives_t},
+            {"prepared", row.prepared},
+            {"certain", row.certain},
+            {"latency_ns", row.latency ? ordered_json(row.latency->median) : ordered_json(nullptr)}};
+}
+
+ordered_json block_json(const BlockRow& row) {
+    return {{"primitive", name_of(row.primitive)},
+            {"kernel", escape_control(row.kernel)},
+            {"scalar", escape_control(row.scalar)},
+            {"source", escape_control(row.source)},
+            {"gives_t", row.gives_t},
+            {"certain", row.certain},
+            {"rays", row.rays},
+            {"wrong", row.wrong},
+            {"ns_per_ray", row.ns.median},
+            {"ns_low", row.ns.low},
+            {"ns_high", row.ns.high}};
+}
+
+ordered_json price_json(const Price& price) {
+    return {
+        {"primitive", name_of(price.primitive)},
+        {"scalar", escape_control(price.scalar)},
+        {"gives_t", price.gives_t},
+        {"prepared", price.prepared},
+        {"in_vectors", price.in_vectors},
+        {"certain", escape_control(price.certain)},
+        {"rival", escape_control(price.rival)},
+        {"ns", price.ns.median},
+        {"rival_ns", price.rival_ns.median},
+        {"times", price.times()},
+        {"times_low", price.least_times()},
+        {"times_high", price.most_times()},
+        {"times_in_a_chain", price.times_in_a_chain ? ordered_json(*price.times_in_a_chain) : ordered_json(nullptr)}};
 }
 
 ordered_json item_json(const ItemAccuracy& item) {
@@ -89,6 +125,10 @@ std::string accuracy_json(const AccuracyFindings& findings) {
         json["processor"] = escape_control(measured->processor);
         json["rows"] = ordered_json::array();
         for (const Row& row : measured->rows) json["rows"].push_back(row_json(row));
+        json["blocks"] = ordered_json::array();
+        for (const BlockRow& row : measured->blocks) json["blocks"].push_back(block_json(row));
+        json["prices"] = ordered_json::array();
+        for (const Price& price : prices(*measured)) json["prices"].push_back(price_json(price));
     }
     if (findings.assignment) json["assignment"] = assignment_json(*findings.assignment);
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";

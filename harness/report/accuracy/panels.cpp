@@ -33,12 +33,37 @@ void set_wrong_scale(Scatter& scatter, double rays) {
     scatter.ceiling = million;
 }
 
+const MethodSummary& entry_of(const MethodSummary& method) {
+    return method;
+}
+const Row& entry_of(const Row* row) {
+    return *row;
+}
+
+constexpr std::size_t most_names = 24;  ///< more would crowd a picture
+
+/// Whether no other method of the same scalar, answers, preparation and certainty is faster.
+template <class Methods, class Time>
+bool is_fastest_of_its_kind(const Methods& methods, const auto& one, Time time) {
+    return std::none_of(methods.begin(), methods.end(), [&](const auto& entry) {
+        const auto& other = entry_of(entry);
+        const bool same = other.scalar == one.scalar && other.gives_t == one.gives_t &&
+                          other.prepared == one.prepared && other.certain == one.certain;
+        return same && time(other) < time(one);
+    });
+}
+
 std::string frontier_names(const Scatter& scatter) {
     std::string names;
     for (const ScatterPoint& point : scatter.points) {
         if (point.on_frontier) names += (names.empty() ? "" : "; ") + point.told;
     }
     return names.empty() ? "" : " On the frontier: " + names;
+}
+
+bool is_named(const Panel& panel, const Row& row, bool on_frontier) {
+    return panel.rows.size() <= most_names || on_frontier ||
+           is_fastest_of_its_kind(panel.rows, row, [](const Row& other) { return other.ns_per_ray; });
 }
 
 std::string interval_text(double low, double high) {
@@ -76,12 +101,15 @@ Scatter summary_scatter(const PrimitiveSummary& summary) {
         const std::string worst = method.worst_set.empty() ? ""
                                                            : fmt::format("; worst on {}: {}", method.worst_set,
                                                                          rate_text(method.worst_per_million));
-        scatter.points.push_back({name,
-                                  fmt::format("{}: {}, {} wrong per million hard rays ({}){}", name,
-                                              time_text(method.ns), rate_text(method.wrong_per_million),
-                                              interval_text(method.wrong_low, method.wrong_high), worst),
-                                  mark_of(method.scalar), method.ns, method.ns_low, method.ns_high,
-                                  method.wrong_per_million, method.wrong_low, method.wrong_high, method.pareto_wrong});
+        scatter.points.push_back(
+            {name,
+             fmt::format("{}: {}, {} wrong per million hard rays ({}){}", name, time_text(method.ns),
+                         rate_text(method.wrong_per_million), interval_text(method.wrong_low, method.wrong_high),
+                         worst),
+             mark_of(method.scalar), method.ns, method.ns_low, method.ns_high, method.wrong_per_million,
+             method.wrong_low, method.wrong_high, method.pareto_wrong,
+             summary.methods.size() <= most_names || method.pareto_wrong ||
+                 is_fastest_of_its_kind(summary.methods, method, [](const MethodSummary& other) { return other.ns; })});
         rays = std::max(rays, static_cast<double>(method.rays));
     }
     set_wrong_scale(scatter, rays);
@@ -110,7 +138,7 @@ Scatter wrong_scatter(const Panel& panel, const std::string& id) {
              fmt::format("{}: {}, {} wrong per million ({})", name, time_text(row->ns_per_ray),
                          rate_text(row->wrong_per_million), interval_text(row->wrong_low, row->wrong_high)),
              mark_of(row->scalar), row->ns_per_ray, row->ns_low, row->ns_high, row->wrong_per_million, row->wrong_low,
-             row->wrong_high, row->pareto_wrong});
+             row->wrong_high, row->pareto_wrong, is_named(panel, *row, row->pareto_wrong)});
         rays = std::max(rays, static_cast<double>(row->rays));
     }
     set_wrong_scale(scatter, rays);
@@ -141,7 +169,8 @@ Scatter error_scatter(const Panel& panel, const std::string& id) {
             {name,
              fmt::format("{}: {}, mean error {} ULP, 99 % below {}, at most {}", name, time_text(row->ns_per_ray),
                          error_text(error), error_text(row->t_error->p99_ulp), error_text(row->t_error->max_ulp)),
-             mark_of(row->scalar), row->ns_per_ray, row->ns_low, row->ns_high, error, error, error, row->pareto_error});
+             mark_of(row->scalar), row->ns_per_ray, row->ns_low, row->ns_high, error, error, error, row->pareto_error,
+             is_named(panel, *row, row->pareto_error)});
         if (error >= least_shown) least = std::min(least, error);
     }
     scatter.least = decade_below(least);

@@ -60,4 +60,21 @@ std::string error_cell(const reference::accuracy::ItemError& error) {
     return error.otherwise ? "decided otherwise" : error_text(error.ulp);
 }
 
+std::string wrapped(const std::string& sentence) {
+    constexpr std::size_t most = 110;
+    std::string text;
+    std::string line;
+    for (std::size_t at = 0; at < sentence.size();) {
+        const std::size_t end = std::min(sentence.find(' ', at), sentence.size());
+        const std::string word = sentence.substr(at, end - at);
+        if (!line.empty() && line.size() + 1 + word.size() > most) {
+            text += line + "\n";
+            line = " ";
+        }
+        line += (line.empty() ? "" : " ") + word;
+        at = end + 1;
+    }
+    return text + line + "\n";
+}
+
 }  // namespace harness::report

@@ -1,4 +1,4 @@
-// Sentences about an assignment that the text and the page share.
+// Sentences about an assignment that the text and the page share, and how they break into lines.
 #pragma once
 
 #include <string>
@@ -18,5 +18,8 @@ std::string decisions_summary(const std::vector<reference::accuracy::Decision>& 
 
 /// "0.4", in ULP, or "decided otherwise".
 std::string error_cell(const reference::accuracy::ItemError& error);
+
+/// Breaks into lines of at most 110 characters, except for longer words; indents all lines but the first.
+std::string wrapped(const std::string& sentence);
 
 }  // namespace harness::report

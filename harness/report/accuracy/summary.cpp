@@ -30,7 +30,12 @@ MethodSummary summary_of(const Row& method, const PrimitiveSummary& primitive, c
     summary.kernel = method.kernel;
     summary.scalar = method.scalar;
     summary.source = method.source;
+    summary.gives_t = method.gives_t;
+    summary.prepared = method.prepared;
+    summary.certain = method.certain;
     double timed = 0;
+    double chained = 0;
+    double latency = 0;
     double with_t = 0;
     double error = 0;
     for (const Row& row : rows) {
@@ -41,12 +46,17 @@ MethodSummary summary_of(const Row& method, const PrimitiveSummary& primitive, c
             summary.ns += row.ns_per_ray;
             summary.ns_low += row.ns_low;
             summary.ns_high += row.ns_high;
+            if (row.latency) {
+                chained += 1;
+                latency += row.latency->median;
+            }
             if (row.t_error) {
                 with_t += 1;
                 error += row.t_error->mean_ulp;
             }
         }
         if (!row.hard && !primitive.hard.empty()) continue;
+        summary.per_set.push_back(row.wrong_per_million);
         summary.rays += row.rays;
         summary.wrong += row.wrong;
         if (row.wrong_per_million <= summary.worst_per_million) continue;
@@ -54,6 +64,7 @@ MethodSummary summary_of(const Row& method, const PrimitiveSummary& primitive, c
         summary.worst_set = row.distribution;
     }
     for (double* ns : {&summary.ns, &summary.ns_low, &summary.ns_high}) *ns /= std::max(timed, 1.0);
+    if (chained > 0) summary.latency = latency / chained;
     if (with_t > 0) summary.error = error / with_t;
     set_interval(summary);
     return summary;

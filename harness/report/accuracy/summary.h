@@ -21,6 +21,11 @@ struct MethodSummary {
     double worst_per_million = 0;
     std::optional<double> error{};  ///< mean error of t on the benign distributions, in ULP of float
     bool pareto_wrong = false;      ///< no method here is both faster and less often wrong
+    bool gives_t = true;
+    bool prepared = false;
+    bool certain = false;
+    std::optional<double> latency{};  ///< ns, mean over the benign distributions
+    std::vector<double> per_set{};    ///< wrong decisions per million, one number per hard distribution
 };
 
 struct PrimitiveSummary {

@@ -1,10 +1,13 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "harness/report/accuracy/assignment.h"
 #include "harness/report/accuracy/panels.h"
+#include "harness/report/accuracy/price.h"
 #include "harness/report/accuracy/report.h"
+#include "harness/report/accuracy/sentences.h"
 #include "harness/report/plot/numbers.h"
 #include "harness/text/escape.h"
 
@@ -30,8 +33,13 @@ std::string summary_table(const PrimitiveSummary& summary) {
     std::vector<std::string> names;
     for (const MethodSummary& method : summary.methods) names.push_back(shown_name(method.kernel, method.scalar));
     const std::size_t width = name_width(names);
-    std::string text = fmt::format("{}: {} benign and {} hard distributions\n\n", title_of(summary.primitive),
+    std::string text = fmt::format("{}: {} benign and {} hard distributions\n", title_of(summary.primitive),
                                    summary.benign.size(), summary.hard.size());
+    if (!summary.hard.empty()) {
+        text += wrapped("wrong per million: the mean of " +
+                        escape_control(fmt::format("{}", fmt::join(summary.hard, ", "))));
+    }
+    text += "\n";
     text += fmt::format("  {:<{}}  {:>9}  {:>12}  {:>13}\n", "", width, "benign", "benign", "hard: wrong");
     text += fmt::format("  {:<{}}  {:>9}  {:>12}  {:>13}  {}\n", "method", width, "ns/ray", "t off, ULP", "per million",
                         "worst set");
@@ -69,11 +77,27 @@ std::string panel_table(const Panel& panel) {
     return text + "\n";
 }
 
+std::string price_table(const std::vector<Price>& all) {
+    if (all.empty()) return "";
+    std::string text = wrapped(price_sentence(all)) + "\n";
+    text += fmt::format("  {:<40}  {:>7}  {:>8}  {:<28}  {:>5}  {:>9}  {:>5}\n", "what", "certain", "rounding",
+                        "fastest that rounds", "times", "quartiles", "chain");
+    for (const Price& price : all) {
+        text += fmt::format("  {:<40}  {:>7}  {:>8}  {:<28}  {:>5.2f}  {:>9}  {:>5}\n",
+                            name_of(price.primitive) + ": " + shape_text(price), three_digits(price.ns.median),
+                            three_digits(price.rival_ns.median), escape_control(price.rival), price.times(),
+                            fmt::format("{:.2f}–{:.2f}", price.least_times(), price.most_times()),
+                            price.times_in_a_chain ? fmt::format("{:.2f}", *price.times_in_a_chain) : "-");
+    }
+    return text + "\n";
+}
+
 std::string measured_text(const Measurement& measured) {
     std::string text = fmt::format("seed {}, {} rays of each distribution, {} interleaved repetitions{}\n{}, {}\n",
                                    measured.seed, measured.rays, measured.repetitions,
                                    measured.processor.empty() ? "" : ", " + escape_control(measured.processor),
                                    escape_control(measured.compiler), escape_control(measured.flags));
+    text += price_table(prices(measured));
     text += "* no method measured here is at once faster and less often wrong; `t off`: mean error of right hits\n\n";
     for (const PrimitiveSummary& summary : summarise(measured)) text += summary_table(summary);
     for (const Panel& panel : panels_of(measured)) text += panel_table(panel);

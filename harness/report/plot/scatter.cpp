@@ -103,8 +103,9 @@ std::string draw_points(const Scatter& scatter, const Layout& layout) {
         for (const Segment& bar : layout.bars[i])
             bars += line(bar, fmt::format("class=\"interval\" stroke=\"{}\" stroke-opacity=\"0.45\"", colour));
         marks += fmt::format(
-            "<g class=\"point\" fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"1\"><title>{}</title>{}</g>\n", colour,
-            escape_markup(point.told), shape(point.mark, layout.spots[i]));
+            "<g class=\"point\" fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"1\"{}><title>{}</title>{}</g>\n", colour,
+            point.is_named ? "" : " fill-opacity=\"0.4\"", escape_markup(point.told),
+            shape(point.mark, layout.spots[i]));
     }
     return bars + marks;
 }
@@ -114,9 +115,10 @@ std::string draw_names(const Scatter& scatter, const Layout& layout) {
     constexpr double baseline = 3.5;  // above the box's bottom
     std::string leaders;
     std::string names;
-    for (std::size_t i = 0; i < scatter.points.size(); ++i) {
+    for (std::size_t i = 0, named = 0; i < scatter.points.size(); ++i) {
         const ScatterPoint& point = scatter.points[i];
-        const Box& box = layout.names[i];
+        if (!point.is_named) continue;
+        const Box& box = layout.names[named++];
         const Spot& spot = layout.spots[i];
         const char* colour = colour_of(point.mark);
         const Spot end = nearest_on(box, spot);

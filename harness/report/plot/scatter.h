@@ -25,6 +25,7 @@ struct ScatterPoint {
     double y_low = 0;  ///< y_low = y_high if there is no interval
     double y_high = 0;
     bool on_frontier = false;
+    bool is_named = true;  ///< its name stands beside it; else only in its tooltip, and the mark is pale
 };
 
 struct Scatter {

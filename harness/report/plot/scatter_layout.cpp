@@ -131,8 +131,10 @@ Layout lay_out(const Scatter& scatter) {
         std::vector<Label> labels;
         for (std::size_t j = 0; j < layout.spots.size(); ++j) {
             const ScatterPoint& point = scatter.points[j];
-            labels.push_back(
-                {layout.spots[j], text_width(point.name, name_size) * (point.on_frontier ? bold : 1), name_height});
+            if (point.is_named) {
+                labels.push_back(
+                    {layout.spots[j], text_width(point.name, name_size) * (point.on_frontier ? bold : 1), name_height});
+            }
             layout.bars.push_back(bars_of(point, layout.spots[j], frame));
             drawn.insert(drawn.end(), layout.bars.back().begin(), layout.bars.back().end());
         }

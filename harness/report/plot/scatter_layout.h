@@ -26,7 +26,7 @@ struct Layout {
     std::vector<Spot> spots;                 ///< one per point; in the band each has its own line, fastest on top
     std::vector<std::vector<Segment>> bars;  ///< by point: quartiles and interval, if not empty
     std::vector<Segment> frontier;           ///< one step after the other
-    std::vector<Box> names;                  ///< one per point
+    std::vector<Box> names;                  ///< one per point that is named
 };
 
 /// The plot is as high as needed to keep the names apart.

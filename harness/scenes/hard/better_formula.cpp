@@ -142,7 +142,7 @@ std::string tell_steps(const std::vector<HardItem>& lost, const Marking& marking
 }  // namespace
 
 std::string_view formula_of(std::string_view kernel) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 13> formulas = {{
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 16> formulas = {{
         {"naive quadratic", "d = b² - 4ac, t = (-b ∓ √d) / 2a"},
         {"half-b", "b' = b/2, t = (-b' ∓ √(b'² - ac)) / a"},
         {"stable", "q = -(b + sign(b) √d) / 2, t = q/a or c/q"},
@@ -155,7 +155,10 @@ std::string_view formula_of(std::string_view kernel) {
         {"Möller-Trumbore", "Cramer's rule by two cross products, from A on"},
         {"Möller-Trumbore branch-free", "Cramer's rule by two cross products, from A on"},
         {"Baldwin-Weber", "the map that takes the triangle to (0, 0), (1, 0), (0, 1)"},
+        {"Havel-Herout", "the triangle's plane and two planes that measure u and v"},
+        {"Plücker", "the sides of the edges by Plücker coordinates, then t of the plane"},
         {"Woop watertight", "the triangle sheared into the ray's own coordinates"},
+        {"Woop with bounds", "the same, with t proven to be above 0"},
     }};
     const auto found =
         std::find_if(formulas.begin(), formulas.end(), [&](const auto& each) { return each.first == kernel; });

@@ -13,7 +13,7 @@ std::vector<std::string> names(const Methods& methods) {
 }  // namespace
 
 Ladder ladder() {
-    return {sphere_methods(), triangle_methods(), cast_methods()};
+    return {sphere_methods(), triangle_methods(), cast_methods(), sphere_block_methods(), triangle_block_methods()};
 }
 
 Measurement measure(const MeasureOptions& options) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reference/accuracy/measure/measurement.h"
-#include "reference/accuracy/methods/method.h"
+#include "reference/accuracy/methods/block_methods.h"
 
 namespace reference::accuracy {
 

@@ -8,6 +8,7 @@
 #include "reference/accuracy/measure/ladder.h"
 #include "reference/accuracy/measure/machine.h"
 #include "reference/accuracy/measure/statistics.h"
+#include "reference/accuracy/methods/block_methods.h"
 
 namespace reference::accuracy {
 namespace {
@@ -107,26 +108,29 @@ std::chrono::nanoseconds thread_time() {
     return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
-/// Runs every method once per repetition, each time in a new random order, so that disturbances of the machine affect
-/// all methods alike. Returns nanoseconds per ray, by method.
-template <template <class> class Problem>
-std::vector<std::vector<double>> times_of(const std::vector<Method<Problem>>& methods, const Rays<Problem>& rays,
-                                          int repetitions, Random& random, const Progress& progress) {
-    std::vector<std::vector<double>> times(methods.size());
-    std::vector<std::size_t> order(methods.size());
+/// Nanoseconds for one of `count` rays.
+template <class F>
+double time_of(std::uint64_t count, F run) {
+    const std::chrono::nanoseconds start = thread_time();
+    run();
+    const std::chrono::duration<double, std::nano> time = thread_time() - start;
+    return time.count() / static_cast<double>(count);
+}
+
+/// Times every contestant once per repetition, each time in a new random order, so that disturbances of the machine
+/// affect all alike. time(i) is that of contestant i. Returns the times by contestant.
+template <class F>
+std::vector<std::vector<double>> interleaved(std::size_t contestants, int repetitions, Random& random, F time,
+                                             const std::function<void(double)>& progress) {
+    std::vector<std::vector<double>> times(contestants);
+    std::vector<std::size_t> order(contestants);
     std::iota(order.begin(), order.end(), std::size_t{0});
     for (int repetition = 0; repetition < repetitions; ++repetition) {
         for (std::size_t i = order.size(); i > 1; --i) {
             std::swap(order[i - 1], order[static_cast<std::size_t>(random.bits() % i)]);
         }
-        for (const std::size_t i : order) {
-            const std::uint64_t count = rays_for(methods[i], rays.doubles.size());
-            const std::chrono::nanoseconds start = thread_time();
-            methods[i].run(rays, count);
-            const std::chrono::duration<double, std::nano> time = thread_time() - start;
-            times[i].push_back(time.count() / static_cast<double>(count));
-        }
-        progress.set(share_of_truth + (1 - share_of_truth) * (repetition + 1) / repetitions);
+        for (const std::size_t i : order) times[i].push_back(time(i));
+        progress(static_cast<double>(repetition + 1) / repetitions);
     }
     return times;
 }
@@ -146,7 +150,10 @@ Row judged_row(const Method<Problem>& method, const Drawn<Problem>& drawn) {
     row.wrong_per_million = million * static_cast<double>(row.wrong) / static_cast<double>(rays);
     row.wrong_low = million * interval.low;
     row.wrong_high = million * interval.high;
-    if (method.gives_t) row.t_error = t_error(answers, drawn.truth);
+    row.gives_t = method.shape.gives_t;
+    row.prepared = method.shape.prepared;
+    row.certain = method.shape.certain;
+    if (method.shape.gives_t) row.t_error = t_error(answers, drawn.truth);
     return row;
 }
 
@@ -166,17 +173,56 @@ void add_rows(Measurement& measurement, Primitive primitive, const std::vector<M
             row.hard = distribution.hard;
         }
         Random order(measurement.seed);
-        const auto times = times_of(methods, drawn.rays, measurement.repetitions, order, progress);
+        const auto timed = [&](const auto& loop, std::size_t i) {
+            const std::uint64_t count = rays_for(methods[i], drawn.truth.size());
+            return loop ? time_of(count, [&] { loop(drawn.rays, count); }) : 0;
+        };
+        const auto times = interleaved(
+            methods.size(), measurement.repetitions, order, [&](std::size_t i) { return timed(methods[i].run, i); },
+            [&](double done) { progress.set(share_of_truth + (1 - share_of_truth) * done); });
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const Quartiles quartiles = quartiles_of(times[i]);
             rows[i].ns_per_ray = quartiles.median;
             rows[i].ns_low = quartiles.low;
             rows[i].ns_high = quartiles.high;
         }
+        if (!distribution.hard) {
+            const auto latencies = interleaved(
+                methods.size(), measurement.repetitions, order,
+                [&](std::size_t i) { return timed(methods[i].chain, i); }, [](double) {});
+            for (std::size_t i = 0; i < rows.size(); ++i) {
+                if (methods[i].chain) rows[i].latency = quartiles_of(latencies[i]);
+            }
+        }
         mark_pareto(rows);
         measurement.rows.insert(measurement.rows.end(), rows.begin(), rows.end());
         progress.finish();
     }
+}
+
+/// The same for the loops over many rays and one object.
+template <template <class> class Problem>
+void add_block_rows(Measurement& measurement, Primitive primitive, const std::vector<BlockMethod<Problem>>& methods,
+                    const BlockRays<Problem>& rays) {
+    std::vector<TrueAnswer> truth;
+    for (const Problem<double>& problem : rays.problems) truth.push_back(true_answer(problem));
+    const std::size_t before = measurement.blocks.size();
+    for (const BlockMethod<Problem>& method : methods) {
+        BlockRow& row = measurement.blocks.emplace_back();
+        row.primitive = primitive;
+        row.kernel = method.kernel;
+        row.scalar = method.scalar;
+        row.source = method.source;
+        row.gives_t = method.gives_t;
+        row.certain = method.certain;
+        row.rays = truth.size();
+        row.wrong = wrong_answers(method.judge(rays), truth);
+    }
+    Random random(measurement.seed);
+    const auto times = interleaved(
+        methods.size(), measurement.repetitions, random,
+        [&](std::size_t i) { return time_of(truth.size(), [&] { methods[i].run(rays); }); }, [](double) {});
+    for (std::size_t i = 0; i < methods.size(); ++i) measurement.blocks[before + i].ns = quartiles_of(times[i]);
 }
 
 template <class Methods, class Distributions>
@@ -192,8 +238,8 @@ std::size_t count_measured(const Methods& methods, const Distributions& distribu
 Measurement measure(const MeasureOptions& options, const Ladder& ladder) {
     refuse_unknown(options.kernels, ladder);
     const Extent extent = extent_of(options);
-    Measurement measurement{options.seed, extent.rays, extent.repetitions, compiler(), arithmetic_flags(),
-                            processor(),  {}};
+    Measurement measurement{options.seed, extent.rays, extent.repetitions, compiler(), arithmetic_flags(), processor(),
+                            {},           {}};
     const auto spheres = chosen(ladder.spheres, options.kernels);
     const auto triangles = chosen(ladder.triangles, options.kernels);
     const auto casts = chosen(ladder.casts, options.kernels);
@@ -205,6 +251,16 @@ Measurement measure(const MeasureOptions& options, const Ladder& ladder) {
     add_rows(measurement, Primitive::sphere, spheres, sphere_rays, progress);
     add_rows(measurement, Primitive::triangle, triangles, triangle_rays, progress);
     add_rows(measurement, Primitive::cast, casts, cast_rays, progress);
+    constexpr std::uint64_t most_in_a_block = 8'192;
+    const std::uint64_t in_a_block = std::min(extent.rays, most_in_a_block);
+    const auto sphere_blocks = chosen(ladder.sphere_blocks, options.kernels);
+    const auto triangle_blocks = chosen(ladder.triangle_blocks, options.kernels);
+    if (!sphere_blocks.empty()) {
+        add_block_rows(measurement, Primitive::sphere, sphere_blocks, rays_at_a_sphere(options.seed, in_a_block));
+    }
+    if (!triangle_blocks.empty()) {
+        add_block_rows(measurement, Primitive::triangle, triangle_blocks, rays_at_a_triangle(options.seed, in_a_block));
+    }
     return measurement;
 }
 

@@ -18,6 +18,12 @@ struct TError {
     double mean_ulp = 0;
 };
 
+struct Quartiles {
+    double low = 0;
+    double median = 0;
+    double high = 0;
+};
+
 /// One method on one distribution of rays.
 struct Row {
     Primitive primitive;
@@ -38,16 +44,35 @@ struct Row {
     /// Pareto-optimal: no method is better in time or wrongness and at least as good in the other.
     bool pareto_wrong = false;
     bool pareto_error = false;  ///< the same for time and mean_ulp; false without t_error
+    bool gives_t = true;        ///< the method gives t as well, not the decision alone
+    bool prepared = false;      ///< what depends on the object alone was computed beforehand, and not timed
+    bool certain = false;       ///< the method's decisions are proven to be right
+    /// Nanoseconds where a ray waits for the answer before it; measured on benign rays. Empty for slow methods.
+    std::optional<Quartiles> latency{};
+};
+
+/// One loop over many rays and one object, in vector instructions, on benign rays.
+struct BlockRow {
+    Primitive primitive;
+    std::string kernel;
+    std::string scalar;
+    std::string source;
+    bool gives_t = true;
+    bool certain = false;
+    std::uint64_t rays = 0;
+    std::uint64_t wrong = 0;
+    Quartiles ns{};  ///< for one ray
 };
 
 struct Measurement {
     std::uint64_t seed = 0;
     std::uint64_t rays = 0;  ///< of each distribution
     int repetitions = 0;
-    std::string compiler;   ///< with its version
-    std::string flags;      ///< the compiler flags that arithmetic depends on
-    std::string processor;  ///< as the operating system names it; empty if it does not
-    std::vector<Row> rows;  ///< by primitive, distribution and the ladder's order of methods
+    std::string compiler;            ///< with its version
+    std::string flags;               ///< the compiler flags that arithmetic depends on
+    std::string processor;           ///< as the operating system names it; empty if it does not
+    std::vector<Row> rows;           ///< by primitive, distribution and the ladder's order of methods
+    std::vector<BlockRow> blocks{};  ///< by primitive
 };
 
 struct MeasureOptions {

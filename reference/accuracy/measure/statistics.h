@@ -26,11 +26,6 @@ struct Range {
 /// The 95 % interval of a share that was seen in `count` of `total` > 0 cases (Wilson, 1927).
 Range wilson_interval(std::uint64_t count, std::uint64_t total);
 
-struct Quartiles {
-    double low = 0;
-    double median = 0;
-    double high = 0;
-};
 /// `numbers` is not empty. Between two ranks it interpolates linearly.
 Quartiles quartiles_of(std::vector<double> numbers);
 

@@ -1,6 +1,8 @@
 // Question 10 as programs answer it: intersect each object on its own, then take the smaller t.
 #pragma once
 
+#include <array>
+
 #include "reference/accuracy/methods/sphere_methods.h"
 #include "reference/accuracy/methods/triangle_methods.h"
 #include "reference/accuracy/rays/distributions.h"
@@ -19,6 +21,24 @@ FirstHit<S> naive_cast(const Ray<S>& ray, const Sphere<S>& sphere, const Triangl
     if (round.t == flat.t) return {Outcome::tie, round.t};
     return round.t < flat.t ? FirstHit<S>{Outcome::sphere_first, round.t}
                             : FirstHit<S>{Outcome::triangle_first, flat.t};
+}
+
+/// Both without a branch, and the nearer hit chosen by index.
+template <class S>
+FirstHit<S> branch_free_cast(const Ray<S>& ray, const Sphere<S>& sphere, const Triangle<S>& triangle) {
+    const Hit<S> round = stable_branch_free(ray, sphere);
+    const Hit<S> flat = cramer_branch_free(ray, CramerTriangle<S>(triangle));
+    const int nearer = static_cast<int>(round.t < flat.t);
+    const int tie = static_cast<int>(round.t == flat.t);
+    const int both = static_cast<int>(round.hit) & static_cast<int>(flat.hit);
+    const int round_first = static_cast<int>(round.hit) & ((1 - static_cast<int>(flat.hit)) | nearer);
+    constexpr std::array outcomes{Outcome::miss,         Outcome::triangle_first,
+                                  Outcome::sphere_first, Outcome::sphere_first,
+                                  Outcome::tie,          Outcome::tie,
+                                  Outcome::tie,          Outcome::tie};
+    const std::array ts{flat.t, round.t};
+    return {outcomes[static_cast<std::size_t>(4 * (both & tie) + 2 * round_first + static_cast<int>(flat.hit))],
+            ts[static_cast<std::size_t>(round_first)]};
 }
 
 inline Outcome outcome_of(kernel::First::Kind first) {

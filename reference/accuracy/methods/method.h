@@ -1,6 +1,7 @@
 // A method of the ladder: its name and its loops over a block of rays. Each loop is compiled with the method inlined.
 #pragma once
 
+#include <bit>
 #include <functional>
 #include <span>
 #include <string>
@@ -55,25 +56,27 @@ struct Answer {
 /// A slow method is given fewer rays.
 enum class Speed { usual, slow };
 
-/// `judge` and `run` call the method once for each of the first `count` rays.
+/// What a method answers and what it is given. Only methods of one shape are compared by time.
+struct Shape {
+    bool gives_t = true;    ///< t as well, not the decision alone
+    bool prepared = false;  ///< what depends on the object alone is computed beforehand, and not timed
+    bool certain = false;   ///< its decisions are proven to be right
+};
+
+/// `judge`, `run` and `chain` call the method once for each of the first `count` rays.
 template <template <class> class Problem>
 struct Method {
     std::string kernel;
     std::string scalar;
     std::string source;
     Speed speed = Speed::usual;
-    bool gives_t = true;
-    std::function<std::vector<Answer>(const Rays<Problem>& rays, std::size_t count)> judge;  ///< returns the answers
-    std::function<void(const Rays<Problem>& rays, std::size_t count)> run;                   ///< for timing
+    Shape shape{};
+    std::function<std::vector<Answer>(const Rays<Problem>& rays, std::size_t count)> judge{};  ///< returns the answers
+    std::function<void(const Rays<Problem>& rays, std::size_t count)> run{};                   ///< for its throughput
+    /// For its latency: the address of each ray depends on the answer before it. Empty for a slow method.
+    std::function<void(const Rays<Problem>& rays, std::size_t count)> chain{};
 
     std::string name() const { return kernel + " " + scalar; }
-};
-
-/// All methods, each list in the order of its rows.
-struct Ladder {
-    std::vector<Method<SphereProblem>> spheres;
-    std::vector<Method<TriangleProblem>> triangles;
-    std::vector<Method<OrderProblem>> casts;
 };
 
 std::vector<Method<SphereProblem>> sphere_methods();
@@ -100,6 +103,39 @@ void keep(const X& x) {
     asm volatile("" : : "m"(x));
 }
 
+/// A number that depends on the answer. It is 0 if `none` is, which the compiler must not know.
+inline std::size_t nothing_of(bool hit, std::size_t none) {
+    return static_cast<std::size_t>(hit) & none;
+}
+inline std::size_t nothing_of(double t, std::size_t none) {
+    return std::bit_cast<std::uint64_t>(t) & none;
+}
+inline std::size_t nothing_of(float t, std::size_t none) {
+    return std::bit_cast<std::uint32_t>(t) & none;
+}
+template <class S>
+std::size_t nothing_of(const S& t, std::size_t none) {
+    return nothing_of(static_cast<double>(t), none);
+}
+template <class S>
+std::size_t nothing_of(const Hit<S>& found, std::size_t none) {
+    return nothing_of(found.hit, none) | nothing_of(found.t, none);
+}
+template <class S>
+std::size_t nothing_of(const FirstHit<S>& found, std::size_t none) {
+    return (static_cast<std::size_t>(found.outcome) & none) | nothing_of(found.t, none);
+}
+
+/// Calls method(i) for each i below `count`, one call after the other's answer.
+template <class F>
+[[gnu::flatten]] void chain_flat(std::size_t count, F method) {
+    std::size_t none = 0;
+    asm volatile("" : "+r"(none));
+    std::size_t nothing = 0;
+    for (std::size_t i = 0; i < count; ++i) nothing = nothing_of(method(i + nothing), none);
+    keep(nothing);
+}
+
 template <class Problem, class F>
 std::vector<Answer> answers_of(std::span<const Problem> problems, F method) {
     std::vector<Answer> answers;
@@ -109,9 +145,9 @@ std::vector<Answer> answers_of(std::span<const Problem> problems, F method) {
 }
 
 /// Flattened: every function that the method calls is inlined, where its definition is visible.
-template <class Problem, class F>
-[[gnu::flatten]] void run_flat(std::span<const Problem> problems, F method) {
-    for (const Problem& problem : problems) keep(method(problem));
+template <class F>
+[[gnu::flatten]] void run_flat(std::size_t count, F method) {
+    for (std::size_t i = 0; i < count; ++i) keep(method(i));
 }
 template <class Problem, class F>
 void run_as_it_is(std::span<const Problem> problems, F method) {
@@ -127,6 +163,8 @@ std::span<const Problem<T>> first_of(const Rays<Problem>& rays, std::size_t coun
     }
 }
 
+enum class Certain { no, yes };
+
 struct Name {
     std::string kernel;
     std::string scalar;
@@ -135,22 +173,62 @@ struct Name {
 
 /// `decide` takes a Problem<T> and gives a bool, a Hit or a FirstHit.
 template <class T, template <class> class Problem, Speed speed = Speed::usual, class F>
-Method<Problem> method(Name name, F decide) {
+Method<Problem> method(Name name, F decide, Certain certain = Certain::no) {
     using Found = decltype(decide(std::declval<const Problem<T>&>()));
-    return {
-        std::move(name.kernel),
-        std::move(name.scalar),
-        std::move(name.source),
-        speed,
-        !std::is_same_v<Found, bool>,
-        [decide](const Rays<Problem>& rays, std::size_t count) { return answers_of(first_of<T>(rays, count), decide); },
-        [decide](const Rays<Problem>& rays, std::size_t count) {
-            if constexpr (speed == Speed::usual) {
-                run_flat(first_of<T>(rays, count), decide);
-            } else {
-                run_as_it_is(first_of<T>(rays, count), decide);
-            }
-        }};
+    Method<Problem> result{std::move(name.kernel), std::move(name.scalar), std::move(name.source), speed};
+    result.shape = {!std::is_same_v<Found, bool>, false, certain == Certain::yes};
+    result.judge = [decide](const Rays<Problem>& rays, std::size_t count) {
+        return answers_of(first_of<T>(rays, count), decide);
+    };
+    if constexpr (speed == Speed::slow) {
+        result.run = [decide](const Rays<Problem>& rays, std::size_t count) {
+            run_as_it_is(first_of<T>(rays, count), decide);
+        };
+    } else {
+        result.run = [decide](const Rays<Problem>& rays, std::size_t count) {
+            const Problem<T>* const problems = first_of<T>(rays, count).data();
+            run_flat(count, [=](std::size_t i) mutable { return decide(problems[i]); });
+        };
+        result.chain = [decide](const Rays<Problem>& rays, std::size_t count) {
+            const Problem<T>* const problems = first_of<T>(rays, count).data();
+            chain_flat(count, [=](std::size_t i) mutable { return decide(problems[i]); });
+        };
+    }
+    return result;
+}
+
+#if defined(__x86_64__)
+template <class F>
+[[gnu::flatten, gnu::target("fma")]] void run_fused(std::size_t count, F method) {
+    for (std::size_t i = 0; i < count; ++i) keep(method(i));
+}
+template <class F>
+[[gnu::flatten, gnu::target("fma")]] void chain_fused(std::size_t count, F method) {
+    std::size_t none = 0;
+    asm volatile("" : "+r"(none));
+    std::size_t nothing = 0;
+    for (std::size_t i = 0; i < count; ++i) nothing = nothing_of(method(i + nothing), none);
+    keep(nothing);
+}
+#endif
+
+/// The same for a method that calls std::fma: timed with the processor's own instruction, if it has one. A call of the
+/// library's function takes longer, and gives the same.
+template <class T, template <class> class Problem, class F>
+Method<Problem> fused_method(Name name, F decide) {
+    Method<Problem> result = method<T, Problem>(std::move(name), decide);
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("fma") == 0) return result;
+    result.run = [decide](const Rays<Problem>& rays, std::size_t count) {
+        const Problem<T>* const problems = first_of<T>(rays, count).data();
+        run_fused(count, [=](std::size_t i) mutable { return decide(problems[i]); });
+    };
+    result.chain = [decide](const Rays<Problem>& rays, std::size_t count) {
+        const Problem<T>* const problems = first_of<T>(rays, count).data();
+        chain_fused(count, [=](std::size_t i) mutable { return decide(problems[i]); });
+    };
+#endif
+    return result;
 }
 
 template <class T>
@@ -164,10 +242,18 @@ const Triangle<T>& object_of(const TriangleProblem<T>& problem) {
 
 /// Adds one formula of a ray and an object, in float and in double.
 template <template <class> class Problem, class F>
-void add_both(std::vector<Method<Problem>>& methods, const std::string& kernel, const std::string& source, F formula) {
+void add_both(std::vector<Method<Problem>>& methods, const std::string& kernel, const std::string& source, F formula,
+              Certain certain = Certain::no) {
     const auto on = [formula](const auto& problem) { return formula(problem.ray, object_of(problem)); };
-    methods.push_back(method<float, Problem>({kernel, "float", source}, on));
-    methods.push_back(method<double, Problem>({kernel, "double", source}, on));
+    methods.push_back(method<float, Problem>({kernel, "float", source}, on, certain));
+    methods.push_back(method<double, Problem>({kernel, "double", source}, on, certain));
+}
+template <template <class> class Problem, class F>
+void add_both_fused(std::vector<Method<Problem>>& methods, const std::string& kernel, const std::string& source,
+                    F formula) {
+    const auto on = [formula](const auto& problem) { return formula(problem.ray, object_of(problem)); };
+    methods.push_back(fused_method<float, Problem>({kernel, "float", source}, on));
+    methods.push_back(fused_method<double, Problem>({kernel, "double", source}, on));
 }
 
 }  // namespace reference::accuracy

@@ -44,10 +44,21 @@ std::vector<Method<SphereProblem>> sphere_methods() {
              [](const auto& ray, const auto& sphere) { return naive_quadratic(ray, sphere); });
     add_both(methods, "half-b", "Shirley, Black and Hollasch, Ray Tracing in One Weekend, 6.2",
              [](const auto& ray, const auto& sphere) { return half_b(ray, sphere); });
+    add_both(methods, "half-b branch-free", "the same without a branch",
+             [](const auto& ray, const auto& sphere) { return half_b_branch_free(ray, sphere); });
+    add_both(methods, "half-b decision", "the same without t, which needs no root",
+             [](const auto& ray, const auto& sphere) { return half_b_decision(ray, sphere); });
+    add_both_fused(methods, "half-b FMA", "branch-free, with fused multiply-adds",
+                   [](const auto& ray, const auto& sphere) { return half_b_fused(ray, sphere); });
+    methods.push_back(method<double, SphereProblem>(
+        {"half-b epsilon", "double", "branch-free; what nearly hits, by 1e-9, counts as a hit"},
+        [](const SphereCase& c) { return half_b_with_epsilon(c.ray, c.sphere); }));
     add_both(methods, "stable", "Press et al., Numerical Recipes, 5.6",
              [](const auto& ray, const auto& sphere) { return stable(ray, sphere); });
-    add_both(methods, "Kahan FMA", "Jeannerod, Louvet and Muller, Further analysis of Kahan's algorithm (2013)",
-             [](const auto& ray, const auto& sphere) { return kahan(ray, sphere); });
+    add_both(methods, "stable branch-free", "the same without a branch, and with one division",
+             [](const auto& ray, const auto& sphere) { return stable_branch_free(ray, sphere); });
+    add_both_fused(methods, "Kahan FMA", "Jeannerod, Louvet and Muller, Further analysis of Kahan's algorithm (2013)",
+                   [](const auto& ray, const auto& sphere) { return kahan(ray, sphere); });
     add_both(methods, "Haines", "Haines, Günther and Akenine-Möller, Ray Tracing Gems (2019), chapter 7",
              [](const auto& ray, const auto& sphere) { return haines(ray, sphere); });
     add_both(methods, "Lagrange", "Lagrange's identity for b² - ac",
@@ -55,19 +66,27 @@ std::vector<Method<SphereProblem>> sphere_methods() {
     add_both(methods, "GLM", "GLM, gtx/intersect, intersectRaySphere",
              [](const auto& ray, const auto& sphere) { return glm_sphere(ray, sphere); });
     add_wide(methods);
-    add_both(methods, "certified decision", "this project: an error filter, then whole numbers",
-             [](const auto& ray, const auto& sphere) { return is_hit(kernel::decide(ray, sphere)); });
-    add_both(methods, "certified with t", "this project: t to 2^-26, a quarter of a unit in the last place of float",
-             [](const auto& ray, const auto& sphere) {
-                 const auto found = kernel::intersect_to_float(ray, sphere);
-                 return Hit<double>{is_hit(found.result), found.t};
-             });
+    methods.push_back(method<double, SphereProblem>(
+        {"interval filter, then exact", "double",
+         "Brönnimann, Burnikel and Pion, Interval arithmetic yields efficient dynamic filters (2001)"},
+        [](const SphereCase& c) { return interval_filtered(c.ray, c.sphere); }, Certain::yes));
+    add_both(
+        methods, "certified decision", "this project: an error filter, then whole numbers",
+        [](const auto& ray, const auto& sphere) { return is_hit(kernel::decide(ray, sphere)); }, Certain::yes);
+    add_both(
+        methods, "certified with t", "this project: t to 2^-26, a quarter of a unit in the last place of float",
+        [](const auto& ray, const auto& sphere) {
+            const auto found = kernel::intersect_to_float(ray, sphere);
+            return Hit<double>{is_hit(found.result), found.t};
+        },
+        Certain::yes);
     methods.push_back(method<double, SphereProblem>(
         {"certified to the last place", "double", "this project: t to one unit in the last place of double"},
         [](const SphereCase& c) {
             const kernel::SphereHit found = kernel::intersect(c.ray, c.sphere);
             return Hit<double>{is_hit(found.result), found.t};
-        }));
+        },
+        Certain::yes));
     return methods;
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "reference/accuracy/rays/hit.h"
+#include "reference/kernel/sphere.h"
 #include "reference/numbers/interval.h"
 
 namespace reference::accuracy {
@@ -43,6 +44,67 @@ Hit<S> half_b(const Ray<S>& ray, const Sphere<S>& sphere) {
     return first_root(S((-b - root) / a), S((-b + root) / a));
 }
 
+/// half_b() without a branch, so the processor has nothing to predict. |D| spares the check of a root's argument; a
+/// negative D is a miss all the same.
+template <class S>
+Hit<S> half_b_branch_free(const Ray<S>& ray, const Sphere<S>& sphere) {
+    const Vec3<S> f = ray.origin - sphere.center;
+    const S a = dot(ray.direction, ray.direction);
+    const S b = dot(f, ray.direction);
+    const S c = dot(f, f) - sphere.radius * sphere.radius;
+    const S D = b * b - a * c;
+    const S root = std::sqrt(std::abs(D));
+    const S near = -b - root;
+    const S far = root - b;
+    const S first = near >= 0 ? near : far;
+    return {(static_cast<int>(D >= 0) & static_cast<int>(first >= 0)) != 0, first / a};
+}
+
+/// The decision alone needs no root: the line meets the sphere, and the origin is inside or the sphere ahead.
+template <class S>
+bool half_b_decision(const Ray<S>& ray, const Sphere<S>& sphere) {
+    const Vec3<S> f = ray.origin - sphere.center;
+    const S a = dot(ray.direction, ray.direction);
+    const S b = dot(f, ray.direction);
+    const S c = dot(f, f) - sphere.radius * sphere.radius;
+    return (static_cast<int>(b * b - a * c >= 0) & (static_cast<int>(c <= 0) | static_cast<int>(b <= 0))) != 0;
+}
+
+/// half_b_branch_free() with every product that is added to something fused with the sum.
+template <class S>
+Hit<S> half_b_fused(const Ray<S>& ray, const Sphere<S>& sphere) {
+    const auto fused_dot = [](const Vec3<S>& p, const Vec3<S>& q) {
+        return std::fma(p.x, q.x, std::fma(p.y, q.y, p.z * q.z));
+    };
+    const Vec3<S> f = ray.origin - sphere.center;
+    const S a = fused_dot(ray.direction, ray.direction);
+    const S b = fused_dot(f, ray.direction);
+    const S c = std::fma(-sphere.radius, sphere.radius, fused_dot(f, f));
+    const S D = std::fma(b, b, -(a * c));
+    const S root = std::sqrt(std::abs(D));
+    const S near = -b - root;
+    const S far = root - b;
+    const S first = near >= 0 ? near : far;
+    return {(static_cast<int>(D >= 0) & static_cast<int>(first >= 0)) != 0, first / a};
+}
+
+/// Programs that distrust rounding take what is nearly a hit for a hit.
+template <class S>
+Hit<S> half_b_with_epsilon(const Ray<S>& ray, const Sphere<S>& sphere) {
+    constexpr S epsilon = S(1e-9);
+    const Vec3<S> f = ray.origin - sphere.center;
+    const S a = dot(ray.direction, ray.direction);
+    const S b = dot(f, ray.direction);
+    const S c = dot(f, f) - sphere.radius * sphere.radius;
+    const S D = b * b - a * c;
+    const S root = std::sqrt(std::abs(D));
+    const S near = -b - root;
+    const S far = root - b;
+    const S least = -epsilon * a;
+    const S first = near >= least ? near : far;
+    return {(static_cast<int>(D >= -epsilon) & static_cast<int>(first >= least)) != 0, first / a};
+}
+
 /// The roots of a t² + 2bt + c without subtracting nearly equal numbers: q = -b - sign(b) √D, then q/a and c/q. Press
 /// et al., "Numerical Recipes", 5.6. D is b² - ac, computed by any formula.
 template <class S>
@@ -63,6 +125,21 @@ Hit<S> stable(const Ray<S>& ray, const Sphere<S>& sphere) {
     const S b = dot(f, ray.direction);
     const S c = dot(f, f) - sphere.radius * sphere.radius;
     return roots_by_q(a, b, c, S(b * b - a * c));
+}
+
+/// stable() without a branch and with one division: from outside t = c/q, from inside ahead q/a, both by |q|. A ray
+/// that starts where it touches gives 0/0, which is a miss.
+template <class S>
+Hit<S> stable_branch_free(const Ray<S>& ray, const Sphere<S>& sphere) {
+    const Vec3<S> f = ray.origin - sphere.center;
+    const S a = dot(ray.direction, ray.direction);
+    const S b = dot(f, ray.direction);
+    const S c = dot(f, f) - sphere.radius * sphere.radius;
+    const S D = b * b - a * c;
+    const S q = std::abs(b) + std::sqrt(std::abs(D));
+    const bool leaves = static_cast<bool>(static_cast<int>(c < 0) & static_cast<int>(b < 0));
+    const S t = (leaves ? q : std::abs(c)) / (leaves ? a : q);
+    return {(static_cast<int>(D >= 0) & (static_cast<int>(c <= 0) | static_cast<int>(b <= 0))) != 0, t};
 }
 
 /// Kahan's b² - ac with two fused operations, off by 1.5 ulp at most (Jeannerod, Louvet and Muller, "Further analysis
@@ -133,6 +210,28 @@ inline Hit<float> conservative_quadratic(const Ray<float>& ray, const Sphere<flo
     if (near.lo() > far.lo()) std::swap(near, far);
     const I& first = near.lo() >= 0 ? near : far;
     return {first.lo() >= 0, (first.lo() + first.hi()) / 2};
+}
+
+/// A filtered predicate as libraries of exact geometry have it: intervals of double first, and whole numbers where they
+/// leave a sign open. Brönnimann, Burnikel and Pion, "Interval arithmetic yields efficient dynamic filters for
+/// computational geometry" (2001).
+inline bool interval_filtered(const Ray<double>& ray, const Sphere<double>& sphere) {
+    using I = Interval<double>;
+    const auto exact = [](const Vec3<double>& p) { return Vec3<I>(I(p.x), I(p.y), I(p.z)); };
+    const Vec3<I> d = exact(ray.direction);
+    const Vec3<I> f = exact(ray.origin) - exact(sphere.center);
+    const I a = dot(d, d);
+    const I b = dot(f, d);
+    const I c = dot(f, f) - I(sphere.radius) * I(sphere.radius);
+    if (c.hi() < 0) return true;
+    if (c.lo() > 0) {
+        if (b.lo() > 0) return false;
+        const auto D = sign_of(b * b - a * c);
+        if (D < 0) return false;
+        if (D > 0 && b.hi() < 0) return true;
+    }
+    const auto result = kernel::decide_exactly(ray, sphere);
+    return result == kernel::SphereResult::hit || result == kernel::SphereResult::tangent;
 }
 
 }  // namespace reference::accuracy

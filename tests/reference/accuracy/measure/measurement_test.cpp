@@ -63,13 +63,44 @@ TEST(Measure, CountsEveryWrongAnswerOfABrokenKernel) {
 
 TEST(Measure, FindsTheCertifiedKernelNeverWrong) {
     const Measurement measurement = measure(few_rays(4'096, {"certified"}));
-    EXPECT_EQ(measurement.rows.size(), 5 * 10U + 7 * 10U + 3 * 3U);
+    EXPECT_EQ(measurement.rows.size(), 5 * 10U + 9 * 10U + 3 * 3U);
     for (const Row& row : measurement.rows) {
         EXPECT_EQ(row.wrong, 0U) << name_of(row.primitive) << ", " << row.distribution;
         if (!row.t_error) continue;
         // One unit in the last place of double; or a quarter of a unit of float, plus the error of a tiny t.
         const double most = row.kernel == "certified to the last place" ? 2e-9 : 0.26;
         EXPECT_LT(row.t_error->max_ulp, most) << name_of(row.primitive) << ", " << row.distribution;
+    }
+}
+
+TEST(Measure, FindsNoMethodWrongThatIsSaidToBeCertain) {
+    const Measurement measurement = measure(few_rays(4'096, {"orient3d", "then exact", "certified"}));
+    std::set<std::string> kernels;
+    for (const Row& row : measurement.rows) {
+        SCOPED_TRACE(row.kernel + ", " + row.distribution);
+        EXPECT_TRUE(row.certain);
+        EXPECT_EQ(row.wrong, 0U);
+        kernels.insert(row.kernel);
+    }
+    EXPECT_THAT(kernels, testing::IsSupersetOf({"Shewchuk orient3d", "interval filter, then exact"}));
+    for (const BlockRow& row : measurement.blocks) {
+        EXPECT_TRUE(row.certain) << row.kernel;
+        EXPECT_EQ(row.wrong, 0U) << row.kernel;
+    }
+    EXPECT_EQ(measurement.blocks.size(), 8U);
+}
+
+TEST(Measure, FindsThatAMethodWithoutProofIsNotCertain) {
+    for (const Row& row : measure(few_rays(2'048, {"half-b", "Möller", "Cramer", "Havel", "Plücker"})).rows) {
+        EXPECT_FALSE(row.certain) << row.kernel;
+    }
+}
+
+TEST(Measure, JudgesTheLoopsOverManyRays) {
+    const Measurement measurement = measure(few_rays(2'048));
+    for (const BlockRow& row : measurement.blocks) {
+        EXPECT_EQ(row.rays, 2'048U);
+        EXPECT_LT(row.wrong, row.certain ? 1U : 2U) << row.kernel << " " << row.scalar;
     }
 }
 

@@ -1,0 +1,44 @@
+// What certainty costs: the certain method of each shape beside the fastest method of that shape that rounds.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reference/accuracy/measure/measurement.h"
+
+namespace harness::report {
+
+/// Both methods give the same, from numbers of the same precision, with the same preparation, one ray at a time or in
+/// vector instructions, on benign rays.
+struct Price {
+    reference::accuracy::Primitive primitive;
+    std::string scalar;     ///< "float" or "double"
+    bool gives_t = true;    ///< t as well, not the decision alone
+    bool prepared = false;  ///< without the time for what depends on the object alone
+    bool in_vectors = false;
+    std::string certain;  ///< the methods' names, without the scalar
+    std::string rival;
+    reference::accuracy::Quartiles ns{};
+    reference::accuracy::Quartiles rival_ns{};
+    /// How many times as long the certain method takes where each ray waits for the answer before it, compared with
+    /// the method that is fastest then. Empty where that was not measured.
+    std::optional<double> times_in_a_chain{};
+
+    double times() const { return ns.median / rival_ns.median; }
+    double least_times() const { return ns.low / rival_ns.high; }
+    double most_times() const { return ns.high / rival_ns.low; }
+};
+
+/// One for each shape that has a certain method and one that rounds: by primitive; with t before decisions alone, one
+/// ray before the prepared object, then vectors; double before float.
+std::vector<Price> prices(const reference::accuracy::Measurement& measured);
+
+/// "with t, prepared".
+std::string shape_text(const Price& price);
+
+/// "Never to be wrong takes 1.54 times as long for a sphere …", of what is asked one ray at a time in double, with t.
+/// Empty without such a price.
+std::string price_sentence(const std::vector<Price>& prices);
+
+}  // namespace harness::report

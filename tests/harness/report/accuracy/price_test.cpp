@@ -1,0 +1,97 @@
+// What certainty costs: which methods are compared, and what is said of them.
+#include "harness/report/accuracy/price.h"
+
+#include <gmock/gmock.h>
+
+#include "harness/report/accuracy/report.h"
+
+namespace {
+
+using namespace harness::report;
+using reference::accuracy::BlockRow;
+using reference::accuracy::Measurement;
+using reference::accuracy::Primitive;
+using reference::accuracy::Row;
+using testing::HasSubstr;
+using testing::Not;
+
+Row row(const std::string& kernel, const std::string& scalar, double ns) {
+    Row row{Primitive::sphere, kernel, scalar, "a book", "benign", false, 1000, ns, ns - 1, ns + 1};
+    row.latency = {3 * ns, 3 * ns, 3 * ns};
+    return row;
+}
+Row certain(Row row) {
+    row.certain = true;
+    return row;
+}
+Row decision(Row row) {
+    row.gives_t = false;
+    return row;
+}
+Row prepared(Row row) {
+    row.prepared = true;
+    return row;
+}
+Measurement measured(std::vector<Row> rows) {
+    return {1, 1000, 5, "g++ 12", "-O2", "", std::move(rows)};
+}
+
+TEST(Prices, CompareTheCertainMethodWithTheFastestThatRoundsInItsShape) {
+    const auto found = prices(measured({row("slow", "double", 20), row("fast", "double", 8), row("fast", "float", 2),
+                                        decision(row("sign", "double", 3)), prepared(row("ready", "double", 4)),
+                                        certain(row("proven", "double", 12)), certain(row("careful", "double", 90))}));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].certain, "proven");
+    EXPECT_EQ(found[0].rival, "fast");
+    EXPECT_DOUBLE_EQ(found[0].times(), 1.5);
+    EXPECT_DOUBLE_EQ(found[0].least_times(), 11.0 / 9);
+    EXPECT_DOUBLE_EQ(found[0].most_times(), 13.0 / 7);
+    EXPECT_EQ(found[0].times_in_a_chain, 1.5);
+}
+
+TEST(Prices, CompareAChainWithTheMethodThatIsFastestInIt) {
+    auto quick_in_a_chain = row("branching", "double", 9);
+    quick_in_a_chain.latency = {12, 12, 12};
+    const auto found =
+        prices(measured({row("fast", "double", 8), quick_in_a_chain, certain(row("proven", "double", 12))}));
+    EXPECT_EQ(found.at(0).rival, "fast");
+    EXPECT_EQ(found.at(0).times_in_a_chain, 3);
+}
+
+TEST(Prices, ComeFromBenignRaysAlone) {
+    auto hard = row("fast", "double", 1);
+    hard.hard = true;
+    hard.distribution = "grazing";
+    EXPECT_THAT(prices(measured({hard, certain(row("proven", "double", 12))})).size(), 0U);
+}
+
+TEST(Prices, OfVectorsAreOnlyComparedWithVectors) {
+    auto all = measured({row("fast", "double", 8), certain(row("proven", "double", 12))});
+    all.blocks = {{Primitive::sphere, "fast", "double", "", true, false, 10, 0, {2, 2, 2}},
+                  {Primitive::sphere, "proven", "double", "", true, true, 10, 0, {5, 5, 5}}};
+    const auto found = prices(all);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_FALSE(found[0].in_vectors);
+    EXPECT_DOUBLE_EQ(found[0].times(), 1.5);
+    EXPECT_TRUE(found[1].in_vectors);
+    EXPECT_DOUBLE_EQ(found[1].times(), 2.5);
+    EXPECT_EQ(shape_text(found[1]), "with t, in vectors, double");
+}
+
+TEST(Prices, AreInTheFirstSentenceOfThePageAndTheText) {
+    const AccuracyFindings findings{
+        measured({row("fast", "double", 8), certain(row("proven", "double", 12)), decision(row("sign", "double", 3))}),
+        {}};
+    const std::string sentence = "Never to be wrong takes 1.50 times as long for a sphere (12.0 ns beside 8.00)";
+    EXPECT_THAT(accuracy_html(findings), HasSubstr("<p class=\"price\">" + sentence));
+    EXPECT_THAT(accuracy_text(findings), HasSubstr(sentence));
+    EXPECT_THAT(accuracy_json(findings), HasSubstr("\"times\": 1.5,"));
+}
+
+TEST(Prices, AreNotClaimedWhereNothingCertainWasMeasured) {
+    const AccuracyFindings findings{measured({row("fast", "double", 8)}), {}};
+    EXPECT_THAT(accuracy_html(findings), Not(HasSubstr("class=\"price\"")));
+    EXPECT_THAT(accuracy_text(findings), Not(HasSubstr("Never to be wrong")));
+}
+
+}  // namespace
