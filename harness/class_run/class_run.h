@@ -22,7 +22,7 @@ struct ClassRun {
 /// AssignmentError, LimitError and HarnessError.
 ClassRun open_class_run(const reference::Assignment& assignment, const RunnerOptions& options);
 
-/// Writes the notes of the assignment's key to stderr, e.g. that a decision is on a boundary. For the instructor.
+/// Writes the notes of the assignment's key to stderr: what is unusual, and which answers float leaves uncertain.
 void tell_key_notes(const Marking& marking);
 
 /// Writes to stderr what is wrong with the result cache.

@@ -173,6 +173,30 @@ TEST(Judge, LetsNanFollowFromAnOwnNegativeDiscriminant) {
     EXPECT_EQ(verdict_with({{"t", "nan"}, {"P_s", "vec3(nan, nan, nan)"}}, {6, "hit"}), "wrong");
 }
 
+/// The verdict on a value of the handout's scene if float can't answer its item.
+std::string verdict_without_bound(const std::string& label, const std::string& value, const ItemId& id) {
+    student::Marking marking = student::handout_scene();
+    for (auto& question : marking.key.questions) {
+        for (auto& item : question.items) {
+            reference::Answer& answer = item.answers.front();
+            if (id_of(item.spec) == id) answer.allowance.assign(answer.allowance.size(), HUGE_VAL);
+        }
+    }
+    return verdict_on(mark(student::with_line(print(Program(marking.assignment, {})), id.first, label, value), marking),
+                      id);
+}
+
+TEST(Judge, AcceptsAnyNumberWhereFloatCannotAnswer) {
+    EXPECT_EQ(verdict_without_bound("u", "123.5", {8, "u"}), "right");
+    EXPECT_EQ(verdict_without_bound("u", "nan", {8, "u"}), "wrong");
+    EXPECT_EQ(verdict_without_bound("u", "none", {8, "u"}), "wrong");
+}
+
+TEST(Judge, WantsLengthOneWhereFloatCannotTellADirection) {
+    EXPECT_EQ(verdict_without_bound("V", "vec3(0.600000, 0.800000, 0.000000)", {5, "V"}), "right");
+    EXPECT_EQ(verdict_without_bound("V", "vec3(3.000000, 4.000000, 0.000000)", {5, "V"}), "wrong");
+}
+
 TEST(Judge, DoesNotAcceptATransposedSystem) {
     EXPECT_EQ(verdict_with({{"A",
                              "mat3x3((0.000000, 2.000000, -2.000000), (0.000000, 4.000000, 4.000000), (1.000000, "
