@@ -123,7 +123,7 @@ TEST(Misconceptions, AreNotNamedForArbitraryNumbers) {
 TEST(Misconceptions, AreNotNamedWhereTheAllowanceIsAsWideAsTheirEffect) {
     student::Marking marking = student::off_axis_scene();
     const ItemId normal = reference::item::sphere::normal;
-    std::string output = with_line(print(Program(marking.assignment, {})), 7, "Sphere normal", "(0, 0, -1)");
+    std::string output = student::with_line(print(Program(marking.assignment, {})), 7, "Sphere normal", "(0, 0, -1)");
     EXPECT_EQ(item_of(mark(output, marking), normal).diagnosis, "") << "neither the normal nor its opposite";
     // With 1.2 for each component, (0, 0, -1) is near the opposite of the normal, which marking could hardly tell from
     // it.
