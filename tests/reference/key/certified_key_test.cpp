@@ -162,6 +162,9 @@ TEST(CertifiedKey, HasAHitOnTheEdgeFromBToC) {
     expect_item(key, 8, "u", {0.5}, true);
     expect_item(key, 8, "v", {0.5}, true);
     EXPECT_EQ(key.decisions.triangle, "hit");
+    const AnswerKey beside = key_of_scene(
+        middle_pixel, "[[triangle]]\nvertices = [[-2, -2, 0], [1.99999999999999999999, -2, 0], [-2, 2, 0]]");
+    EXPECT_EQ(beside.decisions.triangle, "miss") << "the edge passes the axis by 10^-20";
 }
 
 TEST(CertifiedKey, ComparesATriangleWithTheFarRoot) {

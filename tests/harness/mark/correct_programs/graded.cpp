@@ -75,10 +75,13 @@ std::vector<std::string> printouts(std::string_view flags, const std::vector<Tas
 
 std::vector<Loss> losses(const harness::Score& score) {
     std::vector<Loss> lost;
+    bool is_finite = true;
     for (const auto& question : score.questions) {
         for (const auto& item : question.items) {
+            is_finite = is_finite && !item.not_finite;
             if (item.verdict == harness::ItemVerdict::right) continue;
-            lost.push_back({id_of(item.spec), item.not_finite,
+            const bool is_first_hit = id_of(item.spec) == reference::item::verdict;
+            lost.push_back({id_of(item.spec), item.not_finite || (is_first_hit && !is_finite),
                             fmt::format("question {}, {}: {} {} ({}), off by {}, allowed {}", question.number,
                                         item.spec.name, to_string(item.verdict), item.printed, item.diagnosis,
                                         item.error.value_or(NAN), item.allowance.value_or(INFINITY))});

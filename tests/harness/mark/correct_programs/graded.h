@@ -37,7 +37,7 @@ std::vector<std::string> printouts(std::string_view flags, const std::vector<Tas
 /// A mark that a correct program lost.
 struct Loss {
     reference::ItemId item;
-    bool not_finite;  ///< nan or inf was printed, which no marker could accept
+    bool not_finite;  ///< nan or inf was printed, which no marker could accept, or decided what is hit first
     std::string text;
 };
 std::vector<Loss> losses(const harness::Score& score);
