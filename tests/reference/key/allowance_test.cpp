@@ -10,6 +10,7 @@
 #include "reference/key/answer_key.h"
 #include "reference/numbers/affine.h"
 #include "tests/given/random_scene.h"
+#include "tests/given/student/scenes.h"
 
 namespace {
 
@@ -145,26 +146,10 @@ TEST(Allowance, IsWithinTenUnitsInTheLastPlaceOfFloatForTheHandoutsCamera) {
     }
 }
 
-constexpr std::string_view plain_scene = R"(
-[camera]
-eye = [0, 0, 4]
-lookat = [0, 0, 0]
-vup = [0, 1, 0]
-[window]
-clip_left = -2
-clip_right = 2
-clip_bottom = -1
-clip_top = 1
-clip_near = 2
-width = 300
-height = 200
-pixel = [150, 100]
-[[triangle]]
-)";
-
 AnswerKey key_with_triangle(const std::string& vertices) {
-    return make_key(parse_assignment(std::string(plain_scene) + "vertices = " + vertices, "scene.toml"),
-                    Precision::certified);
+    return make_key(
+        parse_assignment(student::camera_on_the_axis(4) + "[[triangle]]\nvertices = " + vertices, "scene.toml"),
+        Precision::certified);
 }
 
 TEST(Allowance, IsInfiniteWhereADivisorMayBeZeroInFloat) {
