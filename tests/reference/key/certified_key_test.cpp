@@ -179,6 +179,17 @@ TEST(CertifiedKey, ComparesATriangleWithTheFarRoot) {
     EXPECT_EQ(first("-1.00000000000000000001"), "sphere");
 }
 
+TEST(CertifiedKey, CountsAStartOnTheSphereAsTheRubricSays) {
+    // The ray starts at (0, 0, 2), where it enters the first sphere and leaves the second.
+    const std::string entered = "[[sphere]]\ncenter = [0, 0, 1]\nradius = 1",
+                      left = "[[sphere]]\ncenter = [0, 0, 3]\nradius = 1";
+    const std::string from_zero = "boundary = \"nonnegative\"", above_zero = "boundary = \"positive\"";
+    expect_item(key_of_scene(middle_pixel, entered, from_zero), 6, "t", {0}, true);
+    expect_item(key_of_scene(middle_pixel, entered, above_zero), 6, "t", {2}, true);
+    expect_item(key_of_scene(middle_pixel, left, from_zero), 6, "t", {0}, true);
+    EXPECT_TRUE(std::holds_alternative<NoValue>(find(key_of_scene(middle_pixel, left, above_zero), 6, "t")->value));
+}
+
 TEST(CertifiedKey, PutsAGridOfOnePixelInTheMiddle) {
     const AnswerKey key = key_of_scene("width = 1\nheight = 3\npixel = [0, 2]", "", "pixel_conventions = [\"grid\"]");
     expect_item(key, 1, "P_VCS", {0, 1, -2}, true);
