@@ -189,6 +189,7 @@ std::string verdict_without_bound(const std::string& label, const std::string& v
 TEST(Judge, AcceptsAnyNumberWhereFloatCannotAnswer) {
     EXPECT_EQ(verdict_without_bound("u", "123.5", {8, "u"}), "right");
     EXPECT_EQ(verdict_without_bound("u", "nan", {8, "u"}), "wrong");
+    EXPECT_EQ(verdict_without_bound("u", "inf", {8, "u"}), "wrong");
     EXPECT_EQ(verdict_without_bound("u", "none", {8, "u"}), "wrong");
 }
 
