@@ -70,7 +70,8 @@ class Formulations {
     void add_matrix(const Mat4<Affine>& M);
     void add_ray(const AffineVec3& start, const AffineVec3& V);
     void add_sphere(const AffineVec3& start, const AffineVec3& V, const Sphere<Affine>& sphere);
-    void add_hit(const AffineVec3& start, const AffineVec3& V, const Sphere<Affine>& sphere, const Affine& t);
+    void add_hits(const AffineVec3& start, const AffineVec3& V, const Sphere<Affine>& sphere,
+                  const std::vector<Affine>& ts);
     void add_triangle(const AffineVec3& start, const AffineVec3& V, const Triangle<Affine>& triangle);
 
     const Scene<Affine>& scene_;
@@ -85,23 +86,26 @@ void Formulations::add(const AffineVec3& P_VCS, const Basis<Affine>& basis) {
     hulls_.add(item::X_vcs, basis.X_vcs);
     hulls_.add(item::Y_vcs, basis.Y_vcs);
     hulls_.add(item::Z_vcs, basis.Z_vcs);
-    const Roundings before = roundings_;
+    Alternatives ways(roundings_);
     for (int way = 0; way < inverse_views; ++way) {
-        roundings_ = before;
         const Mat4<Affine> M = inverse_view(basis, eye, way);
         add_matrix(M);
         for (const AffineVec3& start : points_in_wcs(M, P_VCS)) {
-            for (const AffineVec3& V : directions(M, P_VCS, start, eye, roundings_)) add_ray(start, V);
+            const std::vector<AffineVec3> all = directions(M, P_VCS, start, eye, roundings_);
+            Alternatives rays(roundings_);
+            for (const AffineVec3& V : all) {
+                add_ray(start, V);
+                rays.next();
+            }
         }
+        ways.next();
     }
 }
 
 void Formulations::add_triangle_normal() {
     if (scene_.triangles.empty()) return;
-    const Roundings before = roundings_;
     for (const AffineVec3& normal : triangle_normals(scene_.triangles.at(branches_.triangle_index), roundings_))
         hulls_.add(item::triangle::normal, normal);
-    roundings_ = before;
 }
 
 void Formulations::add_matrix(const Mat4<Affine>& M) {
@@ -113,43 +117,41 @@ void Formulations::add_matrix(const Mat4<Affine>& M) {
 }
 
 void Formulations::add_ray(const AffineVec3& start, const AffineVec3& V) {
-    const Roundings before = roundings_;
     hulls_.add(item::P_WCS, start);
     hulls_.add(item::V, V);
+    Alternatives objects(roundings_);
     if (!scene_.spheres.empty()) add_sphere(start, V, scene_.spheres.at(branches_.sphere_index));
+    objects.next();
     if (!scene_.triangles.empty()) add_triangle(start, V, scene_.triangles.at(branches_.triangle_index));
-    roundings_ = before;
 }
 
 void Formulations::add_sphere(const AffineVec3& start, const AffineVec3& V, const Sphere<Affine>& sphere) {
     const bool hits = branches_.root == RootChoice::smaller || branches_.root == RootChoice::larger;
-    const Roundings before = roundings_;
-    for (const Quadratic<Affine>& quadratic : quadratics(start, V, sphere, roundings_)) {
+    const std::vector<Quadratic<Affine>> all = quadratics(start, V, sphere, roundings_);
+    Alternatives ways(roundings_);
+    for (const Quadratic<Affine>& quadratic : all) {
         hulls_.add(item::sphere::a, quadratic.a);
         hulls_.add(item::sphere::b, quadratic.b);
         hulls_.add(item::sphere::c, quadratic.c);
         hulls_.add(item::sphere::d, quadratic.d);
-        if (!hits) continue;
-        const Roundings before_roots = roundings_;
-        for (const Affine& t : sphere_roots(quadratic, branches_.root, roundings_)) add_hit(start, V, sphere, t);
-        roundings_ = before_roots;
+        if (hits) add_hits(start, V, sphere, sphere_roots(quadratic, branches_.root, roundings_));
+        ways.next();
     }
-    roundings_ = before;
-    if (!hits) return;
-    for (const Affine& t : geometric_roots(start, V, sphere, branches_.root, roundings_)) add_hit(start, V, sphere, t);
-    roundings_ = before;
+    if (hits) add_hits(start, V, sphere, geometric_roots(start, V, sphere, branches_.root, roundings_));
 }
 
-void Formulations::add_hit(const AffineVec3& start, const AffineVec3& V, const Sphere<Affine>& sphere,
-                           const Affine& t) {
-    const Roundings before = roundings_;
-    const AffineVec3 hit = point_on_ray(start, V, t);
-    const AffineVec3 outward = hit - sphere.center;
-    hulls_.add(item::sphere::t, t);
-    hulls_.add(item::sphere::hit, hit);
-    hulls_.add(item::sphere::normal, unit_vector(outward));
-    hulls_.add(item::sphere::normal, scaled(outward, Affine(Affine(1) / sphere.radius)));
-    roundings_ = before;
+void Formulations::add_hits(const AffineVec3& start, const AffineVec3& V, const Sphere<Affine>& sphere,
+                            const std::vector<Affine>& ts) {
+    Alternatives ways(roundings_);
+    for (const Affine& t : ts) {
+        const AffineVec3 hit = point_on_ray(start, V, t);
+        const AffineVec3 outward = hit - sphere.center;
+        hulls_.add(item::sphere::t, t);
+        hulls_.add(item::sphere::hit, hit);
+        hulls_.add(item::sphere::normal, unit_vector(outward));
+        hulls_.add(item::sphere::normal, scaled(outward, Affine(Affine(1) / sphere.radius)));
+        ways.next();
+    }
 }
 
 void Formulations::add_triangle(const AffineVec3& start, const AffineVec3& V, const Triangle<Affine>& triangle) {
@@ -157,8 +159,9 @@ void Formulations::add_triangle(const AffineVec3& start, const AffineVec3& V, co
     hulls_.add(item::triangle::matrix, system.matrix);
     hulls_.add(item::triangle::rhs, system.rhs);
     if (!branches_.triangle_has_solution) return;
-    const Roundings before = roundings_;
-    for (const AffineVec3& solution : triangle_solutions(system, roundings_)) {
+    const std::vector<AffineVec3> solutions = triangle_solutions(system, roundings_);
+    Alternatives ways(roundings_);
+    for (const AffineVec3& solution : solutions) {
         const auto& [t, u, v] = std::tie(solution.x, solution.y, solution.z);
         hulls_.add(item::triangle::t, t);
         hulls_.add(item::triangle::u, u);
@@ -167,7 +170,7 @@ void Formulations::add_triangle(const AffineVec3& start, const AffineVec3& V, co
         hulls_.add(item::triangle::hit, triangle.A + scaled(system.matrix[1], u) + scaled(system.matrix[2], v));
         hulls_.add(item::triangle::hit,
                    scaled(triangle.A, sum(Affine(1), -u, -v)) + scaled(triangle.B, u) + scaled(triangle.C, v));
-        roundings_ = before;
+        ways.next();
     }
 }
 
@@ -179,10 +182,10 @@ std::map<ItemId, ItemBounds> bounds_of(const Scene<Rational>& exact, PixelConven
     const AffineVec3 P_VCS = P_VCS_of(scene.window, scene.pixel, convention, roundings);
     Formulations formulations(scene, branches, roundings);
     formulations.add_triangle_normal();
-    const Roundings before_basis = roundings;
+    Alternatives ways(roundings);
     for (int way = 0; way < bases; ++way) {
-        roundings = before_basis;
         formulations.add(P_VCS, basis(scene.camera, way));
+        ways.next();
     }
     return formulations.hulls().all();
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <boost/container/static_vector.hpp>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -89,6 +90,7 @@ void Affine::add_random(double size) {
     if (roundings_ == nullptr) {
         slack_ += size;
     } else {
+        assert(random_.sizes.size() <= roundings_->random);  // an error's number is new to all that it is added to
         random_.add(roundings_->random++, size);
     }
 }
@@ -97,6 +99,7 @@ void Affine::add_known(double size) {
     if (roundings_ == nullptr) {
         slack_ += size;
     } else {
+        assert(known_.sizes.size() <= roundings_->known);
         known_.add(roundings_->known++, size);
     }
 }
