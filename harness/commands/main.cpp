@@ -59,6 +59,11 @@ void require_command(const std::string& word, const CLI::App& app) {
                                  did_you_mean(word, names)));
 }
 
+void require_sound_arithmetic() {
+    const std::string trouble = reference::kernel::arithmetic_trouble();
+    if (!trouble.empty()) throw HarnessError("This program's arithmetic is not to be trusted. " + trouble);
+}
+
 int run(int argc, char** argv) {
     CLI::App app(about, "raygrade");
     app.footer(footer);
@@ -80,9 +85,7 @@ int run(int argc, char** argv) {
     const auto chosen =
         std::find_if(commands.begin(), commands.end(), [](const Subcommand& command) { return command.app->parsed(); });
     if (chosen == commands.end()) return usage;
-    const std::string trouble = reference::kernel::arithmetic_trouble();
-    if (!trouble.empty() && chosen->app->get_name() != "doctor")
-        throw HarnessError("This program's arithmetic is not to be trusted. " + trouble);
+    if (chosen->app->get_name() != "doctor") require_sound_arithmetic();  // the doctor tells it beside the rest
     return chosen->run();
 }
 

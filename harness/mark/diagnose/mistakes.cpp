@@ -24,10 +24,10 @@ bool tells_from_key(const Target& result, const Target& key, double allowance) {
 
 std::optional<Agreement> explains(const Mistake& mistake, const MatchedItem& printed, const Evidence& evidence,
                                   double allowance) {
+    const auto key = evidence.key.targets().find(mistake.item);
     for (const ItemTargets& known :
          {with_own(evidence, Digits::of_stream), with_own(evidence, Digits::as_printed), evidence.key}) {
         std::vector<Target> results = mistake.compute(known, evidence.scene);
-        const auto key = evidence.key.targets().find(mistake.item);
         if (key != evidence.key.targets().end())
             std::erase_if(results, [&](const Target& r) { return !tells_from_key(r, key->second, allowance); });
         if (const auto agreement = is_one_of(printed, results, evidence, allowance)) return agreement;

@@ -42,8 +42,8 @@ Judgement Judge::judge(const KeyItem& item, const Evidence& evidence) const {
     Judgement judgement;
     ItemScore& score = judgement.score;
     score.spec = item.spec;
-    score.allowance = allowance_of(item, rubric_);
-    if (!reference::float_can_answer(item.answers.front())) score.allowance.reset();
+    score.allowance =
+        reference::float_can_answer(item.answers.front()) ? std::optional(allowance_of(item, rubric_)) : std::nullopt;
     const auto printed = std::find_if(matched_.begin(), matched_.end(),
                                       [&](const MatchedItem& m) { return id_of(m.spec) == id_of(item.spec); });
     if (printed == matched_.end()) return judgement;

@@ -11,8 +11,6 @@ namespace harness::report {
 
 using namespace reference::accuracy;
 
-namespace {}  // namespace
-
 std::string assignment_text(const AssignmentAccuracy& assignment) {
     std::string text = fmt::format("{}\n\n", escape_control(assignment.title));
     text +=
