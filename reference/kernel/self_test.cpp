@@ -5,6 +5,7 @@
 
 #include "reference/kernel/sphere.h"
 #include "reference/kernel/triangle.h"
+#include "reference/numbers/splitmix.h"
 
 namespace reference::kernel {
 namespace {
@@ -47,26 +48,13 @@ bool divides_exactly() {
     return all;
 }
 
-/// splitmix64 (Steele, Lea and Flood, 2014).
-std::uint64_t bits_of(std::uint64_t& state) {
-    std::uint64_t z = (state += 0x9e3779b97f4a7c15U);
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31U);
-}
-
+/// From -size to size.
 int whole(std::uint64_t& state, int size) {
-    return static_cast<int>(bits_of(state) % static_cast<std::uint64_t>(2 * size + 1)) - size;
+    return static_cast<int>(next_random_bits(state) % static_cast<std::uint64_t>(2 * size + 1)) - size;
 }
 
-struct Whole3 {
-    long long x, y, z;
-    Vec3<double> times(double unit) const {
-        return {static_cast<double>(x) * unit, static_cast<double>(y) * unit, static_cast<double>(z) * unit};
-    }
-};
-
-Whole3 point(std::uint64_t& state, int size) {
+/// Of whole numbers, so that sums and differences of points are exact.
+Vec3<double> point(std::uint64_t& state, int size) {
     const int x = whole(state, size), y = whole(state, size), z = whole(state, size);
     return {x, y, z};
 }
@@ -77,24 +65,18 @@ NarrowCase narrow_case(std::uint64_t seed) {
     std::uint64_t state = seed;
     const double unit = std::ldexp(1.0, whole(state, 40));
     const int steps = 1 + std::abs(whole(state, 1000));
-    const Whole3 start = point(state, 100000), A = point(state, 100000), edge = point(state, 30000);
+    const Vec3<double> start = point(state, 100000), A = point(state, 100000), edge = point(state, 30000);
     // A point of the edge from A to B, or a step beside it: the ray goes through it at t = 1.
     const int share = 1 + std::abs(whole(state, 6));
-    const Whole3 B{A.x + 7 * edge.x, A.y + 7 * edge.y, A.z + 7 * edge.z};
-    const Whole3 on_edge{A.x + share * edge.x, A.y + share * edge.y, A.z + share * edge.z};
-    const Whole3 beside = point(state, steps % 3 == 0 ? 1 : 0);
-    const Whole3 direction{on_edge.x + beside.x - start.x, on_edge.y + beside.y - start.y,
-                           on_edge.z + beside.z - start.z};
+    const Vec3<double> beside = point(state, steps % 3 == 0 ? 1 : 0);
+    const Vec3<double> direction = A + scaled(edge, static_cast<double>(share)) + beside - start;
     // The ray comes nearest to the sphere's center at t = 1, at a distance that is its radius up to a double's last
     // place.
-    const Whole3 across{direction.y, -direction.x, 0};
-    const Whole3 center{start.x + direction.x + across.x, start.y + direction.y + across.y,
-                        start.z + direction.z + across.z};
-    const double distance = std::sqrt(static_cast<double>(across.x * across.x + across.y * across.y));
-    const double radius = distance * (1 + whole(state, 1) * std::numeric_limits<double>::epsilon());
-    return {{start.times(unit), direction.times(unit)},
-            {center.times(unit), (radius > 0 ? radius : 1) * unit},
-            {A.times(unit), B.times(unit), point(state, 100000).times(unit)}};
+    const Vec3<double> across(direction.y, -direction.x, 0);
+    const double radius = length(across) * (1 + whole(state, 1) * std::numeric_limits<double>::epsilon());
+    return {{scaled(start, unit), scaled(direction, unit)},
+            {scaled(start + direction + across, unit), (radius > 0 ? radius : 1) * unit},
+            {scaled(A, unit), scaled(A + scaled(edge, 7.0), unit), scaled(point(state, 100000), unit)}};
 }
 
 std::uint64_t hash_of_decisions(std::uint64_t cases) {

@@ -4,11 +4,11 @@
 #include <cstdint>
 
 #include "harness/scenes/source/scene_part.h"
+#include "reference/numbers/splitmix.h"
 #include "reference/stages/scene_numbers.h"
 
 namespace harness::scenes {
 
-/// splitmix64 (Steele, Lea and Flood 2014), because the standard library's distributions differ between machines.
 class Draw {
   public:
     explicit Draw(std::uint64_t seed) : state_(seed) {}
@@ -28,13 +28,7 @@ class Draw {
     }
 
   private:
-    std::uint64_t next() {
-        state_ += 0x9E3779B97F4A7C15U;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-        z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-        return z ^ (z >> 31U);
-    }
+    std::uint64_t next() { return reference::next_random_bits(state_); }
 
     std::uint64_t state_;
 };

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "reference/numbers/splitmix.h"
 #include "reference/numbers/vector.h"
 
 namespace reference::accuracy {
@@ -19,19 +20,13 @@ enum class Inputs {
     floats,  ///< floats only, so that methods in float and in double are given the very same problem
 };
 
-/// splitmix64 (Steele, Lea and Flood, 2014): every seed is good.
 class Random {
   public:
     explicit Random(std::uint64_t seed, Inputs inputs = Inputs::mixed) : state_(seed), inputs_(inputs) {}
 
     Inputs inputs() const { return inputs_; }
 
-    std::uint64_t bits() {
-        std::uint64_t z = (state_ += 0x9e3779b97f4a7c15U);
-        z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-        z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-        return z ^ (z >> 31U);
-    }
+    std::uint64_t bits() { return next_random_bits(state_); }
     /// From lo to hi, both included.
     int whole(int lo, int hi) { return lo + static_cast<int>(bits() % static_cast<std::uint64_t>(hi - lo + 1)); }
     /// In [-1, 1).

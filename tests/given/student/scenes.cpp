@@ -107,11 +107,11 @@ const std::map<std::string_view, std::string>& scenes() {
 
 }  // namespace
 
-std::string camera_on_the_axis(int eye_z) {
+std::string camera_on_the_axis(int eye_z, std::string_view pixels) {
     return "[camera]\neye = [0, 0, " + std::to_string(eye_z) +
            "]\nlookat = [0, 0, 0]\nvup = [0, 1, 0]\n"
-           "[window]\nclip_left = -2\nclip_right = 2\nclip_bottom = -1\nclip_top = 1\nclip_near = 2\n"
-           "width = 301\nheight = 201\npixel = [150, 100]\n";
+           "[window]\nclip_left = -2\nclip_right = 2\nclip_bottom = -1\nclip_top = 1\nclip_near = 2\n" +
+           std::string(pixels);
 }
 
 Marking marking_of(std::string_view toml, std::string_view name) {

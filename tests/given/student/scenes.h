@@ -31,9 +31,11 @@ Marking scene_named(std::string_view name);
 /// and "barely outside" (of the triangle), and "almost a tie".
 const std::vector<std::string_view>& scene_names();
 
-/// The beginning of a scene's text: a camera at (0, 0, eye_z) that looks down the z axis, and the pixel in the middle
-/// of its window.
-std::string camera_on_the_axis(int eye_z);
+inline constexpr std::string_view middle_pixel = "width = 301\nheight = 201\npixel = [150, 100]\n";
+
+/// The beginning of a scene's text: a camera at (0, 0, eye_z) that looks down the z axis, and the pixel, in the middle
+/// of its window unless `pixels` says otherwise.
+std::string camera_on_the_axis(int eye_z, std::string_view pixels = middle_pixel);
 
 /// `toml`'s scene and rubric.
 Marking marking_of(std::string_view toml, std::string_view name);

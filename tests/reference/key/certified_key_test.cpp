@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reference/key/answer_key.h"
+#include "tests/given/student/scenes.h"
 
 namespace {
 
@@ -136,34 +137,21 @@ TEST(CertifiedKey, WritesEnclosuresIn17DigitsThatReadBackAsTheSameDoubles) {
     EXPECT_FALSE(json.contains("notes"));
 }
 
-/// The 2021 camera and window, with these lines of the window and these objects.
-AnswerKey key_of_scene(const std::string& window, const std::string& objects, const std::string& rubric = "") {
-    const std::string toml = R"(
-[camera]
-eye = [0, 0, 4]
-lookat = [0, 0, 0]
-vup = [0, 1, 0]
-[window]
-clip_left = -2
-clip_right = 2
-clip_bottom = -1
-clip_top = 1
-clip_near = 2
-)" + window + "\n" + objects +
-                             "\n[rubric]\n" + rubric;
+/// The 2021 camera with these objects.
+AnswerKey key_of_scene(const std::string& objects, const std::string& rubric = "",
+                       std::string_view pixels = student::middle_pixel) {
+    const std::string toml = student::camera_on_the_axis(4, pixels) + objects + "\n[rubric]\n" + rubric;
     return make_key(parse_assignment(toml, "scene.toml"), Precision::certified);
 }
 
-constexpr const char* middle_pixel = "width = 301\nheight = 201\npixel = [150, 100]";
-
 TEST(CertifiedKey, HasAHitOnTheEdgeFromBToC) {
     // The ray runs down the z axis, through the middle of the edge from (2, -2, 0) to (-2, 2, 0): u = v = 1/2.
-    const AnswerKey key = key_of_scene(middle_pixel, "[[triangle]]\nvertices = [[-2, -2, 0], [2, -2, 0], [-2, 2, 0]]");
+    const AnswerKey key = key_of_scene("[[triangle]]\nvertices = [[-2, -2, 0], [2, -2, 0], [-2, 2, 0]]");
     expect_item(key, 8, "u", {0.5}, true);
     expect_item(key, 8, "v", {0.5}, true);
     EXPECT_EQ(key.decisions.triangle, "hit");
-    const AnswerKey beside = key_of_scene(
-        middle_pixel, "[[triangle]]\nvertices = [[-2, -2, 0], [1.99999999999999999999, -2, 0], [-2, 2, 0]]");
+    const AnswerKey beside =
+        key_of_scene("[[triangle]]\nvertices = [[-2, -2, 0], [1.99999999999999999999, -2, 0], [-2, 2, 0]]");
     EXPECT_EQ(beside.decisions.triangle, "miss") << "the edge passes the axis by 10^-20";
 }
 
@@ -171,8 +159,7 @@ TEST(CertifiedKey, ComparesATriangleWithTheFarRoot) {
     // The ray starts in the sphere, at (0, 0, 2), and leaves it at z = -1, t = 3.
     const std::string sphere = "[[sphere]]\ncenter = [0, 0, 1]\nradius = 2\n[[triangle]]\nvertices = ";
     const auto first = [&](const std::string& z) {
-        return key_of_scene(middle_pixel, sphere + "[[-9, -9, " + z + "], [9, -9, " + z + "], [0, 9, " + z + "]]")
-            .decisions.first;
+        return key_of_scene(sphere + "[[-9, -9, " + z + "], [9, -9, " + z + "], [0, 9, " + z + "]]").decisions.first;
     };
     EXPECT_EQ(first("-1"), "tie");
     EXPECT_EQ(first("-0.99999999999999999999"), "triangle");
@@ -184,14 +171,14 @@ TEST(CertifiedKey, CountsAStartOnTheSphereAsTheRubricSays) {
     const std::string entered = "[[sphere]]\ncenter = [0, 0, 1]\nradius = 1",
                       left = "[[sphere]]\ncenter = [0, 0, 3]\nradius = 1";
     const std::string from_zero = "boundary = \"nonnegative\"", above_zero = "boundary = \"positive\"";
-    expect_item(key_of_scene(middle_pixel, entered, from_zero), 6, "t", {0}, true);
-    expect_item(key_of_scene(middle_pixel, entered, above_zero), 6, "t", {2}, true);
-    expect_item(key_of_scene(middle_pixel, left, from_zero), 6, "t", {0}, true);
-    EXPECT_TRUE(std::holds_alternative<NoValue>(find(key_of_scene(middle_pixel, left, above_zero), 6, "t")->value));
+    expect_item(key_of_scene(entered, from_zero), 6, "t", {0}, true);
+    expect_item(key_of_scene(entered, above_zero), 6, "t", {2}, true);
+    expect_item(key_of_scene(left, from_zero), 6, "t", {0}, true);
+    EXPECT_TRUE(std::holds_alternative<NoValue>(find(key_of_scene(left, above_zero), 6, "t")->value));
 }
 
 TEST(CertifiedKey, PutsAGridOfOnePixelInTheMiddle) {
-    const AnswerKey key = key_of_scene("width = 1\nheight = 3\npixel = [0, 2]", "", "pixel_conventions = [\"grid\"]");
+    const AnswerKey key = key_of_scene("", "pixel_conventions = [\"grid\"]", "width = 1\nheight = 3\npixel = [0, 2]\n");
     expect_item(key, 1, "P_VCS", {0, 1, -2}, true);
 }
 
