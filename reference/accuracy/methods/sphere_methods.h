@@ -10,6 +10,7 @@
 #include <glm/gtx/intersect.hpp>
 #include <utility>
 
+#include "reference/accuracy/methods/fused.h"
 #include "reference/accuracy/rays/hit.h"
 #include "reference/kernel/sphere.h"
 #include "reference/numbers/interval.h"
@@ -73,9 +74,6 @@ bool half_b_decision(const Ray<S>& ray, const Sphere<S>& sphere) {
 /// half_b_branch_free() with every product that is added to something fused with the sum.
 template <class S>
 Hit<S> half_b_fused(const Ray<S>& ray, const Sphere<S>& sphere) {
-    const auto fused_dot = [](const Vec3<S>& p, const Vec3<S>& q) {
-        return std::fma(p.x, q.x, std::fma(p.y, q.y, p.z * q.z));
-    };
     const Vec3<S> f = ray.origin - sphere.center;
     const S a = fused_dot(ray.direction, ray.direction);
     const S b = fused_dot(f, ray.direction);

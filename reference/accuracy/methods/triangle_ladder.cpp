@@ -68,7 +68,7 @@ void add_textbooks(Methods& methods) {
                    [](const auto& ray, const auto& triangle) { return moller_trumbore_fused(ray, triangle); });
     methods.push_back(method<double, TriangleProblem>(
         {"Möller-Trumbore epsilon", "double", "branch-free; what nearly hits, by 1e-9, counts as a hit"},
-        [](const TriangleCase& c) { return moller_trumbore_with_epsilon(c.ray, c.triangle); }));
+        [](const TriangleCase& c) { return moller_trumbore_branch_free(c.ray, c.triangle, 1e-9); }));
 }
 
 void add_papers(Methods& methods) {

@@ -15,6 +15,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "reference/accuracy/methods/fused.h"
 #include "reference/accuracy/rays/hit.h"
 #include "reference/kernel/pair.h"
 
@@ -126,9 +127,9 @@ Hit<S> moller_trumbore(const Ray<S>& ray, const Triangle<S>& triangle) {
 }
 
 /// Möller and Trumbore without a branch: there is no early exit, so the processor has nothing to predict. det = 0
-/// leaves no finite u, v and t.
+/// leaves no finite u, v and t. Programs that distrust rounding take what is nearly a hit, by epsilon, for a hit.
 template <class S>
-Hit<S> moller_trumbore_branch_free(const Ray<S>& ray, const Triangle<S>& triangle) {
+Hit<S> moller_trumbore_branch_free(const Ray<S>& ray, const Triangle<S>& triangle, S epsilon = 0) {
     const Vec3<S> p = triangle.B - triangle.A;
     const Vec3<S> q = triangle.C - triangle.A;
     const Vec3<S> s = ray.origin - triangle.A;
@@ -138,8 +139,8 @@ Hit<S> moller_trumbore_branch_free(const Ray<S>& ray, const Triangle<S>& triangl
     const S u = dot(s, d_q) * inverse;
     const S v = dot(ray.direction, s_p) * inverse;
     const S t = dot(q, s_p) * inverse;
-    const int inside =
-        static_cast<int>(t >= 0) & static_cast<int>(u >= 0) & static_cast<int>(v >= 0) & static_cast<int>(u + v <= 1);
+    const int inside = static_cast<int>(t >= -epsilon) & static_cast<int>(u >= -epsilon) &
+                       static_cast<int>(v >= -epsilon) & static_cast<int>(u + v <= 1 + epsilon);
     return {inside != 0, t};
 }
 
@@ -164,13 +165,6 @@ bool moller_trumbore_decision(const Ray<S>& ray, const Triangle<S>& triangle) {
 /// moller_trumbore_branch_free() with every product that is added to something fused with the sum.
 template <class S>
 Hit<S> moller_trumbore_fused(const Ray<S>& ray, const Triangle<S>& triangle) {
-    const auto fused_dot = [](const Vec3<S>& p, const Vec3<S>& q) {
-        return std::fma(p.x, q.x, std::fma(p.y, q.y, p.z * q.z));
-    };
-    const auto fused_cross = [](const Vec3<S>& p, const Vec3<S>& q) {
-        return Vec3<S>(std::fma(p.y, q.z, -(p.z * q.y)), std::fma(p.z, q.x, -(p.x * q.z)),
-                       std::fma(p.x, q.y, -(p.y * q.x)));
-    };
     const Vec3<S> p = triangle.B - triangle.A;
     const Vec3<S> q = triangle.C - triangle.A;
     const Vec3<S> s = ray.origin - triangle.A;
@@ -182,24 +176,6 @@ Hit<S> moller_trumbore_fused(const Ray<S>& ray, const Triangle<S>& triangle) {
     const S t = fused_dot(q, s_p) * inverse;
     const int inside =
         static_cast<int>(t >= 0) & static_cast<int>(u >= 0) & static_cast<int>(v >= 0) & static_cast<int>(u + v <= 1);
-    return {inside != 0, t};
-}
-
-/// Programs that distrust rounding take what is nearly a hit for a hit.
-template <class S>
-Hit<S> moller_trumbore_with_epsilon(const Ray<S>& ray, const Triangle<S>& triangle) {
-    constexpr S epsilon = S(1e-9);
-    const Vec3<S> p = triangle.B - triangle.A;
-    const Vec3<S> q = triangle.C - triangle.A;
-    const Vec3<S> s = ray.origin - triangle.A;
-    const Vec3<S> d_q = cross(ray.direction, q);
-    const Vec3<S> s_p = cross(s, p);
-    const S inverse = S(1) / dot(p, d_q);
-    const S u = dot(s, d_q) * inverse;
-    const S v = dot(ray.direction, s_p) * inverse;
-    const S t = dot(q, s_p) * inverse;
-    const int inside = static_cast<int>(t >= -epsilon) & static_cast<int>(u >= -epsilon) &
-                       static_cast<int>(v >= -epsilon) & static_cast<int>(u + v <= 1 + epsilon);
     return {inside != 0, t};
 }
 
