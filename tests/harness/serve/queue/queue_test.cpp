@@ -5,46 +5,30 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <fstream>
 #include <set>
 #include <thread>
 
-#include "harness/machine/errors.h"
 #include "harness/serve/queue/result_address.h"
-#include "tests/given/as_nobody.h"
+#include "tests/given/temporary_folder.h"
 
 namespace harness::serve {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::StartsWith;
 using namespace std::chrono_literals;
 
 class QueueTest : public testing::Test {
   protected:
-    QueueTest() {
-        std::string name = (fs::temp_directory_path() / "raygrade-test.XXXXXX").string();
-        folder = mkdtemp(name.data());
-    }
-    ~QueueTest() override { fs::remove_all(folder); }
-
     static std::string hand_in(Queue& queue, const std::string& source) {
         return std::get<std::string>(queue.accept(source));
     }
-    fs::path folder;
+    TemporaryFolder own;
+    fs::path folder = own.path();
 };
-
-std::vector<std::string> names_in(const fs::path& folder) {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());
-    std::sort(names.begin(), names.end());
-    return names;
-}
 
 std::size_t position(const Queue& queue, const std::string& address) {
     const Standing standing = queue.standing(address);
@@ -258,160 +242,6 @@ TEST_F(QueueTest, NoSourceIsKeptAfterItsResult) {
         EXPECT_EQ(bytes.find("int secret;"), std::string::npos) << entry.path();
         EXPECT_EQ(bytes.find("of mine.cpp"), std::string::npos) << entry.path();
     }
-}
-
-TEST_F(QueueTest, TheOldestResultsAreRemovedBeyondTheBounds) {
-    SpoolBounds bounds;
-    bounds.results = 3;
-    bounds.bytes = 100;
-    KeptPrograms kept_programs(folder, bounds);
-    for (int i = 0; i < 5; ++i) {
-        kept_programs.add(std::to_string(i), "source");
-        kept_programs.finish(std::to_string(i), {"page", 1, 1});
-    }
-    kept_programs.add("waiting", "source");
-    kept_programs.trim();
-    EXPECT_FALSE(kept_programs.result("1"));
-    EXPECT_TRUE(kept_programs.result("2"));
-    EXPECT_THAT(kept_programs.waiting(), ElementsAre("waiting"));
-    kept_programs.finish("waiting", {std::string(97, 'x'), 1, 1});
-    kept_programs.trim();
-    EXPECT_TRUE(kept_programs.result("waiting"));
-    EXPECT_FALSE(kept_programs.result("4"));
-}
-
-TEST_F(QueueTest, AResultIsRemovedAfterItsTime) {
-    SpoolBounds bounds;
-    bounds.age = 0s;
-    KeptPrograms kept_programs(folder, bounds);
-    kept_programs.add("a", "source");
-    kept_programs.finish("a", {"page", 1, 1});
-    EXPECT_FALSE(kept_programs.result("a"));
-    EXPECT_FALSE(kept_programs.points("a"));
-    kept_programs.trim();
-    SQLite::Database database((folder / "spool.sqlite").string(), SQLite::OPEN_READONLY);
-    EXPECT_EQ(database.execAndGet("SELECT count(*) FROM submissions").getInt(), 0);
-}
-
-TEST_F(QueueTest, AFolderIsUsedByOneProcessAtATime) {
-    const KeptPrograms kept_programs(folder);
-    try {
-        const KeptPrograms second(folder);
-        FAIL() << "two at a time";
-    } catch (const HarnessError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("--state"));
-    }
-}
-
-TEST_F(QueueTest, AForeignFolderIsRefusedAndLeftUnchanged) {
-    fs::permissions(folder, static_cast<fs::perms>(0755));
-    std::ofstream(folder / "mine.txt") << "mine";
-    try {
-        const KeptPrograms kept_programs(folder);
-        FAIL() << "a folder of somebody else's";
-    } catch (const UsageError& error) {
-        EXPECT_THAT(error.what(), AllOf(HasSubstr("is not empty and holds no queue"), HasSubstr("--state")));
-    }
-    EXPECT_EQ(fs::status(folder).permissions(), static_cast<fs::perms>(0755));
-    EXPECT_THAT(names_in(folder), ElementsAre("mine.txt"));
-    EXPECT_THROW(const KeptPrograms kept_programs(folder / "mine.txt"), UsageError);
-}
-
-TEST_F(QueueTest, AnExistingFolderKeepsItsModeAndItsFilesArePrivate) {
-    fs::permissions(folder, static_cast<fs::perms>(0755));
-    KeptPrograms kept_programs(folder);
-    kept_programs.add("a", "source");
-    EXPECT_EQ(fs::status(folder).permissions(), static_cast<fs::perms>(0755));
-    EXPECT_THAT(names_in(folder), ElementsAre("lock", "spool.sqlite", "spool.sqlite-shm", "spool.sqlite-wal"));
-    for (const auto& entry : fs::directory_iterator(folder))
-        EXPECT_EQ(entry.status().permissions(), fs::perms::owner_read | fs::perms::owner_write) << entry.path();
-}
-
-TEST_F(QueueTest, AFolderOfAnUnfinishedOrSetAsideStartIsAccepted) {
-    const fs::path begun = folder / "begun", aside = folder / "aside";
-    for (const fs::path& each : {begun, aside}) fs::create_directory(each);
-    std::ofstream(begun / "lock").flush();
-    std::ofstream(aside / "spool.sqlite.set-aside") << "damaged";
-    EXPECT_NO_THROW(const KeptPrograms kept_programs(begun));
-    EXPECT_NO_THROW(const KeptPrograms kept_programs(aside));
-    std::ofstream(folder / "lock") << "of another program";
-    EXPECT_THROW(const KeptPrograms kept_programs(folder), UsageError);
-}
-
-TEST_F(QueueTest, ProgramsWaitingForADifferentAssignmentAreRefused) {
-    {
-        KeptPrograms kept_programs(folder);
-        kept_programs.take_for("a6", "pixel = 1");
-        kept_programs.add("done", "source");
-        kept_programs.finish("done", {"page of a6", 1, 1});
-        kept_programs.add("waiting", "source");
-    }
-    const auto why_not = [&](const char* assignment, const char* toml) -> std::string {
-        KeptPrograms kept_programs(folder);
-        try {
-            kept_programs.take_for(assignment, toml);
-        } catch (const UsageError& error) {
-            return error.what();
-        }
-        return "";
-    };
-    EXPECT_THAT(why_not("a7", "pixel = 2"),
-                AllOf(StartsWith('"' + folder.string() + "\": 1 program waits there for the assignment a6."),
-                      HasSubstr("--state")));
-    EXPECT_THAT(why_not("a6", "pixel = 2"), HasSubstr("for the assignment a6, whose file has changed since."));
-    EXPECT_EQ(why_not("a6", "pixel = 1"), "");
-    KeptPrograms(folder).finish("waiting", {"page", 1, 1});
-    EXPECT_EQ(why_not("a7", "pixel = 2"), "") << "nothing waits any more";
-    EXPECT_EQ(KeptPrograms(folder).result("done")->page, "page of a6");
-    KeptPrograms(folder).add("new", "source");
-    EXPECT_THAT(why_not("a6", "pixel = 1"), HasSubstr("for the assignment a7."));
-}
-
-TEST_F(QueueTest, ASpoolOfTheFirstVersionKeepsItsContents) {
-    {
-        SQLite::Database database((folder / "spool.sqlite").string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-        database.exec(
-            "CREATE TABLE submissions (number INTEGER PRIMARY KEY AUTOINCREMENT, key TEXT NOT NULL UNIQUE, attempts "
-            "INTEGER NOT NULL DEFAULT 0, source BLOB, page BLOB, points REAL, max_points REAL, finished INTEGER);"
-            "INSERT INTO submissions (key, source) VALUES ('a', 'source');"
-            "PRAGMA user_version = 1");
-    }
-    KeptPrograms kept_programs(folder);
-    EXPECT_EQ(kept_programs.problem(), "");
-    kept_programs.take_for("a6", "pixel = 1");
-    EXPECT_THAT(kept_programs.waiting(), ElementsAre("a"));
-    const Program program = kept_programs.begin("a");
-    EXPECT_EQ(program.source, "source");
-    EXPECT_EQ(program.file, "");
-}
-
-TEST_F(QueueTest, ASpoolOfALaterVersionIsSetAside) {
-    {
-        SQLite::Database database((folder / "spool.sqlite").string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-        database.exec("CREATE TABLE submissions (key); PRAGMA user_version = 99");
-    }
-    const KeptPrograms kept_programs(folder);
-    EXPECT_THAT(kept_programs.problem(), HasSubstr("is of version 99"));
-}
-
-TEST_F(QueueTest, ADamagedSpoolIsSetAsideAndReported) {
-    std::ofstream(folder / "spool.sqlite") << "this is no database, and it is long enough for SQLite to see that";
-    KeptPrograms kept_programs(folder);
-    EXPECT_THAT(kept_programs.problem(), HasSubstr("set-aside"));
-    EXPECT_TRUE(fs::exists(folder / "spool.sqlite.set-aside"));
-    kept_programs.add("a", "source");
-    EXPECT_THAT(kept_programs.waiting(), ElementsAre("a"));
-}
-
-TEST_F(QueueTest, AnUnwritableFolderIsReportedWithTheWayOut) {
-    fs::permissions(folder, fs::perms::owner_read | fs::perms::owner_exec);
-    const AsNobody nobody;
-    EXPECT_THROW(const KeptPrograms kept_programs(folder / "below"), HarnessError);
-}
-
-TEST_F(QueueTest, OnlyItsOwnerReadsTheSpool) {
-    const KeptPrograms kept_programs(folder / "new");
-    EXPECT_EQ(fs::status(folder / "new").permissions(), fs::perms::owner_all);
 }
 
 TEST_F(QueueTest, AFailingDiskRefusesProgramsAndReportsLostResults) {
