@@ -1,6 +1,7 @@
 #include "reference/key/allowance.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "reference/key/formulations.h"
 
@@ -60,7 +61,7 @@ AffineVec3 P_VCS_of(const Window<Affine>& window, const Pixel& pixel, PixelConve
 class Formulations {
   public:
     Formulations(const Scene<Affine>& scene, const Branches& branches, Roundings& roundings)
-        : scene_(scene), branches_(branches), roundings_(roundings) {}
+        : scene_(scene), branches_(branches), roundings_(roundings), of_scene_(roundings.random) {}
 
     void add(const AffineVec3& P_VCS, const Basis<Affine>& basis);
     void add_triangle_normal();
@@ -68,7 +69,7 @@ class Formulations {
 
   private:
     void add_matrix(const Mat4<Affine>& M);
-    void add_ray(const AffineVec3& start, const AffineVec3& V);
+    void add_ray(AffineVec3 start, AffineVec3 V);
     void add_sphere(const AffineVec3& start, const AffineVec3& V, const Sphere<Affine>& sphere);
     void add_hits(const AffineVec3& start, const AffineVec3& V, const Sphere<Affine>& sphere,
                   const std::vector<Affine>& ts);
@@ -77,6 +78,7 @@ class Formulations {
     const Scene<Affine>& scene_;
     const Branches& branches_;
     Roundings& roundings_;
+    std::size_t of_scene_;  ///< how many random errors the scene's numbers have
     Hulls hulls_;
 };
 
@@ -116,13 +118,16 @@ void Formulations::add_matrix(const Mat4<Affine>& M) {
     hulls_.add(item::Z_vcs, AffineVec3(M[2]));
 }
 
-void Formulations::add_ray(const AffineVec3& start, const AffineVec3& V) {
+void Formulations::add_ray(AffineVec3 start, AffineVec3 V) {
     hulls_.add(item::P_WCS, start);
     hulls_.add(item::V, V);
-    Alternatives objects(roundings_);
+    // What follows depends on the objects and on these six numbers alone.
+    summarize(start, V);
+    const std::size_t of_ray = std::exchange(roundings_.random, of_scene_);
     if (!scene_.spheres.empty()) add_sphere(start, V, scene_.spheres.at(branches_.sphere_index));
-    objects.next();
+    roundings_.random = of_scene_;
     if (!scene_.triangles.empty()) add_triangle(start, V, scene_.triangles.at(branches_.triangle_index));
+    roundings_.random = of_ray;
 }
 
 void Formulations::add_sphere(const AffineVec3& start, const AffineVec3& V, const Sphere<Affine>& sphere) {
@@ -179,8 +184,8 @@ std::map<ItemId, ItemBounds> bounds_of(const Scene<Rational>& exact, PixelConven
     Roundings roundings;
     const Scene<Affine> scene =
         convert_scene<Affine>(exact, [&](const Rational& x) { return read_number(x, roundings); });
-    const AffineVec3 P_VCS = P_VCS_of(scene.window, scene.pixel, convention, roundings);
     Formulations formulations(scene, branches, roundings);
+    const AffineVec3 P_VCS = P_VCS_of(scene.window, scene.pixel, convention, roundings);
     formulations.add_triangle_normal();
     Alternatives ways(roundings);
     for (int way = 0; way < bases; ++way) {

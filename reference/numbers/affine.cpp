@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 namespace reference {
 namespace {
@@ -110,7 +111,10 @@ bool Affine::is_power_of_two() const {
 }
 
 double Affine::radius() const {
-    const double random = std::min(random_.sum, certainty * std::sqrt(random_.squares));
+    double summary = 0;
+    for (const double size : summary_) summary += size * size;
+    const double random =
+        std::min(random_.sum + certainty * std::sqrt(summary), certainty * std::sqrt(random_.squares + summary));
     return (random + known_.sum + slack_) * (1 + own_error);
 }
 
@@ -143,6 +147,7 @@ Affine Affine::scaled_by(double power_of_two) const {
     result.slack_ *= std::abs(power_of_two);
     result.random_.scale(power_of_two);
     result.known_.scale(power_of_two);
+    for (double& size : result.summary_) size *= power_of_two;
     if (most > 0 && most < smallest_normal) result.slack_ += smallest_normal;
     return result;
 }
@@ -172,8 +177,12 @@ Affine Affine::combination(double p, const Affine& x, double q, const Affine& y)
     combine(result.random_, p, x.random_, q, y.random_);
     combine(result.known_, p, x.known_, q, y.known_);
     // Terms that cancel here leave the roundings of the two products.
-    const double operands = std::abs(p) * (x.random_.sum + x.known_.sum + std::abs(x.center_)) +
-                            std::abs(q) * (y.random_.sum + y.known_.sum + std::abs(y.center_));
+    double operands = std::abs(p) * (x.random_.sum + x.known_.sum + std::abs(x.center_)) +
+                      std::abs(q) * (y.random_.sum + y.known_.sum + std::abs(y.center_));
+    for (std::size_t i = 0; i < result.summary_.size(); ++i) {
+        result.summary_[i] = p * x.summary_[i] + q * y.summary_[i];
+        operands += std::abs(p * x.summary_[i]) + std::abs(q * y.summary_[i]);
+    }
     result.slack_ += 0x1p-51 * (1 + own_error) * operands;
     return result;
 }
@@ -278,6 +287,35 @@ Affine either(const Affine& x, const Affine& y) {
     result.add_random((hi - lo) / 2);
     result.add_own_errors();
     return result;
+}
+
+/// Gram and Schmidt's orthogonalisation of the values' deviations, row by row, in the better of its two orders: the
+/// rows become those of a lower triangular matrix with the same products of any two rows.
+void summarize(Vec3<Affine>& p, Vec3<Affine>& q) {
+    const std::array<Affine*, 6> values{&p.x, &p.y, &p.z, &q.x, &q.y, &q.z};
+    std::array<std::vector<double>, 6> rows;
+    std::size_t errors = 0;
+    for (const Affine* value : values) errors = std::max(errors, value->random_.sizes.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto& sizes = values[i]->random_.sizes;
+        rows[i].assign(errors + values.size(), 0.0);
+        std::copy(sizes.begin(), sizes.end(), rows[i].begin());
+        // What an earlier summary left.
+        std::copy(values[i]->summary_.begin(), values[i]->summary_.end(), rows[i].begin() + errors);
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        Affine::Summary summary{};
+        for (std::size_t j = 0; j < i; ++j) {
+            summary[j] = std::inner_product(rows[i].begin(), rows[i].end(), rows[j].begin(), 0.0);
+            for (std::size_t k = 0; k < rows[i].size(); ++k) rows[i][k] -= summary[j] * rows[j][k];
+        }
+        summary[i] = std::sqrt(std::inner_product(rows[i].begin(), rows[i].end(), rows[i].begin(), 0.0));
+        for (double& size : rows[i]) size = summary[i] > 0 ? size / summary[i] : 0;
+        Affine& value = *values[i];
+        value.slack_ += own_error * value.radius();
+        value.random_ = {};
+        value.summary_ = summary;
+    }
 }
 
 Affine Affine::exact_product(const Affine& y) const {

@@ -5,7 +5,8 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/container/vector.hpp>
+#include <array>
+#include <boost/container/small_vector.hpp>
 #include <compare>
 #include <cstddef>
 #include <initializer_list>
@@ -50,7 +51,8 @@ class Alternatives {
 };
 
 /// center + the sums of deviation_i e_i for random and for known errors + rest, with each e_i in [-1, 1] and
-/// |rest| <= slack. Everything is computed in double; the errors of that are part of the slack.
+/// |rest| <= slack. What summarize() leaves of earlier random errors is a third sum. Everything is computed in double;
+/// the errors of that are part of the slack.
 ///
 /// Each result is rounded once, to nearest, to float or to anything finer, or not at all: a compiler may fuse a product
 /// with the sum that follows. What a rounding does to a number that is known, rather than to a range, is known too:
@@ -99,6 +101,7 @@ class Affine {
     }
     /// One of two ways to compute the same value: x, with a further error as large as their difference.
     friend Affine either(const Affine& x, const Affine& y);
+    friend void summarize(Vec3<Affine>& p, Vec3<Affine>& q);
 
     /// Unordered where the range contains zero and other numbers.
     friend std::partial_ordering sign_of(const Affine& x) { return sign_of(x.range()); }
@@ -106,13 +109,16 @@ class Affine {
   private:
     /// Deviations by the error's number; those missing at the end are 0.
     struct Deviations {
-        boost::container::vector<double> sizes;  ///< unlike std::vector, it grows without setting elements to zero
-        double sum = 0;                          ///< of |size|
-        double squares = 0;                      ///< the sum of size squared
+        boost::container::small_vector<double, 40> sizes;
+        double sum = 0;      ///< of |size|
+        double squares = 0;  ///< the sum of size squared
 
         void add(std::size_t error, double size);
         void scale(double factor);
     };
+
+    /// By the number of one of six values that were summarized together.
+    using Summary = std::array<double, 6>;
 
     struct Term {
         const Affine* value;
@@ -125,7 +131,9 @@ class Affine {
     Affine reciprocal_root() const;
 
     static Affine unbounded();
-    bool is_exact() const { return random_.sizes.empty() && known_.sizes.empty() && slack_ == 0; }
+    bool is_exact() const {
+        return random_.sizes.empty() && known_.sizes.empty() && slack_ == 0 && summary_ == Summary();
+    }
     bool is_exactly(double x) const { return is_exact() && center_ == x; }
     /// Whether a product with it is exact.
     bool is_power_of_two() const;
@@ -153,9 +161,16 @@ class Affine {
     double slack_ = 0;  ///< infinite when nothing is known
     Deviations random_;
     Deviations known_;
+    Summary summary_{};  ///< of random errors so many that only the sum of their squares counts
 };
 
 Affine either(const Affine& x, const Affine& y);
+
+/// Forgets which random errors six values depend on, but neither how large they are nor how they go together: in every
+/// linear combination of the six the sum of the squares stays the same. So what is computed from them later has few
+/// errors to carry. From then on they may only be combined with one another and with values that share no random error
+/// with them, and the numbers of the forgotten errors are free again.
+void summarize(Vec3<Affine>& p, Vec3<Affine>& q);
 
 inline Vec3<Affine> either(const Vec3<Affine>& p, const Vec3<Affine>& q) {
     return {either(p.x, q.x), either(p.y, q.y), either(p.z, q.z)};

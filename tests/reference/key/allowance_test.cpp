@@ -4,19 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "reference/key/answer_key.h"
 #include "reference/numbers/affine.h"
+#include "tests/given/cases.h"
 #include "tests/given/random_scene.h"
 #include "tests/given/student/scenes.h"
 
 namespace {
 
 using namespace reference;
-
-const std::uint64_t scenes = std::getenv("RAYGRADE_NIGHTLY") != nullptr ? 600 : 60;
 
 Assignment one_reading(std::uint64_t seed) {
     Assignment assignment = random_assignment(seed);
@@ -58,7 +56,7 @@ void expect_run_allowed(const AnswerKey& key, const AnswerKey& run) {
 }
 
 TEST(Allowance, CoversTheStagesInFloatAndInDouble) {
-    for (std::uint64_t seed = 0; seed < scenes; ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(60); ++seed) {
         SCOPED_TRACE(seed);
         const Assignment assignment = one_reading(seed);
         const AnswerKey key = make_key(assignment, Precision::certified);
@@ -118,7 +116,7 @@ void expect_student_allowed(const Assignment& assignment, const AnswerKey& key) 
 }
 
 TEST(Allowance, CoversAStudentsProgramWithGlm) {
-    for (std::uint64_t seed = 0; seed < scenes; ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(60); ++seed) {
         SCOPED_TRACE(seed);
         const Assignment assignment = one_reading(seed);
         expect_student_allowed(assignment, make_key(assignment, Precision::certified));
@@ -202,6 +200,47 @@ TEST(Affine, HoldsEitherOfTwoWays) {
     EXPECT_TRUE(either(one, other).range().contains(1.75));
     EXPECT_LT(either(one, other).range().hi(), 1.751);
     EXPECT_FALSE(either(one, other / Affine(0)).range().is_bounded());
+}
+
+/// Six numbers that depend on each other through many roundings.
+std::pair<Vec3<Affine>, Vec3<Affine>> six_numbers(int steps, Roundings& roundings) {
+    Vec3<Affine> p(Affine::read(0.1, 0, roundings), Affine::read(0.7, 0, roundings), Affine::read(-1.3, 0, roundings));
+    Vec3<Affine> q(Affine::read(2.3, 0, roundings), Affine::read(0.3, 0, roundings), Affine::read(0.9, 0, roundings));
+    for (int i = 0; i < steps; ++i) {
+        const Vec3<Affine> next = cross(p, q);
+        p = scaled(next, Affine(1) / sqrt(dot(next, next)));
+        q = q + p;
+    }
+    return {p, q};
+}
+
+TEST(Affine, KeepsTheRangeOfEveryLinearCombinationInASummary) {
+    Roundings roundings;
+    const auto [p, q] = six_numbers(4, roundings);
+    Vec3<Affine> short_p = p, short_q = q;
+    summarize(short_p, short_q);
+    const double factors[][6] = {{1, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 1},   {0.5, 2, -4, 0, 0, 0},
+                                 {2, 2, 2, 2, 2, 2}, {4, -2, 1, -1, 8, 2}, {0, 0, 1, -1, 0, 0}};
+    for (const auto& factor : factors) {
+        const auto combined = [&](const Vec3<Affine>& first, const Vec3<Affine>& second) {
+            Affine total;
+            for (int i = 0; i < 3; ++i) total += scaled(first, Affine(factor[i]))[i];
+            for (int i = 0; i < 3; ++i) total += scaled(second, Affine(factor[i + 3]))[i];
+            return total.range().hi() - total.range().lo();
+        };
+        EXPECT_NEAR(combined(short_p, short_q) / combined(p, q), 1, 1e-3);
+    }
+}
+
+TEST(Affine, NeverNarrowsARangeInASummary) {
+    Roundings roundings;
+    auto [p, q] = six_numbers(0, roundings);
+    const Vec3<Affine> before = p;
+    summarize(p, q);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_LE(p[i].range().lo(), before[i].range().lo());
+        EXPECT_GE(p[i].range().hi(), before[i].range().hi());
+    }
 }
 
 TEST(Affine, TracksDependenceOnTheSameRounding) {
