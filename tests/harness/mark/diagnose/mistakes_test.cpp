@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "tests/given/cases.h"
 #include "tests/given/printed_values.h"
 #include "tests/given/student/mistakes.h"
 #include "tests/given/student/printout.h"
@@ -68,7 +69,7 @@ TEST(Misconceptions, EachHaveATest) {
 TEST(Misconceptions, AreNeverNamedInARightOrFollowingAnswer) {
     for (const std::string_view scene : student::scene_names()) {
         const student::Marking marking = student::scene_named(scene);
-        for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        for (std::uint64_t seed = 1; seed <= cases(40); ++seed) {
             const student::Layout layout = student::random_layout(seed, 2);
             const Score score = mark(print(Program(marking.assignment, {}), layout), marking);
             for (const QuestionScore& question : score.questions) {
