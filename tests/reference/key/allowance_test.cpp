@@ -219,8 +219,8 @@ TEST(Affine, KeepsTheRangeOfEveryLinearCombinationInASummary) {
     const auto [p, q] = six_numbers(4, roundings);
     Vec3<Affine> short_p = p, short_q = q;
     summarize(short_p, short_q);
-    const double factors[][6] = {{1, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 1},   {0.5, 2, -4, 0, 0, 0},
-                                 {2, 2, 2, 2, 2, 2}, {4, -2, 1, -1, 8, 2}, {0, 0, 1, -1, 0, 0}};
+    const int factors[][6] = {{1, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 1},   {1, 2, -4, 0, 0, 0},
+                              {2, 2, 2, 2, 2, 2}, {4, -2, 1, -1, 8, 2}, {0, 0, 1, -1, 0, 0}};
     for (const auto& factor : factors) {
         const auto combined = [&](const Vec3<Affine>& first, const Vec3<Affine>& second) {
             Affine total;
