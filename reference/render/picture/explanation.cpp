@@ -41,7 +41,7 @@ std::vector<EffectTime> time_by_effect(const PreparedScene& scene, const Effects
     return times;
 }
 
-std::string explanation(const std::vector<Decision>& decisions, const Rendering& rendering,
+std::string explanation(const std::vector<Decision>& decisions, const Rendering& rendering, const WastedRays& wasted,
                         const std::vector<EffectTime>& times) {
     std::string text = fmt::format("{:<20} on   every picture has it\n", primary_visibility);
     for (const Decision& decision : decisions) {
@@ -56,6 +56,7 @@ std::string explanation(const std::vector<Decision>& decisions, const Rendering&
     add_rays("mirrored", rendering.rays.mirrored);
     add_rays("refracted", rendering.rays.refracted);
     add_rays("reflected in glass", rendering.rays.reflected_in_glass);
+    text += fmt::format("  {:<18} {:>12} of {} looked at\n", "shot for nothing", wasted.wasted, wasted.looked_at);
     text += "\nprocessor time, in seconds\n";
     for (const EffectTime& time : times) text += fmt::format("  {:<18} {:>12.3f}\n", time.effect, time.time.count());
     return text;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reference/render/picture/picture.h"
+#include "reference/render/trace/wasted_rays.h"
 
 namespace reference::render {
 
@@ -16,7 +17,7 @@ struct EffectTime {
 std::vector<EffectTime> time_by_effect(const PreparedScene& scene, const Effects& effects, int jobs);
 
 /// One line per effect and one line per kind of rays. Ends with a newline.
-std::string explanation(const std::vector<Decision>& decisions, const Rendering& rendering,
+std::string explanation(const std::vector<Decision>& decisions, const Rendering& rendering, const WastedRays& wasted,
                         const std::vector<EffectTime>& times);
 
 }  // namespace reference::render

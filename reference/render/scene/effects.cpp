@@ -51,15 +51,22 @@ bool is_outside(const PreparedScene& scene, const Sphere<double>& sphere) {
 Decision illumination(const PreparedScene& scene) {
     const bool has_lights = !scene.point_lights.empty() || !scene.directional_lights.empty();
     const bool is_lit = any_surface(scene, [](const Surface& surface) { return surface.is_lit; });
-    if (is_lit) {
-        return {
-            "illumination", true,
-            has_lights ? "lights and materials for them to act on" : "ambient light and materials for it to act on"};
+    if (any_surface(scene, [](const Surface& surface) { return surface.is_lit && surface.own_share > 0; })) {
+        if (has_lights) return {"illumination", true, "lights and materials for them to act on"};
+        if (is_dark(scene.ambient_light)) return {"illumination", true, "every light is black, and what is lit too"};
+        return {"illumination", true, "ambient light and materials for it to act on"};
     }
+    if (is_lit) return {"illumination", false, "every material mirrors or lets through all light: no shading"};
     if (has_lights || !is_dark(scene.ambient_light)) {
         return {"illumination", false, "no object has a material: no shading, no shadow rays"};
     }
     return {"illumination", false, "no light: no shading, no shadow rays"};
+}
+
+/// Whether the surface scatters any of the light.
+bool scatters(const Surface& surface, const Color& light) {
+    return surface.is_lit && surface.own_share > 0 &&
+           !(is_dark(light * surface.material.diffuse) && is_dark(light * surface.material.specular));
 }
 
 Decision shadows(const PreparedScene& scene, const Decision& illumination) {
@@ -67,10 +74,13 @@ Decision shadows(const PreparedScene& scene, const Decision& illumination) {
     if (scene.point_lights.empty() && scene.directional_lights.empty()) {
         return {"shadows", false, "ambient light alone: it comes from everywhere and casts none"};
     }
-    const bool scatters = any_surface(scene, [](const Surface& surface) {
-        return surface.is_lit && !(is_dark(surface.material.diffuse) && is_dark(surface.material.specular));
-    });
-    if (!scatters) return {"shadows", false, "no material is diffuse or specular: nothing to be in shadow"};
+    const auto is_scattered = [&](const auto& light) {
+        return any_surface(scene, [&](const Surface& surface) { return scatters(surface, light.color); });
+    };
+    if (!std::any_of(scene.point_lights.begin(), scene.point_lights.end(), is_scattered) &&
+        !std::any_of(scene.directional_lights.begin(), scene.directional_lights.end(), is_scattered)) {
+        return {"shadows", false, "no material is diffuse or specular in a light's colors: nothing to be in shadow"};
+    }
     if (scene.object_count == 1) {
         if (scene.spheres.empty()) {
             return {"shadows", false, "one triangle: nothing can cast a shadow on another"};

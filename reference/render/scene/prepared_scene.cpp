@@ -106,12 +106,18 @@ std::uint32_t surface_index(const std::vector<std::optional<std::size_t>>& mater
     return i < materials.size() ? surface_index(materials[i]) : 0;
 }
 
+/// What is neither mirrored nor let through. The shares are rounded to doubles: what is below that is nothing.
+double own_share_of(const Material& material) {
+    const double share = 1 - material.reflectivity - material.transparency;
+    return share > 0x1p-52 ? share : 0;
+}
+
 std::vector<Surface> surfaces_of(const Appearance& appearance) {
     std::vector<Surface> surfaces(1);
     const bool has_light = !appearance.point_lights.empty() || !appearance.directional_lights.empty() ||
                            appearance.ambient_light != Color(0, 0, 0);
     for (const Material& material : appearance.materials) {
-        surfaces.push_back({material, has_light, 1 - material.reflectivity - material.transparency});
+        surfaces.push_back({material, has_light, own_share_of(material)});
     }
     return surfaces;
 }
@@ -197,9 +203,13 @@ PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureS
     prepared.sphere_count = static_cast<std::uint32_t>(prepared.spheres.size());
     prepared.object_count = prepared.sphere_count + static_cast<std::uint32_t>(prepared.triangles.size());
     prepared.surfaces = surfaces_of(appearance);
-    prepared.point_lights = appearance.point_lights;
-    prepared.directional_lights = appearance.directional_lights;
-    for (DirectionalLight& light : prepared.directional_lights) light.direction = unit(light.direction);
+    for (const PointLight& light : appearance.point_lights) {
+        if (light.color != Color(0, 0, 0)) prepared.point_lights.push_back(light);
+    }
+    for (const DirectionalLight& light : appearance.directional_lights) {
+        if (light.color != Color(0, 0, 0))
+            prepared.directional_lights.push_back({unit(light.direction), light.color});
+    }
     prepared.ambient_light = appearance.ambient_light;
     prepared.background = appearance.background;
     if (prepared.object_count <= most_objects_without_tree) return prepared;

@@ -72,8 +72,8 @@ struct PreparedScene {
     std::vector<Vec3<double>> triangle_normals;  ///< of unit length
     std::vector<Surface> surfaces;               ///< the first is that of objects without a material
     std::vector<std::uint32_t> surface_of;       ///< by object
-    std::vector<PointLight> point_lights;
-    std::vector<DirectionalLight> directional_lights;  ///< the directions of unit length
+    std::vector<PointLight> point_lights;              ///< without those that are black
+    std::vector<DirectionalLight> directional_lights;  ///< the same; the directions of unit length
     Color ambient_light;
     Color background;
     std::optional<Tree> tree;        ///< only for more than most_objects_without_tree objects

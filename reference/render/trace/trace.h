@@ -1,4 +1,5 @@
-// The color that a ray brings. The set of effects E and the way to find objects are compile-time parameters.
+// The color that a ray brings. The set of effects E and the way to shoot rays are compile-time parameters. No ray is shot
+// and no light computed whose answer is known or would be multiplied by 0.
 #pragma once
 
 #include "reference/render/trace/fresnel.h"
@@ -16,15 +17,42 @@ inline double power(double x, int n) {
     return result;
 }
 
-template <Effects E, class Objects>
+/// Shoots the rays, and counts those beyond the camera's.
+template <class Objects>
+class CountedRays {
+  public:
+    explicit CountedRays(RayCounts& counts) : counts_(counts) {}
+
+    template <class AnyRay>
+    KERNEL_INLINE Nearest first_hit(const PreparedScene& scene, const AnyRay& ray) {
+        return Objects::first_hit(scene, ray);
+    }
+    /// The light that reaches the ray's start from t = `end`.
+    KERNEL_INLINE Color let_through(const PreparedScene& scene, const SurfaceRay& ray, double end, const Color& light) {
+        ++counts_.shadow;
+        return Objects::is_blocked(scene, ray, end) ? Color(0, 0, 0) : light;
+    }
+    /// The color that a ray of this kind brings.
+    Color brought(const Color& color, std::uint64_t RayCounts::*kind) {
+        ++(counts_.*kind);
+        return color;
+    }
+
+  private:
+    RayCounts& counts_;
+};
+
+template <Effects E, class Rays>
 class Tracer {
   public:
-    Tracer(const PreparedScene& scene, RayCounts& counts) : scene_(scene), counts_(counts) {}
+    Tracer(const PreparedScene& scene, Rays rays) : scene_(scene), rays_(rays) {}
+
+    const Rays& rays() const { return rays_; }
 
     /// The color of the ray through x of the window.
     KERNEL_INLINE Color camera_color(const RowOfRays& row, double x) {
         const CameraRay ray{row.ray(x)};
-        const Nearest nearest = Objects::first_hit(scene_, ray);
+        const Nearest nearest = rays_.first_hit(scene_, ray);
         if (!nearest.is_hit()) return scene_.background;
         return color_at(ray.ray, nearest, {1, 0});
     }
@@ -70,7 +98,7 @@ class Tracer {
     Color surface_color(const Surface& surface, const Place& place, const Color& by_normal, const Path& path) {
         Color color = by_normal;
         if constexpr (E.illumination) {
-            if (surface.is_lit) color = illuminated(surface.material, place);
+            if (surface.is_lit && surface.own_share > 0) color = illuminated(surface.material, place);
         }
         if constexpr (sends_on) color = scaled(color, surface.own_share) + passed_on(surface.material, place, path);
         return color;
@@ -92,13 +120,13 @@ class Tracer {
                 const Vec3<double> V = refracted(place.V, place.normal, cos_incident, split.cos_refracted, from / into);
                 Start start = place.start;
                 start.is_inside = !place.is_inside;
-                if (!split.is_total) color += color_on({{start.point, V}, start}, path, through, counts_.refracted);
+                if (!split.is_total) color += color_on({{start.point, V}, start}, path, through, &RayCounts::refracted);
             }
         }
         if (reflected > 0) {
             const SurfaceRay ray{{place.start.point, mirrored(place.V, place.normal)}, place.start};
             const bool by_mirror = material.reflectivity > 0;
-            color += color_on(ray, path, reflected, by_mirror ? counts_.mirrored : counts_.reflected_in_glass);
+            color += color_on(ray, path, reflected, by_mirror ? &RayCounts::mirrored : &RayCounts::reflected_in_glass);
         }
         return color;
     }
@@ -121,34 +149,44 @@ class Tracer {
                      const Place& place) {
         const double height = dot(way, place.normal);
         if (!(height > 0)) return {0, 0, 0};
+        const SurfaceRay ray{{place.start.point, way}, place.start};
         if constexpr (E.shadows) {
-            ++counts_.shadow;
-            if (Objects::is_blocked(scene_, {{place.start.point, way}, place.start}, end)) return {0, 0, 0};
+            if (is_before_end(scene_, ray, hit_own(scene_, ray), place.start.object, end)) return {0, 0, 0};
         }
         const double distance = length(way);
         Color color = scaled(material.diffuse, height / distance);
         const double along_mirror = dot(mirrored(place.V, place.normal), way) / distance;
         if (along_mirror > 0) color += scaled(material.specular, power(along_mirror, material.shininess));
-        return light * color;
+        color = light * color;
+        if constexpr (E.shadows) {
+            if (color == Color(0, 0, 0) || is_alone()) return color;
+            return rays_.let_through(scene_, ray, end, color);
+        }
+        return color;
     }
 
     /// The color of a ray that a surface sends on, times its `share` of the ray that arrived there. Below least_share
     /// or above most_bounces the ray is neither traced nor counted.
-    [[gnu::noinline]] Color color_on(const SurfaceRay& ray, const Path& path, double share, std::uint64_t& count) {
+    [[gnu::noinline]] Color color_on(const SurfaceRay& ray, const Path& path, double share,
+                                     std::uint64_t RayCounts::*kind) {
         const Path next{path.share * share, path.bounces + 1};
         if (next.share < least_share || next.bounces > most_bounces) return {0, 0, 0};
-        ++count;
-        const Nearest nearest = Objects::first_hit(scene_, ray);
-        return scaled(nearest.is_hit() ? color_at(ray.ray, nearest, next) : scene_.background, share);
+        if (is_alone() && !ray.start.is_inside) return scaled(scene_.background, share);
+        const Nearest nearest = rays_.first_hit(scene_, ray);
+        const Color color = nearest.is_hit() ? color_at(ray.ray, nearest, next) : scene_.background;
+        return scaled(rays_.brought(color, kind), share);
     }
 
+    /// Whether a ray that leaves a surface can only meet that surface's own object.
+    bool is_alone() const { return scene_.object_count == 1; }
+
     const PreparedScene& scene_;
-    RayCounts& counts_;
+    Rays rays_;
 };
 
 template <Effects E, class Objects>
 void render_row(const PreparedScene& scene, int y, std::span<Color> colors, RayCounts& counts) {
-    Tracer<E, Objects> tracer(scene, counts);
+    Tracer<E, CountedRays<Objects>> tracer(scene, CountedRays<Objects>(counts));
     const Eye& eye = scene.eye;
     if constexpr (E.supersampling) {
         const auto side = static_cast<std::size_t>(scene.samples_per_side);

@@ -55,7 +55,7 @@ KERNEL_INLINE bool is_before_end(const PreparedScene& scene, const SurfaceRay& r
     return hit.t <= end * (1 + 0x1p-24) && is_hit_before_end(scene, ray, object);
 }
 
-/// All objects, one after the other.
+/// All objects, one after the other. is_blocked() leaves out the object that the ray starts on.
 struct ObjectList {
     template <class AnyRay>
     KERNEL_INLINE static Nearest first_hit(const PreparedScene& scene, const AnyRay& ray) {
@@ -77,7 +77,6 @@ struct ObjectList {
     }
 
     static bool is_blocked(const PreparedScene& scene, const SurfaceRay& ray, double end) {
-        if (is_before_end(scene, ray, hit_own(scene, ray), ray.start.object, end)) return true;
         for (std::uint32_t i = 0; i < scene.object_count; ++i) {
             if (!starts_on(ray, i) && is_before_end(scene, ray, hit_object(scene, ray, i), i, end)) return true;
         }
@@ -85,7 +84,7 @@ struct ObjectList {
     }
 };
 
-/// Only the objects in boxes that the ray may meet.
+/// Only the objects in boxes that the ray may meet. is_blocked() leaves out the object that the ray starts on.
 struct ObjectTree {
     template <class AnyRay>
     static Nearest first_hit(const PreparedScene& scene, const AnyRay& ray) {
@@ -99,7 +98,6 @@ struct ObjectTree {
     }
 
     static bool is_blocked(const PreparedScene& scene, const SurfaceRay& ray, double end) {
-        if (is_before_end(scene, ray, hit_own(scene, ray), ray.start.object, end)) return true;
         return visit(scene, ray, reach(end), [&](std::uint32_t i, double& /*until*/) {
             return is_before_end(scene, ray, hit_object(scene, ray, i), i, end);
         });
