@@ -113,6 +113,26 @@ void read_value(Key key, const json::element& value, CastQuery& query) {
     }
 }
 
+/// The same JSON where whole numbers of 19 digits and more are written with an exponent, as simdjson reads no whole number
+/// beyond 2^64.
+std::string with_exponents(std::string_view line) {
+    constexpr std::size_t long_number = 19;
+    std::string result;
+    bool in_string = false;
+    while (!line.empty()) {
+        const bool is_number = !in_string && (line.front() == '-' || ('0' <= line.front() && line.front() <= '9'));
+        std::size_t length = is_number ? line.find_first_not_of("0123456789+-.eE") : 1;
+        if (in_string && line.front() == '\\') length = 2;
+        if (line.front() == '"') in_string = !in_string;
+        const std::string_view token = line.substr(0, length);
+        result += token;
+        if (is_number && token.size() >= long_number && token.find_first_of(".eE") == std::string_view::npos)
+            result += "e0";
+        line.remove_prefix(token.size());
+    }
+    return result;
+}
+
 }  // namespace
 
 struct CastQueryReader::Parser {
@@ -126,7 +146,9 @@ void CastQueryReader::read(const std::string& line, CastQuery& query) {
     query.spheres.clear();
     query.triangles.clear();
     json::element root;
-    if (const auto error = parser_->json.parse(line).get(root)) throw MalformedQuery(simdjson::error_message(error));
+    auto error = parser_->json.parse(line).get(root);
+    if (error == simdjson::NUMBER_ERROR) error = parser_->json.parse(with_exponents(line)).get(root);
+    if (error) throw MalformedQuery(simdjson::error_message(error));
     json::object fields;
     if (root.get(fields) != simdjson::SUCCESS) throw MalformedQuery("a query must be an object");
     unsigned met = 0;

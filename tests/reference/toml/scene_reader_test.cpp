@@ -87,6 +87,8 @@ TEST(SceneReader, H33_RefusesNumbersThatAreNotFiniteOrOutOfRange) {
     EXPECT_THAT(complaint("center = [1, 1, 0]", "center = [1, 1e151, 0]"),
                 says("15: sphere[1].center", "1e151 is out of range"));
     EXPECT_THAT(complaint("clip_left = -2", "clip_left = -1e-301"), says("6: window.clip_left", "out of range"));
+    EXPECT_THAT(complaint("radius = 2", "radius = 100000000000000000000000"),
+                says("16:", "write so large a number with an exponent, as in 1e30"));
     EXPECT_THAT(complaint("[2, 2, 2]", "[2, 2, 2e200]"), says("18: triangle[1].vertices", "out of range"));
 }
 
