@@ -22,6 +22,7 @@ struct RenderOptions {
     std::filesystem::path out = "image.png";  ///< the PNG file; an earlier picture there is replaced
     std::string size;                         ///< in pixels, "640x480"; empty for the window's size
     int jobs = 1;
+    bool srgb = false;         ///< colors are amounts of light
     bool explain = false;      ///< also print effects, rays and times
     bool all_effects = false;  ///< also simulate effects that the scene does not call for
 };
@@ -66,7 +67,8 @@ int render_scene(const RenderOptions& options) {
     const reference::Assignment assignment = options.scene.empty()
                                                  ? reference::load_assignment(options.assignment, assignments_folder())
                                                  : reference::load_scene(options.scene);
-    const render::PreparedScene scene = render::prepare_scene(assignment, size);
+    const render::PreparedScene scene = render::prepare_scene(
+        assignment, size, options.srgb ? render::ColorSpace::linear : render::ColorSpace::as_written);
     const std::vector<render::Decision> decisions = render::decide_effects(scene);
     const render::Effects called_for = render::effects_of(decisions);
     const render::Effects effects = options.all_effects ? render::all_effects : called_for;
@@ -93,9 +95,14 @@ void add_options(CLI::App& command, RenderOptions& options) {
         ->capture_default_str();
     command.add_option("--size", options.size, "Pixels across and up; default: the window's")->type_name("WxH");
     add_jobs(command, options.jobs, "How many threads to use; changes nothing but the time");
-    command.add_flag("--explain", options.explain,
-                     "Say which effects the scene calls for and why each other one is off, the rays by kind, how many of "
-                     "them were for nothing, and the time by effect");
+    command.add_flag(
+        "--srgb", options.srgb,
+        "Take the scene's colors for amounts of light, and store them along sRGB's curve: brighter, and as "
+        "Blender and its like show them");
+    command.add_flag(
+        "--explain", options.explain,
+        "Say which effects the scene calls for and why each other one is off, the rays by kind, how many of "
+        "them were for nothing, and the time by effect");
     command.add_flag("--all-effects", options.all_effects,
                      "Simulate every effect, called for or not: the same picture, later");
     command.footer(

@@ -113,8 +113,8 @@ void read_value(Key key, const json::element& value, CastQuery& query) {
     }
 }
 
-/// The same JSON where whole numbers of 19 digits and more are written with an exponent, as simdjson reads no whole number
-/// beyond 2^64.
+/// The same JSON where whole numbers of 19 digits and more are written with an exponent, as simdjson reads no whole
+/// number beyond 2^64.
 std::string with_exponents(std::string_view line) {
     constexpr std::size_t long_number = 19;
     std::string result;

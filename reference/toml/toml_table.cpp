@@ -217,9 +217,9 @@ TomlDocument::TomlDocument(std::string_view text, const std::filesystem::path& p
         impl_ = std::make_shared<Impl>(Impl{std::string(text), path.string(), toml::parse(text, path.string())});
     } catch (const toml::parse_error& error) {
         const bool is_large = error.description().find("not representable in 64 bits") != std::string_view::npos;
-        throw AssignmentError(fmt::format(
-            "{}:{}:{}: not TOML: {}{}", path.string(), error.source().begin.line, error.source().begin.column,
-            error.description(), is_large ? "; write so large a number with an exponent, as in 1e30" : ""));
+        throw AssignmentError(fmt::format("{}:{}:{}: not TOML: {}{}", path.string(), error.source().begin.line,
+                                          error.source().begin.column, error.description(),
+                                          is_large ? "; write so large a number with an exponent, as in 1e30" : ""));
     }
 }
 

@@ -27,7 +27,7 @@ Assignment load(const std::string& name) {
 
 /// Adds a light, partly mirroring and transparent surfaces where the scene has none, and four samples per pixel.
 PreparedScene with_every_effect(Assignment assignment, PictureSize size) {
-    Appearance& look = assignment.look;
+    Appearance& look = assignment.appearance;
     look.samples_per_pixel = std::max(look.samples_per_pixel, 4);
     if (look.point_lights.empty() && look.directional_lights.empty()) {
         look.directional_lights.push_back({{1, -3, -1}, {0.7, 0.7, 0.7}});

@@ -23,6 +23,7 @@ Effects effects_for(const std::string& way) {
     if (way == "shadows") return {true, true, false, false, false};
     if (way == "mirrors") return {false, false, true, false, false};
     if (way == "refraction") return {false, false, false, true, false};
+    if (way == "textures") return {true, false, false, false, false, true};
     if (way == "supersampling") return {false, false, false, false, true};
     throw std::invalid_argument("no way to render: " + way);
 }

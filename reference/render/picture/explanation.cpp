@@ -13,9 +13,12 @@ struct Switch {
     std::string_view effect;
     bool Effects::*is_on;
 };
-constexpr std::array switches{Switch{"illumination", &Effects::illumination}, Switch{"shadows", &Effects::shadows},
-                              Switch{"mirrors", &Effects::mirrors}, Switch{"refraction", &Effects::refraction},
-                              Switch{"supersampling", &Effects::supersampling}};
+constexpr std::array switches{Switch{"illumination", &Effects::illumination},
+                              Switch{"shadows", &Effects::shadows},
+                              Switch{"mirrors", &Effects::mirrors},
+                              Switch{"refraction", &Effects::refraction},
+                              Switch{"supersampling", &Effects::supersampling},
+                              Switch{"textures", &Effects::textures}};
 
 /// The shortest of three runs: the one that other work on the machine disturbed least.
 std::chrono::duration<double> time_of(const PreparedScene& scene, const Effects& effects, int jobs) {

@@ -2,10 +2,14 @@
 
 #include <png.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <ctime>
 #include <stdexcept>
 #include <thread>
+
+#include "reference/render/scene/srgb.h"
 
 namespace reference::render {
 namespace {
@@ -34,9 +38,7 @@ Share render_rows(const PreparedScene& scene, RenderRow render_row, std::atomic<
             render_row(scene, scene.height - 1 - row, colors, share.rays);
             std::uint8_t* byte = picture.bytes.data() + static_cast<std::size_t>(row) * colors.size() * 3;
             for (const Color& color : colors) {
-                *byte++ = byte_of(color.x);
-                *byte++ = byte_of(color.y);
-                *byte++ = byte_of(color.z);
+                for (const double x : {color.x, color.y, color.z}) *byte++ = byte_of(x, scene.color_space);
             }
         }
         share.processor_time = processor_time() - start;
@@ -48,8 +50,18 @@ Share render_rows(const PreparedScene& scene, RenderRow render_row, std::atomic<
 
 }  // namespace
 
-std::uint8_t byte_of(double x) {
+std::uint8_t byte_of(double x, ColorSpace space) {
     if (!(x > 0)) return 0;
+    if (space == ColorSpace::linear) {
+        // The least amount of light of each byte above 0.
+        static const std::array<double, 255> least = [] {
+            std::array<double, 255> result{};
+            for (std::size_t i = 0; i < result.size(); ++i)
+                result.at(i) = light_of_srgb((static_cast<double>(i) + 0.5) / 255);
+            return result;
+        }();
+        return static_cast<std::uint8_t>(std::upper_bound(least.begin(), least.end(), x) - least.begin());
+    }
     return x < 1 ? static_cast<std::uint8_t>(x * 255 + 0.5) : 255;
 }
 

@@ -93,6 +93,14 @@ Decision shadows(const PreparedScene& scene, const Decision& illumination) {
     return {"shadows", true, "objects may stand between a light and each other"};
 }
 
+Decision textures(const PreparedScene& scene) {
+    const bool on = any_surface(scene, [](const Surface& surface) {
+        const bool is_seen = surface.is_lit && surface.own_share > 0;
+        return is_seen && surface.texture && !(is_dark(surface.material.ambient) && is_dark(surface.material.diffuse));
+    });
+    return {"textures", on, on ? "a lit material has a texture" : "no lit material has a texture: no texel is read"};
+}
+
 Decision mirrors(const PreparedScene& scene) {
     const bool on = any_surface(scene, [](const Surface& surface) { return surface.material.reflectivity > 0; });
     return {"mirrors", on, on ? "an object's reflectivity is above 0" : "no reflectivity above 0: no mirrored rays"};
@@ -114,7 +122,7 @@ Decision supersampling(const PreparedScene& scene) {
 
 std::vector<Decision> decide_effects(const PreparedScene& scene) {
     const Decision lit = illumination(scene);
-    return {lit, shadows(scene, lit), mirrors(scene), refraction(scene), supersampling(scene)};
+    return {lit, shadows(scene, lit), mirrors(scene), refraction(scene), supersampling(scene), textures(scene)};
 }
 
 Effects effects_of(const std::vector<Decision>& decisions) {
@@ -122,7 +130,8 @@ Effects effects_of(const std::vector<Decision>& decisions) {
         return std::any_of(decisions.begin(), decisions.end(),
                            [&](const Decision& decision) { return decision.effect == effect && decision.on; });
     };
-    return {is_on("illumination"), is_on("shadows"), is_on("mirrors"), is_on("refraction"), is_on("supersampling")};
+    return {is_on("illumination"), is_on("shadows"),       is_on("mirrors"),
+            is_on("refraction"),   is_on("supersampling"), is_on("textures")};
 }
 
 }  // namespace reference::render

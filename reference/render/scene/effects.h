@@ -10,18 +10,19 @@ namespace reference::render {
 
 struct PreparedScene;
 
-/// The effects beyond primary visibility, which every picture has. Shadows exist only with illumination.
+/// The effects beyond primary visibility, which every picture has. Shadows and textures exist only with illumination.
 struct Effects {
     bool illumination = false;
     bool shadows = false;
     bool mirrors = false;
     bool refraction = false;
     bool supersampling = false;
+    bool textures = false;
 
     bool operator==(const Effects&) const = default;
 };
 
-constexpr Effects all_effects{true, true, true, true, true};
+constexpr Effects all_effects{true, true, true, true, true, true};
 
 /// Whether an effect is on, and the sentence that says why.
 struct Decision {

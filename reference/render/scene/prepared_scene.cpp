@@ -112,14 +112,37 @@ double own_share_of(const Material& material) {
     return share > 0x1p-52 ? share : 0;
 }
 
-std::vector<Surface> surfaces_of(const Appearance& appearance) {
+std::vector<Surface> surfaces_of(const Appearance& appearance, ColorSpace color_space) {
     std::vector<Surface> surfaces(1);
     const bool has_light = !appearance.point_lights.empty() || !appearance.directional_lights.empty() ||
-                           appearance.ambient_light != Color(0, 0, 0);
+                           !appearance.area_lights.empty() || appearance.ambient_light != Color(0, 0, 0);
     for (const Material& material : appearance.materials) {
-        surfaces.push_back({material, has_light, own_share_of(material)});
+        surfaces.push_back({material, has_light, own_share_of(material), {}});
+        if (material.texture) surfaces.back().texture = Texture::load(*material.texture, color_space);
     }
     return surfaces;
+}
+
+void add_light(const PointLight& light, PreparedScene& prepared) {
+    if (light.color != Color(0, 0, 0)) prepared.point_lights.push_back(light);
+}
+
+void add_lights(const Appearance& appearance, PreparedScene& prepared) {
+    for (const PointLight& light : appearance.point_lights) add_light(light, prepared);
+    for (const AreaLight& light : appearance.area_lights) {
+        const int n = light.samples_per_side;
+        const auto along = [&](std::size_t side, int i) {
+            return scaled(light.sides.at(side), (2 * i + 1 - n) / static_cast<double>(2 * n));
+        };
+        for (int i = 0; i < n * n; ++i) {
+            add_light({light.position + along(0, i % n) + along(1, i / n), scaled(light.color, 1.0 / (n * n))},
+                      prepared);
+        }
+    }
+    for (const DirectionalLight& light : appearance.directional_lights) {
+        if (light.color == Color(0, 0, 0)) continue;
+        prepared.directional_lights.push_back({unit(light.direction), light.color});
+    }
 }
 
 bool is_twin(const Sphere<double>& one, const Sphere<double>& other) {
@@ -176,7 +199,7 @@ void check_size(const Assignment& assignment, const PreparedScene& prepared) {
 
 }  // namespace
 
-PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureSize> size) {
+PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureSize> size, ColorSpace color_space) {
     const Appearance& appearance = assignment.appearance;
     Scene<double> scene = scene_in_doubles(assignment);
     if (size) std::tie(scene.window.width, scene.window.height) = std::tuple(size->width, size->height);
@@ -202,16 +225,11 @@ PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureS
     }
     prepared.sphere_count = static_cast<std::uint32_t>(prepared.spheres.size());
     prepared.object_count = prepared.sphere_count + static_cast<std::uint32_t>(prepared.triangles.size());
-    prepared.surfaces = surfaces_of(appearance);
-    for (const PointLight& light : appearance.point_lights) {
-        if (light.color != Color(0, 0, 0)) prepared.point_lights.push_back(light);
-    }
-    for (const DirectionalLight& light : appearance.directional_lights) {
-        if (light.color != Color(0, 0, 0))
-            prepared.directional_lights.push_back({unit(light.direction), light.color});
-    }
+    prepared.surfaces = surfaces_of(appearance, color_space);
+    add_lights(appearance, prepared);
     prepared.ambient_light = appearance.ambient_light;
     prepared.background = appearance.background;
+    prepared.color_space = color_space;
     if (prepared.object_count <= most_objects_without_tree) return prepared;
     std::vector<Box> boxes;
     for (const Sphere<double>& sphere : prepared.spheres) boxes.push_back(box_of(sphere));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reference/kernel/triangle.h"
+#include "reference/render/scene/texture.h"
 #include "reference/render/scene/tree.h"
 #include "reference/stages/sphere.h"
 #include "reference/toml/assignment.h"
@@ -20,6 +21,7 @@ struct Surface {
     Material material;
     bool is_lit = false;   ///< the scene has a light, and the surface a material; else the normal gives the color
     double own_share = 1;  ///< the share of the surface's own color: neither mirrored nor let through
+    std::optional<Texture> texture;
 };
 
 struct RowOfRays;
@@ -72,10 +74,11 @@ struct PreparedScene {
     std::vector<Vec3<double>> triangle_normals;  ///< of unit length
     std::vector<Surface> surfaces;               ///< the first is that of objects without a material
     std::vector<std::uint32_t> surface_of;       ///< by object
-    std::vector<PointLight> point_lights;              ///< without those that are black
+    std::vector<PointLight> point_lights;        ///< with those that area lights are spread over, without black ones
     std::vector<DirectionalLight> directional_lights;  ///< the same; the directions of unit length
     Color ambient_light;
     Color background;
+    ColorSpace color_space;
     std::optional<Tree> tree;        ///< only for more than most_objects_without_tree objects
     std::vector<std::string> notes;  ///< what was left out, in whole sentences
     std::uint32_t sphere_count;      ///< of the vectors above, ready for the loops
@@ -93,8 +96,9 @@ constexpr std::size_t most_objects_without_tree = 32;
 
 /// Reads the meshes and prepares the scene for a picture of `size`, or of the window's size. Triangles without area in
 /// doubles and duplicate spheres are left out, with a note. Throws AssignmentError for a mesh that can't be read, for a
-/// coordinate beyond 1e30 or a size below 1e-30 (products of six numbers must stay within the range of doubles), and
-/// for a picture with too many samples.
-PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureSize> size);
+/// coordinate beyond 1e30 or a size below 1e-30 (products of six numbers must stay within the range of doubles), for a
+/// texture that can't be read, and for a picture with too many samples.
+PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureSize> size,
+                            ColorSpace color_space = ColorSpace::as_written);
 
 }  // namespace reference::render

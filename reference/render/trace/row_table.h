@@ -8,17 +8,17 @@
 
 namespace reference::render {
 
-constexpr std::size_t effect_sets = 32;
+constexpr std::size_t effect_sets = 64;
 
 constexpr std::size_t number_of(const Effects& effects) {
     return std::size_t{effects.illumination} + 2 * std::size_t{effects.shadows && effects.illumination} +
            4 * std::size_t{effects.mirrors} + 8 * std::size_t{effects.refraction} +
-           16 * std::size_t{effects.supersampling};
+           16 * std::size_t{effects.supersampling} + 32 * std::size_t{effects.textures && effects.illumination};
 }
 
 constexpr Effects effects_numbered(std::size_t number) {
     const auto bit = [&](std::size_t i) { return (number >> i & 1U) != 0; };
-    return {bit(0), bit(0) && bit(1), bit(2), bit(3), bit(4)};
+    return {bit(0), bit(0) && bit(1), bit(2), bit(3), bit(4), bit(0) && bit(5)};
 }
 
 template <class Objects>

@@ -1,5 +1,5 @@
-// The color that a ray brings. The set of effects E and the way to shoot rays are compile-time parameters. No ray is shot
-// and no light computed whose answer is known or would be multiplied by 0.
+// The color that a ray brings. The set of effects E and the way to shoot rays are compile-time parameters. No ray is
+// shot and no light computed whose answer is known or would be multiplied by 0.
 #pragma once
 
 #include "reference/render/trace/fresnel.h"
@@ -98,10 +98,28 @@ class Tracer {
     Color surface_color(const Surface& surface, const Place& place, const Color& by_normal, const Path& path) {
         Color color = by_normal;
         if constexpr (E.illumination) {
-            if (surface.is_lit && surface.own_share > 0) color = illuminated(surface.material, place);
+            if (surface.is_lit && surface.own_share > 0) color = illuminated(surface, place);
         }
         if constexpr (sends_on) color = scaled(color, surface.own_share) + passed_on(surface.material, place, path);
         return color;
+    }
+
+    static Color textured(const Color& color, const Color& texel) {
+        if constexpr (E.textures) return color * texel;
+        return color;
+    }
+
+    /// The texture's color at the place; white without one.
+    Color texel_at(const Surface& surface, const Place& place) const {
+        if (!surface.texture) return {1, 1, 1};
+        const std::optional<TextureFile::Plane>& plane = surface.material.texture->plane;
+        if (plane || place.start.object >= scene_.sphere_count) {
+            const auto [across, up] = plane.value_or(TextureFile::Plane{});
+            return surface.texture->at(dot(place.start.point, across), dot(place.start.point, up));
+        }
+        const Vec3<double> N = place.is_inside ? -place.normal : place.normal;
+        const double from_axis = std::sqrt(N.x * N.x + N.z * N.z);
+        return surface.texture->at(share_of_turn(N.z, N.x), 2 * share_of_turn(-N.y, from_axis));
     }
 
     /// A mirror and glass both send light along the mirrored ray; a single ray serves both.
@@ -132,21 +150,24 @@ class Tracer {
     }
 
     /// Phong's local illumination, for each light that reaches the place.
-    Color illuminated(const Material& material, const Place& place) {
-        Color color = scene_.ambient_light * material.ambient;
+    Color illuminated(const Surface& surface, const Place& place) {
+        const Material& material = surface.material;
+        Color texel(1, 1, 1);
+        if constexpr (E.textures) texel = texel_at(surface, place);
+        Color color = textured(scene_.ambient_light * material.ambient, texel);
         for (const PointLight& light : scene_.point_lights) {
             const Vec3<double> way = light.position - place.start.point;
-            color += light_from(way, 1, light.color, material, place);
+            color += light_from(way, 1, light.color, material, texel, place);
         }
         for (const DirectionalLight& light : scene_.directional_lights) {
-            color += light_from(-light.direction, HUGE_VAL, light.color, material, place);
+            color += light_from(-light.direction, HUGE_VAL, light.color, material, texel, place);
         }
         return color;
     }
 
     /// `way` leads to the light, which is at t = `end` along it.
     Color light_from(const Vec3<double>& way, double end, const Color& light, const Material& material,
-                     const Place& place) {
+                     const Color& texel, const Place& place) {
         const double height = dot(way, place.normal);
         if (!(height > 0)) return {0, 0, 0};
         const SurfaceRay ray{{place.start.point, way}, place.start};
@@ -154,7 +175,7 @@ class Tracer {
             if (is_before_end(scene_, ray, hit_own(scene_, ray), place.start.object, end)) return {0, 0, 0};
         }
         const double distance = length(way);
-        Color color = scaled(material.diffuse, height / distance);
+        Color color = textured(scaled(material.diffuse, height / distance), texel);
         const double along_mirror = dot(mirrored(place.V, place.normal), way) / distance;
         if (along_mirror > 0) color += scaled(material.specular, power(along_mirror, material.shininess));
         color = light * color;

@@ -40,7 +40,8 @@ TEST(Cast, ReadsHexFloatsToTheirLastBit) {
 /// From 2^64 on, JSON's whole numbers are no integers of the machine.
 TEST(Cast, ReadsWholeNumbersOfAnySize) {
     const auto t_from = [](const std::string& z) {
-        return answer(R"({"origin":[0,0,)" + z + R"(],"direction":[0,0,-1],"spheres":[{"center":[0,0,0],"radius":1}]})");
+        return answer(R"({"origin":[0,0,)" + z +
+                      R"(],"direction":[0,0,-1],"spheres":[{"center":[0,0,0],"radius":1}]})");
     };
     const auto hit = [](const std::string& t) {
         return R"({"spheres":[{"result":"hit","t":)" + t + R"(}],"triangles":[],"first":"sphere 0"})" + "\n";
@@ -50,8 +51,9 @@ TEST(Cast, ReadsWholeNumbersOfAnySize) {
     EXPECT_EQ(t_from("1000000000000000000000000.0"), hit("1e+24"));
     EXPECT_NE(t_from("-9223372036854775809").find("\"miss\""), std::string::npos);
     // A text stays as it is: the key is named with its digits.
-    EXPECT_NE(answer(R"({"origin":[0,0,99999999999999999999],"\"12345678901234567890":1})").find("12345678901234567890\\\""),
-              std::string::npos);
+    EXPECT_NE(
+        answer(R"({"origin":[0,0,99999999999999999999],"\"12345678901234567890":1})").find("12345678901234567890\\\""),
+        std::string::npos);
     EXPECT_NE(t_from("00000000000000000000001").find("\"error\""), std::string::npos);
 }
 

@@ -117,4 +117,32 @@ TEST(AppearanceReader, LeavesTheAnswerKeyUnchanged) {
     EXPECT_EQ(key(looks + with_materials), key(objects));
 }
 
+TEST(AppearanceReader, ReadsAreaLights) {
+    const std::string lamp = "[[light]]\nposition = [1, 2, 3]\ncolor = [4, 5, 6]\n";
+    const Appearance appearance =
+        read(lamp + "sides = [[1, 0, 0], [0, 0, 2]]\n" + lamp + "sides = [[1, 0, 0], [0, 0, 2]]\nsamples = 9\n");
+    ASSERT_EQ(appearance.area_lights.size(), 2U);
+    EXPECT_TRUE(appearance.point_lights.empty());
+    EXPECT_EQ(appearance.area_lights[0].sides[1], Vec3<double>(0, 0, 2));
+    EXPECT_EQ(appearance.area_lights[0].samples_per_side, 4);
+    EXPECT_EQ(appearance.area_lights[1].samples_per_side, 3);
+    EXPECT_THAT(complaint(lamp + "samples = 4\n"), AllOf(HasSubstr("light[1].samples"), HasSubstr("with sides")));
+    EXPECT_THAT(complaint(lamp + "sides = [[1, 0, 0], [0, 0, 2]]\nsamples = 10\n"), HasSubstr("must be a square"));
+    EXPECT_THAT(complaint(lamp + "sides = [[1, 0, 0]]\n"), HasSubstr("light[1].sides"));
+    EXPECT_THAT(complaint(lamp + "sides = [[1, 0, 0], [0, 1e31, 0]]\n"), HasSubstr("up to 1e30"));
+    EXPECT_THAT(complaint("[[light]]\ndirection = [1, 2, 3]\ncolor = [4, 5, 6]\nsides = [[1, 0, 0], [0, 0, 2]]\n"),
+                HasSubstr("of a light with a position"));
+}
+
+TEST(AppearanceReader, ReadsTextures) {
+    const Appearance appearance = read(material("plain", "texture = \"a.png\"") +
+                                       material("floor", "texture = \"b.png\"\ntexture_up = [0, 0, -0.5]"));
+    EXPECT_EQ(appearance.materials.at(0).texture->path, "folder/a.png");
+    EXPECT_EQ(appearance.materials.at(0).texture->plane, std::nullopt);
+    EXPECT_EQ(appearance.materials.at(1).texture->plane->across, Vec3<double>(1, 0, 0));
+    EXPECT_EQ(appearance.materials.at(1).texture->plane->up, Vec3<double>(0, 0, -0.5));
+    EXPECT_THAT(complaint(material("m", "texture_across = [1, 0, 0]")),
+                HasSubstr("where a texture lies; there is none"));
+}
+
 }  // namespace

@@ -44,7 +44,7 @@ TEST_P(EachRoom, ShootsNoRayForNothing) {
 INSTANTIATE_TEST_SUITE_P(All, EachRoom, testing::Range(0, 16));
 
 TEST(WastedRays, AreNoneInTheScenesThatComeWithRaygrade) {
-    for (const char* const name : {"shadowed.toml", "mirrors.toml", "glass.toml"}) {
+    for (const char* const name : {"shadowed.toml", "mirrors.toml", "glass.toml", "soft.toml"}) {
         SCOPED_TRACE(name);
         expect_no_waste(prepare_scene(load_scene(std::filesystem::path(RAYGRADE_SCENES) / name), PictureSize{64, 36}),
                         20'000);
@@ -71,8 +71,8 @@ TEST(ShadowRays, AreNotShotWhereNoColorIsCommonToLightAndMaterial) {
     const std::string red = "[[light]]\nposition = [2, 3, 3]\ncolor = [1, 0, 0]\n";
     const std::string blue = material("blue", "ambient = [1, 1, 1]\ndiffuse = [0, 0, 1]");
     const auto scene_with = [&](const std::string& lights) {
-        return prepared(with_camera(lights + blue + sphere("[-1, 0, 0]", "0.8", "blue") +
-                                    sphere("[1, 0, 0]", "0.8", "blue")));
+        return prepared(
+            with_camera(lights + blue + sphere("[-1, 0, 0]", "0.8", "blue") + sphere("[1, 0, 0]", "0.8", "blue")));
     };
     EXPECT_EQ(rays_of(scene_with(red)).shadow, 0U);
     EXPECT_FALSE(effects_of(decide_effects(scene_with(red))).shadows);
@@ -113,8 +113,8 @@ TEST(Rays, AreNotShotAwayFromTheOnlyObject) {
 }
 
 TEST(Rays, BringTheBackgroundFromTheOnlyObject) {
-    const PreparedScene scene = prepared(with_camera("[render]\nbackground = [0.25, 0.5, 0.75]\n" + mirror +
-                                                     sphere("[0, 0, 0]", "1", "mirror")));
+    const PreparedScene scene = prepared(
+        with_camera("[render]\nbackground = [0.25, 0.5, 0.75]\n" + mirror + sphere("[0, 0, 0]", "1", "mirror")));
     for (const Color& color : scenes::colors_of(scene, effects_of(decide_effects(scene)))) {
         EXPECT_EQ(color, Color(0.25, 0.5, 0.75));
     }
