@@ -9,6 +9,7 @@
 #include <random>
 #include <thread>
 
+#include "tests/given/cases.h"
 #include "tests/given/report/graded_samples.h"
 #include "tests/given/saved_class.h"
 
@@ -69,7 +70,7 @@ TEST(Gradebook, HoldsTheOldOrTheNewRunWhenItsWriterIsKilled) {
     const auto longest = static_cast<std::uint64_t>(3 * one_save.count() + 1000);
     std::mt19937 random(17);
     int saved = 1;
-    for (int round = 0; round < 25; ++round) {
+    for (std::uint64_t round = 0; round < cases(25); ++round) {
         const pid_t child = fork();
         ASSERT_GE(child, 0);
         if (child == 0) {
