@@ -33,17 +33,18 @@ FileDescriptor open_file(const std::filesystem::path& file, Links links) {
     return opened;
 }
 
-std::vector<ArchiveFile> read(const OpenArchive& opened, const Wanted& wanted, const ArchiveLimits& limits) {
+std::vector<ArchiveFile> read(const OpenArchive& opened, const Wanted& wanted, const ArchiveLimits& limits,
+                              Shares shares) {
     ConfinedChild child(limits.reading, opened.descriptor, [&](int pipe) {
         MemberSender sender(pipe);
         try {
-            send_entries(opened, wanted, limits, sender);
+            send_entries(opened, wanted, limits, shares, sender);
             sender.finish();
         } catch (const ArchiveError& error) {
             sender.refuse(error.what());
         }
     });
-    return receive_members(child, opened.shown, wanted, limits);
+    return receive_members(child, opened.shown, wanted, limits, shares);
 }
 
 }  // namespace
@@ -58,12 +59,28 @@ bool is_archive_name(std::string_view name) {
 std::vector<ArchiveFile> read_archive(const std::filesystem::path& file, Links links, const Wanted& wanted,
                                       const ArchiveLimits& limits) {
     const FileDescriptor opened = open_file(file, links);
-    return read({opened.get(), {}, in_quotes(file)}, wanted, limits);
+    return read({opened.get(), {}, in_quotes(file)}, wanted, limits, Shares::none);
 }
 
 std::vector<ArchiveFile> read_archive(std::string_view bytes, std::string_view shown, const Wanted& wanted,
                                       const ArchiveLimits& limits) {
-    return read({-1, bytes, name_in_quotes(shown)}, wanted, limits);
+    return read({-1, bytes, name_in_quotes(shown)}, wanted, limits, Shares::none);
+}
+
+std::vector<ArchiveFile> read_class_archive(const std::filesystem::path& file, const Wanted& wanted) {
+    const FileDescriptor opened = open_file(file, Links::follow);
+    return read({opened.get(), {}, in_quotes(file)}, wanted, {}, Shares::of_students);
+}
+
+ArchiveLimits limits_of_shares(std::size_t students) {
+    constexpr std::uint64_t mib = std::uint64_t{1} << 20U;
+    constexpr std::uint64_t gib = std::uint64_t{1} << 30U;
+    ArchiveLimits limits;
+    limits.entries = std::min<std::size_t>(200'000 + 1'000 * students, 1'000'000);
+    limits.unpacked_bytes = std::min(16 * gib + 64 * mib * students, 256 * gib);
+    limits.kept_bytes = std::min(512 * mib + 2 * mib * students, gib);
+    limits.all_path_bytes = std::min<std::size_t>(20'000'000 + 100'000 * students, 100'000'000);
+    return limits;
 }
 
 }  // namespace harness

@@ -26,10 +26,13 @@ struct ArchiveFile {
     std::string path;        ///< within the archive, with '/' between names; never with "..", never absolute
     std::string bytes;       ///< empty if they were not wanted
     bool too_large = false;  ///< it has more bytes than wanted; none are kept
+    /// A sentence why nothing of a student was read, in a class's archive; else empty. `path` is then the student's
+    /// folder or, in a download without folders, one of the student's files.
+    std::string refusal{};
+    bool is_folder = false;  ///< only where there is a refusal
 };
 
-/// Limits of an archive's contents and of reading it. These are a class's: an honest class of a thousand has a few
-/// thousand entries and some hundred megabytes.
+/// Limits of an archive's contents and of reading it. These are a class's, for what is no student's by its path.
 struct ArchiveLimits {
     std::size_t entries = 20'000;
     std::uint64_t unpacked_bytes = std::uint64_t{4} << 30U;
@@ -48,6 +51,17 @@ constexpr ArchiveLimits limits_of_a_student{
     .reading = {std::uint64_t{256} << 20U, std::chrono::seconds(5), std::chrono::seconds(60)},
 };
 
+/// The limits of what one student has in a class's archive, if the system has unpacked it there.
+constexpr ArchiveLimits limits_of_a_share{
+    .unpacked_bytes = std::uint64_t{1} << 30U,
+    .kept_bytes = std::uint64_t{32} << 20U,
+    .all_path_bytes = 2'000'000,
+};
+
+/// The limits of what so many students have in it altogether: more for each student, up to a ceiling. Students beyond
+/// their own limits don't count.
+ArchiveLimits limits_of_shares(std::size_t students);
+
 /// Says how many bytes of a file are wanted, 0 for none. If the file has more, none are kept.
 using Wanted = std::function<std::uint64_t(std::string_view path)>;
 
@@ -62,5 +76,10 @@ std::vector<ArchiveFile> read_archive(const std::filesystem::path& file, Links l
                                       const ArchiveLimits& limits = {});
 std::vector<ArchiveFile> read_archive(std::string_view bytes, std::string_view shown, const Wanted& wanted,
                                       const ArchiveLimits& limits = {});
+
+/// The same for a class, where an entry that is refused or beyond the limits costs its student alone, as far as its
+/// path says whose it is (lms_owner.h): none of that student's files are returned, but one ArchiveFile with the
+/// refusal.
+std::vector<ArchiveFile> read_class_archive(const std::filesystem::path& file, const Wanted& wanted);
 
 }  // namespace harness

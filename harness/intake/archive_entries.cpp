@@ -10,6 +10,8 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "harness/text/printable.h"
@@ -34,10 +36,23 @@ void fail_for_memory(archive* reader) {
     if (archive_errno(reader) == ENOMEM) throw std::bad_alloc();
 }
 
+/// What is wrong with one entry.
+struct Objection {
+    std::string what;  ///< goes on from the name of the archive or of the student: "has … in it, which is a link"
+};
+
+/// How much of an archive's limits is used.
+struct Amounts {
+    std::uint64_t entries = 0;
+    std::uint64_t path_bytes = 0;
+    std::uint64_t unpacked = 0;
+    std::uint64_t kept = 0;
+};
+
 class ArchiveReader {
   public:
-    ArchiveReader(Reader reader, std::string shown, const Wanted& wanted, const ArchiveLimits& limits)
-        : reader_(std::move(reader)), shown_(std::move(shown)), wanted_(wanted), limits_(limits) {}
+    ArchiveReader(Reader reader, std::string shown, const Wanted& wanted, const ArchiveLimits& limits, Shares shares)
+        : reader_(std::move(reader)), shown_(std::move(shown)), wanted_(wanted), of_nobody_(limits), shares_(shares) {}
 
     void send_to(MemberSender& sender) {
         archive_entry* entry = nullptr;
@@ -45,16 +60,68 @@ class ArchiveReader {
             const int result = archive_read_next_header(reader_.get(), &entry);
             if (result == ARCHIVE_EOF) return;
             if (result != ARCHIVE_OK && result != ARCHIVE_WARN) fail_reading();
-            if (++entries_ > limits_.entries)
-                fail(fmt::format("holds more than {} entries, from {} on", limits_.entries,
-                                 name_in_quotes(name_of(entry))));
-            if (const auto file = take(entry)) sender.send(*file);
+            const std::string name = name_of(entry);
+            const EntryOwner owner = shares_ == Shares::none ? EntryOwner() : owner_of_entry(name);
+            if (refused_.contains(owner.key)) continue;
+            used_ = &used_of_[owner.key];
+            limits_ = owner.key.empty() ? &of_nobody_ : &limits_of_a_share;
+            try {
+                if (const auto file = take(entry, name)) sender.send(*file);
+                expect_room_for_all(owner);
+            } catch (const Objection& objection) {
+                if (owner.key.empty()) fail(objection.what);
+                refuse(owner, objection.what, sender);
+            }
         }
     }
 
   private:
     [[noreturn]] void fail(const std::string& what) const {
         throw ArchiveError(fmt::format("{} {}. It is not read; ask whoever packed it for another one.", shown_, what));
+    }
+
+    [[noreturn]] static void object(std::string what) { throw Objection{std::move(what)}; }
+
+    void refuse(const EntryOwner& owner, const std::string& what, MemberSender& sender) {
+        const auto used = used_of_.extract(owner.key).mapped();
+        of_students_.entries -= used.entries;
+        of_students_.path_bytes -= used.path_bytes;
+        of_students_.unpacked -= used.unpacked;
+        of_students_.kept -= used.kept;
+        refused_.insert(owner.key);
+        std::vector<std::string_view> names;
+        for (std::string_view rest = owner.place; !rest.empty();) {
+            names.push_back(rest.substr(0, rest.find('/')));
+            rest.remove_prefix(std::min(rest.size(), names.back().size() + 1));
+        }
+        if (is_of_no_interest(names)) return;
+        const std::string_view student = std::string_view(owner.key).substr(owner.key.rfind('/') + 1);
+        sender.refuse(owner,
+                      fmt::format("{} {}. Nothing of it is read; ask for the source alone.",
+                                  student == "?" ? "What may be several students'" : name_in_quotes(student), what));
+    }
+
+    void expect_room_for_all(const EntryOwner& owner) const {
+        if (owner.key.empty()) return;
+        const std::size_t students = used_of_.size() - used_of_.count("");
+        const ArchiveLimits all = limits_of_shares(students);
+        const auto expect = [&](std::uint64_t used, std::uint64_t most, const char* of) {
+            if (used > most)
+                fail(fmt::format("holds too much of {} students together: more than {} {}", students, most, of));
+        };
+        expect(of_students_.entries, all.entries, "entries");
+        expect(of_students_.path_bytes, all.all_path_bytes, "bytes of paths");
+        expect(of_students_.unpacked, all.unpacked_bytes, "bytes");
+        expect(of_students_.kept, all.kept_bytes, "bytes of sources and archives");
+    }
+
+    /// Adds to what the entry's student has. False if that is more than `most`.
+    bool count(std::uint64_t Amounts::*amount, std::uint64_t more, std::uint64_t most) {
+        std::uint64_t& used = used_->*amount;
+        if (more > most - std::min(most, used)) return false;
+        used += more;
+        if (limits_ == &limits_of_a_share) of_students_.*amount += more;
+        return true;
     }
 
     [[noreturn]] void fail_reading() const {
@@ -76,24 +143,25 @@ class ArchiveReader {
     /// too deep.
     std::vector<std::string_view> checked_names(const std::string& path) {
         const bool has_drive = path.size() > 1 && path[1] == ':';
-        if (path.empty()) fail(fmt::format("has an entry without a name after {}", name_in_quotes(last_)));
-        if (path.size() > limits_.path_bytes)
-            fail(fmt::format("has {} in it, a path longer than {} bytes", name_in_quotes(path), limits_.path_bytes));
-        if ((path_bytes_ += path.size()) > limits_.all_path_bytes)
-            fail(fmt::format("holds paths of more than {} bytes, with {} the limit is passed", limits_.all_path_bytes,
-                             name_in_quotes(path)));
-        if (path.front() == '/' || has_drive) fail(fmt::format("has the absolute path {} in it", name_in_quotes(path)));
+        if (path.empty()) object(fmt::format("has an entry without a name after {}", name_in_quotes(last_)));
+        if (path.size() > limits_->path_bytes)
+            object(fmt::format("has {} in it, a path longer than {} bytes", name_in_quotes(path), limits_->path_bytes));
+        if (!count(&Amounts::path_bytes, path.size(), limits_->all_path_bytes))
+            object(fmt::format("holds paths of more than {} bytes, with {} the limit is passed",
+                               limits_->all_path_bytes, name_in_quotes(path)));
+        if (path.front() == '/' || has_drive)
+            object(fmt::format("has the absolute path {} in it", name_in_quotes(path)));
         std::vector<std::string_view> names;
         for (std::size_t begin = 0; begin < path.size();) {
             const std::size_t end = std::min(path.find('/', begin), path.size());
             const std::string_view name = std::string_view(path).substr(begin, end - begin);
             begin = end + 1;
-            if (name == "..") fail(fmt::format("has {} in it, a path that leads out of it", name_in_quotes(path)));
+            if (name == "..") object(fmt::format("has {} in it, a path that leads out of it", name_in_quotes(path)));
             if (name.empty() || name == ".") continue;
             names.push_back(name);
-            if (names.size() > limits_.path_names)
-                fail(fmt::format("has {} in it, a path of more than {} folders", name_in_quotes(path),
-                                 limits_.path_names - 1));
+            if (names.size() > limits_->path_names)
+                object(fmt::format("has {} in it, a path of more than {} folders", name_in_quotes(path),
+                                   limits_->path_names - 1));
         }
         return names;
     }
@@ -103,30 +171,32 @@ class ArchiveReader {
         return std::any_of(names.begin(), names.end(), [](std::string_view name) { return name.front() == '.'; });
     }
 
-    std::optional<ArchiveFile> take(archive_entry* entry) {
-        const std::string name = name_of(entry);
+    std::optional<ArchiveFile> take(archive_entry* entry, const std::string& name) {
+        if (!count(&Amounts::entries, 1, limits_->entries))
+            object(fmt::format("holds more than {} entries, from {} on", limits_->entries, name_in_quotes(name)));
         const auto names = checked_names(name);
         last_ = name;
         if (archive_entry_is_encrypted(entry) != 0)
-            fail(fmt::format("has {} in it, which needs a password", name_in_quotes(name)));
+            object(fmt::format("has {} in it, which needs a password", name_in_quotes(name)));
         const bool is_link = archive_entry_filetype(entry) == AE_IFLNK || archive_entry_hardlink(entry) != nullptr ||
                              archive_entry_symlink(entry) != nullptr;
-        if (is_link) fail(fmt::format("has {} in it, which is a link", name_in_quotes(name)));
+        if (is_link) object(fmt::format("has {} in it, which is a link", name_in_quotes(name)));
         if (archive_entry_filetype(entry) == AE_IFDIR) return std::nullopt;
         if (archive_entry_filetype(entry) != AE_IFREG)
-            fail(fmt::format("has {} in it, which is no file", name_in_quotes(name)));
-        count(unpacked_, static_cast<std::uint64_t>(std::max<std::int64_t>(archive_entry_size(entry), 0)),
-              limits_.unpacked_bytes, name);
+            object(fmt::format("has {} in it, which is no file", name_in_quotes(name)));
+        count_bytes(&Amounts::unpacked,
+                    static_cast<std::uint64_t>(std::max<std::int64_t>(archive_entry_size(entry), 0)),
+                    limits_->unpacked_bytes, name);
         if (is_of_no_interest(names)) return std::nullopt;
         ArchiveFile file{fmt::format("{}", fmt::join(names, "/")), {}, false};
         if (const std::uint64_t most = wanted_(file.path); most > 0) read_bytes(file, most);
         return file;
     }
 
-    void count(std::uint64_t& total, std::uint64_t bytes, std::uint64_t most, const std::string& name) const {
-        total = bytes > most - std::min(most, total) ? most + 1 : total + bytes;
-        if (total > most)
-            fail(fmt::format("holds more than {} MiB, with {} the limit is passed", most >> 20U, name_in_quotes(name)));
+    void count_bytes(std::uint64_t Amounts::*amount, std::uint64_t bytes, std::uint64_t most, const std::string& name) {
+        if (!count(amount, bytes, most))
+            object(
+                fmt::format("holds more than {} MiB, with {} the limit is passed", most >> 20U, name_in_quotes(name)));
     }
 
     /// Does not trust the size that the entry claims.
@@ -142,19 +212,21 @@ class ArchiveReader {
                 std::string().swap(file.bytes);
                 return;
             }
-            count(kept_, static_cast<std::uint64_t>(got), limits_.kept_bytes, file.path);
+            count_bytes(&Amounts::kept, static_cast<std::uint64_t>(got), limits_->kept_bytes, file.path);
         }
     }
 
     Reader reader_;
     std::string shown_;
     const Wanted& wanted_;
-    const ArchiveLimits& limits_;
-    std::size_t entries_ = 0;
-    std::size_t path_bytes_ = 0;
-    std::uint64_t unpacked_ = 0;
-    std::uint64_t kept_ = 0;
-    std::string last_;  ///< the name of the entry read last
+    const ArchiveLimits& of_nobody_;
+    const Shares shares_;
+    std::unordered_map<std::string, Amounts> used_of_;  ///< by owner; of nobody under the empty one
+    std::unordered_set<std::string> refused_;           ///< owners
+    Amounts of_students_;                               ///< of all that are not refused
+    Amounts* used_ = nullptr;                           ///< of the entry's owner
+    const ArchiveLimits* limits_ = nullptr;             ///< of the entry's owner
+    std::string last_;                                  ///< the name of the entry read last
 };
 
 [[noreturn]] void fail_to_open(archive* reader, const std::string& shown) {
@@ -166,7 +238,8 @@ class ArchiveReader {
 
 }  // namespace
 
-void send_entries(const OpenArchive& opened, const Wanted& wanted, const ArchiveLimits& limits, MemberSender& sender) {
+void send_entries(const OpenArchive& opened, const Wanted& wanted, const ArchiveLimits& limits, Shares shares,
+                  MemberSender& sender) {
     const Utf8Names names;
     Reader reader = open_reader();
     constexpr std::size_t block = 65536;
@@ -174,7 +247,7 @@ void send_entries(const OpenArchive& opened, const Wanted& wanted, const Archive
                            ? archive_read_open_fd(reader.get(), opened.descriptor, block)
                            : archive_read_open_memory(reader.get(), opened.bytes.data(), opened.bytes.size());
     if (result != ARCHIVE_OK) fail_to_open(reader.get(), opened.shown);
-    ArchiveReader(std::move(reader), opened.shown, wanted, limits).send_to(sender);
+    ArchiveReader(std::move(reader), opened.shown, wanted, limits, shares).send_to(sender);
 }
 
 std::string name_in_quotes(std::string_view name) {

@@ -17,7 +17,8 @@ struct OpenArchive {
 };
 
 /// Sends the files of the archive. Throws ArchiveError as read_archive does, and std::bad_alloc.
-void send_entries(const OpenArchive& opened, const Wanted& wanted, const ArchiveLimits& limits, MemberSender& sender);
+void send_entries(const OpenArchive& opened, const Wanted& wanted, const ArchiveLimits& limits, Shares shares,
+                  MemberSender& sender);
 
 /// A name from an archive for a message: printable, in quotes and not too long.
 std::string name_in_quotes(std::string_view name);

@@ -87,6 +87,7 @@ void for_each_name(std::string_view file, const std::function<void(std::string_v
 /// than the archive's list of them.
 struct Node {
     std::optional<ArchiveFile> file;
+    std::string refusal;  ///< see ArchiveFile
     std::map<std::string, std::unique_ptr<Node>, std::less<>> inner;
 };
 
@@ -96,6 +97,11 @@ class ArchiveTree final : public FileTree {
         std::map<std::string, int> turns;
         for (ArchiveFile& file : files) {
             Node* node = &add(file.path);
+            if (!file.refusal.empty()) {
+                node->refusal = file.refusal;
+                if (!file.is_folder) node->file = std::move(file);
+                continue;
+            }
             // If two entries have the same name, keep both. Each name goes on where it was left, as there may be many.
             for (int& turn = turns.try_emplace(file.path, 1).first->second; node->file;) {
                 node =
@@ -110,7 +116,7 @@ class ArchiveTree final : public FileTree {
         const Node* const found = find(folder);
         if (found == nullptr) return contents;
         for (const auto& [name, child] : found->inner) {
-            if (child->inner.empty()) {
+            if (child->inner.empty() && child->file) {
                 kind_of(folder / name, contents).push_back(folder / name);
             } else {
                 contents.folders.push_back(folder / name);
@@ -122,6 +128,10 @@ class ArchiveTree final : public FileTree {
 
     void read(Submission& submission, Links /*links*/) const override {
         const ArchiveFile& file = file_at(submission.file);
+        if (!file.refusal.empty()) {
+            submission.problem = file.refusal;
+            return;
+        }
         set_source(submission, file.bytes, file.too_large);
     }
 
@@ -130,8 +140,14 @@ class ArchiveTree final : public FileTree {
         return {found.bytes.substr(0, most), found.too_large || found.bytes.size() > most};
     }
 
+    std::string refusal(const path& place) const override {
+        const Node* const found = find(place);
+        return found == nullptr ? "" : found->refusal;
+    }
+
     std::unique_ptr<FileTree> open(const path& archive) const override {
         const ArchiveFile& file = file_at(archive);
+        if (!file.refusal.empty()) throw ArchiveError(file.refusal);
         if (file.too_large) {
             throw ArchiveError(in_quotes(archive.filename()) + " is larger than " +
                                std::to_string(largest_inner_archive >> 20U) +
@@ -171,14 +187,14 @@ class ArchiveTree final : public FileTree {
 
 /// What is kept of an archive on the disk that holds a class.
 std::vector<ArchiveFile> read_class(const path& archive) {
-    std::vector<ArchiveFile> files = read_archive(archive, Links::follow, wanted_of_a_class);
+    std::vector<ArchiveFile> files = read_class_archive(archive, wanted_of_a_class);
     // Several files may have the metadata file's name, too many to keep. Which of them counts is known only after the
     // first reading.
     if (ArchiveFile* const metadata = find_gradescope_metadata(files)) {
         const auto wanted = [&](std::string_view file) {
             return file == metadata->path ? largest_gradescope_metadata : 0;
         };
-        std::vector<ArchiveFile> again = read_archive(archive, Links::follow, wanted);
+        std::vector<ArchiveFile> again = read_class_archive(archive, wanted);
         const auto read = std::find_if(again.begin(), again.end(),
                                        [&](const ArchiveFile& file) { return file.path == metadata->path; });
         if (read != again.end()) *metadata = std::move(*read);

@@ -34,6 +34,8 @@ class FileTree {
     virtual void read(Submission& submission, Links links) const = 0;
     /// Reads at most `most` bytes of any other file.
     virtual BoundedFile read(const std::filesystem::path& file, std::uintmax_t most) const = 0;
+    /// Why nothing of the student whose folder or file this is was read; empty if it was.
+    virtual std::string refusal(const std::filesystem::path& place) const = 0;
     /// Opens a student's archive within this tree. The paths of the result begin with `archive`. Throws ArchiveError,
     /// and HarnessError as read_archive does.
     virtual std::unique_ptr<FileTree> open(const std::filesystem::path& archive) const = 0;
@@ -45,6 +47,7 @@ class DiskTree final : public FileTree {
     Contents list(const std::filesystem::path& folder) const override;
     void read(Submission& submission, Links links) const override;
     BoundedFile read(const std::filesystem::path& file, std::uintmax_t most) const override;
+    std::string refusal(const std::filesystem::path& /*place*/) const override { return {}; }
     std::unique_ptr<FileTree> open(const std::filesystem::path& archive) const override;
 };
 

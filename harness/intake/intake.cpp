@@ -51,6 +51,7 @@ Submission from_folder(const FileTree& tree, const path& folder, const Contents&
     HandIn hand_in;
     hand_in.add(contents);
     std::string id = folder_id(folder);
+    if (std::string why = tree.refusal(folder); !why.empty()) return with_problem(std::move(id), std::move(why));
     if (hand_in.is_without_source()) return with_problem(std::move(id), why_no_source(tree, folder, contents));
     return take(tree, hand_in, std::move(id), in_quotes(folder));
 }

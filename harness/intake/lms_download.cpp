@@ -68,6 +68,7 @@ struct Student {
     HandIn hand_in;
     std::vector<std::string> no_files;  ///< text entries and links
     std::vector<std::string> notes{};
+    std::string refusal{};  ///< why nothing of the student was read; else empty
 };
 
 void add_file(Student& student, const LmsName& name, const path& file) {
@@ -141,11 +142,14 @@ Download students_of(Lms lms, const FileTree& tree, const Contents& contents) {
     for (const Owned& owned : owned_files(lms, contents)) {
         if (owned.readings.size() > 1) {
             download.unclear.push_back(of_unclear_owner(owned));
+            if (const std::string why = tree.refusal(owned.file); !why.empty())
+                download.unclear.back().notes.push_back(why);
             continue;
         }
         const LmsName& name = owned.readings.front();
         Student& student = download.students.try_emplace({name.id, name.student}, Student{name, {}, {}}).first->second;
         if (name.late == true) student.name.late = true;
+        if (std::string why = tree.refusal(owned.file); !why.empty()) student.refusal = std::move(why);
         if (!owned.is_folder) {
             add_file(student, name, owned.file);
         } else if (name.is_file) {
@@ -187,7 +191,9 @@ Submission from_student(const FileTree& tree, const Student& student, const std:
     std::vector<std::string> others = student.no_files;
     for (const path& file : student.hand_in.others) others.push_back(file.filename());
     Submission submission;
-    if (student.hand_in.is_without_source()) {
+    if (!student.refusal.empty()) {
+        submission = with_problem(id, student.refusal);
+    } else if (student.hand_in.is_without_source()) {
         submission = with_problem(
             id, (others.empty() ? std::string("Nothing was handed in") : "Handed in was " + list_of(others)) +
                     ", and no C++ source (.cpp, .cc or .cxx). Ask for ray_cast.cpp.");

@@ -7,14 +7,20 @@
 #include <vector>
 
 #include "harness/intake/archive.h"
+#include "harness/intake/lms_owner.h"
 
 namespace harness {
+
+/// Whether what a student has in the archive costs that student alone.
+enum class Shares { none, of_students };
 
 /// The end in the child.
 class MemberSender {
   public:
     explicit MemberSender(int pipe) : pipe_(pipe) {}
     void send(const ArchiveFile& file);
+    /// Takes back all that was sent of this student, and says why.
+    void refuse(const EntryOwner& student, std::string_view why);
     /// Says why the archive is not read.
     void refuse(std::string_view why);
     void finish();
@@ -26,6 +32,6 @@ class MemberSender {
 /// Reads everything that the child sends. Throws ArchiveError with what the child says against the archive, or if the
 /// child reached a limit or sends what no sender sends; HarnessError if the machine lacks memory. `shown` as above.
 std::vector<ArchiveFile> receive_members(ConfinedChild& child, const std::string& shown, const Wanted& wanted,
-                                         const ArchiveLimits& limits);
+                                         const ArchiveLimits& limits, Shares shares);
 
 }  // namespace harness

@@ -56,6 +56,29 @@ TEST(Archive, OfAHostileStudentCostsNobodyElse) {
     EXPECT_THAT(result.both(), HasSubstr("a path longer than 1000 bytes"));
 }
 
+/// Gradescope unpacks what students pack.
+TEST(Archive, OfGradescopeWithAHostileStudentGradesTheOthers) {
+    const TemporaryFolder folder;
+    const fs::path out = folder / "out";
+    const std::string right = read(project_folder() / "submissions/ada/ray_cast.cpp");
+    std::vector<PackedEntry> entries = {{"export/submission_1/ray_cast.cpp", right}};
+    for (int i = 0; i < 25'000; ++i) {
+        const std::string number = std::to_string(i);
+        entries.push_back({"export/submission_2/" + number + ".txt", ""});
+    }
+    entries.push_back({"export/submission_3/" + std::string(2000, 'x') + "/ray_cast.cpp", right});
+    entries.push_back({"export/submission_4/ray_cast.cpp", right});
+    const Result result = raygrade({"grade", pack(folder / "class.zip", entries).string(), "--out", out.string()});
+    EXPECT_EQ(result.status, some_not_graded) << result.both();
+    const json grades = read_json(out / "grades.json");
+    EXPECT_EQ(submission_in(grades, "submission_1").at("points"), 100);
+    EXPECT_EQ(submission_in(grades, "submission_4").at("points"), 100);
+    for (const char* id : {"submission_2", "submission_3"})
+        EXPECT_EQ(submission_in(grades, id).at("outcome"), "not_graded") << id;
+    EXPECT_THAT(result.both(), HasSubstr("holds more than 20000 entries"));
+    EXPECT_THAT(result.both(), HasSubstr("a path longer than 1000 bytes"));
+}
+
 TEST(Archive, IsRefusedIfAnEntryLeadsOutside) {
     const TemporaryFolder folder;
     const fs::path out = folder / "out";

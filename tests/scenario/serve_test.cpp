@@ -2,33 +2,23 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
-#include <chrono>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
-#include <thread>
 
-#include "tests/given/serve/client.h"
-#include "tests/scenario/scenario.h"
+#include "tests/scenario/serving.h"
 
 namespace scenario {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace std::chrono_literals;
 using harness::serve::HttpAnswer;
-using nlohmann::json;
 using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
-
-/// Long enough to compile a few programs on a busy machine, with sanitizers.
-constexpr auto patience = 120s;
 
 constexpr std::string_view honest =
     "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n";
@@ -36,75 +26,6 @@ constexpr std::string_view honest =
 constexpr std::string_view slow =
     "#include <cstdio>\n#include <unistd.h>\nint main() { sleep(3); puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, "
     "-1.000000)\"); }\n";
-
-class Serving : public testing::Test {
-  protected:
-    Serving() {
-        fs::create_directories(folder / "run");
-        fs::permissions(folder.path(), static_cast<fs::perms>(0755));
-    }
-    ~Serving() override {
-        if (server > 0) end(SIGKILL);
-    }
-
-    Preparation prepare() const {
-        return [this] { return setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1) == 0; };
-    }
-    /// Starts raygrade serve at a free port, and waits until it prints the port.
-    void start(std::vector<std::string> more = {}) {
-        more.insert(more.begin(), {"serve", "--assignment", assignment, "--port", "0", "--rate", "1000"});
-        fs::remove(output());
-        server = fork();
-        if (server == 0) become_raygrade(more, prepare(), output(), voice());
-        const auto late = std::chrono::steady_clock::now() + patience;
-        while (port == 0 && std::chrono::steady_clock::now() < late) {
-            std::this_thread::sleep_for(10ms);
-            const std::string said = fs::exists(output()) ? read(output()) : "";
-            const auto at = said.find("Open http://");
-            const auto end = at == std::string::npos ? at : said.find("/\n", at);
-            if (end != std::string::npos)
-                port = static_cast<std::uint16_t>(std::stoi(said.substr(said.rfind(':', end) + 1)));
-        }
-        ASSERT_NE(port, 0) << read(voice());
-    }
-    /// Sends the signal. Returns the server's exit status, or 128 + the signal that killed it.
-    int end(int signal) {
-        kill(server, signal);
-        int status = 0;
-        waitpid(server, &status, 0);
-        server = 0;
-        port = 0;
-        return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    }
-    HttpAnswer ask(const std::string& request) const { return harness::serve::ask(port, request); }
-    /// Hands in a program. Returns the path of its result.
-    std::string hand_in(std::string_view source) const {
-        const HttpAnswer answer = ask(harness::serve::upload(std::string(source)));
-        EXPECT_EQ(answer.status, 303) << answer.body;
-        return "/" + answer.fields.at("location");
-    }
-    json standing(const std::string& result) const {
-        return json::parse(ask(harness::serve::get(result + "/standing")).body);
-    }
-    /// The state of a submission as soon as it is neither waiting nor being graded.
-    json outcome(const std::string& result) const {
-        const auto late = std::chrono::steady_clock::now() + patience;
-        json now = standing(result);
-        while ((now.at("standing") == "waiting" || now.at("standing") == "grading") &&
-               std::chrono::steady_clock::now() < late) {
-            std::this_thread::sleep_for(50ms);
-            now = standing(result);
-        }
-        return now;
-    }
-    fs::path output() const { return folder / "run/stdout"; }
-    fs::path voice() const { return folder / "run/stderr"; }
-
-    TemporaryFolder folder;
-    std::string assignment = "a6-2021";
-    pid_t server = 0;
-    std::uint16_t port = 0;
-};
 
 TEST_F(Serving, GradesAnHonestProgramAmongHostileOnes) {
     start({"--limit", "run.cpu_seconds=0.5", "--limit", "run.wall_seconds=5"});

@@ -153,6 +153,8 @@ asio::awaitable<bool> exchange(Connection& connection, Common& common, bool is_l
         const auto status = status_of(failure);
         if (!status) co_return false;
         answer = Answer{common.site.problem(head, *status)};
+    } else if (!has_clear_length(parser)) {
+        answer = Answer{common.site.problem(head, 400)};
     } else if (auto early = answer_or_fail(common, head, [&] { return common.site.answer(head); })) {
         answer = Answer{std::move(*early), parser.is_done()};
     } else {

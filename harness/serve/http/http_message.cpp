@@ -1,5 +1,6 @@
 #include "harness/serve/http/http_message.h"
 
+#include <boost/beast/core/string.hpp>
 #include <boost/beast/http/error.hpp>
 #include <boost/beast/http/field.hpp>
 #include <boost/beast/http/verb.hpp>
@@ -9,10 +10,17 @@ namespace {
 
 namespace http = boost::beast::http;
 
+/// A field that is there several times is all of its values, joined by commas as RFC 9110 has it: a proxy or a browser
+/// may have meant any of them.
 template <class Name>
-std::string text_of(const Parser& parser, const Name& field) {
-    const auto value = parser.get()[field];
-    return {value.data(), value.size()};
+std::string text_of(const Parser& parser, const Name& name) {
+    std::string text;
+    const auto [first, last] = parser.get().equal_range(name);
+    for (auto field = first; field != last; ++field) {
+        if (field != first) text += ',';
+        text.append(field->value().data(), field->value().size());
+    }
+    return text;
 }
 
 Method method_of(http::verb verb) {
@@ -32,16 +40,19 @@ Head head_of(const Parser& parser, const std::string& client) {
     head.path = target.substr(0, target.find_first_of("?#"));
     if (fields.count(http::field::host) == 1) head.host = text_of(parser, http::field::host);
     head.client = client;
-    const auto [first, last] = fields.equal_range("X-Forwarded-For");
-    for (auto field = first; field != last; ++field) {
-        if (field != first) head.forwarded_for += ',';
-        head.forwarded_for.append(field->value().data(), field->value().size());
-    }
+    head.forwarded_for = text_of(parser, "X-Forwarded-For");
     if (fields.count(http::field::origin) > 0) head.origin = text_of(parser, http::field::origin);
     head.fetch_site = text_of(parser, "Sec-Fetch-Site");
     head.content_type = text_of(parser, http::field::content_type);
     head.wants_json = text_of(parser, http::field::accept).find("application/json") != std::string::npos;
     return head;
+}
+
+bool has_clear_length(const Parser& parser) {
+    if (parser.get().count(http::field::transfer_encoding) == 0) return true;
+    constexpr unsigned http_1_1 = 11;
+    return parser.get().version() == http_1_1 &&
+           boost::beast::iequals(text_of(parser, http::field::transfer_encoding), "chunked");
 }
 
 Message message_of(Response response, unsigned version, bool keep_alive) {

@@ -17,6 +17,11 @@ using Message = boost::beast::http::response<boost::beast::http::string_body>;
 /// The head of the request. `parser` must have read it. `client` is the address of the connection.
 Head head_of(const Parser& parser, const std::string& client);
 
+/// Whether a proxy before this server takes the same bytes for the body. One that reads a Transfer-Encoding differently
+/// would pass on a stranger's next request as the rest of this one (RFC 9112, section 6.3). Both a length and chunks
+/// are not valid HTTP for the parser.
+bool has_clear_length(const Parser& parser);
+
 /// Adds the fields that every response has. They keep browsers from caching it, guessing its type, framing it and
 /// sending its address to other sites.
 Message message_of(Response response, unsigned version, bool keep_alive);

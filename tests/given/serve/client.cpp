@@ -61,7 +61,7 @@ HttpAnswer Client::answer(bool to_head) {
     }
     const std::string head = received_.substr(0, end + 2);
     received_.erase(0, end + 4);
-    if (!head.starts_with("HTTP/1.1 ")) return {};
+    if (!head.starts_with("HTTP/1.1 ") && !head.starts_with("HTTP/1.0 ")) return {};
     for (std::size_t line = head.find("\r\n") + 2; line < head.size(); line = head.find("\r\n", line) + 2) {
         const std::size_t colon = head.find(": ", line);
         std::string name = head.substr(line, colon - line);

@@ -162,17 +162,33 @@ TEST(Server, IsNotMisledAboutWhereARequestEnds) {
     const std::string smuggled = get("/style.css");
     for (const char* lengths :
          {"Content-Length: 5\r\nTransfer-Encoding: chunked\r\n", "Content-Length: 5\r\nContent-Length: 6\r\n",
-          "Content-Length: -1\r\n", "Content-Length: 99999999999999999999\r\n"}) {
+          "Content-Length: -1\r\n", "Content-Length: 99999999999999999999\r\n", "Transfer-Encoding: identity\r\n",
+          "Transfer-Encoding: chunked, identity\r\n", "Transfer-Encoding: chunked, chunked\r\n",
+          "Transfer-Encoding: identity\r\nTransfer-Encoding: chunked\r\n", "Transfer-Encoding: chunked;q=0\r\n",
+          "Transfer-Encoding: xchunked\r\n"}) {
         Client client(server.port());
         client.send(head_of_upload(lengths) + "0\r\n\r\n" + smuggled);
         EXPECT_EQ(client.answer().status, 400) << lengths;
         EXPECT_TRUE(ends_unanswered(client)) << lengths;
     }
+    std::string of_http_1_0 = head_of_upload("Connection: keep-alive\r\nTransfer-Encoding: chunked\r\n");
+    of_http_1_0.replace(of_http_1_0.find("HTTP/1.1"), 8, "HTTP/1.0");
+    EXPECT_EQ(server.ask(of_http_1_0 + "0\r\n\r\n").status, 400);
     // A refused body must not be read as the next request.
     Client client(server.port());
     client.send(get("/icon.svg", "Content-Length: " + std::to_string(smuggled.size()) + "\r\n") + smuggled);
     EXPECT_EQ(client.answer().status, 200);
     EXPECT_TRUE(ends_unanswered(client));
+}
+
+TEST(Server, RefusesAFormThatNamesTwoSites) {
+    const RunningServer server;
+    const std::string own = "Origin: http://localhost\r\n";
+    const std::string foreign = "Origin: http://evil.example\r\n";
+    EXPECT_EQ(server.ask(upload("int main() {}", own)).status, 303);
+    EXPECT_EQ(server.ask(upload("int main() {}", own + foreign)).status, 403);
+    EXPECT_EQ(server.ask(upload("int main() {}", foreign + own)).status, 403);
+    EXPECT_EQ(server.ask(upload("x", "Sec-Fetch-Site: same-origin\r\nSec-Fetch-Site: cross-site\r\n")).status, 403);
 }
 
 TEST(Server, SendsContinueOnlyForAWelcomeBody) {
