@@ -45,10 +45,13 @@ std::string reason_for(Subject subject, const Scene<double>& scene, const SceneA
         const Sphere<double>& sphere = scene.spheres.at(answers.sphere_index);
         const Quadratic<double>& quadratic = answers.sphere->quadratic;
         const double distance = length(Point(answers.camera.P_WCS - sphere.center));
-        reasons.push_back({quadratic.b * quadratic.b / std::abs(quadratic.d), "the ray almost touches the sphere",
+        const double far = std::pow(distance / sphere.radius, 2);
+        const double grazing = 4 * quadratic.a * sphere.radius * sphere.radius / std::abs(quadratic.d);
+        // Each amplifies what the other leaves. The larger one is the reason.
+        reasons.push_back({grazing > far ? grazing * far : grazing, "the ray almost touches the sphere",
                            "Take another pixel, or move the sphere"});
         reasons.push_back(
-            {std::pow(distance / sphere.radius, 2), "the sphere is small beside its distance", "Bring it nearer"});
+            {grazing > far ? far : grazing * far, "the sphere is small beside its distance", "Bring it nearer"});
         reasons.push_back({sphere.radius * sphere.radius / std::abs(quadratic.c), "the ray starts almost on the sphere",
                            "Move the sphere"});
         reasons.push_back({std::pow(length(sphere.center) / distance, 2),

@@ -36,14 +36,30 @@ bool is_decimal(std::string_view text) {
     return at == text.size();
 }
 
+/// Whether |x| < 1, for the text of a decimal that is not zero.
+bool is_below_one(std::string_view text) {
+    const std::size_t e = text.find_first_of("eE");
+    const std::string_view mantissa = text.substr(0, e);
+    long exponent = 0;
+    if (e != std::string_view::npos) {
+        text.remove_prefix(text[e + 1] == '+' ? e + 2 : e + 1);
+        const std::errc error = std::from_chars(text.data(), text.data() + text.size(), exponent).ec;
+        if (error != std::errc()) return text.front() == '-';  // an exponent that no long holds
+    }
+    const auto first = static_cast<long>(mantissa.find_first_of("123456789"));
+    const auto point = static_cast<long>(std::min(mantissa.find('.'), mantissa.size()));
+    // The first digit stands for this power of ten.
+    const long place = first < point ? point - first - 1 : point - first;
+    return exponent < -place;
+}
+
 template <class Float>
 Float nearest(const std::string& text, int sign) {
     Float value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc::result_out_of_range) return value;
-    // from_chars leaves the value alone for an overflow and for an underflow; the exponent's sign tells them apart.
-    const bool tiny = text.find("e-") != std::string::npos || text.find("E-") != std::string::npos;
-    return static_cast<Float>(sign) * (tiny ? Float{0} : std::numeric_limits<Float>::infinity());
+    // from_chars leaves the value alone for an overflow and for an underflow.
+    return static_cast<Float>(sign) * (is_below_one(text) ? Float{0} : std::numeric_limits<Float>::infinity());
 }
 
 }  // namespace

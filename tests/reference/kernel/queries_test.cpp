@@ -31,6 +31,18 @@ TEST(Cast, TakesKeysInAnyOrderAndWithoutObjects) {
               "{\"spheres\":[],\"triangles\":[],\"first\":\"none\"}\n");
 }
 
+TEST(Cast, KeepsNoObjectOfTheLineBefore) {
+    const std::string none = "{\"spheres\":[],\"triangles\":[],\"first\":\"none\"}\n";
+    const std::string full = "{" + ray + R"(,"spheres":[)" + sphere + R"(],"triangles":[)" + triangle + "]}\n";
+    EXPECT_EQ(answer(full + "{" + ray + "}\n" + full), answer(full) + none + answer(full));
+}
+
+TEST(Cast, CountsEveryMalformedLine) {
+    std::istringstream in("{\nnonsense\n{" + ray + "}\n[]\n");
+    std::ostringstream out;
+    EXPECT_EQ(reference::cast(in, out), 3);
+}
+
 TEST(Cast, ReadsHexFloatsToTheirLastBit) {
     const std::string query = R"({"origin":["-0x1p-149",0.25,"0x1p+0"],"direction":[0,0,-1],)"
                               R"("triangles":[[[0,0,0],[1,0,0],[0,"0x1.8p-1",0]]]})";
@@ -112,6 +124,8 @@ TEST(Cast, ReportsAMalformedLineByItsNumberAndAnswersTheRest) {
                                    std::string(R"({"origin":[0,0,null],"direction":[0,0,1]})"),
                                    std::string(R"({"origin":[0,0,1e999],"direction":[0,0,1]})"),
                                    "{" + ray + "," + ray + "}",
+                                   "{" + ray + R"(,"spheres":[],"spheres":[]})",
+                                   "{" + ray + R"(,"triangles":[],"triangles":[]})",
                                    "{" + ray + R"(,"cubes":[]})",
                                    "{" + ray + R"(,"spheres":[{"center":[0,0,0]}]})",
                                    "{" + ray + R"(,"spheres":[{"center":[0,0,0],"radius":1,"name":2}]})",

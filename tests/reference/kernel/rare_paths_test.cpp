@@ -50,5 +50,45 @@ TEST(RarePath, ComparesATriangleWithTheFarRoot) {
               std::partial_ordering::equivalent);
 }
 
+// Two triangles that are met within one unit in the last place of each other, turned either way: what is known of t in
+// double does not tell which is nearer.
+TEST(RarePath, OrdersTwoTrianglesThatAreTurnedEitherWay) {
+    const Ray<double> ray{P(0, 0, 3), P(0, 0, -1)};
+    const auto triangle = [](double z, bool turned) {
+        const P a(-9, -9, z), b(9, -9, z), c(0, 9, z);
+        return turned ? Triangle<double>{b, a, c} : Triangle<double>{a, b, c};
+    };
+    const double far = 1, near = std::nextafter(1.0, 2.0);
+    Cast cast;
+    for (const bool one : {false, true}) {
+        for (const bool other : {false, true}) {
+            cast_ray(ray, {}, {triangle(far, one), triangle(near, other)}, cast);
+            EXPECT_EQ(cast.first.index, 1U);
+            cast_ray(ray, {}, {triangle(near, one), triangle(far, other)}, cast);
+            EXPECT_EQ(cast.first.index, 0U);
+            EXPECT_EQ(cast.first.kind, First::Kind::triangle);
+            cast_ray(ray, {}, {triangle(far, one), triangle(far, other)}, cast);
+            EXPECT_EQ(cast.first.kind, First::Kind::tie);
+        }
+    }
+}
+
+// The ray starts on the sphere, where it enters or leaves it, and in the triangle's plane: both are met at t = 0.
+TEST(RarePath, OrdersWhatIsMetAtTheStart) {
+    const Sphere<double> sphere{P(0, 0, 0), 1};
+    const auto first = [&](double step, double z) {
+        const Triangle<double> triangle{P(-9, -9, z), P(9, -9, z), P(0, 9, z)};
+        const First::Kind kind = first_of(Ray<double>{P(0, 0, 1), P(0, 0, step)}, sphere, triangle).kind;
+        Cast cast;
+        cast_ray({P(0, 0, 1), P(0, 0, step)}, {sphere}, {triangle}, cast);
+        EXPECT_EQ(cast.first.kind, kind);
+        return kind;
+    };
+    EXPECT_EQ(first(-1, 1), First::Kind::tie);
+    EXPECT_EQ(first(1, 1), First::Kind::tie);
+    EXPECT_EQ(first(-1, std::nextafter(1.0, 0.0)), First::Kind::sphere);
+    EXPECT_EQ(first(1, std::nextafter(1.0, 2.0)), First::Kind::sphere);
+}
+
 }  // namespace
 }  // namespace reference::kernel

@@ -1,5 +1,6 @@
 // An allowance is the error that a correct program may have. It must cover the errors of float32 programs
 // (tests/harness/mark/correct_programs has many), and be small enough that no mistake passes.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -144,6 +145,25 @@ TEST(Allowance, IsWithinTenUnitsInTheLastPlaceOfFloatForTheHandoutsCamera) {
     }
 }
 
+TEST(Allowance, IsThatOfTheObjectsWhichTheQuestionsAreAbout) {
+    // The first of each in the file are behind the others, and so far away that their numbers are a thousand times as
+    // coarse.
+    const auto key = [](const std::string& objects) {
+        return make_key(parse_assignment(student::camera_on_the_axis(4) + objects, "scene.toml"), Precision::certified);
+    };
+    const std::string far =
+        "[[sphere]]\ncenter = [0.1, 0.1, -5000.1]\nradius = 7.1\n"
+        "[[triangle]]\nvertices = [[-9000.1, -9000.2, -6000.3], [9000, -9000, -6000], [0, 9000, -6000]]\n";
+    const std::string near =
+        "[[sphere]]\ncenter = [0.1, 0.1, 0.1]\nradius = 1.1\n"
+        "[[triangle]]\nvertices = [[-1.1, -1.2, 0.3], [1.4, -1.7, 0.1], [0.1, 2.3, 0.7]]\n";
+    const AnswerKey both = key(far + near), alone = key(near), behind = key(far);
+    for (const auto& [number, name] : {std::pair(6, "c"), {6, "t"}, {7, "normal"}, {8, "t"}, {8, "u"}, {8, "rhs"}}) {
+        EXPECT_EQ(answer(both, number, name).allowance, answer(alone, number, name).allowance) << name;
+        EXPECT_NE(answer(both, number, name).allowance, answer(behind, number, name).allowance) << name;
+    }
+}
+
 AnswerKey key_with_triangle(const std::string& vertices) {
     return make_key(
         parse_assignment(student::camera_on_the_axis(4) + "[[triangle]]\nvertices = " + vertices, "scene.toml"),
@@ -165,6 +185,24 @@ TEST(WideAllowances, AreNamedWithTheReason) {
                                testing::HasSubstr("every number counts as right: t of question 8, u of question 8"),
                                testing::HasSubstr("the triangle is narrow. Move a vertex")));
     EXPECT_THAT(key_with_triangle("[[-1, -1, 0], [2, 1, 0], [-1, 2, 0]]").notes, testing::IsEmpty());
+}
+
+TEST(WideAllowances, AreToldAsAShareOfTheValue) {
+    // d = 4 (R^2 - 0.13) = 4.32 for V = (0, 0, -1): the difference of two numbers of 370,000.
+    const AnswerKey key = make_key(
+        parse_assignment(student::camera_on_the_axis(4) + "[[sphere]]\ncenter = [0.3, 0.2, -300.3]\nradius = 1.1",
+                         "scene.toml"),
+        Precision::certified);
+    const Answer& d = answer(key, 6, "d");
+    const double value = std::get<Numbers>(d.value).front();
+    ASSERT_NEAR(value, 4.32, 1e-9);
+    ASSERT_EQ(key.notes.size(), 1U);
+    EXPECT_THAT(
+        key.notes.front(),
+        testing::AllOf(testing::StartsWith("Float is coarse for the sphere of this scene. A correct program may "
+                                           "be off by so much of the value: d of question 6"),
+                       testing::HasSubstr(fmt::format("({:.2g} %)", 100 * d.allowance.front() / value)),
+                       testing::HasSubstr("the sphere is small beside its distance. Bring it nearer")));
 }
 
 TEST(Affine, KnowsWhatRoundingMakesOfAKnownNumber) {
@@ -250,6 +288,32 @@ TEST(Affine, TracksDependenceOnTheSameRounding) {
     EXPECT_LT((x - x).range().hi(), 1e-6);
     EXPECT_GT((x - x).range().lo(), -1e-6);
     EXPECT_FALSE((Affine(1) / (x - x)).range().is_bounded());
+}
+
+TEST(Affine, CountsTheRoundingsOfAlternativesAndOfWhatFollowsApart) {
+    Roundings roundings;
+    const Affine x(Interval<double>(1.5 - 0x1p-40, 1.5 + 0x1p-40), roundings);
+    Affine before;
+    {
+        Alternatives ways(roundings);
+        before = x * x;
+        ways.next();
+    }
+    // The same product once more, which float may round the other way: each by up to 2^-23.
+    const Interval<double> difference = (x * x - before).range();
+    EXPECT_TRUE(difference.contains(0x1p-23));
+    EXPECT_TRUE(difference.contains(-0x1p-23));
+}
+
+TEST(Affine, HoldsAReciprocalRootByEstimateAndNewton) {
+    Roundings roundings;
+    for (const double x : {1.5, 2.0, 3.0, 1e-3, 7e5}) {
+        const Interval<double> range = reciprocal_root(Affine::read(x, 0, roundings)).range();
+        for (const double off : {1.5 * 0x1p-12, -1.5 * 0x1p-12, 0.0}) {  // of x86's rsqrtss, at most
+            const double estimate = (1 + off) / std::sqrt(x);
+            EXPECT_TRUE(range.contains(estimate * (1.5 - 0.5 * x * estimate * estimate))) << x << " " << off;
+        }
+    }
 }
 
 TEST(Affine, HoldsEveryResultOfEveryOperation) {

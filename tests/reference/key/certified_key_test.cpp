@@ -166,6 +166,80 @@ TEST(CertifiedKey, ComparesATriangleWithTheFarRoot) {
     EXPECT_EQ(first("-1.00000000000000000001"), "sphere");
 }
 
+TEST(CertifiedKey, ComparesATriangleWithTheNearRoot) {
+    // The ray starts at (0, 0, 2) and runs through the sphere from z = 1 to z = -1.
+    const auto first = [&](const std::string& z, bool turned) {
+        const std::string a = "[-9, -9, " + z + "]", b = "[9, -9, " + z + "]", c = "[0, 9, " + z + "]";
+        return key_of_scene("[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n[[triangle]]\nvertices = [" +
+                            (turned ? b + ", " + a : a + ", " + b) + ", " + c + "]")
+            .decisions.first;
+    };
+    for (const bool turned : {false, true}) {
+        EXPECT_EQ(first("1.5", turned), "triangle") << "before the sphere";
+        EXPECT_EQ(first("1", turned), "tie");
+        EXPECT_EQ(first("0.5", turned), "sphere") << "inside, before the middle";
+        EXPECT_EQ(first("-0.5", turned), "sphere") << "inside, behind the middle";
+        EXPECT_EQ(first("-1", turned), "sphere") << "at the far root";
+        EXPECT_EQ(first("-1.5", turned), "sphere") << "behind the sphere";
+    }
+}
+
+TEST(CertifiedKey, AsksAboutTheNearestOfSeveralTriangles) {
+    // The ray starts at (0, 0, 2) and meets z = 1 first, whichever way a triangle is turned.
+    const auto triangle = [](const std::string& z, bool turned) {
+        const std::string a = "[-9, -9, " + z + "]", b = "[9, -9, " + z + "]", c = "[0, 9, " + z + "]";
+        return "[[triangle]]\nvertices = [" + (turned ? b + ", " + a : a + ", " + b) + ", " + c + "]\n";
+    };
+    for (const bool near_is_turned : {false, true}) {
+        for (const bool far_is_turned : {false, true}) {
+            const std::string near = triangle("1", near_is_turned), far = triangle("0", far_is_turned);
+            expect_item(key_of_scene(near + far), 8, "t", {1}, true);
+            expect_item(key_of_scene(far + near), 8, "t", {1}, true);
+        }
+    }
+    const std::string missed = "[[triangle]]\nvertices = [[5, 5, 1.5], [6, 5, 1.5], [5, 6, 1.5]]\n";
+    expect_item(key_of_scene(missed + triangle("1", false)), 8, "t", {1}, true);
+    expect_item(key_of_scene(triangle("1", false) + missed), 8, "t", {1}, true);
+}
+
+TEST(CertifiedKey, AsksAboutTheNearestOfSeveralSpheres) {
+    // Where the ray from (0, 0, 2) down the z axis meets each: on its way in at t = 1 and t = 10, on its way out at
+    // t = 4 and t = 9; it passes the last one.
+    const auto sphere = [](const std::string& center, const std::string& radius) {
+        return "[[sphere]]\ncenter = " + center + "\nradius = " + radius + "\n";
+    };
+    const std::string in_1 = sphere("[0, 0, 0]", "1"), in_10 = sphere("[0, 0, -9]", "1"),
+                      out_4 = sphere("[0, 0, 0.5]", "2.5"), out_9 = sphere("[0, 0, -2]", "5"),
+                      missed = sphere("[9, 9, 0]", "1");
+    const auto expect_t = [&](double t, const std::string& one, const std::string& other) {
+        expect_item(key_of_scene(one + other), 6, "t", {t}, true);
+        expect_item(key_of_scene(other + one), 6, "t", {t}, true);
+    };
+    expect_t(1, in_1, in_10);
+    expect_t(1, in_1, out_4);
+    expect_t(4, out_4, in_10);
+    expect_t(4, out_4, out_9);
+    expect_t(9, out_9, in_10);
+    expect_t(1, in_1, missed);
+    expect_t(9, out_9, missed);
+}
+
+TEST(CertifiedKey, SaysHowTheRayTouchesOrPasses) {
+    const auto of_sphere = [](const std::string& x) {
+        return key_of_scene("[[sphere]]\ncenter = [" + x + ", 0, 0]\nradius = 1").decisions.sphere;
+    };
+    EXPECT_EQ(of_sphere("1"), "tangent");
+    EXPECT_EQ(of_sphere("0.99999999999999999999"), "hit");
+    EXPECT_EQ(of_sphere("1.00000000000000000001"), "miss");
+    // A triangle in a plane along the ray.
+    const auto of_triangle = [](const std::string& x) {
+        return key_of_scene("[[triangle]]\nvertices = [[" + x + ", -1, 0], [" + x + ", 1, 0], [" + x + ", 0, -3]]")
+            .decisions.triangle;
+    };
+    EXPECT_EQ(of_triangle("0"), "coplanar");
+    EXPECT_EQ(of_triangle("0.00000000000000000001"), "miss");
+}
+
 TEST(CertifiedKey, CountsAStartOnTheSphereAsTheRubricSays) {
     // The ray starts at (0, 0, 2), where it enters the first sphere and leaves the second.
     const std::string entered = "[[sphere]]\ncenter = [0, 0, 1]\nradius = 1",

@@ -36,6 +36,21 @@ TEST(Decimal, ConvertsOutOfRangeToSignedInfinityOrZero) {
     EXPECT_TRUE(std::isinf(Decimal::parse("1e39")->to_float()));
 }
 
+TEST(Decimal, ConvertsOutOfRangeByItsSizeHoweverItIsWritten) {
+    const std::string zeros(350, '0');
+    const auto read = [](const std::string& text) { return Decimal::parse(text)->to_double(); };
+    EXPECT_EQ(read("0." + zeros + "1"), 0.0) << "no exponent";
+    EXPECT_EQ(read("-0." + zeros + "1"), 0.0);
+    EXPECT_EQ(read("1" + zeros), HUGE_VAL);
+    EXPECT_EQ(read("1" + zeros + "e-10"), HUGE_VAL) << "the exponent's sign says nothing";
+    EXPECT_EQ(read("0." + zeros + "1e+10"), 0.0);
+    EXPECT_EQ(read("1E-999"), 0.0);
+    EXPECT_EQ(read("-1E999"), -HUGE_VAL);
+    EXPECT_EQ(read("1e-99999999999999999999"), 0.0);
+    EXPECT_EQ(read("1e+99999999999999999999"), HUGE_VAL);
+    EXPECT_EQ(Decimal::parse("0." + std::string(50, '0') + "1")->to_float(), 0.0F);
+}
+
 TEST(Decimal, HasItsExactSignEvenWhereTheNearestDoubleIsZero) {
     EXPECT_EQ(Decimal::parse("1e-999")->sign(), 1);
     EXPECT_EQ(Decimal::parse("-0.000")->sign(), 0);

@@ -23,6 +23,7 @@ TEST(Rational, IsRefusedOutsideItsRangeBeforeItIsBuilt) {
         EXPECT_FALSE(to_rational(*Decimal::parse(text))) << text;
     }
     EXPECT_TRUE(to_rational(*Decimal::parse("1e150")));
+    EXPECT_TRUE(to_rational(*Decimal::parse("-1e150")));
     EXPECT_TRUE(to_rational(*Decimal::parse("-1e-300")));
     EXPECT_TRUE(to_rational(*Decimal::parse("1" + std::string(150, '0'))));
 }
@@ -35,6 +36,24 @@ TEST(Rational, IsEnclosedByItselfOrByNeighbours) {
     EXPECT_EQ(tenth.hi, 0.1);  // the double is above one tenth
     EXPECT_EQ(tenth.lo, std::nextafter(0.1, 0.0));
     EXPECT_EQ(tenth.nearest, 0.1);
+}
+
+TEST(Rational, IsEnclosedBelowTheNormalDoublesToo) {
+    // A third of the smallest double lies between it and 0; five thirds between one and two of it.
+    const double least = 0x1p-1074;
+    const Rational third = Rational(least) / 3;
+    EXPECT_EQ(enclose(third).lo, 0.0);
+    EXPECT_EQ(enclose(third).hi, least);
+    EXPECT_EQ(enclose(-third).lo, -least);
+    EXPECT_EQ(enclose(third * 5).lo, least);
+    EXPECT_EQ(enclose(third * 5).hi, 2 * least);
+}
+
+TEST(Rational, HasARationalRootOnlyIfBothItsPartsAreSquares) {
+    EXPECT_EQ(rational_sqrt(Rational(4, 9)), Rational(2, 3));
+    EXPECT_EQ(rational_sqrt(Rational(4)), Rational(2));
+    EXPECT_FALSE(rational_sqrt(Rational(4, 3)));
+    EXPECT_FALSE(rational_sqrt(Rational(3, 4)));
 }
 
 class Field : public testing::Test {
@@ -58,6 +77,7 @@ TEST_F(Field, ASumOfRootsThatNearlyCancelsHasItsSign) {
     const FieldNumber difference = root(2) - FieldNumber(Rational(665857, 470832));
     EXPECT_EQ(difference.sign(), std::strong_ordering::less);
     EXPECT_EQ((-difference).sign(), std::strong_ordering::greater);
+    EXPECT_EQ((root(2) - FieldNumber(Rational(7, 5))).sign(), std::strong_ordering::greater);
 }
 
 TEST_F(Field, InverseTimesItselfIsOne) {
@@ -83,6 +103,15 @@ TEST(CertifiedNumber, IsEnclosedByNeighboursBeyondTheField) {
     EXPECT_EQ(std::nextafter(enclosure.lo, 2.0), enclosure.hi);
     EXPECT_NEAR(enclosure.nearest, 1.5537739740300373, 1e-16);
     EXPECT_EQ(sign_of(nested - Certified(2)), std::partial_ordering::less);
+}
+
+TEST(CertifiedNumber, HasASignThatShowsOnlyInManyBits) {
+    // 10^-200 is lost beside 1 + √2 at 128 bits, and at 512.
+    const Certified nested = sqrt(Certified(1) + sqrt(Certified(2))), tiny(FieldNumber(rational("1e-200")));
+    const Certified sum = nested * nested - Certified(1) - sqrt(Certified(2)) + tiny;
+    EXPECT_EQ(sign_of(sum), std::partial_ordering::greater);
+    EXPECT_EQ(sign_of(sum - tiny - tiny), std::partial_ordering::less);
+    EXPECT_EQ(sum.enclosure().nearest, 1e-200);
 }
 
 TEST(CertifiedNumber, IsUnorderedAndEnclosedForAHiddenZeroBeyondTheField) {

@@ -30,6 +30,29 @@ TEST(Interval, HoldsTheExactResultOfEveryOperation) {
     }
 }
 
+TEST(Interval, HoldsTheResultsOfAllNumbersOfBothIntervals) {
+    // The ends of a product and of a quotient come from any two of the four bounds, as the signs say.
+    const auto expect = [](const I& interval, float lo, float hi) {
+        EXPECT_EQ(interval.lo(), std::nextafter(lo, -HUGE_VALF));
+        EXPECT_EQ(interval.hi(), std::nextafter(hi, HUGE_VALF));
+    };
+    expect(I(2, 3) * I(5, 7), 10, 21);
+    expect(I(-2, 3) * I(5, 7), -14, 21);
+    expect(I(-2, 3) * I(-7, 5), -21, 15);
+    expect(I(-3, -2) * I(-7, 5), -15, 21);
+    expect(I(-3, -2) * I(-7, -5), 10, 21);
+    expect(I(2, 3) / I(4, 8), 0.25F, 0.75F);
+    expect(I(-2, 3) / I(4, 8), -0.5F, 0.75F);
+    expect(I(2, 3) / I(-8, -4), -0.75F, -0.25F);
+    expect(I(-3, -2) / I(-8, -4), 0.25F, 0.75F);
+    expect(-I(2, 3) - I(4, 8), -11, -6);
+}
+
+TEST(Interval, HoldsNoRootBelowZero) {
+    EXPECT_EQ(sqrt(I(0.0F, 4.0F)).lo(), 0.0F);
+    EXPECT_EQ(sqrt(I(-1.0F, 4.0F)).lo(), 0.0F);
+}
+
 TEST(Interval, HoldsOneThirdBetweenTwoNeighboursOfTheNearestFloat) {
     const I third = I(1) / I(3);
     EXPECT_LT(static_cast<double>(third.lo()) * 3, 1.0);
@@ -79,6 +102,8 @@ TEST(Interval, HasAnUnorderedSignOnlyAroundZero) {
 TEST(Interval, IsTheWholeLineWhereNoBoundExists) {
     EXPECT_FALSE((I(1) / I(-1.0F, 1.0F)).is_bounded());
     EXPECT_FALSE((I(1) / I(0)).is_bounded());
+    EXPECT_EQ((I(1) / I(0.0F, 1.0F)).lo(), -HUGE_VALF) << "the divisor may be -0";
+    EXPECT_EQ((I(1) / I(-1.0F, 0.0F)).hi(), HUGE_VALF);
     EXPECT_FALSE(I(std::nanf("")).is_bounded());
     EXPECT_FALSE(sqrt(I(-1.0F)).is_bounded());
     EXPECT_FALSE((I(3e38F) + I(3e38F)).is_bounded());

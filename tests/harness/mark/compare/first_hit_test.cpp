@@ -91,6 +91,21 @@ TEST(PossibleVerdicts, ForgiveAStudentsOwnToleranceUpToTheAllowance) {
     EXPECT_THAT(verdicts(hits), UnorderedElementsAre(triangle_first, sphere_first));
 }
 
+TEST(PossibleVerdicts, ForgiveTheErrorsOfBothUAndVAtTheThirdEdge) {
+    HitValues hits{Interval(1.5), Interval(0.75), Interval(0.5), Interval(0.5 + 1.5e-6)};
+    hits.uv_allowance = 1e-6;
+    EXPECT_THAT(verdicts(hits), UnorderedElementsAre(triangle_first, sphere_first));
+    hits.v = Interval(0.5 + 2.5e-6);
+    EXPECT_THAT(verdicts(hits), ElementsAre(sphere_first));
+}
+
+TEST(PossibleVerdicts, ContainTheTriangleIfTheSphereMayBeBehind) {
+    EXPECT_THAT(under(values("-0.00", "0.75"), {Boundary::nonnegative}),
+                UnorderedElementsAre(sphere_first, triangle_first));
+    EXPECT_THAT(under(values("0.75", "-0.00"), {Boundary::nonnegative}),
+                UnorderedElementsAre(triangle_first, sphere_first));
+}
+
 TEST(PossibleVerdicts, TakeThePointAsInsideIfUOrVIsUnknown) {
     HitValues hits = values("1.59", "0.75");
     hits.u.reset();

@@ -34,6 +34,8 @@ TEST(TargetWithAllowance, UsesTheRubricsToleranceIfWider) {
         << "relative to the key's 4";
     rubric.item_tolerance["6.t"] = 0.0;
     EXPECT_EQ(target_with_allowance(item, item.answers[0], rubric).allowance.at(0), 1e-6);
+    rubric.item_tolerance["6.t"] = 1e-9;
+    EXPECT_EQ(target_with_allowance(item, item.answers[0], rubric).allowance.at(0), 1e-6) << "never narrower";
 }
 
 TEST(TargetWithAllowance, IsInfiniteWhereFloatCannotAnswer) {
@@ -63,6 +65,15 @@ TEST(WidenedByAllowance, ReachesAsFarAsTheAllowance) {
     key.set(t, {false, {Interval(4.0)}, {0.5}});
     EXPECT_TRUE(widened_by_allowance(key).scalar(t)->contains(4.5));
     EXPECT_FALSE(widened_by_allowance(key).scalar(t)->contains(4.6));
+}
+
+TEST(WidenedByAllowance, HoldsWhatIsOffToEitherSide) {
+    ItemTargets key;
+    key.set(t, {false, {Interval(4.0)}, {0.25}});
+    const ItemTargets widened = widened_by_allowance(key);
+    const Interval range = widened.scalar(t).value();
+    EXPECT_TRUE(range.contains(3.75) && range.contains(4.25));
+    EXPECT_FALSE(range.contains(3.7499) || range.contains(4.2501));
 }
 
 }  // namespace

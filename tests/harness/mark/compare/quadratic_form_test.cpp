@@ -43,6 +43,19 @@ TEST(QuadraticScale, IsNotHalfBWithTheFullDiscriminant) {
     EXPECT_EQ(scale_of("1", "-2.25", "3", "").form, QuadraticForm::full) << "no discriminant";
 }
 
+TEST(QuadraticScale, IsToldByBWhereCIsZero) {
+    // t^2 - 4.5 t = 0: the discriminant is b^2 in both forms.
+    ItemTargets key = quadratic_key().front();
+    key.set(c, {false, {Interval(0.0)}, {0.0}});
+    const auto form_of = [&](std::string_view pb, std::string_view pd) {
+        const MatchedItem ia = printed_item(a, "1"), ib = printed_item(b, pb), ic = printed_item(c, "0"),
+                          id = printed_item(d, pd);
+        return find_quadratic_scale({&ia, &ib, &ic, &id}, std::vector{key}, 2).form;
+    };
+    EXPECT_EQ(form_of("-4.5", "20.25"), QuadraticForm::full);
+    EXPECT_EQ(form_of("-2.25", "5.0625"), QuadraticForm::half_b);
+}
+
 TEST(QuadraticScale, FindsACommonFactorOfAllCoefficients) {
     EXPECT_TRUE(scale_of("2", "-9", "6", "33").factor.contains(2.0));
     EXPECT_TRUE(scale_of("-1", "4.5", "-3", "8.25").factor.contains(-1.0));

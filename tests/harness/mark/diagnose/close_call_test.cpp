@@ -65,6 +65,16 @@ TEST(CloseCall, AcceptsAMissWithAndWithoutAHitPoint) {
     EXPECT_EQ(verdict_on(mark(right_output(marking, false), marking), {8, "hit"}), "right");
 }
 
+TEST(CloseCall, IsAMatterOfFollowThroughAfterAWrongValue) {
+    // Rounding may take the ray past the triangle here, but this program's u is wrong, and misses it clearly.
+    const student::Marking marking = student::scene_named("barely inside");
+    std::string output = with_line(right_output(marking), 8, "u", "-0.500000");
+    output = with_line(output, 8, "Hit point P_t", "no hit");
+    const Score score = mark(output, marking);
+    EXPECT_EQ(verdict_on(score, {8, "u"}), "wrong");
+    EXPECT_EQ(verdict_on(score, {8, "hit"}), "follow");
+}
+
 TEST(CloseCall, FollowsTheRubricsPolicyIfTIsExactlyZero) {
     const std::string toml = student::camera_on_the_axis(4) + R"(
 [[sphere]]

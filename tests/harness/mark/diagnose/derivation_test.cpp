@@ -94,6 +94,24 @@ TEST_F(Derivations, GiveTheRootForHalfB) {
     EXPECT_FALSE(gives(t_s, "0.585786", QuadraticForm::full));
 }
 
+TEST_F(Derivations, GiveTheDiscriminantOfEitherForm) {
+    print(b, "-2");
+    print(c, "3");
+    EXPECT_TRUE(gives(d, "1", QuadraticForm::half_b));
+    EXPECT_TRUE(gives(d, "-8", QuadraticForm::full));
+    EXPECT_FALSE(gives(d, "-8", QuadraticForm::half_b));
+}
+
+TEST_F(Derivations, GiveTheRootWhereAIsNegative) {
+    // -t^2 + 4t + 2 = 0 has the roots 2 + √6 and 2 - √6.
+    print(a, "-1");
+    print(b, "4");
+    print(c, "2");
+    print(d, "24");
+    EXPECT_TRUE(gives(t_s, "4.449490"));
+    EXPECT_FALSE(gives(t_s, "none"));
+}
+
 TEST_F(Derivations, GiveNoHitForANegativeDiscriminant) {
     print(d, "-1");
     EXPECT_TRUE(gives(t_s, "none"));
@@ -175,6 +193,8 @@ TEST_F(Derivations, GiveNothingForAVanishingQuadratic) {
     print(c, "0");
     EXPECT_TRUE(results(d).empty());
     EXPECT_TRUE(results(t_s).empty());
+    print(a, "1");
+    EXPECT_FALSE(gives(d, "0")) << "0 would follow from two zeros";
 }
 
 TEST_F(Derivations, AllowBothReadingsOfAMatrixWithAnUnusualLastRow) {

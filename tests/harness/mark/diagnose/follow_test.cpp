@@ -45,6 +45,34 @@ TEST(Follow, IsNotGivenToASecondMistake) {
     EXPECT_EQ(verdict_on(mark(output, marking), {6, "d"}), "wrong");
 }
 
+TEST(Follow, IsNotGivenForAValueBesideWhichTheSceneIsLost) {
+    // The right-hand side is P_WCS - A, which is P_WCS itself in float.
+    const Score score = mark_with({4, "P_WCS"}, {1e15F, 1e15F, 1e15F});
+    EXPECT_EQ(item_of(score, {8, "rhs"}).printed, item_of(score, {4, "P_WCS"}).printed);
+    EXPECT_EQ(verdict_on(score, {8, "rhs"}), "wrong");
+    EXPECT_EQ(verdict_on(mark_with({4, "P_WCS"}, {100, 100, 100}), {8, "rhs"}), "follow");
+}
+
+TEST(Follow, IsNotGivenForAResultThatDigitsLeaveOpen) {
+    // c is 7 for P_WCS = (0, 0, 3), and anything from 6.5 to 7.3 for what rounds to it.
+    const student::Marking marking = student::handout_scene();
+    std::string output = print(Program(marking.assignment, {}));
+    output = student::with_line(output, 4, "Pixel in WCS", "vec3(0.0, 0.0, 3.0)");
+    EXPECT_EQ(verdict_on(mark(student::with_line(output, 6, "c", "7.000000"), marking), {6, "c"}), "follow");
+    EXPECT_EQ(verdict_on(mark(student::with_line(output, 6, "c", "7.250000"), marking), {6, "c"}), "wrong");
+}
+
+TEST(Follow, IsNotGivenAfterAnAnswerThatIsOnlyCoarse) {
+    // c is printed with three digits, which are right. So it is no mistake from which another d follows.
+    const student::Marking marking = student::off_axis_scene();
+    const Program program(marking.assignment, {}, Program::Mistake{{6, "c"}, [](const Program&, const auto&) {
+                                                                       return std::optional(Floats{10.2F});
+                                                                   }});
+    const Score score = mark(student::with_line(print(program), 6, "c", "10.2"), marking);
+    EXPECT_EQ(item_of(score, {6, "c"}).diagnosis, "too few decimals");
+    EXPECT_EQ(verdict_on(score, {6, "d"}), "wrong");
+}
+
 TEST(Follow, IsNotGivenForADirectionOfZero) {
     const Score score = mark_with({5, "V"}, {0, 0, 0});
     for (const ItemId& id : {ItemId{6, "a"}, ItemId{6, "b"}, ItemId{6, "d"}, ItemId{8, "matrix"}})

@@ -163,6 +163,26 @@ TEST(Judge, LetsASystemOfEitherSignFollow) {
     EXPECT_EQ(verdict(matrix, negated_rhs, {8, "rhs"}), "wrong") << "not the sign of its matrix";
 }
 
+TEST(Judge, SolvesTheStudentsOwnSystemOfEitherSign) {
+    // The right-hand side should be (0, 2, 0) and is (0, 3, 0), with both sides multiplied by -1: u = v = 3/8.
+    const char* negated =
+        "mat3x3((0.000000, 0.000000, -1.000000), (-2.000000, -4.000000, 0.000000), (2.000000, -4.000000, 0.000000))";
+    const std::map<std::string, std::string> own = {
+        {"A", negated}, {"rhs", "vec3(0.000000, -3.000000, 0.000000)"}, {"u", "0.375"}, {"v", "0.375"}};
+    EXPECT_EQ(verdict_with(own, {8, "matrix"}), "right");
+    EXPECT_EQ(verdict_with(own, {8, "rhs"}), "wrong");
+    EXPECT_EQ(verdict_with(own, {8, "u"}), "follow");
+    EXPECT_EQ(verdict_with(own, {8, "v"}), "follow");
+    // The column B - A should be (2, 4, 0) and is (3, 4, 0): u = 1/5 and v = 3/10.
+    const char* wrong =
+        "mat3x3((0.000000, 0.000000, -1.000000), (-3.000000, -4.000000, 0.000000), (2.000000, -4.000000, 0.000000))";
+    const std::map<std::string, std::string> other = {
+        {"A", wrong}, {"rhs", "vec3(0.000000, -2.000000, 0.000000)"}, {"u", "0.2"}, {"v", "0.3"}};
+    EXPECT_EQ(verdict_with(other, {8, "matrix"}), "wrong");
+    EXPECT_EQ(verdict_with(other, {8, "u"}), "follow");
+    EXPECT_EQ(verdict_with(other, {8, "v"}), "follow");
+}
+
 TEST(Judge, LetsNanFollowFromAnOwnNegativeDiscriminant) {
     // c is 6 by mistake, so d is -8, and the program takes its root.
     const std::map<std::string, std::string> negative = {
@@ -234,6 +254,20 @@ TEST(Judge, AcceptsAVerdictThatFollowsFromWrongValues) {
                                                                  return std::optional(student::Floats{77.0F});
                                                              }});
     EXPECT_EQ(verdict_on(mark(print(program), marking), {10, "verdict"}), "follow");
+}
+
+TEST(Judge, LetsNoVerdictFollowFromValuesThatAreRight) {
+    // The sphere is met at t = 201.41 and the triangle at 201.43, which 201.4 is too coarse to tell.
+    const student::Marking marking =
+        student::marking_of(student::camera_on_the_axis(4) +
+                                "[[sphere]]\ncenter = [0, 0, -299.41]\nradius = 100\n"
+                                "[[triangle]]\nvertices = [[-9, -9, -199.43], [9, -9, -199.43], [0, 9, -199.43]]\n",
+                            "close together");
+    std::string output = student::with_line(print(Program(marking.assignment, {})), 8, "t", "201.4");
+    EXPECT_EQ(verdict_on(mark(output, marking), {10, "verdict"}), "right");
+    const std::string_view sphere = "ray hits sphere first";
+    output.replace(output.rfind(sphere), sphere.size(), "ray hits triangle first");
+    EXPECT_EQ(verdict_on(mark(output, marking), {10, "verdict"}), "wrong");
 }
 
 TEST(Judge, AcceptsEveryPixelConventionOfTheRubricInEveryForm) {

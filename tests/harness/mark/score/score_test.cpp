@@ -153,6 +153,59 @@ TEST(OwnScene, GivesItsShareToAnswersThatAreRightThere) {
     EXPECT_EQ(item_of(*one.explained(), {6, "b"}).points, 0.25 * b.max_points);
 }
 
+TEST(OwnScene, GivesToWhatFollowsThereTheSharesOfBoth) {
+    // P_WCS is wrong, so b and c are wrong under the assignment's sphere, and follow under the source's.
+    OnOwnScene one(Program::Mistake{{4, "P_WCS"}, [](const Program&, const auto&) {
+                                        return std::optional(student::Floats{3, 2, 1});
+                                    }});
+    one.given.assignment.rubric.follow_through = 0.4;
+    ASSERT_EQ(item_of(one.score, {6, "c"}).verdict, ItemVerdict::wrong);
+    ASSERT_EQ(item_of(one.score_there, {6, "c"}).verdict, ItemVerdict::follow);
+    const auto explained = one.explained();
+    ASSERT_TRUE(explained);
+    const ItemScore& c = item_of(*explained, {6, "c"});
+    EXPECT_DOUBLE_EQ(c.points, 0.5 * 0.4 * c.max_points);
+}
+
+TEST(OwnScene, LeavesNoDoubtAboutTheReadingOfWhatIsRightThere) {
+    OnOwnScene one;
+    const std::string right = item_of(mark(print(Program(one.given.assignment, {})), one.given), {6, "b"}).printed;
+    std::string output = print(Program(one.own.assignment, {}));
+    output.insert(output.find("Question 7"), "then " + right + " then\n");
+    one.score = mark(output, one.given);
+    one.score_there = mark(output, one.own);
+    ASSERT_TRUE(item_of(one.score, {6, "b"}).doubt) << "the assignment's b stands there, too";
+    const auto explained = one.explained();
+    ASSERT_TRUE(explained);
+    EXPECT_FALSE(item_of(*explained, {6, "b"}).doubt);
+}
+
+/// A score of one question with an item for each verdict. What is wrong is a named mistake if it is `named`.
+Score score_of(const std::vector<ItemVerdict>& verdicts, bool named = false) {
+    Score score;
+    QuestionScore& question = score.questions.emplace_back();
+    question.number = 6;
+    for (const ItemVerdict verdict : verdicts) {
+        ItemScore& item = question.items.emplace_back();
+        item.spec = printed_item({6, "b"}, "1").spec;
+        item.verdict = verdict;
+        item.printed = "1";
+        if (verdict == ItemVerdict::wrong && named) item.diagnosis = "a mistake";
+    }
+    return score;
+}
+
+TEST(OwnScene, MustExplainMoreThanTheAssignments) {
+    using enum ItemVerdict;
+    const auto is_explained = [](const Score& given, const Score& own) {
+        return explained_by_scene(given, own, "", reference::Rubric()).has_value();
+    };
+    EXPECT_FALSE(is_explained(score_of({right, wrong}), score_of({wrong, right}))) << "as much";
+    EXPECT_TRUE(is_explained(score_of({right, wrong, wrong}), score_of({wrong, right, right}))) << "more";
+    EXPECT_FALSE(is_explained(score_of({right, wrong}), score_of({right, wrong}, true))) << "one mistake";
+    EXPECT_TRUE(is_explained(score_of({wrong, wrong}), score_of({wrong, wrong}, true))) << "two mistakes";
+}
+
 TEST(OwnScene, GivesAWrongAnswerTheDiagnosisThatItGetsThere) {
     for (const student::NamedMistake& mistake : student::named_mistakes()) {
         if (mistake.name != "factor 2 missing") continue;
@@ -185,6 +238,11 @@ TEST(QuestionVerdict, IsTheWorstOfItsItems) {
                                        }),
                                  marking);
     EXPECT_EQ(without_t.questions[5].verdict, ItemVerdict::missing);
+    std::string wrong_too = print(Program(marking.assignment, {}), {}, [](const ItemId& id) {
+        return id != ItemId{6, "hit"};
+    });
+    wrong_too = student::with_line(wrong_too, 6, "t", "77");
+    EXPECT_EQ(mark(wrong_too, marking).questions[5].verdict, ItemVerdict::wrong) << "though an item is missing";
     const Score followed = with_many_followers(marking);
     EXPECT_EQ(followed.questions[0].verdict, ItemVerdict::wrong);
     EXPECT_EQ(followed.questions[3].verdict, ItemVerdict::follow);
