@@ -113,6 +113,7 @@ class Names final : public harness::FileTree {
     harness::Contents list(const path& /*folder*/) const override { return {}; }
     void read(harness::Submission& submission, harness::Links /*links*/) const override { submission.source = "int"; }
     harness::BoundedFile read(const path& /*file*/, std::uintmax_t /*most*/) const override { return {}; }
+    std::string refusal(const path& /*place*/) const override { return {}; }
     std::unique_ptr<harness::FileTree> open(const path& /*archive*/) const override {
         throw harness::ArchiveError("empty");
     }
