@@ -95,9 +95,8 @@ void release(std::string& text) {
 }
 
 /// A result with what is known before anything ran, without the source, which is no longer needed.
-Graded begun(const Submission& submission, const Marking& marking, const Runner& runner) {
+Graded begun(const Submission& submission, const Runner& runner) {
     Graded graded;
-    if (submission.lms && submission.lms->late == true) graded.late_share = marking.assignment.rubric.late_deduction;
     graded.submission = submission;
     release(graded.submission.source);
     graded.tier = runner.sandbox->tier();
@@ -113,7 +112,7 @@ std::shared_ptr<const Score> read_and_score(const std::string& output, const Sub
     {
         const Timeline::Span span(timeline, Stage::read, submission.id);
         if (memo) known = memo->find(output);
-        if (!known) transcript = read_transcript(output);
+        if (!known) transcript = read_transcript(output, last_question(marking.assignment.questions));
     }
     const Timeline::Span span(timeline, Stage::score, submission.id);
     if (known) {
@@ -151,7 +150,7 @@ Graded grade(const Submission& submission, const Marking& marking, const Runner&
 
 Graded mark(const Submission& submission, const Executions& executions, const Marking& marking, const Runner& runner,
             ScoreMemo* memo, Timeline& timeline) {
-    Graded graded = begun(submission, marking, runner);
+    Graded graded = begun(submission, runner);
     const Execution& first = executions.runs.front();
     graded.outcome = outcome_of(first.run);
     graded.explanation = explain(first.build, first.run, runner.run);
@@ -182,7 +181,7 @@ void note_doubts(Graded& graded) {
 }
 
 Graded ungraded(const Submission& submission, const std::string& why, const Marking& marking, const Runner& runner) {
-    Graded graded = begun(submission, marking, runner);
+    Graded graded = begun(submission, runner);
     graded.explanation = why;
     graded.score = score({}, marking.key, marking.assignment);
     return graded;

@@ -49,7 +49,7 @@ std::optional<OwnSceneScore> score_on_own_scene(const Score& score, const std::s
     if (!has_wrong_answer(score)) return std::nullopt;
     const auto stated_scenes = scenes::stated_scenes(source, marking.assignment.scene);
     if (stated_scenes.empty()) return std::nullopt;
-    const Transcript transcript = read_transcript(output);
+    const Transcript transcript = read_transcript(output, last_question(marking.assignment.questions));
     std::optional<OwnSceneScore> best;
     std::ptrdiff_t most_right = 0;
     for (const scenes::StatedScene& stated : stated_scenes) {

@@ -120,7 +120,7 @@ void attach(const std::vector<KeptReread>& rereads, std::vector<Graded>& graded)
 }
 
 void mark_again(Graded& graded, const Marking& marking) {
-    const Transcript transcript = read_transcript(graded.printout);
+    const Transcript transcript = read_transcript(graded.printout, last_question(marking.assignment.questions));
     const auto places = places_in(graded.submission.rereads, graded.printout);
     Score again = score(transcript, marking.key, marking.assignment, places);
     if (graded.own_scene) again = score_again_on(*graded.own_scene, again, transcript, marking, places);

@@ -7,8 +7,8 @@
 #include "harness/machine/fresh_file.h"
 #include "harness/results/reports.h"
 #include "harness/text/escape.h"
-#include "harness/text/near_names.h"
 #include "harness/text/points.h"
+#include "reference/toml/near_names.h"
 
 namespace harness {
 
@@ -35,7 +35,7 @@ std::size_t find_submission(const std::vector<Graded>& graded, const std::string
         ids.push_back(graded[i].submission.id);
     }
     throw UsageError(
-        fmt::format("{}: is none of the submissions graded; {}", escape_control(id), did_you_mean(id, ids)));
+        fmt::format("{}: is none of the submissions graded; {}", escape_control(id), reference::did_you_mean(id, ids)));
 }
 
 Marking marking_of(const KeptClass& kept) {

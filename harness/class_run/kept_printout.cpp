@@ -40,7 +40,8 @@ std::string printout_of(const Gradebook& gradebook, const std::string& id) {
                     escape_control(id), longest_printout >> 10U));
 }
 
-void require_value(const Reread& given, const reference::ItemSpec& item, const std::string& printout) {
+void require_value(const Reread& given, const reference::ItemSpec& item, const Score& score,
+                   const std::string& printout) {
     if (given.lines.empty()) return;
     const auto place = read_lines(given.lines);
     if (!place) {
@@ -48,9 +49,9 @@ void require_value(const Reread& given, const reference::ItemSpec& item, const s
             "{}: are no lines of an output; write 12, 12-14, or 12:2 and 12:2-4 for some of a line's numbers",
             escape_control(given.lines)));
     }
-    Transcript transcript = read_transcript(printout);
+    Transcript transcript = read_transcript(printout, last_question(score));
     const std::string there = what_stands_at(*place, transcript, given.lines);
-    if (read_at(transcript, item, *place)) return;
+    if (read_at(transcript, item, *place, asked_items(score))) return;
     throw UsageError(fmt::format(
         "{}: {}, and nothing there can be read as {}, which {}.{} is. Name the lines that hold just that, or some of a "
         "line's numbers, as in {}:2-4; `raygrade read` shows an output with its lines, and --none says that the item "

@@ -13,7 +13,8 @@ namespace harness {
 std::string printout_of(const Gradebook& gradebook, const std::string& id);
 
 /// Throws UsageError if the lines of the reread hold nothing that has the item's shape.
-void require_value(const Reread& given, const reference::ItemSpec& item, const std::string& printout);
+void require_value(const Reread& given, const reference::ItemSpec& item, const Score& score,
+                   const std::string& printout);
 
 /// The submissions whose printouts have this layout, by their places in the class.
 std::vector<std::size_t> with_layout(const Gradebook& gradebook, const KeptClass& kept, const std::string& layout);

@@ -97,6 +97,8 @@ Rosters read_given_rosters(const RosterOptions& options) {
     Rosters rosters;
     rosters.canvas_given = read_roster_file(options);
     rosters.moodle_given = read_worksheet_file(options);
+    if (!options.late_days.empty())
+        rosters.late_given = KeptInput{late_days_input, "", read_roster_text(options.late_days)};
     return rosters;
 }
 
@@ -106,6 +108,11 @@ void read_kept_rosters(Rosters& rosters, const RosterOptions& options, const Gra
                                         results, read_roster);
     rosters.moodle = read_given_or_kept(rosters.moodle_given, options.moodle_worksheet, moodle_worksheet_input,
                                         gradebook, results, read_worksheet);
+    rosters.late_days =
+        read_given_or_kept(rosters.late_given, options.late_days, late_days_input, gradebook, results,
+                           [](const std::optional<KeptInput>& input) {
+                               return input ? report::read_late_days(input->content) : report::LateDays();
+                           });
 }
 
 void tell_handed_back(const HandedBack& handed_back, const fs::path& results) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "harness/gradebook/gradebook.h"
+#include "harness/report/exchange/late_days.h"
 #include "harness/results/reports.h"
 
 namespace harness {
@@ -14,13 +15,15 @@ namespace harness {
 struct RosterOptions {
     std::filesystem::path canvas_roster;      ///< a gradebook exported from Canvas; empty for none
     std::string canvas_column;                ///< the assignment's column in it; empty for the only one
+    std::filesystem::path late_days;          ///< who handed in how late; empty for none
     std::filesystem::path moodle_worksheet;   ///< a grading worksheet downloaded from Moodle; empty for none
     std::vector<std::string> moodle_columns;  ///< "grade=Bewertung": columns that raygrade can't recognise
 };
 
 /// The student lists: as given now, and as used. The lists used may be kept from an earlier run.
 struct Rosters {
-    std::optional<KeptInput> canvas_given, moodle_given;
+    std::optional<KeptInput> canvas_given, moodle_given, late_given;
+    report::LateDays late_days;
     std::optional<report::CanvasRoster> canvas;
     std::optional<report::MoodleWorksheet> moodle;
 
@@ -28,6 +31,7 @@ struct Rosters {
         std::vector<KeptInput> inputs;
         if (canvas_given) inputs.push_back(*canvas_given);
         if (moodle_given) inputs.push_back(*moodle_given);
+        if (late_given) inputs.push_back(*late_given);
         return inputs;
     }
 };
@@ -35,8 +39,8 @@ struct Rosters {
 /// Reads the files that the options name. Throws UsageError.
 Rosters read_given_rosters(const RosterOptions& options);
 
-/// Fills in `canvas` and `moodle`: from what was given, else from what earlier runs kept in the gradebook of the folder
-/// `results`. Throws UsageError.
+/// Fills in `canvas`, `moodle` and `late_days`: from what was given, else from what earlier runs kept in the gradebook
+/// of the folder `results`. Throws UsageError.
 void read_kept_rosters(Rosters& rosters, const RosterOptions& options, const Gradebook& gradebook,
                        const std::filesystem::path& results);
 

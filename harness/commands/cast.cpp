@@ -22,8 +22,11 @@ Subcommand cast_command(CLI::App& app) {
     command.footer(
         "A query: "
         "{\"origin\":[0,0,2],\"direction\":[0,0,-1],\"spheres\":[{\"center\":[1,1,0],\"radius\":2}],\"triangles\":[]}\n"
+        "A triangle is its three vertices, a cylinder {\"center\":[2,0,0],\"radius\":1,\"height\":4} in \"cylinders\", "
+        "with "
+        "its axis along y.\n"
         "Numbers are JSON numbers or hex floats in quotes. t >= 0, edges and vertices are hits, a tangent is one in "
-        "the order.");
+        "the order. A cylinder's caps are without their rims, which are the tube's.");
     return {&command, answer_queries};
 }
 

@@ -27,6 +27,7 @@
 #include "harness/scenes/other/points.h"
 #include "harness/text/escape.h"
 #include "reference/toml/assignment.h"
+#include "reference/toml/near_names.h"
 
 namespace harness {
 namespace {
@@ -122,6 +123,25 @@ void tell_that_count_not(const std::vector<KeptReread>& rereads, const std::vect
     }
 }
 
+/// A row of --late-days that names no submission may be a misspelt one. A submission that is late without a date keeps
+/// its points until somebody says how late.
+void tell_open_lateness(const report::LateDays& days, const std::vector<Graded>& graded) {
+    std::vector<std::string> ids;
+    for (const Graded& one : graded) {
+        ids.push_back(one.submission.id);
+        for (const Flag& flag : one.flags) {
+            if (flag.kind == report::late_without_date)
+                say("note: {}: {} Say it in a file for --late-days, or override the mark.\n", one.submission.id,
+                    flag.evidence);
+        }
+    }
+    for (const auto& [id, late] : days) {
+        if (std::ranges::find(ids, id) != ids.end()) continue;
+        say("note: --late-days: {} is none of the submissions; {}\n", escape_control(id),
+            reference::did_you_mean(id, ids));
+    }
+}
+
 /// Prints the notes of the submissions. A note that every submission has is printed once.
 void tell_notes(const std::vector<Graded>& graded) {
     std::map<std::string_view, std::size_t> times;
@@ -198,6 +218,8 @@ int grade_class(const GradeOptions& options) {
     ClassRun run = open_class_run(inputs.assignment, options.runner);
     tell_key_notes(run.marking);
     std::vector<Graded> graded = grade_submissions(inputs, run, options);
+    report::apply_late_schedule(graded, inputs.assignment.rubric, inputs.rosters.late_days);
+    tell_open_lateness(inputs.rosters.late_days, graded);
     const auto without_place = attach(session.gradebook.overrides(), graded);
 
     const Tier tier = run.runner.sandbox->tier();
@@ -213,6 +235,11 @@ int grade_class(const GradeOptions& options) {
 
 /// Adds the options for student lists of other systems, and for the files that go back to them.
 void add_rosters(CLI::App& command, GradeOptions& options) {
+    command
+        .add_option("--late-days", options.rosters.late_days,
+                    "Who handed in how late: a CSV file with the columns id, days_late and, for extensions, "
+                    "extension_days; the rubric's schedule says what that costs. Kept for later runs")
+        ->type_name("FILE");
     command
         .add_option("--canvas-roster", options.rosters.canvas_roster,
                     "A gradebook exported from Canvas: also write grades-canvas.csv, which Canvas imports, and say who "
@@ -260,9 +287,10 @@ void add_options(CLI::App& command, GradeOptions& options) {
                     "Write a trace of build, run, read and score of each submission here, for ui.perfetto.dev")
         ->type_name("FILE");
     add_other_scenes(command, options.other_scenes);
-    command.add_flag("--stress", options.stress,
-                     "Also run each program on the hard scenes of `raygrade stress` and put what it loses there "
-                     "into the feedback; costs no points, and some fifteen runs of each program");
+    command.add_flag(
+        "--stress", options.stress,
+        "Also run each program on the hard scenes of `raygrade stress` and put what it loses there "
+        "into the feedback; costs no points, and some fifteen runs of each program, ten more with a cylinder");
     add_runner(command, options.runner);
     command.footer(limits_footer() + "\nExample: raygrade grade submissions/ --assignment a6-2021 --out results -j 4");
 }

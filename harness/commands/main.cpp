@@ -20,15 +20,15 @@
 #include "harness/machine/say.h"
 #include "harness/run/limits.h"
 #include "harness/text/escape.h"
-#include "harness/text/near_names.h"
 #include "reference/kernel/self_test.h"
+#include "reference/toml/near_names.h"
 
 namespace {
 
 using namespace harness;
 
 constexpr const char* about =
-    "Grades a ray-casting assignment: compiles each ray_cast.cpp, runs it, reads its ten\n"
+    "Grades a ray-casting assignment: compiles each ray_cast.cpp, runs it, reads its\n"
     "answers and marks them against a certified key.\n\n"
     "  raygrade grade class/ --out results     a class: marks, reports, grades.json\n"
     "  raygrade override s05 6.t 2 --why ...   an instructor's mark in place of the automatic one\n"
@@ -36,6 +36,7 @@ constexpr const char* about =
     "  raygrade check ray_cast.cpp             a student's own check before handing in\n"
     "  raygrade serve                          the same check as a page for browsers\n"
     "  raygrade stress ray_cast.cpp            which hard scenes a method survives, and what would do better\n"
+    "  raygrade assignment check FILE          what an assignment's scene shows, before students see it\n"
     "  raygrade reference                      the canonical answers\n"
     "  raygrade cast < queries.jsonl           exact answers to any rays\n"
     "  raygrade accuracy --out accuracy        what accuracy costs in time: a page of pictures\n"
@@ -56,7 +57,7 @@ void require_command(const std::string& word, const CLI::App& app) {
     for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
     if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
     throw UsageError(fmt::format("{}: is no command; {}; raygrade --help says what each does", escape_control(word),
-                                 did_you_mean(word, names)));
+                                 reference::did_you_mean(word, names)));
 }
 
 void require_sound_arithmetic() {
@@ -72,9 +73,9 @@ int run(int argc, char** argv) {
     app.get_formatter()->column_width(36);
 
     const std::array commands{
-        grade_command(app),   override_command(app),  reread_command(app), check_command(app),    serve_command(app),
-        stress_command(app),  reference_command(app), cast_command(app),   accuracy_command(app), read_command(app),
-        explain_command(app), render_command(app),    doctor_command(app),
+        grade_command(app),   override_command(app),  reread_command(app), check_command(app),      serve_command(app),
+        stress_command(app),  reference_command(app), cast_command(app),   accuracy_command(app),   read_command(app),
+        explain_command(app), render_command(app),    doctor_command(app), assignment_command(app),
     };
     if (argc > 1) require_command(argv[1], app);
     try {

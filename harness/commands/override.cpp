@@ -11,8 +11,8 @@
 #include "harness/machine/say.h"
 #include "harness/results/reports.h"
 #include "harness/text/escape.h"
-#include "harness/text/near_names.h"
 #include "harness/text/points.h"
+#include "reference/toml/near_names.h"
 
 namespace harness {
 namespace {
@@ -76,7 +76,7 @@ std::optional<std::size_t> remove(Gradebook& gradebook, KeptClass& kept, const O
     });
     if (removed == kept.overrides.end()) {
         throw UsageError(fmt::format("{} of {}: is not overridden; {}", escape_control(options.item),
-                                     escape_control(options.id), did_you_mean(options.item, places)));
+                                     escape_control(options.id), reference::did_you_mean(options.item, places)));
     }
     const Author author = author_of(options.by);
     const std::string why = read_line(*options.why, "--why");

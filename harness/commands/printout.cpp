@@ -25,7 +25,7 @@ Score mark_printout(const std::filesystem::path& file, const std::string& output
     const char* way_out = "; give a file with what the program printed: ./ray_cast > output.txt";
     if (is_source_name(file.filename().string()))
         throw UsageError(fmt::format("{}: is a program{}", file.string(), way_out));
-    Score marked = score(read_transcript(output), key, assignment);
+    Score marked = score(read_transcript(output, last_question(assignment.questions)), key, assignment);
     if (report::holds_no_answer(marked))
         throw UsageError(fmt::format("{}: holds no answer to any question{}", file.string(), way_out));
     return marked;

@@ -16,7 +16,7 @@
 #include "harness/machine/fresh_file.h"
 #include "harness/results/reports.h"
 #include "harness/text/escape.h"
-#include "harness/text/near_names.h"
+#include "reference/toml/near_names.h"
 
 namespace harness {
 namespace {
@@ -119,7 +119,7 @@ class Rereading {
         const Author author = author_of(options_.by);
         Reread given{place.question, place.item, options_.lines, layout_of(printout), read_line(*options_.why, "--why"),
                      author.name,    author.when};
-        require_value(given, item_score(one, given).spec, printout);
+        require_value(given, item_score(one, given).spec, one.score, printout);
         return given;
     }
 
@@ -145,7 +145,7 @@ class Rereading {
         }
         if (!named) {
             throw UsageError(fmt::format("{} of {}: was not reread; {}", escape_control(options_.item),
-                                         escape_control(options_.id), did_you_mean(options_.item, items)));
+                                         escape_control(options_.id), reference::did_you_mean(options_.item, items)));
         }
         if (!options_.alike) return {*named};
         std::vector<KeptReread> alike;

@@ -31,5 +31,6 @@ Subcommand read_command(CLI::App& app);
 Subcommand explain_command(CLI::App& app);
 Subcommand render_command(CLI::App& app);
 Subcommand doctor_command(CLI::App& app);
+Subcommand assignment_command(CLI::App& app);
 
 }  // namespace harness

@@ -10,7 +10,8 @@ struct Marking {
     reference::AnswerKey key;  ///< the assignment's certified key
 };
 
-/// Makes the certified key of `assignment`. Throws what reference::make_key throws.
+/// Makes the certified key of `assignment`. Throws what reference::make_key throws, and AssignmentError if the rubric
+/// prices a mistake that does not exist.
 Marking make_marking(reference::Assignment assignment);
 
 }  // namespace harness

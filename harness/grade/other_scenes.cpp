@@ -18,11 +18,13 @@ std::string without_blanks(const std::string& text) {
 /// Whether the item has no value if the ray misses.
 bool may_be_none(const reference::ItemSpec& spec) {
     constexpr std::array<std::string_view, 4> of_hits{"t", "hit", "u", "v"};
-    return spec.question == 7 || std::find(of_hits.begin(), of_hits.end(), spec.name) != of_hits.end();
+    if (spec.id.name == "normal") return spec.subject != reference::Subject::triangle;
+    return std::ranges::find(of_hits, spec.id.name) != of_hits.end();
 }
 
-/// Whether printing the same again says something. It does not for the sentence of question 10, which has few possible
-/// values; for "none", which a program prints if its ray never hits; and for 0, which an unset variable may hold.
+/// Whether printing the same again says something. It does not for the sentence about the first hit, which has few
+/// possible values; for "none", which a program prints if its ray never hits; and for 0, which an unset variable may
+/// hold.
 bool is_telling(const ItemScore& item) {
     if (item.spec.shape == reference::Shape::verdict || (may_be_none(item.spec) && !item.error)) return false;
     return item.printed.find_first_of("123456789") != std::string::npos;

@@ -9,7 +9,7 @@
 
 #include "harness/machine/errors.h"
 #include "harness/text/escape.h"
-#include "harness/text/near_names.h"
+#include "reference/toml/near_names.h"
 
 namespace harness {
 namespace {
@@ -83,8 +83,8 @@ std::vector<KeptOverride> attach(const std::vector<KeptOverride>& overrides, std
 OverridePlace read_place(std::string_view text, const Graded& graded) {
     const std::vector<std::string> places = places_of(graded.score);
     if (std::find(places.begin(), places.end(), text) == places.end()) {
-        throw UsageError(
-            fmt::format("{}: is no item of this assignment; {}", escape_control(text), did_you_mean(text, places)));
+        throw UsageError(fmt::format("{}: is no item of this assignment; {}", escape_control(text),
+                                     reference::did_you_mean(text, places)));
     }
     if (text == whole) return {};
     if (graded.outcome == Outcome::not_graded) {

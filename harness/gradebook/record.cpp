@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <concepts>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <tuple>
@@ -77,11 +78,59 @@ auto row(ItemScore& item) {
         std::tuple(IfThere{item.reread}));
 }
 
+std::vector<reference::ItemSpec> default_items_of(int number) {
+    std::vector<reference::ItemSpec> items;
+    std::ranges::copy_if(reference::default_items(), std::back_inserter(items),
+                         [&](const reference::ItemSpec& each) { return each.question == number; });
+    return items;
+}
+
+/// What the question asks for, by full names; empty for a question of 2021, which goes by its number.
+std::string asked_by(const QuestionScore& question) {
+    std::string names;
+    for (const ItemScore& item : question.items) {
+        if (!names.empty()) names += ' ';
+        names += reference::item_of(item.spec.id).full_name;
+    }
+    std::string by_default;
+    for (const reference::ItemSpec& spec : default_items_of(question.number)) {
+        if (!by_default.empty()) by_default += ' ';
+        by_default += reference::item_of(spec.id).full_name;
+    }
+    return names == by_default ? "" : names;
+}
+
+/// The inverse of asked_by, for a question whose items have their names only.
+void complete(QuestionScore& question, const std::string& asked) {
+    reference::Question listed{question.number, {}, {}};
+    for (std::size_t begin = 0; begin < asked.size();) {
+        const std::size_t end = std::min(asked.find(' ', begin), asked.size());
+        const reference::Item* item = reference::find_item(std::string_view(asked).substr(begin, end - begin));
+        if (item == nullptr) throw std::invalid_argument(asked);
+        listed.items.push_back(item->id);
+        begin = end + 1;
+    }
+    const auto specs = asked.empty() ? default_items_of(question.number) : reference::asked_items({listed});
+    for (ItemScore& item : question.items) {
+        const auto found = std::ranges::find(specs, item.spec.name, &reference::ItemSpec::name);
+        if (found == specs.end()) throw std::invalid_argument("an item of another question");
+        item.spec = *found;
+    }
+    if (!question.title.empty()) return;
+    const auto& questions = reference::default_questions();
+    const auto found = std::ranges::find(questions, question.number, &reference::Question::number);
+    if (found != questions.end()) question.title = found->title;
+}
+
 template <class Archive>
 void fields(Archive& at, QuestionScore& question) {
     at.always("number", question.number);
     at.always("verdict", question.verdict);
+    at.unless_default("title", question.title);
     at.always("items", question.items);
+    std::string asked = Archive::reads ? "" : asked_by(question);
+    at.unless_default("asks", asked);
+    if (Archive::reads) complete(question, asked);
     at.unless_default("points", question.points);
     at.unless_default("max_points", question.max_points);
 }
@@ -186,6 +235,7 @@ concept Nullable = requires(Value& value) {
 };
 
 struct Writer {
+    static constexpr bool reads = false;
     json record = json::object();
 
     template <class Value>
@@ -240,6 +290,7 @@ struct Writer {
 
 /// Throws json::exception or std::invalid_argument if a record is not as a Writer writes it.
 struct Reader {
+    static constexpr bool reads = true;
     const json& record;
 
     template <class Value>
@@ -287,25 +338,16 @@ struct Reader {
 
     /// The name as the table of items holds it, which outlives the record.
     static std::string_view item_name(const std::string& name) {
-        const auto specs = reference::all_items();
-        const auto found = std::ranges::find(specs, name, &reference::ItemSpec::name);
-        if (found == specs.end()) throw std::invalid_argument(name);
-        return found->name;
+        for (const reference::Item& item : reference::known_items()) {
+            if (item.id.name == name) return item.id.name;
+            if (item.full_name == name) return item.full_name;
+        }
+        throw std::invalid_argument(name);
     }
 };
 
-/// What a report follows without a look: the specs of items, and the runs that items name.
-void complete(Graded& graded) {
-    const auto specs = reference::all_items();
-    for (QuestionScore& question : graded.score.questions) {
-        for (ItemScore& item : question.items) {
-            const auto found = std::ranges::find_if(specs, [&](const reference::ItemSpec& each) {
-                return each.question == question.number && each.name == item.spec.name;
-            });
-            if (found == specs.end()) throw std::invalid_argument("an item of another question");
-            item.spec = *found;
-        }
-    }
+/// What a report follows without a look: the runs that items name.
+void check_runs(const Graded& graded) {
     if (!graded.other_scenes) return;
     for (const auto* items : {&graded.other_scenes->broken, &graded.other_scenes->unmoved}) {
         for (const scenes::ItemOnOtherScene& item : *items) {
@@ -326,7 +368,7 @@ std::optional<Graded> from_record(const std::vector<std::uint8_t>& record) {
     try {
         Graded graded;
         Reader::read(json::from_cbor(record), graded);
-        complete(graded);
+        check_runs(graded);
         return graded;
     } catch (const json::exception&) {
         return std::nullopt;

@@ -19,13 +19,19 @@ std::size_t matrix_size(std::span<const ItemSpec> items) {
     return 0;
 }
 
-/// The best fit of the value's own label to a vector item.
-LabelFit vector_fit(const PrintedValue& value, std::span<const ItemSpec> items) {
-    LabelFit best = LabelFit::forbidden;
+bool is_matrix(Shape shape) {
+    return shape == Shape::matrix3 || shape == Shape::matrix4;
+}
+
+/// Whether the value's own label names a vector item, and no matrix better: "M_VCS_to_WCS" holds P_VCS's name too.
+bool names_vector(const PrintedValue& value, std::span<const ItemSpec> items) {
+    LabelFit vector = LabelFit::forbidden, matrix = LabelFit::forbidden;
     for (const ItemSpec& item : items) {
-        if (item.shape == Shape::vector) best = std::max(best, fit_label(value.label, "", item));
+        LabelFit& best = is_matrix(item.shape) ? matrix : vector;
+        if (item.shape == Shape::vector || is_matrix(item.shape))
+            best = std::max(best, fit_label(value.label, "", item));
     }
-    return best;
+    return vector >= LabelFit::named && vector >= matrix;
 }
 
 /// Whether the label says that the value is no answer, whatever the item: "DEBUG", "before".
@@ -41,7 +47,7 @@ bool is_list_of(const PrintedValue& value, std::size_t count) {
 /// matrix's label, as in "    [ 0 -2 ]" over "A = [ 3 0 ]".
 bool may_be_in_block(const PrintedValue& value, std::span<const ItemSpec> items) {
     if (value.label.empty() || is_row_label(value.label)) return true;
-    return vector_fit(value, items) < LabelFit::named && !is_aside(value, items);
+    return !names_vector(value, items) && !is_aside(value, items);
 }
 
 /// Whether values[at] to values[at + n - 1] are the rows or columns of one matrix, each with `count` numbers.
@@ -228,7 +234,7 @@ std::vector<Candidate> gather_matrices(const std::vector<PrintedValue>& values, 
     return candidates;
 }
 
-/// Splits question 2's axes, printed as one 3 x 3 block, into one axis per group.
+/// Splits the axes of the camera, printed as one 3 x 3 block, into one axis per group.
 std::vector<Candidate> split_groups(const Candidate& list) {
     const PrintedValue& value = list.value;
     std::vector<Candidate> parts;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 
 #include "harness/match/question_match.h"
 #include "harness/match/take_out.h"
@@ -55,9 +56,10 @@ ValuesAt values_at(const Transcript& transcript, const ItemPlace& place) {
 }
 
 /// The value on these lines that fits the item best. It is taken out of the transcript.
-std::optional<MatchedItem> value_at(Transcript& transcript, const reference::ItemSpec& item, const ItemPlace& place) {
+std::optional<MatchedItem> value_at(Transcript& transcript, const reference::ItemSpec& item, const ItemPlace& place,
+                                    std::span<const reference::ItemSpec> asked) {
     const ValuesAt there = values_at(transcript, place);
-    Fits fits;
+    Fits fits(asked);
     const Answers answers = answer_question({&item, 1}, {&there.values, 1}, Need::order_or_label, fits);
     if (!answers.candidate_of.front()) return std::nullopt;
     const Candidate& candidate = answers.candidates[*answers.candidate_of.front()];
@@ -107,9 +109,17 @@ std::vector<PrintedLine> without_letters(std::vector<PrintedLine> lines) {
     return lines;
 }
 
+std::vector<reference::ItemSpec> items_of(int question, std::span<const reference::ItemSpec> asked) {
+    std::vector<reference::ItemSpec> items;
+    std::ranges::copy_if(asked, std::back_inserter(items),
+                         [&](const reference::ItemSpec& each) { return each.question == question; });
+    return items;
+}
+
 /// As many of these numbers as the item has: those that the place names, or else all.
 std::optional<MatchedItem> as_item(Transcript& transcript, const std::vector<NumberAt>& numbers,
-                                   const reference::ItemSpec& item, const ItemPlace& place) {
+                                   const reference::ItemSpec& item, const ItemPlace& place,
+                                   std::span<const reference::ItemSpec> asked) {
     const bool names_some = place.first_number > 0;
     const std::size_t first = names_some ? static_cast<std::size_t>(place.first_number) - 1 : 0;
     const std::size_t last = names_some ? static_cast<std::size_t>(place.last_number) : numbers.size();
@@ -125,17 +135,17 @@ std::optional<MatchedItem> as_item(Transcript& transcript, const std::vector<Num
     value.last_line = numbers[last - 1].line;
     std::vector<PrintedNumber> printed;
     for (const NumberAt& each : numbers) printed.push_back(each.number);
-    take_out(transcript, values_at(transcript, place), {printed, first, last}, place.question);
+    take_out(transcript, values_at(transcript, place), {printed, first, last}, items_of(item.question, asked));
     return MatchedItem{item, std::move(value), MatrixOrder::unsaid, {}, false, place.note};
 }
 
 /// The numbers of the lines, in order, if there are as many as the item has. They are taken out of the transcript.
 std::optional<MatchedItem> numbers_at_place(Transcript& transcript, const reference::ItemSpec& item,
-                                            const ItemPlace& place) {
+                                            const ItemPlace& place, std::span<const reference::ItemSpec> asked) {
     const std::vector<PrintedLine> lines = lines_at(transcript, place);
-    if (auto matched = as_item(transcript, all_numbers(lines), item, place)) return matched;
+    if (auto matched = as_item(transcript, all_numbers(lines), item, place, asked)) return matched;
     const std::vector<PrintedLine> plain = without_letters(lines);
-    return as_item(transcript, all_numbers(plain), item, place);
+    return as_item(transcript, all_numbers(plain), item, place, asked);
 }
 
 }  // namespace
@@ -153,7 +163,8 @@ std::optional<ItemPlace> read_lines(std::string_view text) {
     return place;
 }
 
-std::optional<MatchedItem> read_at(Transcript& transcript, const reference::ItemSpec& item, const ItemPlace& place) {
+std::optional<MatchedItem> read_at(Transcript& transcript, const reference::ItemSpec& item, const ItemPlace& place,
+                                   std::span<const reference::ItemSpec> asked) {
     if (place.first_line == 0) return MatchedItem{item, {}, MatrixOrder::unsaid, {}, false, place.note};
     if (item.shape == Shape::verdict) {
         auto verdict = read_verdict(lines_at(transcript, place), VerdictPlace::own_section);
@@ -161,9 +172,9 @@ std::optional<MatchedItem> read_at(Transcript& transcript, const reference::Item
         return MatchedItem{item, {}, MatrixOrder::unsaid, std::move(verdict), false, place.note};
     }
     if (place.first_number == 0) {
-        if (auto matched = value_at(transcript, item, place)) return matched;
+        if (auto matched = value_at(transcript, item, place, asked)) return matched;
     }
-    return numbers_at_place(transcript, item, place);
+    return numbers_at_place(transcript, item, place, asked);
 }
 
 std::size_t numbers_at(const Transcript& transcript, const ItemPlace& place) {

@@ -26,8 +26,9 @@ std::optional<ItemPlace> read_lines(std::string_view text);
 
 /// The item as it is read from its place, and what remains of the transcript for other items. Only layout, labels and
 /// the number of numbers decide. Empty if the place holds nothing of the item's shape. An item that was not printed is
-/// without a value.
-std::optional<MatchedItem> read_at(Transcript& transcript, const reference::ItemSpec& item, const ItemPlace& place);
+/// without a value. `asked` are the items of all questions.
+std::optional<MatchedItem> read_at(Transcript& transcript, const reference::ItemSpec& item, const ItemPlace& place,
+                                   std::span<const reference::ItemSpec> asked);
 
 /// How many numbers stand on the lines of the place.
 std::size_t numbers_at(const Transcript& transcript, const ItemPlace& place);

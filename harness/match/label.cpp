@@ -122,12 +122,11 @@ LabelFit fit_label(std::string_view label, std::string_view above, const ItemSpe
     return fit == LabelFit::named ? LabelFit::title : LabelFit::none;
 }
 
-LabelFit fit_value(const PrintedValue& value, const ItemSpec& item) {
+LabelFit fit_value(const PrintedValue& value, const ItemSpec& item, std::span<const ItemSpec> asked) {
     if (!value.label.empty() || value.after.empty()) return fit_label(value.label, value.above, item);
     const LabelFit behind = fit_label(value.after, "", item);
     if (behind == LabelFit::forbidden || behind >= LabelFit::named) return behind;
-    const auto items = reference::all_items();
-    const bool names_another = std::any_of(items.begin(), items.end(), [&](const ItemSpec& other) {
+    const bool names_another = std::any_of(asked.begin(), asked.end(), [&](const ItemSpec& other) {
         return other.question == item.question && fit_label(value.after, "", other) >= LabelFit::named;
     });
     return names_another

@@ -26,7 +26,9 @@ LabelFit fit_label(std::string_view label, std::string_view above, const referen
 
 /// How well the words around a value name the item. The words before it on its line count. Without any, the words after
 /// it count if they name an item of the question; else the line above counts.
-LabelFit fit_value(const PrintedValue& value, const reference::ItemSpec& item);
+/// `asked` are the items of all questions.
+LabelFit fit_value(const PrintedValue& value, const reference::ItemSpec& item,
+                   std::span<const reference::ItemSpec> asked);
 
 /// The items that a label lists if it is only a list of items: "(t, u, v)" or "a b c". Empty for fewer than two items.
 /// `items` are those of the question; the result holds indices into `items`.

@@ -54,7 +54,7 @@ bool goes_on_in(const Section& before, const Section& section, Fits& fits) {
     if (before.question != section.question) return false;
     const auto name_of = [](const PrintedValue& value) { return value.label.empty() ? value.above : value.label; };
     const auto names_an_item = [&](const PrintedValue& value) {
-        const auto items = reference::all_items();
+        const auto items = fits.asked();
         return std::any_of(items.begin(), items.end(), [&](const ItemSpec& item) {
             return item.question == section.question && has_shape(value, item) && fits(value, item) >= LabelFit::title;
         });
@@ -158,8 +158,9 @@ void share_no_value(std::vector<MatchedItem>& matched, const std::vector<Candida
         std::find_if(candidates.begin(), candidates.end(), [](const Candidate& c) { return c.value.numbers.empty(); });
     if (said == candidates.end()) return;
     for (MatchedItem& item : matched) {
-        const bool sphere_or_hit = item.spec.subject == reference::Subject::sphere || item.spec.name == "hit";
-        if (!item.value && may_be_absent(item.spec) && sphere_or_hit) item.value = said->value;
+        const bool of_plane = item.spec.subject == reference::Subject::triangle;
+        if (!item.value && may_be_absent(item.spec) && (!of_plane || item.spec.id.name == "hit"))
+            item.value = said->value;
     }
 }
 
@@ -175,8 +176,8 @@ void find_unreadable(MatchedItem& item, const Answers& answers, Fits& fits) {
     }
 }
 
-/// Finds the sentence of question 10: under its heading; else any sentence with "first"; else, if the program prints no
-/// headings, after all values.
+/// Finds the sentence about the first hit: under its heading; else any sentence with "first"; else, if the program
+/// prints no headings, after all values.
 std::optional<PrintedVerdict> find_verdict(const std::vector<Section>& sections, int question) {
     int last_value = 0;
     for (const Section& section : sections) {
@@ -216,7 +217,7 @@ std::vector<MatchedItem> matched_items(const Question& question, const std::vect
 /// The items that have no place, matched with the transcript.
 std::vector<MatchedItem> match_others(const Transcript& transcript, std::span<const ItemSpec> items,
                                       const PlacedItems& placed) {
-    Fits fits;
+    Fits fits(items);
     std::vector<Question> questions = list_questions(items, placed);
     std::vector<MatchedItem> result;
     if (transcript.sections.empty()) {
@@ -244,7 +245,7 @@ std::vector<MatchedItem> match(const Transcript& transcript, std::span<const Ite
         const auto place = std::find_if(places.begin(), places.end(), [&](const ItemPlace& each) {
             return each.question == items[i].question && each.item == items[i].name;
         });
-        if (place != places.end()) placed[i] = read_at(rest, items[i], *place);
+        if (place != places.end()) placed[i] = read_at(rest, items[i], *place, items);
     }
     std::vector<MatchedItem> matched = match_others(rest, items, placed), result;
     auto next = matched.begin();

@@ -15,7 +15,7 @@ struct MatchedItem {
     /// w) for a vector, 9 or 16 for a matrix in the order of `order`; none for a word such as "none".
     std::optional<PrintedValue> value;
     MatrixOrder order = MatrixOrder::unsaid;  ///< of a matrix; unsaid when the printout does not tell
-    std::optional<PrintedVerdict> verdict;    ///< for question 10
+    std::optional<PrintedVerdict> verdict;    ///< for the question what is hit first
     /// The item's label stands before a value of another shape; `value` holds that value.
     bool unreadable = false;
     std::string reread;  ///< the note of the ItemPlace that it was read from; empty if it has none

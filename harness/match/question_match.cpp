@@ -25,12 +25,6 @@ std::int64_t gain_of(LabelFit fit) {
     return 0;
 }
 
-std::size_t index_of(const ItemSpec& item) {
-    const auto items = reference::all_items();
-    const auto same = [&](const ItemSpec& i) { return i.question == item.question && i.name == item.name; };
-    return static_cast<std::size_t>(std::find_if(items.begin(), items.end(), same) - items.begin());
-}
-
 /// A candidate, and where it stands in its part.
 struct Placed {
     Candidate candidate;
@@ -40,7 +34,7 @@ struct Placed {
 class Matcher {
   public:
     Matcher(std::span<const ItemSpec> items, Need need, Fits& fits) : items_(items), need_(need), fits_(fits) {
-        for (const ItemSpec& item : items) index_.push_back(index_of(item));
+        for (const ItemSpec& item : items) index_.push_back(fits.index_of(item));
     }
 
     struct Solution {
@@ -98,11 +92,11 @@ class Matcher {
         return false;
     }
 
-    /// Whether the label names another question's item, such as "N" within question 6. False in a question with one
+    /// Whether the label names another question's item, such as "N" among those of t. False in a question with one
     /// item: its label may have been copied by mistake.
     bool names_another_question(const PrintedValue& value, const ItemSpec& item) const {
         if (items_.size() == 1) return false;
-        const auto all = reference::all_items();
+        const auto all = fits_.asked();
         const Fits::Row& row = fits_.of(value);
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (all[i].question != item.question && all[i].shape == item.shape && row[i] == LabelFit::exact)
@@ -128,7 +122,7 @@ class Matcher {
     }
 
     std::span<const ItemSpec> items_;
-    std::vector<std::size_t> index_;  ///< of each item in all_items()
+    std::vector<std::size_t> index_;  ///< of each item in fits_.asked()
     Need need_;
     Fits& fits_;
 };
@@ -218,8 +212,9 @@ Reading take_lists_apart(Reading reading, std::span<const ItemSpec> items, const
 }  // namespace
 
 bool may_be_absent(const ItemSpec& item) {
-    return item.name == "t" || item.name == "hit" || item.name == "u" || item.name == "v" ||
-           (item.name == "normal" && item.question == 7);
+    const std::string_view name = item.id.name;
+    return name == "t" || name == "hit" || name == "u" || name == "v" ||
+           (name == "normal" && item.subject != reference::Subject::triangle);
 }
 
 bool has_count(Shape shape, std::size_t count) {
@@ -239,9 +234,13 @@ const Fits::Row& Fits::of(const PrintedValue& value) {
     key.append(value.label).append(1, '\n').append(value.above).append(1, '\n').append(value.after);
     const auto [row, is_new] = known_.try_emplace(std::move(key));
     if (is_new) {
-        for (const ItemSpec& item : reference::all_items()) row->second.push_back(fit_value(value, item));
+        for (const ItemSpec& item : asked_) row->second.push_back(fit_value(value, item, asked_));
     }
     return row->second;
+}
+
+std::size_t Fits::index_of(const ItemSpec& item) const {
+    return static_cast<std::size_t>(std::ranges::find(asked_, item.id, &ItemSpec::id) - asked_.begin());
 }
 
 LabelFit Fits::operator()(const PrintedValue& value, const ItemSpec& item) {

@@ -19,13 +19,19 @@ namespace harness {
 /// labels.
 class Fits {
   public:
-    using Row = std::vector<LabelFit>;  ///< by the item's place in reference::all_items()
+    using Row = std::vector<LabelFit>;  ///< by the item's place in `asked`
+
+    /// `asked` are the items of all questions; they must outlive the fits.
+    explicit Fits(std::span<const reference::ItemSpec> asked) : asked_(asked) {}
+    std::span<const reference::ItemSpec> asked() const { return asked_; }
+    std::size_t index_of(const reference::ItemSpec& item) const;
 
     /// The fits of a value to all items. The reference stays valid.
     const Row& of(const PrintedValue& value);
     LabelFit operator()(const PrintedValue& value, const reference::ItemSpec& item);
 
   private:
+    std::span<const reference::ItemSpec> asked_;
     std::unordered_map<std::string, Row> known_;
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -51,10 +50,7 @@ std::set<NumberOfValue> numbers_of_values(const TakenNumbers& read, const std::v
 }
 
 /// A list with a name for each of its numbers, as in "a, b, c: 1 2 3", as its numbers; any other value as it is.
-std::vector<PrintedValue> named_numbers(const PrintedValue& value, int question) {
-    std::vector<reference::ItemSpec> items;
-    std::ranges::copy_if(reference::all_items(), std::back_inserter(items),
-                         [&](const reference::ItemSpec& each) { return each.question == question; });
+std::vector<PrintedValue> named_numbers(const PrintedValue& value, std::span<const reference::ItemSpec> items) {
     std::vector<PrintedValue> numbers;
     for (Candidate& candidate : candidates_of({value}, items)) numbers.push_back(std::move(candidate.value));
     return numbers.size() == value.numbers.size() ? numbers : std::vector{value};
@@ -62,8 +58,8 @@ std::vector<PrintedValue> named_numbers(const PrintedValue& value, int question)
 
 /// What remains of a value without these of its numbers.
 std::vector<PrintedValue> without_numbers(const PrintedValue& value, const std::vector<std::size_t>& taken,
-                                          int question) {
-    std::vector<PrintedValue> rest = named_numbers(value, question);
+                                          std::span<const reference::ItemSpec> items) {
+    std::vector<PrintedValue> rest = named_numbers(value, items);
     for (auto i = taken.rbegin(); i != taken.rend(); ++i) {
         if (rest.size() > 1) {
             rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(*i));
@@ -78,7 +74,8 @@ std::vector<PrintedValue> without_numbers(const PrintedValue& value, const std::
 
 }  // namespace
 
-void take_out(Transcript& transcript, const ValuesAt& there, const TakenNumbers& read, int question) {
+void take_out(Transcript& transcript, const ValuesAt& there, const TakenNumbers& read,
+              std::span<const reference::ItemSpec> items) {
     std::map<std::size_t, std::vector<std::size_t>, std::greater<>> taken;  // the last value first
     for (const auto& [value, index] : numbers_of_values(read, there.values)) taken[value].push_back(index);
     for (const auto& [value, indices] : taken) {
@@ -86,7 +83,7 @@ void take_out(Transcript& transcript, const ValuesAt& there, const TakenNumbers&
         auto& values = transcript.sections[section].values;
         const auto at = values.erase(values.begin() + static_cast<std::ptrdiff_t>(index));
         if (indices.size() == there.values[value].numbers.size()) continue;
-        const auto rest = without_numbers(there.values[value], indices, question);
+        const auto rest = without_numbers(there.values[value], indices, items);
         values.insert(at, rest.begin(), rest.end());
     }
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "harness/read/transcript.h"
+#include "reference/stages/items.h"
 
 namespace harness {
 
@@ -23,8 +24,9 @@ struct TakenNumbers {
     std::size_t last;
 };
 
-/// Takes the numbers that were read for an item of the question out of the values, so that they answer no other item.
-/// What remains of a list is for other items.
-void take_out(Transcript& transcript, const ValuesAt& there, const TakenNumbers& read, int question);
+/// Takes the numbers that were read for one of the items of a question out of the values, so that they answer no other
+/// item. What remains of a list is for other items.
+void take_out(Transcript& transcript, const ValuesAt& there, const TakenNumbers& read,
+              std::span<const reference::ItemSpec> items);
 
 }  // namespace harness

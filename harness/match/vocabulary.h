@@ -12,8 +12,7 @@ using Vocabulary = std::unordered_set<std::string_view>;
 
 /// The names an item goes by, in lower case without anything but letters and digits. `weak` names often mean it.
 struct Names {
-    int question;
-    std::string_view item;
+    reference::ItemId item;
     Vocabulary names;
     Vocabulary weak;
 };

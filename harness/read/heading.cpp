@@ -92,7 +92,7 @@ bool is_row_of_numbers(std::string_view line, std::size_t heading_end) {
 }
 
 /// "1.", "2)", "(3)", "--- 4 ---", "#5", "[6]", "6a)".
-std::optional<Heading> bare(std::string_view start) {
+std::optional<Heading> bare(std::string_view start, int last_question) {
     static const RE2 pattern(
         R"((^([\s*=\-_#~+|/\[({]*)(\d{1,2})(?:\s?([a-h])|\.\d\b)?(\s*[.):\]}][\s.)\]}:*=\-_#~|]*|[\s*=\-_#~|]*$)))");
     re2::StringPiece whole, before, letter, after;
@@ -101,7 +101,7 @@ std::optional<Heading> bare(std::string_view start) {
                            &after)) {
         return std::nullopt;
     }
-    if (question < 1 || question > 10) return std::nullopt;
+    if (question < 1 || question > last_question) return std::nullopt;
     std::size_t end = whole.size();
     const bool number_goes_on = end < start.size() && is_digit(start[end]);
     const bool punctuated =
@@ -119,8 +119,19 @@ std::optional<Heading> bare(std::string_view start) {
     return Heading{question, end, Heading::Style::bare};
 }
 
+/// "2.1 t: 1.5", "2.1: t = 1.5".
+std::optional<Heading> dotted(std::string_view start, int last_question) {
+    static const RE2 pattern(R"(^([\s*=\-_#]*(\d{1,2})\.\d{1,2}[.):]?\s+)[A-Za-z_(\[])");
+    re2::StringPiece whole;
+    int question = 0;
+    if (!RE2::PartialMatch(re2::StringPiece(start.data(), start.size()), pattern, &whole, &question))
+        return std::nullopt;
+    if (question < 1 || question > last_question) return std::nullopt;
+    return Heading{question, whole.size(), Heading::Style::dotted};
+}
+
 /// "| 6 | t | 0.59 |", "6\tt\t0.59".
-std::optional<Heading> cell(std::string_view start) {
+std::optional<Heading> cell(std::string_view start, int last_question) {
     static const RE2 pattern(
         R"((^\s*(?:[|\x{2502}]\s*(?:Q\s?)?(\d{1,2})\s*[|\x{2502}]|(?:Q\s?)?(\d{1,2})(?:\s*[;|,\x{2502}]|\t|\s{2,}))\s*)(?:[-+.]\s*)?[^\s\d.+\-])");
     re2::StringPiece whole, framed, open;
@@ -128,18 +139,18 @@ std::optional<Heading> cell(std::string_view start) {
         return std::nullopt;
     const re2::StringPiece digits = framed.empty() ? open : framed;
     const int question = digits.size() == 1 ? digits[0] - '0' : 10 * (digits[0] - '0') + digits[1] - '0';
-    if (question < 1 || question > 10) return std::nullopt;
+    if (question < 1 || question > last_question) return std::nullopt;
     return Heading{question, whole.size(), Heading::Style::cell};
 }
 
 /// The numbers in the first cells of a table; empty if they are no column of questions.
-std::vector<std::optional<Heading>> question_column(const std::vector<std::string_view>& lines) {
+std::vector<std::optional<Heading>> question_column(const std::vector<std::string_view>& lines, int last_question) {
     constexpr std::size_t fewest = 5;
     std::vector<std::optional<Heading>> cells;
     std::set<int> named;
     int last = 0;
     for (const std::string_view line : lines) {
-        cells.push_back(cell(line.substr(0, longest_heading)));
+        cells.push_back(cell(line.substr(0, longest_heading), last_question));
         if (!cells.back()) continue;
         if (cells.back()->question == last) continue;
         last = cells.back()->question;
@@ -151,36 +162,38 @@ std::vector<std::optional<Heading>> question_column(const std::vector<std::strin
 
 /// Chooses the style of the headings; named[style] holds the questions that a style names. The later styles also number
 /// steps within questions, so they must name many more questions to be chosen.
-std::size_t choose_style(const std::array<std::set<int>, 3>& named) {
+std::size_t choose_style(const std::array<std::set<int>, 4>& named) {
     constexpr std::size_t fewest_bare = 3;
     const std::size_t questions = named[0].size();
     const std::size_t parts = named[1].size();
     const std::size_t bare_numbers = named[2].size() < fewest_bare ? 0 : named[2].size();
     const std::size_t others = std::max(parts, bare_numbers);
+    if (questions == 0 && others == 0 && named[3].size() >= fewest_bare) return 3;
     if (questions > 0 && (others < 5 || 3 * questions >= others)) return 0;
     return parts > 0 && 2 * parts >= bare_numbers ? 1 : bare_numbers > 0 ? 2 : 0;
 }
 
 }  // namespace
 
-std::optional<Heading> read_heading(std::string_view line) {
+std::optional<Heading> read_heading(std::string_view line, int last_question) {
     const std::string_view start = line.substr(0, longest_heading);
     if (start.find_first_not_of(" \t") == std::string_view::npos) return std::nullopt;
     if (auto heading = with_keyword(start)) return heading;
-    return bare(start);
+    if (auto heading = bare(start, last_question)) return heading;
+    return dotted(start, last_question);
 }
 
-std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_view>& lines) {
+std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_view>& lines, int last_question) {
     std::vector<std::optional<Heading>> headings;
     headings.reserve(lines.size());
-    std::array<std::set<int>, 3> named;  // by style
+    std::array<std::set<int>, 4> named;  // by style
     for (const std::string_view line : lines) {
-        headings.push_back(read_heading(line));
-        if (!headings.back() || headings.back()->question > 10) continue;
+        headings.push_back(read_heading(line, last_question));
+        if (!headings.back() || headings.back()->question > last_question) continue;
         named.at(static_cast<std::size_t>(headings.back()->style)).insert(headings.back()->question);
     }
     if (named[0].size() < 3) {
-        if (auto column = question_column(lines); !column.empty()) return column;
+        if (auto column = question_column(lines, last_question); !column.empty()) return column;
     }
     const std::size_t best = choose_style(named);
     for (auto& heading : headings) {

@@ -14,6 +14,7 @@ struct Heading {
         question,  ///< "Question", "Q", "Exercise", "Problem", …
         part,      ///< "Part", "Answer", "Step", "No.", …, which may also number steps within a question
         bare,      ///< the number alone: "1.", "2)", "--- 3 ---", "6a)"
+        dotted,    ///< with the number of a part, before words: "2.1 t: 1.5"
         cell,      ///< the first cell of a table's row: "| 6 | t | 0.59 |"; a heading on each row
     };
     int question;     ///< 1 to 99
@@ -22,11 +23,12 @@ struct Heading {
 };
 
 /// Reads the heading at the start of a line; empty if there is none. Linear in the line's length.
-std::optional<Heading> read_heading(std::string_view line);
+std::optional<Heading> read_heading(std::string_view line, int last_question);
 
-/// Finds the headings among `lines`. Only one style counts: the style that names the most of questions 1 to 10, with a
-/// preference for the earlier styles. Bare numbers count only if they name at least three questions, cells if they name
-/// at least five and the rows of each stand together. Returns one entry per line, empty if the line is not a heading.
-std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_view>& lines);
+/// Finds the headings among `lines`. Only one style counts: the style that names the most questions, with a
+/// preference for the earlier styles. Bare and dotted numbers count only if they name at least three questions, dotted
+/// ones only without any other, cells if they name at least five and the rows of each stand together. Returns one entry
+/// per line, empty if the line is not a heading.
+std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_view>& lines, int last_question);
 
 }  // namespace harness

@@ -133,7 +133,7 @@ class Reader {
         std::size_t begin = tokens_[found.first].begin;
         std::size_t before = found.first;  // skips the brackets of a matrix that continues on the next lines
         while (before > 0 && found.first - before < deepest_bracket && is(before - 1, Kind::open)) --before;
-        if (before > 0 && is(before - 1, Kind::word) && is_type_name(text(before - 1))) {
+        if (before > 0 && tokens_.is_type_word(before - 1)) {
             begin = tokens_[before - 1].begin;
             value.typed = true;
         }

@@ -19,13 +19,17 @@ LineTokens::LineTokens(std::string_view line, const OwnSeparators& separators) :
 }
 
 bool LineTokens::is_type(std::size_t i) const {
-    return is(i, Token::Kind::word) && is(i + 1, Token::Kind::open) && is_type_name(text(i));
+    return is(i + 1, Token::Kind::open) && is_type_word(i);
 }
 
-bool is_type_name(std::string_view word) {
-    static const RE2 pattern(
-        R"((?i)(?:glm::)?(?:(?:low|medium|high)p_)?(?:t?[fdiub]?\d{0,2}(?:vec|mat)[1234]?(?:x[234])?|vector[34]?|point[34]?|matrix[34]?))");
-    return RE2::FullMatch(re2::StringPiece(word.data(), word.size()), pattern);
+bool LineTokens::is_type_word(std::size_t i) const {
+    static const RE2 type(
+        R"((?i)(?:glm::)?(?:(?:low|medium|high)p_)?(?:t?[fdiub]?\d{0,2}(?:vec|mat)[1234]?(?:x[234])?|(?:vector|point|matrix)[34]))");
+    static const RE2 label(R"((?i)vector|point|matrix)");
+    if (!is(i, Token::Kind::word)) return false;
+    const re2::StringPiece word(text(i).data(), text(i).size());
+    if (RE2::FullMatch(word, type)) return true;
+    return RE2::FullMatch(word, label) && is(i + 1, Token::Kind::open) && tokens_[i].end == tokens_[i + 1].begin;
 }
 
 }  // namespace harness

@@ -30,15 +30,14 @@ class LineTokens {
     std::size_t partner(std::size_t i) const { return partner_[i]; }
     /// Whether token i is a type name such as "glm::vec3" or "dmat4" before a bracket: "mat3(vec3(…), vec3(…))".
     bool is_type(std::size_t i) const;
+    /// Whether token i is a type name. A word that labels use too, such as "matrix", is one only with its bracket
+    /// directly behind it: "Matrix([1, 0, 0], …)".
+    bool is_type_word(std::size_t i) const;
 
   private:
     std::string_view line_;
     std::vector<Token> tokens_;
     std::vector<std::size_t> partner_;
 };
-
-/// "vec3", "dvec4", "glm::mat4x4", "highp_vec3": the type names that glm::to_string and students print before a
-/// bracket.
-bool is_type_name(std::string_view word);
 
 }  // namespace harness

@@ -13,7 +13,33 @@ class GroupReader {
   public:
     explicit GroupReader(const LineTokens& tokens) : tokens_(tokens) {}
 
+    /// "1 0 0 / 0 1 0 / 0 0 1": the rows of a matrix on one line, three or four of three or four numbers.
+    std::optional<NumberGroup> rows_between_slashes(std::size_t begin) const {
+        NumberGroup found{{}, 1, 0, begin, begin};
+        std::size_t row_begin = 0;
+        std::size_t columns = 0;
+        std::size_t i = begin;
+        for (; i < tokens_.size(); ++i) {
+            if (is(i, Kind::number)) {
+                found.numbers.push_back(tokens_[i].number);
+                continue;
+            }
+            const std::size_t size = found.numbers.size() - row_begin;
+            if (columns == 0) columns = size;
+            const bool is_divider = is(i, Kind::op) && text(i) == "/" && is(i + 1, Kind::number);
+            if (!is_divider || size != columns || columns > 4) break;
+            row_begin = found.numbers.size();
+            ++found.groups;
+        }
+        found.last = i;
+        const auto rows = static_cast<std::size_t>(found.groups);
+        const bool is_matrix = (rows == 3 || rows == 4) && (columns == 3 || columns == 4) &&
+                               found.numbers.size() == rows * columns && !is(i, Kind::op);
+        return is_matrix ? std::optional(found) : std::nullopt;
+    }
+
     std::optional<NumberGroup> row(std::size_t begin) const {
+        if (const auto matrix = rows_between_slashes(begin)) return matrix;
         NumberGroup found{{}, 1, 0, begin, begin};
         std::size_t i = begin;
         while (is(i, Kind::number)) {

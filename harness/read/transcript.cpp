@@ -10,6 +10,7 @@
 #include "harness/read/joined_values.h"
 #include "harness/read/line_reader.h"
 #include "harness/read/no_value.h"
+#include "harness/read/part.h"
 
 namespace harness {
 namespace {
@@ -52,14 +53,16 @@ void keep_ends(std::vector<PrintedValue>& values) {
 
 class TranscriptReader {
   public:
-    Transcript run(const std::vector<Line>& lines) {
+    Transcript run(const std::vector<Line>& lines, int last_question) {
         std::vector<std::string_view> texts;
         for (const Line& line : lines) texts.push_back(line.text);
-        const auto headings = find_headings(texts);
+        const auto headings = find_headings(texts, last_question);
         separators_ = OwnSeparators(texts);
         transcript_.sections.push_back({0, {}, {}});
+        const std::vector<std::size_t> part_ends = find_parts(texts, headings);
         for (std::size_t i = 0; i < lines.size(); ++i) {
             auto [rest, number] = lines[i];
+            rest.remove_prefix(part_ends[i]);
             if (headings[i]) {
                 rest.remove_prefix(std::min(rest.size(), headings[i]->end));
                 transcript_.sections.push_back({headings[i]->question, {}, {}});
@@ -109,9 +112,9 @@ class TranscriptReader {
 
 }  // namespace
 
-Transcript read_transcript(std::string_view output) {
+Transcript read_transcript(std::string_view output, int last_question) {
     const std::string text = clean_text(output);
-    return TranscriptReader().run(split_lines(text));
+    return TranscriptReader().run(split_lines(text), last_question);
 }
 
 }  // namespace harness

@@ -25,7 +25,8 @@ struct Transcript {
     std::vector<Section> sections;  ///< in the order printed; a question may come more than once
 };
 
-/// Reads a program's output. Accepts any bytes. Time and memory are linear in the number of bytes.
-Transcript read_transcript(std::string_view output);
+/// Reads a program's output. Questions are numbered from 1 to `last_question`. Accepts any bytes. Time and memory are
+/// linear in the number of bytes.
+Transcript read_transcript(std::string_view output, int last_question);
 
 }  // namespace harness

@@ -7,6 +7,7 @@
 namespace harness {
 namespace {
 
+using reference::Subject;
 using reference::Verdict;
 
 constexpr std::size_t longest_verdict_line = 400;
@@ -29,8 +30,15 @@ bool is_one_of(const std::string& word, const std::array<std::string_view, N>& l
     return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-constexpr std::array<std::string_view, 3> sphere_words = {"sphere", "sphere's", "ball"};
-constexpr std::array<std::string_view, 3> triangle_words = {"triangle", "triangle's", "tri"};
+/// What students call an object.
+struct ObjectWords {
+    Subject object;
+    std::array<std::string_view, 4> words;
+};
+constexpr ObjectWords object_words[] = {{Subject::sphere, {"sphere", "sphere's", "spheres", "ball"}},
+                                        {Subject::triangle, {"triangle", "triangle's", "triangles", "tri"}},
+                                        {Subject::cylinder, {"cylinder", "cylinder's", "cylinders", "cyl"}}};
+
 constexpr std::array<std::string_view, 18> hit_words = {
     "hit",     "hits",  "closest", "nearest",  "closer", "nearer", "before",     "wins",        "winner",
     "visible", "front", "smaller", "smallest", "seen",   "chosen", "intersects", "intersected", "earlier"};
@@ -38,14 +46,23 @@ constexpr std::array<std::string_view, 8> negations = {"not",    "doesn't", "nev
                                                        "missed", "miss",    "no",    "isn't"};
 constexpr std::array<std::string_view, 4> debug_words = {"debug", "dbg", "trace", "log"};
 
-std::optional<Verdict> object_of(const std::string& word) {
-    if (is_one_of(word, sphere_words)) return Verdict::sphere_first;
-    if (is_one_of(word, triangle_words)) return Verdict::triangle_first;
+std::optional<Subject> object_of(const std::string& word) {
+    for (const ObjectWords& each : object_words) {
+        if (is_one_of(word, each.words)) return each.object;
+    }
     return std::nullopt;
 }
 
-Verdict other_than(Verdict object) {
-    return object == Verdict::sphere_first ? Verdict::triangle_first : Verdict::sphere_first;
+/// The object that the words name beside this one; empty if there is none or more than one.
+std::optional<Subject> other_than(Subject object, const std::vector<std::string>& words) {
+    std::optional<Subject> other;
+    for (const std::string& word : words) {
+        const auto named = object_of(word);
+        if (!named || named == object || named == other) continue;
+        if (other) return std::nullopt;
+        other = named;
+    }
+    return other;
 }
 
 /// Whether the words before the object deny it: "does not hit triangle first".
@@ -61,20 +78,17 @@ bool is_denied(const std::vector<std::string>& words, std::size_t object) {
 
 /// The nearest object before the word "first", else the nearest object after it. If the words deny that this object is
 /// first, the result is the other object, provided that it is named too.
-std::optional<Verdict> object_at_first(const std::vector<std::string>& words) {
+std::optional<Subject> object_at_first(const std::vector<std::string>& words) {
     constexpr std::size_t reach = 6;
-    std::optional<Verdict> found;
+    std::optional<Subject> found;
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (words[i] != "first") continue;
-        std::optional<Verdict> near;
+        std::optional<Subject> near;
         for (std::size_t k = 1; k <= reach && k <= i && !near; ++k) {
             near = object_of(words[i - k]);
             if (!near || !is_denied(words, i - k)) continue;
-            const Verdict other = other_than(*near);
-            const bool named =
-                std::any_of(words.begin(), words.end(), [&](const std::string& w) { return object_of(w) == other; });
-            near = named ? std::optional(other) : std::nullopt;
-            if (!named) break;
+            near = other_than(*near, words);
+            if (!near) break;
         }
         for (std::size_t k = 1; k <= reach && i + k < words.size() && !near; ++k) near = object_of(words[i + k]);
         if (near && found && *near != *found)
@@ -91,10 +105,10 @@ bool any(const std::vector<std::string>& words, const auto& list) {
 bool says_nothing_is_hit(const std::vector<std::string>& words) {
     constexpr std::array<std::string_view, 4> nothing = {"nothing", "neither", "none", "anything"};
     if (any(words, nothing)) return true;
-    const bool both =
+    const bool several =
         std::count_if(words.begin(), words.end(), [](const std::string& w) { return object_of(w).has_value(); }) >= 2;
     constexpr std::array<std::string_view, 5> all = {"both", "everything", "object", "objects", "any"};
-    const bool about_all = both || any(words, all) || words.size() <= 3;
+    const bool about_all = several || any(words, all) || words.size() <= 3;
     constexpr std::array<std::string_view, 7> hit = {"hit",  "hits",         "misses",   "missed",
                                                      "miss", "intersection", "intersect"};
     return about_all && any(words, negations) && any(words, hit);
@@ -106,34 +120,40 @@ bool says_tie(const std::vector<std::string>& words) {
 }
 
 /// "sphere is closer than triangle", "closest: sphere", or just "sphere".
-std::optional<Verdict> object_compared(const std::vector<std::string>& words) {
-    std::vector<Verdict> objects;
+std::optional<Subject> object_compared(const std::vector<std::string>& words) {
+    std::vector<Subject> objects;
     for (const std::string& word : words) {
         if (const auto object = object_of(word)) objects.push_back(*object);
     }
     if (objects.empty()) return std::nullopt;
     const bool one_object =
-        std::all_of(objects.begin(), objects.end(), [&](Verdict v) { return v == objects.front(); });
+        std::all_of(objects.begin(), objects.end(), [&](Subject each) { return each == objects.front(); });
     if (one_object) {
         if (any(words, negations)) return std::nullopt;
         return any(words, hit_words) || words.size() <= 2 ? std::optional(objects.front()) : std::nullopt;
     }
-    constexpr std::array<std::string_view, 12> compares = {"before", "closer",  "nearer",  "smaller",
-                                                           "less",   "front",   "earlier", "than",
-                                                           "wins",   "closest", "nearest", "behind"};
-    if (std::find(words.begin(), words.end(), "after") != words.end()) return objects.back();
+    constexpr std::array<std::string_view, 13> compares = {"before",  "order",   "closer",  "nearer", "smaller",
+                                                           "less",    "front",   "earlier", "than",   "wins",
+                                                           "closest", "nearest", "then"};
+    for (const std::string_view later : {"after", "behind"}) {  // "the triangle is behind the sphere"
+        const auto at = std::ranges::find(words, later);
+        const auto before = std::find_if(at, words.end(), [](const std::string& word) { return object_of(word); });
+        if (before != words.end()) return object_of(*before);
+        if (at != words.end()) return objects.front();
+    }
     return any(words, compares) ? std::optional(objects.front()) : std::nullopt;
 }
 
 std::optional<Verdict> verdict_of(std::string_view line, VerdictPlace place) {
     const std::vector<std::string> words = words_of(line);
     if (words.empty() || any(words, debug_words)) return std::nullopt;
-    if (const auto object = object_at_first(words)) return object;
+    if (const auto object = object_at_first(words)) return first(*object);
     if (place == VerdictPlace::elsewhere) return std::nullopt;
     if (says_nothing_is_hit(words)) return Verdict::no_hit;
     if (std::find(words.begin(), words.end(), "first") != words.end() && !says_tie(words)) return std::nullopt;
     if (says_tie(words)) return Verdict::tie;
-    return object_compared(words);
+    const auto object = object_compared(words);
+    return object ? std::optional(first(*object)) : std::nullopt;
 }
 
 bool is_about_a_number(std::string_view line) {

@@ -1,4 +1,4 @@
-// The sentence of question 10: "ray hits triangle first", in the words students use.
+// The sentence about the first hit: "ray hits triangle first", in the words students use.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,8 @@ struct PrintedVerdict {
     int line;             ///< 1-based, in the program's output
 };
 
-/// Whether the lines stand under question 10's heading. Elsewhere, only a sentence with "first" is a verdict.
+/// Whether the lines stand under the heading of the question that asks what is hit first. Elsewhere, only a sentence
+/// with "first" is a verdict.
 enum class VerdictPlace { own_section, elsewhere };
 
 /// The last verdict that the lines state. A line with digits counts only if no line without digits states a verdict. A

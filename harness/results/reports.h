@@ -16,6 +16,7 @@ namespace harness {
 
 /// The names of the rosters among a gradebook's inputs, and of the files made from them.
 constexpr const char* canvas_roster_input = "canvas-roster";
+constexpr const char* late_days_input = "late-days";
 constexpr const char* canvas_import_name = "grades-canvas.csv";
 constexpr const char* moodle_worksheet_input = "moodle-worksheet";
 constexpr const char* moodle_import_name = "grades-moodle.csv";

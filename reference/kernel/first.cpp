@@ -1,13 +1,14 @@
 #include "reference/kernel/first.h"
 
 #include "reference/kernel/integers.h"
+#include "reference/kernel/order.h"
 
 namespace reference::kernel {
 namespace {
 
 /// An object that is hit, with the t that the kernel computed for it.
 struct Candidate {
-    bool is_sphere;
+    First::Kind kind;
     std::size_t index;
     double t;
 };
@@ -22,104 +23,77 @@ std::partial_ordering filtered_order(double one, double other) {
     return std::partial_ordering::unordered;
 }
 
-std::partial_ordering reversed(std::partial_ordering order) {
-    return 0 <=> order;
+// The t's of objects that are hit.
+auto exact_t(const auto& whole, const Ray<double>& ray, const Sphere<double>& sphere) {
+    const auto quadratic = quadratic_of(whole, ray, sphere);
+    return Root{quadratic, quadratic.smaller_is_first()};
+}
+auto exact_t(const auto& whole, const Ray<double>& ray, const Triangle<double>& triangle) {
+    const auto determinants = determinants_of(whole, ray, triangle);
+    return Fraction{determinants.t(), determinants.det()};
+}
+ExactT<Integer> exact_t(const Whole<Integer>& whole, const Ray<double>& ray, const Cylinder<double>& cylinder) {
+    const CylinderForm<Integer> form = cylinder_form_of(whole, ray, cylinder);
+    return kernel::exact_t(form, choose_crossing(form, Boundary::nonnegative).crossing.at);
 }
 
-/// The sign of (the sphere's t) - (the triangle's t), where both are hit. Let N/det be the triangle's t, with det > 0.
-/// The sign of P = aN² + 2hN det + c det² tells whether it lies between the roots, and the sign of L = aN + h det on
-/// which side of their middle.
-template <class Quadratic, class Determinants>
-std::partial_ordering exact_order(const Quadratic& sphere, const Determinants& triangle) {
-    const auto N = triangle.t();
-    const auto det = triangle.det();
-    const auto aN = sphere.a * N;
-    const auto h_det = sphere.h * det;
-    const auto P = sign_of(N * (aN + h_det + h_det) + sphere.c * (det * det));
-    const auto L_det = sign_of(aN + h_det);
-    const auto L = sign_of(det) < 0 ? reversed(L_det) : L_det;
-    const bool smaller = sphere.smaller_is_first();
-    if (P < 0) return smaller ? std::partial_ordering::less : std::partial_ordering::greater;
-    if (P > 0) return reversed(L);
-    if (L == 0 || (L < 0) == smaller) return std::partial_ordering::equivalent;
-    return L > 0 ? std::partial_ordering::less : std::partial_ordering::greater;
-}
+template <class One, class Other>
+constexpr bool are_spheres = std::is_same_v<One, Sphere<double>>&& std::is_same_v<Other, Sphere<double>>;
+template <class One, class Other>
+constexpr bool has_cylinder = std::is_same_v<One, Cylinder<double>> || std::is_same_v<Other, Cylinder<double>>;
 
-/// The sign of x + p√d + q√e by squaring; p and q are 1 or -1, d and e at least 0.
-template <class X, class D>
-std::partial_ordering sign_of_root_sum(const X& x, int p, const D& d, int q, const D& e) {
-    const auto times = [](int factor, std::partial_ordering sign) { return factor > 0 ? sign : reversed(sign); };
-    const auto roots = times(p, p == q ? sign_of(d + e) : sign_of(d - e));
-    const auto rest = sign_of(x);
-    if (rest == 0 || roots == rest) return roots;
-    if (roots == 0) return rest;
-    // The roots and x have opposite signs: compare (p√d + q√e)² = d + e + 2pq√(de) with x².
-    const auto y = d + e - x * x;
-    const auto de = d * e;
-    const auto product = de + de + (de + de);
-    const auto plain = sign_of(y);
-    const auto more = times(p * q, sign_of(product));
-    auto roots_win = plain;
-    if (plain == 0 || more == plain) {
-        roots_win = more;
-    } else if (more != 0) {
-        const auto larger = sign_of(y * y - product);
-        roots_win = plain > 0 ? larger : reversed(larger);
-    }
-    if (roots_win == 0) return roots_win;
-    return roots_win > 0 ? roots : rest;
-}
-
-/// The order of two spheres that are hit.
-template <class A, class H, class C>
-std::partial_ordering exact_order(const HalfQuadratic<A, H, C>& one, const HalfQuadratic<A, H, C>& other) {
-    return sign_of_root_sum(other.h - one.h, one.smaller_is_first() ? -1 : 1, one.D(),
-                            other.smaller_is_first() ? 1 : -1, other.D());
-}
-
-/// The order of two triangles that are hit.
-template <class N, class E>
-std::partial_ordering exact_order(const Determinants<N, E>& one, const Determinants<N, E>& other) {
-    const auto one_det = one.det();
-    const auto other_det = other.det();
-    const auto difference = sign_of(one.t() * other_det - other.t() * one_det);
-    return (sign_of(one_det) < 0) != (sign_of(other_det) < 0) ? reversed(difference) : difference;
-}
-
-auto exact_form(const auto& whole, const Ray<double>& ray, const Sphere<double>& sphere) {
-    return quadratic_of(whole, ray, sphere);
-}
-auto exact_form(const auto& whole, const Ray<double>& ray, const Triangle<double>& triangle) {
-    return determinants_of(whole, ray, triangle);
-}
-
-/// The order of two objects that are hit. A sphere must come before a triangle.
+/// The order of two objects that are hit.
 template <class One, class Other>
 std::partial_ordering exact_order(const Ray<double>& ray, const One& one, const Other& other) {
-    return in_whole_numbers(Scales(ray, one, other), [&](const auto& whole) {
-        return exact_order(exact_form(whole, ray, one), exact_form(whole, ray, other));
+    const Scales scales(ray, one, other);
+    if constexpr (has_cylinder<One, Other>) {
+        const Whole<Integer> whole(scales);
+        return order(ExactT<Integer>(exact_t(whole, ray, one)), ExactT<Integer>(exact_t(whole, ray, other)));
+    } else {
+        return in_whole_numbers(scales, [&](const auto& whole) {
+            const auto one_t = exact_t(whole, ray, one);
+            const auto other_t = exact_t(whole, ray, other);
+            if constexpr (are_spheres<One, Other>) {
+                return order_with_same_a(one_t, other_t);
+            } else {
+                return order(one_t, other_t);
+            }
+        });
+    }
+}
+
+template <class Use>
+auto with_object(const Objects& objects, const Candidate& candidate, Use use) {
+    if (candidate.kind == First::Kind::sphere) return use(objects.spheres[candidate.index]);
+    if (candidate.kind == First::Kind::triangle) return use(objects.triangles[candidate.index]);
+    return use(objects.cylinders[candidate.index]);
+}
+
+/// The order of a's t and b's t.
+std::partial_ordering order_of(const Ray<double>& ray, const Objects& objects, const Candidate& a, const Candidate& b) {
+    const auto filtered = filtered_order(a.t, b.t);
+    if (filtered != std::partial_ordering::unordered) return filtered;
+    return with_object(objects, a, [&](const auto& one) {
+        return with_object(objects, b, [&](const auto& other) { return exact_order(ray, one, other); });
     });
 }
 
-/// The order of a's t and b's t. If only one of them is a sphere, it must be a.
-std::partial_ordering order(const Ray<double>& ray, const std::vector<Sphere<double>>& spheres,
-                            const std::vector<Triangle<double>>& triangles, const Candidate& a, const Candidate& b) {
-    const auto filtered = filtered_order(a.t, b.t);
-    if (filtered != std::partial_ordering::unordered) return filtered;
-    if (a.is_sphere && b.is_sphere) return exact_order(ray, spheres[a.index], spheres[b.index]);
-    if (!a.is_sphere) return exact_order(ray, triangles[a.index], triangles[b.index]);
-    return exact_order(ray, spheres[a.index], triangles[b.index]);
-}
-
-/// Visits spheres before triangles, as `order` requires.
 template <class Visit>
 void for_each_hit(const Cast& cast, Visit visit) {
     for (std::size_t i = 0; i < cast.spheres.size(); ++i) {
         const SphereResult result = cast.spheres[i].result;
-        if (result == SphereResult::hit || result == SphereResult::tangent) visit({true, i, cast.spheres[i].t});
+        if (result == SphereResult::hit || result == SphereResult::tangent) {
+            visit({First::Kind::sphere, i, cast.spheres[i].t});
+        }
     }
     for (std::size_t i = 0; i < cast.triangles.size(); ++i) {
-        if (cast.triangles[i].result == TriangleResult::hit) visit({false, i, cast.triangles[i].t});
+        if (cast.triangles[i].result == TriangleResult::hit) visit({First::Kind::triangle, i, cast.triangles[i].t});
+    }
+    for (std::size_t i = 0; i < cast.cylinders.size(); ++i) {
+        const CylinderResult result = cast.cylinders[i].result;
+        if (result == CylinderResult::hit || result == CylinderResult::tangent) {
+            visit({First::Kind::cylinder, i, cast.cylinders[i].t});
+        }
     }
 }
 
@@ -130,6 +104,9 @@ bool holds_invalid(const Ray<double>& ray, const Cast& cast) {
     }
     for (const TriangleHit& triangle : cast.triangles) {
         if (triangle.result == TriangleResult::invalid) return true;
+    }
+    for (const CylinderHit& cylinder : cast.cylinders) {
+        if (cylinder.result == CylinderResult::invalid) return true;
     }
     return false;
 }
@@ -146,12 +123,13 @@ std::partial_ordering order_exactly(const Ray<float>& ray, const Sphere<float>& 
     return exact_order(as_double(ray), as_double(sphere), as_double(triangle));
 }
 
-void cast_ray(const Ray<double>& ray, const std::vector<Sphere<double>>& spheres,
-              const std::vector<Triangle<double>>& triangles, Cast& result) {
+void cast_ray(const Ray<double>& ray, const Objects& objects, Cast& result) {
     result.spheres.clear();
     result.triangles.clear();
-    for (const Sphere<double>& sphere : spheres) result.spheres.push_back(intersect(ray, sphere));
-    for (const Triangle<double>& triangle : triangles) result.triangles.push_back(intersect(ray, triangle));
+    result.cylinders.clear();
+    for (const Sphere<double>& sphere : objects.spheres) result.spheres.push_back(intersect(ray, sphere));
+    for (const Triangle<double>& triangle : objects.triangles) result.triangles.push_back(intersect(ray, triangle));
+    for (const Cylinder<double>& cylinder : objects.cylinders) result.cylinders.push_back(intersect(ray, cylinder));
     result.first = {First::Kind::none, 0};
     if (holds_invalid(ray, result)) {
         result.first.kind = First::Kind::invalid;
@@ -160,7 +138,7 @@ void cast_ray(const Ray<double>& ray, const std::vector<Sphere<double>>& spheres
     std::optional<Candidate> best;
     bool tie = false;
     for_each_hit(result, [&](const Candidate& candidate) {
-        const auto compared = best ? order(ray, spheres, triangles, *best, candidate) : std::partial_ordering::greater;
+        const auto compared = best ? order_of(ray, objects, *best, candidate) : std::partial_ordering::greater;
         if (compared < 0) return;
         tie = compared == 0;
         if (!tie) best = candidate;
@@ -168,7 +146,7 @@ void cast_ray(const Ray<double>& ray, const std::vector<Sphere<double>>& spheres
     if (tie) {
         result.first.kind = First::Kind::tie;
     } else if (best) {
-        result.first = {best->is_sphere ? First::Kind::sphere : First::Kind::triangle, best->index};
+        result.first = {best->kind, best->index};
     }
 }
 

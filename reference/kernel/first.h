@@ -4,34 +4,42 @@
 #include <array>
 #include <vector>
 
+#include "reference/kernel/cylinder.h"
 #include "reference/kernel/sphere.h"
 #include "reference/kernel/triangle.h"
 
 namespace reference::kernel {
+
+struct Objects {
+    std::vector<Sphere<double>> spheres = {};
+    std::vector<Triangle<double>> triangles = {};
+    std::vector<Cylinder<double>> cylinders = {};
+};
 
 /// The object hit at the smallest t >= 0.
 struct First {
     enum class Kind {
         sphere,
         triangle,
+        cylinder,
         tie,      ///< two or more objects are hit at exactly the same t, and none before them
         none,     ///< nothing is hit
         invalid,  ///< the ray or one of the objects is invalid
     };
     Kind kind;
-    std::size_t index;  ///< among the spheres or the triangles; 0 for tie, none and invalid
+    std::size_t index;  ///< among the objects of its kind; 0 for tie, none and invalid
 };
 
 struct Cast {
     std::vector<SphereHit> spheres;
     std::vector<TriangleHit> triangles;
+    std::vector<CylinderHit> cylinders;
     First first;
 };
 
 /// Intersects the ray with every object and finds the first hit. Overwrites `result`, whose memory is reused from ray
 /// to ray.
-void cast_ray(const Ray<double>& ray, const std::vector<Sphere<double>>& spheres,
-              const std::vector<Triangle<double>>& triangles, Cast& result);
+void cast_ray(const Ray<double>& ray, const Objects& objects, Cast& result);
 
 /// The first hit of one sphere and one triangle. t has a relative error of at most 2^-26; it is 0 for none and invalid.
 struct FirstHit {

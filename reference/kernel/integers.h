@@ -12,8 +12,11 @@
 #include <cstdint>
 #include <utility>
 
+#include "reference/kernel/cylinder.h"
 #include "reference/kernel/fixed.h"
+#include "reference/kernel/order.h"
 #include "reference/kernel/ray.h"
+#include "reference/numbers/rational.h"
 
 namespace reference::kernel {
 
@@ -105,6 +108,7 @@ struct Scales {
     Scale directions;
 
     int bits() const { return std::max(lengths.bits(), directions.bits()); }
+    int exponent_of_t() const { return lengths.exponent() - directions.exponent(); }
     bool are_near_one() const { return lengths.is_near_one() && directions.is_near_one(); }
 
     /// The same ray or object with all sizes near 1. Numbers that become subnormal are rounded. That error is at most
@@ -134,6 +138,11 @@ struct Scales {
     }
     void cover(const Triangle<double>& triangle) {
         for (const Vec3<double>& vertex : {triangle.A, triangle.B, triangle.C}) lengths.cover(vertex);
+    }
+    void cover(const Cylinder<double>& cylinder) {
+        lengths.cover(cylinder.center);
+        lengths.cover(cylinder.radius);
+        lengths.cover(cylinder.height);
     }
 };
 
@@ -188,27 +197,18 @@ auto in_whole_numbers(const Scales& scales, Decide decide) {
     return decide(Whole<Integer>(scales));
 }
 
-/// a t² + 2 h t + c = 0, the quadratic of a ray and a sphere.
-template <class A, class H, class C>
-struct HalfQuadratic {
-    A a;
-    H h;
-    C c;
-    /// A quarter of the discriminant.
-    auto D() const { return h * h - a * c; }
-    /// For a sphere that is hit: whether t is the smaller root.
-    bool smaller_is_first() const { return sign_of(c) > 0 || (sign_of(c) == 0 && sign_of(h) < 0); }
-};
-
-template <class A, class H, class C>
-HalfQuadratic(A, H, C) -> HalfQuadratic<A, H, C>;
-
 template <class N>
 auto quadratic_of(const Whole<N>& whole, const Ray<double>& ray, const Sphere<double>& sphere) {
     const auto d = whole.direction(ray.direction);
     const auto f = whole.place(ray.origin) - whole.place(sphere.center);
     const auto R = whole.length(sphere.radius);
     return HalfQuadratic{dot(d, d), dot(d, f), dot(f, f) - R * R};
+}
+
+inline CylinderForm<Integer> cylinder_form_of(const Whole<Integer>& whole, const Ray<double>& ray,
+                                              const Cylinder<double>& cylinder) {
+    return cylinder_form(whole.place(ray.origin) - whole.place(cylinder.center), whole.direction(ray.direction),
+                         whole.length(cylinder.radius), whole.length(cylinder.height));
 }
 
 /// Cramer's rule for A + u(B-A) + v(C-A) = S + tV, each determinant computed on request.
@@ -234,6 +234,19 @@ auto determinants_of(const Whole<N>& whole, const Ray<double>& ray, const Triang
     const auto A = whole.place(triangle.A);
     return Determinants{whole.direction(ray.direction), whole.place(triangle.B) - A, whole.place(triangle.C) - A,
                         whole.place(ray.origin) - A};
+}
+
+/// numerator / det * 2^exponent, correctly rounded.
+inline double exact_quotient(const Integer& numerator, const Integer& det, int exponent) {
+    Rational x(numerator.value(), det.value());
+    x.canonicalize();
+    const auto bits = static_cast<mp_bitcnt_t>(std::abs(exponent));
+    if (exponent < 0) {
+        x >>= bits;
+    } else {
+        x <<= bits;
+    }
+    return enclose(x).nearest;
 }
 
 }  // namespace reference::kernel

@@ -55,6 +55,21 @@ void append(Text& text, const kernel::TriangleHit& triangle) {
     append(text, "}");
 }
 
+void append(Text& text, const kernel::CylinderHit& cylinder) {
+    switch (cylinder.result) {
+        case kernel::CylinderResult::hit: append(text, R"({"result":"hit","t":)"); break;
+        case kernel::CylinderResult::tangent: append(text, R"({"result":"tangent","t":)"); break;
+        case kernel::CylinderResult::miss: return append(text, R"({"result":"miss"})");
+        case kernel::CylinderResult::invalid: return append(text, R"({"result":"invalid"})");
+    }
+    append(text, cylinder.t);
+    switch (cylinder.part) {
+        case kernel::CylinderPart::tube: return append(text, R"(,"part":"tube"})");
+        case kernel::CylinderPart::top: return append(text, R"(,"part":"top"})");
+        case kernel::CylinderPart::bottom: return append(text, R"(,"part":"bottom"})");
+    }
+}
+
 template <class Hit>
 void append(Text& text, const std::vector<Hit>& hits) {
     for (std::size_t i = 0; i < hits.size(); ++i) {
@@ -67,6 +82,7 @@ void append(Text& text, const kernel::First& first) {
     switch (first.kind) {
         case kernel::First::Kind::sphere: fmt::format_to(fmt::appender(text), "sphere {}", first.index); break;
         case kernel::First::Kind::triangle: fmt::format_to(fmt::appender(text), "triangle {}", first.index); break;
+        case kernel::First::Kind::cylinder: fmt::format_to(fmt::appender(text), "cylinder {}", first.index); break;
         case kernel::First::Kind::tie: append(text, "tie"); break;
         case kernel::First::Kind::none: append(text, "none"); break;
         case kernel::First::Kind::invalid: append(text, "invalid"); break;
@@ -78,6 +94,10 @@ void append(Text& text, const kernel::Cast& cast) {
     append(text, cast.spheres);
     append(text, R"(],"triangles":[)");
     append(text, cast.triangles);
+    if (!cast.cylinders.empty()) {
+        append(text, R"(],"cylinders":[)");
+        append(text, cast.cylinders);
+    }
     append(text, R"(],"first":")");
     append(text, cast.first);
     append(text, "\"}\n");
@@ -102,7 +122,7 @@ long cast(std::istream& queries, std::ostream& answers) {
         text.clear();
         try {
             reader.read(line, query);
-            kernel::cast_ray(query.ray, query.spheres, query.triangles, cast);
+            kernel::cast_ray(query.ray, query.objects, cast);
             append(text, cast);
         } catch (const MalformedQuery& error) {
             ++malformed;

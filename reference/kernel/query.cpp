@@ -75,6 +75,30 @@ Sphere<double> sphere(const json::element& element) {
     return {*center, *radius};
 }
 
+Cylinder<double> cylinder(const json::element& element) {
+    json::object fields;
+    if (element.get(fields) != simdjson::SUCCESS) throw MalformedQuery("a cylinder must be an object");
+    std::optional<Vec3<double>> center;
+    std::optional<double> radius;
+    std::optional<double> height;
+    for (const auto& [key, value] : fields) {
+        if (key == "center" && !center) {
+            center = point(value, "center");
+        } else if (key == "radius" && !radius) {
+            radius = number(value, "radius");
+        } else if (key == "height" && !height) {
+            height = number(value, "height");
+        } else {
+            throw MalformedQuery(
+                fmt::format("a cylinder has one center, one radius and one height; \"{}\" is none or double", key));
+        }
+    }
+    if (!center || !radius || !height) {
+        throw MalformedQuery("a cylinder must have a center, a radius and a height");
+    }
+    return {*center, *radius, *height};
+}
+
 Triangle<double> triangle(const json::element& element) {
     const json::array vertices = array(element, "a triangle");
     if (vertices.size() != 3) throw MalformedQuery("a triangle must have three vertices");
@@ -90,25 +114,33 @@ Triangle<double> triangle(const json::element& element) {
 }
 
 /// The keys of a query that were already read; each may occur once.
-enum Key : unsigned { origin = 1, direction = 2, spheres = 4, triangles = 8 };
+enum Key : unsigned { origin = 1, direction = 2, spheres = 4, triangles = 8, cylinders = 16 };
 
 Key key_of(std::string_view name) {
     if (name == "origin") return origin;
     if (name == "direction") return direction;
     if (name == "spheres") return spheres;
     if (name == "triangles") return triangles;
-    throw MalformedQuery(fmt::format("\"{}\" is not a key; there are origin, direction, spheres and triangles", name));
+    if (name == "cylinders") return cylinders;
+    throw MalformedQuery(
+        fmt::format("\"{}\" is not a key; there are origin, direction, spheres, triangles and cylinders", name));
 }
 
 void read_value(Key key, const json::element& value, CastQuery& query) {
+    kernel::Objects& objects = query.objects;
     switch (key) {
         case origin: query.ray.origin = point(value, "origin"); break;
         case direction: query.ray.direction = point(value, "direction"); break;
         case spheres:
-            for (const json::element& element : array(value, "spheres")) query.spheres.push_back(sphere(element));
+            for (const json::element& element : array(value, "spheres")) objects.spheres.push_back(sphere(element));
             break;
         case triangles:
-            for (const json::element& element : array(value, "triangles")) query.triangles.push_back(triangle(element));
+            for (const json::element& element : array(value, "triangles"))
+                objects.triangles.push_back(triangle(element));
+            break;
+        case cylinders:
+            for (const json::element& element : array(value, "cylinders"))
+                objects.cylinders.push_back(cylinder(element));
             break;
     }
 }
@@ -143,8 +175,9 @@ CastQueryReader::CastQueryReader() : parser_(std::make_unique<Parser>()) {}
 CastQueryReader::~CastQueryReader() = default;
 
 void CastQueryReader::read(const std::string& line, CastQuery& query) {
-    query.spheres.clear();
-    query.triangles.clear();
+    query.objects.spheres.clear();
+    query.objects.triangles.clear();
+    query.objects.cylinders.clear();
     json::element root;
     auto error = parser_->json.parse(line).get(root);
     if (error == simdjson::NUMBER_ERROR) error = parser_->json.parse(with_exponents(line)).get(root);

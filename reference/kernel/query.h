@@ -6,14 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "reference/kernel/ray.h"
+#include "reference/kernel/first.h"
 
 namespace reference {
 
 struct CastQuery {
     kernel::Ray<double> ray;
-    std::vector<Sphere<double>> spheres;
-    std::vector<Triangle<double>> triangles;
+    kernel::Objects objects;
 };
 
 /// The line is not a valid query; what() says why.

@@ -2,7 +2,6 @@
 
 #include "reference/kernel/double_double.h"
 #include "reference/kernel/integers.h"
-#include "reference/numbers/rational.h"
 #include "reference/stages/triangle.h"
 
 namespace reference::kernel {
@@ -42,19 +41,6 @@ std::optional<double> quotient(const DoubleDouble& numerator, const DoubleDouble
     return static_cast<double>(numerator / det);
 }
 
-/// numerator / det * 2^exponent, correctly rounded.
-double exact_quotient(const Integer& numerator, const Integer& det, long exponent) {
-    Rational x(numerator.value(), det.value());
-    x.canonicalize();
-    const auto bits = static_cast<mp_bitcnt_t>(std::abs(exponent));
-    if (exponent < 0) {
-        x >>= bits;
-    } else {
-        x <<= bits;
-    }
-    return enclose(x).nearest;
-}
-
 struct Decision {
     TriangleResult result;
     bool is_at_start;  ///< a hit with t = 0, e.g. where the picture's plane is the triangle's plane
@@ -73,8 +59,7 @@ TriangleHit solve(const Ray<double>& ray, const Triangle<double>& triangle, bool
     const Scales scales(ray, triangle);
     const auto exact = determinants_of(Whole<Integer>(scales), ray, triangle);
     const Integer det = exact.det();
-    return {TriangleResult::hit,
-            exact_quotient(exact.t(), det, long{scales.lengths.exponent()} - scales.directions.exponent()),
+    return {TriangleResult::hit, exact_quotient(exact.t(), det, scales.exponent_of_t()),
             exact_quotient(exact.u(), det, 0), exact_quotient(exact.v(), det, 0)};
 }
 

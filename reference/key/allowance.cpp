@@ -73,6 +73,10 @@ class Formulations {
     void add_sphere(const AffineVec3& start, const AffineVec3& V, const Sphere<Affine>& sphere);
     void add_hits(const AffineVec3& start, const AffineVec3& V, const Sphere<Affine>& sphere,
                   const std::vector<Affine>& ts);
+    void add_cylinder(const AffineVec3& start, const AffineVec3& V, const Cylinder<Affine>& cylinder);
+    void add_tube_hits(const AffineVec3& start, const AffineVec3& V, const Cylinder<Affine>& cylinder,
+                       const std::vector<Affine>& ts);
+    void add_cap_hits(const AffineVec3& start, const AffineVec3& V, const Cylinder<Affine>& cylinder, CylinderPart cap);
     void add_triangle(const AffineVec3& start, const AffineVec3& V, const Triangle<Affine>& triangle);
 
     const Scene<Affine>& scene_;
@@ -127,6 +131,8 @@ void Formulations::add_ray(AffineVec3 start, AffineVec3 V) {
     if (!scene_.spheres.empty()) add_sphere(start, V, scene_.spheres.at(branches_.sphere_index));
     roundings_.random = of_scene_;
     if (!scene_.triangles.empty()) add_triangle(start, V, scene_.triangles.at(branches_.triangle_index));
+    roundings_.random = of_scene_;
+    if (!scene_.cylinders.empty()) add_cylinder(start, V, scene_.cylinders.at(branches_.cylinder_index));
     roundings_.random = of_ray;
 }
 
@@ -177,6 +183,51 @@ void Formulations::add_triangle(const AffineVec3& start, const AffineVec3& V, co
                    scaled(triangle.A, sum(Affine(1), -u, -v)) + scaled(triangle.B, u) + scaled(triangle.C, v));
         ways.next();
     }
+}
+
+void Formulations::add_cylinder(const AffineVec3& start, const AffineVec3& V, const Cylinder<Affine>& cylinder) {
+    const CylinderPart part = branches_.cylinder_part;
+    const RootChoice choice = tube_root(part);
+    const bool hits_tube = choice == RootChoice::smaller || choice == RootChoice::larger;
+    const std::vector<Quadratic<Affine>> all = tube_quadratics(start, V, cylinder, roundings_);
+    Alternatives ways(roundings_);
+    for (const Quadratic<Affine>& quadratic : all) {
+        hulls_.add(item::cylinder::a, quadratic.a);
+        hulls_.add(item::cylinder::b, quadratic.b);
+        hulls_.add(item::cylinder::c, quadratic.c);
+        hulls_.add(item::cylinder::d, quadratic.d);
+        if (hits_tube) add_tube_hits(start, V, cylinder, quadratic_roots(quadratic, choice, roundings_));
+        ways.next();
+    }
+    if (hits_tube) add_tube_hits(start, V, cylinder, geometric_tube_roots(start, V, cylinder, choice, roundings_));
+    ways.next();
+    const bool hits_cap = part == CylinderPart::top_cap || part == CylinderPart::bottom_cap;
+    if (hits_cap) {
+        add_cap_hits(start, V, cylinder, part);
+        hulls_.add(item::cylinder::normal,
+                   AffineVec3(Affine(), Affine(part == CylinderPart::top_cap ? 1 : -1), Affine()));
+    }
+    if (branches_.rim_cap) add_cap_hits(start, V, cylinder, *branches_.rim_cap);
+}
+
+void Formulations::add_tube_hits(const AffineVec3& start, const AffineVec3& V, const Cylinder<Affine>& cylinder,
+                                 const std::vector<Affine>& ts) {
+    Alternatives ways(roundings_);
+    for (const Affine& t : ts) {
+        const AffineVec3 hit = point_on_ray(start, V, t);
+        hulls_.add(item::cylinder::t, t);
+        hulls_.add(item::cylinder::hit, hit);
+        for (const AffineVec3& normal : tube_normals(hit, cylinder, roundings_))
+            hulls_.add(item::cylinder::normal, normal);
+        ways.next();
+    }
+}
+
+void Formulations::add_cap_hits(const AffineVec3& start, const AffineVec3& V, const Cylinder<Affine>& cylinder,
+                                CylinderPart cap) {
+    const CapHit met = cap_hit(start, V, cylinder, cap);
+    hulls_.add(item::cylinder::t, met.t);
+    for (const AffineVec3& hit : met.hits) hulls_.add(item::cylinder::hit, hit);
 }
 
 std::map<ItemId, ItemBounds> bounds_of(const Scene<Rational>& exact, PixelConvention convention,

@@ -4,6 +4,7 @@
 
 #include <compare>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,13 +14,16 @@
 
 namespace reference {
 
-/// What the exact decisions chose: the objects asked about and the root. A program that decides otherwise is not
-/// covered by an allowance, but by the boundary policy and by follow-through from its own values.
+/// What the exact decisions chose: the objects asked about, the root and the part. A program that decides otherwise is
+/// not covered by an allowance, but by the boundary policy and by follow-through from its own values.
 struct Branches {
     std::size_t sphere_index = 0;
     RootChoice root = RootChoice::miss;
     std::size_t triangle_index = 0;
     bool triangle_has_solution = false;  ///< det is not 0
+    std::size_t cylinder_index = 0;
+    CylinderPart cylinder_part = CylinderPart::miss;
+    std::optional<CylinderPart> rim_cap = {};  ///< the cap whose rim the ray hits
 
     friend auto operator<=>(const Branches&, const Branches&) = default;
 };

@@ -16,7 +16,7 @@ namespace {
 
 std::string_view to_string(PixelConvention convention) {
     switch (convention) {
-        case PixelConvention::centre: return "centre";
+        case PixelConvention::centre: return "center";
         case PixelConvention::grid: return "grid";
         case PixelConvention::corner: return "corner";
     }
@@ -38,19 +38,26 @@ std::vector<Reading> accepted_readings(const Rubric& rubric) {
     return readings;
 }
 
-KeyItem& item_of(AnswerKey& key, const ItemSpec& spec) {
-    if (key.questions.empty() || key.questions.back().number < spec.question)
-        key.questions.push_back({spec.question, {}});
-    const auto question = std::find_if(key.questions.begin(), key.questions.end(),
-                                       [&](const KeyQuestion& q) { return q.number == spec.question; });
-    const auto item = std::find_if(question->items.begin(), question->items.end(),
-                                   [&](const KeyItem& i) { return i.spec.name == spec.name; });
-    return item == question->items.end() ? question->items.emplace_back(KeyItem{spec, {}}) : *item;
+/// The scene's items that no question asks for.
+std::vector<ItemSpec> items_not_asked(std::span<const ItemSpec> asked) {
+    std::vector<ItemSpec> others;
+    for (const Item& item : known_items()) {
+        if (std::ranges::find(asked, item.id, &ItemSpec::id) == asked.end())
+            others.push_back({0, item.full_name, item.shape, item.id.subject, item.label, item.id});
+    }
+    return others;
 }
 
-void add_answers(AnswerKey& key, const ReadingAnswers& run) {
-    for (const ItemSpec& spec : all_items()) {
-        const auto found = run.answers.find({spec.question, spec.name});
+void add_answer(std::vector<KeyItem>& items, const ItemSpec& spec, const Answer& answer) {
+    auto item = std::ranges::find(items, spec.id, [](const KeyItem& each) { return each.spec.id; });
+    if (item == items.end()) item = items.insert(items.end(), {spec, {}});
+    if (std::ranges::find(item->answers, answer.value, &Answer::value) == item->answers.end())
+        item->answers.push_back(answer);
+}
+
+void add_answers(AnswerKey& key, const ReadingAnswers& run, std::span<const ItemSpec> asked) {
+    for (const ItemSpec& spec : asked) {
+        const auto found = run.answers.find(spec.id);
         if (found == run.answers.end()) continue;
         if (!is_finite(found->second.value)) {
             throw std::domain_error(
@@ -58,10 +65,12 @@ void add_answers(AnswerKey& key, const ReadingAnswers& run) {
                             "objects of the scene",
                             key.assignment, spec.question, spec.name));
         }
-        std::vector<Answer>& answers = item_of(key, spec).answers;
-        const bool known = std::any_of(answers.begin(), answers.end(),
-                                       [&](const Answer& answer) { return answer.value == found->second.value; });
-        if (!known) answers.push_back(found->second);
+        add_answer(std::ranges::find(key.questions, spec.question, &KeyQuestion::number)->items, spec, found->second);
+    }
+    for (const ItemSpec& spec : items_not_asked(asked)) {
+        const auto found = run.answers.find(spec.id);
+        if (found != run.answers.end() && is_finite(found->second.value))
+            add_answer(key.not_asked, spec, found->second);
     }
 }
 
@@ -71,7 +80,8 @@ void note_policy(AnswerKey& key) {
     for (const KeyQuestion& question : key.questions) {
         for (const KeyItem& item : question.items) {
             for (const Answer& answer : item.answers) {
-                boundary = boundary || answer.reading.boundary != key.canonical.boundary;
+                boundary = boundary || answer.reading.boundary != key.canonical.boundary ||
+                           answer.reading.rim != key.canonical.rim;
                 convention = convention || answer.reading.convention != key.canonical.convention;
             }
         }
@@ -95,7 +105,7 @@ template <class S>
 ReadingAnswers answer_in(const Assignment& assignment, const Reading& reading) {
     const Scene<S> scene = convert_scene<S>(assignment.scene, [](const Decimal& x) { return scalar_from<S>(x); });
     const SceneAnswers<S> answers = answer_scene(scene, reading.convention, reading.boundary);
-    ReadingAnswers result{decisions_of(answers), {}};
+    ReadingAnswers result{decisions_of(answers), {}, normal_of_rim_cap(answers)};
     for (const auto& [id, value] : values_of(answers, reading.boundary)) result.answers[id] = {plain(value), reading};
     return result;
 }
@@ -115,12 +125,24 @@ std::vector<ReadingAnswers> answer_at(Precision precision, const Assignment& ass
 }
 
 void refuse_unsure(const Decisions& decisions, const Assignment& assignment, Precision precision) {
-    for (const std::string& decision : {decisions.sphere, decisions.triangle, decisions.first}) {
+    for (const std::string& decision : {decisions.sphere, decisions.triangle, decisions.cylinder, decisions.first}) {
         if (decision == "unsure") {
             throw std::domain_error(fmt::format("{}: whether the ray hits can't be decided at {} precision",
                                                 assignment.name, reference::to_string(precision)));
         }
     }
+}
+
+/// The same answers, but the normal that of the cap, where the rubric leaves the boundary open and the ray hits a rim.
+std::optional<ReadingAnswers> answers_at_rim(const ReadingAnswers& run, const Rubric& rubric) {
+    if (!run.rim_cap_normal || rubric.boundary != BoundaryPolicy::either) return std::nullopt;
+    ReadingAnswers other = run;
+    for (auto& [id, answer] : other.answers) answer.reading.rim = Rim::cap;
+    Answer& normal = other.answers.at(item::cylinder::normal);
+    const Numbers& exact = *run.rim_cap_normal;
+    if (!normal.lo.empty()) normal = {exact, normal.reading, exact, exact, Numbers(3, 0.0)};
+    normal.value = exact;
+    return other;
 }
 
 /// A tolerance below the error of a correct program would cost that program its marks.
@@ -162,17 +184,29 @@ std::string reason(const Answer& answer, const AnswerKey& key) {
         phrase += phrase.empty() ? "" : ", and ";
         phrase += "the rubric accepts either reading of \"t is positive\" here";
     }
+    if (answer.reading.rim != key.canonical.rim) {
+        phrase += phrase.empty() ? "" : ", and ";
+        phrase += "the ray hits the cylinder's rim, which belongs to the tube and to the cap";
+    }
     return phrase;
 }
 
 AnswerKey make_key(const Assignment& assignment, Precision precision) {
     const std::vector<Reading> readings = accepted_readings(assignment.rubric);
-    AnswerKey key{assignment.name, precision, readings.front(), {}, {}, assignment.notes};
-    for (const ReadingAnswers& run : answer_at(precision, assignment, readings)) {
+    AnswerKey key{assignment.name, precision, readings.front(), {}, {}, {}, assignment.notes};
+    for (const Question& question : assignment.questions)
+        key.questions.push_back({question.number, question.title, {}});
+    const std::vector<ReadingAnswers> runs = answer_at(precision, assignment, readings);
+    key.decisions = runs.front().decisions;
+    for (const ReadingAnswers& run : runs) {
         refuse_unsure(run.decisions, assignment, precision);
-        if (key.questions.empty()) key.decisions = run.decisions;
-        add_answers(key, run);
+        add_answers(key, run, asked_items(assignment.questions));
     }
+    for (const ReadingAnswers& run : runs) {
+        if (const auto other = answers_at_rim(run, assignment.rubric))
+            add_answers(key, *other, asked_items(assignment.questions));
+    }
+    std::erase_if(key.questions, [](const KeyQuestion& question) { return question.items.empty(); });
     note_policy(key);
     if (precision != Precision::certified) return key;
     refuse_narrow_tolerance(key, assignment.rubric);
@@ -185,7 +219,8 @@ std::string_view sentence(Verdict verdict) {
     switch (verdict) {
         case Verdict::triangle_first: return "ray hits triangle first";
         case Verdict::sphere_first: return "ray hits sphere first";
-        case Verdict::tie: return "ray hits sphere and triangle at the same t";
+        case Verdict::cylinder_first: return "ray hits cylinder first";
+        case Verdict::tie: return "ray hits two objects at the same t";
         case Verdict::no_hit: return "ray hits nothing";
     }
     return "";

@@ -17,10 +17,14 @@ using Numbers = std::vector<double>;
 
 using Value = ItemValue<double>;
 
+/// Which part of a cylinder a point of a rim belongs to.
+enum class Rim { tube, cap };
+
 /// How a right program may interpret what the handout leaves open.
 struct Reading {
     PixelConvention convention;
     Boundary boundary;
+    Rim rim = Rim::tube;
 };
 
 /// One right answer to an item, and the reading of the handout that gives it.
@@ -41,8 +45,9 @@ struct KeyItem {
 };
 
 struct KeyQuestion {
-    int number;  ///< the handout's, 1 to 10
-    std::vector<KeyItem> items;
+    int number;  ///< the assignment's
+    std::string title;
+    std::vector<KeyItem> items;  ///< at least one
 };
 
 /// Certified decides exactly and encloses every value; its decisions are never unsure.
@@ -54,6 +59,7 @@ struct AnswerKey {
     Precision precision;
     Reading canonical;                   ///< the reading of every item's first answer
     std::vector<KeyQuestion> questions;  ///< the questions that the scene calls for, by number
+    std::vector<KeyItem> not_asked;      ///< the scene's other items, of question 0; what is asked may follow from them
     Decisions decisions;
     std::vector<std::string> notes;  ///< what an instructor should know about the scene: the Assignment's notes, and
                                      ///< which answers float leaves uncertain

@@ -11,8 +11,13 @@ namespace {
 
 Branches branches_of(const SceneAnswers<Certified>& answers) {
     Branches branches{answers.sphere_index, RootChoice::miss, answers.triangle_index, false};
+    branches.cylinder_index = answers.cylinder_index;
     if (answers.sphere) branches.root = answers.sphere->choice;
     if (answers.triangle) branches.triangle_has_solution = answers.triangle->t.has_value();
+    if (answers.cylinder) {
+        branches.cylinder_part = answers.cylinder->part;
+        branches.rim_cap = cap_at_rim(answers.cylinder->equations, answers.cylinder->part);
+    }
     return branches;
 }
 
@@ -40,7 +45,7 @@ ReadingAnswers certified_answers(CorrectPrograms& programs, const Reading& readi
     const SceneAnswers<Certified> answers =
         answer_scene(certified_scene(programs.scene()), reading.convention, reading.boundary);
     const std::map<ItemId, ItemBounds>& bounds = programs.bounds(reading.convention, branches_of(answers));
-    ReadingAnswers result{decisions_of(answers), {}};
+    ReadingAnswers result{decisions_of(answers), {}, normal_of_rim_cap(answers)};
     for (const auto& [id, value] : values_of(answers, reading.boundary)) {
         Answer& answer = result.answers[id];
         answer.reading = reading;

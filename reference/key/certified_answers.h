@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 
 #include "reference/key/answer_key.h"
 
@@ -10,7 +11,16 @@ namespace reference {
 struct ReadingAnswers {
     Decisions decisions;  ///< without policy
     std::map<ItemId, Answer> answers;
+    std::optional<Numbers> rim_cap_normal;  ///< of the cap, where the cylinder is hit at a cap's rim
 };
+
+template <class S>
+std::optional<Numbers> normal_of_rim_cap(const SceneAnswers<S>& answers) {
+    if (!answers.cylinder) return std::nullopt;
+    const std::optional<CylinderPart> cap = cap_at_rim(answers.cylinder->equations, answers.cylinder->part);
+    if (!cap) return std::nullopt;
+    return Numbers{0, *cap == CylinderPart::top_cap ? 1.0 : -1.0, 0};
+}
 
 /// Exact decisions, proven enclosures and allowances. Throws std::domain_error for a number that to_rational refuses
 /// and for a degenerate camera or triangle; parse_assignment rejects both.

@@ -221,18 +221,26 @@ std::vector<Quadratic<Affine>> quadratics(const A3& start, const A3& V, const Sp
     return result;
 }
 
-std::vector<Affine> sphere_roots(const Quadratic<Affine>& quadratic, RootChoice choice, Roundings& roundings) {
+std::vector<Affine> quadratic_roots(const Quadratic<Affine>& quadratic, RootChoice choice, Roundings& roundings) {
     const auto& [a, b, c, d] = quadratic;
     const Affine spread = sqrt(d);
     const Affine signed_spread = choice == RootChoice::smaller ? -spread : spread;
     Alternatives ways(roundings);
     std::vector<Affine> result{(signed_spread - b) / (Affine(2) * a)};
-    result.push_back((signed_spread - b) / Affine(2));
     ways.next();
     result.push_back(signed_spread / (Affine(2) * a) - b / (Affine(2) * a));
     ways.next();
     const bool cancels = choice == RootChoice::smaller ? !(sign_of(b) > 0) : !(sign_of(b) < 0);
     if (cancels) result.push_back(Affine(2) * c / (-b - signed_spread));
+    return result;
+}
+
+std::vector<Affine> sphere_roots(const Quadratic<Affine>& quadratic, RootChoice choice, Roundings& roundings) {
+    std::vector<Affine> result = quadratic_roots(quadratic, choice, roundings);
+    Alternatives ways(roundings);
+    const Affine spread = sqrt(quadratic.d);
+    const Affine signed_spread = choice == RootChoice::smaller ? -spread : spread;
+    result.push_back((signed_spread - quadratic.b) / Affine(2));
     return result;
 }
 

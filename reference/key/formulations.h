@@ -47,8 +47,11 @@ std::vector<AffineVec3> directions(const Mat4<Affine>& M, const AffineVec3& P_VC
 std::vector<Quadratic<Affine>> quadratics(const AffineVec3& start, const AffineVec3& V, const Sphere<Affine>& sphere,
                                           Roundings& roundings);
 
-/// Question 6, t, for `choice` smaller or larger: by the textbook's formula, as a sum of two quotients, and without
+/// A root, for `choice` smaller or larger: by the textbook's formula, as a sum of two quotients, and without
 /// cancellation.
+std::vector<Affine> quadratic_roots(const Quadratic<Affine>& quadratic, RootChoice choice, Roundings& roundings);
+
+/// Question 6, t: the quadratic's roots, also without dividing by a.
 std::vector<Affine> sphere_roots(const Quadratic<Affine>& quadratic, RootChoice choice, Roundings& roundings);
 
 /// Question 6, t, without a quadratic: from the ray's point that is nearest to the center.
@@ -57,6 +60,25 @@ std::vector<Affine> geometric_roots(const AffineVec3& start, const AffineVec3& V
 
 /// Question 8: t, u and v in this order.
 std::vector<AffineVec3> triangle_solutions(const LinearSystem<Affine>& system, Roundings& roundings);
+
+/// The tube's a, b, c and d: c from S - C, from its length, or from S and C each by itself.
+std::vector<Quadratic<Affine>> tube_quadratics(const AffineVec3& start, const AffineVec3& V,
+                                               const Cylinder<Affine>& cylinder, Roundings& roundings);
+
+/// The tube's t without a quadratic's c: from the ray's distance from the axis, with V as it is or normalized in x and
+/// z.
+std::vector<Affine> geometric_tube_roots(const AffineVec3& start, const AffineVec3& V, const Cylinder<Affine>& cylinder,
+                                         RootChoice choice, Roundings& roundings);
+
+/// The tube's normal: normalized, divided by the radius, or from the point of the axis at the hit's height.
+std::vector<AffineVec3> tube_normals(const AffineVec3& hit, const Cylinder<Affine>& cylinder, Roundings& roundings);
+
+/// Where a ray meets a cap's plane. The normal is a constant.
+struct CapHit {
+    Affine t;
+    std::vector<AffineVec3> hits;  ///< S + tV, and the same with the y of the plane
+};
+CapHit cap_hit(const AffineVec3& start, const AffineVec3& V, const Cylinder<Affine>& cylinder, CylinderPart cap);
 
 /// Question 9: from two edges at A, from these normalized, and from two edges at B.
 std::vector<AffineVec3> triangle_normals(const Triangle<Affine>& triangle, Roundings& roundings);

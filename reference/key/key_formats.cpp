@@ -128,6 +128,7 @@ std::string to_json(const AnswerKey& key) {
     ordered_json decisions = ordered_json::object();
     if (!key.decisions.sphere.empty()) decisions["sphere"] = key.decisions.sphere;
     if (!key.decisions.triangle.empty()) decisions["triangle"] = key.decisions.triangle;
+    if (!key.decisions.cylinder.empty()) decisions["cylinder"] = key.decisions.cylinder;
     if (!key.decisions.first.empty()) decisions["first"] = key.decisions.first;
     decisions["policy"] = key.decisions.policy;
     json["decisions"] = decisions;

@@ -67,6 +67,30 @@ std::string reason_for(Subject subject, const Scene<double>& scene, const SceneA
         reasons.push_back({1 / std::abs(dot(normalized(M[0]), normalized(cross(M[1], M[2])))),
                            "the ray runs almost in the triangle's plane", "Take another pixel, or turn the triangle"});
     }
+    if (subject == Subject::cylinder && answers.cylinder) {
+        const Cylinder<double>& cylinder = scene.cylinders.at(answers.cylinder_index);
+        const Quadratic<double>& tube = answers.cylinder->equations.tube;
+        const CylinderPart part = answers.cylinder->part;
+        const Point from_center = answers.camera.P_WCS - cylinder.center;
+        const double distance = length(from_center);
+        const double square = cylinder.radius * cylinder.radius;
+        const double far = (from_center.x * from_center.x + from_center.z * from_center.z) / square;
+        if (part == CylinderPart::top_cap || part == CylinderPart::bottom_cap) {
+            reasons.push_back({1 / std::abs(answers.camera.V.y), "the ray is almost parallel to the cylinder's caps",
+                               "Take another pixel"});
+        } else if (tube.a > 0) {
+            const double grazing = 4 * tube.a * square / std::abs(tube.d);
+            reasons.push_back({grazing > far ? grazing * far : grazing, "the ray almost touches the cylinder's tube",
+                               "Take another pixel, or move the cylinder"});
+            reasons.push_back(
+                {grazing > far ? far : grazing * far, "the cylinder is thin beside its distance", "Bring it nearer"});
+            reasons.push_back(
+                {square / std::abs(tube.c), "the ray starts almost on the cylinder's tube", "Move the cylinder"});
+            reasons.push_back({1 / tube.a, "the ray is almost parallel to the cylinder's axis", "Take another pixel"});
+        }
+        reasons.push_back({std::pow(length(cylinder.center) / distance, 2),
+                           "the coordinates are large beside the distances", "Move everything nearer to the origin"});
+    }
     const auto strongest = std::max_element(reasons.begin(), reasons.end(),
                                             [](const Reason& p, const Reason& q) { return p.factor < q.factor; });
     if (!(strongest->factor > amplifies)) return "A value is small beside the numbers that it is computed from.";
@@ -89,6 +113,7 @@ std::string_view name_of(Subject subject) {
         case Subject::camera: return "the ray";
         case Subject::sphere: return "the sphere";
         case Subject::triangle: return "the triangle";
+        case Subject::cylinder: return "the cylinder";
         case Subject::first_hit: return "the first hit";
     }
     return "";
@@ -100,7 +125,7 @@ std::vector<std::string> tell_wide_allowances(const std::vector<KeyQuestion>& qu
     const Scene<double> numbers = convert_scene<double>(scene, [](const Decimal& x) { return x.to_double(); });
     const SceneAnswers<double> answers = answer_scene(numbers, PixelConvention::centre, Boundary::nonnegative);
     std::vector<std::string> paragraphs;
-    for (const Subject subject : {Subject::camera, Subject::sphere, Subject::triangle}) {
+    for (const Subject subject : {Subject::camera, Subject::sphere, Subject::triangle, Subject::cylinder}) {
         std::string off, any;
         for (const KeyQuestion& question : questions) {
             for (const KeyItem& item : question.items) {

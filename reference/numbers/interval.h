@@ -89,12 +89,12 @@ class Interval {
     /// std::nextafter(x, infinity), inlined, because calls of it would take most of an interval's time. The bits of
     /// floats, read as integers, are ordered by their sizes.
     static T above(T x) {
-        using Bits = std::conditional_t<std::is_same_v<T, float>, std::uint32_t, std::uint64_t>;
-        static_assert(sizeof(Bits) == sizeof(T));
+        using Word = std::conditional_t<std::is_same_v<T, float>, std::uint32_t, std::uint64_t>;
+        static_assert(sizeof(Word) == sizeof(T));
         if (!(x < infinity)) return x;  // infinity, NaN
         if (x == 0) return std::numeric_limits<T>::denorm_min();
-        const auto bits = std::bit_cast<Bits>(x);
-        return std::bit_cast<T>(static_cast<Bits>(x > 0 ? bits + 1 : bits - 1));
+        const auto bits = std::bit_cast<Word>(x);
+        return std::bit_cast<T>(static_cast<Word>(x > 0 ? bits + 1 : bits - 1));
     }
 
     /// The hull of four bounds, widened. A NaN among them, from 0 * infinity, makes it the whole line.

@@ -80,7 +80,20 @@ ItemValues<S> values_of(const SceneAnswers<S>& answers, Boundary boundary) {
         values[item::triangle::hit] = no_hit_at_start ? ItemValue<S>() : present<S>(triangle.hit);
         values[item::triangle::normal] = components(triangle.normal);
     }
-    if (answers.sphere && answers.triangle && answers.verdict) values[item::verdict] = *answers.verdict;
+    if (answers.cylinder) {
+        const CylinderAnswers<S>& cylinder = *answers.cylinder;
+        const Quadratic<S>& tube = cylinder.equations.tube;
+        values[item::cylinder::a] = components(tube.a);
+        values[item::cylinder::b] = components(tube.b);
+        values[item::cylinder::c] = components(tube.c);
+        values[item::cylinder::d] = components(tube.d);
+        values[item::cylinder::t] = present<S>(cylinder.t);
+        values[item::cylinder::hit] = present<S>(cylinder.hit);
+        values[item::cylinder::normal] = present<S>(cylinder.normal);
+    }
+    // With one kind of object nothing is to be compared.
+    const int kinds = (answers.sphere ? 1 : 0) + (answers.triangle ? 1 : 0) + (answers.cylinder ? 1 : 0);
+    if (kinds > 1 && answers.verdict) values[item::verdict] = *answers.verdict;
     return values;
 }
 

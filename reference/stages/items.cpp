@@ -1,48 +1,113 @@
 #include "reference/stages/items.h"
 
+#include <algorithm>
 #include <array>
 
 namespace reference {
 namespace {
 
 constexpr std::array items = {
-    ItemSpec{1, "P_VCS", Shape::vector, Subject::camera, "Pixel in VCS"},
-    ItemSpec{2, "X_vcs", Shape::vector, Subject::camera, "X_vcs"},
-    ItemSpec{2, "Y_vcs", Shape::vector, Subject::camera, "Y_vcs"},
-    ItemSpec{2, "Z_vcs", Shape::vector, Subject::camera, "Z_vcs"},
-    ItemSpec{3, "M_VCS_to_WCS", Shape::matrix4, Subject::camera, "M_VCS_to_WCS"},
-    ItemSpec{4, "P_WCS", Shape::vector, Subject::camera, "Pixel in WCS"},
-    ItemSpec{5, "V", Shape::vector, Subject::camera, "V"},
-    ItemSpec{6, "a", Shape::scalar, Subject::sphere, "a"},
-    ItemSpec{6, "b", Shape::scalar, Subject::sphere, "b"},
-    ItemSpec{6, "c", Shape::scalar, Subject::sphere, "c"},
-    ItemSpec{6, "d", Shape::scalar, Subject::sphere, "d"},
-    ItemSpec{6, "t", Shape::scalar, Subject::sphere, "t"},
-    ItemSpec{6, "hit", Shape::vector, Subject::sphere, "P_s"},
-    ItemSpec{7, "normal", Shape::vector, Subject::sphere, "N"},
-    ItemSpec{8, "matrix", Shape::matrix3, Subject::triangle, "Matrix A, columns t u v"},
-    ItemSpec{8, "rhs", Shape::vector, Subject::triangle, "Right-hand side"},
-    ItemSpec{8, "t", Shape::scalar, Subject::triangle, "t"},
-    ItemSpec{8, "u", Shape::scalar, Subject::triangle, "u"},
-    ItemSpec{8, "v", Shape::scalar, Subject::triangle, "v"},
-    ItemSpec{8, "hit", Shape::vector, Subject::triangle, "P_t"},
-    ItemSpec{9, "normal", Shape::vector, Subject::triangle, "N"},
-    ItemSpec{10, "verdict", Shape::verdict, Subject::first_hit, ""},
+    Item{item::P_VCS, "P_VCS", Shape::vector, "Pixel in VCS"},
+    Item{item::X_vcs, "X_vcs", Shape::vector, "X_vcs"},
+    Item{item::Y_vcs, "Y_vcs", Shape::vector, "Y_vcs"},
+    Item{item::Z_vcs, "Z_vcs", Shape::vector, "Z_vcs"},
+    Item{item::M_VCS_to_WCS, "M_VCS_to_WCS", Shape::matrix4, "M_VCS_to_WCS"},
+    Item{item::P_WCS, "P_WCS", Shape::vector, "Pixel in WCS"},
+    Item{item::V, "V", Shape::vector, "V"},
+    Item{item::sphere::a, "sphere.a", Shape::scalar, "a"},
+    Item{item::sphere::b, "sphere.b", Shape::scalar, "b"},
+    Item{item::sphere::c, "sphere.c", Shape::scalar, "c"},
+    Item{item::sphere::d, "sphere.d", Shape::scalar, "d"},
+    Item{item::sphere::t, "sphere.t", Shape::scalar, "t"},
+    Item{item::sphere::hit, "sphere.hit", Shape::vector, "P_s"},
+    Item{item::sphere::normal, "sphere.normal", Shape::vector, "N"},
+    Item{item::triangle::matrix, "triangle.matrix", Shape::matrix3, "Matrix A, columns t u v"},
+    Item{item::triangle::rhs, "triangle.rhs", Shape::vector, "Right-hand side"},
+    Item{item::triangle::t, "triangle.t", Shape::scalar, "t"},
+    Item{item::triangle::u, "triangle.u", Shape::scalar, "u"},
+    Item{item::triangle::v, "triangle.v", Shape::scalar, "v"},
+    Item{item::triangle::hit, "triangle.hit", Shape::vector, "P_t"},
+    Item{item::triangle::normal, "triangle.normal", Shape::vector, "N"},
+    Item{item::cylinder::a, "cylinder.a", Shape::scalar, "a"},
+    Item{item::cylinder::b, "cylinder.b", Shape::scalar, "b"},
+    Item{item::cylinder::c, "cylinder.c", Shape::scalar, "c"},
+    Item{item::cylinder::d, "cylinder.d", Shape::scalar, "d"},
+    Item{item::cylinder::t, "cylinder.t", Shape::scalar, "t"},
+    Item{item::cylinder::hit, "cylinder.hit", Shape::vector, "P_c"},
+    Item{item::cylinder::normal, "cylinder.normal", Shape::vector, "N"},
+    Item{item::verdict, "first_hit", Shape::verdict, ""},
 };
 
-constexpr std::array<std::string_view, 10> titles = {
-    "pixel in VCS",   "basis vectors of VCS", "M_VCS_to_WCS",     "pixel in WCS",    "ray direction",
-    "ray and sphere", "sphere normal",        "ray and triangle", "triangle normal", "first hit",
-};
+bool has_its_name_twice(const Question& question, const ItemId& id) {
+    return std::ranges::count(question.items, id.name, &ItemId::name) > 1;
+}
 
 }  // namespace
 
-std::span<const ItemSpec> all_items() {
+std::string_view to_string(Subject subject) {
+    switch (subject) {
+        case Subject::camera: return "camera";
+        case Subject::sphere: return "sphere";
+        case Subject::triangle: return "triangle";
+        case Subject::cylinder: return "cylinder";
+        case Subject::first_hit: return "first_hit";
+    }
+    return "";
+}
+
+std::span<const Item> known_items() {
     return items;
 }
 
-std::string_view question_title(int question) {
-    return titles.at(static_cast<std::size_t>(question - 1));
+const Item* find_item(std::string_view full_name) {
+    const auto found = std::ranges::find(items, full_name, &Item::full_name);
+    return found == items.end() ? nullptr : &*found;
+}
+
+const Item& item_of(const ItemId& id) {
+    return *std::ranges::find(items, id, &Item::id);
+}
+
+const std::vector<Question>& default_questions() {
+    static const std::vector<Question> questions = {
+        {1, "pixel in VCS", {item::P_VCS}},
+        {2, "basis vectors of VCS", {item::X_vcs, item::Y_vcs, item::Z_vcs}},
+        {3, "M_VCS_to_WCS", {item::M_VCS_to_WCS}},
+        {4, "pixel in WCS", {item::P_WCS}},
+        {5, "ray direction", {item::V}},
+        {6,
+         "ray and sphere",
+         {item::sphere::a, item::sphere::b, item::sphere::c, item::sphere::d, item::sphere::t, item::sphere::hit}},
+        {7, "sphere normal", {item::sphere::normal}},
+        {8,
+         "ray and triangle",
+         {item::triangle::matrix, item::triangle::rhs, item::triangle::t, item::triangle::u, item::triangle::v,
+          item::triangle::hit}},
+        {9, "triangle normal", {item::triangle::normal}},
+        {10, "first hit", {item::verdict}},
+    };
+    return questions;
+}
+
+int last_question(const std::vector<Question>& questions) {
+    return questions.empty() ? 0 : std::ranges::max(questions, {}, &Question::number).number;
+}
+
+std::vector<ItemSpec> asked_items(const std::vector<Question>& questions) {
+    std::vector<ItemSpec> specs;
+    for (const Question& question : questions) {
+        for (const ItemId& id : question.items) {
+            const Item& item = item_of(id);
+            const std::string_view name = has_its_name_twice(question, id) ? item.full_name : id.name;
+            specs.push_back({question.number, name, item.shape, id.subject, item.label, id});
+        }
+    }
+    return specs;
+}
+
+std::span<const ItemSpec> default_items() {
+    static const std::vector<ItemSpec> specs = asked_items(default_questions());
+    return specs;
 }
 
 int component_count(Shape shape) {

@@ -1,9 +1,11 @@
-// What the handout's ten questions ask for, item by item.
+// What an assignment may ask for, item by item, and in which questions it asks.
 #pragma once
 
+#include <compare>
 #include <span>
+#include <string>
 #include <string_view>
-#include <utility>
+#include <vector>
 
 namespace reference {
 
@@ -12,62 +14,113 @@ enum class Shape {
     vector,   ///< three components
     matrix3,  ///< 3 x 3
     matrix4,  ///< 4 x 4
-    verdict,  ///< question 10's sentence
+    verdict,  ///< the sentence about what is hit first
 };
 
 /// Which part of the scene an item is about: without that part it is not asked.
-enum class Subject { camera, sphere, triangle, first_hit };
+enum class Subject { camera, sphere, triangle, cylinder, first_hit };
 
-struct ItemSpec {
-    int question;           ///< 1 to 10
-    std::string_view name;  ///< unique within its question, e.g. "P_VCS", "t", "hit"
-    Shape shape;
-    Subject subject;
-    std::string_view label;  ///< as the reference run prints it
+/// The kinds of object that a ray may hit, in the order of the tables.
+inline constexpr Subject objects[] = {Subject::sphere, Subject::triangle, Subject::cylinder};
+
+/// "camera", "sphere", …, as assignments name it.
+std::string_view to_string(Subject subject);
+
+/// What an item is: the part of the scene and the item's name there, unique among those of its part.
+struct ItemId {
+    Subject subject = Subject::camera;
+    std::string_view name = {};  ///< e.g. "P_VCS", "t", "hit"; of static storage
+
+    friend auto operator<=>(const ItemId&, const ItemId&) = default;
 };
-
-/// Question and name, as in ItemSpec.
-using ItemId = std::pair<int, std::string_view>;
 
 /// The ids of all items.
 namespace item {
-inline constexpr ItemId P_VCS{1, "P_VCS"};
-inline constexpr ItemId X_vcs{2, "X_vcs"};
-inline constexpr ItemId Y_vcs{2, "Y_vcs"};
-inline constexpr ItemId Z_vcs{2, "Z_vcs"};
-inline constexpr ItemId M_VCS_to_WCS{3, "M_VCS_to_WCS"};
-inline constexpr ItemId P_WCS{4, "P_WCS"};
-inline constexpr ItemId V{5, "V"};
+inline constexpr ItemId P_VCS{Subject::camera, "P_VCS"};
+inline constexpr ItemId X_vcs{Subject::camera, "X_vcs"};
+inline constexpr ItemId Y_vcs{Subject::camera, "Y_vcs"};
+inline constexpr ItemId Z_vcs{Subject::camera, "Z_vcs"};
+inline constexpr ItemId M_VCS_to_WCS{Subject::camera, "M_VCS_to_WCS"};
+inline constexpr ItemId P_WCS{Subject::camera, "P_WCS"};
+inline constexpr ItemId V{Subject::camera, "V"};
 namespace sphere {
-inline constexpr ItemId a{6, "a"};
-inline constexpr ItemId b{6, "b"};
-inline constexpr ItemId c{6, "c"};
-inline constexpr ItemId d{6, "d"};
-inline constexpr ItemId t{6, "t"};
-inline constexpr ItemId hit{6, "hit"};
-inline constexpr ItemId normal{7, "normal"};
+inline constexpr ItemId a{Subject::sphere, "a"};
+inline constexpr ItemId b{Subject::sphere, "b"};
+inline constexpr ItemId c{Subject::sphere, "c"};
+inline constexpr ItemId d{Subject::sphere, "d"};
+inline constexpr ItemId t{Subject::sphere, "t"};
+inline constexpr ItemId hit{Subject::sphere, "hit"};
+inline constexpr ItemId normal{Subject::sphere, "normal"};
 }  // namespace sphere
 namespace triangle {
-inline constexpr ItemId matrix{8, "matrix"};
-inline constexpr ItemId rhs{8, "rhs"};
-inline constexpr ItemId t{8, "t"};
-inline constexpr ItemId u{8, "u"};
-inline constexpr ItemId v{8, "v"};
-inline constexpr ItemId hit{8, "hit"};
-inline constexpr ItemId normal{9, "normal"};
+inline constexpr ItemId matrix{Subject::triangle, "matrix"};
+inline constexpr ItemId rhs{Subject::triangle, "rhs"};
+inline constexpr ItemId t{Subject::triangle, "t"};
+inline constexpr ItemId u{Subject::triangle, "u"};
+inline constexpr ItemId v{Subject::triangle, "v"};
+inline constexpr ItemId hit{Subject::triangle, "hit"};
+inline constexpr ItemId normal{Subject::triangle, "normal"};
 }  // namespace triangle
-inline constexpr ItemId verdict{10, "verdict"};
+namespace cylinder {
+inline constexpr ItemId a{Subject::cylinder, "a"};  ///< of the tube's quadratic, like b, c and d
+inline constexpr ItemId b{Subject::cylinder, "b"};
+inline constexpr ItemId c{Subject::cylinder, "c"};
+inline constexpr ItemId d{Subject::cylinder, "d"};
+inline constexpr ItemId t{Subject::cylinder, "t"};
+inline constexpr ItemId hit{Subject::cylinder, "hit"};
+inline constexpr ItemId normal{Subject::cylinder, "normal"};
+}  // namespace cylinder
+inline constexpr ItemId verdict{Subject::first_hit, "verdict"};
 }  // namespace item
 
-inline ItemId id_of(const ItemSpec& spec) {
-    return {spec.question, spec.name};
+/// An item that an assignment may ask for.
+struct Item {
+    ItemId id;
+    std::string_view full_name;  ///< as an assignment names it: "P_VCS", "sphere.t", "first_hit"
+    Shape shape;
+    std::string_view label;  ///< as the reference run prints it
+};
+
+/// Every item.
+std::span<const Item> known_items();
+
+/// Null if there is none of this name.
+const Item* find_item(std::string_view full_name);
+
+const Item& item_of(const ItemId& id);
+
+/// A question of an assignment.
+struct Question {
+    int number;         ///< 1 or more
+    std::string title;  ///< a few words that say what it asks for
+    std::vector<ItemId> items;
+};
+
+/// The ten questions of 2021, which an assignment asks if it lists none.
+const std::vector<Question>& default_questions();
+
+/// The highest number of a question; 0 if there is none.
+int last_question(const std::vector<Question>& questions);
+
+/// An item as a question asks for it.
+struct ItemSpec {
+    int question;
+    std::string_view name;  ///< unique within its question: the item's name, or its full name where two have the same
+    Shape shape;
+    Subject subject;
+    std::string_view label;  ///< as the reference run prints it
+    ItemId id;
+};
+
+inline const ItemId& id_of(const ItemSpec& spec) {
+    return spec.id;
 }
 
-/// Every item, in the handout's order.
-std::span<const ItemSpec> all_items();
+/// The items of the questions, in their order.
+std::vector<ItemSpec> asked_items(const std::vector<Question>& questions);
 
-/// A few words that say what question 1 to 10 asks for.
-std::string_view question_title(int question);
+/// Those of the ten questions of 2021.
+std::span<const ItemSpec> default_items();
 
 /// How many numbers a value of the shape has; 0 for a verdict.
 int component_count(Shape shape);

@@ -2,40 +2,74 @@
 // polynomials decide it, so that a tie is exact. Each result is unordered where a sign could not be told (see sign_of).
 #pragma once
 
+#include <variant>
+
 #include "reference/stages/triangle.h"
 
 namespace reference {
 
-/// The sign of (the sphere's t) - (the triangle's t). `choice` is smaller or larger; the triangle's det is not 0. Let
-/// N/D be the triangle's t, with D > 0. The sign of P = aN² + bND + cD² tells whether N/D lies between the roots, and
-/// the sign of L = 2aN + bD on which side of their middle.
+/// A quotient that is not computed, e.g. the t at which a ray meets a plane.
+template <class S>
+struct Fraction {
+    S numerator;
+    S denominator;
+};
+
+/// The quadratic's value at N/D, times D².
+template <class S>
+S value_at(const Quadratic<S>& quadratic, const Fraction<S>& at) {
+    const auto& [N, D] = at;
+    return quadratic.a * N * N + quadratic.b * N * D + quadratic.c * D * D;
+}
+
+/// The sign of Dt - N for the root t of a quadratic with a > 0 and d >= 0; `choice` is smaller or larger, and D may be
+/// 0. The sign of P = aN² + bND + cD² tells whether N/D lies between the roots, and the sign of L = 2aN + bD on which
+/// side of their middle.
+template <class S>
+std::partial_ordering side_of(const Quadratic<S>& quadratic, RootChoice choice, const Fraction<S>& fraction) {
+    const auto& [N, D] = fraction;
+    const auto P = sign_of(value_at(quadratic, fraction));
+    const auto L = sign_of(S(S(2) * quadratic.a * N + quadratic.b * D));
+    if (P > 0) return 0 <=> L;
+    const auto denominator = sign_of(D);
+    const auto root_from_middle = choice == RootChoice::larger ? denominator : 0 <=> denominator;
+    if (P < 0) return root_from_middle;
+    constexpr auto unknown = std::partial_ordering::unordered;
+    if (P == unknown || L == unknown || root_from_middle == unknown) return unknown;
+    return L == root_from_middle ? std::partial_ordering::equivalent : 0 <=> L;
+}
+
+/// The sign of (the quadratic's t) - (the fraction). `choice` is smaller or larger; the denominator is not 0.
+template <class S>
+std::partial_ordering order_of(const Quadratic<S>& quadratic, RootChoice choice, const Fraction<S>& fraction) {
+    const auto side = side_of(quadratic, choice, fraction);
+    return sign_of(fraction.denominator) < 0 ? 0 <=> side : side;
+}
+
+/// The triangle's t.
+template <class S>
+Fraction<S> fraction_of(const CramerSolution<S>& solution) {
+    return {solution.t_numerator, solution.det};
+}
+
+/// The sign of (the sphere's t) - (the triangle's t). `choice` is smaller or larger; the triangle's det is not 0.
 template <class S>
 std::partial_ordering order_of(const Quadratic<S>& quadratic, RootChoice choice, const CramerSolution<S>& solution) {
-    const bool flipped = sign_of(solution.det) < 0;
-    const S D = flipped ? S(-solution.det) : solution.det;
-    const S N = flipped ? S(-solution.t_numerator) : solution.t_numerator;
-    const S P_value = quadratic.a * N * N + quadratic.b * N * D + quadratic.c * D * D;
-    const S L_value = S(2) * quadratic.a * N + quadratic.b * D;
-    const auto P = sign_of(P_value);
-    const auto L = sign_of(L_value);
-    const bool smaller = choice == RootChoice::smaller;
-    if (P < 0) return smaller ? std::partial_ordering::less : std::partial_ordering::greater;
-    constexpr auto unknown = std::partial_ordering::unordered;
-    if (P == unknown || L == unknown) return unknown;
-    if (P == 0) {
-        if (L == 0) return std::partial_ordering::equivalent;
-        if (smaller) return L < 0 ? std::partial_ordering::equivalent : std::partial_ordering::less;
-        return L > 0 ? std::partial_ordering::equivalent : std::partial_ordering::greater;
-    }
-    return L < 0 ? std::partial_ordering::greater : std::partial_ordering::less;
+    return order_of(quadratic, choice, fraction_of(solution));
+}
+
+/// The sign of `one` - `other`; neither denominator is 0.
+template <class S>
+std::partial_ordering order_of(const Fraction<S>& one, const Fraction<S>& other) {
+    const S difference = one.numerator * other.denominator - other.numerator * one.denominator;
+    const bool flipped = (sign_of(one.denominator) < 0) != (sign_of(other.denominator) < 0);
+    return sign_of(flipped ? S(-difference) : difference);
 }
 
 /// The sign of (the t of `one`) - (the t of `other`) for two triangles; neither det is 0.
 template <class S>
 std::partial_ordering order_of(const CramerSolution<S>& one, const CramerSolution<S>& other) {
-    const S difference = one.t_numerator * other.det - other.t_numerator * one.det;
-    const bool flipped = (sign_of(one.det) < 0) != (sign_of(other.det) < 0);
-    return sign_of(flipped ? S(-difference) : difference);
+    return order_of(fraction_of(one), fraction_of(other));
 }
 
 /// The sign of x + p√d + q√e by squaring, without a root; p and q are 1 or -1, d and e at least 0.
@@ -74,6 +108,39 @@ std::partial_ordering order_of(const Quadratic<S>& one, RootChoice choice, const
     const int p = choice == RootChoice::larger ? 1 : -1;
     const int q = other_choice == RootChoice::larger ? -1 : 1;
     return sign_of_root_sum(S(other.b - one.b), p, one.d, q, other.d);
+}
+
+/// A root that is not computed: `choice` is smaller or larger, a > 0 and d >= 0.
+template <class S>
+struct QuadraticRoot {
+    Quadratic<S> quadratic;
+    RootChoice choice;
+};
+
+/// The sign of `one` - `other`, e.g. of a sphere's and a tube's t. The difference times 2 a₁ a₂ is a₁b₂ - a₂b₁ and two
+/// roots, √(a₂² d₁) and √(a₁² d₂).
+template <class S>
+std::partial_ordering order_of(const QuadraticRoot<S>& one, const QuadraticRoot<S>& other) {
+    const auto& [a, b, c, d] = one.quadratic;
+    const Quadratic<S>& e = other.quadratic;
+    const int p = one.choice == RootChoice::larger ? 1 : -1;
+    const int q = other.choice == RootChoice::larger ? -1 : 1;
+    return sign_of_root_sum(S(a * e.b - e.a * b), p, S(e.a * e.a * d), q, S(a * a * e.d));
+}
+
+/// Where on its ray a hit lies, before t is computed.
+template <class S>
+using HitParameter = std::variant<QuadraticRoot<S>, Fraction<S>>;
+
+/// The sign of (the t of `one`) - (the t of `other`), whatever the objects that are hit.
+template <class S>
+std::partial_ordering order_of(const HitParameter<S>& one, const HitParameter<S>& other) {
+    const auto* root = std::get_if<QuadraticRoot<S>>(&one);
+    const auto* other_root = std::get_if<QuadraticRoot<S>>(&other);
+    if (root != nullptr && other_root != nullptr) return order_of(*root, *other_root);
+    if (root != nullptr) return order_of(root->quadratic, root->choice, std::get<Fraction<S>>(other));
+    if (other_root != nullptr) return 0 <=> order_of(other, one);
+    return order_of(std::get<Fraction<S>>(one), std::get<Fraction<S>>(other));
 }
 
 }  // namespace reference

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reference/stages/camera.h"
+#include "reference/stages/cylinder.h"
 #include "reference/stages/first_hit.h"
 #include "reference/stages/sphere.h"
 #include "reference/stages/triangle.h"
@@ -42,6 +43,16 @@ struct TriangleAnswers {
     Vec3<S> normal;
 };
 
+/// The cylinder of 2024. t, hit and normal are empty where the ray misses it.
+template <class S>
+struct CylinderAnswers {
+    CylinderEquations<S> equations;
+    CylinderPart part;
+    std::optional<S> t;
+    std::optional<Vec3<S>> hit;
+    std::optional<Vec3<S>> normal;
+};
+
 template <class S>
 CameraAnswers<S> answer_camera(const Scene<S>& scene, PixelConvention convention) {
     const Vec3<S> P_VCS = pixel_to_vcs(scene.window, scene.pixel, convention);
@@ -78,7 +89,19 @@ TriangleAnswers<S> answer_triangle(const CameraAnswers<S>& ray, const Triangle<S
     return answers;
 }
 
-/// The triangle's t for question 10: empty where the ray does not hit it.
+template <class S>
+CylinderAnswers<S> answer_cylinder(const CameraAnswers<S>& ray, const Cylinder<S>& cylinder, Boundary boundary) {
+    CylinderAnswers<S> answers{cylinder_equations(ray.P_WCS, ray.V, cylinder), {}, {}, {}, {}};
+    answers.part = hit_part(answers.equations, boundary);
+    answers.t = cylinder_t(answers.equations, answers.part);
+    if (answers.t) {
+        answers.hit = point_on_ray(ray.P_WCS, ray.V, *answers.t);
+        answers.normal = cylinder_normal(*answers.hit, cylinder.center, answers.part);
+    }
+    return answers;
+}
+
+/// The triangle's t among the hits: empty where the ray does not hit it.
 template <class S>
 std::optional<S> hit_distance(const TriangleAnswers<S>& answers, Boundary boundary) {
     const bool at_start = answers.classification == TriangleHit::boundary && boundary == Boundary::nonnegative;

@@ -45,6 +45,14 @@ struct Triangle {
     Vec3<S> C;
 };
 
+/// A cylinder whose axis is parallel to the y axis, closed by a cap at each end. Half its height lies above the center.
+template <class S>
+struct Cylinder {
+    Vec3<S> center;
+    S radius;  ///< above 0
+    S height;  ///< from cap to cap, above 0
+};
+
 template <class S>
 struct Scene {
     Camera<S> camera;
@@ -52,6 +60,7 @@ struct Scene {
     Pixel pixel;
     std::vector<Sphere<S>> spheres;
     std::vector<Triangle<S>> triangles;
+    std::vector<Cylinder<S>> cylinders = {};
 };
 
 /// The same scene over another scalar; `convert` converts a single number.
@@ -70,6 +79,9 @@ Scene<To> convert_scene(const Scene<From>& scene, Convert convert) {
     }
     for (const Triangle<From>& triangle : scene.triangles) {
         result.triangles.push_back({vec(triangle.A), vec(triangle.B), vec(triangle.C)});
+    }
+    for (const Cylinder<From>& cylinder : scene.cylinders) {
+        result.cylinders.push_back({vec(cylinder.center), convert(cylinder.radius), convert(cylinder.height)});
     }
     return result;
 }

@@ -79,6 +79,7 @@ struct Appearance {
     std::vector<Material> materials;
     std::vector<std::optional<std::size_t>> sphere_materials;    ///< by sphere; spheres beyond the end have none
     std::vector<std::optional<std::size_t>> triangle_materials;  ///< by triangle; triangles beyond the end have none
+    std::vector<std::optional<std::size_t>> cylinder_materials;  ///< by cylinder; cylinders beyond the end have none
     std::vector<MeshFile> meshes;
 };
 

@@ -150,6 +150,9 @@ Appearance read_appearance(const TomlTable& root, const std::filesystem::path& p
     for (const TomlTable& triangle : root.tables("triangle")) {
         appearance.triangle_materials.push_back(read_choice(triangle, names));
     }
+    for (const TomlTable& cylinder : root.tables("cylinder")) {
+        appearance.cylinder_materials.push_back(read_choice(cylinder, names));
+    }
     for (const TomlTable& mesh : root.tables("mesh")) {
         mesh.allow_only({"file", "material"});
         appearance.meshes.push_back(

@@ -10,6 +10,7 @@
 
 #include "reference/toml/appearance_reader.h"
 #include "reference/toml/other_scenes_reader.h"
+#include "reference/toml/questions_reader.h"
 #include "reference/toml/rubric_reader.h"
 #include "reference/toml/scene_reader.h"
 #include "reference/toml/toml_table.h"
@@ -45,13 +46,16 @@ std::vector<LimitEntry> read_limits(const TomlTable& stages) {
 Assignment parse(std::string_view toml, const std::filesystem::path& path, PixelKey pixel) {
     const TomlDocument document(toml, path);
     const TomlTable root = document.root();
-    root.allow_only({"title", "camera", "window", "sphere", "triangle", "rubric", "limits", "light", "material", "mesh",
-                     "render", "variant"});
+    root.allow_only({"title", "camera", "window", "sphere", "triangle", "cylinder", "question", "rubric", "limits",
+                     "light", "material", "mesh", "render", "variant"});
     Assignment assignment;
     assignment.name = path.stem().string();
     assignment.title = root.has("title") ? root.string("title") : assignment.name;
     assignment.scene = read_scene(root, assignment.notes, pixel);
-    if (root.has("rubric")) assignment.rubric = read_rubric(root.table("rubric"));
+    ReadQuestions asked = read_questions(root, assignment.scene);
+    assignment.rubric.points = asked.points;
+    if (root.has("rubric")) assignment.rubric = read_rubric(root.table("rubric"), asked);
+    assignment.questions = std::move(asked.questions);
     if (root.has("limits")) assignment.limits = read_limits(root.table("limits"));
     assignment.variants = read_other_scenes(root, assignment.scene, path);
     assignment.appearance = read_appearance(root, path);

@@ -11,6 +11,7 @@
 
 #include "reference/numbers/decimal.h"
 #include "reference/stages/camera.h"
+#include "reference/stages/items.h"
 #include "reference/stages/scene.h"
 #include "reference/toml/appearance.h"
 
@@ -18,6 +19,20 @@ namespace reference {
 
 /// How a hit at exactly t = 0 counts in marking. `either` accepts a hit and a miss, if the answers are consistent.
 enum class BoundaryPolicy { positive, nonnegative, either };
+
+/// What a hand-in loses that is so many days late or later.
+struct LateStep {
+    int days;      ///< started days, 1 or more
+    double share;  ///< of its points, 0 to 1
+};
+
+/// What a named mistake earns. The code that names mistakes checks the names.
+struct MistakePrice {
+    std::string name;                 ///< "center forgotten", in American spelling whatever the file's is
+    double share;                     ///< of the item's points, 0 to 1; 1 accepts the answer
+    std::string place;                ///< for messages: file, line and key
+    std::optional<ItemId> item = {};  ///< the only item in which it earns that; empty for every item
+};
 
 /// How the assignment is marked. Every field is an optional key of [rubric] with the default given here.
 struct Rubric {
@@ -32,8 +47,10 @@ struct Rubric {
     /// The most that all such answers of a submission together may earn, as a share of its points, 0 to 1. Beyond it
     /// each of them earns proportionally less.
     double follow_through_cap = 1.0;
-    /// The share of its points that a late hand-in loses, 0 to 1.
-    double late_deduction = 0;
+    /// What late hand-ins lose, by days; `late_deduction` of the file is one step for every late hand-in.
+    std::vector<LateStep> late;
+    /// So much later is still on time.
+    int grace_minutes = 0;
     /// Points for answers on other scenes (`grade --variants`), in addition to those of the questions; 0 for none.
     double other_scene_points = 0;
     /// Whether a student may see the right values next to the printed values.
@@ -41,6 +58,8 @@ struct Rubric {
     /// Half a unit of an answer's last printed decimal is forgiven. An answer with fewer decimals than this counts as
     /// if it had this many. 0 to 9.
     int min_decimals = 2;
+    /// In the order of their names. A mistake that is not listed earns nothing.
+    std::vector<MistakePrice> mistakes;
     /// Points of a question by its number; questions that are not listed have points_per_question.
     std::map<int, double> points;
     /// Points of single items, by question and item name; the question's points are shared equally without them.
@@ -76,6 +95,7 @@ struct Assignment {
     std::string name;   ///< the file's name without ".toml"
     std::string title;  ///< for people
     Scene<Decimal> scene;
+    std::vector<Question> questions = default_questions();  ///< by number; no item is asked twice
     Rubric rubric;
     std::vector<LimitEntry> limits;    ///< in the file's order
     std::vector<OtherScene> variants;  ///< in the file's order; each is complete, with what it leaves unchanged
@@ -94,6 +114,18 @@ double unit_of(const std::vector<double>& key_value);
 class AssignmentError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
+    /// About a key: its place "file:line: sphere[1].radius", its path there and what is wrong with it.
+    AssignmentError(const std::string& place, std::string key, std::string problem)
+        : std::runtime_error(place + ": " + problem), key_(std::move(key)), problem_(std::move(problem)) {}
+
+    /// "sphere[1].radius"; empty if the error is about no key.
+    const std::string& key() const { return key_; }
+    /// "is -2, and must be above 0"; empty if the error is about no key.
+    const std::string& problem() const { return problem_; }
+
+  private:
+    std::string key_;
+    std::string problem_;
 };
 
 /// Reads an assignment from TOML text; `path` names it in messages. Throws AssignmentError.

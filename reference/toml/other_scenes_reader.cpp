@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "reference/toml/scene_toml.h"
 
 namespace reference {
@@ -48,25 +50,54 @@ void change_triangle(const TomlTable& variant, Scene<Decimal>& scene) {
     scene.triangles.front() = {vector_from(rows[0]), vector_from(rows[1]), vector_from(rows[2])};
 }
 
+void change_cylinder(const TomlTable& variant, Scene<Decimal>& scene) {
+    if (scene.cylinders.empty()) variant.fail("cylinder", "is none of this scene's, which has no cylinder to change");
+    const TomlTable table = variant.table("cylinder");
+    table.allow_only({"center", "radius", "height"});
+    Cylinder<Decimal>& cylinder = scene.cylinders.front();
+    if (table.has("center")) cylinder.center = vector_from(table.decimals("center", 3));
+    if (table.has("radius")) cylinder.radius = table.decimal("radius");
+    if (table.has("height")) cylinder.height = table.decimal("height");
+}
+
+/// Tells what is wrong with a variant's scene at the key of the variant that makes it so.
+[[noreturn]] void fail_in(const TomlTable& table, const std::string& name, const AssignmentError& error) {
+    const std::string_view path = error.key();  // "sphere[1].radius"
+    const std::size_t dot = std::min(path.find('.'), path.size());
+    const std::string part(path.substr(0, std::min(path.find('['), dot)));
+    const std::string key(path.substr(std::min(dot + 1, path.size())));
+    const std::string of_scene =
+        fmt::format("makes a scene that can't be marked, \"{}\": {} {}", name, path, error.problem());
+    if (!table.has(part)) table.fail("name", of_scene);
+    const TomlTable changed = table.table(part);
+    if (!changed.has(key)) table.fail(part, of_scene);
+    changed.fail(key, fmt::format("{}, in \"{}\"", error.problem(), name));
+}
+
 }  // namespace
 
 std::vector<OtherScene> read_other_scenes(const TomlTable& root, const Scene<Decimal>& scene,
                                           const std::filesystem::path& path) {
     std::vector<OtherScene> variants;
     for (const TomlTable& table : root.tables("variant")) {
-        table.allow_only({"name", "camera", "window", "sphere", "triangle"});
+        table.allow_only({"name", "camera", "window", "sphere", "triangle", "cylinder"});
         OtherScene variant{fmt::format("variant {}", variants.size() + 1), scene};
         if (table.has("name")) variant.name = table.string("name");
         if (table.has("camera")) change_camera(table.table("camera"), variant.scene.camera);
         if (table.has("window")) change_pixel(table.table("window"), variant.scene);
         if (table.has("sphere")) change_sphere(table, variant.scene);
         if (table.has("triangle")) change_triangle(table, variant.scene);
+        if (table.has("cylinder")) change_cylinder(table, variant.scene);
         if (scene_toml(variant.scene) == scene_toml(scene)) {
             table.fail("name", fmt::format("\"{}\" changes nothing of the scene; state a camera.eye, sphere.center, "
                                            "triangle.vertices, … that differs",
                                            variant.name));
         }
-        check_scene(variant.scene, fmt::format("{}, \"{}\" as a scene", path.string(), variant.name));
+        try {
+            check_scene(variant.scene, path);
+        } catch (const AssignmentError& error) {
+            fail_in(table, variant.name, error);
+        }
         variants.push_back(std::move(variant));
     }
     return variants;

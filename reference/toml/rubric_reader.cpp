@@ -1,26 +1,121 @@
 #include "reference/toml/rubric_reader.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include "reference/stages/items.h"
+#include "reference/toml/amount.h"
 
 namespace reference {
 namespace {
 
-constexpr double most_points = 1e6;
-
-int read_question_number(const TomlTable& table, const std::string& key) {
-    const bool is_number =
-        key.size() <= 2 && std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; });
-    if (!is_number || key.empty() || std::stoi(key) < 1 || std::stoi(key) > 10) {
-        table.fail(key, "is not a question; the handout's questions are 1 to 10");
-    }
-    return std::stoi(key);
+/// Refuses a question that is not asked, so that its points are not silently lost.
+const Question& read_question(const TomlTable& table, const std::string& key, const std::vector<Question>& questions) {
+    const auto found =
+        std::ranges::find(questions, key, [](const Question& question) { return std::to_string(question.number); });
+    if (found != questions.end()) return *found;
+    std::vector<int> numbers;
+    for (const Question& question : questions) numbers.push_back(question.number);
+    table.fail(key, fmt::format("is no question of this assignment, which asks {}", fmt::join(numbers, ", ")));
 }
 
-/// A share or points: a finite number in [least, most].
+/// Refuses a name that is not an item of the question, so that a misspelt name is not silently ignored.
+void check_item(const TomlTable& items, const Question& question, const std::string& item) {
+    std::vector<std::string_view> names;
+    for (const ItemSpec& spec : asked_items({question})) names.push_back(spec.name);
+    if (std::ranges::find(names, item) != names.end()) return;
+    items.fail(item,
+               fmt::format("is not an item of question {}; there are {}", question.number, fmt::join(names, ", ")));
+}
+
+void read_points(const TomlTable& table, const std::vector<Question>& questions, Rubric& rubric) {
+    for (const std::string& key : table.keys()) {
+        const Question& question = read_question(table, key, questions);
+        if (rubric.points.contains(question.number))
+            table.fail(key, "has points in its [[question]] too; state them once");
+        if (!table.is_table(key)) {
+            rubric.points[question.number] = read_amount(table, key, 0, most_points);
+            continue;
+        }
+        const TomlTable items = table.table(key);
+        double sum = 0;
+        for (const std::string& item : items.keys()) {
+            check_item(items, question, item);
+            sum += rubric.item_points[question.number][item] = read_amount(items, item, 0, most_points);
+        }
+        rubric.points[question.number] = sum;
+    }
+}
+
+void read_tolerance(const TomlTable& table, const std::vector<Question>& questions, Rubric& rubric) {
+    constexpr double widest = 1e6;
+    for (const std::string& key : table.keys()) {
+        if (key == "default") {
+            rubric.tolerance = read_amount(table, key, 0, widest);
+            continue;
+        }
+        const Question& question = read_question(table, key, questions);
+        if (!table.is_table(key)) {
+            rubric.item_tolerance[key] = read_amount(table, key, 0, widest);
+            continue;
+        }
+        const TomlTable items = table.table(key);
+        for (const std::string& item : items.keys()) {
+            check_item(items, question, item);
+            rubric.item_tolerance[fmt::format("{}.{}", key, item)] = read_amount(items, item, 0, widest);
+        }
+    }
+}
+
+std::string in_american_spelling(std::string name) {
+    for (const auto& [british, american] : {std::pair("centre", "center"), std::pair("ormalise", "ormalize")}) {
+        for (std::size_t at = name.find(british); at != std::string::npos; at = name.find(british, at))
+            name.replace(at, std::string_view(british).size(), american);
+    }
+    return name;
+}
+
+void read_mistakes(const TomlTable& table, Rubric& rubric) {
+    for (const std::string& key : table.keys()) {
+        if (!table.is_table(key)) {
+            rubric.mistakes.push_back({in_american_spelling(key), read_amount(table, key, 0, 1), table.place(key)});
+            continue;
+        }
+        const Item* item = find_item(key);
+        if (item == nullptr) table.fail(key, "is no item, such as \"sphere.normal\", with mistakes of its own");
+        const TomlTable names = table.table(key);
+        for (const std::string& name : names.keys()) {
+            rubric.mistakes.push_back(
+                {in_american_spelling(name), read_amount(names, name, 0, 1), names.place(name), item->id});
+        }
+    }
+}
+
+std::vector<LateStep> read_late(const TomlTable& table) {
+    if (table.has("late_deduction")) {
+        if (table.has("late")) table.fail("late_deduction", "is there beside late; keep one of the two");
+        const double share = read_amount(table, "late_deduction", 0, 1);
+        return share > 0 ? std::vector{LateStep{1, share}} : std::vector<LateStep>();
+    }
+    std::vector<LateStep> steps;
+    if (!table.has("late")) return steps;
+    for (const std::vector<Decimal>& row : table.decimal_rows("late", 2)) {
+        const double days = row[0].to_double(), share = row[1].to_double();
+        const int last = steps.empty() ? 0 : steps.back().days;
+        if (!(days > last && days <= 365 && days == std::floor(days)))
+            table.fail("late", fmt::format("days must be whole numbers that go up, and {} comes after {}",
+                                           row[0].text(), last));
+        if (!(0 <= share && share <= 1))
+            table.fail("late", fmt::format("{} is no share of the points; write a number from 0 to 1", row[1].text()));
+        steps.push_back({static_cast<int>(days), share});
+    }
+    return steps;
+}
+
+}  // namespace
+
 double read_amount(const TomlTable& table, std::string_view key, double least, double most) {
     const double value = table.decimal(key).to_double();
     if (!(least <= value && value <= most)) {
@@ -30,64 +125,18 @@ double read_amount(const TomlTable& table, std::string_view key, double least, d
     return value;
 }
 
-/// Refuses a name that is not an item of the question, so that a misspelt name is not silently ignored.
-void check_item(const TomlTable& items, int question, const std::string& item) {
-    std::string names;
-    for (const ItemSpec& spec : all_items()) {
-        if (spec.question != question) continue;
-        if (spec.name == item) return;
-        names += (names.empty() ? "" : ", ") + std::string(spec.name);
-    }
-    items.fail(item, fmt::format("is not an item of question {}; there are {}", question, names));
-}
-
-void read_points(const TomlTable& table, Rubric& rubric) {
-    for (const std::string& key : table.keys()) {
-        const int question = read_question_number(table, key);
-        if (!table.is_table(key)) {
-            rubric.points[question] = read_amount(table, key, 0, most_points);
-            continue;
-        }
-        const TomlTable items = table.table(key);
-        double sum = 0;
-        for (const std::string& item : items.keys()) {
-            check_item(items, question, item);
-            sum += rubric.item_points[question][item] = read_amount(items, item, 0, most_points);
-        }
-        rubric.points[question] = sum;
-    }
-}
-
-void read_tolerance(const TomlTable& table, Rubric& rubric) {
-    constexpr double widest = 1e6;
-    for (const std::string& key : table.keys()) {
-        if (key == "default") {
-            rubric.tolerance = read_amount(table, key, 0, widest);
-        } else if (table.is_table(key)) {
-            const TomlTable items = table.table(key);
-            const int question = read_question_number(table, key);
-            for (const std::string& item : items.keys()) {
-                check_item(items, question, item);
-                rubric.item_tolerance[fmt::format("{}.{}", question, item)] = read_amount(items, item, 0, widest);
-            }
-        } else {
-            rubric.item_tolerance[std::to_string(read_question_number(table, key))] =
-                read_amount(table, key, 0, widest);
-        }
-    }
-}
-
-}  // namespace
-
-Rubric read_rubric(const TomlTable& table) {
-    table.allow_only({"pixel_conventions", "boundary", "follow_through", "follow_through_cap", "late_deduction",
-                      "min_decimals", "points", "show_expected", "tolerance", "variant_points", "wrong_scene_credit"});
+Rubric read_rubric(const TomlTable& table, const ReadQuestions& asked) {
+    table.allow_only({"pixel_conventions", "boundary", "follow_through", "follow_through_cap", "grace_minutes", "late",
+                      "late_deduction", "min_decimals", "mistakes", "points", "show_expected", "tolerance",
+                      "variant_points", "wrong_scene_credit"});
     Rubric rubric;
+    rubric.points = asked.points;
     if (table.has("pixel_conventions")) {
         rubric.pixel_conventions.clear();
         for (const std::string& name : table.strings("pixel_conventions")) {
             rubric.pixel_conventions.push_back(table.choice<PixelConvention>("pixel_conventions", name,
-                                                                             {{"centre", PixelConvention::centre},
+                                                                             {{"center", PixelConvention::centre},
+                                                                              {"centre", PixelConvention::centre},
                                                                               {"grid", PixelConvention::grid},
                                                                               {"corner", PixelConvention::corner}}));
         }
@@ -102,12 +151,14 @@ Rubric read_rubric(const TomlTable& table) {
     if (table.has("follow_through")) rubric.follow_through = read_amount(table, "follow_through", 0, 1);
     if (table.has("follow_through_cap")) rubric.follow_through_cap = read_amount(table, "follow_through_cap", 0, 1);
     if (table.has("wrong_scene_credit")) rubric.wrong_scene_credit = read_amount(table, "wrong_scene_credit", 0, 1);
-    if (table.has("late_deduction")) rubric.late_deduction = read_amount(table, "late_deduction", 0, 1);
+    rubric.late = read_late(table);
+    if (table.has("grace_minutes")) rubric.grace_minutes = table.integer("grace_minutes", 0, 7 * 24 * 60);
     if (table.has("variant_points")) rubric.other_scene_points = read_amount(table, "variant_points", 0, most_points);
     if (table.has("min_decimals")) rubric.min_decimals = table.integer("min_decimals", 0, 9);
     if (table.has("show_expected")) rubric.show_expected = table.boolean("show_expected");
-    if (table.has("points")) read_points(table.table("points"), rubric);
-    if (table.has("tolerance")) read_tolerance(table.table("tolerance"), rubric);
+    if (table.has("points")) read_points(table.table("points"), asked.questions, rubric);
+    if (table.has("mistakes")) read_mistakes(table.table("mistakes"), rubric);
+    if (table.has("tolerance")) read_tolerance(table.table("tolerance"), asked.questions, rubric);
     return rubric;
 }
 

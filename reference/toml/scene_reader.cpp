@@ -123,6 +123,14 @@ Triangle<Decimal> read_triangle(const TomlTable& table) {
     return triangle;
 }
 
+Cylinder<Decimal> read_cylinder(const TomlTable& table) {
+    table.allow_only({"center", "radius", "height", "material"});
+    const Vec3<Decimal> center = read_vector(table, "center");
+    exact(table, "center", center);
+    return {center, read_positive(table, "radius", "a cylinder has points on it"),
+            read_positive(table, "height", "it reaches from cap to cap")};
+}
+
 }  // namespace
 
 Scene<Decimal> read_scene(const TomlTable& root, std::vector<std::string>& notes, PixelKey pixel) {
@@ -133,6 +141,7 @@ Scene<Decimal> read_scene(const TomlTable& root, std::vector<std::string>& notes
         reads_pixel ? read_pixel(window, scene.window) : Pixel{scene.window.width / 2, scene.window.height / 2};
     for (const TomlTable& sphere : root.tables("sphere")) scene.spheres.push_back(read_sphere(sphere));
     for (const TomlTable& triangle : root.tables("triangle")) scene.triangles.push_back(read_triangle(triangle));
+    for (const TomlTable& cylinder : root.tables("cylinder")) scene.cylinders.push_back(read_cylinder(cylinder));
     return scene;
 }
 

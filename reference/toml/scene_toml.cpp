@@ -31,6 +31,10 @@ std::string scene_toml(const Scene<Decimal>& scene) {
         text += fmt::format("[[triangle]]\nvertices = [{}, {}, {}]\n", vector_text(triangle.A), vector_text(triangle.B),
                             vector_text(triangle.C));
     }
+    for (const Cylinder<Decimal>& cylinder : scene.cylinders) {
+        text += fmt::format("[[cylinder]]\ncenter = {}\nradius = {}\nheight = {}\n", vector_text(cylinder.center),
+                            cylinder.radius.text(), cylinder.height.text());
+    }
     return text;
 }
 

@@ -20,6 +20,7 @@
 #include <algorithm>
 
 #include "reference/toml/assignment.h"
+#include "reference/toml/near_names.h"
 
 namespace reference {
 namespace {
@@ -57,7 +58,7 @@ struct TomlTable::Impl {
     std::string way;  ///< "camera." or "sphere[1]."; empty for the root
 
     [[noreturn]] void fail_at(std::size_t line, std::string_view key, const std::string& what) const {
-        throw AssignmentError(fmt::format("{}: {}", place_at(line, key), what));
+        throw AssignmentError(place_at(line, key), fmt::format("{}{}", way, key), what);
     }
 
     std::string place_at(std::size_t line, std::string_view key) const {
@@ -118,8 +119,11 @@ struct TomlTable::Impl {
 void TomlTable::allow_only(std::initializer_list<std::string_view> allowed) const {
     for (const auto& [key, node] : *impl_->table) {
         if (std::find(allowed.begin(), allowed.end(), key.str()) != allowed.end()) continue;
+        const std::vector<std::string> names(allowed.begin(), allowed.end());
         impl_->fail_at(key.source().begin.line, key.str(),
-                       fmt::format("is not a key here; there are {}", fmt::join(allowed, ", ")));
+                       near_names(key.str(), names).empty()
+                           ? fmt::format("is not a key here; there are {}", fmt::join(names, ", "))
+                           : fmt::format("is not a key here; {}", did_you_mean(key.str(), names)));
     }
 }
 
@@ -185,6 +189,15 @@ std::vector<std::vector<Decimal>> TomlTable::decimal_rows(std::string_view key, 
     for (const toml::node& row : impl_->array(impl_->required(key), key, rows, "points")) {
         result.push_back(impl_->decimals(row, key, columns));
     }
+    return result;
+}
+
+std::vector<std::vector<Decimal>> TomlTable::decimal_rows(std::string_view key, std::size_t columns) const {
+    const toml::node& node = impl_->required(key);
+    const toml::array* rows = node.as_array();
+    if (rows == nullptr) impl_->fail_at(node.source().begin.line, key, "must be an array of arrays of numbers");
+    std::vector<std::vector<Decimal>> result;
+    for (const toml::node& row : *rows) result.push_back(impl_->decimals(row, key, columns));
     return result;
 }
 

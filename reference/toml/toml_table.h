@@ -34,6 +34,8 @@ class TomlTable {
     Decimal decimal(std::string_view key) const;
     std::vector<Decimal> decimals(std::string_view key, std::size_t count) const;
     std::vector<std::vector<Decimal>> decimal_rows(std::string_view key, std::size_t rows, std::size_t columns) const;
+    /// Any number of rows.
+    std::vector<std::vector<Decimal>> decimal_rows(std::string_view key, std::size_t columns) const;
     /// A whole number in [least, most].
     int integer(std::string_view key, int least, int most) const;
     bool boolean(std::string_view key) const;

@@ -64,7 +64,8 @@ std::string check_printed(const Scene& scene) {
 std::string check_rubric(const reference::Rubric& rubric) {
     const auto is_share = [](double share) { return share >= 0 && share <= 1; };
     if (!is_share(rubric.follow_through) || !is_share(rubric.wrong_scene_credit) ||
-        !is_share(rubric.follow_through_cap) || !is_share(rubric.late_deduction)) {
+        !is_share(rubric.follow_through_cap) ||
+        !std::ranges::all_of(rubric.late, is_share, &reference::LateStep::share)) {
         return "a share beyond 0 to 1";
     }
     if (rubric.min_decimals < 0 || rubric.min_decimals > 9) return "decimals beyond 0 to 9";
@@ -85,12 +86,8 @@ std::string check_toml(std::string_view toml) {
     try {
         assignment = reference::parse_assignment(toml, file);
     } catch (const AssignmentError& error) {
-        // What is wrong with a variant as a scene is told by the line of that scene as it is printed.
-        const bool is_of_variant = std::string_view(error.what()).find("\" as a scene:") != std::string_view::npos;
-        constexpr std::size_t most_printed = 1'000'000;
-        return names_a_line(error.what(), is_of_variant ? most_printed : lines)
-                   ? ""
-                   : std::string("a message without a line of the file: ") + error.what();
+        return names_a_line(error.what(), lines) ? ""
+                                                 : std::string("a message without a line of the file: ") + error.what();
     }
     if (std::string broken = check_rubric(assignment.rubric); !broken.empty()) return broken;
     if (std::string broken = check_printed(assignment.scene); !broken.empty()) return broken;

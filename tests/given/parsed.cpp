@@ -49,6 +49,7 @@ std::string show(reference::Verdict verdict) {
     switch (verdict) {
         case reference::Verdict::triangle_first: return "triangle first";
         case reference::Verdict::sphere_first: return "sphere first";
+        case reference::Verdict::cylinder_first: return "cylinder first";
         case reference::Verdict::tie: return "tie";
         case reference::Verdict::no_hit: return "no hit";
     }
@@ -75,7 +76,7 @@ std::string show(const MatchedItem& item) {
 
 std::string parsed(std::string_view output) {
     std::string text;
-    for (const MatchedItem& item : harness::match(harness::read_transcript(output), reference::all_items())) {
+    for (const MatchedItem& item : harness::match(harness::read_transcript(output, 10), reference::default_items())) {
         text += fmt::format("{}.{}: {}\n", item.spec.question, item.spec.name, show(item));
     }
     return text;

@@ -23,10 +23,9 @@ PrintedNumber printed_number(std::string_view text) {
 }
 
 MatchedItem printed_item(const reference::ItemId& id, std::string_view text, MatrixOrder order) {
-    const auto items = reference::all_items();
-    const auto spec = std::find_if(items.begin(), items.end(), [&](const reference::ItemSpec& item) {
-        return item.question == id.first && item.name == id.second;
-    });
+    const auto items = reference::default_items();
+    const auto spec =
+        std::find_if(items.begin(), items.end(), [&](const reference::ItemSpec& item) { return item.id == id; });
     MatchedItem item{*spec, PrintedValue{}, order, {}, false, {}};
     item.value->numbers = numbers_in(text);
     item.value->printed = std::string(text);
@@ -35,13 +34,17 @@ MatchedItem printed_item(const reference::ItemId& id, std::string_view text, Mat
 }
 
 Score mark(std::string_view output, const student::Marking& marking) {
-    return score(read_transcript(output), marking.key, marking.assignment);
+    return score(read_transcript(output, last_question(marking.assignment.questions)), marking.key, marking.assignment);
+}
+
+int question_of(const reference::ItemId& id) {
+    return std::ranges::find(reference::default_items(), id, &reference::ItemSpec::id)->question;
 }
 
 const ItemScore& item_of(const Score& score, const reference::ItemId& id) {
     for (const QuestionScore& question : score.questions) {
         for (const ItemScore& item : question.items) {
-            if (question.number == id.first && item.spec.name == id.second) return item;
+            if (item.spec.id == id) return item;
         }
     }
     throw std::out_of_range("no such item");

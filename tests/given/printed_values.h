@@ -19,6 +19,9 @@ harness::MatchedItem printed_item(const reference::ItemId& id, std::string_view 
 /// Marks a program's output.
 harness::Score mark(std::string_view output, const student::Marking& marking);
 
+/// The number of the question of 2021 that asks for the item.
+int question_of(const reference::ItemId& id);
+
 const harness::ItemScore& item_of(const harness::Score& score, const reference::ItemId& id);
 
 /// The item's verdict in words, e.g. "follow".

@@ -39,3 +39,15 @@ Assignment random_assignment(std::uint64_t seed) {
     scene.triangles.push_back({point(random, 6), point(random, 6), point(random, 6)});
     return assignment;
 }
+
+Assignment random_assignment_with_cylinder(std::uint64_t seed) {
+    Assignment assignment = random_assignment(seed);
+    Random random(~seed);
+    assignment.scene.cylinders.push_back({point(random, 2), positive(random, 1, 3), positive(random, 3, 9)});
+    Question question{11, "ray and cylinder", {}};
+    for (const Item& item : known_items()) {
+        if (item.id.subject == Subject::cylinder) question.items.push_back(item.id);
+    }
+    assignment.questions.push_back(question);
+    return assignment;
+}

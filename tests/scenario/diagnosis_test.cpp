@@ -23,7 +23,7 @@ using Diagnosis = std::map<std::string, std::string>;
 /// have no name.
 const std::map<std::string, Diagnosis> labelled = {
     {"s02", {{"6.t", "operator precedence"}}},                             // operator precedence in the root
-    {"s05", {{"5.V", "not normalised"}, {"9.normal", "not normalised"}}},  // forgot to normalise V and the normal
+    {"s05", {{"5.V", "not normalized"}, {"9.normal", "not normalized"}}},  // forgot to normalise V and the normal
     {"s07", {{"3.M_VCS_to_WCS", "translation missing"}}},                  // forgot translation
     {"s09", {{"2.Z_vcs", "Z points at lookat"}, {"9.normal", "cross product order"}}},
     {"s11", {{"1.P_VCS", "positive z"}}},  // positive z for clipNear

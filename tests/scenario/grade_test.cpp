@@ -33,9 +33,21 @@ const std::map<int, std::vector<std::string>> items_of_question = {{1, {"P_VCS"}
                                                                    {9, {"normal"}},
                                                                    {10, {"verdict"}}};
 
-std::vector<std::string> all_items() {
+const std::map<int, std::vector<std::string>> items_of_2024 = {
+    {1, {"P_VCS", "X_vcs", "Y_vcs", "Z_vcs", "M_VCS_to_WCS", "P_WCS", "V"}},
+    {2, {"a", "b", "c", "d", "t", "hit", "normal"}},
+    {3, {"matrix", "rhs", "t", "u", "v", "hit", "normal"}},
+    {4, {"t", "hit", "normal"}},
+    {5, {"verdict"}}};
+
+/// Those of submissions/2024 are graded by that year's assignment.
+bool is_of_2024(const std::string& name) {
+    return name.starts_with("2024/");
+}
+
+std::vector<std::string> items_of(const std::string& name) {
     std::vector<std::string> all;
-    for (const auto& [question, items] : items_of_question) {
+    for (const auto& [question, items] : is_of_2024(name) ? items_of_2024 : items_of_question) {
         for (const std::string& item : items) all.push_back(std::to_string(question) + "." + item);
     }
     return all;
@@ -60,10 +72,10 @@ std::set<std::string> fair_verdicts(const json& expected, const std::string& ite
 }
 
 /// Grades one path alone and returns what grades.json says of it.
-json grade_alone(const fs::path& path) {
+json grade_alone(const fs::path& path, const std::string& assignment = "a6-2021") {
     const TemporaryFolder folder;
     const Result result =
-        raygrade({"grade", path.string(), "--assignment", "a6-2021", "--out", (folder / "out").string()});
+        raygrade({"grade", path.string(), "--assignment", assignment, "--out", (folder / "out").string()});
     EXPECT_EQ(result.status, 0) << result.both();
     const json grades = read_json(folder / "out/grades.json");
     EXPECT_EQ(grades.at("schema"), "raygrade/grades/1");
@@ -93,8 +105,11 @@ void PrintTo(const Student& student, std::ostream* out) {
 
 std::vector<Student> sample_class() {
     std::vector<Student> students;
-    for (const auto& entry : fs::directory_iterator(project_folder() / "submissions")) {
-        if (fs::exists(entry.path() / "expected.json")) students.push_back({entry.path().filename()});
+    for (const char* year : {"", "2024/"}) {
+        for (const auto& entry : fs::directory_iterator(project_folder() / "submissions" / year)) {
+            if (fs::exists(entry.path() / "expected.json"))
+                students.push_back({year + entry.path().filename().string()});
+        }
     }
     std::sort(students.begin(), students.end(), [](const Student& a, const Student& b) { return a.name < b.name; });
     return students;
@@ -104,18 +119,24 @@ class SampleClass : public testing::TestWithParam<Student> {};
 
 TEST_P(SampleClass, GetsTheMarksThatAMarkerGives) {
     const json expected = read_json(sample(GetParam().name) / "expected.json");
-    const json submission = grade_alone(sample(GetParam().name));
-    EXPECT_EQ(submission.at("id"), GetParam().name);
+    const std::string& who = GetParam().name;
+    const json submission = grade_alone(sample(who), is_of_2024(who) ? "a6-2024" : "a6-2021");
+    EXPECT_EQ(submission.at("id"), fs::path(who).filename().string());
     EXPECT_EQ(submission.at("outcome"), expected.at("outcome"));
 
     const std::map<std::string, json> graded = graded_items(submission);
-    for (const std::string& name : all_items()) {
+    for (const std::string& name : items_of(who)) {
         ASSERT_TRUE(graded.contains(name)) << name << " is not in grades.json";
         const json& item = graded.at(name);
         EXPECT_THAT(fair_verdicts(expected, name), testing::Contains(item.at("verdict").get<std::string>()))
             << name << ": " << item.dump(2) << "\nThe mistake is: " << expected.at("mistake");
     }
-    EXPECT_EQ(graded.size(), all_items().size());
+    EXPECT_EQ(graded.size(), items_of(who).size());
+    const json diagnoses = expected.value("diagnosis", json::object());
+    for (const auto& [name, diagnosis] : diagnoses.items()) {
+        if (!is_of_2024(who)) continue;  // diagnosis_test.cpp has the others
+        EXPECT_EQ(graded.at(name).at("diagnosis"), diagnosis) << name;
+    }
 
     const json& points = expected.at("points");
     const double least = points.is_array() ? points.at(0) : points;
@@ -130,10 +151,10 @@ INSTANTIATE_TEST_SUITE_P(Submissions, SampleClass, testing::ValuesIn(sample_clas
                          [](const auto& student) { return test_name(student.param); });
 
 TEST(SampleClassItself, NamesOnlyItemsAndVerdictsThatExist) {
-    const std::vector<std::string> names = all_items();
     const std::set<std::string> verdicts = {"follow", "wrong", "missing", "unreadable", "right"};
     for (const auto& [who] : sample_class()) {
         const json expected = read_json(sample(who) / "expected.json");
+        const std::vector<std::string> names = items_of(who);
         for (const auto& [name, ignored] : expected.at("items").items()) {
             EXPECT_THAT(names, testing::Contains(name)) << who;
             EXPECT_THAT(fair_verdicts(expected, name), testing::IsSubsetOf(verdicts)) << who;

@@ -1,11 +1,14 @@
 #include "harness/mark/compare/first_hit.h"
 
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
 
 namespace harness {
 namespace {
 
 using reference::Boundary;
+using reference::Subject;
 using reference::Verdict;
 using enum Hits;
 
@@ -25,11 +28,19 @@ Hits worst(std::initializer_list<Hits> answers) {
     return std::max(answers);
 }
 
-/// Which object is first if both are hit. All orders are possible if the digits leave it open.
-std::vector<Verdict> order_of(const Interval& sphere_t, const Interval& triangle_t) {
-    if (sphere_t.hi() < triangle_t.lo()) return {Verdict::sphere_first};
-    if (triangle_t.hi() < sphere_t.lo()) return {Verdict::triangle_first};
-    return {Verdict::tie, Verdict::sphere_first, Verdict::triangle_first};
+using Times = std::map<Subject, Interval>;
+
+/// Which of these objects, which are all hit, is first. Several if the digits leave it open.
+std::vector<Verdict> order_of(const Times& times) {
+    if (times.empty()) return {Verdict::no_hit};
+    double earliest_end = HUGE_VAL;
+    for (const auto& [object, t] : times) earliest_end = std::min(earliest_end, t.hi());
+    std::vector<Verdict> verdicts;
+    for (const auto& [object, t] : times) {
+        if (t.lo() <= earliest_end) verdicts.push_back(reference::first(object));
+    }
+    if (verdicts.size() > 1) verdicts.push_back(Verdict::tie);
+    return verdicts;
 }
 
 void add(std::vector<Verdict>& verdicts, const std::vector<Verdict>& more) {
@@ -41,8 +52,9 @@ void add(std::vector<Verdict>& verdicts, const std::vector<Verdict>& more) {
 }  // namespace
 
 Hits hits_triangle(const HitValues& values, Boundary boundary) {
-    if (!values.triangle_t) return no;
-    const Hits in_front = is_in_front(*values.triangle_t, values.t_allowance, boundary);
+    const auto t = values.t.find(Subject::triangle);
+    if (t == values.t.end() || !t->second) return no;
+    const Hits in_front = is_in_front(*t->second, values.t_allowance, boundary);
     if (!values.u || !values.v) return in_front;
     const Interval rest = Interval(1) - *values.u - *values.v;
     return worst({in_front, not_negative(*values.u, values.uv_allowance), not_negative(*values.v, values.uv_allowance),
@@ -52,19 +64,33 @@ Hits hits_triangle(const HitValues& values, Boundary boundary) {
 std::vector<Verdict> possible_verdicts(const HitValues& values, std::span<const Boundary> boundaries) {
     std::vector<Verdict> verdicts;
     for (const Boundary boundary : boundaries) {
-        const Hits sphere = values.sphere_t ? is_in_front(*values.sphere_t, values.t_allowance, boundary) : no;
-        const Hits triangle = hits_triangle(values, boundary);
-        if (sphere != no && triangle != no) add(verdicts, order_of(*values.sphere_t, *values.triangle_t));
-        if (sphere != no && triangle != yes) add(verdicts, {Verdict::sphere_first});
-        if (sphere != yes && triangle != no) add(verdicts, {Verdict::triangle_first});
-        if (sphere != yes && triangle != yes) add(verdicts, {Verdict::no_hit});
+        std::vector<Times> possible(1);  // the objects that may be hit together
+        for (const auto& [object, t] : values.t) {
+            Hits hits = no;
+            if (object == Subject::triangle) {
+                hits = hits_triangle(values, boundary);
+            } else if (t) {
+                hits = is_in_front(*t, values.t_allowance, boundary);
+            }
+            if (hits == no) continue;
+            std::vector<Times> with = possible;
+            for (Times& times : with) times.emplace(object, *t);
+            if (hits == yes) possible.clear();
+            possible.insert(possible.end(), with.begin(), with.end());
+        }
+        for (const Times& times : possible) add(verdicts, order_of(times));
     }
     return verdicts;
 }
 
 std::optional<Verdict> smaller_t(const HitValues& values) {
-    if (!values.sphere_t || !values.triangle_t) return std::nullopt;
-    const std::vector<Verdict> order = order_of(*values.sphere_t, *values.triangle_t);
+    Times times;
+    for (const auto& [object, t] : values.t) {
+        if (!t) return std::nullopt;
+        times.emplace(object, *t);
+    }
+    if (times.size() < 2) return std::nullopt;
+    const std::vector<Verdict> order = order_of(times);
     return order.size() == 1 ? std::optional(order.front()) : std::nullopt;
 }
 

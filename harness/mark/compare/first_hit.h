@@ -1,6 +1,7 @@
-// Judges question 10 by values of t, u and v that are known to some digits only.
+// Judges what is hit first by values of t, u and v that are known to some digits only.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,11 +12,10 @@
 
 namespace harness {
 
-/// The values that decide which object is first. t is empty if the ray does not hit the object. Without u or v, the
-/// point counts as inside the triangle.
+/// The values that decide which object is first. Without u or v, the point counts as inside the triangle.
 struct HitValues {
-    std::optional<Interval> sphere_t;
-    std::optional<Interval> triangle_t;
+    /// Of each kind of object in the scene; empty if the ray does not hit it.
+    std::map<reference::Subject, std::optional<Interval>> t;
     std::optional<Interval> u = {};
     std::optional<Interval> v = {};
     /// How far a correct program's t, u and v may be off. A student's test may tolerate as much ("t >= -1e-6").
@@ -32,7 +32,7 @@ Hits hits_triangle(const HitValues& values, reference::Boundary boundary);
 std::vector<reference::Verdict> possible_verdicts(const HitValues& values,
                                                   std::span<const reference::Boundary> boundaries);
 
-/// Answers question 10 by the handout's words alone: "the point with smaller t", ignoring its sign and u and v. Empty
+/// Answers by the handout's words alone: "the point with smaller t", ignoring its sign and u and v. Empty
 /// if a t is missing or if the digits leave the order open.
 std::optional<reference::Verdict> smaller_t(const HitValues& values);
 

@@ -31,12 +31,11 @@ std::vector<ItemTargets> keys_by_convention(const reference::AnswerKey& key, con
     std::vector<ItemTargets> keys;
     for (const PixelConvention convention : rubric.pixel_conventions) {
         ItemTargets& known = keys.emplace_back();
-        for (const reference::KeyQuestion& question : key.questions) {
-            for (const KeyItem& item : question.items) {
-                known.set({question.number, item.spec.name},
-                          target_with_allowance(item, answer_under(convention, item), rubric));
-            }
-        }
+        const auto set = [&](const KeyItem& item) {
+            known.set(item.spec.id, target_with_allowance(item, answer_under(convention, item), rubric));
+        };
+        for (const reference::KeyQuestion& question : key.questions) std::ranges::for_each(question.items, set);
+        std::ranges::for_each(key.not_asked, set);
     }
     return keys;
 }

@@ -41,7 +41,7 @@ QuadraticForm find_quadratic_form(const PrintedQuadratic& printed, std::span<con
     if (!is_discriminant(Interval(4))) return QuadraticForm::half_b;
     const auto is_b_over = [&](int divisor) {
         return std::any_of(keys.begin(), keys.end(), [&](const ItemTargets& key) {
-            const Target* target = key.number(item::sphere::b);
+            const Target* target = key.number({printed.object, "b"});
             return target != nullptr && is_right_multiple(*b, *target, divisor, Interval(1.0), min_decimals);
         });
     };
@@ -54,9 +54,9 @@ std::optional<Interval> find_factor(const PrintedQuadratic& printed, const ItemT
     const PrintedNumber* a = single_number(printed.a);
     const PrintedNumber* b = single_number(printed.b);
     const PrintedNumber* c = single_number(printed.c);
-    const Target* key_a = key.number(item::sphere::a);
-    const Target* key_b = key.number(item::sphere::b);
-    const Target* key_c = key.number(item::sphere::c);
+    const Target* key_a = key.number({printed.object, "a"});
+    const Target* key_b = key.number({printed.object, "b"});
+    const Target* key_c = key.number({printed.object, "c"});
     if (a == nullptr || b == nullptr || c == nullptr || key_a == nullptr || key_b == nullptr || key_c == nullptr)
         return std::nullopt;
     const int b_divisor = form == QuadraticForm::half_b ? 2 : 1;

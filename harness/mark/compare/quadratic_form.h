@@ -11,14 +11,15 @@ namespace harness {
 /// full: the handout's quadratic. half_b: a t^2 + 2 b' t + c = 0, with d' = b'^2 - ac.
 enum class QuadraticForm { full, half_b };
 
-/// The form and scale that a student's items of question 6 are held to.
+/// The form and scale that a student's items of a quadratic are held to.
 struct QuadraticScale {
     QuadraticForm form = QuadraticForm::full;
     Interval factor = Interval(1.0);  ///< student's coefficients over the handout's, known to the printed digits
 };
 
-/// The printed a, b, c, d of question 6; null if an item was not printed readably.
+/// The printed a, b, c and d of an object; null if an item was not printed readably.
 struct PrintedQuadratic {
+    reference::Subject object;
     const MatchedItem* a;
     const MatchedItem* b;
     const MatchedItem* c;

@@ -44,11 +44,39 @@ bool may_be_negative(const ItemTargets& float_key) {
     return d && d->lo() < 0;
 }
 
+/// The hits of correct programs, whose numbers are within `float_key`.
+std::vector<HitValues> possible_hits(const ItemTargets& float_key, const IntervalScene& scene) {
+    std::vector<HitValues> possible(1);
+    for (HitValues& values : possible) {
+        values.u = float_key.scalar(item::triangle::u);
+        values.v = float_key.scalar(item::triangle::v);
+    }
+    for (const reference::Subject object : reference::objects) {
+        const ItemId t{object, "t"};
+        if (!float_key.targets().contains(t)) continue;
+        std::vector<Target> ts;
+        if (object != reference::Subject::triangle) ts = results_of(t, float_key, scene, QuadraticForm::full);
+        if (const auto known = float_key.scalar(t)) ts.push_back(target_of(*known));
+        if (ts.empty()) ts.push_back(no_value());
+        std::vector<HitValues> more;
+        for (const HitValues& values : possible) {
+            for (const Target& each : ts) {
+                more.push_back(values);
+                more.back().t[object] = each.no_value ? std::nullopt : std::optional(each.components.front());
+            }
+        }
+        possible = std::move(more);
+    }
+    return possible;
+}
+
 }  // namespace
 
 bool is_close_call(const MatchedItem& printed, const Evidence& evidence, double allowance) {
     const ItemId id = id_of(printed.spec);
-    if (id != item::sphere::t && id != item::triangle::hit) return false;
+    const bool may_hang_on_rounding =
+        id == item::sphere::t || id == item::triangle::hit || id == item::cylinder::t || id == item::cylinder::normal;
+    if (!may_hang_on_rounding) return false;
     const auto may_be = [&](const ItemTargets& known, QuadraticForm form) {
         return is_one_of(printed, results_of(id, known, evidence.scene, form), evidence, allowance).has_value();
     };
@@ -59,7 +87,7 @@ bool is_close_call(const MatchedItem& printed, const Evidence& evidence, double 
     if (!has_right_inputs(id, evidence)) return false;
     const bool possible = std::any_of(evidence.float_keys.begin(), evidence.float_keys.end(),
                                       [&](const ItemTargets& key) { return may_be(key, QuadraticForm::full); });
-    return possible && may_be(with_own_values(evidence), evidence.quadratic.form);
+    return possible && may_be(with_own_values(evidence), evidence.quadratic_of(id.subject).form);
 }
 
 bool follows_from_close_call(const MatchedItem& printed, const Evidence& evidence, double allowance) {
@@ -74,12 +102,7 @@ bool follows_from_close_call(const MatchedItem& printed, const Evidence& evidenc
 std::vector<reference::Verdict> close_verdicts(const Evidence& evidence) {
     std::vector<reference::Verdict> verdicts;
     for (const ItemTargets& key : evidence.float_keys) {
-        std::vector<Target> sphere_ts = results_of(item::sphere::t, key, evidence.scene, QuadraticForm::full);
-        if (const auto t = key.scalar(item::sphere::t)) sphere_ts.push_back(target_of(*t));
-        for (const Target& sphere_t : sphere_ts) {
-            HitValues values{
-                {}, key.scalar(item::triangle::t), key.scalar(item::triangle::u), key.scalar(item::triangle::v)};
-            if (!sphere_t.no_value) values.sphere_t = sphere_t.components.front();
+        for (const HitValues& values : possible_hits(key, evidence.scene)) {
             const auto more = possible_verdicts(values, evidence.scene.boundaries);
             verdicts.insert(verdicts.end(), more.begin(), more.end());
         }

@@ -63,7 +63,7 @@ std::optional<Agreement> follows_by(const Derivation& derivation, const MatchedI
     for (std::size_t choice = 1; choice < choices; ++choice) {
         const auto known = choose(derivation, choice, evidence, digits);
         if (!known) continue;
-        for (const QuadraticForm form : {evidence.quadratic.form, QuadraticForm::full}) {
+        for (const QuadraticForm form : {evidence.quadratic_of(printed.spec.subject).form, QuadraticForm::full}) {
             const std::vector<Target> results = derivation.compute(*known, evidence.scene, form);
             if (const auto agreement = is_one_of(printed, results, evidence, allowance)) return agreement;
             const bool none = std::any_of(results.begin(), results.end(), [](const Target& t) { return t.no_value; });

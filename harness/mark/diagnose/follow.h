@@ -10,7 +10,7 @@ namespace harness {
 
 /// A printed value agrees with a computed one.
 struct Agreement {
-    std::optional<SystemForm> system;  ///< question 8's matrix: in which layout; empty for every other item
+    std::optional<SystemForm> system;  ///< of the triangle's matrix: in which layout; empty for every other item
 };
 
 /// Agrees if a correct stage gives the printed value for the student's own inputs, and at least one input deviates from
@@ -18,8 +18,8 @@ struct Agreement {
 /// always replaces an input that was not printed. A result that is trivial or too wide to say anything does not count.
 std::optional<Agreement> follows(const MatchedItem& printed, const Evidence& evidence, double allowance);
 
-/// Agrees if the printed value is one of `targets`. Question 8's matrix may have any column order; its right-hand side
-/// may have the row factors of evidence.system.
+/// Agrees if the printed value is one of `targets`. The triangle's matrix may have any column order; its right-hand
+/// side may have the row factors of evidence.system.
 std::optional<Agreement> is_one_of(const MatchedItem& printed, const std::vector<Target>& targets,
                                    const Evidence& evidence, double allowance);
 

@@ -23,6 +23,10 @@ double size_of(const reference::Scene<double>& scene) {
         reach(sphere.center);
         size = std::max(size, sphere.radius);
     }
+    for (const auto& cylinder : scene.cylinders) {
+        reach(cylinder.center);
+        size = std::max({size, cylinder.radius, cylinder.height});
+    }
     for (const auto& triangle : scene.triangles) {
         for (const Vec3<double>& vertex : {triangle.A, triangle.B, triangle.C}) reach(vertex);
     }
@@ -37,6 +41,7 @@ IntervalScene real_scene(const reference::Assignment& assignment, const referenc
     IntervalScene real{reference::convert_scene<Interval>(scene, [](double x) { return Interval(x); }), {}};
     if (!real.spheres.empty()) std::swap(real.spheres.front(), real.spheres[answers.sphere_index]);
     if (!real.triangles.empty()) std::swap(real.triangles.front(), real.triangles[answers.triangle_index]);
+    if (!real.cylinders.empty()) std::swap(real.cylinders.front(), real.cylinders[answers.cylinder_index]);
     real.size = size_of(scene);
     using reference::BoundaryPolicy;
     if (assignment.rubric.boundary != BoundaryPolicy::positive) real.boundaries.push_back(Boundary::nonnegative);

@@ -8,7 +8,7 @@
 
 namespace harness {
 
-/// The scene's numbers as the nearest doubles. With several spheres or triangles, the object that the questions are
+/// The scene's numbers as the nearest doubles. With several objects of a kind, the one that the questions are
 /// about comes first.
 struct IntervalScene : reference::Scene<Interval> {
     std::vector<reference::Boundary> boundaries;  ///< how a hit at exactly t = 0 may count by the rubric

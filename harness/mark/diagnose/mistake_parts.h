@@ -14,6 +14,7 @@ using Vec = reference::Vec3<Interval>;
 const std::vector<Mistake>& of_camera();
 const std::vector<Mistake>& of_sphere();
 const std::vector<Mistake>& of_triangle();
+const std::vector<Mistake>& of_cylinder();
 
 /// compute(inputs...); empty if an input is missing.
 template <class... Inputs>

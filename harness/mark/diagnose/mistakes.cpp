@@ -40,17 +40,18 @@ std::optional<Agreement> explains(const Mistake& mistake, const MatchedItem& pri
 std::span<const Mistake> all_mistakes() {
     static const std::vector<Mistake> table = [] {
         std::vector<Mistake> all = mistakes::of_camera();
-        for (const auto* more : {&mistakes::of_sphere(), &mistakes::of_triangle()})
+        for (const auto* more : {&mistakes::of_sphere(), &mistakes::of_triangle(), &mistakes::of_cylinder()})
             all.insert(all.end(), more->begin(), more->end());
         return all;
     }();
     return table;
 }
 
-std::optional<FoundMistake> find_mistake(const MatchedItem& printed, const Evidence& evidence, double allowance) {
+std::optional<FoundMistake> find_mistake(const MatchedItem& printed, const Evidence& evidence, double allowance,
+                                         std::string_view name) {
     std::optional<FoundMistake> negated;  // (-V | A-B | A-C) has its edges the wrong way round, rather than V, negated
     for (const Mistake& mistake : all_mistakes()) {
-        if (mistake.item != id_of(printed.spec)) continue;
+        if (mistake.item != id_of(printed.spec) || !(name.empty() || mistake.name == name)) continue;
         const auto agreement = explains(mistake, printed, evidence, allowance);
         if (!agreement) continue;
         const FoundMistake found{&mistake, agreement->system};

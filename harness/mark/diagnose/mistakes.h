@@ -26,7 +26,8 @@ struct FoundMistake {
 };
 
 /// The mistake that explains a wrong printed value, computed from the student's own earlier values or, failing that,
-/// from the key's; empty if none does.
-std::optional<FoundMistake> find_mistake(const MatchedItem& printed, const Evidence& evidence, double allowance);
+/// from the key's; empty if none does. With a name, only mistakes of that name are looked at.
+std::optional<FoundMistake> find_mistake(const MatchedItem& printed, const Evidence& evidence, double allowance,
+                                         std::string_view name = {});
 
 }  // namespace harness

@@ -1,4 +1,4 @@
-// The named mistakes of questions 1 to 5.
+// The named mistakes of the camera: from the pixel to the ray.
 #include "harness/mark/diagnose/mistake_parts.h"
 #include "reference/stages/camera.h"
 
@@ -201,10 +201,10 @@ const std::vector<Mistake>& mistakes::of_camera() {
         {"near plane at 1", "The image plane is at distance clipNear, not at distance 1.", P_VCS, unit_z},
         {"z forgotten", "The image plane does not pass through the eye; its z is missing.", P_VCS, zero_z},
         {"Z points at lookat", "Z_vcs points from lookat to the eye; the camera looks along -Z.", Z, z_forward},
-        {"not normalised", "Z_vcs must have length 1.", Z, z_long},
+        {"not normalized", "Z_vcs must have length 1.", Z, z_long},
         {"lookat forgotten", "Z_vcs is the direction from lookat to the eye, not the eye itself.", Z, z_is_eye},
         {"cross product order", "X_vcs is vup x Z; the cross product is the other way round.", X, x_order},
-        {"not normalised", "X_vcs must have length 1.", X, x_long},
+        {"not normalized", "X_vcs must have length 1.", X, x_long},
         {"cross product order", "Y_vcs is Z x X; the cross product is the other way round.", Y, y_order},
         {"vup taken as Y", "Y_vcs is Z x X; vup only says roughly where up is.", Y, y_is_vup},
         {"translation missing", "The fourth column must hold the eye; only the rotation is there.", M,
@@ -220,8 +220,8 @@ const std::vector<Mistake>& mistakes::of_camera() {
         {"view matrix, not its inverse", "The pixel was transformed by the view matrix; M_VCS_to_WCS is its inverse.",
          P_WCS, point_by<view_matrix>},
         {"matrix transposed", "The pixel was multiplied by the transposed matrix.", P_WCS, point_by<transposed>},
-        {"not normalised", "V must have length 1.", V, v_long},
-        {"normalised with w", "V was normalised as a vec4 whose w is 1; normalise its first three components.", V,
+        {"not normalized", "V must have length 1.", V, v_long},
+        {"normalized with w", "V was normalized as a vec4 whose w is 1; normalize its first three components.", V,
          v_with_w},
         {"points to the eye", "V points from the eye to the pixel, not back.", V, v_backward},
         {"eye forgotten", "V is the direction from the eye to the pixel, not from the origin.", V, v_from_origin},

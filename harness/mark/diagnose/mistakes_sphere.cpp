@@ -1,4 +1,4 @@
-// The named mistakes of questions 6 and 7.
+// The named mistakes of the sphere.
 #include "harness/mark/diagnose/mistake_parts.h"
 
 namespace harness {
@@ -145,7 +145,7 @@ Targets n_added(const ItemTargets& known, const IntervalScene& scene) {
     return from([&](const Vec& p) { return normalized(Vec(p + sphere(scene).center)); }, known.vector(hit));
 }
 
-constexpr std::string_view subtract_center = "The sphere's centre must be subtracted from the start of the ray.";
+constexpr std::string_view subtract_center = "The sphere's center must be subtracted from the start of the ray.";
 
 }  // namespace
 
@@ -153,13 +153,13 @@ const std::vector<Mistake>& mistakes::of_sphere() {
     static const std::vector<Mistake> table = {
         {"ray starts at the eye", starts_at_eye, b, b_from_eye},
         {"factor 2 missing", "The coefficient of t is twice the dot product.", b, b_times<1>},
-        {"sign of b", "The vector from the centre to the start of the ray is the other way round.", b, b_times<-2>},
-        {"centre forgotten", subtract_center, b, b_without_center},
+        {"sign of b", "The vector from the center to the start of the ray is the other way round.", b, b_times<-2>},
+        {"center forgotten", subtract_center, b, b_without_center},
         {"radius not squared", "The sphere's equation has R squared.", c, c_radius_not_squared},
         {"ray starts at the eye", starts_at_eye, c, c_from_eye},
         {"radius forgotten", "R squared must be subtracted.", c, c_without_radius},
         {"sign of the radius", "R squared is subtracted, not added.", c, c_radius_added},
-        {"centre forgotten", subtract_center, c, c_without_center},
+        {"center forgotten", subtract_center, c, c_without_center},
         {"factor 4 missing", "The discriminant is b^2 - 4ac.", d, d_with<-1>},
         {"sign in the discriminant", "The discriminant is b^2 minus 4ac.", d, d_with<4>},
         {"factor 2 for 4", "The discriminant is b^2 - 4ac.", d, d_with<-2>},
@@ -176,15 +176,15 @@ const std::vector<Mistake>& mistakes::of_sphere() {
         {"square root forgotten", "The root holds the square root of the discriminant, not the discriminant.", t,
          t_without_root},
         {"sign of b in the root", "The root begins with minus b.", t, t_sign_of_b},
-        {"closest approach", "That is where the ray is nearest to the centre, -b / (2a), not where it hits.", t,
+        {"closest approach", "That is where the ray is nearest to the center, -b / (2a), not where it hits.", t,
          t_of_closest_approach},
         {"ray starts at the eye", "The hit point is S + tV with S = P_WCS, not the eye.", hit, hit_from_eye<t>},
         {"start forgotten", "The hit point is S + tV; S is missing.", hit, hit_without_start<t>},
         {"sign of t", "The hit point is S plus tV.", hit, hit_backward<t>},
-        {"points inward", "The normal points from the centre to the hit point, not back.", normal, n_inward},
-        {"not normalised", "The normal must have length 1.", normal, n_long},
-        {"centre forgotten", "The normal is the hit point minus the centre, normalised.", normal, n_without_center},
-        {"sign of the centre", "The centre is subtracted from the hit point, not added.", normal, n_added},
+        {"points inward", "The normal points from the center to the hit point, not back.", normal, n_inward},
+        {"not normalized", "The normal must have length 1.", normal, n_long},
+        {"center forgotten", "The normal is the hit point minus the center, normalized.", normal, n_without_center},
+        {"sign of the center", "The center is subtracted from the hit point, not added.", normal, n_added},
     };
     return table;
 }

@@ -1,4 +1,4 @@
-// The named mistakes of questions 8 and 9.
+// The named mistakes of the triangle.
 #include "harness/mark/diagnose/mistake_parts.h"
 
 namespace harness {
@@ -139,8 +139,8 @@ const std::vector<Mistake>& mistakes::of_triangle() {
         {"A forgotten", "The hit point is A + u(B-A) + v(C-A); A is missing.", hit, hit_without_a},
         {"cross product order", "The normal is (B-A) x (C-A); the cross product is the other way round.", normal,
          n_order},
-        {"not normalised", "The normal must have length 1.", normal, n_long},
-        {"cross product order, not normalised", "The normal is (B-A) x (C-A), and must have length 1.", normal,
+        {"not normalized", "The normal must have length 1.", normal, n_long},
+        {"cross product order, not normalized", "The normal is (B-A) x (C-A), and must have length 1.", normal,
          n_order_and_long},
         {"vertices for edges", "The normal is the cross product of the edges B - A and C - A, not of the vertices.",
          normal, n_of_vertices},

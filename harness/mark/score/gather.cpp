@@ -65,9 +65,11 @@ Gatherer::Gatherer(const std::vector<MatchedItem>& matched, const reference::Ans
     }
     evidence_.scene = real_scene(assignment, key.canonical);
     evidence_.min_decimals = rubric_.min_decimals;
-    const PrintedQuadratic quadratic{readable(matched_, item::sphere::a), readable(matched_, item::sphere::b),
-                                     readable(matched_, item::sphere::c), readable(matched_, item::sphere::d)};
-    evidence_.quadratic = find_quadratic_scale(quadratic, evidence_.conventions, rubric_.min_decimals);
+    for (const reference::Subject object : {reference::Subject::sphere, reference::Subject::cylinder}) {
+        const PrintedQuadratic printed{object, readable(matched_, {object, "a"}), readable(matched_, {object, "b"}),
+                                       readable(matched_, {object, "c"}), readable(matched_, {object, "d"})};
+        evidence_.quadratics[object] = find_quadratic_scale(printed, evidence_.conventions, rubric_.min_decimals);
+    }
 }
 
 Gathered Gatherer::gather() {
@@ -113,7 +115,7 @@ Finding Gatherer::compare_with_key(const KeyItem& item, const MatchedItem& print
         return finding;
     }
     if (!printed.value->numbers.empty()) {
-        if (item.spec.question == 6 && item.spec.shape == Shape::scalar) {
+        if (evidence_.quadratics.contains(id.subject) && item.spec.shape == Shape::scalar) {
             finding.right = is_right_quadratic(item, printed, finding);
         } else if (id == matrix) {
             finding.right = is_right_matrix(item, printed, finding);
@@ -139,9 +141,10 @@ bool Gatherer::is_right_but_coarse(const KeyItem& item, const MatchedItem& print
 }
 
 bool Gatherer::is_right_quadratic(const KeyItem& item, const MatchedItem& printed, Finding& finding) const {
-    const std::string_view name = printed.spec.name;
-    const bool half = evidence_.quadratic.form == QuadraticForm::half_b && (name == "b" || name == "d");
-    const Interval& k = evidence_.quadratic.factor;
+    const std::string_view name = printed.spec.id.name;
+    const QuadraticScale scale = evidence_.quadratic_of(printed.spec.subject);
+    const bool half = scale.form == QuadraticForm::half_b && (name == "b" || name == "d");
+    const Interval& k = scale.factor;
     const Interval factor = name == "d" && !is_one(k) ? k * k : k;
     if (name == "t" || (!half && is_one(factor))) return false;
     const Interval divisor(!half ? 1 : name == "b" ? 2 : 4);

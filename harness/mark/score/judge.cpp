@@ -1,8 +1,11 @@
 // The order of the checks that lead to a verdict.
 #include "harness/mark/score/judge.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "harness/mark/compare/key_targets.h"
 #include "harness/mark/diagnose/follow.h"
@@ -24,10 +27,23 @@ void note_reading(ItemScore& score, const PrintedValue& value) {
     }
 }
 
+/// The most generous price first, because an answer may be what several mistakes lead to.
+std::vector<reference::MistakePrice> by_share(std::vector<reference::MistakePrice> prices) {
+    std::ranges::stable_sort(prices, std::ranges::greater(), &reference::MistakePrice::share);
+    return prices;
+}
+
 void accept(ItemScore& score, std::string reason) {
     score.verdict = ItemVerdict::right;
     score.accepted_as = std::move(reason);
     score.error.reset();
+}
+
+void price_mistake(const Mistake& mistake, double share, ItemScore& score) {
+    if (share == 1) return accept(score, fmt::format("the rubric accepts the mistake \"{}\"", mistake.name));
+    score.diagnosis = mistake.name;
+    score.advice = fmt::format("{} By the rubric it earns {:g} % of the points.", mistake.advice, 100 * share);
+    score.credit = share;
 }
 
 }  // namespace
@@ -102,7 +118,15 @@ void Judge::judge_value(const KeyItem& item, const MatchedItem& printed, const E
         without_this = evidence;
         learn(without_this, judgement);
     }
-    const auto found = find_mistake(printed, judgement.says_nothing ? without_this : evidence, allowance);
+    const Evidence& known = judgement.says_nothing ? without_this : evidence;
+    for (const reference::MistakePrice& price : by_share(rubric_.mistakes)) {
+        if (price.item && *price.item != id) continue;
+        const auto found = find_mistake(printed, known, allowance, price.name);
+        if (!found) continue;
+        judgement.system = found->system;
+        return price_mistake(*found->mistake, price.share, score);
+    }
+    const auto found = find_mistake(printed, known, allowance);
     if (!found) return;
     score.diagnosis = found->mistake->name;
     score.advice = found->mistake->advice;

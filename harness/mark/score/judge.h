@@ -41,9 +41,10 @@ class Judge {
     // judge_first_hit.cpp
     ItemVerdict judge_verdict(const reference::KeyItem& item, const PrintedVerdict& printed, const Evidence& evidence,
                               ItemScore& score) const;
+    bool is_asked(const ItemId& id) const;
     std::optional<HitValues> own_hits(const Evidence& evidence) const;
-    /// Whether both objects have the same printed t and it is wrong for at least one of them. Such values decide no
-    /// order.
+    /// Whether two objects have the same printed t, it is wrong for at least one of them, and no other object is
+    /// nearer. Such values decide no order.
     bool is_same_wrong_t(const Evidence& evidence) const;
 
     const std::vector<MatchedItem>& matched_;

@@ -1,6 +1,7 @@
-// Question 10: which object the ray hits first.
+// Which object the ray hits first.
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <map>
 
 #include "harness/mark/diagnose/close_call.h"
 #include "harness/mark/score/judge.h"
@@ -10,43 +11,69 @@ namespace {
 
 using reference::KeyItem;
 
-/// The items that decide question 10.
-constexpr std::array<ItemId, 4> deciding = {{item::sphere::t, item::triangle::t, item::triangle::u, item::triangle::v}};
+/// The t of each kind of object in the scene.
+std::vector<ItemId> hit_times(const Evidence& evidence) {
+    std::vector<ItemId> times;
+    for (const reference::Subject object : reference::objects) {
+        if (evidence.key.targets().contains({object, "t"})) times.push_back({object, "t"});
+    }
+    return times;
+}
 
 }  // namespace
 
 std::optional<HitValues> Judge::own_hits(const Evidence& evidence) const {
     const auto& own = evidence.own_values(Digits::as_printed);
-    const auto sphere_t = own.find(item::sphere::t), triangle_t = own.find(item::triangle::t);
-    if (sphere_t == own.end() || triangle_t == own.end()) return std::nullopt;
     const auto value = [](const Target& target) {
         return target.no_value ? std::nullopt : std::optional(target.components.front());
     };
-    HitValues hits{value(sphere_t->second), value(triangle_t->second)};
+    HitValues hits;
+    for (const ItemId& t : hit_times(evidence)) {
+        const auto printed = own.find(t);
+        if (printed == own.end() && is_asked(t)) return std::nullopt;
+        hits.t[t.subject] = value(printed == own.end() ? evidence.key.targets().at(t) : printed->second);
+        if (hits.t[t.subject] && !hits.t[t.subject]->is_bounded()) return std::nullopt;
+    }
     if (const auto u = own.find(item::triangle::u); u != own.end()) hits.u = value(u->second);
     if (const auto v = own.find(item::triangle::v); v != own.end()) hits.v = value(v->second);
-    for (const auto& number : {hits.sphere_t, hits.triangle_t}) {
-        if (number && !number->is_bounded()) return std::nullopt;
-    }
     for (const reference::KeyQuestion& question : key_.questions) {
         for (const KeyItem& key_item : question.items) {
             const double allowance = allowance_of(key_item, rubric_);
-            const bool t = key_item.spec.name == "t", uv = key_item.spec.name == "u" || key_item.spec.name == "v";
-            if (t) hits.t_allowance = std::max(hits.t_allowance, allowance);
-            if (uv) hits.uv_allowance = std::max(hits.uv_allowance, allowance);
+            const std::string_view name = key_item.spec.id.name;
+            if (name == "t") hits.t_allowance = std::max(hits.t_allowance, allowance);
+            if (name == "u" || name == "v") hits.uv_allowance = std::max(hits.uv_allowance, allowance);
         }
     }
     return hits;
 }
 
+bool Judge::is_asked(const ItemId& id) const {
+    return std::ranges::any_of(key_.questions, [&](const reference::KeyQuestion& question) {
+        return std::ranges::any_of(question.items, [&](const KeyItem& each) { return each.spec.id == id; });
+    });
+}
+
 bool Judge::is_same_wrong_t(const Evidence& evidence) const {
-    const MatchedItem* sphere_t = readable(matched_, item::sphere::t);
-    const MatchedItem* triangle_t = readable(matched_, item::triangle::t);
-    if (sphere_t == nullptr || triangle_t == nullptr || sphere_t->value->numbers.empty() ||
-        triangle_t->value->numbers.empty())
-        return false;
-    const bool wrong = !evidence.right.contains(item::sphere::t) || !evidence.right.contains(item::triangle::t);
-    return wrong && sphere_t->value->numbers.front().value == triangle_t->value->numbers.front().value;
+    struct Printed {
+        int objects = 0;
+        bool wrong = false;
+    };
+    std::map<double, Printed> printed;
+    for (const ItemId& t : hit_times(evidence)) {
+        const MatchedItem* item = readable(matched_, t);
+        if (item == nullptr || item->value->numbers.empty()) continue;
+        const double value = item->value->numbers.front().value;
+        if (std::isnan(value)) continue;
+        Printed& with_this_t = printed[value];
+        ++with_this_t.objects;
+        with_this_t.wrong = with_this_t.wrong || !evidence.right.contains(t);
+    }
+    return std::ranges::any_of(printed, [&](const auto& each) {
+        const auto& [t, with_this_t] = each;
+        const auto nearest = printed.lower_bound(0.0);
+        const bool another_is_nearer = nearest != printed.end() && nearest->first < t;
+        return with_this_t.objects > 1 && with_this_t.wrong && !another_is_nearer;
+    });
 }
 
 ItemVerdict Judge::judge_verdict(const KeyItem& item, const PrintedVerdict& printed, const Evidence& evidence,
@@ -68,14 +95,16 @@ ItemVerdict Judge::judge_verdict(const KeyItem& item, const PrintedVerdict& prin
         score.accepted_as = "rounding may decide here what is hit first";
         return ItemVerdict::right;
     }
-    const bool own_deviates = std::any_of(deciding.begin(), deciding.end(),
-                                          [&](const ItemId& id) { return evidence.deviating.contains(id); });
+    std::vector<ItemId> deciding = hit_times(evidence);
+    deciding.insert(deciding.end(), {item::triangle::u, item::triangle::v});
+    const bool own_deviates =
+        std::ranges::any_of(deciding, [&](const ItemId& id) { return evidence.deviating.contains(id); });
     const bool follows_own = hits && (agrees_with_own || printed.verdict == smaller_t(*hits));
     if (follows_own && own_deviates && !is_same_wrong_t(evidence)) return ItemVerdict::follow;
     if (hits && !follows_own) {
         score.diagnosis = "verdict against own values";
         score.advice =
-            "The verdict does not agree with the values of t that you printed for the two objects; compare them again.";
+            "The verdict does not agree with the values of t that you printed for the objects; compare them again.";
     }
     return ItemVerdict::wrong;
 }

@@ -13,7 +13,7 @@ double share_of(const ItemScore& item, const reference::Rubric& rubric) {
     switch (item.verdict) {
         case ItemVerdict::right: return 1.0;
         case ItemVerdict::follow: return item.credit.value_or(rubric.follow_through);
-        case ItemVerdict::wrong:
+        case ItemVerdict::wrong: return item.credit.value_or(0.0);
         case ItemVerdict::missing:
         case ItemVerdict::unreadable: return 0.0;
     }
@@ -55,6 +55,7 @@ QuestionScore judge_question(const reference::KeyQuestion& question, const Judge
                              const reference::Rubric& rubric) {
     QuestionScore score;
     score.number = question.number;
+    score.title = question.title;
     score.max_points = rubric.points_of(question.number);
     score.items.reserve(question.items.size());
     for (const reference::KeyItem& item : question.items) {
@@ -160,6 +161,18 @@ std::string_view to_string(Doubt::Why why) {
         case Doubt::Why::little_read: return "little_read";
     }
     return "";
+}
+
+std::vector<reference::ItemSpec> asked_items(const Score& score) {
+    std::vector<reference::ItemSpec> items;
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) items.push_back(item.spec);
+    }
+    return items;
+}
+
+int last_question(const Score& score) {
+    return score.questions.empty() ? 0 : score.questions.back().number;
 }
 
 Score score(const Transcript& transcript, const reference::AnswerKey& key, const reference::Assignment& assignment,

@@ -58,12 +58,14 @@ struct ItemScore {
     bool no_value = false;    ///< read as "none"
     bool not_finite = false;  ///< its numbers include nan or inf
     double half_unit = 0;     ///< half a unit of the last printed digit; the largest among its numbers
-    /// The share of its points that a follow-through answer earns, where it is not the rubric's follow_through.
+    /// The share of its points that an answer earns: one that follows, where it is not the rubric's follow_through, and
+    /// a wrong one whose mistake the rubric prices.
     std::optional<double> credit;
 };
 
 struct QuestionScore {
     int number = 0;
+    std::string title = {};
     ItemVerdict verdict = ItemVerdict::right;  ///< worst of its items: wrong or unreadable, missing, follow, right
     double points = 0;
     double max_points = 0;
@@ -81,8 +83,13 @@ struct Score {
     double max_points = 0;
     std::optional<ScenesScore> other_scenes;  ///< included in both sums above; empty if the rubric gives none
     std::optional<double> follow_cap;         ///< the rubric's cap on follow-through in points, if it cut some
-    std::vector<QuestionScore> questions;     ///< in the handout's order
+    std::vector<QuestionScore> questions;     ///< by number
 };
+
+/// The items of all questions.
+std::vector<reference::ItemSpec> asked_items(const Score& score);
+/// The highest number of a question; 0 if there is none.
+int last_question(const Score& score);
 
 /// Marks a transcript. `key` must be the assignment's. Items that have a place are read from there.
 Score score(const Transcript& transcript, const reference::AnswerKey& key, const reference::Assignment& assignment,

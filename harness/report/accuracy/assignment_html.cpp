@@ -37,7 +37,7 @@ std::string assignment_html(const AssignmentAccuracy& assignment) {
     }
     if (!near.empty()) html += "<ul>\n" + near + "</ul>\n";
     html +=
-        "<h3>How far each answer is off</h3>\n<p>The handout's ten questions, computed in each type, against the "
+        "<h3>How far each answer is off</h3>\n<p>The handout's answers, computed in each type, against the "
         "certified answers: the largest error over an item's components, in units in the last place of float (ULP), "
         "then "
         "float's error as a length, what marking forgives, and how much of that float uses.</p>\n"
@@ -47,7 +47,7 @@ std::string assignment_html(const AssignmentAccuracy& assignment) {
         "<tbody>\n";
     for (const ItemAccuracy& item : assignment.items) html += item_row(item);
     html += fmt::format(
-        "</tbody></table></div>\n<h3>What the certified answers cost</h3>\n<p>All ten answers once, median of {} "
+        "</tbody></table></div>\n<h3>What the certified answers cost</h3>\n<p>All answers once, median of {} "
         "interleaved repetitions. Certified means that every decision is made exactly and every value is enclosed "
         "between "
         "neighbouring doubles.</p>\n<table>\n<thead><tr><th scope=\"col\">arithmetic</th><th scope=\"col\">time</th>"

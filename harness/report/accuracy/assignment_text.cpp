@@ -34,8 +34,7 @@ std::string assignment_text(const AssignmentAccuracy& assignment) {
     for (const Decision& one : assignment.decisions) {
         if (one.hangs_on_rounding()) text += wrapped("- " + decision_sentence(one));
     }
-    text +=
-        fmt::format("\nWhat all ten answers cost (median of {} interleaved repetitions):\n", assignment.repetitions);
+    text += fmt::format("\nWhat all answers cost (median of {} interleaved repetitions):\n", assignment.repetitions);
     for (const ScalarCost& cost : assignment.costs) {
         text += fmt::format("  {:<12} {:>10} {:>10} × float\n", cost.scalar, time_text(cost.ns),
                             three_digits(cost.to_float));

@@ -70,7 +70,7 @@ PageData items_of(const ClassStatistics& statistics) {
     for (const ItemTally& tally : statistics.items) {
         PageData item;
         item["number"] = std::to_string(tally.spec.question);
-        item["question_title"] = std::string(reference::question_title(tally.spec.question));
+        item["question_title"] = tally.question_title;
         item["name"] = std::string(tally.spec.name);
         item["bar"] = tally_bar(tally);
         item["right"] = std::to_string(tally.right);
@@ -157,7 +157,7 @@ void write_mistakes(std::ostream& out, const std::vector<Graded>& graded,
         if (question.answers.empty()) continue;
         PageData data;
         data["number"] = std::to_string(question.question);
-        data["question_title"] = std::string(reference::question_title(question.question));
+        data["question_title"] = question.title;
         if (question.following > 0) {
             data["following"] = fmt::format("Wrong in {} more {}, but only because of earlier answers.",
                                             question.following, question.following == 1 ? "program" : "programs");

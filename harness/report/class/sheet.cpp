@@ -70,9 +70,8 @@ std::string question_heading(const Graded& graded, const QuestionScore& question
     return fmt::format(
         "<tbody><tr class=\"question\"><th colspan=\"4\" scope=\"rowgroup\">{}. {}</th><td class=\"number\">{}{} of "
         "{}</td></tr>\n",
-        question.number, reference::question_title(question.number),
-        set ? fmt::format("<s>{}</s> ", points_text(question.points)) : "", points_text(points),
-        points_text(question.max_points));
+        question.number, question.title, set ? fmt::format("<s>{}</s> ", points_text(question.points)) : "",
+        points_text(points), points_text(question.max_points));
 }
 
 /// Why an item lost its mark, for the instructor: the student's sentence, the mistake's name, the distance.
@@ -186,7 +185,7 @@ std::string ClassSheets::rows_of(const Graded& graded, const QuestionScore& ques
         data["name"] = std::string(item.spec.name);
         set_text(data, "printed", item.printed);
         if (item.line != 0) data["line"] = std::to_string(item.line);
-        data["asked"] = asked_.at({item.spec.question, item.spec.name});
+        data["asked"] = asked_.at(item.spec.id);
         data["verdict"] = std::string(to_string(item.verdict));
         data["word"] = std::string(word_of(item.verdict));
         data["got"] = points_text(final_points(graded, question, item));

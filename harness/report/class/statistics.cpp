@@ -26,7 +26,7 @@ std::vector<ItemTally> tally_items(const std::vector<Graded>& graded) {
         std::size_t at = 0;  // every score has the same items in the same order
         for (const QuestionScore& question : one.score.questions) {
             for (const ItemScore& item : question.items) {
-                if (at == tallies.size()) tallies.push_back({item.spec});
+                if (at == tallies.size()) tallies.push_back({item.spec, question.title});
                 count(tallies[at++], item.verdict);
             }
         }

@@ -13,6 +13,7 @@ namespace harness::report {
 /// How a class did on one item: of the programs with at least one answer, how many got it…
 struct ItemTally {
     reference::ItemSpec spec;
+    std::string question_title;
     std::size_t right = 0;
     std::size_t follow = 0;
     std::size_t wrong = 0;  ///< or unreadable

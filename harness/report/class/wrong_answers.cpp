@@ -139,16 +139,18 @@ std::string gist_of(std::string_view printed) {
 std::vector<QuestionMistakes> mistakes_by_question(const std::vector<Graded>& graded) {
     std::map<int, Gathered> gathered;
     std::map<int, std::size_t> following;
+    std::map<int, std::string> titles;
     for (std::size_t i = 0; i < graded.size(); ++i) {
         if (!has_answers(graded[i])) continue;
         for (const QuestionScore& question : graded[i].score.questions) {
             gather(gathered[question.number], graded[i], question, i);
+            titles[question.number] = question.title;
             following[question.number] += only_follows(question) ? 1 : 0;
         }
     }
     std::vector<QuestionMistakes> mistakes;
     for (auto& [question, answers] : gathered)
-        mistakes.push_back({question, arrange(std::move(answers)), following[question]});
+        mistakes.push_back({question, titles[question], arrange(std::move(answers)), following[question]});
     return mistakes;
 }
 

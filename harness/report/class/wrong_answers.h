@@ -23,6 +23,7 @@ struct WrongAnswer {
 
 struct QuestionMistakes {
     int question = 0;
+    std::string title;
     std::vector<WrongAnswer> answers;  ///< most shared first; answers that nobody shares last
     std::size_t following = 0;         ///< submissions whose only errors here follow from earlier mistakes
 };

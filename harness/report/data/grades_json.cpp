@@ -37,12 +37,11 @@ class Expected {
     explicit Expected(const reference::AnswerKey& key) {
         for (const reference::KeyQuestion& question : key.questions) {
             for (const reference::KeyItem& item : question.items) {
-                values_[{item.spec.question, item.spec.name}] =
-                    reference::value_json(item.answers.front().value, item.spec.shape);
+                values_[item.spec.id] = reference::value_json(item.answers.front().value, item.spec.shape);
             }
         }
     }
-    const ordered_json& of(const reference::ItemSpec& spec) const { return values_.at({spec.question, spec.name}); }
+    const ordered_json& of(const reference::ItemSpec& spec) const { return values_.at(spec.id); }
 
   private:
     std::map<reference::ItemId, ordered_json> values_;

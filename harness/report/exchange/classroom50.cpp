@@ -49,8 +49,8 @@ ordered_json tests_json(const Graded& graded, const Marking& marking) {
         const double own = final_points(graded, question);
         std::string output;
         for (const ItemScore& item : question.items) output += item_text(graded, question, item, marking);
-        tests.add(fmt::format("Question {}: {}", question.number, reference::question_title(question.number)), own,
-                  question.max_points, is_passed(own, question.max_points, question.verdict), output);
+        tests.add(fmt::format("Question {}: {}", question.number, question.title), own, question.max_points,
+                  is_passed(own, question.max_points, question.verdict), output);
     }
     if (graded.score.other_scenes) {
         const double own = final_scenes_points(graded), most = graded.score.other_scenes->max_points;

@@ -26,7 +26,7 @@ ordered_json test_json(const Graded& graded, const QuestionScore& question, cons
     std::string output;
     for (const ItemScore& item : question.items) output += item_text(graded, question, item, marking);
     output += override_text(find_override(graded, question.number, ""));
-    return {{"name", fmt::format("Question {}: {}", question.number, reference::question_title(question.number))},
+    return {{"name", fmt::format("Question {}: {}", question.number, question.title)},
             {"number", std::to_string(question.number)},
             {"score", two_decimals(points)},
             {"max_score", two_decimals(question.max_points)},

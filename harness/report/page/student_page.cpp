@@ -74,7 +74,7 @@ PageData cell_of(const Graded& graded, const QuestionScore& question) {
     const std::string_view verdict = class_of(question);
     cell["class"] = std::string(verdict);
     cell["number"] = std::to_string(question.number);
-    cell["question_title"] = std::string(reference::question_title(question.number));
+    cell["question_title"] = question.title;
     cell["symbol"] = std::string(symbol_of(question));
     cell["word"] = word_of(question);
     cell["got"] = points_text(final_points(graded, question));
@@ -125,7 +125,7 @@ PageData StudentPages::item(const Graded& graded, const QuestionScore& question,
     data["item_set"] = find_override(graded, question.number, std::string(item.spec.name)) != nullptr;
     set_text(data, "printed", item.printed);
     if (item.line != 0) data["line"] = std::to_string(item.line);
-    const auto asked = asked_.find({item.spec.question, item.spec.name});
+    const auto asked = asked_.find(item.spec.id);
     if (asked != asked_.end() && item.verdict != ItemVerdict::right) data["asked"] = asked->second;
     if (!said) set_text(data, "sentence", item_sentence(item, graded.outcome));
     set_text(data, "diagnosis", item.diagnosis);

@@ -14,25 +14,27 @@ namespace {
 using reference::AnswerKey;
 using reference::Numbers;
 
-const Numbers* numbers_of(const AnswerKey& key, int question, std::string_view name) {
+namespace item = reference::item;
+using reference::ItemId;
+
+const Numbers* numbers_of(const AnswerKey& key, const ItemId& id) {
     for (const auto& each : key.questions) {
         for (const auto& item : each.items) {
-            if (each.number == question && item.spec.name == name)
-                return std::get_if<Numbers>(&item.answers.front().value);
+            if (item.spec.id == id) return std::get_if<Numbers>(&item.answers.front().value);
         }
     }
     return nullptr;
 }
 
-std::optional<Point> point_of(const AnswerKey& key, int question, std::string_view name) {
-    const Numbers* numbers = numbers_of(key, question, name);
+std::optional<Point> point_of(const AnswerKey& key, const ItemId& id) {
+    const Numbers* numbers = numbers_of(key, id);
     if (numbers == nullptr || numbers->size() != 3) return std::nullopt;
     const Point point((*numbers)[0], (*numbers)[1], (*numbers)[2]);
     return is_finite(point) ? std::optional(point) : std::nullopt;
 }
 
-double number_of(const AnswerKey& key, int question, std::string_view name) {
-    const Numbers* numbers = numbers_of(key, question, name);
+double number_of(const AnswerKey& key, const ItemId& id) {
+    const Numbers* numbers = numbers_of(key, id);
     return numbers != nullptr && numbers->size() == 1 ? numbers->front() : std::nan("");
 }
 
@@ -46,18 +48,25 @@ std::size_t nearest(const std::vector<T>& things, Difference difference) {
     return best;
 }
 
-void find_asked(const AnswerKey& key, const DoubleScene& scene, RightValues& right) {
-    if (!right.P_WCS || !right.V) return;
-    const double b = number_of(key, 6, "b");
-    const double c = number_of(key, 6, "c");
-    right.asked_sphere = nearest(scene.spheres, [&](const auto& sphere) {
+std::size_t asked_sphere(const AnswerKey& key, const DoubleScene& scene, const RightValues& right) {
+    const double b = number_of(key, item::sphere::b);
+    const double c = number_of(key, item::sphere::c);
+    if ((std::isnan(b) || std::isnan(c)) && right.P_s) {
+        return nearest(scene.spheres, [&](const auto& sphere) {
+            return std::abs(distance(*right.P_s, sphere.center) - sphere.radius);
+        });
+    }
+    return nearest(scene.spheres, [&](const auto& sphere) {
         const auto quadratic = reference::sphere_quadratic(*right.P_WCS, *right.V, sphere);
         return std::hypot(quadratic.b - b, quadratic.c - c);
     });
-    const Numbers* matrix = numbers_of(key, 8, "matrix");
-    const auto rhs = point_of(key, 8, "rhs");
-    if (matrix == nullptr || matrix->size() != 9 || !rhs) return;
-    right.asked_triangle = nearest(scene.triangles, [&](const auto& triangle) {
+}
+
+std::size_t asked_triangle(const AnswerKey& key, const DoubleScene& scene, const RightValues& right) {
+    const Numbers* matrix = numbers_of(key, item::triangle::matrix);
+    const auto rhs = point_of(key, item::triangle::rhs);
+    if (matrix == nullptr || matrix->size() != 9 || !rhs) return 0;
+    return nearest(scene.triangles, [&](const auto& triangle) {
         const auto system = reference::triangle_system(*right.P_WCS, *right.V, triangle);
         double sum = distance(system.rhs, *rhs);
         for (int i = 1; i < 3; ++i) {
@@ -66,6 +75,21 @@ void find_asked(const AnswerKey& key, const DoubleScene& scene, RightValues& rig
         }
         return sum;
     });
+}
+
+std::size_t asked_cylinder(const DoubleScene& scene, const RightValues& right) {
+    if (!right.P_c) return 0;
+    return nearest(scene.cylinders, [&](const auto& cylinder) {
+        const Point from_center = *right.P_c - cylinder.center;
+        const double beyond_tube = std::hypot(from_center.x, from_center.z) - cylinder.radius;
+        const double beyond_cap = std::abs(from_center.y) - cylinder.height / 2;
+        return std::abs(std::max(beyond_tube, beyond_cap));
+    });
+}
+
+AskedObjects asked_objects(const AnswerKey& key, const DoubleScene& scene, const RightValues& right) {
+    if (!right.P_WCS || !right.V) return {};
+    return {asked_sphere(key, scene, right), asked_triangle(key, scene, right), asked_cylinder(scene, right)};
 }
 
 Point middle_of(const reference::Triangle<double>& triangle) {
@@ -92,6 +116,7 @@ void draw_ray(const RightValues& right, const DoubleScene& scene, const Frame& f
 }
 
 std::string hit_note(std::string_view object, std::string_view point, double t) {
+    if (std::isnan(t)) return fmt::format("{}: the ray hits the {}.", point, object);
     return fmt::format("{}: the ray hits the {}, t = {:.4g}.", point, object, t);
 }
 
@@ -100,10 +125,15 @@ void draw_sphere_hit(const RightValues& right, const AnswerKey& key, Sketch& ske
     if (right.P_s) sketch.dots.push_back({*right.P_s, "P_s", Ink::sphere, Mark::dot});
     if (right.P_s && right.sphere_normal)
         sketch.arrows.push_back({*right.P_s, *right.sphere_normal, "N at P_s", Ink::sphere, Stroke::plain});
-    if (decision == "hit") sketch.notes.push_back(hit_note("sphere", "P_s", number_of(key, 6, "t")));
+    if (decision == "hit") sketch.notes.push_back(hit_note("sphere", "P_s", number_of(key, item::sphere::t)));
     if (decision == "miss") sketch.notes.emplace_back("The ray misses the sphere.");
     if (decision == "tangent") sketch.notes.emplace_back("P_s: the ray touches the sphere in this one point, d = 0.");
     if (decision == "boundary") sketch.notes.emplace_back("The ray starts on the sphere, c = 0.");
+}
+
+/// Whether P_t lies behind the ray's start.
+bool is_behind_start(const RightValues& right) {
+    return right.P_t && right.P_WCS && right.V && reference::dot(*right.P_t - *right.P_WCS, *right.V) < 0;
 }
 
 void draw_triangle_hit(const RightValues& right, const AnswerKey& key, const DoubleScene& scene, Sketch& sketch) {
@@ -114,30 +144,58 @@ void draw_triangle_hit(const RightValues& right, const AnswerKey& key, const Dou
     if (P_t) sketch.dots.push_back({*P_t, "P_t", Ink::triangle, met ? Mark::dot : Mark::ring});
     if (right.triangle_normal) {
         const bool at_hit = met && P_t;
-        const Point at = at_hit ? *P_t : middle_of(scene.triangles[right.asked_triangle]);
+        const Point at = at_hit ? *P_t : middle_of(scene.triangles[right.asked.triangle]);
         sketch.arrows.push_back(
             {at, *right.triangle_normal, at_hit ? "N at P_t" : "N of ABC", Ink::triangle, Stroke::plain});
     }
-    if (decision == "hit") sketch.notes.push_back(hit_note("triangle", "P_t", number_of(key, 8, "t")));
+    if (decision == "hit") sketch.notes.push_back(hit_note("triangle", "P_t", number_of(key, item::triangle::t)));
     if (decision == "boundary") sketch.notes.emplace_back("P_t: the ray starts on the triangle, t = 0.");
     if (decision == "coplanar") sketch.notes.emplace_back("The ray lies in the triangle's plane.");
     if (decision == "miss") {
-        const bool behind = number_of(key, 8, "t") < 0;
+        const double t = number_of(key, item::triangle::t);
+        const bool behind = std::isnan(t) ? is_behind_start(right) : t < 0;
         sketch.notes.emplace_back(!P_t     ? "The ray misses the triangle: it runs beside its plane."
                                   : behind ? "The ray misses the triangle: P_t is behind its start, t < 0."
                                            : "The ray misses the triangle: P_t is in its plane, but outside of it.");
     }
 }
 
+/// "top cap", "bottom cap" or "tube", by the normal; empty if it is not known.
+std::string_view part_of_cylinder(const std::optional<Point>& normal) {
+    if (!normal) return "";
+    if (normal->y == 0) return "tube";
+    return normal->y > 0 ? "top cap" : "bottom cap";
+}
+
+void draw_cylinder_hit(const RightValues& right, const AnswerKey& key, Sketch& sketch) {
+    const std::string& decision = key.decisions.cylinder;
+    if (right.P_c) sketch.dots.push_back({*right.P_c, "P_c", Ink::cylinder, Mark::dot});
+    if (right.P_c && right.cylinder_normal)
+        sketch.arrows.push_back({*right.P_c, *right.cylinder_normal, "N at P_c", Ink::cylinder, Stroke::plain});
+    if (decision == "hit") {
+        const std::string_view part = part_of_cylinder(right.cylinder_normal);
+        const std::string object = part.empty() ? "cylinder" : fmt::format("cylinder's {}", part);
+        sketch.notes.push_back(hit_note(object, "P_c", number_of(key, item::cylinder::t)));
+    }
+    if (decision == "miss") sketch.notes.emplace_back("The ray misses the cylinder.");
+    if (decision == "tangent")
+        sketch.notes.emplace_back("P_c: the ray touches the cylinder's tube in this one point, d = 0.");
+    if (decision == "boundary") sketch.notes.emplace_back("The ray starts on the cylinder, t = 0.");
+}
+
 void tell_first(const AnswerKey& key, Sketch& sketch) {
     const auto& decisions = key.decisions;
-    if (decisions.sphere.empty() || decisions.triangle.empty()) return;
+    const int objects = (decisions.sphere.empty() ? 0 : 1) + (decisions.triangle.empty() ? 0 : 1) +
+                        (decisions.cylinder.empty() ? 0 : 1);
+    if (objects < 2) return;
     if (std::find(decisions.policy.begin(), decisions.policy.end(), "boundary") != decisions.policy.end()) {
-        sketch.notes.emplace_back("Which of the two is hit first depends on whether t = 0 counts as a hit.");
-    } else if (decisions.first == "sphere" || decisions.first == "triangle") {
-        sketch.notes.push_back(fmt::format("The ray hits the {} first.", decisions.first));
+        sketch.notes.push_back(fmt::format("Which of the {} is hit first depends on whether t = 0 counts as a hit.",
+                                           objects == 2 ? "two" : "three"));
     } else if (decisions.first == "tie") {
-        sketch.notes.emplace_back("The ray hits both at the same t.");
+        sketch.notes.emplace_back(objects == 2 ? "The ray hits both at the same t."
+                                               : "The ray hits two of the three first, at the same t.");
+    } else if (decisions.first != "none" && decisions.first != "unsure") {
+        sketch.notes.push_back(fmt::format("The ray hits the {} first.", decisions.first));
     }
 }
 
@@ -160,19 +218,20 @@ DoubleScene double_scene(const reference::Assignment& assignment) {
 }
 
 RightValues right_values(const AnswerKey& key, const DoubleScene& scene) {
-    RightValues right{point_of(key, 1, "P_VCS"),
-                      point_of(key, 2, "X_vcs"),
-                      point_of(key, 2, "Y_vcs"),
-                      point_of(key, 2, "Z_vcs"),
-                      point_of(key, 4, "P_WCS"),
-                      point_of(key, 5, "V"),
-                      point_of(key, 6, "hit"),
-                      point_of(key, 7, "normal"),
-                      point_of(key, 8, "hit"),
-                      point_of(key, 9, "normal"),
-                      0,
-                      0};
-    find_asked(key, scene, right);
+    RightValues right;
+    right.P_VCS = point_of(key, item::P_VCS);
+    right.X_vcs = point_of(key, item::X_vcs);
+    right.Y_vcs = point_of(key, item::Y_vcs);
+    right.Z_vcs = point_of(key, item::Z_vcs);
+    right.P_WCS = point_of(key, item::P_WCS);
+    right.V = point_of(key, item::V);
+    right.P_s = point_of(key, item::sphere::hit);
+    right.sphere_normal = point_of(key, item::sphere::normal);
+    right.P_t = point_of(key, item::triangle::hit);
+    right.triangle_normal = point_of(key, item::triangle::normal);
+    right.P_c = point_of(key, item::cylinder::hit);
+    right.cylinder_normal = point_of(key, item::cylinder::normal);
+    right.asked = asked_objects(key, scene, right);
     return right;
 }
 
@@ -190,7 +249,7 @@ Line ray_from(const Point& start, const Point& V, const Frame& frame) {
     return {start, start + V * (across_the_frame * frame.unit), Ink::ray, Stroke::plain};
 }
 
-Sketch given_sketch(const DoubleScene& scene, std::size_t asked_sphere, std::size_t asked_triangle) {
+Sketch given_sketch(const DoubleScene& scene, const AskedObjects& asked) {
     Sketch sketch;
     const auto& camera = scene.camera;
     sketch.dots.push_back({camera.eye, "eye", Ink::camera, Mark::dot});
@@ -199,20 +258,27 @@ Sketch given_sketch(const DoubleScene& scene, std::size_t asked_sphere, std::siz
     const double length = distance(camera.vup, Point(0, 0, 0));
     sketch.arrows.push_back({camera.eye, camera.vup / length, "vup", Ink::camera, Stroke::thin});
     draw_objects(
-        scene.spheres, asked_sphere, "sphere",
+        scene.spheres, asked.sphere, "sphere",
         [&](const auto& sphere, bool named) {
             sketch.balls.push_back({sphere.center, sphere.radius});
             if (named) sketch.dots.push_back({sphere.center, "C", Ink::sphere, Mark::ring});
         },
         sketch);
     draw_objects(
-        scene.triangles, asked_triangle, "triangle",
+        scene.triangles, asked.triangle, "triangle",
         [&](const auto& triangle, bool named) {
             sketch.polygons.push_back({{triangle.A, triangle.B, triangle.C}, Ink::triangle, Stroke::plain});
             if (!named) return;
             sketch.dots.push_back({triangle.A, "A", Ink::triangle, Mark::dot});
             sketch.dots.push_back({triangle.B, "B", Ink::triangle, Mark::dot});
             sketch.dots.push_back({triangle.C, "C", Ink::triangle, Mark::dot});
+        },
+        sketch);
+    draw_objects(
+        scene.cylinders, asked.cylinder, "cylinder",
+        [&](const auto& cylinder, bool named) {
+            sketch.tubes.push_back({cylinder.center, cylinder.radius, cylinder.height});
+            if (named) sketch.dots.push_back({cylinder.center, "center", Ink::cylinder, Mark::ring});
         },
         sketch);
     return sketch;
@@ -223,6 +289,7 @@ Sketch right_sketch(const RightValues& right, const AnswerKey& key, const Double
     draw_ray(right, scene, frame, sketch);
     if (!scene.spheres.empty()) draw_sphere_hit(right, key, sketch);
     if (!scene.triangles.empty()) draw_triangle_hit(right, key, scene, sketch);
+    if (!scene.cylinders.empty()) draw_cylinder_hit(right, key, sketch);
     tell_first(key, sketch);
     draw_window(right, scene, sketch);
     for (const Dot& dot : sketch.dots) {

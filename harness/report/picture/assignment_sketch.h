@@ -8,23 +8,30 @@
 
 namespace harness::report::picture {
 
+/// The indices of the objects that the questions are about.
+struct AskedObjects {
+    std::size_t sphere = 0;
+    std::size_t triangle = 0;
+    std::size_t cylinder = 0;
+};
+
 /// The key's values as pictures need them. A value is empty if the scene does not ask for it or the ray misses.
 struct RightValues {
     std::optional<Point> P_VCS, X_vcs, Y_vcs, Z_vcs, P_WCS, V;
     std::optional<Point> P_s, sphere_normal;
     std::optional<Point> P_t, triangle_normal;
-    std::size_t asked_sphere = 0;  ///< index of the sphere that the questions are about
-    std::size_t asked_triangle = 0;
+    std::optional<Point> P_c, cylinder_normal;
+    AskedObjects asked;
 };
 
-/// The certified key makes every decision; doubles only find out which sphere and triangle the key is about.
+/// The certified key makes every decision; doubles only find out which objects the key is about.
 RightValues right_values(const reference::AnswerKey& key, const DoubleScene& scene);
 
 DoubleScene double_scene(const reference::Assignment& assignment);
 
 /// Eye, lookat, vup, the objects and their names. Computes nothing that a question asks for. If there are too many
 /// objects to draw them all, it always draws those that the questions are about.
-Sketch given_sketch(const DoubleScene& scene, std::size_t asked_sphere, std::size_t asked_triangle);
+Sketch given_sketch(const DoubleScene& scene, const AskedObjects& asked);
 
 /// The camera's axes, image plane, ray, hit points and normals; `notes` says what the ray meets.
 Sketch right_sketch(const RightValues& right, const reference::AnswerKey& key, const DoubleScene& scene,

@@ -104,10 +104,14 @@ Frame choose_frame(const DoubleScene& scene, const std::vector<Point>& more, Roo
     if (room == Room::for_mistakes) bounds.hold(eye + (eye - middle_of_window));
     FrameChoice choice(eye, farthest * std::hypot(window.clip_near, around), bounds);
     if (!choice.take({scene.camera.lookat})) notes.emplace_back("lookat is far beyond the frame.");
-    std::array<std::size_t, 2> left_out{};
+    std::array<std::size_t, 3> left_out{};
     for (const auto& triangle : scene.triangles)
         left_out[0] += choice.take({triangle.A, triangle.B, triangle.C}) ? 0 : 1;
     for (const auto& sphere : scene.spheres) left_out[1] += choice.take({sphere.center}, sphere.radius) ? 0 : 1;
+    for (const auto& cylinder : scene.cylinders) {
+        const Point half(cylinder.radius, cylinder.height / 2, cylinder.radius);
+        left_out[2] += choice.take({cylinder.center - half, cylinder.center + half}) ? 0 : 1;
+    }
     for (const Point& point : more) choice.take({point});
     const auto tell = [&](std::size_t count, std::size_t all, const char* what) {
         if (count == 0) return;
@@ -118,6 +122,7 @@ Frame choose_frame(const DoubleScene& scene, const std::vector<Point>& more, Roo
     };
     tell(left_out[0], scene.triangles.size(), "triangle");
     tell(left_out[1], scene.spheres.size(), "sphere");
+    tell(left_out[2], scene.cylinders.size(), "cylinder");
     Frame frame = frame_around(choice.bounds());
     // There is always room for the camera's axes.
     bounds = choice.bounds();

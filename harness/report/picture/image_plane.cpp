@@ -101,15 +101,15 @@ ImagePlane draw_image_plane(const DoubleScene& scene, const std::optional<Point>
     return plane;
 }
 
-Panel draw_printed_pixel(const DoubleScene& scene, const Point& P_VCS, bool is_right, const Box& window,
-                         std::vector<std::string>& notes) {
+Panel draw_printed_pixel(const DoubleScene& scene, const Point& P_VCS, const std::string& name, bool is_right,
+                         const Box& window, std::vector<std::string>& notes) {
     const Spot at = place(scene, P_VCS, window);
     if (!(at.x >= window.left && at.x <= window.right && at.y >= window.top && at.y <= window.bottom)) {
-        notes.emplace_back("P_VCS (question 1) was printed outside of the image plane: not drawn.");
+        notes.push_back(name + " was printed outside of the image plane: not drawn.");
         return {};
     }
     if (P_VCS.z != -scene.window.clip_near && !is_right)
-        notes.emplace_back("P_VCS (question 1) was printed with a z that is not the image plane's.");
+        notes.push_back(name + " was printed with a z that is not the image plane's.");
     Strokes strokes;
     strokes.mark(at, Ink::printed, is_right ? Mark::ring : Mark::cross);
     return {strokes.svg(), {{at, "printed P_VCS"}}, {}};

@@ -44,6 +44,7 @@ std::string_view colour_of(Ink ink) {
         case Ink::ray: return "#d0591c";
         case Ink::sphere: return "#2f7fc8";
         case Ink::triangle: return "#2c8f57";
+        case Ink::cylinder: return "#8563d6";
         case Ink::printed: return "#c23f9a";
     }
     return "";

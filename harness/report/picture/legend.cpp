@@ -64,6 +64,14 @@ KeyLines draw_key(const DoubleScene& scene, bool with_answers, const Spot& first
                                     (one ? fmt::format(", R = {}", figure(scene.spheres[0].radius)) : ""));
     }
     if (!scene.triangles.empty()) key.colour(Ink::triangle, objects("triangle", scene.triangles.size()));
+    if (!scene.cylinders.empty()) {
+        const auto& first_one = scene.cylinders[0];
+        const bool one = scene.cylinders.size() == 1;
+        key.colour(
+            Ink::cylinder,
+            objects("cylinder", scene.cylinders.size()) +
+                (one ? fmt::format(", R = {}, height {}", figure(first_one.radius), figure(first_one.height)) : ""));
+    }
     if (with_answers) key.mark(Ink::camera, Mark::ring, "not hit by the ray");
     return {key.svg(), key.next()};
 }

@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <numbers>
+#include <variant>
 
 #include "harness/report/picture/clip.h"
 #include "harness/report/picture/outline.h"
+#include "harness/report/picture/tube.h"
 #include "harness/text/markup.h"
 
 namespace harness::report::picture {
@@ -52,6 +54,31 @@ class PanelDrawing {
             draw_cut_disc(*outline);
         } else {
             draw_cut_outline(*outline);
+        }
+    }
+
+    void draw(const Tube& world) {
+        const Tube tube{frame_.inside(world.center), world.radius / frame_.unit, world.height / frame_.unit};
+        if (!is_finite(tube.center)) return;
+        std::vector<Coordinates<2>> spots;
+        for (const auto& corner : corners_within(tube, space_)) spots.push_back(on_page(spot(corner)));
+        const std::string path = path_of(clip_polygon(convex_hull(std::move(spots)), region_of(box_)));
+        if (!path.empty()) add_fill(path, Ink::cylinder);
+        const auto edges = edges_of(tube, view_);
+        const bool is_from_side = view_.distance == 0 && view_.toward.y == 0 && edges;
+        const bool is_from_above = view_.distance == 0 && std::abs(view_.toward.y) == 1;
+        for (const int side : {1, -1}) {
+            if (is_from_side) {
+                draw_edge(place_of(on_rim(tube, edges->first, side)), place_of(on_rim(tube, edges->second, side)),
+                          Ink::cylinder, Stroke::plain);
+            } else if (side == 1 || !is_from_above) {
+                draw_rim(tube, side);
+            }
+        }
+        if (edges) {
+            for (const double turns : {edges->first, edges->second})
+                draw_edge(place_of(on_rim(tube, turns, 1)), place_of(on_rim(tube, turns, -1)), Ink::cylinder,
+                          Stroke::plain);
         }
     }
 
@@ -126,6 +153,40 @@ class PanelDrawing {
         panel_.drawn.push_back(drawn);
     }
 
+    static Coordinates<3> place_of(const Point& point) { return {point.x, point.y, point.z}; }
+
+    /// Smooth if all of it is seen, else as a polygon, whose sides can be cut.
+    void draw_rim(const Tube& tube, int side) {
+        constexpr int count = 8;
+        constexpr int sides = 64;
+        const auto is_seen = [&](const Point& point) {
+            if (!(std::abs(point.x) <= frame_.half.x && std::abs(point.y) <= frame_.half.y &&
+                  std::abs(point.z) <= frame_.half.z))
+                return false;
+            const Spot at = view_.spot(point);
+            return at.x >= box_.left && at.x <= box_.right && at.y >= box_.top && at.y <= box_.bottom;
+        };
+        bool is_whole = true;
+        for (int i = 0; i < sides; ++i) is_whole = is_whole && is_seen(on_rim(tube, i / double{sides}, side));
+        if (!is_whole) {
+            for (int i = 0; i < sides; ++i)
+                draw_edge(place_of(on_rim(tube, i / double{sides}, side)),
+                          place_of(on_rim(tube, (i + 1) / double{sides}, side)), Ink::cylinder, Stroke::plain);
+            return;
+        }
+        Tube around = tube;  // through the control points
+        around.radius = tube.radius / std::cos(std::numbers::pi / count);
+        const auto at = [&](const Tube& one, double turns) {
+            return coordinates(view_.spot(on_rim(one, turns, side)));
+        };
+        std::string path = "M" + at(tube, 0);
+        for (int i = 0; i < count; ++i) path += "Q" + at(around, (i + 0.5) / count) + " " + at(tube, (i + 1.0) / count);
+        strokes_.add(path + "Z", Ink::cylinder, Stroke::plain);
+        for (int i = 0; i < 2 * count; ++i)
+            panel_.drawn.push_back({view_.spot(on_rim(tube, i / (2.0 * count), side)),
+                                    view_.spot(on_rim(tube, (i + 1) / (2.0 * count), side))});
+    }
+
     void draw_whole(const Ellipse& outline, const Point& center, double radius) {
         fills_ += ellipse_svg(outline);
         const std::vector<Spot> spots = spots_of(outline, 16);
@@ -177,7 +238,7 @@ class PanelDrawing {
         }
         if (!disc.border.empty() && disc.leaves.back())
             fill += arc_to(disc.border.front(), radius, is_large(disc, disc.border.back()));
-        if (!fill.empty()) add_fill(fill + (fill.back() == 'Z' ? "" : "Z"));
+        if (!fill.empty()) add_fill(fill + (fill.back() == 'Z' ? "" : "Z"), Ink::sphere);
         for (const Arc& arc : disc.arcs) {
             strokes_.add("M" + coordinates(arc.from) + arc_to(arc.to, radius, arc.is_large), Ink::sphere,
                          Stroke::plain);
@@ -203,7 +264,7 @@ class PanelDrawing {
         std::vector<Coordinates<2>> corners;
         for (const Spot& spot : spots) corners.push_back(on_page(spot));
         const std::string fill = path_of(clip_polygon(corners, region_of(box_)));
-        if (!fill.empty()) add_fill(fill);
+        if (!fill.empty()) add_fill(fill, Ink::sphere);
         std::string path;
         std::optional<Coordinates<2>> end;
         for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -218,8 +279,8 @@ class PanelDrawing {
         if (!path.empty()) strokes_.add(path, Ink::sphere, Stroke::plain);
     }
 
-    void add_fill(const std::string& path) {
-        fills_ += fmt::format("<path d=\"{}\" fill=\"{}\" fill-opacity=\".13\"/>", path, colour_of(Ink::sphere));
+    void add_fill(const std::string& path, Ink ink) {
+        fills_ += fmt::format("<path d=\"{}\" fill=\"{}\" fill-opacity=\".13\"/>", path, colour_of(ink));
     }
 
     const View& view_;
@@ -233,28 +294,39 @@ class PanelDrawing {
 
 /// Farther things come first and show through nearer ones.
 template <class T, class Middle>
-std::vector<const T*> far_to_near(const std::vector<T>& things, const View& view, Middle middle) {
-    std::vector<const T*> order;
-    for (const T& thing : things) order.push_back(&thing);
-    std::stable_sort(order.begin(), order.end(), [&](const T* one, const T* other) {
-        return view.nearness(middle(*one)) < view.nearness(middle(*other));
+std::vector<T> far_to_near(std::vector<T> things, const View& view, Middle middle) {
+    std::stable_sort(things.begin(), things.end(), [&](const T& one, const T& other) {
+        return view.nearness(middle(one)) < view.nearness(middle(other));
     });
-    return order;
+    return things;
+}
+
+using Solid = std::variant<const Ball*, const Tube*>;
+
+std::vector<Solid> solids_of(const Sketch& sketch) {
+    std::vector<Solid> solids;
+    for (const Ball& ball : sketch.balls) solids.emplace_back(&ball);
+    for (const Tube& tube : sketch.tubes) solids.emplace_back(&tube);
+    return solids;
+}
+
+Point middle_of(const Solid& solid) {
+    return std::visit([](const auto* thing) { return thing->center; }, solid);
 }
 
 }  // namespace
 
 Panel draw_panel(const View& view, const Frame& frame, const Sketch& sketch) {
     PanelDrawing drawing(view, frame);
-    for (const Ball* ball :
-         far_to_near(sketch.balls, view, [&](const Ball& each) { return frame.inside(each.center); }))
-        drawing.draw(*ball);
-    for (const Polygon* polygon : far_to_near(sketch.polygons, view, [&](const Polygon& each) {
+    for (const Solid& solid :
+         far_to_near(solids_of(sketch), view, [&](const Solid& each) { return frame.inside(middle_of(each)); }))
+        std::visit([&](const auto* thing) { drawing.draw(*thing); }, solid);
+    for (const Polygon& polygon : far_to_near(sketch.polygons, view, [&](const Polygon& each) {
              Point sum(0, 0, 0);
              for (const Point& corner : each.corners) sum += frame.inside(corner);
              return sum / static_cast<double>(each.corners.size());
          }))
-        drawing.draw(*polygon);
+        drawing.draw(polygon);
     for (const Line& line : sketch.lines) drawing.draw(line);
     for (const Dot& dot : sketch.dots) drawing.draw(dot);
     for (const Arrow& arrow : sketch.arrows) drawing.draw(arrow);

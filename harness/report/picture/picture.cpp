@@ -12,6 +12,7 @@
 #include "harness/report/picture/legend.h"
 #include "harness/report/picture/panel.h"
 #include "harness/report/picture/printed_sketch.h"
+#include "harness/report/picture/tube.h"
 #include "harness/report/plot/scatter.h"
 #include "harness/text/markup.h"
 
@@ -44,6 +45,10 @@ std::vector<Point> content_of(const Sketch& sketch, const Frame& frame) {
                     frame.inside(ball.center + reference::normalized(direction) * (nearer * ball.radius)));
         }
     }
+    for (const Tube& tube : sketch.tubes) {
+        constexpr int around = 16;
+        for (int i = 0; i < 2 * around; ++i) add(on_rim(tube, i / 2 / double{around}, i % 2 == 0 ? 1 : -1));
+    }
     if (content.size() < 3) {  // only a camera far from everything: show the whole frame
         for (int i = 0; i < 8; ++i)
             content.push_back({(i & 1) == 0 ? frame.half.x : -frame.half.x, (i & 2) == 0 ? frame.half.y : -frame.half.y,
@@ -55,6 +60,7 @@ std::vector<Point> content_of(const Sketch& sketch, const Frame& frame) {
 void append(Sketch& sketch, Sketch&& more) {
     const auto move = [](auto& to, auto& from) { to.insert(to.end(), from.begin(), from.end()); };
     move(sketch.balls, more.balls);
+    move(sketch.tubes, more.tubes);
     move(sketch.polygons, more.polygons);
     move(sketch.lines, more.lines);
     move(sketch.arrows, more.arrows);
@@ -113,7 +119,7 @@ ExplainingPictures::Base::Base(const Marking& marking, bool answers, Room room, 
     if (with_answers) {
         right = right_values(marking.key, scene);
         const bool misses = marking.key.decisions.triangle == "miss";
-        for (const auto& point : {right.P_WCS, right.P_s, misses ? std::nullopt : right.P_t}) {
+        for (const auto& point : {right.P_WCS, right.P_s, misses ? std::nullopt : right.P_t, right.P_c}) {
             if (point) more.push_back(*point);
         }
         if (right.X_vcs && right.Y_vcs && right.Z_vcs) {
@@ -123,7 +129,7 @@ ExplainingPictures::Base::Base(const Marking& marking, bool answers, Room room, 
     }
     std::vector<std::string> of_frame;
     frame = choose_frame(scene, more, room, of_frame);
-    Sketch sketch = given_sketch(scene, right.asked_sphere, right.asked_triangle);
+    Sketch sketch = given_sketch(scene, right.asked);
     if (with_answers) append(sketch, right_sketch(right, marking.key, scene, frame));
     notes = sketch.notes;
     notes.insert(notes.end(), of_frame.begin(), of_frame.end());
@@ -167,7 +173,8 @@ std::string ExplainingPictures::Base::beside_printed(const PrintedSketch& printe
                                                      std::vector<std::string>& told) const {
     Panel pixel;
     if (printed.P_VCS)
-        pixel = draw_printed_pixel(scene, *printed.P_VCS, printed.is_P_VCS_right, image_plane.window, told);
+        pixel = draw_printed_pixel(scene, *printed.P_VCS, printed.P_VCS_name, printed.is_P_VCS_right,
+                                   image_plane.window, told);
     const Sketch& sketch = printed.sketch;
     const bool any = !pixel.names.empty() || !sketch.dots.empty() || !sketch.arrows.empty();
     std::vector<Name> names = pixel.names;

@@ -10,12 +10,20 @@
 namespace harness::report::picture {
 namespace {
 
+namespace item = reference::item;
+using reference::ItemId;
+
 /// What the picture calls an item.
 std::string name_of(const reference::ItemSpec& spec) {
-    if (spec.question == 6 && spec.name == "hit") return "P_s";
-    if (spec.question == 8 && spec.name == "hit") return "P_t";
-    if (spec.name == "normal") return "N";
-    return std::string(spec.name);
+    if (spec.id == item::sphere::hit) return "P_s";
+    if (spec.id == item::triangle::hit) return "P_t";
+    if (spec.id == item::cylinder::hit) return "P_c";
+    if (spec.id.name == "normal") return "N";
+    return std::string(spec.id.name);
+}
+
+std::string name_in_notes(const reference::ItemSpec& spec) {
+    return fmt::format("{} (question {})", name_of(spec), spec.question);
 }
 
 std::string shortened(const std::string& printed) {
@@ -43,13 +51,14 @@ class PrintedDrawing {
         draw_ray();
         draw_sphere();
         draw_triangle();
+        draw_cylinder();
         return std::move(result_);
     }
 
   private:
     /// Empty if what was printed can't be drawn, which is noted, or if it is right and need not be drawn.
-    std::optional<Answer> answer(int question, std::string_view name) {
-        const ItemScore* item = find(question, name);
+    std::optional<Answer> answer(const ItemId& id) {
+        const ItemScore* item = find(id);
         if (item == nullptr || item->printed.empty()) return std::nullopt;
         const bool is_right = item->verdict == ItemVerdict::right;
         if (is_right && right_ != nullptr) return std::nullopt;
@@ -60,34 +69,34 @@ class PrintedDrawing {
         return std::nullopt;
     }
 
-    const ItemScore* find(int question, std::string_view name) const {
+    const ItemScore* find(const ItemId& id) const {
         for (const QuestionScore& each : score_.questions) {
             for (const ItemScore& item : each.items) {
-                if (each.number == question && item.spec.name == name) return &item;
+                if (item.spec.id == id) return &item;
             }
         }
         return nullptr;
     }
 
     void note(const reference::ItemSpec& spec, const std::string& what) {
-        result_.sketch.notes.push_back(fmt::format("{} (question {}) {}", name_of(spec), spec.question, what));
+        result_.sketch.notes.push_back(fmt::format("{} {}", name_in_notes(spec), what));
     }
 
     /// Returns whether the point was near enough to be drawn.
-    bool draw_point(int question, std::string_view name, const Answer& answer) {
-        const reference::ItemSpec& spec = find(question, name)->spec;
+    bool draw_point(const ItemId& id, const Answer& answer) {
+        const reference::ItemSpec& spec = find(id)->spec;
         if (!frame_.holds(answer.value)) {
-            note(spec, fmt::format("was printed as {}: beyond the frame.", shortened(find(question, name)->printed)));
+            note(spec, fmt::format("was printed as {}: beyond the frame.", shortened(find(id)->printed)));
             return false;
         }
         result_.sketch.dots.push_back({answer.value, "printed " + name_of(spec), Ink::printed, answer.mark()});
         return true;
     }
 
-    void draw_vector(int question, std::string_view name, const Point& at, const Answer& answer) {
+    void draw_vector(const ItemId& id, const Point& at, const Answer& answer) {
         constexpr double longest = 2;
         constexpr double shortest = 0.05;
-        const reference::ItemSpec& spec = find(question, name)->spec;
+        const reference::ItemSpec& spec = find(id)->spec;
         const double length = distance(answer.value, Point(0, 0, 0));
         if (!std::isfinite(length) || !(length > 0)) {
             note(spec, length > 0 ? "was printed with a length beyond all bounds: not drawn."
@@ -103,18 +112,19 @@ class PrintedDrawing {
     }
 
     void draw_P_VCS() {
-        const auto P_VCS = answer(1, "P_VCS");
+        const auto P_VCS = answer(item::P_VCS);
         if (!P_VCS) return;
         result_.P_VCS = P_VCS->value;
+        result_.P_VCS_name = name_in_notes(find(item::P_VCS)->spec);
         result_.is_P_VCS_right = P_VCS->is_right;
     }
 
     void draw_basis() {
         std::vector<Answer> axes;
-        for (const std::string_view name : {"X_vcs", "Y_vcs", "Z_vcs"}) {
-            const auto axis = answer(2, name);
+        for (const ItemId& id : {item::X_vcs, item::Y_vcs, item::Z_vcs}) {
+            const auto axis = answer(id);
             if (!axis) continue;
-            draw_vector(2, name, scene_.camera.eye, *axis);
+            draw_vector(id, scene_.camera.eye, *axis);
             axes.push_back(*axis);
         }
         if (right_ != nullptr || axes.size() != 3) return;
@@ -133,14 +143,14 @@ class PrintedDrawing {
     }
 
     void draw_ray() {
-        const auto P_WCS = answer(4, "P_WCS");
-        const auto V = answer(5, "V");
-        const bool start_drawn = P_WCS && draw_point(4, "P_WCS", *P_WCS);
+        const auto P_WCS = answer(item::P_WCS);
+        const auto V = answer(item::V);
+        const bool start_drawn = P_WCS && draw_point(item::P_WCS, *P_WCS);
         if (!V) return;
         std::optional<Point> start;
         if (start_drawn) start = P_WCS->value;
         if (!start && right_ != nullptr) start = right_->P_WCS;
-        draw_vector(5, "V", start.value_or(scene_.camera.eye), *V);
+        draw_vector(item::V, start.value_or(scene_.camera.eye), *V);
         const double length = distance(V->value, Point(0, 0, 0));
         if (!start || !(length > 0) || !std::isfinite(length)) return;
         Line ray = ray_from(*start, V->value / length, frame_);
@@ -150,26 +160,34 @@ class PrintedDrawing {
     }
 
     /// The start of a printed normal: the printed hit point, else the right one.
-    Point foot(int question, const std::optional<Point>& right_hit, const Point& otherwise) {
-        const auto hit = answer(question, "hit");
-        if (hit && draw_point(question, "hit", *hit)) return hit->value;
+    Point foot(const ItemId& hit_id, const std::optional<Point>& right_hit, const Point& otherwise) {
+        const auto hit = answer(hit_id);
+        if (hit && draw_point(hit_id, *hit)) return hit->value;
         if (right_ != nullptr && right_hit) return *right_hit;
         return otherwise;
     }
 
     void draw_sphere() {
         if (scene_.spheres.empty()) return;
-        const std::size_t asked = right_ == nullptr ? 0 : right_->asked_sphere;
-        const Point at = foot(6, right_ == nullptr ? std::nullopt : right_->P_s, scene_.spheres[asked].center);
-        if (const auto normal = answer(7, "normal")) draw_vector(7, "normal", at, *normal);
+        const std::size_t asked = right_ == nullptr ? 0 : right_->asked.sphere;
+        const Point at =
+            foot(item::sphere::hit, right_ == nullptr ? std::nullopt : right_->P_s, scene_.spheres[asked].center);
+        if (const auto normal = answer(item::sphere::normal)) draw_vector(item::sphere::normal, at, *normal);
     }
 
     void draw_triangle() {
         if (scene_.triangles.empty()) return;
-        const auto& triangle = scene_.triangles[right_ == nullptr ? 0 : right_->asked_triangle];
+        const auto& triangle = scene_.triangles[right_ == nullptr ? 0 : right_->asked.triangle];
         const Point middle = triangle.A / 3.0 + triangle.B / 3.0 + triangle.C / 3.0;
-        const Point at = foot(8, right_ == nullptr ? std::nullopt : right_->P_t, middle);
-        if (const auto normal = answer(9, "normal")) draw_vector(9, "normal", at, *normal);
+        const Point at = foot(item::triangle::hit, right_ == nullptr ? std::nullopt : right_->P_t, middle);
+        if (const auto normal = answer(item::triangle::normal)) draw_vector(item::triangle::normal, at, *normal);
+    }
+
+    void draw_cylinder() {
+        if (scene_.cylinders.empty()) return;
+        const Point middle = scene_.cylinders[right_ == nullptr ? 0 : right_->asked.cylinder].center;
+        const Point at = foot(item::cylinder::hit, right_ == nullptr ? std::nullopt : right_->P_c, middle);
+        if (const auto normal = answer(item::cylinder::normal)) draw_vector(item::cylinder::normal, at, *normal);
     }
 
     const Score& score_;
@@ -183,7 +201,7 @@ class PrintedDrawing {
 
 std::optional<Point> printed_vector(const std::string& printed) {
     std::vector<double> single;
-    for (const Section& section : read_transcript("v = " + printed).sections) {
+    for (const Section& section : read_transcript("v = " + printed, 0).sections) {
         for (const PrintedValue& value : section.values) {
             const auto& numbers = value.numbers;
             if (numbers.size() == 3 || numbers.size() == 4)

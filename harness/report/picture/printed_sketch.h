@@ -11,7 +11,8 @@ std::optional<Point> printed_vector(const std::string& printed);
 
 struct PrintedSketch {
     Sketch sketch;               ///< what can't be drawn is named in its notes
-    std::optional<Point> P_VCS;  ///< of question 1, for the image plane
+    std::optional<Point> P_VCS;  ///< for the image plane
+    std::string P_VCS_name;      ///< in notes: "P_VCS (question 1)"
     bool is_P_VCS_right = false;
 };
 

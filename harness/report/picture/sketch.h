@@ -11,7 +11,7 @@ namespace harness::report::picture {
 using Point = reference::Vec3<double>;
 
 /// What a thing belongs to. Each has its own colour and is drawn over those before it.
-enum class Ink { sphere, triangle, camera, ray, printed };
+enum class Ink { sphere, triangle, cylinder, camera, ray, printed };
 
 enum class Stroke {
     plain,
@@ -59,9 +59,17 @@ struct Ball {
     double radius = 0;
 };
 
+/// A cylinder around an axis parallel to the y axis.
+struct Tube {
+    Point center;
+    double radius = 0;
+    double height = 0;  ///< from cap to cap
+};
+
 /// Names are placed in this order, so that the first things keep their names if there is too little room.
 struct Sketch {
     std::vector<Ball> balls;
+    std::vector<Tube> tubes;
     std::vector<Polygon> polygons;
     std::vector<Line> lines;
     std::vector<Arrow> arrows;

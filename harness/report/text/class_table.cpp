@@ -48,11 +48,13 @@ std::string departures(const std::vector<Graded>& graded) {
 }
 
 struct Tally {
+    std::string title;
     int right = 0, follow = 0, wrong = 0, missing = 0, unreadable = 0;
     double points = 0, max_points = 0;
 };
 
 void count(Tally& tally, const Graded& graded, const QuestionScore& question) {
+    tally.title = question.title;
     tally.points += final_points(graded, question);
     tally.max_points += question.max_points;
     for (const ItemScore& item : question.items) {
@@ -87,9 +89,8 @@ std::string summary(const std::vector<Graded>& graded) {
                                    "follow", "wrong", "missing", "unreadable");
     for (const auto& [number, tally] : tallies) {
         const double share = tally.max_points > 0 ? 100 * tally.points / tally.max_points : 0;
-        text += fmt::format("{:>2}  {:<22} {:>5.0f} %  {:>6} {:>6} {:>6} {:>7} {:>10}\n", number,
-                            reference::question_title(number), share, tally.right, tally.follow, tally.wrong,
-                            tally.missing, tally.unreadable);
+        text += fmt::format("{:>2}  {:<22} {:>5.0f} %  {:>6} {:>6} {:>6} {:>7} {:>10}\n", number, tally.title, share,
+                            tally.right, tally.follow, tally.wrong, tally.missing, tally.unreadable);
     }
     return text + scenes_summary(graded);
 }

@@ -50,7 +50,7 @@ std::map<reference::ItemId, std::string> expected_texts(const reference::AnswerK
     std::map<reference::ItemId, std::string> texts;
     for (const reference::KeyQuestion& question : key.questions) {
         for (const reference::KeyItem& item : question.items)
-            texts[{item.spec.question, item.spec.name}] = expected_text(item.answers.front().value, item.spec.shape);
+            texts[item.spec.id] = expected_text(item.answers.front().value, item.spec.shape);
     }
     return texts;
 }

@@ -156,8 +156,7 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     if (score.follow_cap) text += cap_sentence(*score.follow_cap) + "\n\n";
     text += "| Question | | Result | Points |\n|---:|---|---|---:|\n";
     for (const QuestionScore& question : score.questions) {
-        text += fmt::format("| {} | {} | {} | {} of {} |\n", question.number,
-                            reference::question_title(question.number), verdict_of(question),
+        text += fmt::format("| {} | {} | {} | {} of {} |\n", question.number, question.title, verdict_of(question),
                             points_text(final_points(graded, question)), points_text(question.max_points));
     }
     if (score.other_scenes) {
@@ -212,9 +211,8 @@ std::string check_text(const Graded& graded) {
         text += "Found by the sanitizers: " + escape_control(finding) + "\n";
     if (graded.outcome == Outcome::compile_error || graded.outcome == Outcome::not_graded) return text;
     for (const QuestionScore& question : graded.score.questions) {
-        text += fmt::format("Question {}, {}: {} of {} points\n", question.number,
-                            reference::question_title(question.number), points_text(question.points),
-                            points_text(question.max_points));
+        text += fmt::format("Question {}, {}: {} of {} points\n", question.number, question.title,
+                            points_text(question.points), points_text(question.max_points));
         for (const ItemScore& item : question.items) {
             text += fmt::format("  {:<13} {:<10}{}\n", item.spec.name, to_string(item.verdict), where(item));
             const std::string sentence = item_sentence(item, graded.outcome);

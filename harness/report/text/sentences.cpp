@@ -110,7 +110,7 @@ std::string item_sentence(const ItemScore& item, Outcome outcome) {
     if (holds_no_number(item))
         return "That is not a number (nan or inf): look for a division by zero or the root of a negative number.";
     if (!item.advice.empty()) return item.advice;
-    if (item.spec.question == 1) return "That is not the right value.";
+    if (item.spec.id == reference::item::P_VCS) return "That is not the right value.";
     return "That is not the right value, nor does it follow from your earlier answers.";
 }
 

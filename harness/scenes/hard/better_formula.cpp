@@ -8,6 +8,7 @@
 #include <cfloat>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "harness/scenes/source/drawing.h"
@@ -18,6 +19,7 @@ namespace harness::scenes {
 namespace {
 
 using reference::ItemId;
+using reference::Subject;
 using reference::accuracy::Method;
 using reference::accuracy::SphereProblem;
 using reference::accuracy::TriangleProblem;
@@ -25,19 +27,25 @@ using reference::accuracy::TriangleProblem;
 const reference::Value* value_of(const reference::AnswerKey& key, const ItemId& id) {
     for (const reference::KeyQuestion& question : key.questions) {
         for (const reference::KeyItem& item : question.items) {
-            if (question.number == id.first && item.spec.name == id.second) return &item.answers.front().value;
+            if (item.spec.id == id) return &item.answers.front().value;
         }
     }
     return nullptr;
 }
 
-reference::Vec3<double> point(const reference::AnswerKey& key, const ItemId& id) {
-    const auto& numbers = std::get<reference::Numbers>(*value_of(key, id));
-    return {numbers.at(0), numbers.at(1), numbers.at(2)};
+std::optional<reference::Vec3<double>> point(const reference::AnswerKey& key, const ItemId& id) {
+    const reference::Value* value = value_of(key, id);
+    const auto* numbers = value == nullptr ? nullptr : std::get_if<reference::Numbers>(value);
+    if (numbers == nullptr) return {};
+    return reference::Vec3<double>(numbers->at(0), numbers->at(1), numbers->at(2));
 }
 
-reference::accuracy::Ray<double> ray_of(const reference::AnswerKey& key) {
-    return {point(key, {4, "P_WCS"}), point(key, {5, "V"})};
+/// Empty if the assignment does not ask for it.
+std::optional<reference::accuracy::Ray<double>> ray_of(const reference::AnswerKey& key) {
+    const auto start = point(key, reference::item::P_WCS);
+    const auto V = point(key, reference::item::V);
+    if (!start || !V) return {};
+    return reference::accuracy::Ray<double>{*start, *V};
 }
 
 int whole_digits(double scale, double error) {
@@ -89,7 +97,8 @@ std::string tell_ladder(const std::vector<Method<Problem>>& methods, const Probl
 }
 
 std::optional<double> number(const reference::AnswerKey& key, const ItemId& id) {
-    const auto* numbers = std::get_if<reference::Numbers>(value_of(key, id));
+    const reference::Value* value = value_of(key, id);
+    const auto* numbers = value == nullptr ? nullptr : std::get_if<reference::Numbers>(value);
     return numbers == nullptr ? std::nullopt : std::optional(numbers->front());
 }
 
@@ -97,37 +106,41 @@ std::optional<double> number(const reference::AnswerKey& key, const ItemId& id) 
 /// triangle.
 std::optional<double> t_of_triangle(const reference::AnswerKey& key) {
     const bool is_hit = key.decisions.triangle == "hit" || key.decisions.triangle == "boundary";
-    return is_hit ? number(key, {8, "t"}) : std::nullopt;
+    return is_hit ? number(key, reference::item::triangle::t) : std::nullopt;
 }
 
-/// The comparison of methods that is about this item: 6 for the sphere's (questions 6 and 7 without the coefficients),
-/// 8 for the triangle's (question 8 without the system), 0 for none.
-int ladder_of(const HardItem& item) {
-    const bool is_given =
-        item.item == "a" || item.item == "b" || item.item == "c" || item.item == "matrix" || item.item == "rhs";
-    if (is_given) return 0;
-    if (item.question == 6 || item.question == 7) return 6;
-    return item.question == 8 ? 8 : 0;
+ItemId id_of(const HardItem& lost, const reference::AnswerKey& key) {
+    for (const reference::KeyQuestion& question : key.questions) {
+        for (const reference::KeyItem& item : question.items) {
+            if (question.number == lost.question && item.spec.name == lost.item) return item.spec.id;
+        }
+    }
+    throw std::logic_error("a lost item that the key does not have");
+}
+
+/// The comparison of methods that is about this item: the sphere's or the triangle's, without what a method starts
+/// from; empty for none.
+std::optional<Subject> ladder_of(const ItemId& id) {
+    const bool is_given = id.name == "a" || id.name == "b" || id.name == "c" || id.name == "matrix" || id.name == "rhs";
+    if (is_given || id == reference::item::triangle::normal) return {};
+    if (id.subject == Subject::sphere || id.subject == Subject::triangle) return id.subject;
+    return {};
 }
 
 /// Whether a better formula could help: not if the ray itself lost digits, because no later formula brings them back.
-bool concerns(const std::vector<HardItem>& lost, int ladder) {
-    const bool ray = std::any_of(lost.begin(), lost.end(), [](const HardItem& item) { return item.question <= 5; });
-    return !ray &&
-           std::any_of(lost.begin(), lost.end(), [&](const HardItem& item) { return ladder_of(item) == ladder; });
+bool concerns(const std::vector<ItemId>& lost, Subject ladder) {
+    const bool ray = std::ranges::any_of(lost, [](const ItemId& id) { return id.subject == Subject::camera; });
+    return !ray && std::ranges::any_of(lost, [&](const ItemId& id) { return ladder_of(id) == ladder; });
 }
 
 /// Tells how much the handout's own steps keep, for the first few items that no comparison of methods is about.
-std::string tell_steps(const std::vector<HardItem>& lost, const Marking& marking) {
+std::string tell_steps(const std::vector<ItemId>& lost, const Marking& marking) {
     constexpr std::size_t most = 3;
     std::vector<std::string> told;
     for (const auto& item : reference::accuracy::item_accuracies(marking.assignment, marking.key)) {
-        const auto found = std::find_if(lost.begin(), lost.end(), [&](const HardItem& one) {
-            return one.question == item.spec.question && one.item == item.spec.name && ladder_of(one) == 0;
-        });
-        const auto* numbers =
-            std::get_if<reference::Numbers>(value_of(marking.key, {item.spec.question, item.spec.name}));
-        if (found == lost.end() || numbers == nullptr || told.size() == most) continue;
+        const bool found = !ladder_of(item.spec.id) && std::ranges::find(lost, item.spec.id) != lost.end();
+        const auto* numbers = std::get_if<reference::Numbers>(value_of(marking.key, item.spec.id));
+        if (!found || numbers == nullptr || told.size() == most) continue;
         const double scale = reference::largest_component(*numbers);
         std::vector<std::string> scalars;
         for (const auto& error : item.errors) {
@@ -165,19 +178,22 @@ std::string_view formula_of(std::string_view kernel) {
     return found == formulas.end() ? "" : found->second;
 }
 
-std::vector<std::string> better_formulas(const std::vector<HardItem>& lost, const Marking& marking) {
+std::vector<std::string> better_formulas(const std::vector<HardItem>& lost_items, const Marking& marking) {
+    std::vector<ItemId> lost;
+    for (const HardItem& item : lost_items) lost.push_back(id_of(item, marking.key));
     std::vector<std::string> sentences;
     const auto& scene = marking.assignment.scene;
     const reference::Scene<double> in_double = scenes::in_double(scene);
-    if (concerns(lost, 6) && scene.spheres.size() == 1) {
+    const auto ray = ray_of(marking.key);
+    const auto asks = [&](const ItemId& id) { return value_of(marking.key, id) != nullptr; };
+    if (ray && concerns(lost, Subject::sphere) && asks(reference::item::sphere::t) && scene.spheres.size() == 1) {
         sentences.push_back(tell_ladder<SphereProblem>(reference::accuracy::sphere_methods(),
-                                                       {ray_of(marking.key), in_double.spheres.front()},
-                                                       number(marking.key, {6, "t"})));
+                                                       {*ray, in_double.spheres.front()},
+                                                       number(marking.key, reference::item::sphere::t)));
     }
-    if (concerns(lost, 8) && scene.triangles.size() == 1) {
-        sentences.push_back(tell_ladder<TriangleProblem>(reference::accuracy::triangle_methods(),
-                                                         {ray_of(marking.key), in_double.triangles.front()},
-                                                         t_of_triangle(marking.key)));
+    if (ray && concerns(lost, Subject::triangle) && asks(reference::item::triangle::t) && scene.triangles.size() == 1) {
+        sentences.push_back(tell_ladder<TriangleProblem>(
+            reference::accuracy::triangle_methods(), {*ray, in_double.triangles.front()}, t_of_triangle(marking.key)));
     }
     if (const std::string steps = tell_steps(lost, marking); !steps.empty()) sentences.push_back(steps);
     return sentences;

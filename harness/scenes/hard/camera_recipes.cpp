@@ -14,12 +14,16 @@ using scenes::ScenePart;
 const Point slanted(2, 3, 6);
 
 /// Puts the objects back in front of the camera if they were located in the source: the ray hits the sphere and, behind
-/// it, the triangle.
+/// it, the triangle and the cylinder.
 void put_objects(Scene& scene, const Stage& stage, double distance) {
     const auto ray = reference::answer_camera(scene, stage.convention);
     const Point middle = ray.P_WCS + distance * ray.V;
     if (stage.located.contains(ScenePart::center)) scene.spheres.front().center = rounded(middle + Point(1, 0, 0));
     if (stage.located.contains(ScenePart::radius)) scene.spheres.front().radius = 5;
+    if (stage.located.contains(ScenePart::cylinder_center))
+        scene.cylinders.front().center = rounded(middle + 20.0 * ray.V);
+    if (stage.located.contains(ScenePart::cylinder_radius)) scene.cylinders.front().radius = 4;
+    if (stage.located.contains(ScenePart::cylinder_height)) scene.cylinders.front().height = 10;
     if (!stage.located.contains(ScenePart::A)) return;
     const Point p = reference::normalized(reference::cross(ray.V, Point(3, -1, 2)));
     const Point q = reference::cross(ray.V, p);

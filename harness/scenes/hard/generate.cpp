@@ -46,7 +46,10 @@ bool has_all(const Scene& scene, const std::vector<ScenePart>& parts) {
     return std::all_of(parts.begin(), parts.end(), [&](ScenePart part) {
         const bool of_sphere = part == ScenePart::center || part == ScenePart::radius;
         const bool of_triangle = part == ScenePart::A || part == ScenePart::B || part == ScenePart::C;
-        return !(of_sphere && scene.spheres.empty()) && !(of_triangle && scene.triangles.empty());
+        const bool of_cylinder = part == ScenePart::cylinder_center || part == ScenePart::cylinder_radius ||
+                                 part == ScenePart::cylinder_height;
+        return !(of_sphere && scene.spheres.empty()) && !(of_triangle && scene.triangles.empty()) &&
+               !(of_cylinder && scene.cylinders.empty());
     });
 }
 
@@ -62,6 +65,7 @@ std::string missing_parts(const HardRecipe& recipe, const scenes::PartSet& locat
 Scene with_moved_objects_alone(Scene scene) {
     if (!scene.spheres.empty()) scene.spheres.resize(1);
     if (!scene.triangles.empty()) scene.triangles.resize(1);
+    if (!scene.cylinders.empty()) scene.cylinders.resize(1);
     return scene;
 }
 
@@ -73,6 +77,7 @@ bool asks_about_moved(const HardRecipe& recipe, const Scene& scene, reference::P
         for (const ScenePart part : recipe.needs) {
             if (part == ScenePart::center && answers.sphere_index != 0) return false;
             if (part == ScenePart::A && answers.triangle_index != 0) return false;
+            if (part == ScenePart::cylinder_center && answers.cylinder_index != 0) return false;
         }
     }
     return true;
@@ -91,7 +96,10 @@ void draw_scene(HardScene& hard, const HardRecipe& recipe, const Stage& stage, s
                                           scene);
         if (!(worth > most)) continue;
         if (!asks_about_moved(recipe, scene, stage.convention)) {
-            hard.why_not = "the ray hits another sphere or triangle of this assignment first there";
+            const bool moves_cylinder =
+                std::ranges::find(recipe.needs, ScenePart::cylinder_center) != recipe.needs.end();
+            hard.why_not = fmt::format("the ray hits another {} of this assignment first there",
+                                       moves_cylinder ? "cylinder" : "sphere or triangle");
             continue;
         }
         most = worth;
@@ -113,9 +121,13 @@ Point across(const Stage& stage, scenes::Draw& draw) {
 }
 
 void put_sphere_away(Scene& scene, const Stage& stage) {
+    put_sphere_behind(scene, stage, stage.ray);
+}
+
+void put_sphere_behind(Scene& scene, const Stage& stage, const reference::CameraAnswers<double>& ray) {
     if (scene.spheres.empty() || !stage.located.contains(ScenePart::center)) return;
     reference::Sphere<double>& sphere = scene.spheres.front();
-    sphere.center = scenes::rounded(stage.ray.P_WCS - (2 * sphere.radius + 5) * stage.ray.V);
+    sphere.center = scenes::rounded(ray.P_WCS - (2 * sphere.radius + 5) * ray.V);
 }
 
 std::vector<HardScene> hard_scenes(const Assignment& assignment, reference::PixelConvention convention,
@@ -123,7 +135,7 @@ std::vector<HardScene> hard_scenes(const Assignment& assignment, reference::Pixe
     const Stage stage = stage_of(assignment, convention, located);
     std::vector<HardScene> scenes;
     std::uint64_t seed = 0;
-    for (const auto& recipes : {sphere_recipes(), triangle_recipes(), camera_recipes()}) {
+    for (const auto& recipes : {sphere_recipes(), triangle_recipes(), camera_recipes(), cylinder_recipes()}) {
         for (const HardRecipe& recipe : recipes) {
             ++seed;
             if (!has_all(stage.scene, recipe.needs)) continue;
@@ -139,7 +151,7 @@ std::vector<HardScene> hard_scenes(const Assignment& assignment, reference::Pixe
 }
 
 std::size_t most_hard_scenes() {
-    return sphere_recipes().size() + triangle_recipes().size() + camera_recipes().size();
+    return sphere_recipes().size() + triangle_recipes().size() + camera_recipes().size() + cylinder_recipes().size();
 }
 
 }  // namespace harness::scenes

@@ -18,7 +18,7 @@ std::optional<double> digits(double scale, double error) {
 
 /// The magnitude from which the digits of an item count: its largest component, or 1, the whole edge, for u and v.
 double scale_of(const KeyItem& item) {
-    if (item.spec.name == "u" || item.spec.name == "v") return 1;
+    if (item.spec.id.name == "u" || item.spec.id.name == "v") return 1;
     const auto* numbers = std::get_if<reference::Numbers>(&item.answers.front().value);
     return numbers == nullptr ? 0 : reference::largest_component(*numbers);
 }
@@ -30,7 +30,7 @@ bool is_none(const reference::Answer& answer) {
 const ItemScore* find(const Score& score, const reference::ItemSpec& spec) {
     for (const QuestionScore& question : score.questions) {
         for (const ItemScore& item : question.items) {
-            if (item.spec.question == spec.question && item.spec.name == spec.name) return &item;
+            if (item.spec.id == spec.id) return &item;
         }
     }
     return nullptr;

@@ -30,7 +30,7 @@ struct Stage {
 };
 
 /// Rates how well a drawn scene meets the recipe; below 0 if it does not. `answers` are those of the scene with only
-/// the first sphere and the first triangle, which are the ones that a recipe moves.
+/// the first object of each kind, which are the ones that a recipe moves.
 using Worth = double (*)(const Answers& answers, const Scene& scene);
 constexpr double not_wanted = -1;
 
@@ -47,12 +47,16 @@ struct HardRecipe {
 std::vector<HardRecipe> sphere_recipes();
 std::vector<HardRecipe> triangle_recipes();
 std::vector<HardRecipe> camera_recipes();
+std::vector<HardRecipe> cylinder_recipes();
 
 /// A random unit vector perpendicular to the ray.
 Point across(const Stage& stage, scenes::Draw& draw);
 
-/// Moves the sphere behind the ray's start, out of the triangle's way, if the sphere's center was located in the
+/// Moves the sphere behind the ray's start, out of the other objects' way, if the sphere's center was located in the
 /// source.
 void put_sphere_away(Scene& scene, const Stage& stage);
+
+/// The same for a ray that is not the stage's.
+void put_sphere_behind(Scene& scene, const Stage& stage, const reference::CameraAnswers<double>& ray);
 
 }  // namespace harness::scenes

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
+#include "harness/scenes/other/kind.h"
 #include "harness/scenes/source/drawing.h"
 #include "reference/stages/item_values.h"
 #include "reference/toml/scene_toml.h"
@@ -19,21 +21,14 @@ using reference::OtherScene;
 using reference::Scene;
 using reference::Vec3;
 
-enum class Kind { off_axis, triangle_first, sphere_missed, grazing };
-constexpr std::array all_kinds{Kind::off_axis, Kind::triangle_first, Kind::sphere_missed, Kind::grazing};
-
-std::string_view to_string(Kind kind) {
-    switch (kind) {
-        case Kind::off_axis: return "camera off every axis";
-        case Kind::triangle_first: return "triangle in front";
-        case Kind::sphere_missed: return "ray beside the sphere";
-        case Kind::grazing: return "far sphere, grazed";
-    }
-    return "";
-}
-
 bool is_zero(const Vec3<double>& p) {
     return p.x == 0 && p.y == 0 && p.z == 0;
+}
+
+/// The role, as far as the ray can play it: a camera that can be turned plays them all.
+CylinderRole role_of(Kind kind, const PartSet& located, const Vec3<double>& V) {
+    const bool turns = located.contains(ScenePart::eye) || located.contains(ScenePart::lookat);
+    return turns ? cylinder_plan(kind).role : possible_role(cylinder_plan(kind).role, V);
 }
 
 /// Draws scenes of one kind. Lengths grow with the distance of the kind's objects.
@@ -59,6 +54,7 @@ class Painter {
             sphere.center = rounded(ray.P_WCS + distance * ray.V + sphere.radius * draw_offset(draw) * side);
         }
         if (located_.contains(ScenePart::A)) paint_triangle(scene, ray, draw);
+        if (!scene.cylinders.empty()) paint_cylinder(scene.cylinders.front(), ray, draw);
         return scene;
     }
 
@@ -106,6 +102,16 @@ class Painter {
         triangle.C = vertex(2 * third);
     }
 
+    void paint_cylinder(reference::Cylinder<double>& cylinder, const reference::CameraAnswers<double>& ray,
+                        Draw& draw) const {
+        const CylinderPlan plan = cylinder_plan(kind_);
+        const CylinderParts parts{located_.contains(ScenePart::cylinder_center),
+                                  located_.contains(ScenePart::cylinder_radius),
+                                  located_.contains(ScenePart::cylinder_height)};
+        cylinder = draw_cylinder(cylinder, parts, ray, role_of(kind_, located_, ray.V), size_, size_ * plan.least,
+                                 size_ * plan.most, draw);
+    }
+
     Scene<double> base_;
     reference::PixelConvention convention_;
     PartSet located_;
@@ -148,12 +154,37 @@ bool triangle_is_hit(const Answers& answers) {
            1 - *triangle.u - *triangle.v > margin;
 }
 
+/// Whether the located cylinder plays its kind's role, and the objects are hit in the kind's order with no two at
+/// nearly the same t.
+bool cylinder_is_as_wanted(const Answers& answers, const Scene<double>& scene, const PartSet& located, Kind kind) {
+    if (!plays(role_of(kind, located, answers.camera.V), cylinder_meeting(answers.camera, scene.cylinders.front())))
+        return false;
+    constexpr double never = std::numeric_limits<double>::infinity();
+    const bool has_sphere = located.contains(ScenePart::center) && answers.sphere->t;
+    const double sphere = has_sphere ? *answers.sphere->t : never;
+    const double triangle = located.contains(ScenePart::A) ? *answers.triangle->t : never;
+    const double cylinder = answers.cylinder->t.value_or(never);
+    constexpr double apart = 0.3;
+    const auto is_before = [](double one, double other) { return one == never || other - one > apart; };
+    const auto are_apart = [](double one, double other) { return one == never || !(std::abs(one - other) <= apart); };
+    if (!are_apart(cylinder, sphere) || !are_apart(cylinder, triangle)) return false;
+    switch (kind) {
+        case Kind::off_axis: return is_before(sphere, cylinder) && is_before(sphere, triangle);
+        case Kind::triangle_first: return is_before(triangle, cylinder);
+        case Kind::sphere_missed: return is_before(cylinder, triangle);
+        case Kind::grazing: return true;
+    }
+    return false;
+}
+
 /// Whether the scene has its kind's property, as far as the located parts allow it.
 bool has_property(const Answers& answers, const Scene<double>& scene, const PartSet& located, Kind kind) {
     const bool sphere = located.contains(ScenePart::center);
     const bool triangle = located.contains(ScenePart::A);
     if (sphere && !sphere_is_as_wanted(answers, scene.spheres.front().radius, kind)) return false;
     if (triangle && !triangle_is_hit(answers)) return false;
+    const bool cylinder = located.contains(ScenePart::cylinder_center);
+    if (cylinder && !cylinder_is_as_wanted(answers, scene, located, kind)) return false;
     if (!sphere || !triangle || !answers.sphere->t) return true;
     const double lead = *answers.sphere->t - *answers.triangle->t;
     return kind == Kind::triangle_first ? lead > 0.3 : std::abs(lead) > 0.3;
@@ -206,6 +237,14 @@ std::optional<Scene<double>> draw_scene(const Assignment& assignment, const Part
     return most > 0 ? best : std::nullopt;
 }
 
+PartSet had_by(const DecimalScene& scene, const PartSet& parts) {
+    PartSet had;
+    for (const ScenePart part : all_parts) {
+        if (parts.contains(part) && has_part(scene, part)) had.insert(part);
+    }
+    return had;
+}
+
 /// The assignment's scene with the located parts taken from `variant`.
 DecimalScene restricted(const DecimalScene& scene, const DecimalScene& variant, const PartSet& located) {
     DecimalScene result = scene;
@@ -227,8 +266,9 @@ bool is_another_scene(const DecimalScene& scene, const Assignment& assignment) {
 
 }  // namespace
 
-std::vector<OtherScene> other_scenes_for(const Assignment& assignment, const PartSet& located, int count,
+std::vector<OtherScene> other_scenes_for(const Assignment& assignment, const PartSet& found, int count,
                                          std::uint64_t seed) {
+    const PartSet located = had_by(assignment.scene, found);
     std::vector<OtherScene> variants;
     if (located.empty()) return variants;
     const auto wanted = static_cast<std::size_t>(count);
@@ -244,7 +284,7 @@ std::vector<OtherScene> other_scenes_for(const Assignment& assignment, const Par
         DecimalScene exact = in_decimal(*scene);
         const std::string again = drawn < all_kinds.size() ? "" : fmt::format(" ({})", drawn / all_kinds.size() + 1);
         if (is_another_scene(exact, assignment))
-            variants.push_back({std::string(to_string(kind)) + again, std::move(exact)});
+            variants.push_back({std::string(name_of(kind, assignment.scene)) + again, std::move(exact)});
     }
     return variants;
 }

@@ -27,13 +27,14 @@ double share_of_points(const Graded& graded) {
     return sum / static_cast<double>(runs.size() + not_tried);
 }
 
-/// Which of eye, center and triangle stay the same on every scene. Without them, the scenes differ little.
+/// Which of eye, center, triangle and the cylinder's center stay the same on every scene. Without them, the scenes
+/// differ little.
 std::vector<std::string> unchanging(const OtherScenesReport& report) {
     const auto stays = [&](const char* part) {
         return std::find(report.not_found.begin(), report.not_found.end(), part) != report.not_found.end();
     };
     std::vector<std::string> parts;
-    for (const char* part : {"eye", "center"}) {
+    for (const char* part : {"eye", "center", "cylinder center"}) {
         if (stays(part)) parts.emplace_back(part);
     }
     if (stays("A") || stays("B") || stays("C")) parts.emplace_back("triangle");

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "harness/scenes/source/cylinder_literals.h"
 #include "harness/scenes/source/part_name.h"
 #include "harness/scenes/source/stated_numbers.h"
 
@@ -12,7 +13,7 @@ namespace harness::scenes {
 namespace {
 
 constexpr std::array vector_parts{ScenePart::eye, ScenePart::lookat, ScenePart::vup, ScenePart::center,
-                                  ScenePart::A,   ScenePart::B,      ScenePart::C};
+                                  ScenePart::A,   ScenePart::B,      ScenePart::C,   ScenePart::cylinder_center};
 
 /// Whether the value may stand in any program: the zero vector, a unit vector along an axis, (1, 1, 1).
 bool is_common(const std::array<double, 3>& value) {
@@ -38,10 +39,11 @@ class Locator {
     SceneLiterals locate() {
         placed_.resize(numbers_.vectors.size());
         place_by_neighbours();
+        if (!scene_.cylinders.empty()) place_cylinder();
         for (std::size_t i = 0; i < numbers_.vectors.size(); ++i) place(i);
-        find_radius();
+        find_radii();
         find_pixel();
-        keep_triangle_whole();
+        keep_whole();
         return finish();
     }
 
@@ -56,8 +58,8 @@ class Locator {
     void take(const StatedNumber& number, ScenePart part, std::size_t component, bool splat = false,
               double offset = 0) {
         if (!number.certain) doubt(part);
-        literals_.push_back(
-            {number.begin, number.end, part, component, splat, offset, number.constant, number.in_define});
+        literals_.push_back({number.begin, number.end, part, component, splat, offset, Form::itself, number.constant,
+                             number.in_define});
     }
 
     // Vectors
@@ -72,6 +74,7 @@ class Locator {
                 constexpr std::array order{ScenePart::eye, ScenePart::lookat, ScenePart::vup};
                 for (std::size_t k = 0; k < 3; ++k) place_element(list.elements[k], order.at(k));
             }
+            if (mentions_cylinder(list.callee) || mentions_cylinder(list.name)) continue;
             for (std::size_t i = 0; i + 1 < list.elements.size(); ++i)
                 place_sphere(list.elements[i], list.elements[i + 1]);
         }
@@ -99,6 +102,15 @@ class Locator {
         if (radius.number->constant.value != value_.at(ScenePart::radius)[0]) return;
         placed_[*center.vector] = ScenePart::center;
         take(*radius.number, ScenePart::radius, 0);
+    }
+
+    void place_cylinder() {
+        CylinderLiterals found = find_cylinder(numbers_, scene_);
+        for (const std::size_t center : found.centers) placed_[center] = ScenePart::cylinder_center;
+        literals_.insert(literals_.end(), found.literals.begin(), found.literals.end());
+        for (const ScenePart part : all_parts) {
+            if (found.doubtful.contains(part)) doubt(part);
+        }
     }
 
     void place(std::size_t index) {
@@ -133,22 +145,29 @@ class Locator {
             return;
         }
         for (std::size_t k = 0; k < 3; ++k) take(vector.numbers[k], part, k);
-        if (part != ScenePart::center || !vector.following || !value_.contains(ScenePart::radius)) return;
+        if (part != ScenePart::center || vector.following.empty() || !value_.contains(ScenePart::radius)) return;
         // In Sphere(1, 1, 0, 2) the fourth number is the radius; in a homogeneous point it is 1.
+        const StatedNumber& fourth = vector.following.front();
         const double radius = value_.at(ScenePart::radius)[0];
-        if (vector.following->constant.value == radius && radius != 1) take(*vector.following, ScenePart::radius, 0);
+        if (fourth.constant.value == radius && radius != 1) take(fourth, ScenePart::radius, 0);
     }
 
     // Numbers
 
-    void find_radius() {
-        if (!value_.contains(ScenePart::radius)) return;
+    /// A name that may mean either object's radius is told by its value.
+    void find_radii() {
         for (const NamedNumber& named : numbers_.named) {
-            if (!may_name(named.name, ScenePart::radius)) continue;
-            if (named.number.constant.value == value_.at(ScenePart::radius)[0]) {
-                take(named.number, ScenePart::radius, 0);
+            std::vector<ScenePart> with_name;
+            std::vector<ScenePart> with_value;
+            for (const ScenePart part : {ScenePart::radius, ScenePart::cylinder_radius}) {
+                if (!value_.contains(part) || !may_name(named.name, part)) continue;
+                with_name.push_back(part);
+                if (named.number.constant.value == value_.at(part)[0]) with_value.push_back(part);
+            }
+            if (with_value.size() == 1) {
+                take(named.number, with_value.front(), 0);
             } else {
-                doubt(ScenePart::radius);
+                for (const ScenePart part : with_name) doubt(part);
             }
         }
     }
@@ -173,8 +192,8 @@ class Locator {
                 const double offset = number.constant.value - pixel.at(k);
                 if (offset != 0 && offset != 0.5) continue;
                 if (places.size() % 2 != k || !number.certain) return;
-                places.push_back(
-                    {number.begin, number.end, ScenePart::pixel, k, false, offset, number.constant, number.in_define});
+                places.push_back({number.begin, number.end, ScenePart::pixel, k, false, offset, Form::itself,
+                                  number.constant, number.in_define});
             }
         }
         if (places.size() % 2 == 0) literals_.insert(literals_.end(), places.begin(), places.end());
@@ -188,12 +207,17 @@ class Locator {
                            [&](const SceneLiteral& literal) { return literal.part == part; });
     }
 
-    void keep_triangle_whole() {
+    void keep_whole() {
         constexpr std::array vertices{ScenePart::A, ScenePart::B, ScenePart::C};
-        const bool whole =
+        const bool is_triangle_whole =
             std::all_of(vertices.begin(), vertices.end(), [&](ScenePart part) { return is_located(part); });
-        if (whole) return;
-        for (const ScenePart part : vertices) doubt(part);
+        if (!is_triangle_whole) {
+            for (const ScenePart part : vertices) doubt(part);
+        }
+        if (states_cap(literals_) && !states_whole_cylinder(literals_, doubtful_)) {
+            doubt(ScenePart::cylinder_center);
+            doubt(ScenePart::cylinder_height);
+        }
     }
 
     SceneLiterals finish() {
@@ -204,18 +228,21 @@ class Locator {
             const SceneLiteral& one = literals_[i];
             const SceneLiteral& next = literals_[i + 1];
             const bool same = one.begin == next.begin && one.end == next.end && one.part == next.part &&
-                              one.component == next.component && one.splat == next.splat;
+                              one.component == next.component && one.splat == next.splat && one.form == next.form;
             if (next.begin >= one.end || same) continue;
             doubt(one.part);
             doubt(next.part);
         }
-        keep_triangle_whole();
+        keep_whole();
         SceneLiterals result;
         for (const SceneLiteral& literal : literals_) {
             const bool twice = !result.literals.empty() && result.literals.back().begin == literal.begin;
             if (doubtful_.contains(literal.part) || twice) continue;
             result.literals.push_back(literal);
             result.located.insert(literal.part);
+            if (literal.form != Form::top && literal.form != Form::bottom) continue;
+            result.located.insert(ScenePart::cylinder_center);
+            result.located.insert(ScenePart::cylinder_height);
         }
         return result;
     }
@@ -256,7 +283,7 @@ std::optional<std::string> with_scene(std::string_view source, const SceneLitera
     std::string text;
     std::size_t at = 0;
     for (const SceneLiteral& literal : found.literals) {
-        const auto number = replacement(literal, value_of(variant, literal.part));
+        const auto number = replacement(literal, value_of(variant, literal.part, literal.form));
         if (!number) return {};
         text.append(source.substr(at, literal.begin - at)).append(*number);
         at = literal.end;

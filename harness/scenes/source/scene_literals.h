@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "harness/scenes/source/constant.h"
+#include "harness/scenes/source/part_name.h"
 #include "harness/scenes/source/scene_part.h"
 
 namespace harness::scenes {
@@ -19,6 +20,7 @@ struct SceneLiteral {
     std::size_t component = 0;  ///< of the part; 0 for a splat
     bool splat = false;
     double offset = 0;  ///< what the source adds to the number: 0.5 in 150.5 for a pixel's centre
+    Form form = Form::itself;
     Constant constant{};
     bool in_define = false;
 };
@@ -33,7 +35,8 @@ struct SceneLiterals {
 /// value such as (0, 0, 0). Otherwise the name that it initialises identifies the part, or its place among others, as
 /// in lookAt(eye, at, up). A part is located if every place that may state it surely does. A doubtful part is not
 /// located and must stay as it is. Numbers within a formula are never taken. The triangle is located as a whole or not
-/// at all. Linear in the source's size, except for sorting the results.
+/// at all, and so are the cylinder's center and height where the source states a cap. Linear in the source's size,
+/// except for sorting the results.
 SceneLiterals find_scene(std::string_view source, const DecimalScene& scene);
 
 /// The source with its located numbers replaced by those of `variant`, each written like the number that it replaces.

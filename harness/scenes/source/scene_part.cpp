@@ -8,7 +8,7 @@ namespace {
 using reference::Decimal;
 using reference::Vec3;
 
-/// The part's vector; null for the radius and the pixel.
+/// The part's vector; null for the other parts.
 template <class Scene>
 auto* vector_of(Scene& scene, ScenePart part) {
     switch (part) {
@@ -19,10 +19,22 @@ auto* vector_of(Scene& scene, ScenePart part) {
         case ScenePart::A: return &scene.triangles.front().A;
         case ScenePart::B: return &scene.triangles.front().B;
         case ScenePart::C: return &scene.triangles.front().C;
+        case ScenePart::cylinder_center: return &scene.cylinders.front().center;
         case ScenePart::radius:
+        case ScenePart::cylinder_radius:
+        case ScenePart::cylinder_height:
         case ScenePart::pixel: break;
     }
     return static_cast<decltype(&scene.camera.eye)>(nullptr);
+}
+
+/// The part's single number; null for the other parts.
+template <class Scene>
+auto* number_of(Scene& scene, ScenePart part) {
+    if (part == ScenePart::radius) return &scene.spheres.front().radius;
+    if (part == ScenePart::cylinder_radius) return &scene.cylinders.front().radius;
+    if (part == ScenePart::cylinder_height) return &scene.cylinders.front().height;
+    return static_cast<decltype(&scene.window.clip_near)>(nullptr);
 }
 
 }  // namespace
@@ -37,6 +49,9 @@ std::string_view to_string(ScenePart part) {
         case ScenePart::A: return "A";
         case ScenePart::B: return "B";
         case ScenePart::C: return "C";
+        case ScenePart::cylinder_center: return "cylinder center";
+        case ScenePart::cylinder_radius: return "cylinder radius";
+        case ScenePart::cylinder_height: return "cylinder height";
         case ScenePart::pixel: return "pixel";
     }
     return "";
@@ -53,25 +68,41 @@ bool has_part(const DecimalScene& scene, ScenePart part) {
         case ScenePart::A:
         case ScenePart::B:
         case ScenePart::C: return !scene.triangles.empty();
+        case ScenePart::cylinder_center:
+        case ScenePart::cylinder_radius:
+        case ScenePart::cylinder_height: return !scene.cylinders.empty();
     }
     return false;
 }
 
 std::size_t size_of(ScenePart part) {
-    if (part == ScenePart::radius) return 1;
-    return part == ScenePart::pixel ? 2 : 3;
+    switch (part) {
+        case ScenePart::radius:
+        case ScenePart::cylinder_radius:
+        case ScenePart::cylinder_height: return 1;
+        case ScenePart::pixel: return 2;
+        case ScenePart::eye:
+        case ScenePart::lookat:
+        case ScenePart::vup:
+        case ScenePart::center:
+        case ScenePart::A:
+        case ScenePart::B:
+        case ScenePart::C:
+        case ScenePart::cylinder_center: break;
+    }
+    return 3;
 }
 
 std::array<double, 3> value_of(const DecimalScene& scene, ScenePart part) {
-    if (part == ScenePart::radius) return {scene.spheres.front().radius.to_double(), 0, 0};
+    if (const Decimal* number = number_of(scene, part)) return {number->to_double(), 0, 0};
     if (part == ScenePart::pixel) return {static_cast<double>(scene.pixel.x), static_cast<double>(scene.pixel.y), 0};
     const Vec3<Decimal>& p = *vector_of(scene, part);
     return {p.x.to_double(), p.y.to_double(), p.z.to_double()};
 }
 
 void copy_part(DecimalScene& to, const DecimalScene& from, ScenePart part) {
-    if (part == ScenePart::radius) {
-        to.spheres.front().radius = from.spheres.front().radius;
+    if (Decimal* number = number_of(to, part)) {
+        *number = *number_of(from, part);
     } else if (part == ScenePart::pixel) {
         to.pixel = from.pixel;
     } else {
@@ -80,8 +111,8 @@ void copy_part(DecimalScene& to, const DecimalScene& from, ScenePart part) {
 }
 
 void set_part(DecimalScene& scene, ScenePart part, const std::array<Decimal, 3>& numbers) {
-    if (part == ScenePart::radius) {
-        scene.spheres.front().radius = numbers[0];
+    if (Decimal* number = number_of(scene, part)) {
+        *number = numbers[0];
     } else if (part == ScenePart::pixel) {
         scene.pixel = {static_cast<int>(numbers[0].to_double()), static_cast<int>(numbers[1].to_double())};
     } else {

@@ -11,12 +11,35 @@
 
 namespace harness::scenes {
 
-/// The parts that other scenes may change. With several spheres or triangles, the first.
-enum class ScenePart { eye, lookat, vup, center, radius, A, B, C, pixel };
+/// The parts that other scenes may change. With several spheres, triangles or cylinders, the first. `center` and
+/// `radius` are the sphere's.
+enum class ScenePart {
+    eye,
+    lookat,
+    vup,
+    center,
+    radius,
+    A,
+    B,
+    C,
+    cylinder_center,
+    cylinder_radius,
+    cylinder_height,
+    pixel
+};
 
-inline constexpr std::array all_parts{ScenePart::eye,    ScenePart::lookat, ScenePart::vup,
-                                      ScenePart::center, ScenePart::radius, ScenePart::A,
-                                      ScenePart::B,      ScenePart::C,      ScenePart::pixel};
+inline constexpr std::array all_parts{ScenePart::eye,
+                                      ScenePart::lookat,
+                                      ScenePart::vup,
+                                      ScenePart::center,
+                                      ScenePart::radius,
+                                      ScenePart::A,
+                                      ScenePart::B,
+                                      ScenePart::C,
+                                      ScenePart::cylinder_center,
+                                      ScenePart::cylinder_radius,
+                                      ScenePart::cylinder_height,
+                                      ScenePart::pixel};
 
 class PartSet {
   public:
@@ -31,7 +54,7 @@ class PartSet {
     std::bitset<all_parts.size()> bits_;
 };
 
-/// The handout's word for the part, e.g. "eye" or "A".
+/// The handout's word for the part, e.g. "eye", "A" or "cylinder radius".
 std::string_view to_string(ScenePart part);
 
 using DecimalScene = reference::Scene<reference::Decimal>;
@@ -39,7 +62,7 @@ using DecimalScene = reference::Scene<reference::Decimal>;
 /// Whether the scene has the part: a scene without a sphere has no center.
 bool has_part(const DecimalScene& scene, ScenePart part);
 
-/// How many numbers the part has: 2 for the pixel, 1 for the radius, else 3.
+/// How many numbers the part has: 2 for the pixel, 1 for a radius or a height, else 3.
 std::size_t size_of(ScenePart part);
 
 /// The part's numbers, as many as size_of says; the rest is 0. The scene must have the part.

@@ -135,7 +135,9 @@ class Finder {
                 vector.value.at(k) = numbers[i + k].constant.value;
                 vector.numbers.push_back(numbers[i + k]);
             }
-            if (!chunks && numbers.size() > 3) vector.following = numbers[3];
+            constexpr std::size_t most_following = 3;
+            for (std::size_t k = 3; !chunks && k < std::min(numbers.size(), 3 + most_following); ++k)
+                vector.following.push_back(numbers[k]);
             vector.name = naming_of_list.name;
             vector.callee = naming_of_list.callee;
             vector.weak = parts.size() != 3;

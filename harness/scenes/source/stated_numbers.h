@@ -30,11 +30,11 @@ struct NamedNumber {
 /// Three constants that stand together.
 struct StatedVector {
     std::array<double, 3> value{};
-    std::vector<StatedNumber> numbers;      ///< three; or a single number for all three, as in vec3(2)
-    std::optional<StatedNumber> following;  ///< the constant after them in the same brackets
-    std::string name;                       ///< of the variable that it initialises; empty if it has no name
-    std::string_view callee;                ///< the type or function before its bracket, such as "vec3"; may be empty
-    bool weak = false;                      ///< part of a longer list, which may mean something else
+    std::vector<StatedNumber> numbers;    ///< three; or a single number for all three, as in vec3(2)
+    std::vector<StatedNumber> following;  ///< the constants after them in the same brackets, at most three
+    std::string name;                     ///< of the variable that it initialises; empty if it has no name
+    std::string_view callee;              ///< the type or function before its bracket, such as "vec3"; may be empty
+    bool weak = false;                    ///< part of a longer list, which may mean something else
 };
 
 /// What stands between two commas of a list: a vector, a number, or something else.

@@ -9,6 +9,7 @@
 
 #include "harness/scenes/source/part_name.h"
 #include "harness/scenes/source/stated_numbers.h"
+#include "harness/scenes/source/window_numbers.h"
 
 namespace harness::scenes {
 namespace {
@@ -44,37 +45,6 @@ bool holds(std::string_view name, std::initializer_list<std::string_view> words)
                        [&](std::string_view word) { return plain.find(word) != std::string::npos; });
 }
 
-/// One number of the window: the handout's name for it, how sources call it, and where the scene has it.
-struct WindowNumber {
-    std::string_view name;
-    bool (*is_called)(std::string_view plain);  ///< in lower case
-    Decimal reference::Window<Decimal>::*number;
-    int reference::Window<Decimal>::*pixels;
-};
-
-using SceneWindow = reference::Window<Decimal>;
-
-constexpr std::array window_numbers{
-    WindowNumber{"clipLeft", [](std::string_view name) { return name.ends_with("left"); }, &SceneWindow::clip_left,
-                 nullptr},
-    WindowNumber{"clipRight", [](std::string_view name) { return name.ends_with("right"); }, &SceneWindow::clip_right,
-                 nullptr},
-    WindowNumber{"clipBottom", [](std::string_view name) { return name.ends_with("bottom"); },
-                 &SceneWindow::clip_bottom, nullptr},
-    WindowNumber{"clipTop", [](std::string_view name) { return name.ends_with("top"); }, &SceneWindow::clip_top,
-                 nullptr},
-    WindowNumber{"clipNear", [](std::string_view name) { return name.ends_with("near"); }, &SceneWindow::clip_near,
-                 nullptr},
-    WindowNumber{
-        "W",
-        [](std::string_view name) { return name == "w" || name == "nx" || name == "xres" || name.ends_with("width"); },
-        nullptr, &SceneWindow::width},
-    WindowNumber{
-        "H",
-        [](std::string_view name) { return name == "h" || name == "ny" || name == "yres" || name.ends_with("height"); },
-        nullptr, &SceneWindow::height},
-};
-
 /// A part with what the source states for it.
 struct Change {
     std::string name;
@@ -98,7 +68,7 @@ class Searcher {
         for (const ScenePart part : all_parts) {
             if (has_part(scene_, part) && part != ScenePart::pixel) change_part(part);
         }
-        for (const WindowNumber& number : window_numbers) change_window(number);
+        for (const WindowNumber& number : window_numbers()) change_window(number);
         const std::vector<Change> pixels = other_pixels();
         std::vector<StatedScene> scenes;
         add(scenes, changes_);
@@ -139,8 +109,7 @@ class Searcher {
             if (is_placed[i] || is_number) continue;
             if (const auto part = part_called(vector)) {
                 note(*part, vector.value);
-                if (*part == ScenePart::center && vector.following)
-                    note(ScenePart::radius, {vector.following->constant.value});
+                note_following(*part, vector.following);
             } else if (vector.name.empty() && !is_in_many_programs(vector.value)) {
                 for (const ScenePart any : all_parts) {
                     if (size_of(any) == 3 && has_part(scene_, any) && value_of(scene_, any) == vector.value)
@@ -149,8 +118,63 @@ class Searcher {
             }
         }
         for (const NamedNumber& named : numbers_.named) {
-            if (may_name(named.name, ScenePart::radius)) note(ScenePart::radius, {named.number.constant.value});
+            if (const auto part = radius_called(named)) note(*part, {named.number.constant.value});
+            if (!scene_.cylinders.empty()) note_height(named);
         }
+    }
+
+    /// The numbers behind a center in the same brackets.
+    void note_following(ScenePart center, const std::vector<StatedNumber>& numbers) {
+        if (center == ScenePart::center && !numbers.empty()) note(ScenePart::radius, {numbers[0].constant.value});
+        if (center != ScenePart::cylinder_center || numbers.size() < 2) return;
+        note(ScenePart::cylinder_radius, {numbers[0].constant.value});
+        note(ScenePart::cylinder_height, {numbers[1].constant.value});
+    }
+
+    /// The object whose radius a number is. Where its name may mean several, it is the one that has this radius, else
+    /// the first whose radius the source has not stated yet.
+    std::optional<ScenePart> radius_called(const NamedNumber& named) {
+        std::vector<ScenePart> parts;
+        for (const ScenePart part : {ScenePart::radius, ScenePart::cylinder_radius}) {
+            if (has_part(scene_, part) && may_name(named.name, part)) parts.push_back(part);
+        }
+        if (parts.empty()) return std::nullopt;
+        const auto is_given = [&](ScenePart part) { return value_of(scene_, part)[0] == named.number.constant.value; };
+        if (const auto given = std::ranges::find_if(parts, is_given); given != parts.end()) return *given;
+        const auto is_open = [&](ScenePart part) { return of(part).values.empty(); };
+        const auto open = std::ranges::find_if(parts, is_open);
+        return open == parts.end() ? parts.front() : *open;
+    }
+
+    void note_height(const NamedNumber& named) {
+        const std::optional<Form> form = cylinder_form(named.name);
+        if ((form != Form::half && form != Form::itself) || is_of_window(named)) return;
+        const double value = named.number.constant.value;
+        const double half = value_of(scene_, ScenePart::cylinder_height, Form::half)[0];
+        note(ScenePart::cylinder_height, {value * (form == Form::half || value == half ? 2 : 1)});
+    }
+
+    /// Whether a number is about the window where its name may mean the window or the cylinder: unless it is the
+    /// cylinder's number, or the window's stands elsewhere.
+    bool is_of_window(const NamedNumber& named) const {
+        const std::optional<Form> form = cylinder_form(named.name);
+        if (scene_.cylinders.empty() || !form) return true;
+        if (mentions_cylinder(named.name)) return false;
+        const double value = named.number.constant.value;
+        if (value == value_of(scene_, ScenePart::cylinder_height, *form)[0]) return false;
+        const WindowNumber* number = window_number_called(named.name);
+        if (number == nullptr || value == number->value_in(scene_)) return number != nullptr;
+        return std::ranges::none_of(numbers_.named, [&](const NamedNumber& other) {
+            return other.number.constant.value == number->value_in(scene_) &&
+                   window_number_called(other.name) == number;
+        });
+    }
+
+    static const WindowNumber* window_number_called(std::string_view name) {
+        const std::string plain = lower(name.substr(name.find_last_of('.') + 1));
+        const auto found =
+            std::ranges::find_if(window_numbers(), [&](const WindowNumber& number) { return number.is_called(plain); });
+        return found == window_numbers().end() ? nullptr : &*found;
     }
 
     void read_list(const StatedList& list, std::vector<bool>& is_placed) {
@@ -172,17 +196,26 @@ class Searcher {
             }
             break;
         }
-        if (holds(called, {"sph", "ball"}) && is_point(0)) {
-            place(0, ScenePart::center);
-            if (list.elements.size() > 1 && list.elements[1].number)
-                note(ScenePart::radius, {list.elements[1].number->constant.value});
-        }
+        const bool is_cylinder = !scene_.cylinders.empty() && mentions_cylinder(called);
+        if (!is_point(0) || (!is_cylinder && !holds(called, {"sph", "ball"}))) return;
+        const ScenePart center = is_cylinder ? ScenePart::cylinder_center : ScenePart::center;
+        place(0, center);
+        std::vector<StatedNumber> following;
+        for (std::size_t i = 1; i < list.elements.size() && list.elements[i].number; ++i)
+            following.push_back(*list.elements[i].number);
+        note_following(center, following);
     }
 
     /// The part that a point's name means. Where it may mean several, the words beside it and the other names decide.
     std::optional<ScenePart> part_called(const StatedVector& vector) const {
         const auto called = [&](ScenePart part) { return has_part(scene_, part) && may_name(vector.name, part); };
         if (vector.name.empty()) return std::nullopt;
+        if (!scene_.cylinders.empty() && mentions_cylinder(vector.name))
+            return called(ScenePart::cylinder_center) ? std::optional(ScenePart::cylinder_center) : std::nullopt;
+        const bool is_cylinders = called(ScenePart::cylinder_center) &&
+                                  vector.value == value_of(scene_, ScenePart::cylinder_center) &&
+                                  (!called(ScenePart::center) || vector.value != value_of(scene_, ScenePart::center));
+        if (is_cylinders) return ScenePart::cylinder_center;
         if (holds(vector.name, {"sph", "ball"}) && called(ScenePart::center)) return ScenePart::center;
         for (const ScenePart vertex : {ScenePart::A, ScenePart::B}) {
             if (called(vertex)) return vertex;
@@ -228,12 +261,10 @@ class Searcher {
     }
 
     void change_window(const WindowNumber& number) {
-        const double given =
-            number.pixels != nullptr ? scene_.window.*number.pixels : (scene_.window.*number.number).to_double();
+        const double given = number.value_in(scene_);
         std::optional<double> other;
         for (const NamedNumber& named : numbers_.named) {
-            const std::string_view last = std::string_view(named.name).substr(named.name.find_last_of('.') + 1);
-            if (!number.is_called(lower(last))) continue;
+            if (window_number_called(named.name) != &number || !is_of_window(named)) continue;
             const double value = named.number.constant.value;
             if (value == given) return;
             if (!other) other = value;

@@ -64,7 +64,7 @@ void add_errors(std::vector<ItemAccuracy>& items, const std::string& scalar, con
     auto item = items.begin();
     for (const KeyQuestion& question : key.questions) {
         for (const KeyItem& asked : question.items) {
-            const ItemId id{question.number, asked.spec.name};
+            const ItemId& id = asked.spec.id;
             const auto found = values.find(id);  // none for a verdict that could not be decided, e.g. because of NaN
             ItemError error = error_of<S>(found == values.end() ? ItemValue<S>() : found->second, truth.at(id),
                                           item->ulp, graded_allowance(asked, asked.answers.front(), assignment.rubric));

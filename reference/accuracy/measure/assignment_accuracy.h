@@ -42,7 +42,7 @@ struct Decision {
     bool hangs_on_rounding() const { return sign == 0 || !float_is_sure || !double_is_sure || !wrong.empty(); }
 };
 
-/// The time to compute the ten answers once, in one scalar type.
+/// The time to compute all answers once, in one scalar type.
 struct ScalarCost {
     std::string scalar;  ///< as in ItemError, or "certified": every decision exact, every value enclosed
     double ns = 0;       ///< median of the repetitions

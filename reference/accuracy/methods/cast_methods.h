@@ -46,6 +46,7 @@ inline Outcome outcome_of(kernel::First::Kind first) {
         case kernel::First::Kind::sphere: return Outcome::sphere_first;
         case kernel::First::Kind::triangle: return Outcome::triangle_first;
         case kernel::First::Kind::tie: return Outcome::tie;
+        case kernel::First::Kind::cylinder:
         case kernel::First::Kind::none:
         case kernel::First::Kind::invalid: break;
     }
@@ -63,16 +64,15 @@ FirstHit<double> certified_cast(const Ray<T>& ray, const Sphere<T>& sphere, cons
 class CertifiedCast {
   public:
     FirstHit<double> operator()(const OrderCase& c) {
-        spheres_.front() = c.sphere;
-        triangles_.front() = c.triangle;
-        kernel::cast_ray(c.ray, spheres_, triangles_, cast_);
+        objects_.spheres.front() = c.sphere;
+        objects_.triangles.front() = c.triangle;
+        kernel::cast_ray(c.ray, objects_, cast_);
         const Outcome outcome = outcome_of(cast_.first.kind);
         return {outcome, outcome == Outcome::triangle_first ? cast_.triangles.front().t : cast_.spheres.front().t};
     }
 
   private:
-    std::vector<Sphere<double>> spheres_{1};
-    std::vector<Triangle<double>> triangles_{1};
+    kernel::Objects objects_{std::vector<Sphere<double>>(1), std::vector<Triangle<double>>(1)};
     kernel::Cast cast_;
 };
 

@@ -1,5 +1,7 @@
 #include "reference/render/scene/effects.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "reference/render/scene/prepared_scene.h"
@@ -48,6 +50,11 @@ bool is_outside(const PreparedScene& scene, const Sphere<double>& sphere) {
     return false;
 }
 
+/// A sphere that holds the cylinder.
+Sphere<double> around(const Cylinder<double>& cylinder) {
+    return {cylinder.center, std::hypot(cylinder.radius, cylinder.height / 2) * (1 + 0x1p-40)};
+}
+
 Decision illumination(const PreparedScene& scene) {
     const bool has_lights = !scene.point_lights.empty() || !scene.directional_lights.empty();
     const bool is_lit = any_surface(scene, [](const Surface& surface) { return surface.is_lit; });
@@ -82,13 +89,15 @@ Decision shadows(const PreparedScene& scene, const Decision& illumination) {
         return {"shadows", false, "no material is diffuse or specular in a light's colors: nothing to be in shadow"};
     }
     if (scene.object_count == 1) {
-        if (scene.spheres.empty()) {
+        if (scene.kind_of(0) == ObjectKind::triangle) {
             return {"shadows", false, "one triangle: nothing can cast a shadow on another"};
         }
-        if (!refracts(scene) && is_outside(scene, scene.spheres.front())) {
+        const bool is_sphere = scene.kind_of(0) == ObjectKind::sphere;
+        if (!refracts(scene) && is_outside(scene, is_sphere ? scene.spheres.front() : around(scene.cylinder(0)))) {
             return {"shadows", false, "one convex object: nothing can cast a shadow on another"};
         }
-        return {"shadows", true, "a sphere seen from inside is its own shade"};
+        return {"shadows", true,
+                fmt::format("a {} seen from inside is its own shade", is_sphere ? "sphere" : "cylinder")};
     }
     return {"shadows", true, "objects may stand between a light and each other"};
 }

@@ -149,21 +149,28 @@ bool is_twin(const Sphere<double>& one, const Sphere<double>& other) {
     return one.center == other.center && one.radius == other.radius;
 }
 
-void add_spheres(const Scene<double>& scene, const Appearance& appearance, PreparedScene& prepared) {
+bool is_twin(const Cylinder<double>& one, const Cylinder<double>& other) {
+    return one.center == other.center && one.radius == other.radius && one.height == other.height;
+}
+
+/// `to` is a vector of `prepared`. `noun` names one object, for the note.
+template <class Object>
+void add_without_twins(const std::vector<Object>& objects, std::string_view noun,
+                       const std::vector<std::optional<std::size_t>>& materials, std::vector<Object>& to,
+                       PreparedScene& prepared) {
     std::size_t twins = 0;
-    for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
-        const Sphere<double>& sphere = scene.spheres[i];
-        const auto known = [&](const Sphere<double>& other) { return is_twin(sphere, other); };
-        if (std::any_of(prepared.spheres.begin(), prepared.spheres.end(), known)) {
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        const auto known = [&](const Object& other) { return is_twin(objects[i], other); };
+        if (std::any_of(to.begin(), to.end(), known)) {
             ++twins;
             continue;
         }
-        prepared.spheres.push_back(sphere);
-        prepared.surface_of.push_back(surface_index(appearance.sphere_materials, i));
+        to.push_back(objects[i]);
+        prepared.surface_of.push_back(surface_index(materials, i));
     }
     if (twins > 0) {
-        prepared.notes.push_back(fmt::format("{} {} left out: there is the same one before.", twins,
-                                             twins == 1 ? "sphere is" : "spheres are"));
+        prepared.notes.push_back(
+            fmt::format("{} {}{} left out: there is the same one before.", twins, noun, twins == 1 ? " is" : "s are"));
     }
 }
 
@@ -212,7 +219,7 @@ PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureS
     prepared.eye = eye_of(scene, assignment.rubric.pixel_conventions.front(), side);
     prepared.boundary =
         assignment.rubric.boundary == BoundaryPolicy::positive ? Boundary::positive : Boundary::nonnegative;
-    add_spheres(scene, appearance, prepared);
+    add_without_twins(scene.spheres, "sphere", appearance.sphere_materials, prepared.spheres, prepared);
     add_triangles(scene.triangles, "of the scene", prepared,
                   [&](std::size_t i) { return surface_index(appearance.triangle_materials, i); });
     for (const MeshFile& mesh : appearance.meshes) {
@@ -224,16 +231,19 @@ PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureS
         }
     }
     prepared.sphere_count = static_cast<std::uint32_t>(prepared.spheres.size());
-    prepared.object_count = prepared.sphere_count + static_cast<std::uint32_t>(prepared.triangles.size());
+    prepared.first_cylinder = prepared.sphere_count + static_cast<std::uint32_t>(prepared.triangles.size());
+    add_without_twins(scene.cylinders, "cylinder", appearance.cylinder_materials, prepared.cylinders, prepared);
+    prepared.object_count = prepared.first_cylinder + static_cast<std::uint32_t>(prepared.cylinders.size());
     prepared.surfaces = surfaces_of(appearance, color_space);
     add_lights(appearance, prepared);
     prepared.ambient_light = appearance.ambient_light;
     prepared.background = appearance.background;
     prepared.color_space = color_space;
-    if (prepared.object_count <= most_objects_without_tree) return prepared;
+    if (prepared.object_count <= most_objects_without_tree && scene.cylinders.empty()) return prepared;
     std::vector<Box> boxes;
     for (const Sphere<double>& sphere : prepared.spheres) boxes.push_back(box_of(sphere));
     for (const auto& triangle : prepared.triangles) boxes.push_back(box_of(triangle.triangle));
+    for (const Cylinder<double>& cylinder : prepared.cylinders) boxes.push_back(box_of(cylinder));
     prepared.tree = build_tree(boxes);
     return prepared;
 }

@@ -61,7 +61,10 @@ KERNEL_INLINE RowOfRays Eye::row(double y) const {
     return {basis.X_vcs, scaled(basis.Y_vcs, y), scaled(basis.Z_vcs, z), position};
 }
 
-/// Objects are numbered: the spheres in the file's order, then the triangles, then the triangles of the meshes.
+enum class ObjectKind { sphere, triangle, cylinder };
+
+/// Objects are numbered: the spheres in the file's order, then the triangles, then the triangles of the meshes, then
+/// the cylinders.
 struct PreparedScene {
     Eye eye;
     int width;   ///< pixels
@@ -72,17 +75,28 @@ struct PreparedScene {
     std::vector<Sphere<double>> spheres;
     std::vector<kernel::PreparedTriangle<double>> triangles;
     std::vector<Vec3<double>> triangle_normals;  ///< of unit length
-    std::vector<Surface> surfaces;               ///< the first is that of objects without a material
-    std::vector<std::uint32_t> surface_of;       ///< by object
-    std::vector<PointLight> point_lights;        ///< with those that area lights are spread over, without black ones
+    std::vector<Cylinder<double>> cylinders;
+    std::vector<Surface> surfaces;          ///< the first is that of objects without a material
+    std::vector<std::uint32_t> surface_of;  ///< by object
+    std::vector<PointLight> point_lights;   ///< with those that area lights are spread over, without black ones
     std::vector<DirectionalLight> directional_lights;  ///< the same; the directions of unit length
     Color ambient_light;
     Color background;
     ColorSpace color_space;
-    std::optional<Tree> tree;        ///< only for more than most_objects_without_tree objects
+    std::optional<Tree> tree;        ///< only for more than most_objects_without_tree objects, or with a cylinder
     std::vector<std::string> notes;  ///< what was left out, in whole sentences
     std::uint32_t sphere_count;      ///< of the vectors above, ready for the loops
+    std::uint32_t first_cylinder;    ///< its number as an object
     std::uint32_t object_count;
+
+    KERNEL_INLINE ObjectKind kind_of(std::uint32_t object) const {
+        if (object < sphere_count) return ObjectKind::sphere;
+        return object < first_cylinder ? ObjectKind::triangle : ObjectKind::cylinder;
+    }
+    KERNEL_INLINE const kernel::PreparedTriangle<double>& triangle(std::uint32_t object) const {
+        return triangles[object - sphere_count];
+    }
+    const Cylinder<double>& cylinder(std::uint32_t object) const { return cylinders[object - first_cylinder]; }
 };
 
 struct PictureSize {
@@ -95,9 +109,9 @@ struct PictureSize {
 constexpr std::size_t most_objects_without_tree = 32;
 
 /// Reads the meshes and prepares the scene for a picture of `size`, or of the window's size. Triangles without area in
-/// doubles and duplicate spheres are left out, with a note. Throws AssignmentError for a mesh that can't be read, for a
-/// coordinate beyond 1e30 or a size below 1e-30 (products of six numbers must stay within the range of doubles), for a
-/// texture that can't be read, and for a picture with too many samples.
+/// doubles and duplicate spheres and cylinders are left out, with a note. Throws AssignmentError for a mesh that can't
+/// be read, for a coordinate beyond 1e30 or a size below 1e-30 (products of six numbers must stay within the range of
+/// doubles), for a texture that can't be read, and for a picture with too many samples.
 PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureSize> size,
                             ColorSpace color_space = ColorSpace::as_written);
 

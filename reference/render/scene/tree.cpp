@@ -142,6 +142,16 @@ Box box_of(const Triangle<double>& triangle) {
     return box;
 }
 
+Box box_of(const Cylinder<double>& cylinder) {
+    const Vec3<double> reach(cylinder.radius, cylinder.height / 2, cylinder.radius);
+    Box box;
+    for (int i = 0; i < 3; ++i) {
+        box.low[i] = std::nextafter(cylinder.center[i] - reach[i], -HUGE_VAL);
+        box.high[i] = std::nextafter(cylinder.center[i] + reach[i], HUGE_VAL);
+    }
+    return box;
+}
+
 Tree build_tree(std::span<const Box> boxes) {
     std::vector<Item> items;
     for (std::size_t i = 0; i < boxes.size(); ++i) {

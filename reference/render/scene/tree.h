@@ -19,9 +19,10 @@ struct Box {
     double half_area() const;
 };
 
-/// A sphere's bounds are rounded outward; a triangle's are coordinates of its vertices.
+/// A sphere's and a cylinder's bounds are rounded outward; a triangle's are coordinates of its vertices.
 Box box_of(const Sphere<double>& sphere);
 Box box_of(const Triangle<double>& triangle);
+Box box_of(const Cylinder<double>& cylinder);
 
 struct Node {
     Box box;

@@ -2,52 +2,12 @@
 
 #include <cmath>
 
-#include "reference/render/trace/dyadic.h"
-#include "reference/stages/order.h"
+#include "reference/kernel/order.h"
+#include "reference/render/trace/exact_ray.h"
+#include "reference/stages/triangle.h"
 
 namespace reference::render {
 namespace {
-
-Vec3<Dyadic> exact(const Vec3<double>& p) {
-    return {Dyadic(p.x), Dyadic(p.y), Dyadic(p.z)};
-}
-Triangle<Dyadic> exact(const Triangle<double>& triangle) {
-    return {exact(triangle.A), exact(triangle.B), exact(triangle.C)};
-}
-Sphere<Dyadic> exact(const Sphere<double>& sphere) {
-    return {exact(sphere.center), Dyadic(sphere.radius)};
-}
-
-bool is_sphere(const PreparedScene& scene, std::uint32_t object) {
-    return object < scene.sphere_count;
-}
-const Triangle<double>& triangle_of(const PreparedScene& scene, std::uint32_t object) {
-    return scene.triangles[object - scene.sphere_count].triangle;
-}
-
-Vec3<Dyadic> exact_start(const PreparedScene& /*scene*/, const CameraRay& ray) {
-    return exact(ray.ray.origin);
-}
-Vec3<Dyadic> exact_start(const PreparedScene& scene, const SurfaceRay& ray) {
-    if (is_sphere(scene, ray.start.object)) return exact(ray.start.point);
-    const auto [A, B, C] = exact(triangle_of(scene, ray.start.object));
-    return A + scaled(Vec3<Dyadic>(B - A), Dyadic(ray.start.u)) + scaled(Vec3<Dyadic>(C - A), Dyadic(ray.start.v));
-}
-
-Boundary boundary_of(const PreparedScene& scene, const CameraRay& /*ray*/) {
-    return scene.boundary;
-}
-/// A surface ray has left the object that it starts on.
-Boundary boundary_of(const PreparedScene& /*scene*/, const SurfaceRay& /*ray*/) {
-    return Boundary::positive;
-}
-
-bool is_own(const CameraRay& /*ray*/, std::uint32_t /*object*/) {
-    return false;
-}
-bool is_own(const SurfaceRay& ray, std::uint32_t object) {
-    return ray.start.object == object;
-}
 
 struct SphereForm {
     Quadratic<Dyadic> quadratic;
@@ -67,7 +27,7 @@ SphereForm sphere_form(const PreparedScene& scene, const AnyRay& ray, std::uint3
 template <class AnyRay>
 CramerSolution<Dyadic> triangle_form(const PreparedScene& scene, const AnyRay& ray, std::uint32_t object) {
     return solve_by_cramer(
-        triangle_system(exact_start(scene, ray), exact(ray.ray.direction), exact(triangle_of(scene, object))));
+        triangle_system(exact_start(scene, ray), exact(ray.ray.direction), exact(scene.triangle(object).triangle)));
 }
 
 /// Computed without cancellation.
@@ -96,7 +56,7 @@ ObjectHit exact_sphere_hit(const PreparedScene& scene, const AnyRay& ray, std::u
 template <class AnyRay>
 bool is_far_beside(const PreparedScene& scene, const AnyRay& ray, std::uint32_t object) {
     using Prepared = kernel::PreparedTriangle<double>;
-    const Prepared& triangle = scene.triangles[object - scene.sphere_count];
+    const Prepared& triangle = scene.triangle(object);
     kernel::TriangleFilter filter(ray.ray, triangle);
     allow_for_start(filter, ray, triangle.edges);
     const double n = Prepared::norm(ray.ray.origin - triangle.A) + triangle.edges + uncertainty_of(ray);
@@ -115,32 +75,30 @@ ObjectHit exact_triangle_hit(const PreparedScene& scene, const AnyRay& ray, std:
     return {true, false, form.t_numerator.as_double() / form.det.as_double()};
 }
 
+/// t of an object that is hit.
 template <class AnyRay>
-ObjectHit exact_hit_of(const PreparedScene& scene, const AnyRay& ray, std::uint32_t object) {
-    return is_sphere(scene, object) ? exact_sphere_hit(scene, ray, object) : exact_triangle_hit(scene, ray, object);
-}
-
-template <class AnyRay>
-std::partial_ordering exact_order(const PreparedScene& scene, const AnyRay& ray, std::uint32_t one,
-                                  std::uint32_t other) {
-    if (is_sphere(scene, one)) {
-        const SphereForm form = sphere_form(scene, ray, one);
-        if (!is_sphere(scene, other)) {
-            return order_of(form.quadratic, form.choice, triangle_form(scene, ray, other));
+kernel::ExactT<Dyadic> exact_t(const PreparedScene& scene, const AnyRay& ray, std::uint32_t object) {
+    switch (scene.kind_of(object)) {
+        case ObjectKind::sphere: {
+            const auto [quadratic, choice] = sphere_form(scene, ray, object);
+            const kernel::HalfQuadratic half{quadratic.a, quadratic.b * Dyadic(0.5), quadratic.c};
+            return kernel::Root{half, choice == RootChoice::smaller};
         }
-        const SphereForm other_form = sphere_form(scene, ray, other);
-        return order_of(form.quadratic, form.choice, other_form.quadratic, other_form.choice);
+        case ObjectKind::triangle: {
+            const CramerSolution<Dyadic> form = triangle_form(scene, ray, object);
+            return kernel::Fraction{form.t_numerator, form.det};
+        }
+        case ObjectKind::cylinder: break;
     }
-    if (is_sphere(scene, other)) return 0 <=> exact_order(scene, ray, other, one);
-    return order_of(triangle_form(scene, ray, one), triangle_form(scene, ray, other));
+    return exact_cylinder_t(scene, ray, object);
 }
 
 }  // namespace
 
 ObjectHit exact_hit(const PreparedScene& scene, const CameraRay& ray, std::uint32_t object) {
-    const bool counts_start = scene.boundary == Boundary::nonnegative;
-    if (!is_sphere(scene, object)) {
-        const kernel::TriangleHit hit = kernel::intersect(ray.ray, triangle_of(scene, object));
+    if (scene.kind_of(object) == ObjectKind::triangle) {
+        const bool counts_start = scene.boundary == Boundary::nonnegative;
+        const kernel::TriangleHit hit = kernel::intersect(ray.ray, scene.triangle(object).triangle);
         return {hit.result == kernel::TriangleResult::hit && (hit.t > 0 || counts_start), false, hit.t};
     }
     const Sphere<double>& sphere = scene.spheres[object];
@@ -148,36 +106,26 @@ ObjectHit exact_hit(const PreparedScene& scene, const CameraRay& ray, std::uint3
     if (hit.result == kernel::SphereResult::miss) return {};
     const kernel::SphereFilter filter(ray.ray, sphere);
     // If the ray starts on or near the sphere, exact numbers decide which root counts and from which side.
-    if (!(std::abs(filter.c) > 0x1p-48 * filter.m)) return exact_hit_of(scene, ray, object);
+    if (!(std::abs(filter.c) > 0x1p-48 * filter.m)) return exact_sphere_hit(scene, ray, object);
     return {true, filter.c < 0, hit.t};
 }
 ObjectHit exact_hit(const PreparedScene& scene, const SurfaceRay& ray, std::uint32_t object) {
-    return exact_hit_of(scene, ray, object);
+    return scene.kind_of(object) == ObjectKind::triangle ? exact_triangle_hit(scene, ray, object)
+                                                         : exact_sphere_hit(scene, ray, object);
 }
 
 std::partial_ordering order_exactly(const PreparedScene& scene, const CameraRay& ray, std::uint32_t one,
                                     std::uint32_t other) {
-    return exact_order(scene, ray, one, other);
+    return order(exact_t(scene, ray, one), exact_t(scene, ray, other));
 }
 std::partial_ordering order_exactly(const PreparedScene& scene, const SurfaceRay& ray, std::uint32_t one,
                                     std::uint32_t other) {
-    return exact_order(scene, ray, one, other);
+    return order(exact_t(scene, ray, one), exact_t(scene, ray, other));
 }
 
 bool is_hit_before_end(const PreparedScene& scene, const SurfaceRay& ray, std::uint32_t object) {
-    if (!is_sphere(scene, object)) {
-        const CramerSolution<Dyadic> form = triangle_form(scene, ray, object);
-        const auto difference = sign_of(form.t_numerator - form.det);
-        return sign_of(form.det) > 0 ? difference < 0 : difference > 0;
-    }
-    // The quadratic's value at 1 tells whether 1 is between the roots, and the middle of the roots tells on which side
-    // it lies.
-    const SphereForm form = sphere_form(scene, ray, object);
-    const Quadratic<Dyadic>& quadratic = form.quadratic;
-    const auto value = sign_of(quadratic.a + quadratic.b + quadratic.c);
-    const bool middle_is_before = sign_of(Dyadic(2) * quadratic.a + quadratic.b) > 0;
-    if (form.choice == RootChoice::smaller) return value < 0 || middle_is_before;
-    return value > 0 && middle_is_before;
+    const kernel::ExactT<Dyadic> end = kernel::Fraction{Dyadic(1), Dyadic(1)};
+    return order(exact_t(scene, ray, object), end) < 0;
 }
 
 }  // namespace reference::render

@@ -2,24 +2,11 @@
 // file, and exact numbers for the few rays that the filters leave open.
 #pragma once
 
-#include "reference/kernel/sphere.h"
-#include "reference/render/scene/prepared_scene.h"
-#include "reference/render/trace/start.h"
+#include "reference/render/trace/cylinder_hit.h"
 
 namespace reference::render {
 
-/// The first hit with an object. t is known to a relative error of 2^-26.
-struct ObjectHit {
-    bool is_hit = false;
-    bool from_inside = false;  ///< of a sphere: the ray starts inside
-    double t = 0;
-};
-
-/// A ray of the camera. A hit at t = 0 counts as the scene's boundary says.
-struct CameraRay {
-    kernel::Ray<double> ray;
-};
-
+/// Of a sphere or a triangle.
 ObjectHit exact_hit(const PreparedScene& scene, const CameraRay& ray, std::uint32_t object);
 ObjectHit exact_hit(const PreparedScene& scene, const SurfaceRay& ray, std::uint32_t object);
 /// The order of the t's of two objects that are hit.
@@ -29,26 +16,6 @@ std::partial_ordering order_exactly(const PreparedScene& scene, const SurfaceRay
                                     std::uint32_t other);
 /// Whether an object that is hit is hit at t < 1.
 bool is_hit_before_end(const PreparedScene& scene, const SurfaceRay& ray, std::uint32_t object);
-
-inline double uncertainty_of(const CameraRay&) {
-    return 0;
-}
-inline double uncertainty_of(const SurfaceRay& ray) {
-    return ray.start.uncertainty;
-}
-
-/// Let the start be off by `by`, summed over its coordinates. Then c changes by at most (2|f|₁ + by) by, and D by 2a
-/// times that. More than that, in the filter's unit of 2^-48, is added to m.
-KERNEL_INLINE void allow_for_start(kernel::SphereFilter& filter, const SurfaceRay& ray, const Sphere<double>& sphere) {
-    const double by = ray.start.uncertainty;
-    if (by == 0) return;
-    const double f = kernel::PreparedTriangle<double>::norm(ray.ray.origin - sphere.center);
-    const double more = 1 + 0x1p48 * (4 * f + 2 * by) * by * (1 + 0x1p-40) / filter.m;
-    filter.m *= more;
-    filter.am *= more;
-}
-KERNEL_INLINE void allow_for_start(kernel::SphereFilter& /*filter*/, const CameraRay& /*ray*/,
-                                   const Sphere<double>& /*sphere*/) {}
 
 /// A start that is off by x changes u, v and w times det by at most x |V|₁e, and t times det by at most x e².
 KERNEL_INLINE void allow_for_start(kernel::TriangleFilter& filter, const SurfaceRay& ray, double edges) {
@@ -84,17 +51,30 @@ KERNEL_INLINE ObjectHit hit_triangle(const PreparedScene& scene, const AnyRay& r
 
 template <class AnyRay>
 KERNEL_INLINE ObjectHit hit_object(const PreparedScene& scene, const AnyRay& ray, std::uint32_t object) {
-    return object < scene.sphere_count ? hit_sphere(scene, ray, scene.spheres[object], object)
-                                       : hit_triangle(scene, ray, scene.triangles[object - scene.sphere_count], object);
+    switch (scene.kind_of(object)) {
+        case ObjectKind::sphere: return hit_sphere(scene, ray, scene.spheres[object], object);
+        case ObjectKind::triangle: return hit_triangle(scene, ray, scene.triangle(object), object);
+        case ObjectKind::cylinder: break;
+    }
+    return hit_cylinder(scene, ray, object);
 }
 
-/// The hit of a ray with the object that it starts on. Only a sphere can be hit again, from inside.
-inline ObjectHit hit_own(const PreparedScene& scene, const SurfaceRay& ray) {
-    if (!ray.start.is_inside) return {};
+inline ObjectHit hit_own_sphere(const PreparedScene& scene, const SurfaceRay& ray) {
     const Vec3<double>& d = ray.ray.direction;
     const double h = dot(d, Vec3<double>(ray.ray.origin - scene.spheres[ray.start.object].center));
     // For a grazing ray, rounding may point it outside. It then leaves the sphere at its start.
     return {true, true, h < 0 ? -2 * h / dot(d, d) : 0};
+}
+
+/// The hit of a ray with the object that it starts on. Only a sphere or a cylinder can be hit again, from inside.
+inline ObjectHit hit_own(const PreparedScene& scene, const SurfaceRay& ray) {
+    if (!ray.start.is_inside) return {};
+    switch (scene.kind_of(ray.start.object)) {
+        case ObjectKind::sphere: return hit_own_sphere(scene, ray);
+        case ObjectKind::triangle: return {};
+        case ObjectKind::cylinder: break;
+    }
+    return hit_own_cylinder(scene, ray);
 }
 
 }  // namespace reference::render

@@ -2,7 +2,8 @@
 
 namespace reference::render {
 
-struct ObjectList;
+template <bool has_cylinders>
+struct ListOfObjects;
 struct ObjectTree;
 // Compiled in rows_of_list.cpp and rows_of_tree.cpp.
 template <class Objects>
@@ -17,7 +18,7 @@ RayCounts& RayCounts::operator+=(const RayCounts& other) {
 }
 
 RenderRow row_renderer(const PreparedScene& scene, const Effects& effects) {
-    return scene.tree ? row_renderer_over<ObjectTree>(effects) : row_renderer_over<ObjectList>(effects);
+    return scene.tree ? row_renderer_over<ObjectTree>(effects) : row_renderer_over<ListOfObjects<false>>(effects);
 }
 
 }  // namespace reference::render

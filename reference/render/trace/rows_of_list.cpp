@@ -2,6 +2,6 @@
 
 namespace reference::render {
 
-template RenderRow row_renderer_over<ObjectList>(const Effects& effects);
+template RenderRow row_renderer_over<ListOfObjects<false>>(const Effects& effects);
 
 }  // namespace reference::render

@@ -11,10 +11,12 @@
 //   outside or inside: a mirrored ray or a shadow ray stays on the side that the earlier ray came from, a refracted ray
 //   changes the side. Outside, it never hits the sphere again. Inside, it hits at t = -2h/a, the far root of a
 //   quadratic whose c is 0.
+// - A cylinder is treated like a sphere: the start is on the part that it leaves by definition, and within the height.
 #pragma once
 
 #include <cstdint>
 
+#include "reference/kernel/cylinder.h"
 #include "reference/kernel/triangle.h"
 
 namespace reference::render {
@@ -22,12 +24,13 @@ namespace reference::render {
 struct Start {
     std::uint32_t object;  ///< the object that the start is on
     Vec3<double> point;    ///< rounded
-    /// On a triangle: how far `point` may be off, summed over its coordinates. 0 on a sphere, where the rounded point
-    /// is the start.
+    /// On a triangle: how far `point` may be off, summed over its coordinates. 0 elsewhere: the rounded point is the
+    /// start.
     double uncertainty;
-    bool is_inside;  ///< on a sphere: whether the ray goes through its inside
+    bool is_inside;  ///< on a sphere or a cylinder: whether the ray goes through its inside
     double u;        ///< on a triangle
     double v;        ///< on a triangle
+    kernel::CylinderPart part = kernel::CylinderPart::tube;  ///< on a cylinder
 };
 
 struct SurfaceRay {
@@ -56,9 +59,37 @@ inline Start start_on(const kernel::PreparedTriangle<double>& triangle, std::uin
     return {object, point, 0x1p-50 * (Filter::norm(triangle.A) + triangle.edges) + 0x1p-1000, false, u, v};
 }
 
+/// The unit normal of a part, outward, at a point of it.
+inline Vec3<double> normal_of(const Cylinder<double>& cylinder, kernel::CylinderPart part, const Vec3<double>& point) {
+    switch (part) {
+        case kernel::CylinderPart::top: return {0, 1, 0};
+        case kernel::CylinderPart::bottom: return {0, -1, 0};
+        case kernel::CylinderPart::tube: break;
+    }
+    return normalized(Vec3<double>(point.x - cylinder.center.x, 0, point.z - cylinder.center.z));
+}
+
 /// The point of the sphere in the direction of its unit normal.
 inline Start start_on(const Sphere<double>& sphere, std::uint32_t object, const Vec3<double>& normal, bool is_inside) {
     return {object, sphere.center + scaled(normal, sphere.radius), 0, is_inside, 0, 0};
+}
+
+/// The point of this part of the cylinder nearest to `near`, but for rounding.
+inline Start start_on(const Cylinder<double>& cylinder, std::uint32_t object, kernel::CylinderPart part,
+                      const Vec3<double>& near, bool is_inside) {
+    const Vec3<double>& center = cylinder.center;
+    const double bottom = center.y - cylinder.height / 2;
+    const double top = center.y + cylinder.height / 2;
+    Vec3<double> point = near;
+    switch (part) {
+        case kernel::CylinderPart::top: point.y = top; break;
+        case kernel::CylinderPart::bottom: point.y = bottom; break;
+        case kernel::CylinderPart::tube: {
+            const Vec3<double> across = scaled(normal_of(cylinder, part, near), cylinder.radius);
+            point = Vec3<double>(center.x + across.x, std::clamp(near.y, bottom, top), center.z + across.z);
+        }
+    }
+    return {object, point, 0, is_inside, 0, 0, part};
 }
 
 }  // namespace reference::render

@@ -72,23 +72,41 @@ class Tracer {
         Vec3<double> V;       ///< the ray's direction
         Vec3<double> normal;  ///< of unit length, to the side that the ray comes from
         Start start;          ///< for rays that go on from here on that side
-        bool is_inside;       ///< the ray comes from inside a sphere, or from the back of a triangle
+        bool is_inside;       ///< the ray comes from inside a sphere or a cylinder, or from the back of a triangle
     };
 
+    /// Of unit length; of a sphere and a cylinder outward.
+    KERNEL_INLINE Vec3<double> normal_at(const Nearest& nearest, const Vec3<double>& hit) const {
+        const std::uint32_t object = nearest.object;
+        switch (scene_.kind_of(object)) {
+            case ObjectKind::sphere: return sphere_normal(hit, scene_.spheres[object].center);
+            case ObjectKind::triangle: return scene_.triangle_normals[object - scene_.sphere_count];
+            case ObjectKind::cylinder: break;
+        }
+        return normal_of(scene_.cylinder(object), nearest.part, hit);
+    }
+
+    KERNEL_INLINE Start start_at(const Nearest& nearest, const Vec3<double>& hit, const Vec3<double>& normal,
+                                 bool is_inside) const {
+        const std::uint32_t object = nearest.object;
+        switch (scene_.kind_of(object)) {
+            case ObjectKind::sphere: return start_on(scene_.spheres[object], object, normal, is_inside);
+            case ObjectKind::triangle: return start_on(scene_.triangle(object), object, hit);
+            case ObjectKind::cylinder: break;
+        }
+        return start_on(scene_.cylinder(object), object, nearest.part, hit, is_inside);
+    }
+
     KERNEL_INLINE Color color_at(const kernel::Ray<double>& ray, const Nearest& nearest, const Path& path) {
-        const std::uint32_t sphere_count = scene_.sphere_count;
-        const bool is_sphere = nearest.object < sphere_count;
         const Vec3<double> hit = point_on_ray(ray.origin, ray.direction, nearest.t);
-        const Vec3<double> normal = is_sphere ? sphere_normal(hit, scene_.spheres[nearest.object].center)
-                                              : scene_.triangle_normals[nearest.object - sphere_count];
+        const Vec3<double> normal = normal_at(nearest, hit);
         const Color by_normal = scaled(normal, 0.5) + Color(0.5, 0.5, 0.5);
         if constexpr (has_surfaces) {
             const Surface& surface = scene_.surfaces[scene_.surface_of[nearest.object]];
-            const bool is_inside = is_sphere ? nearest.from_inside : dot(ray.direction, normal) > 0;
+            const bool is_triangle = scene_.kind_of(nearest.object) == ObjectKind::triangle;
+            const bool is_inside = is_triangle ? dot(ray.direction, normal) > 0 : nearest.from_inside;
             const Vec3<double> facing = is_inside ? -normal : normal;
-            const Start start = is_sphere
-                                    ? start_on(scene_.spheres[nearest.object], nearest.object, normal, is_inside)
-                                    : start_on(scene_.triangles[nearest.object - sphere_count], nearest.object, hit);
+            const Start start = start_at(nearest, hit, normal, is_inside);
             return surface_color(surface, {ray.direction, facing, start, is_inside}, by_normal, path);
         } else {
             return by_normal;

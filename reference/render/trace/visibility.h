@@ -13,6 +13,7 @@ struct Nearest {
     double t = HUGE_VAL;  ///< infinite for none
     std::uint32_t object = 0;
     bool from_inside = false;
+    kernel::CylinderPart part = kernel::CylinderPart::tube;  ///< of a cylinder
 
     bool is_hit() const { return t < HUGE_VAL; }
 };
@@ -30,7 +31,7 @@ KERNEL_INLINE void take_nearer(const PreparedScene& scene, const AnyRay& ray, co
     } else if (difference > 0) {
         return;
     }
-    nearest = {hit.t, object, hit.from_inside};
+    nearest = {hit.t, object, hit.from_inside, hit.part};
 }
 
 inline bool starts_on(const CameraRay& /*ray*/, std::uint32_t /*object*/) {
@@ -44,7 +45,7 @@ inline Nearest own_hit(const PreparedScene& /*scene*/, const CameraRay& /*ray*/)
 }
 inline Nearest own_hit(const PreparedScene& scene, const SurfaceRay& ray) {
     const ObjectHit hit = hit_own(scene, ray);
-    return {hit.is_hit ? hit.t : HUGE_VAL, ray.start.object, hit.from_inside};
+    return {hit.is_hit ? hit.t : HUGE_VAL, ray.start.object, hit.from_inside, hit.part};
 }
 
 /// `end` is the t of the light: 1, or infinite for a light at infinity.
@@ -55,8 +56,10 @@ KERNEL_INLINE bool is_before_end(const PreparedScene& scene, const SurfaceRay& r
     return hit.t <= end * (1 + 0x1p-24) && is_hit_before_end(scene, ray, object);
 }
 
-/// All objects, one after the other. is_blocked() leaves out the object that the ray starts on.
-struct ObjectList {
+/// All objects, one after the other. is_blocked() leaves out the object that the ray starts on. A scene without
+/// cylinders does not pay for them.
+template <bool has_cylinders>
+struct ListOfObjects {
     template <class AnyRay>
     KERNEL_INLINE static Nearest first_hit(const PreparedScene& scene, const AnyRay& ray) {
         Nearest nearest = own_hit(scene, ray);
@@ -73,6 +76,13 @@ struct ObjectList {
             }
             ++object;
         }
+        if constexpr (has_cylinders) {
+            for (; object < scene.object_count; ++object) {
+                if (!starts_on(ray, object)) {
+                    take_nearer(scene, ray, hit_cylinder(scene, ray, object), object, nearest);
+                }
+            }
+        }
         return nearest;
     }
 
@@ -83,6 +93,8 @@ struct ObjectList {
         return false;
     }
 };
+
+using ObjectList = ListOfObjects<true>;
 
 /// Only the objects in boxes that the ray may meet. is_blocked() leaves out the object that the ray starts on.
 struct ObjectTree {

@@ -31,6 +31,12 @@ std::string triangle(const std::string& vertices, const std::string& material) {
     return fmt::format("[[triangle]]\nvertices = {}\n", vertices) + material_line(material);
 }
 
+std::string cylinder(const std::string& center, const std::string& radius, const std::string& height,
+                     const std::string& material) {
+    return fmt::format("[[cylinder]]\ncenter = {}\nradius = {}\nheight = {}\n", center, radius, height) +
+           material_line(material);
+}
+
 std::string material(const std::string& name, const std::string& properties) {
     return fmt::format("[[material]]\nname = \"{}\"\n{}\n", name, properties);
 }
@@ -51,6 +57,8 @@ std::string room(const Wishes& wishes) {
     text += material("wall", "ambient = [1, 1, 1]\ndiffuse = [0.7, 0.7, 0.5]");
     text += sphere("[-0.9, -0.3, 0]", "0.7", "shiny") + sphere("[0.7, -0.2, 0.4]", "0.8", "clear") +
             sphere("[0.1, 0.9, -1]", "0.5");
+    text += cylinder("[1.5, 0.9, 0]", "0.3", "0.4", "clear") + cylinder("[-0.1, -0.75, 0.9]", "0.25", "0.5", "shiny") +
+            cylinder("[-1.6, 0.8, -1]", "0.3", "1", "wall");
     text += triangle("[[-4, -1, 3], [4, -1, 3], [4, -1, -4]]", "wall") +
             triangle("[[-4, -1, 3], [4, -1, -4], [-4, -1, -4]]", "wall") +
             triangle("[[-4, -1, -4], [4, -1, -4], [4, 3, -4]]", "shiny") +

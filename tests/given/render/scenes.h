@@ -12,10 +12,12 @@ namespace scenes {
 std::string with_camera(const std::string& rest);
 std::string sphere(const std::string& center, const std::string& radius, const std::string& material = "");
 std::string triangle(const std::string& vertices, const std::string& material = "");
+std::string cylinder(const std::string& center, const std::string& radius, const std::string& height,
+                     const std::string& material = "");
 /// `properties` are TOML lines.
 std::string material(const std::string& name, const std::string& properties);
 
-/// What room() adds to its balls, its floor and its back wall (two triangles each).
+/// What room() adds to its balls, its columns, its floor and its back wall (two triangles each).
 struct Wishes {
     bool light = false;
     bool mirror = false;

@@ -23,9 +23,10 @@ const Marking& marking() {
 std::string output_with_a_mistake() {
     const student::Program program(
         marking().assignment, {},
-        student::Program::Mistake{{6, "t"}, [](const student::Program& p, const auto&) {
-                                      const float root = std::sqrt(p.scalar({6, "d"}));
-                                      return std::optional(student::floats((-p.scalar({6, "b"}) + root) / 2));
+        student::Program::Mistake{reference::item::sphere::t, [](const student::Program& p, const auto&) {
+                                      const float root = std::sqrt(p.scalar(reference::item::sphere::d));
+                                      return std::optional(
+                                          student::floats((-p.scalar(reference::item::sphere::b) + root) / 2));
                                   }});
     return print(program);
 }
@@ -37,7 +38,7 @@ Graded graded(const std::string& id, const std::string& output) {
     result.submission.source_sha256 = std::string(64, 'a');
     result.outcome = output.empty() ? Outcome::no_output : Outcome::graded;
     result.run.ended = Ended::exited;
-    result.score = score(read_transcript(output), marking().key, marking().assignment);
+    result.score = score(read_transcript(output, 10), marking().key, marking().assignment);
     return result;
 }
 
@@ -128,7 +129,7 @@ std::vector<std::string> traces_of_key() {
 std::string wrong_everywhere() {
     std::string output;
     int question = 0;
-    for (const reference::ItemSpec& spec : reference::all_items()) {
+    for (const reference::ItemSpec& spec : reference::default_items()) {
         if (spec.question != question) output += fmt::format("Question {}:\n", question = spec.question);
         if (spec.shape == reference::Shape::verdict) {
             output += "ray hits nothing\n";

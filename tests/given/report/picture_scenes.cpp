@@ -29,6 +29,19 @@ std::string triangle(const std::string& A, const std::string& B, const std::stri
     return fmt::format("[[triangle]]\nvertices = [[{}], [{}], [{}]]\n", A, B, C);
 }
 
+std::string cylinder(const std::string& center, const std::string& radius, const std::string& height) {
+    return fmt::format("[[cylinder]]\ncenter = [{}]\nradius = {}\nheight = {}\n", center, radius, height);
+}
+
+constexpr const char* asks_about_cylinder =
+    "[[question]]\nnumber = 1\nitems = [\"P_VCS\", \"X_vcs\", \"Y_vcs\", \"Z_vcs\", \"M_VCS_to_WCS\", \"P_WCS\", "
+    "\"V\"]\n"
+    "[[question]]\nnumber = 4\nitems = [\"cylinder.t\", \"cylinder.hit\", \"cylinder.normal\"]\n";
+constexpr const char* asks_about_all =
+    "[[question]]\nnumber = 5\nitems = [\"sphere.hit\", \"sphere.normal\"]\n"
+    "[[question]]\nnumber = 6\nitems = [\"triangle.hit\", \"triangle.normal\"]\n"
+    "[[question]]\nnumber = 7\nitems = [\"first_hit\"]\n";
+
 std::string with_objects(const std::string& objects) {
     return std::string(camera_2021) + window_2021 + objects;
 }
@@ -56,6 +69,12 @@ std::string crowd() {
         objects += triangle(fmt::format("{}, 0, {}", i, -i), fmt::format("{}, 0, {}", i + 1, -i),
                             fmt::format("{}, 1, {}", i, -i));
     }
+    return objects;
+}
+
+std::string cylinders() {
+    std::string objects;
+    for (int i = 0; i < 9; ++i) objects += cylinder(fmt::format("{}, 0, {}", i % 3 - 1, -i), "0.4", "1");
     return objects;
 }
 
@@ -106,6 +125,21 @@ const std::vector<Named>& hard_scenes() {
                          "2\nwidth = 1\nheight = 1\npixel = [0, 0]\n" +
                          sphere_2021 + triangle_2021},
         {"a crowd", with_objects(crowd())},
+        {"2024", camera("6, 1, 0", "0, 1, 0", "0, 1, 0") + std::string(window_2021) + sphere("1, 0, 1", "2") +
+                     triangle("3, -1, -1", "3, -1, 1", "1, 3, 0") + cylinder("2, 0, 0", "1", "4") +
+                     asks_about_cylinder + asks_about_all},
+        {"on the cap", camera("3, 8, 5", "0, 1, 0", "0, 1, 0") + std::string(window_2021) +
+                           cylinder("0, 0, 0", "2", "2") + asks_about_cylinder},
+        {"under the cap", camera("0, -9, 1", "0, 0, 0", "0, 0, 1") + std::string(window_2021) +
+                              cylinder("0, 0, 0", "2", "1") + asks_about_cylinder},
+        {"past the cylinder", with_objects(cylinder("0, 4, -2", "1", "2") + asks_about_cylinder)},
+        {"along the tube", with_objects(cylinder("3, 0, -2", "3", "2") + asks_about_cylinder)},
+        {"starts on the cylinder", with_objects(cylinder("0, 0, 0", "2", "2") + asks_about_cylinder)},
+        {"within a cylinder", with_objects(cylinder("0, 0, 0", "1000", "3000") + sphere_2021 + asks_about_cylinder)},
+        {"on a disc", camera("0, 3, 8", "0, 0, 0", "0, 1, 0") + std::string(window_2021) +
+                          cylinder("0, -5, 0", "1000", "10") + sphere("0, 1, 0", "1") + asks_about_cylinder},
+        {"before a pillar", with_objects(cylinder("1, 0, -3", "0.5", "4000") + triangle_2021 + asks_about_cylinder)},
+        {"nine cylinders", with_objects(cylinders() + asks_about_cylinder)},
         {"thousandths", scaled(-3)},
         {"ones", scaled(0)},
         {"millions", scaled(6)},
@@ -135,7 +169,7 @@ harness::Marking random_marking(std::uint64_t seed) {
 harness::Graded graded(const std::string& output, const harness::Marking& marking) {
     harness::Graded result;
     result.outcome = harness::Outcome::graded;
-    result.score = harness::score(harness::read_transcript(output), marking.key, marking.assignment);
+    result.score = harness::score(harness::read_transcript(output, 10), marking.key, marking.assignment);
     return result;
 }
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "tests/given/student/mistake_parts.h"
+
 namespace student {
 namespace {
 
@@ -14,57 +16,15 @@ using glm::normalize;
 using glm::vec3;
 using glm::vec4;
 
-using Result = std::optional<Floats>;
-
-constexpr ItemId P_VCS{1, "P_VCS"}, X{2, "X_vcs"}, Y{2, "Y_vcs"}, Z{2, "Z_vcs"}, M{3, "M_VCS_to_WCS"},
-    P_WCS{4, "P_WCS"}, V{5, "V"};
-constexpr ItemId a{6, "a"}, b{6, "b"}, c{6, "c"}, d{6, "d"}, t_s{6, "t"}, hit_s{6, "hit"}, normal_s{7, "normal"};
-constexpr ItemId matrix{8, "matrix"}, rhs{8, "rhs"}, t_t{8, "t"}, u{8, "u"}, v{8, "v"}, hit_t{8, "hit"},
-    normal_t{9, "normal"};
-
-/// The names used in the formulas below.
-struct Names {
-    explicit Names(const Program& p) : program(p) {}
-    vec3 eye() const { return program.scene().camera.eye; }
-    vec3 lookat() const { return program.scene().camera.lookat; }
-    vec3 vup() const { return program.scene().camera.vup; }
-    vec3 center() const { return program.scene().spheres.front().center; }
-    float radius() const { return program.scene().spheres.front().radius; }
-    vec3 A() const { return program.scene().triangles.front().A; }
-    vec3 B() const { return program.scene().triangles.front().B; }
-    vec3 C() const { return program.scene().triangles.front().C; }
-    vec3 S() const { return program.vector(P_WCS); }
-    vec3 direction() const { return program.vector(V); }
-    float at(const ItemId& id) const { return program.scalar(id); }
-    vec3 vec(const ItemId& id) const { return program.vector(id); }
-    const reference::Window<float>& window() const { return program.scene().window; }
-    float x() const { return static_cast<float>(program.scene().pixel.x); }
-    float y() const { return static_cast<float>(program.scene().pixel.y); }
-    float W() const { return static_cast<float>(window().width); }
-    float H() const { return static_cast<float>(window().height); }
-
-    const Program& program;
-};
-
-template <class Formula>
-NamedMistake on(std::string_view name, const ItemId& item, Formula formula) {
-    return {name, {item, [formula](const Program& p, const Result&) -> Result { return floats(formula(Names(p))); }}};
-}
-
-/// A change of the right value.
-template <class Change>
-NamedMistake changed(std::string_view name, const ItemId& item, Change change) {
-    return {name, {item, [change](const Program&, const Result& right) -> Result {
-                       if (!right) return right;
-                       Floats value = *right;
-                       change(value);
-                       return value;
-                   }}};
-}
-
-void negate(Floats& value) {
-    for (float& x : value) x = -x;
-}
+constexpr ItemId P_VCS = reference::item::P_VCS, X = reference::item::X_vcs, Y = reference::item::Y_vcs,
+                 Z = reference::item::Z_vcs, M = reference::item::M_VCS_to_WCS, P_WCS = reference::item::P_WCS,
+                 V = reference::item::V;
+constexpr ItemId a = reference::item::sphere::a, b = reference::item::sphere::b, c = reference::item::sphere::c,
+                 d = reference::item::sphere::d, t_s = reference::item::sphere::t, hit_s = reference::item::sphere::hit,
+                 normal_s = reference::item::sphere::normal;
+constexpr ItemId matrix = reference::item::triangle::matrix, rhs = reference::item::triangle::rhs,
+                 t_t = reference::item::triangle::t, u = reference::item::triangle::u, v = reference::item::triangle::v,
+                 hit_t = reference::item::triangle::hit, normal_t = reference::item::triangle::normal;
 
 vec3 in_window(const Names& n, float x, float y) {
     const auto& w = n.window();
@@ -130,10 +90,10 @@ std::vector<NamedMistake> of_pixel() {
 std::vector<NamedMistake> of_camera() {
     return {
         on("Z points at lookat", Z, [](const Names& n) { return normalize(n.lookat() - n.eye()); }),
-        on("not normalised", Z, [](const Names& n) { return n.eye() - n.lookat(); }),
+        on("not normalized", Z, [](const Names& n) { return n.eye() - n.lookat(); }),
         on("lookat forgotten", Z, [](const Names& n) { return normalize(n.eye()); }),
         on("cross product order", X, [](const Names& n) { return normalize(cross(n.vec(Z), n.vup())); }),
-        on("not normalised", X, [](const Names& n) { return cross(n.vup(), n.vec(Z)); }),
+        on("not normalized", X, [](const Names& n) { return cross(n.vup(), n.vec(Z)); }),
         on("cross product order", Y, [](const Names& n) { return cross(n.vec(X), n.vec(Z)); }),
         on("vup taken as Y", Y, [](const Names& n) { return n.vup(); }),
         on("vup taken as Y", Y, [](const Names& n) { return normalize(n.vup()); }),
@@ -152,8 +112,8 @@ std::vector<NamedMistake> of_camera() {
         on("view matrix, not its inverse", P_WCS, [](const Names& n) { return by_matrix(n, view(n)); }),
         on("matrix transposed", P_WCS,
            [](const Names& n) { return by_matrix(n, glm::transpose(n.program.matrix4(M))); }),
-        on("not normalised", V, [](const Names& n) { return n.S() - n.eye(); }),
-        on("normalised with w", V, [](const Names& n) { return vec3(normalize(vec4(n.S(), 1) - vec4(n.eye(), 0))); }),
+        on("not normalized", V, [](const Names& n) { return n.S() - n.eye(); }),
+        on("normalized with w", V, [](const Names& n) { return vec3(normalize(vec4(n.S(), 1) - vec4(n.eye(), 0))); }),
         on("points to the eye", V, [](const Names& n) { return normalize(n.eye() - n.S()); }),
         on("eye forgotten", V, [](const Names& n) { return normalize(n.S()); }),
         on("in view coordinates", V, [](const Names& n) { return normalize(n.vec(P_VCS)); }),
@@ -167,12 +127,12 @@ std::vector<NamedMistake> of_coefficients() {
         on("ray starts at the eye", b, [](const Names& n) { return 2 * dot(n.direction(), n.eye() - n.center()); }),
         on("factor 2 missing", b, [](const Names& n) { return dot(n.direction(), n.S() - n.center()); }),
         on("sign of b", b, [](const Names& n) { return 2 * dot(n.direction(), n.center() - n.S()); }),
-        on("centre forgotten", b, [](const Names& n) { return 2 * dot(n.direction(), n.S()); }),
+        on("center forgotten", b, [](const Names& n) { return 2 * dot(n.direction(), n.S()); }),
         on("radius not squared", c, [=](const Names& n) { return plain_c(n, n.S()) - n.radius(); }),
         on("ray starts at the eye", c, [=](const Names& n) { return plain_c(n, n.eye()) - n.radius() * n.radius(); }),
         on("radius forgotten", c, [=](const Names& n) { return plain_c(n, n.S()); }),
         on("sign of the radius", c, [=](const Names& n) { return plain_c(n, n.S()) + n.radius() * n.radius(); }),
-        on("centre forgotten", c, [](const Names& n) { return dot(n.S(), n.S()) - n.radius() * n.radius(); }),
+        on("center forgotten", c, [](const Names& n) { return dot(n.S(), n.S()) - n.radius() * n.radius(); }),
         on("factor 4 missing", d, [](const Names& n) { return n.at(b) * n.at(b) - n.at(a) * n.at(c); }),
         on("sign in the discriminant", d, [](const Names& n) { return n.at(b) * n.at(b) + 4 * n.at(a) * n.at(c); }),
         on("factor 2 for 4", d, [](const Names& n) { return n.at(b) * n.at(b) - 2 * n.at(a) * n.at(c); }),
@@ -201,9 +161,9 @@ std::vector<NamedMistake> of_sphere_point() {
         on("start forgotten", hit_s, [](const Names& n) { return n.at(t_s) * n.direction(); }),
         on("sign of t", hit_s, [](const Names& n) { return n.S() - n.at(t_s) * n.direction(); }),
         changed("points inward", normal_s, negate),
-        on("not normalised", normal_s, [](const Names& n) { return n.vec(hit_s) - n.center(); }),
-        on("centre forgotten", normal_s, [](const Names& n) { return normalize(n.vec(hit_s)); }),
-        on("sign of the centre", normal_s, [](const Names& n) { return normalize(n.vec(hit_s) + n.center()); }),
+        on("not normalized", normal_s, [](const Names& n) { return n.vec(hit_s) - n.center(); }),
+        on("center forgotten", normal_s, [](const Names& n) { return normalize(n.vec(hit_s)); }),
+        on("sign of the center", normal_s, [](const Names& n) { return normalize(n.vec(hit_s) + n.center()); }),
     };
 }
 
@@ -255,8 +215,8 @@ std::vector<NamedMistake> of_triangle_point() {
         on("A forgotten", hit_t, [](const Names& n) { return n.at(u) * (n.B() - n.A()) + n.at(v) * (n.C() - n.A()); }),
         on("cross product order", normal_t,
            [](const Names& n) { return normalize(cross(n.C() - n.A(), n.B() - n.A())); }),
-        on("not normalised", normal_t, [](const Names& n) { return cross(n.B() - n.A(), n.C() - n.A()); }),
-        on("cross product order, not normalised", normal_t,
+        on("not normalized", normal_t, [](const Names& n) { return cross(n.B() - n.A(), n.C() - n.A()); }),
+        on("cross product order, not normalized", normal_t,
            [](const Names& n) { return cross(n.C() - n.A(), n.B() - n.A()); }),
         on("vertices for edges", normal_t, [](const Names& n) { return normalize(cross(n.B(), n.C())); }),
     };
@@ -268,7 +228,7 @@ const std::vector<NamedMistake>& named_mistakes() {
     static const std::vector<NamedMistake> table = [] {
         std::vector<NamedMistake> all;
         for (const auto& part : {of_pixel(), of_camera(), of_coefficients(), of_root(), of_sphere_point(), of_system(),
-                                 of_solution(), of_triangle_point()}) {
+                                 of_solution(), of_triangle_point(), of_cylinder()}) {
             add(all, part);
         }
         return all;

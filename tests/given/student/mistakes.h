@@ -1,5 +1,5 @@
 // The mistakes that students make, computed as their programs do, in float and with GLM. The code was written without
-// looking at how the harness finds the mistakes.
+// looking at how the harness finds the mistakes, but for those of the cylinder.
 #pragma once
 
 #include <string_view>

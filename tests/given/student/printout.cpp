@@ -14,14 +14,15 @@ using reference::Shape;
 constexpr int heading_styles = 8;
 constexpr int label_styles = 4;
 
-std::string heading(int style, int question) {
+std::string heading(int style, const reference::Question& asked) {
+    const int question = asked.number;
     switch (style) {
         case 0: return fmt::format("Question {}:\n", question);
         case 1: return fmt::format("Q{})\n", question);
         case 2: return fmt::format("--- Question #{} ---\n", question);
         case 3: return fmt::format("Part {}:\n", question);
-        case 4: return fmt::format("{}. {}\n", question, reference::question_title(question));
-        case 5: return fmt::format("QUESTION {} - {}\n", question, reference::question_title(question));
+        case 4: return fmt::format("{}. {}\n", question, asked.title);
+        case 5: return fmt::format("QUESTION {} - {}\n", question, asked.title);
         case 6: return fmt::format("Exercise {}\n", question);
         default: return fmt::format("***** Q{} *****\n", question);
     }
@@ -29,32 +30,39 @@ std::string heading(int style, int question) {
 
 const std::vector<std::string>& labels_of(const ItemId& id) {
     static const std::map<ItemId, std::vector<std::string>> labels = {
-        {{1, "P_VCS"}, {"Pixel in VCS", "P_VCS", "P_vcs", "pixel VCS"}},
-        {{2, "X_vcs"}, {"X_vcs", "Xvcs", "X", "X axis"}},
-        {{2, "Y_vcs"}, {"Y_vcs", "Yvcs", "Y", "Y axis"}},
-        {{2, "Z_vcs"}, {"Z_vcs", "Zvcs", "Z", "Z axis"}},
-        {{3, "M_VCS_to_WCS"}, {"M_VCS_to_WCS", "M", "Matrix", "inverse of the view matrix"}},
-        {{4, "P_WCS"}, {"Pixel in WCS", "P_WCS", "P_wcs", "pixel WCS"}},
-        {{5, "V"}, {"V", "ray direction", "unit vector V", "direction V"}},
-        {{6, "a"}, {"a", "a", "a", "coefficient a"}},
-        {{6, "b"}, {"b", "b", "b", "coefficient b"}},
-        {{6, "c"}, {"c", "c", "c", "coefficient c"}},
-        {{6, "d"}, {"d", "discriminant", "disc", "discriminant d"}},
-        {{6, "t"}, {"t", "ray parameter t", "t_sphere", "t"}},
-        {{6, "hit"}, {"Hit point P_s", "hit point", "P_s", "Hit"}},
-        {{7, "normal"}, {"Sphere normal", "normal", "N", "unit normal"}},
-        {{8, "matrix"}, {"Matrix A", "A", "matrix", "the matrix A"}},
-        {{8, "rhs"}, {"Right-hand side", "rhs", "right-hand side", "RHS"}},
-        {{8, "t"}, {"t", "t", "t_tri", "t"}},
-        {{8, "u"}, {"u", "u", "u", "u"}},
-        {{8, "v"}, {"v", "v", "v", "v"}},
-        {{8, "hit"}, {"Hit point P_t", "hit point", "P_t", "Hit"}},
-        {{9, "normal"}, {"Triangle normal", "normal", "N", "unit normal"}},
+        {reference::item::P_VCS, {"Pixel in VCS", "P_VCS", "P_vcs", "pixel VCS"}},
+        {reference::item::X_vcs, {"X_vcs", "Xvcs", "X", "X axis"}},
+        {reference::item::Y_vcs, {"Y_vcs", "Yvcs", "Y", "Y axis"}},
+        {reference::item::Z_vcs, {"Z_vcs", "Zvcs", "Z", "Z axis"}},
+        {reference::item::M_VCS_to_WCS, {"M_VCS_to_WCS", "M", "Matrix", "inverse of the view matrix"}},
+        {reference::item::P_WCS, {"Pixel in WCS", "P_WCS", "P_wcs", "pixel WCS"}},
+        {reference::item::V, {"V", "ray direction", "unit vector V", "direction V"}},
+        {reference::item::sphere::a, {"a", "a", "a", "coefficient a"}},
+        {reference::item::sphere::b, {"b", "b", "b", "coefficient b"}},
+        {reference::item::sphere::c, {"c", "c", "c", "coefficient c"}},
+        {reference::item::sphere::d, {"d", "discriminant", "disc", "discriminant d"}},
+        {reference::item::sphere::t, {"t", "ray parameter t", "t_sphere", "t"}},
+        {reference::item::sphere::hit, {"Hit point P_s", "hit point", "P_s", "Hit"}},
+        {reference::item::sphere::normal, {"Sphere normal", "normal", "N", "unit normal"}},
+        {reference::item::triangle::matrix, {"Matrix A", "A", "matrix", "the matrix A"}},
+        {reference::item::triangle::rhs, {"Right-hand side", "rhs", "right-hand side", "RHS"}},
+        {reference::item::triangle::t, {"t", "t", "t_tri", "t"}},
+        {reference::item::triangle::u, {"u", "u", "u", "u"}},
+        {reference::item::triangle::v, {"v", "v", "v", "v"}},
+        {reference::item::triangle::hit, {"Hit point P_t", "hit point", "P_t", "Hit"}},
+        {reference::item::triangle::normal, {"Triangle normal", "normal", "N", "unit normal"}},
+        {reference::item::cylinder::a, {"a", "a", "a", "coefficient a"}},
+        {reference::item::cylinder::b, {"b", "b", "b", "coefficient b"}},
+        {reference::item::cylinder::c, {"c", "c", "c", "coefficient c"}},
+        {reference::item::cylinder::d, {"d", "discriminant", "disc", "discriminant d"}},
+        {reference::item::cylinder::t, {"t", "ray parameter t", "t_cyl", "t"}},
+        {reference::item::cylinder::hit, {"Hit point P_c", "hit point", "P_c", "Hit"}},
+        {reference::item::cylinder::normal, {"Cylinder normal", "normal", "N", "unit normal"}},
     };
     return labels.at(id);
 }
 
-constexpr std::string_view handout_text[] = {
+constexpr std::string_view handout_of_2021[] = {
     "Transform the pixel P_DCS = (150 100) from DCS to VCS",
     "Obtain the three basis vectors of the VCS system",
     "Compute the inverse of the view matrix",
@@ -67,15 +75,29 @@ constexpr std::string_view handout_text[] = {
     "Both hit points have an associated ray distance",
 };
 
+constexpr std::string_view handout_of_2024[] = {
+    "Transform the pixel P_DCS = (200 150) from DCS to WCS. The ray is P = S + tV with S = P_WCS",
+    "Solve at^2 + bt + c = 0 for the sphere: t is the smaller of two positive roots",
+    "Solve the 3 x 3 system for t, u and v with 0 <= u <= 1, 0 <= v <= 1, u + v <= 1",
+    "Of all hits of the tube and the 2 caps of the cylinder the one with the smallest t counts",
+    "Which of the three objects does the ray hit first?",
+};
+
+/// What the handout asks for in the question.
+std::string_view handout_text(const Program& program, int question) {
+    const auto index = static_cast<std::size_t>(question - 1);
+    return program.questions().size() == std::size(handout_of_2024) ? handout_of_2024[index] : handout_of_2021[index];
+}
+
 class Printer {
   public:
     Printer(const Program& program, const Layout& layout, const std::function<bool(const ItemId&)>& keep)
         : program_(program), layout_(layout), keep_(keep), random_(layout.seed) {}
 
     std::string print() {
-        std::vector<int> questions{1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+        std::vector<reference::Question> questions = program_.questions();
         if (layout_.shuffled) std::shuffle(questions.begin(), questions.end(), random_);
-        for (const int question : questions) print_question(question);
+        for (const reference::Question& question : questions) print_question(question);
         if (layout_.crlf) {
             std::string lines;
             for (const char c : text_) lines += c == '\n' ? "\r\n" : std::string(1, c);
@@ -87,14 +109,14 @@ class Printer {
   private:
     bool chance(int percent) { return static_cast<int>(random_() % 100) < percent; }
 
-    void print_question(int question) {
+    void print_question(const reference::Question& question) {
         if (layout_.colours) text_ += "\x1b[1;32m";
         text_ += heading(layout_.heading, question);
         if (layout_.colours) text_ += "\x1b[0m";
-        if (layout_.question_text) text_ += std::string(handout_text[question - 1]) + "\n";
-        for (const reference::ItemSpec& spec : reference::all_items()) {
-            const ItemId id{spec.question, spec.name};
-            if (spec.question != question || !keep_(id)) continue;
+        if (layout_.question_text) text_ += std::string(handout_text(program_, question.number)) + "\n";
+        for (const reference::ItemSpec& spec : program_.asked()) {
+            const ItemId& id = spec.id;
+            if (spec.question != question.number || !keep_(id)) continue;
             if (layout_.debug_lines && chance(20))
                 text_ += fmt::format("debug: step {} of 7, tmp = {}\n", random_() % 7, number(0.125F));
             if (layout_.blank_lines && chance(30)) text_ += "\n";
@@ -120,7 +142,7 @@ class Printer {
 
     void print_vector(const ItemId& id, const std::string& label, const Floats& p) {
         const std::string start = label + layout_.separator;
-        const bool is_point = id.second == "P_VCS" || id.second == "P_WCS" || id.second == "hit";
+        const bool is_point = id.name == "P_VCS" || id.name == "P_WCS" || id.name == "hit";
         const std::string x = number(p[0]), y = number(p[1]), z = number(p[2]);
         switch (layout_.vectors) {
             case VectorLayout::to_string:

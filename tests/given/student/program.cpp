@@ -13,11 +13,16 @@ using reference::Boundary;
 using reference::Verdict;
 using Arithmetic = Way::Arithmetic;
 
-constexpr ItemId P_VCS{1, "P_VCS"}, X{2, "X_vcs"}, Y{2, "Y_vcs"}, Z{2, "Z_vcs"}, M{3, "M_VCS_to_WCS"},
-    P_WCS{4, "P_WCS"}, V{5, "V"};
-constexpr ItemId a{6, "a"}, b{6, "b"}, c{6, "c"}, d{6, "d"}, t_s{6, "t"}, hit_s{6, "hit"}, normal_s{7, "normal"};
-constexpr ItemId matrix{8, "matrix"}, rhs{8, "rhs"}, t_t{8, "t"}, u{8, "u"}, v{8, "v"}, hit_t{8, "hit"},
-    normal_t{9, "normal"};
+constexpr ItemId P_VCS = reference::item::P_VCS, X = reference::item::X_vcs, Y = reference::item::Y_vcs,
+                 Z = reference::item::Z_vcs, M = reference::item::M_VCS_to_WCS, P_WCS = reference::item::P_WCS,
+                 V = reference::item::V;
+constexpr ItemId a = reference::item::sphere::a, b = reference::item::sphere::b, c = reference::item::sphere::c,
+                 d = reference::item::sphere::d, t_s = reference::item::sphere::t, hit_s = reference::item::sphere::hit,
+                 normal_s = reference::item::sphere::normal;
+constexpr ItemId matrix = reference::item::triangle::matrix, rhs = reference::item::triangle::rhs,
+                 t_t = reference::item::triangle::t, u = reference::item::triangle::u, v = reference::item::triangle::v,
+                 hit_t = reference::item::triangle::hit, normal_t = reference::item::triangle::normal;
+namespace tube = reference::item::cylinder;
 
 float read(const reference::Decimal& x) {
     return x.to_float();
@@ -39,13 +44,31 @@ Floats floats(const glm::mat4& m) {
 }
 
 Program::Program(const reference::Assignment& assignment, const Way& way, std::optional<Mistake> mistake)
-    : scene_(reference::convert_scene<float>(assignment.scene, read)), way_(way), mistake_(std::move(mistake)) {
+    : scene_(reference::convert_scene<float>(assignment.scene, read)),
+      questions_(assignment.questions),
+      way_(way),
+      mistake_(std::move(mistake)) {
     answer_camera();
-    answer_sphere();
-    answer_triangle();
-    const auto distance = [&](const ItemId& t, bool hit) { return hit ? std::optional(scalar(t)) : std::nullopt; };
-    verdict_ = *reference::first_hit(distance(t_s, has(t_s) && is_hit_at(scalar(t_s))),
-                                     distance(t_t, has(t_t) && in_triangle() && is_hit_at(scalar(t_t))));
+    if (!scene_.spheres.empty()) answer_sphere();
+    if (!scene_.triangles.empty()) answer_triangle();
+    if (!scene_.cylinders.empty()) answer_cylinder();
+    compare_hits();
+    for (const reference::ItemSpec& spec : reference::asked_items(questions_)) {
+        if (spec.shape == reference::Shape::verdict || values_.contains(spec.id)) asked_.push_back(spec);
+    }
+}
+
+/// "Of all hits the one with the smallest t."
+void Program::compare_hits() {
+    std::optional<float> smallest;
+    const auto compare = [&](const ItemId& t, bool hit, Verdict is_first) {
+        if (!hit || (smallest && scalar(t) > *smallest)) return;
+        verdict_ = smallest && scalar(t) == *smallest ? Verdict::tie : is_first;
+        smallest = scalar(t);
+    };
+    compare(t_s, has(t_s) && is_hit_at(scalar(t_s)), Verdict::sphere_first);
+    compare(t_t, has(t_t) && in_triangle() && is_hit_at(scalar(t_t)), Verdict::triangle_first);
+    compare(tube::t, has(tube::t) && is_hit_at(scalar(tube::t)), Verdict::cylinder_first);
 }
 
 void Program::settle(const ItemId& id, std::optional<Floats> value) {
@@ -77,7 +100,7 @@ void Program::answer_camera() {
         settle(Y, floats(reference::cross(vector(Z), vector(X))));
     }
     // A program with wrong axes uses them for the matrix; lookAt would hide the mistake.
-    const bool own_axes = mistake_ && mistake_->item.first == 2;
+    const bool own_axes = mistake_ && (mistake_->item == X || mistake_->item == Y || mistake_->item == Z);
     if (uses_glm() && !own_axes) {
         settle(M, floats(glm::inverse(glm::lookAt(eye, lookat, vup))));
         settle(P_WCS, floats(glm::vec3(matrix4(M) * glm::vec4(vector(P_VCS), 1.0F))));
@@ -160,6 +183,71 @@ void Program::solve_triangle(const glm::vec3& right) {
     settle(t_t, floats(solved[0]));
     settle(u, floats(solved[1]));
     settle(v, floats(solved[2]));
+}
+
+void Program::answer_cylinder() {
+    const auto& [center, radius, height] = scene_.cylinders.front();
+    const glm::vec3 start = vector(P_WCS), direction = vector(V);
+    solve_tube({start.x - center.x, start.z - center.z}, {direction.x, direction.z});
+    std::optional<float> smallest = tube_hit(), up;
+    for (const float side : {1.0F, -1.0F}) {
+        const std::optional<float> t = cap_hit(center.y + side * height / 2);
+        if (!t || (smallest && *t >= *smallest)) continue;
+        smallest = t;
+        up = side;
+    }
+    const std::optional<Floats> right = smallest ? std::optional(floats(*smallest)) : std::nullopt;
+    settle(tube::t, right);
+    settle(tube::hit, has(tube::t) ? std::optional(floats(start + scalar(tube::t) * direction)) : std::nullopt);
+    if (values_.at(tube::t) != right && has(tube::hit)) {
+        // The t is another part's: the point's height tells whether it is on a cap.
+        const float above = (vector(tube::hit).y - center.y) / (height / 2);
+        up = std::abs(std::abs(above) - 1) < 1e-4F ? std::optional(above > 0 ? 1.0F : -1.0F) : std::nullopt;
+    }
+    settle(tube::normal, has(tube::hit) ? std::optional(floats(cylinder_normal(up))) : std::nullopt);
+}
+
+/// The tube's quadratic for a ray in the plane of x and z, from the axis.
+void Program::solve_tube(const glm::vec2& start, const glm::vec2& direction) {
+    const float radius = scene_.cylinders.front().radius;
+    const float k = way_.quadratic_factor;
+    const float half = start.x * direction.x + start.y * direction.y;
+    settle(tube::a, floats(k * (direction.x * direction.x + direction.y * direction.y)));
+    settle(tube::b, floats(k * (way_.half_b ? half : 2 * half)));
+    settle(tube::c, floats(k * (start.x * start.x + start.y * start.y - radius * radius)));
+    const float p = scalar(tube::a), q = scalar(tube::b), r = scalar(tube::c);
+    settle(tube::d, floats(way_.half_b ? q * q - p * r : q * q - 4 * p * r));
+}
+
+/// The tube's smallest positive root, if its y is between the caps.
+std::optional<float> Program::tube_hit() const {
+    const auto& [center, radius, height] = scene_.cylinders.front();
+    const float p = scalar(tube::a), q = scalar(tube::b), d = scalar(tube::d);
+    if (p == 0 || !(d >= 0)) return std::nullopt;
+    const float divisor = way_.half_b ? p : 2 * p;
+    const float one = (-q - std::sqrt(d)) / divisor, other = (-q + std::sqrt(d)) / divisor;
+    const float near = std::min(one, other), far = std::max(one, other);
+    const float t = is_hit_at(near) ? near : far;
+    const float y = vector(P_WCS).y + t * vector(V).y;
+    const bool between = center.y - height / 2 <= y && y <= center.y + height / 2;
+    return is_hit_at(t) && between ? std::optional(t) : std::nullopt;
+}
+
+/// Where the ray hits the cap at this height.
+std::optional<float> Program::cap_hit(float y) const {
+    const auto& [center, radius, height] = scene_.cylinders.front();
+    if (vector(V).y == 0) return std::nullopt;
+    const float t = (y - vector(P_WCS).y) / vector(V).y;
+    const glm::vec3 from_center = vector(P_WCS) + t * vector(V) - center;
+    const float square = from_center.x * from_center.x + from_center.z * from_center.z;
+    return is_hit_at(t) && square < radius * radius ? std::optional(t) : std::nullopt;
+}
+
+/// `up` is 1 on the top cap, -1 on the bottom cap, and empty on the tube.
+glm::vec3 Program::cylinder_normal(std::optional<float> up) const {
+    if (up) return {0, *up, 0};
+    const glm::vec3 from_center = vector(tube::hit) - scene_.cylinders.front().center;
+    return glm::normalize(glm::vec3(from_center.x, 0, from_center.z));
 }
 
 bool Program::in_triangle() const {

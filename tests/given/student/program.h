@@ -22,9 +22,9 @@ struct Way {
     enum class Arithmetic { stages, glm, glm_cramer } arithmetic = Arithmetic::stages;
     reference::PixelConvention convention = reference::PixelConvention::centre;
     reference::Boundary boundary = reference::Boundary::nonnegative;
-    float quadratic_factor = 1;                  ///< a, b and c are multiplied by this
+    float quadratic_factor = 1;                  ///< the sphere's and the cylinder's a, b and c are multiplied by this
     std::vector<float> row_factors = {1, 1, 1};  ///< the rows of the linear system are multiplied by these, both sides
-    bool half_b = false;                         ///< b' = b/2 and d' = b'^2 - ac
+    bool half_b = false;                         ///< b' = b/2 and d' = b'^2 - ac, of the sphere and of the cylinder
     std::vector<int> columns = {0, 1, 2};        ///< the places of the columns for t, u and v in the printed matrix
     bool true_hits_only = false;                 ///< gives a hit point only for a true hit
 };
@@ -44,6 +44,9 @@ class Program {
     const std::map<ItemId, std::optional<Floats>>& values() const { return values_; }
     reference::Verdict verdict() const { return verdict_; }
     const reference::Scene<float>& scene() const { return scene_; }
+    const std::vector<reference::Question>& questions() const { return questions_; }
+    /// The items of the assignment's questions whose object is in the scene.
+    const std::vector<reference::ItemSpec>& asked() const { return asked_; }
 
     /// scalar, vector and matrix4 throw std::bad_optional_access if the value does not exist.
     float scalar(const ItemId& id) const { return values_.at(id).value().at(0); }
@@ -57,11 +60,19 @@ class Program {
     void answer_sphere();
     void answer_triangle();
     void solve_triangle(const glm::vec3& rhs);
+    void answer_cylinder();
+    void solve_tube(const glm::vec2& start, const glm::vec2& direction);
+    std::optional<float> tube_hit() const;
+    std::optional<float> cap_hit(float y) const;
+    glm::vec3 cylinder_normal(std::optional<float> up) const;
+    void compare_hits();
     bool in_triangle() const;
     bool is_hit_at(float t) const;
     bool uses_glm() const { return way_.arithmetic != Way::Arithmetic::stages; }
 
     reference::Scene<float> scene_;
+    std::vector<reference::Question> questions_;
+    std::vector<reference::ItemSpec> asked_;
     Way way_;
     std::optional<Mistake> mistake_;
     std::map<ItemId, std::optional<Floats>> values_;

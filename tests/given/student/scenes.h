@@ -31,6 +31,14 @@ Marking scene_named(std::string_view name);
 /// and "barely outside" (of the triangle), and "almost a tie".
 const std::vector<std::string_view>& scene_names();
 
+/// The names of the scenes with a cylinder: "handout of 2024", and others that ask the tube's a, b, c and d besides.
+/// They are named after the parts that the ray enters and leaves by ("top and tube"), or after where it starts or
+/// passes.
+const std::vector<std::string_view>& cylinder_scene_names();
+
+/// Whether float cannot decide what the ray hits of the cylinder in the scene of this name.
+bool rounding_decides(std::string_view name);
+
 inline constexpr std::string_view middle_pixel = "width = 301\nheight = 201\npixel = [150, 100]\n";
 
 /// The beginning of a scene's text: a camera at (0, 0, eye_z) that looks down the z axis, and the pixel, in the middle

@@ -17,45 +17,67 @@ using Words = std::vector<std::string>;
 /// variable.
 Words names_of(const ItemId& id) {
     static const std::map<ItemId, Words> names = {
-        {{1, "P_VCS"},
+        {reference::item::P_VCS,
          {"P_vcs", "pixel in view coordinates", "Pixel in VCS", "Pixel im VCS", "pixel en VCS", "píxel en VCS",
           "p_vcs"}},
-        {{2, "X_vcs"}, {"X_vcs", "X axis of the camera", "X_vcs", "X-Achse", "axe X", "eje X", "x_axis"}},
-        {{2, "Y_vcs"}, {"Y_vcs", "Y axis of the camera", "Y_vcs", "Y-Achse", "axe Y", "eje Y", "y_axis"}},
-        {{2, "Z_vcs"}, {"Z_vcs", "Z axis of the camera", "Z_vcs", "Z-Achse", "axe Z", "eje Z", "z_axis"}},
-        {{3, "M_VCS_to_WCS"},
+        {reference::item::X_vcs, {"X_vcs", "X axis of the camera", "X_vcs", "X-Achse", "axe X", "eje X", "x_axis"}},
+        {reference::item::Y_vcs, {"Y_vcs", "Y axis of the camera", "Y_vcs", "Y-Achse", "axe Y", "eje Y", "y_axis"}},
+        {reference::item::Z_vcs, {"Z_vcs", "Z axis of the camera", "Z_vcs", "Z-Achse", "axe Z", "eje Z", "z_axis"}},
+        {reference::item::M_VCS_to_WCS,
          {"M", "inverse of the view matrix", "M_VCS_to_WCS", "Matrix M", "matrice M", "matriz M", "view_inverse"}},
-        {{4, "P_WCS"},
+        {reference::item::P_WCS,
          {"P_wcs", "pixel in world coordinates", "Pixel in WCS", "Pixel im WCS", "pixel en WCS", "píxel en WCS",
           "p_wcs"}},
-        {{5, "V"},
+        {reference::item::V,
          {"V", "ray direction", "unit-length vector V", "Strahlrichtung V", "direction V", "dirección V", "ray_dir"}},
-        {{6, "a"}, {"a", "coefficient a", "a", "Koeffizient a", "coefficient a", "coeficiente a", "a"}},
-        {{6, "b"}, {"b", "coefficient b", "b", "Koeffizient b", "coefficient b", "coeficiente b", "b"}},
-        {{6, "c"}, {"c", "coefficient c", "c", "Koeffizient c", "coefficient c", "coeficiente c", "c"}},
-        {{6, "d"},
+        {reference::item::sphere::a,
+         {"a", "coefficient a", "a", "Koeffizient a", "coefficient a", "coeficiente a", "a"}},
+        {reference::item::sphere::b,
+         {"b", "coefficient b", "b", "Koeffizient b", "coefficient b", "coeficiente b", "b"}},
+        {reference::item::sphere::c,
+         {"c", "coefficient c", "c", "Koeffizient c", "coefficient c", "coeficiente c", "c"}},
+        {reference::item::sphere::d,
          {"d", "discriminant", "discriminant d", "Diskriminante d", "discriminant d", "discriminante d", "disc"}},
-        {{6, "t"},
+        {reference::item::sphere::t,
          {"t", "ray parameter", "ray parameter t", "Strahlparameter t", "paramètre t", "parámetro t", "t_sphere"}},
-        {{6, "hit"},
+        {reference::item::sphere::hit,
          {"P_s", "hit point on the sphere", "hit point P_s", "Schnittpunkt P_s", "point P_s", "punto P_s",
           "hit_point"}},
-        {{7, "normal"}, {"N", "surface normal", "normal N", "Normale N", "normale N", "normal N", "normal"}},
-        {{8, "matrix"}, {"A", "matrix of the system", "matrix A", "Matrix A", "matrice A", "matriz A", "mat_a"}},
-        {{8, "rhs"},
+        {reference::item::sphere::normal,
+         {"N", "surface normal", "normal N", "Normale N", "normale N", "normal N", "normal"}},
+        {reference::item::triangle::matrix,
+         {"A", "matrix of the system", "matrix A", "Matrix A", "matrice A", "matriz A", "mat_a"}},
+        {reference::item::triangle::rhs,
          {"b", "right-hand side", "right-hand side", "rechte Seite b", "second membre b", "lado derecho b", "rhs"}},
-        {{8, "t"}, {"t", "ray parameter", "t", "Strahlparameter t", "paramètre t", "parámetro t", "t_tri"}},
-        {{8, "u"}, {"u", "u", "u", "u", "u", "u", "u"}},
-        {{8, "v"}, {"v", "v", "v", "v", "v", "v", "v"}},
-        {{8, "hit"},
+        {reference::item::triangle::t,
+         {"t", "ray parameter", "t", "Strahlparameter t", "paramètre t", "parámetro t", "t_tri"}},
+        {reference::item::triangle::u, {"u", "u", "u", "u", "u", "u", "u"}},
+        {reference::item::triangle::v, {"v", "v", "v", "v", "v", "v", "v"}},
+        {reference::item::triangle::hit,
          {"P_t", "hit point on the triangle", "hit point P_t", "Schnittpunkt P_t", "point P_t", "punto P_t",
           "hit_point"}},
-        {{9, "normal"}, {"N", "triangle normal", "normal N", "Normale N", "normale N", "normal N", "normal"}},
+        {reference::item::triangle::normal,
+         {"N", "triangle normal", "normal N", "Normale N", "normale N", "normal N", "normal"}},
+        {reference::item::cylinder::a,
+         {"a", "coefficient a", "a", "Koeffizient a", "coefficient a", "coeficiente a", "a"}},
+        {reference::item::cylinder::b,
+         {"b", "coefficient b", "b", "Koeffizient b", "coefficient b", "coeficiente b", "b"}},
+        {reference::item::cylinder::c,
+         {"c", "coefficient c", "c", "Koeffizient c", "coefficient c", "coeficiente c", "c"}},
+        {reference::item::cylinder::d,
+         {"d", "discriminant", "discriminant d", "Diskriminante d", "discriminant d", "discriminante d", "disc"}},
+        {reference::item::cylinder::t,
+         {"t", "ray parameter", "ray parameter t", "Strahlparameter t", "paramètre t", "parámetro t", "t_cylinder"}},
+        {reference::item::cylinder::hit,
+         {"P_c", "hit point on the cylinder", "hit point P_c", "Schnittpunkt P_c", "point P_c", "punto P_c",
+          "hit_point"}},
+        {reference::item::cylinder::normal,
+         {"N", "cylinder normal", "normal N", "Normale N", "normale N", "normal N", "normal"}},
     };
     return names.at(id);
 }
 
-constexpr const char* handout_text[] = {
+constexpr const char* handout_of_2021[] = {
     "Transform the pixel P_DCS = (150 100) from DCS to VCS.",
     "Obtain the three basis vectors of the VCS system, X_vcs, Y_vcs, and Z_vcs.",
     "Compute M_VCS_to_WCS, the inverse of the view matrix.",
@@ -68,6 +90,14 @@ constexpr const char* handout_text[] = {
     "Chose the point with smaller t.",
 };
 
+constexpr const char* handout_of_2024[] = {
+    "Transform the pixel P_DCS = (200 150) from DCS to WCS. The ray is P = S + tV with S = P_WCS.",
+    "Solve at^2 + bt + c = 0 for the sphere. If there are 2 positive roots, pick the smaller one.",
+    "Obtain a 3x3 linear system of equations for t, u, and v. 0 <= u <= 1, 0 <= v <= 1, u+v <= 1",
+    "Of all hits of the tube and the 2 caps of the cylinder the one with the smallest t counts.",
+    "Which of the three objects does the ray hit first?",
+};
+
 constexpr const char* spelled[] = {"One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten"};
 
 class Hand {
@@ -76,28 +106,28 @@ class Hand {
 
     Writing write() {
         greet();
-        std::vector<int> questions{1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+        std::vector<reference::Question> questions = program_.questions();
         if (one_of("order", {"handout's", "handout's", "handout's", "handout's", "shuffled"}) == "shuffled")
             std::shuffle(questions.begin(), questions.end(), noise_);
         const bool table = is("page", "table");
         if (table) text_ += "| Question | Quantity | Value |\n|---|---|---|\n";
-        for (const int question : questions) {
-            question_ = question;
+        for (const reference::Question& question : questions) {
+            question_ = question.number;
             if (!table) head(question);
             if (!table && one_of("handout's text", {"left out", "left out", "left out", "repeated"}) == "repeated")
-                text_ += handout_text[question - 1] + std::string("\n");
-            for (const reference::ItemSpec& spec : reference::all_items()) {
-                if (spec.question == question) print(spec);
+                text_ += handout_text(question.number) + std::string("\n");
+            for (const reference::ItemSpec& spec : program_.asked()) {
+                if (spec.question == question.number) print(spec);
             }
             if (!table && one_of("between questions", {"nothing", "blank line", "rule"}) != "nothing")
                 text_ += is("between questions", "rule") ? "--------------------\n" : "\n";
         }
         if (!table && one_of("runs", {"one", "one", "one", "one", "another pixel"}) == "another pixel") {
             text_ += "\nAnother pixel:\n";
-            for (int question = 1; question <= 10; ++question) {
+            for (const reference::Question& question : program_.questions()) {
                 head(question);
-                for (const reference::ItemSpec& spec : reference::all_items()) {
-                    if (spec.question == question) print_changed(spec);
+                for (const reference::ItemSpec& spec : program_.asked()) {
+                    if (spec.question == question.number) print_changed(spec);
                 }
             }
         }
@@ -135,8 +165,8 @@ class Hand {
         const std::string& end = one_of("end", {"nothing", "nothing", "done", "timing", "summary"});
         if (end == "done") text_ += "Done.\n";
         if (end == "timing") text_ += "Elapsed: 0.00042 seconds\n";
-        if (end == "summary" && program_.has({6, "t"}))
-            text_ += "Summary: sphere at distance " + number(program_.scalar({6, "t"})) + "\n";
+        if (end == "summary" && program_.has(reference::item::sphere::t))
+            text_ += "Summary: sphere at distance " + number(program_.scalar(reference::item::sphere::t)) + "\n";
     }
 
     void finish() {
@@ -146,7 +176,14 @@ class Hand {
         text_ = lines;
     }
 
-    void head(int question) {
+    const char* handout_text(int question) const {
+        const auto index = static_cast<std::size_t>(question - 1);
+        const bool is_2024 = program_.questions().size() == std::size(handout_of_2024);
+        return is_2024 ? handout_of_2024[index] : handout_of_2021[index];
+    }
+
+    void head(const reference::Question& asked) {
+        const int question = asked.number;
         const std::string& style =
             one_of("heading",
                    {"Question 1:", "Question 1:", "Question 1", "Q1", "Q1.", "1.", "1)",
@@ -158,7 +195,7 @@ class Hand {
         } else {
             shown.replace(shown.find('1'), 1, std::to_string(question));
         }
-        if (style == "Question #1 - title") shown.replace(shown.find("title"), 5, reference::question_title(question));
+        if (style == "Question #1 - title") shown.replace(shown.find("title"), 5, asked.title);
         text_ += shown + "\n";
     }
 
@@ -249,11 +286,14 @@ class Hand {
         if (spec.shape == reference::Shape::verdict) return verdict();
         const auto& value = program_.values().at(id);
         if (!value) return line(id, one_of("no value", {"none", "no hit", "does not exist", "n/a"}));
-        if (id == ItemId{6, "t"} && one_of("roots", {"not printed", "not printed", "before t"}) == "before t") {
-            const float b = program_.scalar({6, "b"}), d = program_.scalar({6, "d"}), a = program_.scalar({6, "a"});
+        if (id == reference::item::sphere::t &&
+            one_of("roots", {"not printed", "not printed", "before t"}) == "before t") {
+            const float b = program_.scalar(reference::item::sphere::b),
+                        d = program_.scalar(reference::item::sphere::d),
+                        a = program_.scalar(reference::item::sphere::a);
             const std::string far = number((-b + std::sqrt(d)) / (2 * a)), near = number((-b - std::sqrt(d)) / (2 * a));
             if (is("page", "table")) {
-                text_ += fmt::format("| 6 | t1 | {} |\n| 6 | t2 | {} |\n", near, far);
+                text_ += fmt::format("| {0} | t1 | {1} |\n| {0} | t2 | {2} |\n", question_, near, far);
             } else {
                 text_ += fmt::format("t1 = {}, t2 = {}\n", near, far);
             }
@@ -280,28 +320,33 @@ class Hand {
     void verdict() {
         const std::string said(reference::sentence(program_.verdict()));
         if (is("page", "table")) {
-            text_ += fmt::format("| 10 | verdict | {} |\n", said);
+            text_ += fmt::format("| {} | verdict | {} |\n", question_, said);
         } else {
             text_ += one_of("verdict", {"plain", "plain", "arrow"}) == "arrow" ? "=> " + said + "\n" : said + "\n";
         }
     }
 
     void scalar(const ItemId& id, float x) {
-        if (id.first == 6 && !is("page", "table")) {
+        const bool has_quadratic =
+            id.subject == reference::Subject::sphere || id.subject == reference::Subject::cylinder;
+        if (has_quadratic && id.name != "normal" && !is("page", "table")) {
             const std::string& form =
                 one_of("quadratic", {"lines", "lines", "lines", "one line", "equation", "one list"});
-            const bool whole = program_.has({6, "a"}) && program_.has({6, "b"}) && program_.has({6, "c"});
-            const auto coefficient = [&](const char* name) { return number(program_.scalar({6, name})); };
-            if (whole && form != "lines" && (id.second == "b" || id.second == "c")) return;
-            if (whole && form == "one line" && id.second == "a") {
+            const bool whole =
+                program_.has({id.subject, "a"}) && program_.has({id.subject, "b"}) && program_.has({id.subject, "c"});
+            const auto coefficient = [&](const char* name) { return number(program_.scalar({id.subject, name})); };
+            const auto sign = [&](const char* name) { return program_.scalar({id.subject, name}) < 0 ? "-" : "+"; };
+            const auto size = [&](const char* name) { return size_of(program_.scalar({id.subject, name})); };
+            if (whole && form != "lines" && (id.name == "b" || id.name == "c")) return;
+            if (whole && form == "one line" && id.name == "a") {
                 text_ += fmt::format("a = {}, b = {}, c = {}\n", x_of(x), coefficient("b"), coefficient("c"));
                 return;
             }
-            if (whole && form == "one list" && id.second == "a") {
+            if (whole && form == "one list" && id.name == "a") {
                 text_ += fmt::format("a b c: {} {} {}\n", x_of(x), coefficient("b"), coefficient("c"));
                 return;
             }
-            if (whole && form == "equation" && id.second == "a") {
+            if (whole && form == "equation" && id.name == "a") {
                 text_ += fmt::format("{}t^2 {} {}t {} {} = 0\n", x_of(x), sign("b"), size("b"), sign("c"), size("c"));
                 return;
             }
@@ -309,9 +354,7 @@ class Hand {
         line(id, number(x));
     }
     std::string x_of(float x) { return number(x); }
-    const char* sign(const char* name) { return program_.scalar({6, name}) < 0 ? "-" : "+"; }
-    std::string size(const char* name) {
-        const float x = program_.scalar({6, name});
+    std::string size_of(float x) {
         std::string text = number(x < 0 ? -x : x);
         if (!text.empty() && text.front() == '+') text.erase(0, 1);
         text.erase(0, std::min(text.find_first_not_of(' '), text.size()));
@@ -391,7 +434,7 @@ class Hand {
             }
         }
     }
-    static std::string short_name(const ItemId& id) { return id.first == 3 ? "M" : "A"; }
+    static std::string short_name(const ItemId& id) { return id == reference::item::M_VCS_to_WCS ? "M" : "A"; }
     std::string plain(const Floats& numbers) {
         std::string text;
         for (const float x : numbers) text += (text.empty() ? "" : "  ") + number(x);

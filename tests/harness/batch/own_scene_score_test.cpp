@@ -31,7 +31,7 @@ std::string center_in_source(double higher) {
 }
 
 std::optional<OwnSceneScore> on_own_scene(const std::string& output, const std::string& source) {
-    return score_on_own_scene(score(read_transcript(output), marking().key, marking().assignment), output, source,
+    return score_on_own_scene(score(read_transcript(output, 10), marking().key, marking().assignment), output, source,
                               marking());
 }
 
@@ -40,9 +40,9 @@ TEST(OwnSceneScore, IsThereIfTheSourceStatesTheSceneOfTheAnswers) {
     const auto own = on_own_scene(output, center_in_source(0.25));
     ASSERT_TRUE(own);
     EXPECT_THAT(own->scene.cause, HasSubstr("center"));
-    const Score first = score(read_transcript(output), marking().key, marking().assignment);
+    const Score first = score(read_transcript(output, 10), marking().key, marking().assignment);
     EXPECT_GT(own->score.points, first.points);
-    EXPECT_EQ(score_again_on(own->scene, first, read_transcript(output), marking()).points, own->score.points)
+    EXPECT_EQ(score_again_on(own->scene, first, read_transcript(output, 10), marking()).points, own->score.points)
         << "the kept scene gives the same score";
 }
 

@@ -17,8 +17,8 @@ Graded sample() {
         score.max_points = most;
         return score;
     };
-    graded.score.questions = {{5, ItemVerdict::wrong, 4, 10, {item(5, "V", 4, 10)}},
-                              {6, ItemVerdict::wrong, 3, 10, {item(6, "a", 3, 5), item(6, "t", 0, 5)}}};
+    graded.score.questions = {{5, "", ItemVerdict::wrong, 4, 10, {item(5, "V", 4, 10)}},
+                              {6, "", ItemVerdict::wrong, 3, 10, {item(6, "a", 3, 5), item(6, "t", 0, 5)}}};
     graded.score.points = 7;
     graded.score.max_points = 20;
     return graded;

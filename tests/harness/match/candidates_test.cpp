@@ -9,14 +9,15 @@ namespace {
 
 std::vector<reference::ItemSpec> items_of(int question) {
     std::vector<reference::ItemSpec> items;
-    const auto all = reference::all_items();
+    const auto all = reference::default_items();
     std::copy_if(all.begin(), all.end(), std::back_inserter(items),
                  [&](const auto& item) { return item.question == question; });
     return items;
 }
 
 std::vector<Candidate> arranged(int question, std::string_view text) {
-    const Transcript transcript = read_transcript("Question " + std::to_string(question) + ":\n" + std::string(text));
+    const Transcript transcript =
+        read_transcript("Question " + std::to_string(question) + ":\n" + std::string(text), 10);
     return candidates_of(transcript.sections.back().values, items_of(question));
 }
 

@@ -11,7 +11,7 @@ namespace {
 using testing::ElementsAre;
 
 const reference::ItemSpec& spec_of(int question, std::string_view name) {
-    for (const reference::ItemSpec& item : reference::all_items()) {
+    for (const reference::ItemSpec& item : reference::default_items()) {
         if (item.question == question && item.name == name) return item;
     }
     throw std::logic_error("no such item");
@@ -34,14 +34,15 @@ std::vector<double> numbers(const std::optional<MatchedItem>& item) {
 
 /// What is read for an item from the lines of an output.
 std::vector<double> read(int question, std::string_view item, std::string_view lines, std::string_view output) {
-    Transcript transcript = read_transcript(output);
-    return numbers(read_at(transcript, spec_of(question, item), place(question, item, lines)));
+    Transcript transcript = read_transcript(output, 10);
+    return numbers(
+        read_at(transcript, spec_of(question, item), place(question, item, lines), reference::default_items()));
 }
 
 /// All items matched, with places.
 std::vector<double> matched(int question, std::string_view item, std::string_view output,
                             const std::vector<ItemPlace>& places) {
-    for (const MatchedItem& each : match(read_transcript(output), reference::all_items(), places)) {
+    for (const MatchedItem& each : match(read_transcript(output, 10), reference::default_items(), places)) {
         if (each.spec.question == question && each.spec.name == item) return numbers(each);
     }
     return {};
@@ -80,8 +81,9 @@ TEST(ItemPlace, HoldsNothingWhereTheCountDiffers) {
 }
 
 TEST(ItemPlace, MayHoldASentence) {
-    Transcript transcript = read_transcript("The winner: triangle first\n");
-    const auto item = read_at(transcript, spec_of(10, "verdict"), place(10, "verdict", "1"));
+    Transcript transcript = read_transcript("The winner: triangle first\n", 10);
+    const auto item =
+        read_at(transcript, spec_of(10, "verdict"), place(10, "verdict", "1"), reference::default_items());
     ASSERT_TRUE(item && item->verdict);
     EXPECT_EQ(item->verdict->verdict, reference::Verdict::triangle_first);
 }

@@ -8,7 +8,7 @@ namespace harness {
 namespace {
 
 const reference::ItemSpec& item(int question, std::string_view name) {
-    const auto items = reference::all_items();
+    const auto items = reference::default_items();
     return *std::find_if(items.begin(), items.end(),
                          [&](const auto& i) { return i.question == question && i.name == name; });
 }
@@ -44,10 +44,10 @@ TEST(FitLabel, RecognisesOperandsInAFormula) {
 TEST(FitValue, UsesTheWordsAfterAValueOnlyIfNonePrecedeIt) {
     PrintedValue value;
     value.after = "t";
-    EXPECT_EQ(fit_value(value, item(6, "t")), LabelFit::exact);
-    EXPECT_EQ(fit_value(value, item(6, "d")), LabelFit::foreign);
+    EXPECT_EQ(fit_value(value, item(6, "t"), reference::default_items()), LabelFit::exact);
+    EXPECT_EQ(fit_value(value, item(6, "d"), reference::default_items()), LabelFit::foreign);
     value.label = "d";
-    EXPECT_EQ(fit_value(value, item(6, "d")), LabelFit::exact);
+    EXPECT_EQ(fit_value(value, item(6, "d"), reference::default_items()), LabelFit::exact);
 }
 
 TEST(ListedItems, AreReadFromALabelThatOnlyListsThem) {

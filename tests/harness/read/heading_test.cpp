@@ -6,17 +6,17 @@ namespace harness {
 namespace {
 
 int question(std::string_view line) {
-    const auto heading = read_heading(line);
+    const auto heading = read_heading(line, 10);
     return heading ? heading->question : 0;
 }
 
 std::string_view rest(std::string_view line) {
-    return line.substr(read_heading(line).value().end);
+    return line.substr(read_heading(line, 10).value().end);
 }
 
 std::vector<int> questions(const std::vector<std::string_view>& lines) {
     std::vector<int> found;
-    for (const auto& heading : find_headings(lines)) found.push_back(heading ? heading->question : 0);
+    for (const auto& heading : find_headings(lines, 10)) found.push_back(heading ? heading->question : 0);
     return found;
 }
 
@@ -56,6 +56,13 @@ TEST(Heading, IsRecognisedInEveryStyle) {
     }
 }
 
+TEST(Heading, MayBeTheNumberOfAPartWithItsQuestion) {
+    EXPECT_EQ(questions({"1.1 P_VCS: 0 0 -2", "1.2 X: 1 0 0", "2.1 t: 1.5", "3.1 N: 0 1 0"}),
+              (std::vector<int>{1, 1, 2, 3}));
+    EXPECT_EQ(questions({"1.5 is t", "2.1 is u"}), (std::vector<int>{0, 0})) << "too few questions";
+    EXPECT_EQ(questions({"Question 1", "1.5 is t", "2.1 is u", "3.1 is v"}), (std::vector<int>{1, 0, 0, 0}));
+}
+
 TEST(Heading, LeavesTheAnswerOnItsLine) {
     EXPECT_EQ(rest("Question 6: t = 1"), " t = 1");
     EXPECT_EQ(rest("Question 5:-0.5 0 1"), "-0.5 0 1");
@@ -81,7 +88,7 @@ TEST(Headings, MayBeBareNumbersIfTheyCountUp) {
 }
 
 TEST(Headings, AreNoneInAnEmptyOutput) {
-    EXPECT_TRUE(find_headings({}).empty());
+    EXPECT_TRUE(find_headings({}, 10).empty());
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ std::vector<std::vector<double>> read_three(const std::string& line) {
     };
     std::vector<std::vector<double>> values;
     const Transcript transcript =
-        read_transcript(with("1.5", "-2.5", "3.5") + with("4.5", "5.5", "6.5") + with("7.5", "8.5", "9.5"));
+        read_transcript(with("1.5", "-2.5", "3.5") + with("4.5", "5.5", "6.5") + with("7.5", "8.5", "9.5"), 10);
     for (const PrintedValue& value : transcript.sections.front().values) {
         if (value.line != 1) continue;
         values.emplace_back();
@@ -46,7 +46,7 @@ TEST(OwnSeparators, MayNameTheComponents) {
 }
 
 TEST(OwnSeparators, AreNotLearntFromFewLists) {
-    const Transcript transcript = read_transcript("p: 1.5 / 2.5 / 3.5\nv: 4.5 / 5.5 / 6.5\n");
+    const Transcript transcript = read_transcript("p: 1.5 / 2.5 / 3.5\nv: 4.5 / 5.5 / 6.5\n", 10);
     for (const PrintedValue& value : transcript.sections.front().values) EXPECT_NE(value.numbers.size(), 3U);
 }
 
@@ -62,7 +62,7 @@ TEST(OwnSeparators, AreNoNamesOfOtherThings) {
 }
 
 TEST(OwnSeparators, KeepWhatWasPrinted) {
-    const Transcript transcript = read_transcript("p: 1 / 2 / 3\nv: 4 / 5 / 6\nw: 7 / 8 / 9\n");
+    const Transcript transcript = read_transcript("p: 1 / 2 / 3\nv: 4 / 5 / 6\nw: 7 / 8 / 9\n", 10);
     ASSERT_EQ(transcript.sections.front().values.size(), 3U);
     EXPECT_EQ(transcript.sections.front().values[1].printed, "4 / 5 / 6");
     EXPECT_EQ(transcript.sections.front().values[1].label, "v");
@@ -79,7 +79,7 @@ TEST(Elements, AreJoinedToAMatrixInAnyOrder) {
         }
     }
     for (const std::string& text : {by_rows, backwards, of_glm}) {
-        const Transcript transcript = read_transcript(text);
+        const Transcript transcript = read_transcript(text, 10);
         const auto& values = transcript.sections.front().values;
         ASSERT_EQ(values.size(), 1U) << text;
         std::vector<double> numbers;
@@ -90,7 +90,7 @@ TEST(Elements, AreJoinedToAMatrixInAnyOrder) {
 }
 
 TEST(Elements, AreNotJoinedIfOneIsMissing) {
-    const Transcript transcript = read_transcript("A(1,1) = 1.5\nA(1,2) = 2.5\nA(1,3) = 3.5\nA(2,1) = 4.5\n");
+    const Transcript transcript = read_transcript("A(1,1) = 1.5\nA(1,2) = 2.5\nA(1,3) = 3.5\nA(2,1) = 4.5\n", 10);
     for (const PrintedValue& value : transcript.sections.front().values) EXPECT_EQ(value.numbers.size(), 1U);
 }
 

@@ -7,9 +7,26 @@ namespace {
 
 std::vector<PrintedValue> values(std::string_view output) {
     std::vector<PrintedValue> all;
-    for (const Section& section : read_transcript(output).sections)
+    for (const Section& section : read_transcript(output, 10).sections)
         all.insert(all.end(), section.values.begin(), section.values.end());
     return all;
+}
+
+TEST(Transcript, ReadsRowsOfAMatrixBetweenSlashes) {
+    const auto read = values("M 1 0 0 / 0 1 0.5 / 0 -2 1; t = 3");
+    ASSERT_EQ(read.size(), 2U);
+    EXPECT_EQ(read[0].groups, 3);
+    EXPECT_EQ(read[0].numbers.size(), 9U);
+    EXPECT_EQ(read[0].numbers[7].value, -2);
+    EXPECT_EQ(values("a 1 / 2 b 3").front().numbers.front().value, 0.5) << "a fraction";
+}
+
+TEST(Transcript, TakesTheWordMatrixForALabelUnlessItsBracketFollows) {
+    EXPECT_FALSE(values("matrix [1 0 0; 0 1 0; 0 0 1]").front().typed);
+    EXPECT_EQ(values("matrix [1 0 0; 0 1 0; 0 0 1]").front().label, "matrix");
+    EXPECT_FALSE(values("matrix   1 0 0").front().typed);
+    EXPECT_TRUE(values("A = Matrix([1, 0, 0], [0, 1, 0], [0, 0, 1])").front().typed);
+    EXPECT_TRUE(values("A = mat3 ((1, 0, 0), (0, 1, 0), (0, 0, 1))").front().typed);
 }
 
 TEST(ReadTranscript, CountsLinesAsTheProgramPrintedThem) {
@@ -20,7 +37,7 @@ TEST(ReadTranscript, CountsLinesAsTheProgramPrintedThem) {
 }
 
 TEST(ReadTranscript, DividesALineBeforeAHeadingThatFollowsAValue) {
-    const Transcript transcript = read_transcript("Question 6: t = 1Question 7: N = (0, 0, 1)  Question 8: t = 2");
+    const Transcript transcript = read_transcript("Question 6: t = 1Question 7: N = (0, 0, 1)  Question 8: t = 2", 10);
     ASSERT_EQ(transcript.sections.size(), 4U);
     EXPECT_EQ(transcript.sections[2].question, 7);
     EXPECT_EQ(transcript.sections[3].values.at(0).line, 1);
@@ -61,7 +78,7 @@ TEST(ReadTranscript, KeepsOnlyTheBeginningAndEndOfAnEndlessLoop) {
 }
 
 TEST(ReadTranscript, GivesOneEmptySectionForNothing) {
-    EXPECT_EQ(read_transcript("").sections.size(), 1U);
+    EXPECT_EQ(read_transcript("", 10).sections.size(), 1U);
     EXPECT_TRUE(values("").empty());
 }
 

@@ -29,6 +29,22 @@ TEST(ReadVerdict, TakesANegatedFirstAsTheOtherObject) {
     EXPECT_EQ(read({"Closest object: sphere (t = 2.1), triangle is behind it"}), Verdict::sphere_first);
 }
 
+TEST(ReadVerdict, TellsThreeObjectsApart) {
+    EXPECT_EQ(read({"ray hits cylinder first"}), Verdict::cylinder_first);
+    EXPECT_EQ(read({"cylinder"}), Verdict::cylinder_first);
+    EXPECT_EQ(read({"closest is the cylinder with t = 1"}), Verdict::cylinder_first);
+    EXPECT_EQ(read({"the order is cylinder (1), sphere (1.58579), triangle (2)"}), Verdict::cylinder_first);
+    EXPECT_EQ(read({"triangle, then cylinder, then sphere"}), Verdict::triangle_first);
+    EXPECT_EQ(read({"The cylinder is nearer than the sphere and the triangle"}), Verdict::cylinder_first);
+    EXPECT_EQ(read({"ray does not hit the cylinder first; it hits the sphere first"}), Verdict::sphere_first);
+    EXPECT_EQ(read({"ray hits triangle first / sphere first / cylinder first"}), std::nullopt) << "the question";
+}
+
+TEST(ReadVerdict, TakesTheObjectThatAnotherIsBehind) {
+    EXPECT_EQ(read({"the triangle is behind the sphere"}), Verdict::sphere_first);
+    EXPECT_EQ(read({"the sphere is hit, the triangle is behind"}), Verdict::sphere_first);
+}
+
 TEST(ReadVerdict, ReadsTheWordsStudentsUse) {
     EXPECT_EQ(read({"ray hits sphere first"}), Verdict::sphere_first);
     EXPECT_EQ(read({"RAY HITS TRIANGLE FIRST!!!"}), Verdict::triangle_first);

@@ -81,7 +81,7 @@ TEST(HardCases, H36_TheRayMeetsTheEdgeExactly) {
 First first_of(const Ray<double>& ray, const std::vector<Sphere<double>>& spheres,
                const std::vector<Triangle<double>>& triangles) {
     Cast cast;
-    cast_ray(ray, spheres, triangles, cast);
+    cast_ray(ray, {spheres, triangles}, cast);
     return cast.first;
 }
 

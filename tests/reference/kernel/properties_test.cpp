@@ -39,7 +39,7 @@ using KernelSphere = Kernel<accuracy::SphereCase>;
 TEST_P(KernelSphere, DecidesAsFractionsDo) {
     Cast cast;
     check_all([&](const accuracy::SphereCase& c) {
-        cast_ray(c.ray, {c.sphere}, {}, cast);
+        cast_ray(c.ray, {{c.sphere}}, cast);
         const truth::SphereTruth truth = truth::sphere(c.ray, c.sphere);
         RC_ASSERT(cast.spheres[0].result == truth.result);
         const bool hit = truth.result != SphereResult::miss;
@@ -52,7 +52,7 @@ using KernelTriangle = Kernel<accuracy::TriangleCase>;
 TEST_P(KernelTriangle, DecidesAsFractionsDo) {
     Cast cast;
     check_all([&](const accuracy::TriangleCase& c) {
-        cast_ray(c.ray, {}, {c.triangle}, cast);
+        cast_ray(c.ray, {{}, {c.triangle}}, cast);
         const truth::TriangleTruth truth = truth::triangle(c.ray, c.triangle);
         RC_ASSERT(cast.triangles[0].result == truth.result);
         if (truth.result != TriangleResult::hit) return;
@@ -77,7 +77,7 @@ using KernelOrder = Kernel<accuracy::OrderCase>;
 TEST_P(KernelOrder, DecidesAsFractionsDo) {
     Cast cast;
     check_all([&](const accuracy::OrderCase& c) {
-        cast_ray(c.ray, {c.sphere}, {c.triangle}, cast);
+        cast_ray(c.ray, {{c.sphere}, {c.triangle}}, cast);
         RC_ASSERT(cast.first.kind == true_first(c));
     });
 }
@@ -99,7 +99,7 @@ using KernelSpherePair = Kernel<accuracy::SpherePairCase>;
 TEST_P(KernelSpherePair, DecidesAsAThousandDigitsDo) {
     Cast cast;
     check_all([&](const accuracy::SpherePairCase& c) {
-        cast_ray(c.ray, {c.one, c.other}, {}, cast);
+        cast_ray(c.ray, {{c.one, c.other}}, cast);
         const First truth = true_first(c);
         RC_ASSERT(cast.first.kind == truth.kind);
         RC_ASSERT(cast.first.index == truth.index);

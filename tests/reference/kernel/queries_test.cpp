@@ -31,9 +31,41 @@ TEST(Cast, TakesKeysInAnyOrderAndWithoutObjects) {
               "{\"spheres\":[],\"triangles\":[],\"first\":\"none\"}\n");
 }
 
+/// The handout of 2024: the ray meets the tube at (3, 1, 0), where S is (4, 1, 0).
+TEST(Cast, AnswersTheHandoutsCylinder) {
+    EXPECT_EQ(
+        answer(R"({"origin":[4,1,0],"direction":[-1,0,0],"spheres":[{"center":[1,0,1],"radius":2}],)"
+               R"("cylinders":[{"center":[2,0,0],"radius":1,"height":4},{"height":1,"center":[2,3,0],"radius":9}],)"
+               R"("triangles":[[[3,-1,-1],[3,-1,1],[1,3,0]]]})"),
+        R"({"spheres":[{"result":"hit","t":1.5857864376269049}],)"
+        R"("triangles":[{"result":"hit","t":2,"u":0.25,"v":0.5}],)"
+        R"("cylinders":[{"result":"hit","t":1,"part":"tube"},{"result":"miss"}],"first":"cylinder 0"})"
+        "\n");
+}
+
+TEST(Cast, NamesEveryResultAndPartOfACylinder) {
+    const auto of = [&](const std::string& origin, const std::string& direction, const std::string& radius) {
+        const std::string line = answer(R"({"origin":)" + origin + R"(,"direction":)" + direction +
+                                        R"(,"cylinders":[{"center":[0,0,0],"radius":)" + radius + R"(,"height":2}]})");
+        const std::string before = R"({"spheres":[],"triangles":[],"cylinders":[)";
+        EXPECT_EQ(line.substr(0, before.size()), before);
+        return line.substr(before.size());
+    };
+    EXPECT_EQ(of("[0,3,0]", "[0,-1,0]", "1"),
+              "{\"result\":\"hit\",\"t\":2,\"part\":\"top\"}],\"first\":\"cylinder 0\"}\n");
+    EXPECT_EQ(of("[0,-3,0]", "[0,2,0]", "1"),
+              "{\"result\":\"hit\",\"t\":1,\"part\":\"bottom\"}],\"first\":\"cylinder 0\"}\n");
+    EXPECT_EQ(of("[1,0,-2]", "[0,0,1]", "1"),
+              "{\"result\":\"tangent\",\"t\":2,\"part\":\"tube\"}],\"first\":\"cylinder 0\"}\n");
+    EXPECT_EQ(of("[1,3,0]", "[0,-1,0]", "1"), "{\"result\":\"miss\"}],\"first\":\"none\"}\n");
+    EXPECT_EQ(of("[1,3,0]", "[0,-1,0]", "0"), "{\"result\":\"invalid\"}],\"first\":\"invalid\"}\n");
+    EXPECT_EQ(of("[1,3,0]", "[0,0,0]", "1"), "{\"result\":\"invalid\"}],\"first\":\"invalid\"}\n");
+}
+
 TEST(Cast, KeepsNoObjectOfTheLineBefore) {
     const std::string none = "{\"spheres\":[],\"triangles\":[],\"first\":\"none\"}\n";
-    const std::string full = "{" + ray + R"(,"spheres":[)" + sphere + R"(],"triangles":[)" + triangle + "]}\n";
+    const std::string full = "{" + ray + R"(,"spheres":[)" + sphere + R"(],"triangles":[)" + triangle +
+                             R"(],"cylinders":[{"center":[0,0,0],"radius":1,"height":2}]})" + "\n";
     EXPECT_EQ(answer(full + "{" + ray + "}\n" + full), answer(full) + none + answer(full));
 }
 
@@ -129,6 +161,13 @@ TEST(Cast, ReportsAMalformedLineByItsNumberAndAnswersTheRest) {
                                    "{" + ray + R"(,"cubes":[]})",
                                    "{" + ray + R"(,"spheres":[{"center":[0,0,0]}]})",
                                    "{" + ray + R"(,"spheres":[{"center":[0,0,0],"radius":1,"name":2}]})",
+                                   "{" + ray + R"(,"cylinders":[],"cylinders":[]})",
+                                   "{" + ray + R"(,"cylinders":[{"center":[0,0,0],"radius":1}]})",
+                                   "{" + ray + R"(,"cylinders":[{"center":[0,0,0],"height":1}]})",
+                                   "{" + ray + R"(,"cylinders":[{"height":1,"radius":1}]})",
+                                   "{" + ray + R"(,"cylinders":[{"center":[0,0,0],"radius":1,"height":1,"up":2}]})",
+                                   "{" + ray + R"(,"cylinders":[{"center":[0,0,0],"radius":1,"height":1,"height":1}]})",
+                                   "{" + ray + R"(,"cylinders":[[0,0,0]]})",
                                    "{" + ray + R"(,"triangles":[[[0,0,0],[0,0,0]]]})",
                                    "{" + ray + R"(,"spheres":{}})",
                                    std::string("\xff\xfe")}) {

@@ -62,12 +62,12 @@ TEST(RarePath, OrdersTwoTrianglesThatAreTurnedEitherWay) {
     Cast cast;
     for (const bool one : {false, true}) {
         for (const bool other : {false, true}) {
-            cast_ray(ray, {}, {triangle(far, one), triangle(near, other)}, cast);
+            cast_ray(ray, {{}, {triangle(far, one), triangle(near, other)}}, cast);
             EXPECT_EQ(cast.first.index, 1U);
-            cast_ray(ray, {}, {triangle(near, one), triangle(far, other)}, cast);
+            cast_ray(ray, {{}, {triangle(near, one), triangle(far, other)}}, cast);
             EXPECT_EQ(cast.first.index, 0U);
             EXPECT_EQ(cast.first.kind, First::Kind::triangle);
-            cast_ray(ray, {}, {triangle(far, one), triangle(far, other)}, cast);
+            cast_ray(ray, {{}, {triangle(far, one), triangle(far, other)}}, cast);
             EXPECT_EQ(cast.first.kind, First::Kind::tie);
         }
     }
@@ -80,7 +80,7 @@ TEST(RarePath, OrdersWhatIsMetAtTheStart) {
         const Triangle<double> triangle{P(-9, -9, z), P(9, -9, z), P(0, 9, z)};
         const First::Kind kind = first_of(Ray<double>{P(0, 0, 1), P(0, 0, step)}, sphere, triangle).kind;
         Cast cast;
-        cast_ray({P(0, 0, 1), P(0, 0, step)}, {sphere}, {triangle}, cast);
+        cast_ray({P(0, 0, 1), P(0, 0, step)}, {{sphere}, {triangle}}, cast);
         EXPECT_EQ(cast.first.kind, kind);
         return kind;
     };

@@ -24,13 +24,13 @@ Assignment one_reading(std::uint64_t seed) {
     return assignment;
 }
 
-const Answer& answer(const AnswerKey& key, int number, std::string_view name) {
+const Answer& answer(const AnswerKey& key, const ItemId& id) {
     for (const KeyQuestion& question : key.questions) {
         for (const KeyItem& item : question.items) {
-            if (question.number == number && item.spec.name == name) return item.answers.front();
+            if (item.spec.id == id) return item.answers.front();
         }
     }
-    throw std::out_of_range(std::string(name));
+    throw std::out_of_range(std::string(id.name));
 }
 
 template <class T>
@@ -49,7 +49,7 @@ void expect_run_allowed(const AnswerKey& key, const AnswerKey& run) {
     for (const KeyQuestion& question : run.questions) {
         for (const KeyItem& item : question.items) {
             SCOPED_TRACE(item.spec.name);
-            const Answer& certified = answer(key, question.number, item.spec.name);
+            const Answer& certified = answer(key, item.spec.id);
             const auto* given = std::get_if<Numbers>(&item.answers.front().value);
             if (given != nullptr && std::holds_alternative<Numbers>(certified.value)) expect_allowed(certified, *given);
         }
@@ -84,25 +84,25 @@ void expect_student_allowed(const Assignment& assignment, const AnswerKey& key) 
     const glm::mat4 M = glm::inverse(glm::lookAt(eye, glm::vec3(scene.camera.lookat), glm::vec3(scene.camera.vup)));
     const glm::vec3 S(M * P_VCS);
     const glm::vec3 V = glm::normalize(S - eye);
-    expect_allowed(answer(key, 1, "P_VCS"), list(glm::vec3(P_VCS)));
-    expect_allowed(answer(key, 2, "X_vcs"), list(glm::vec3(M[0])));
+    expect_allowed(answer(key, item::P_VCS), list(glm::vec3(P_VCS)));
+    expect_allowed(answer(key, item::X_vcs), list(glm::vec3(M[0])));
     std::vector<float> matrix;
     for (int i = 0; i < 16; ++i) matrix.push_back(M[i / 4][i % 4]);
-    expect_allowed(answer(key, 3, "M_VCS_to_WCS"), matrix);
-    expect_allowed(answer(key, 4, "P_WCS"), list(S));
-    expect_allowed(answer(key, 5, "V"), list(V));
+    expect_allowed(answer(key, item::M_VCS_to_WCS), matrix);
+    expect_allowed(answer(key, item::P_WCS), list(S));
+    expect_allowed(answer(key, item::V), list(V));
     const glm::vec3 C(scene.spheres[0].center);
     const float R = scene.spheres[0].radius;
     const float b = 2 * glm::dot(V, S - C);
     const float c = glm::dot(S - C, S - C) - R * R;
-    expect_allowed(answer(key, 6, "b"), std::vector<float>{b});
-    expect_allowed(answer(key, 6, "c"), std::vector<float>{c});
-    expect_allowed(answer(key, 6, "d"), std::vector<float>{b * b - 4 * c});
+    expect_allowed(answer(key, item::sphere::b), std::vector<float>{b});
+    expect_allowed(answer(key, item::sphere::c), std::vector<float>{c});
+    expect_allowed(answer(key, item::sphere::d), std::vector<float>{b * b - 4 * c});
     if (key.decisions.sphere == "hit" && c > 0) {
         const float t = (-b - std::sqrt(b * b - 4 * c)) / 2;
-        expect_allowed(answer(key, 6, "t"), std::vector<float>{t});
-        expect_allowed(answer(key, 6, "hit"), list(S + t * V));
-        expect_allowed(answer(key, 7, "normal"), list(glm::normalize(S + t * V - C)));
+        expect_allowed(answer(key, item::sphere::t), std::vector<float>{t});
+        expect_allowed(answer(key, item::sphere::hit), list(S + t * V));
+        expect_allowed(answer(key, item::sphere::normal), list(glm::normalize(S + t * V - C)));
     }
     const Triangle<float>& triangle = scene.triangles[0];
     const glm::vec3 e1(triangle.B - triangle.A);
@@ -110,10 +110,10 @@ void expect_student_allowed(const Assignment& assignment, const AnswerKey& key) 
     const glm::vec3 P = glm::cross(V, e2);
     const glm::vec3 Q = glm::cross(S - glm::vec3(triangle.A), e1);
     const float f = 1 / glm::dot(e1, P);
-    expect_allowed(answer(key, 8, "t"), std::vector<float>{f * glm::dot(e2, Q)});
-    expect_allowed(answer(key, 8, "u"), std::vector<float>{f * glm::dot(S - glm::vec3(triangle.A), P)});
-    expect_allowed(answer(key, 8, "v"), std::vector<float>{f * glm::dot(V, Q)});
-    expect_allowed(answer(key, 9, "normal"), list(glm::normalize(glm::cross(e1, e2))));
+    expect_allowed(answer(key, item::triangle::t), std::vector<float>{f * glm::dot(e2, Q)});
+    expect_allowed(answer(key, item::triangle::u), std::vector<float>{f * glm::dot(S - glm::vec3(triangle.A), P)});
+    expect_allowed(answer(key, item::triangle::v), std::vector<float>{f * glm::dot(V, Q)});
+    expect_allowed(answer(key, item::triangle::normal), list(glm::normalize(glm::cross(e1, e2))));
 }
 
 TEST(Allowance, CoversAStudentsProgramWithGlm) {
@@ -130,18 +130,19 @@ TEST(Allowance, IsTooSmallForHalfAPixelInTheHandoutsScene) {
     const AnswerKey centre = make_key(assignment, Precision::certified);
     assignment.rubric.pixel_conventions = {PixelConvention::corner};
     const AnswerKey corner = make_key(assignment, Precision::certified);
-    for (const auto& [number, name] :
-         {std::pair(1, "P_VCS"), {4, "P_WCS"}, {5, "V"}, {6, "b"}, {6, "t"}, {7, "normal"}}) {
-        const Answer& key = answer(centre, number, name);
-        const double x = std::get<Numbers>(answer(corner, number, name).value).front();
-        EXPECT_GT(std::abs(x - key.hi.front()), 100 * key.allowance.front()) << name;
+    for (const ItemId& id : {item::P_VCS, reference::item::P_WCS, reference::item::V, reference::item::sphere::b,
+                             reference::item::sphere::t, reference::item::sphere::normal}) {
+        const Answer& key = answer(centre, id);
+        const double x = std::get<Numbers>(answer(corner, id).value).front();
+        EXPECT_GT(std::abs(x - key.hi.front()), 100 * key.allowance.front()) << id.name;
     }
 }
 
 TEST(Allowance, IsWithinTenUnitsInTheLastPlaceOfFloatForTheHandoutsCamera) {
     const AnswerKey key = make_key(load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS), Precision::certified);
     for (const char* name : {"X_vcs", "Y_vcs", "Z_vcs"}) {
-        for (const double allowance : answer(key, 2, name).allowance) EXPECT_LE(allowance, 10 * 0x1p-23);
+        for (const double allowance : answer(key, {Subject::camera, name}).allowance)
+            EXPECT_LE(allowance, 10 * 0x1p-23);
     }
 }
 
@@ -158,9 +159,11 @@ TEST(Allowance, IsThatOfTheObjectsWhichTheQuestionsAreAbout) {
         "[[sphere]]\ncenter = [0.1, 0.1, 0.1]\nradius = 1.1\n"
         "[[triangle]]\nvertices = [[-1.1, -1.2, 0.3], [1.4, -1.7, 0.1], [0.1, 2.3, 0.7]]\n";
     const AnswerKey both = key(far + near), alone = key(near), behind = key(far);
-    for (const auto& [number, name] : {std::pair(6, "c"), {6, "t"}, {7, "normal"}, {8, "t"}, {8, "u"}, {8, "rhs"}}) {
-        EXPECT_EQ(answer(both, number, name).allowance, answer(alone, number, name).allowance) << name;
-        EXPECT_NE(answer(both, number, name).allowance, answer(behind, number, name).allowance) << name;
+    for (const ItemId& id :
+         {reference::item::sphere::c, reference::item::sphere::t, reference::item::sphere::normal,
+          reference::item::triangle::t, reference::item::triangle::u, reference::item::triangle::rhs}) {
+        EXPECT_EQ(answer(both, id).allowance, answer(alone, id).allowance) << id.name;
+        EXPECT_NE(answer(both, id).allowance, answer(behind, id).allowance) << id.name;
     }
 }
 
@@ -173,8 +176,8 @@ AnswerKey key_with_triangle(const std::string& vertices) {
 TEST(Allowance, IsInfiniteWhereADivisorMayBeZeroInFloat) {
     const AnswerKey narrow = key_with_triangle("[[-1, -1, 0], [2, 1, 0], [0.5, 0.0000001, 0]]");
     for (const char* name : {"t", "u", "v", "hit"})
-        EXPECT_FALSE(std::isfinite(answer(narrow, 8, name).allowance.front())) << name;
-    EXPECT_TRUE(std::isfinite(answer(narrow, 8, "rhs").allowance.front()));
+        EXPECT_FALSE(std::isfinite(answer(narrow, {Subject::triangle, name}).allowance.front())) << name;
+    EXPECT_TRUE(std::isfinite(answer(narrow, item::triangle::rhs).allowance.front()));
 }
 
 TEST(WideAllowances, AreNamedWithTheReason) {
@@ -193,7 +196,7 @@ TEST(WideAllowances, AreToldAsAShareOfTheValue) {
         parse_assignment(student::camera_on_the_axis(4) + "[[sphere]]\ncenter = [0.3, 0.2, -300.3]\nradius = 1.1",
                          "scene.toml"),
         Precision::certified);
-    const Answer& d = answer(key, 6, "d");
+    const Answer& d = answer(key, item::sphere::d);
     const double value = std::get<Numbers>(d.value).front();
     ASSERT_NEAR(value, 4.32, 1e-9);
     ASSERT_EQ(key.notes.size(), 1U);

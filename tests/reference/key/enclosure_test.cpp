@@ -64,13 +64,14 @@ std::pair<P, P> add_camera(Truth& truth, const Scene<Decimal>& scene) {
                                                   (real(window.clip_top) - real(window.clip_bottom));
     const Real z = -real(window.clip_near);
     const P step = x * X + y * Y + z * Z;
-    truth[{1, "P_VCS"}] = {x, y, z};
-    truth[{2, "X_vcs"}] = list(X);
-    truth[{2, "Y_vcs"}] = list(Y);
-    truth[{2, "Z_vcs"}] = list(Z);
-    truth[{3, "M_VCS_to_WCS"}] = {X.x, X.y, X.z, 0, Y.x, Y.y, Y.z, 0, Z.x, Z.y, Z.z, 0, eye.x, eye.y, eye.z, 1};
-    truth[{4, "P_WCS"}] = list(eye + step);
-    truth[{5, "V"}] = list(unit(step));
+    truth[reference::item::P_VCS] = {x, y, z};
+    truth[reference::item::X_vcs] = list(X);
+    truth[reference::item::Y_vcs] = list(Y);
+    truth[reference::item::Z_vcs] = list(Z);
+    truth[reference::item::M_VCS_to_WCS] = {X.x, X.y, X.z, 0, Y.x,   Y.y,   Y.z,   0,
+                                            Z.x, Z.y, Z.z, 0, eye.x, eye.y, eye.z, 1};
+    truth[reference::item::P_WCS] = list(eye + step);
+    truth[reference::item::V] = list(unit(step));
     return {eye + step, unit(step)};
 }
 
@@ -80,17 +81,17 @@ void add_sphere(Truth& truth, const P& start, const P& V, const Sphere<Decimal>&
     const Real R = real(sphere.radius);
     const Real nearest = to_center * V;
     const Real half_chord_squared = R * R - (to_center * to_center - nearest * nearest);
-    truth[{6, "a"}] = {Real(1)};
-    truth[{6, "b"}] = {-2 * nearest};
-    truth[{6, "c"}] = {to_center * to_center - R * R};
-    truth[{6, "d"}] = {4 * half_chord_squared};
+    truth[reference::item::sphere::a] = {Real(1)};
+    truth[reference::item::sphere::b] = {-2 * nearest};
+    truth[reference::item::sphere::c] = {to_center * to_center - R * R};
+    truth[reference::item::sphere::d] = {4 * half_chord_squared};
     if (half_chord_squared < 0) return;
     const Real half_chord = sqrt(half_chord_squared);
     const Real t = nearest > half_chord ? nearest - half_chord : nearest + half_chord;
     if (t < 0) return;
-    truth[{6, "t"}] = {t};
-    truth[{6, "hit"}] = list(start + t * V);
-    truth[{7, "normal"}] = list((1 / R) * (t * V - to_center));
+    truth[reference::item::sphere::t] = {t};
+    truth[reference::item::sphere::hit] = list(start + t * V);
+    truth[reference::item::sphere::normal] = list((1 / R) * (t * V - to_center));
 }
 
 /// Uses the triangle's plane, and gets u and v from the Gram matrix of the edges.
@@ -102,13 +103,42 @@ void add_triangle(Truth& truth, const P& start, const P& V, const Triangle<Decim
     const Real t = (N * (A - start)) / (N * V);
     const P in_plane = start + t * V - A;
     const Real gram = (p * p) * (q * q) - (p * q) * (p * q);
-    truth[{8, "matrix"}] = {-V.x, -V.y, -V.z, p.x, p.y, p.z, q.x, q.y, q.z};
-    truth[{8, "rhs"}] = list(start - A);
-    truth[{8, "t"}] = {t};
-    truth[{8, "u"}] = {((q * q) * (in_plane * p) - (p * q) * (in_plane * q)) / gram};
-    truth[{8, "v"}] = {((p * p) * (in_plane * q) - (p * q) * (in_plane * p)) / gram};
-    truth[{8, "hit"}] = list(start + t * V);
-    truth[{9, "normal"}] = list(unit(N));
+    truth[reference::item::triangle::matrix] = {-V.x, -V.y, -V.z, p.x, p.y, p.z, q.x, q.y, q.z};
+    truth[reference::item::triangle::rhs] = list(start - A);
+    truth[reference::item::triangle::t] = {t};
+    truth[reference::item::triangle::u] = {((q * q) * (in_plane * p) - (p * q) * (in_plane * q)) / gram};
+    truth[reference::item::triangle::v] = {((p * p) * (in_plane * q) - (p * q) * (in_plane * p)) / gram};
+    truth[reference::item::triangle::hit] = list(start + t * V);
+    truth[reference::item::triangle::normal] = list(unit(N));
+}
+
+/// Takes the nearest of all points of the surface that are on the ray.
+void add_cylinder(Truth& truth, const P& start, const P& V, const Cylinder<Decimal>& cylinder) {
+    const P from_center = start - real(cylinder.center);
+    const P flat_start{from_center.x, 0, from_center.z}, flat_V{V.x, 0, V.z};
+    const Real R = real(cylinder.radius), half = real(cylinder.height) / 2;
+    const Real a = flat_V * flat_V, b = 2 * (flat_V * flat_start), c = flat_start * flat_start - R * R;
+    const Real d = b * b - 4 * a * c;
+    truth[item::cylinder::a] = {a};
+    truth[item::cylinder::b] = {b};
+    truth[item::cylinder::c] = {c};
+    truth[item::cylinder::d] = {d};
+    std::map<Real, P> normals;
+    const auto add = [&](const Real& t, bool is_cap) {
+        const P at = from_center + t * V;
+        const Real distance = sqrt(at.x * at.x + at.z * at.z);
+        if (t < 0 || (is_cap ? distance > R : abs(at.y) > half)) return;
+        normals[t] = is_cap ? P{0, at.y > 0 ? 1 : -1, 0} : (1 / R) * P{at.x, 0, at.z};
+    };
+    for (const int sign : {-1, 1}) {
+        if (d >= 0) add((-b + sign * sqrt(d)) / (2 * a), false);
+        add((sign * half - from_center.y) / V.y, true);
+    }
+    if (normals.empty()) return;
+    const auto& [t, normal] = *normals.begin();
+    truth[item::cylinder::t] = {t};
+    truth[item::cylinder::hit] = list(start + t * V);
+    truth[item::cylinder::normal] = list(normal);
 }
 
 void expect_enclosed(const Answer& answer, const std::vector<Real>& truth) {
@@ -129,9 +159,10 @@ void expect_enclosed(const Answer& answer, const std::vector<Real>& truth) {
 TEST(Enclosure, ContainsTheTruthOfEveryItemOnRandomScenes) {
     std::uint64_t sphere_hits = 0;
     std::uint64_t triangle_hits = 0;
+    std::uint64_t cylinder_hits = 0;
     for (std::uint64_t seed = 0; seed < cases(120); ++seed) {
         SCOPED_TRACE(seed);
-        Assignment assignment = random_assignment(seed);
+        Assignment assignment = random_assignment_with_cylinder(seed);
         assignment.rubric.pixel_conventions = {PixelConvention::centre};
         assignment.rubric.boundary = BoundaryPolicy::nonnegative;
         const AnswerKey key = make_key(assignment, Precision::certified);
@@ -139,21 +170,24 @@ TEST(Enclosure, ContainsTheTruthOfEveryItemOnRandomScenes) {
         const auto [start, V] = add_camera(truth, assignment.scene);
         add_sphere(truth, start, V, assignment.scene.spheres[0]);
         add_triangle(truth, start, V, assignment.scene.triangles[0]);
+        add_cylinder(truth, start, V, assignment.scene.cylinders[0]);
         for (const KeyQuestion& question : key.questions) {
             for (const KeyItem& item : question.items) {
                 SCOPED_TRACE(item.spec.name);
                 const Answer& answer = item.answers.front();
-                const auto found = truth.find({question.number, item.spec.name});
+                const auto found = truth.find(item.spec.id);
                 ASSERT_EQ(found != truth.end(), std::holds_alternative<Numbers>(answer.value));
                 if (found != truth.end()) expect_enclosed(answer, found->second);
             }
         }
         sphere_hits += key.decisions.sphere == "hit" ? 1 : 0;
         triangle_hits += key.decisions.triangle == "hit" ? 1 : 0;
+        cylinder_hits += key.decisions.cylinder == "hit" ? 1 : 0;
     }
     // The random scenes must include enough hits.
     EXPECT_GT(sphere_hits, cases(120) / 5);
     EXPECT_GT(triangle_hits, cases(120) / 20);
+    EXPECT_GT(cylinder_hits, cases(120) / 5);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 namespace {
 
 using namespace reference;
+using scenes::cylinder;
 using scenes::material;
 using scenes::sphere;
 using scenes::triangle;
@@ -49,6 +50,7 @@ TEST(AppearanceReader, ReadsEveryTable) {
                  "ambient = [0.1, 0, 0]\nspecular = [1, 1, 1]\nshininess = 40\nreflectivity = 0.25\n"
                  "transparency = 0.75\nrefractive_index = 1.5") +
         sphere("[0, 0, 0]", "1", "glass") + triangle("[[0, 0, 0], [1, 0, 0], [0, 1, 0]]", "clay") +
+        cylinder("[0, 0, 0]", "1", "2") + cylinder("[0, 4, 0]", "1", "2", "glass") +
         "[[mesh]]\nfile = \"bunny.obj\"\nmaterial = \"clay\"\n");
     EXPECT_EQ(appearance.ambient_light, Color(0.1, 0.2, 0.3));
     EXPECT_EQ(appearance.background, Color(0.4, 0.5, 0.6));
@@ -66,6 +68,8 @@ TEST(AppearanceReader, ReadsEveryTable) {
     EXPECT_EQ(appearance.materials.at(1).transparency, 0.75);
     EXPECT_EQ(appearance.sphere_materials.at(0), 1U);
     EXPECT_EQ(appearance.triangle_materials.at(0), 0U);
+    EXPECT_EQ(appearance.cylinder_materials.at(0), std::nullopt);
+    EXPECT_EQ(appearance.cylinder_materials.at(1), 1U);
     EXPECT_EQ(appearance.meshes.at(0).path, "folder/bunny.obj");
     EXPECT_EQ(appearance.meshes.at(0).material, 0U);
 }

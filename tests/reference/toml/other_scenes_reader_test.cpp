@@ -1,8 +1,10 @@
 #include "reference/toml/other_scenes_reader.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "reference/toml/scene_toml.h"
@@ -59,9 +61,14 @@ TEST(OtherScenesReader, RefusesOverridesThatDoNotFitTheScene) {
 }
 
 TEST(OtherScenesReader, RefusesASceneThatCantBeMarked) {
+    const auto line = [](int of_variant) {
+        return fmt::format("a.toml:{}: ", std::count(scene.begin(), scene.end(), '\n') + of_variant);
+    };
     EXPECT_THAT(error_of("[[variant]]\nname = \"blind\"\ncamera.eye = [0, 0, 0]\n"),
-                AllOf(HasSubstr("a.toml"), HasSubstr("\"blind\""), HasSubstr("lookat")));
-    EXPECT_THAT(error_of("[[variant]]\nsphere.radius = -1\n"), HasSubstr("radius"));
+                AllOf(HasSubstr(line(3) + "variant[1].camera"), HasSubstr("\"blind\""),
+                      HasSubstr("camera.lookat is the eye itself")));
+    EXPECT_THAT(error_of("[[variant]]\nname = \"small\"\nsphere.radius = -1\n"),
+                AllOf(HasSubstr(line(3) + "variant[1].sphere.radius: is -1"), HasSubstr("\"small\"")));
 }
 
 TEST(SceneToml, ReadsBackAsTheSameScene) {

@@ -106,6 +106,29 @@ TEST(SceneReader, RefusesARubricForAnItemThatDoesNotExist) {
                 testing::HasSubstr("zz: is not an item of question 8"));
 }
 
+TEST(SceneReader, ReadsALateSchedule) {
+    const Rubric rubric =
+        read(with("[rubric]\n", "[rubric]\nlate = [[1, 0.05], [2, 1.0]]\ngrace_minutes = 10\n")).rubric;
+    ASSERT_EQ(rubric.late.size(), 2U);
+    EXPECT_EQ(rubric.late[1].days, 2);
+    EXPECT_EQ(rubric.late[1].share, 1.0);
+    EXPECT_EQ(rubric.grace_minutes, 10);
+    const auto refused = [](const std::string& late) {
+        return complaint("[rubric]\n", "[rubric]\nlate = " + late + "\n");
+    };
+    EXPECT_THAT(refused("[[2, 0.1], [1, 0.2]]"), says("20: rubric.late", "go up"));
+    EXPECT_THAT(refused("[[0, 0.1]]"), says("20: rubric.late", "go up"));
+    EXPECT_THAT(refused("[[1, 1.5]]"), says("20: rubric.late", "1.5 is no share"));
+    EXPECT_THAT(refused("0.5"), says("20: rubric.late", "array"));
+    EXPECT_THAT(refused("[[1, 0.1]]\nlate_deduction = 0.1"), testing::HasSubstr("keep one of the two"));
+}
+
+TEST(SceneReader, NamesTheKeyThatAMisspeltOneResembles) {
+    EXPECT_THAT(complaint("radius = 2", "radios = 2"), says("16: sphere[1].radios", "did you mean radius?"));
+    EXPECT_THAT(complaint("center = [1, 1, 0]", "centre = [1, 1, 0]"),
+                says("15: sphere[1].centre", "did you mean center?"));
+}
+
 TEST(SceneReader, AcceptsAndNotesAMirroredWindow) {
     const Assignment mirrored = read(with("clip_right = 2", "clip_right = -3"));
     EXPECT_THAT(mirrored.notes, ElementsAre(HasSubstr("mirrored left to right")));
@@ -195,10 +218,12 @@ TEST(Rubric, HasNoToleranceByDefault) {
 }
 
 TEST(Rubric, DeductsNothingForLatenessAndShowsNoAnswersByDefault) {
-    EXPECT_EQ(read(scene).rubric.late_deduction, 0);
+    EXPECT_TRUE(read(scene).rubric.late.empty());
     EXPECT_FALSE(read(scene).rubric.show_expected);
     const Rubric written = read(scene + "late_deduction = 0.2\nshow_expected = true\n").rubric;
-    EXPECT_EQ(written.late_deduction, 0.2);
+    ASSERT_EQ(written.late.size(), 1U);
+    EXPECT_EQ(written.late.front().days, 1);
+    EXPECT_EQ(written.late.front().share, 0.2);
     EXPECT_TRUE(written.show_expected);
     EXPECT_THAT(complaint("[rubric]\n", "[rubric]\nlate_deduction = 20\n"),
                 says("20: rubric.late_deduction", "must be from 0 to 1"));

@@ -9,7 +9,9 @@
 namespace harness {
 namespace {
 
-constexpr reference::ItemId t{6, "t"}, hit{6, "hit"}, P_WCS{4, "P_WCS"}, M{3, "M_VCS_to_WCS"}, matrix{8, "matrix"};
+constexpr reference::ItemId t = reference::item::sphere::t, hit = reference::item::sphere::hit,
+                            P_WCS = reference::item::P_WCS, M = reference::item::M_VCS_to_WCS,
+                            matrix = reference::item::triangle::matrix;
 
 bool within(std::string_view text, const Interval& target, double allowance = 0, int min_decimals = 2) {
     return is_within(printed_number(text), target, allowance, min_decimals);

@@ -9,6 +9,7 @@ namespace harness {
 namespace {
 
 using reference::Boundary;
+using reference::Subject;
 using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 using enum reference::Verdict;
@@ -19,10 +20,8 @@ Interval of(std::string_view text) {
 
 HitValues values(std::string_view sphere_t, std::string_view triangle_t, std::string_view u = "0.25",
                  std::string_view v = "0.25") {
-    HitValues hits{{}, {}, of(u), of(v)};
-    if (sphere_t != "none") hits.sphere_t = of(sphere_t);
-    if (triangle_t != "none") hits.triangle_t = of(triangle_t);
-    return hits;
+    const auto t = [](std::string_view text) { return text == "none" ? std::nullopt : std::optional(of(text)); };
+    return {{{Subject::sphere, t(sphere_t)}, {Subject::triangle, t(triangle_t)}}, of(u), of(v)};
 }
 
 std::vector<reference::Verdict> under(const HitValues& hits, std::initializer_list<Boundary> boundaries) {
@@ -42,6 +41,27 @@ TEST(PossibleVerdicts, AreAllThreeIfBothTHaveTheSameDigits) {
     EXPECT_THAT(verdicts(values("1.59", "1.59")), UnorderedElementsAre(sphere_first, triangle_first, tie));
     EXPECT_THAT(verdicts(values("1.590", "1.5904")), UnorderedElementsAre(sphere_first, triangle_first, tie));
     EXPECT_THAT(verdicts(values("1.590", "1.592")), ElementsAre(sphere_first));
+}
+
+/// With a cylinder too.
+HitValues three(std::string_view sphere_t, std::string_view triangle_t, std::string_view cylinder_t) {
+    HitValues hits = values(sphere_t, triangle_t);
+    if (cylinder_t == "none") {
+        hits.t[Subject::cylinder] = std::nullopt;
+    } else {
+        hits.t[Subject::cylinder] = of(cylinder_t);
+    }
+    return hits;
+}
+
+TEST(PossibleVerdicts, CompareAllObjects) {
+    EXPECT_THAT(verdicts(three("1.59", "2", "1")), ElementsAre(cylinder_first));
+    EXPECT_THAT(verdicts(three("1.59", "0.5", "1")), ElementsAre(triangle_first));
+    EXPECT_THAT(verdicts(three("none", "none", "1")), ElementsAre(cylinder_first));
+    EXPECT_THAT(verdicts(three("1", "2", "none")), ElementsAre(sphere_first));
+    EXPECT_THAT(verdicts(three("1", "2", "1")), UnorderedElementsAre(sphere_first, cylinder_first, tie));
+    EXPECT_THAT(verdicts(three("2", "1", "2")), ElementsAre(triangle_first)) << "a tie behind the first";
+    EXPECT_THAT(verdicts(three("none", "none", "none")), ElementsAre(no_hit));
 }
 
 TEST(PossibleVerdicts, FollowTheBoundaryPolicyIfTIsExactlyZero) {
@@ -92,7 +112,8 @@ TEST(PossibleVerdicts, ForgiveAStudentsOwnToleranceUpToTheAllowance) {
 }
 
 TEST(PossibleVerdicts, ForgiveTheErrorsOfBothUAndVAtTheThirdEdge) {
-    HitValues hits{Interval(1.5), Interval(0.75), Interval(0.5), Interval(0.5 + 1.5e-6)};
+    HitValues hits{
+        {{Subject::sphere, Interval(1.5)}, {Subject::triangle, Interval(0.75)}}, Interval(0.5), Interval(0.5 + 1.5e-6)};
     hits.uv_allowance = 1e-6;
     EXPECT_THAT(verdicts(hits), UnorderedElementsAre(triangle_first, sphere_first));
     hits.v = Interval(0.5 + 2.5e-6);

@@ -7,7 +7,8 @@
 namespace harness {
 namespace {
 
-constexpr ItemId t{6, "t"}, V{5, "V"}, M{3, "M_VCS_to_WCS"}, matrix{8, "matrix"};
+constexpr ItemId t = reference::item::sphere::t, V = reference::item::V, M = reference::item::M_VCS_to_WCS,
+                 matrix = reference::item::triangle::matrix;
 
 TEST(ItemTargets, GivesNothingForAnUnknownItemOrNoValue) {
     ItemTargets known;

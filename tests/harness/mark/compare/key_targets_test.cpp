@@ -9,7 +9,7 @@
 namespace harness {
 namespace {
 
-constexpr ItemId t{6, "t"}, P_VCS{1, "P_VCS"};
+constexpr ItemId t = reference::item::sphere::t, P_VCS = reference::item::P_VCS;
 
 const reference::ItemSpec& spec_of_t() {
     static const reference::ItemSpec spec = printed_item(t, "0").spec;

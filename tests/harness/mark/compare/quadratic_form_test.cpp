@@ -7,7 +7,8 @@
 namespace harness {
 namespace {
 
-constexpr ItemId a{6, "a"}, b{6, "b"}, c{6, "c"}, d{6, "d"};
+constexpr ItemId a = reference::item::sphere::a, b = reference::item::sphere::b, c = reference::item::sphere::c,
+                 d = reference::item::sphere::d;
 
 /// t^2 - 4.5 t + 3 = 0: d = 8.25, d' = 2.0625.
 std::vector<ItemTargets> quadratic_key() {
@@ -22,7 +23,7 @@ QuadraticScale scale_of(std::string_view pa, std::string_view pb, std::string_vi
     const MatchedItem ia = printed_item(a, pa), ib = printed_item(b, pb), ic = printed_item(c, pc),
                       id = printed_item(d, pd);
     const auto keys = quadratic_key();
-    return find_quadratic_scale({&ia, &ib, &ic, pd.empty() ? nullptr : &id}, keys, 2);
+    return find_quadratic_scale({reference::Subject::sphere, &ia, &ib, &ic, pd.empty() ? nullptr : &id}, keys, 2);
 }
 
 TEST(QuadraticScale, IsOneForTheHandoutsForm) {
@@ -50,7 +51,7 @@ TEST(QuadraticScale, IsToldByBWhereCIsZero) {
     const auto form_of = [&](std::string_view pb, std::string_view pd) {
         const MatchedItem ia = printed_item(a, "1"), ib = printed_item(b, pb), ic = printed_item(c, "0"),
                           id = printed_item(d, pd);
-        return find_quadratic_scale({&ia, &ib, &ic, &id}, std::vector{key}, 2).form;
+        return find_quadratic_scale({reference::Subject::sphere, &ia, &ib, &ic, &id}, std::vector{key}, 2).form;
     };
     EXPECT_EQ(form_of("-4.5", "20.25"), QuadraticForm::full);
     EXPECT_EQ(form_of("-2.25", "5.0625"), QuadraticForm::half_b);

@@ -7,7 +7,7 @@
 namespace harness {
 namespace {
 
-constexpr ItemId matrix{8, "matrix"}, rhs{8, "rhs"};
+constexpr ItemId matrix = reference::item::triangle::matrix, rhs = reference::item::triangle::rhs;
 
 // The columns (0, 0, -1), (2, 4, 0.5), (-2, 4, 1.5) and the right-hand side (0, 2, 3).
 Target system_matrix() {
@@ -81,8 +81,9 @@ TEST(LikeliestColumnOrder, IsTheOrderThatTheSolutionSolves) {
     // V is not negated and the columns are u, v, t. By distance alone, a different order may seem nearer.
     const MatchedItem printed = printed_item(matrix, "2 4 0.5 -2 4 1.5 0 0 1", MatrixOrder::columns);
     const MatchedItem right = printed_item(rhs, "0 2 3");
-    const MatchedItem t = printed_item({8, "t"}, "2.5"), u = printed_item({8, "u"}, "0.25"),
-                      v = printed_item({8, "v"}, "0.25");
+    const MatchedItem t = printed_item(reference::item::triangle::t, "2.5"),
+                      u = printed_item(reference::item::triangle::u, "0.25"),
+                      v = printed_item(reference::item::triangle::v, "0.25");
     const SystemForm form = likeliest_column_order(printed, &right, {&t, &u, &v}, system_matrix(), 0.0, 2);
     EXPECT_EQ(form.describe(), "columns in the order u, v, t");
     EXPECT_EQ(in_handout_order(printed, form, Digits::as_printed).components[2].lo(), 1.0);

@@ -79,7 +79,7 @@ Row row_of(std::string_view kind, std::uint64_t scenes, bool verbose) {
                 row.not_finite += !lost.empty() && !finite ? 1 : 0;
                 for (const Loss& loss : lost) {
                     if (loss.not_finite) continue;
-                    ++row.reasons[fmt::format("{} {}", loss.item.first, loss.item.second)];
+                    ++row.reasons[fmt::format("{} {}", to_string(loss.item.subject), loss.item.name)];
                     if (verbose)
                         std::cout << assignment.name << ", " << flags << ": " << loss.text << "\n    "
                                   << tasks[i].program.describe() << "\n";
@@ -138,7 +138,7 @@ int main(int argc, char** argv) {
         for (const auto& [reason, n] : row.reasons) std::cout << "    " << reason << ": " << n << "\n";
         if (verbose)
             for (const auto& [id, r] : row.by_item)
-                std::cout << fmt::format("    {} {}: ratio {:.1f}\n", id.first, id.second, median(r));
+                std::cout << fmt::format("    {} {}: ratio {:.1f}\n", to_string(id.subject), id.name, median(r));
         ratios.insert(ratios.end(), row.ratios.begin(), row.ratios.end());
         all.programs += row.programs, all.losing += row.losing, all.not_finite += row.not_finite;
         all.items += row.items, all.thousandth += row.thousandth, all.above_percent += row.above_percent;

@@ -23,7 +23,7 @@ void write(std::ostream& out, const reference::Vec3<Decimal>& p) {
 void write(std::ostream& out, const Task& task) {
     for (const int formula : task.program.formulas) out << formula << ' ';
     out << task.program.scalar << ' ' << task.program.printing << '\n';
-    const auto& [camera, window, pixel, spheres, triangles] = *task.scene;
+    const auto& [camera, window, pixel, spheres, triangles, cylinders] = *task.scene;
     for (const auto& p : {camera.eye, camera.lookat, camera.vup}) write(out, p);
     for (const auto& x : {window.clip_left, window.clip_right, window.clip_bottom, window.clip_top, window.clip_near})
         out << x.text() << ' ';

@@ -30,11 +30,12 @@ TEST(CloseCall, AcceptsBothDecisionsForATangent) {
         miss = with_line(miss, 6, "Hit point P_s", "no hit");
         miss = with_line(miss, 7, "Sphere normal", "none");
         const Score score = mark(miss, marking);
-        for (const ItemId& id : {ItemId{6, "t"}, ItemId{6, "hit"}, ItemId{7, "normal"}})
-            EXPECT_EQ(verdict_on(score, id), "right") << scene << id.second;
+        for (const ItemId& id :
+             {reference::item::sphere::t, reference::item::sphere::hit, reference::item::sphere::normal})
+            EXPECT_EQ(verdict_on(score, id), "right") << scene << id.name;
         std::string hit = with_line(miss, 6, "d", "0.000001");
         hit = with_line(hit, 6, "t", "4.999500");
-        EXPECT_EQ(verdict_on(mark(hit, marking), {6, "t"}), "right") << scene;
+        EXPECT_EQ(verdict_on(mark(hit, marking), reference::item::sphere::t), "right") << scene;
     }
 }
 
@@ -43,26 +44,26 @@ TEST(CloseCall, AcceptsAMissBesideAPositiveDiscriminant) {
     const student::Marking marking = student::scene_named("barely hit");
     std::string output = with_line(right_output(marking), 6, "d", "0.000004");
     output = with_line(output, 6, "t", "no hit");
-    EXPECT_EQ(verdict_on(mark(output, marking), {6, "t"}), "right");
+    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::sphere::t), "right");
 }
 
 TEST(CloseCall, DoesNotAcceptARootAgainstTheStudentsOwnDiscriminant) {
     const student::Marking marking = student::scene_named("barely missed");
     std::string output = with_line(right_output(marking), 6, "d", "-0.000004");
     output = with_line(output, 6, "t", "4.999500");
-    EXPECT_EQ(verdict_on(mark(output, marking), {6, "t"}), "wrong");
+    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::sphere::t), "wrong");
 }
 
 TEST(CloseCall, DoesNotApplyIfTheRayClearlyHits) {
     const student::Marking marking = student::off_axis_scene();
     const Score score = mark(with_line(right_output(marking), 6, "t", "no hit"), marking);
-    EXPECT_EQ(verdict_on(score, {6, "t"}), "wrong");
+    EXPECT_EQ(verdict_on(score, reference::item::sphere::t), "wrong");
 }
 
 TEST(CloseCall, AcceptsAMissWithAndWithoutAHitPoint) {
     const student::Marking marking = student::scene_named("triangle missed");
-    EXPECT_EQ(verdict_on(mark(right_output(marking, true), marking), {8, "hit"}), "right");
-    EXPECT_EQ(verdict_on(mark(right_output(marking, false), marking), {8, "hit"}), "right");
+    EXPECT_EQ(verdict_on(mark(right_output(marking, true), marking), reference::item::triangle::hit), "right");
+    EXPECT_EQ(verdict_on(mark(right_output(marking, false), marking), reference::item::triangle::hit), "right");
 }
 
 TEST(CloseCall, IsAMatterOfFollowThroughAfterAWrongValue) {
@@ -71,8 +72,8 @@ TEST(CloseCall, IsAMatterOfFollowThroughAfterAWrongValue) {
     std::string output = with_line(right_output(marking), 8, "u", "-0.500000");
     output = with_line(output, 8, "Hit point P_t", "no hit");
     const Score score = mark(output, marking);
-    EXPECT_EQ(verdict_on(score, {8, "u"}), "wrong");
-    EXPECT_EQ(verdict_on(score, {8, "hit"}), "follow");
+    EXPECT_EQ(verdict_on(score, reference::item::triangle::u), "wrong");
+    EXPECT_EQ(verdict_on(score, reference::item::triangle::hit), "follow");
 }
 
 TEST(CloseCall, FollowsTheRubricsPolicyIfTIsExactlyZero) {
@@ -92,7 +93,7 @@ boundary = )";
         student::Layout exact_zeros;
         exact_zeros.format = student::NumberFormat::stream;
         const Score score = mark(print(Program(marking.assignment, way), exact_zeros), marking);
-        return verdict_on(score, {8, "hit"}) + " " + verdict_on(score, {10, "verdict"});
+        return verdict_on(score, reference::item::triangle::hit) + " " + verdict_on(score, reference::item::verdict);
     };
     EXPECT_EQ(marks("either", Boundary::positive), "right right");
     EXPECT_EQ(marks("either", Boundary::nonnegative), "right right");
@@ -108,16 +109,17 @@ TEST(CloseVerdicts, IncludeAllThatATieMayRoundTo) {
         const student::Marking marking = student::scene_named(scene);
         const std::string output = right_output(marking);
         for (const char* verdict :
-             {"ray hits sphere first", "ray hits triangle first", "ray hits sphere and triangle at the same t"}) {
+             {"ray hits sphere first", "ray hits triangle first", "ray hits two objects at the same t"}) {
             std::string claimed = output;
             const std::size_t line = claimed.rfind("ray hits");
             claimed.replace(line, claimed.find('\n', line) - line, verdict);
-            EXPECT_EQ(verdict_on(mark(claimed, marking), {10, "verdict"}), "right") << scene << ": " << verdict;
+            EXPECT_EQ(verdict_on(mark(claimed, marking), reference::item::verdict), "right")
+                << scene << ": " << verdict;
         }
         std::string nothing = output;
         const std::size_t line = nothing.rfind("ray hits");
         nothing.replace(line, nothing.find('\n', line) - line, "ray hits nothing");
-        EXPECT_EQ(verdict_on(mark(nothing, marking), {10, "verdict"}), "wrong") << scene;
+        EXPECT_EQ(verdict_on(mark(nothing, marking), reference::item::verdict), "wrong") << scene;
     }
 }
 

@@ -1,5 +1,6 @@
 #include "harness/mark/diagnose/derivation.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,15 +13,20 @@
 namespace harness {
 namespace {
 
-constexpr ItemId X{2, "X_vcs"}, Y{2, "Y_vcs"}, Z{2, "Z_vcs"}, M{3, "M_VCS_to_WCS"}, P_VCS{1, "P_VCS"},
-    P_WCS{4, "P_WCS"}, V{5, "V"};
-constexpr ItemId a{6, "a"}, b{6, "b"}, c{6, "c"}, d{6, "d"}, t_s{6, "t"}, hit_s{6, "hit"}, normal_s{7, "normal"};
-constexpr ItemId matrix{8, "matrix"}, rhs{8, "rhs"}, t_t{8, "t"}, u{8, "u"}, v{8, "v"}, hit_t{8, "hit"};
+constexpr ItemId X = reference::item::X_vcs, Y = reference::item::Y_vcs, Z = reference::item::Z_vcs,
+                 M = reference::item::M_VCS_to_WCS, P_VCS = reference::item::P_VCS, P_WCS = reference::item::P_WCS,
+                 V = reference::item::V;
+constexpr ItemId a = reference::item::sphere::a, b = reference::item::sphere::b, c = reference::item::sphere::c,
+                 d = reference::item::sphere::d, t_s = reference::item::sphere::t, hit_s = reference::item::sphere::hit,
+                 normal_s = reference::item::sphere::normal;
+constexpr ItemId matrix = reference::item::triangle::matrix, rhs = reference::item::triangle::rhs,
+                 t_t = reference::item::triangle::t, u = reference::item::triangle::u, v = reference::item::triangle::v,
+                 hit_t = reference::item::triangle::hit;
 
 class Derivations : public testing::Test {
   protected:
-    Derivations()
-        : marking(student::handout_scene()),
+    explicit Derivations(std::string_view name = "handout")
+        : marking(student::scene_named(name)),
           scene(real_scene(marking.assignment, marking.key.canonical)),
           known(keys_by_convention(marking.key, marking.assignment.rubric).front()) {}
 
@@ -58,25 +64,36 @@ class Derivations : public testing::Test {
     ItemTargets known;
 };
 
-TEST_F(Derivations, ReproduceTheKeyFromTheKey) {
-    std::set<ItemId> derived;
-    for (const Derivation& derivation : all_derivations()) {
-        derived.insert(derivation.item);
-        const auto targets = derivation.compute(known, scene, QuadraticForm::full);
-        ASSERT_FALSE(targets.empty()) << derivation.item.first << "." << derivation.item.second;
-        const Target& key = known.targets().at(derivation.item);
-        const bool found = std::any_of(targets.begin(), targets.end(), [&](const Target& target) {
-            if (target.components.size() != key.components.size()) return false;
-            for (std::size_t i = 0; i < key.components.size(); ++i) {
-                if (target.components[i].lo() > key.components[i].hi() + 1e-9 ||
-                    target.components[i].hi() < key.components[i].lo() - 1e-9)
-                    return false;
-            }
-            return true;
-        });
-        EXPECT_TRUE(found) << derivation.item.first << "." << derivation.item.second;
+bool holds(const Target& target, const Target& key) {
+    if (target.no_value || key.no_value) return target.no_value == key.no_value;
+    if (target.components.size() != key.components.size()) return false;
+    for (std::size_t i = 0; i < key.components.size(); ++i) {
+        if (target.components[i].lo() > key.components[i].hi() + 1e-9 ||
+            target.components[i].hi() < key.components[i].lo() - 1e-9)
+            return false;
     }
-    EXPECT_EQ(derived.size(), 18U)
+    return true;
+}
+
+TEST(DerivationsOfAll, ReproduceTheKeyFromTheKey) {
+    std::set<ItemId> derived;
+    for (const std::string_view name :
+         {"handout", "tube and bottom", "top and tube", "bottom and tube", "in the cylinder", "cylinder missed"}) {
+        const student::Marking marking = student::scene_named(name);
+        const IntervalScene scene = real_scene(marking.assignment, marking.key.canonical);
+        const ItemTargets known = keys_by_convention(marking.key, marking.assignment.rubric).front();
+        for (const Derivation& derivation : all_derivations()) {
+            const auto key = known.targets().find(derivation.item);
+            if (key == known.targets().end()) continue;
+            derived.insert(derivation.item);
+            const std::string item =
+                fmt::format("{}.{} of '{}'", reference::to_string(derivation.item.subject), derivation.item.name, name);
+            const auto targets = derivation.compute(known, scene, QuadraticForm::full);
+            ASSERT_FALSE(targets.empty()) << item;
+            EXPECT_TRUE(std::ranges::any_of(targets, [&](const Target& t) { return holds(t, key->second); })) << item;
+        }
+    }
+    EXPECT_EQ(derived.size(), 25U)
         << "all but P_VCS, Z_vcs, the triangle's normal and the verdict, which depend on the scene alone";
 }
 
@@ -110,6 +127,14 @@ TEST_F(Derivations, GiveTheRootWhereAIsNegative) {
     print(d, "24");
     EXPECT_TRUE(gives(t_s, "4.449490"));
     EXPECT_FALSE(gives(t_s, "none"));
+}
+
+TEST_F(Derivations, GiveTheDiscriminantWhereAIsZero) {
+    print(a, "0");
+    print(b, "3");
+    EXPECT_TRUE(gives(d, "9"));
+    print(b, "0");
+    EXPECT_FALSE(gives(d, "0")) << "a program gets no marks for printing zeros";
 }
 
 TEST_F(Derivations, GiveNoHitForANegativeDiscriminant) {
@@ -202,6 +227,47 @@ TEST_F(Derivations, AllowBothReadingsOfAMatrixWithAnUnusualLastRow) {
     print(P_VCS, "0.5 0 -3");
     EXPECT_TRUE(gives(P_WCS, "0.5 0 -3"));
     EXPECT_TRUE(gives(P_WCS, "-0.25 0 1.5")) << "divided by w";
+}
+
+namespace tube = reference::item::cylinder;
+
+class DerivationsOfATop : public Derivations {
+  protected:
+    DerivationsOfATop() : Derivations("top and tube") {}
+};
+
+TEST_F(DerivationsOfATop, GiveTheNormalOfThePartThatTheHitIsOn) {
+    EXPECT_TRUE(gives(tube::normal, "0 1 0"));
+    EXPECT_FALSE(gives(tube::normal, "0.268063 0 0.963401")) << "the tube's";
+    print(tube::hit, "2.500000 -1.000000 0.600000");
+    EXPECT_TRUE(gives(tube::normal, "1 0 0"));
+    EXPECT_FALSE(gives(tube::normal, "0 1 0"));
+    print(tube::hit, "1.200000 -2.500000 0.600000");
+    EXPECT_TRUE(gives(tube::normal, "0 -1 0"));
+}
+
+TEST_F(DerivationsOfATop, GiveTheTubesAndTheNearerCapsNormalForAPointInside) {
+    print(tube::hit, "1.700000 0.000000 0.600000");
+    EXPECT_TRUE(gives(tube::normal, "1 0 0"));
+    EXPECT_TRUE(gives(tube::normal, "0 1 0"));
+    EXPECT_FALSE(gives(tube::normal, "0 -1 0"));
+}
+
+class DerivationsPassingAbove : public Derivations {
+  protected:
+    DerivationsPassingAbove() : Derivations("passed above") {}
+};
+
+TEST_F(DerivationsPassingAbove, GiveTheHitsOfATubeWithWrongCoefficients) {
+    // With this d the ray meets the tube above the top at t = 0.443910, and at 6.200297 between the caps' planes. The
+    // plane of the top is met at 5.956214, which is inside the wrong tube, but not nearer to the axis than the radius.
+    EXPECT_TRUE(gives(tube::t, "none"));
+    EXPECT_FALSE(gives(tube::t, "6.200000"));
+    print(tube::d, "26.940000");
+    EXPECT_TRUE(gives(tube::t, "6.200297")) << "by a program that tries both roots";
+    EXPECT_TRUE(gives(tube::t, "none")) << "by a program that tries the smallest positive root";
+    EXPECT_TRUE(gives(tube::t, "5.956214")) << "by a program that bounds the caps with its own quadratic";
+    EXPECT_FALSE(gives(tube::t, "0.443910")) << "above the top";
 }
 
 TEST(IntervalScene, ListsTheObjectOfTheQuestionsFirst) {

@@ -1,6 +1,10 @@
 #include "harness/mark/diagnose/follow.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "tests/given/printed_values.h"
 #include "tests/given/student/mistakes.h"
@@ -21,36 +25,36 @@ Score mark_with(const ItemId& id, const Floats& value, std::string_view scene = 
 }
 
 TEST(Follow, IsGivenForARightStageOnAWrongValue) {
-    const Score score = mark_with({6, "c"}, {12.5F});
-    EXPECT_EQ(verdict_on(score, {6, "c"}), "wrong");
-    EXPECT_EQ(verdict_on(score, {6, "d"}), "follow");
-    EXPECT_EQ(verdict_on(score, {6, "b"}), "right") << "b does not depend on c";
+    const Score score = mark_with(reference::item::sphere::c, {12.5F});
+    EXPECT_EQ(verdict_on(score, reference::item::sphere::c), "wrong");
+    EXPECT_EQ(verdict_on(score, reference::item::sphere::d), "follow");
+    EXPECT_EQ(verdict_on(score, reference::item::sphere::b), "right") << "b does not depend on c";
 }
 
 TEST(Follow, IsGivenAlongTheWholeChainAndForTheVerdict) {
-    const Score score = mark_with({6, "t"}, {9.5F});
-    for (const ItemId& id : {ItemId{6, "hit"}, ItemId{7, "normal"}, ItemId{10, "verdict"}})
-        EXPECT_EQ(verdict_on(score, id), "follow") << id.second;
-    EXPECT_EQ(verdict_on(score, {8, "t"}), "right");
+    const Score score = mark_with(reference::item::sphere::t, {9.5F});
+    for (const ItemId& id : {reference::item::sphere::hit, reference::item::sphere::normal, reference::item::verdict})
+        EXPECT_EQ(verdict_on(score, id), "follow") << id.name;
+    EXPECT_EQ(verdict_on(score, reference::item::triangle::t), "right");
 }
 
 TEST(Follow, IsNotGivenToASecondMistake) {
     const student::Marking marking = student::off_axis_scene();
-    const Program program(marking.assignment, {}, Program::Mistake{{6, "c"}, [](const Program&, const auto&) {
-                                                                       return std::optional(Floats{9.0F});
-                                                                   }});
+    const Program program(marking.assignment, {},
+                          Program::Mistake{reference::item::sphere::c,
+                                           [](const Program&, const auto&) { return std::optional(Floats{9.0F}); }});
     std::string output = print(program);
     const std::size_t d = output.find("\nd: ");
     output.replace(d, output.find('\n', d + 1) - d, "\nd: 3.25");
-    EXPECT_EQ(verdict_on(mark(output, marking), {6, "d"}), "wrong");
+    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::sphere::d), "wrong");
 }
 
 TEST(Follow, IsNotGivenForAValueBesideWhichTheSceneIsLost) {
     // The right-hand side is P_WCS - A, which is P_WCS itself in float.
-    const Score score = mark_with({4, "P_WCS"}, {1e15F, 1e15F, 1e15F});
-    EXPECT_EQ(item_of(score, {8, "rhs"}).printed, item_of(score, {4, "P_WCS"}).printed);
-    EXPECT_EQ(verdict_on(score, {8, "rhs"}), "wrong");
-    EXPECT_EQ(verdict_on(mark_with({4, "P_WCS"}, {100, 100, 100}), {8, "rhs"}), "follow");
+    const Score score = mark_with(reference::item::P_WCS, {1e15F, 1e15F, 1e15F});
+    EXPECT_EQ(item_of(score, reference::item::triangle::rhs).printed, item_of(score, reference::item::P_WCS).printed);
+    EXPECT_EQ(verdict_on(score, reference::item::triangle::rhs), "wrong");
+    EXPECT_EQ(verdict_on(mark_with(reference::item::P_WCS, {100, 100, 100}), reference::item::triangle::rhs), "follow");
 }
 
 TEST(Follow, IsNotGivenForAResultThatDigitsLeaveOpen) {
@@ -58,54 +62,57 @@ TEST(Follow, IsNotGivenForAResultThatDigitsLeaveOpen) {
     const student::Marking marking = student::handout_scene();
     std::string output = print(Program(marking.assignment, {}));
     output = student::with_line(output, 4, "Pixel in WCS", "vec3(0.0, 0.0, 3.0)");
-    EXPECT_EQ(verdict_on(mark(student::with_line(output, 6, "c", "7.000000"), marking), {6, "c"}), "follow");
-    EXPECT_EQ(verdict_on(mark(student::with_line(output, 6, "c", "7.250000"), marking), {6, "c"}), "wrong");
+    EXPECT_EQ(verdict_on(mark(student::with_line(output, 6, "c", "7.000000"), marking), reference::item::sphere::c),
+              "follow");
+    EXPECT_EQ(verdict_on(mark(student::with_line(output, 6, "c", "7.250000"), marking), reference::item::sphere::c),
+              "wrong");
 }
 
 TEST(Follow, IsNotGivenAfterAnAnswerThatIsOnlyCoarse) {
     // c is printed with three digits, which are right. So it is no mistake from which another d follows.
     const student::Marking marking = student::off_axis_scene();
-    const Program program(marking.assignment, {}, Program::Mistake{{6, "c"}, [](const Program&, const auto&) {
-                                                                       return std::optional(Floats{10.2F});
-                                                                   }});
+    const Program program(marking.assignment, {},
+                          Program::Mistake{reference::item::sphere::c,
+                                           [](const Program&, const auto&) { return std::optional(Floats{10.2F}); }});
     const Score score = mark(student::with_line(print(program), 6, "c", "10.2"), marking);
-    EXPECT_EQ(item_of(score, {6, "c"}).diagnosis, "too few decimals");
-    EXPECT_EQ(verdict_on(score, {6, "d"}), "wrong");
+    EXPECT_EQ(item_of(score, reference::item::sphere::c).diagnosis, "too few decimals");
+    EXPECT_EQ(verdict_on(score, reference::item::sphere::d), "wrong");
 }
 
 TEST(Follow, IsNotGivenForADirectionOfZero) {
-    const Score score = mark_with({5, "V"}, {0, 0, 0});
-    for (const ItemId& id : {ItemId{6, "a"}, ItemId{6, "b"}, ItemId{6, "d"}, ItemId{8, "matrix"}})
-        EXPECT_EQ(verdict_on(score, id), "wrong") << id.second;
+    const Score score = mark_with(reference::item::V, {0, 0, 0});
+    for (const ItemId& id : {reference::item::sphere::a, reference::item::sphere::b, reference::item::sphere::d,
+                             reference::item::triangle::matrix})
+        EXPECT_EQ(verdict_on(score, id), "wrong") << id.name;
 }
 
 TEST(Follow, IsNotGivenForASingularSystem) {
-    const Score score = mark_with({8, "matrix"}, {0, 0, 0, 0, 0, 0, 0, 0, 0});
-    EXPECT_EQ(verdict_on(score, {8, "t"}), "wrong") << "nan";
+    const Score score = mark_with(reference::item::triangle::matrix, {0, 0, 0, 0, 0, 0, 0, 0, 0});
+    EXPECT_EQ(verdict_on(score, reference::item::triangle::t), "wrong") << "nan";
 }
 
 TEST(Follow, IsNotGivenForANormalAtTheCentre) {
-    const Score score = mark_with({6, "hit"}, {3.9F, -0.6F, 0});
-    EXPECT_EQ(verdict_on(score, {7, "normal"}), "wrong");
+    const Score score = mark_with(reference::item::sphere::hit, {3.9F, -0.6F, 0});
+    EXPECT_EQ(verdict_on(score, reference::item::sphere::normal), "wrong");
 }
 
 TEST(Follow, IsNotGivenForAMissAfterAWrongNone) {
     const student::Marking marking = student::off_axis_scene();
-    const Program program(marking.assignment, {}, Program::Mistake{{6, "t"}, [](const Program&, const auto&) {
-                                                                       return std::optional<Floats>();
-                                                                   }});
+    const Program program(marking.assignment, {},
+                          Program::Mistake{reference::item::sphere::t,
+                                           [](const Program&, const auto&) { return std::optional<Floats>(); }});
     const Score score = mark(print(program), marking);
-    EXPECT_EQ(verdict_on(score, {6, "t"}), "wrong");
-    EXPECT_EQ(verdict_on(score, {6, "hit"}), "wrong");
-    EXPECT_EQ(verdict_on(score, {7, "normal"}), "wrong");
-    EXPECT_EQ(verdict_on(score, {10, "verdict"}), "wrong");
+    EXPECT_EQ(verdict_on(score, reference::item::sphere::t), "wrong");
+    EXPECT_EQ(verdict_on(score, reference::item::sphere::hit), "wrong");
+    EXPECT_EQ(verdict_on(score, reference::item::sphere::normal), "wrong");
+    EXPECT_EQ(verdict_on(score, reference::item::verdict), "wrong");
 }
 
 TEST(Follow, IsGivenForAMissAfterANegativeDiscriminant) {
-    const Score score = mark_with({6, "c"}, {25.0F});
-    for (const ItemId& id :
-         {ItemId{6, "d"}, ItemId{6, "t"}, ItemId{6, "hit"}, ItemId{7, "normal"}, ItemId{10, "verdict"}}) {
-        EXPECT_EQ(verdict_on(score, id), "follow") << id.second;
+    const Score score = mark_with(reference::item::sphere::c, {25.0F});
+    for (const ItemId& id : {reference::item::sphere::d, reference::item::sphere::t, reference::item::sphere::hit,
+                             reference::item::sphere::normal, reference::item::verdict}) {
+        EXPECT_EQ(verdict_on(score, id), "follow") << id.name;
     }
 }
 
@@ -113,12 +120,14 @@ TEST(Follow, UsesTheStudentsOwnLayoutOfTheSystem) {
     const student::Marking marking = student::off_axis_scene();
     student::Way way;
     way.columns = {2, 0, 1};
-    const Program program(marking.assignment, way, Program::Mistake{{5, "V"}, [](const Program&, const auto&) {
-                                                                        return std::optional(Floats{0.6F, 0, -0.8F});
-                                                                    }});
+    const Program program(marking.assignment, way,
+                          Program::Mistake{reference::item::V, [](const Program&, const auto&) {
+                                               return std::optional(Floats{0.6F, 0, -0.8F});
+                                           }});
     const Score score = mark(print(program), marking);
-    for (const ItemId& id : {ItemId{8, "matrix"}, ItemId{8, "t"}, ItemId{8, "u"}, ItemId{8, "v"}})
-        EXPECT_EQ(verdict_on(score, id), "follow") << id.second;
+    for (const ItemId& id : {reference::item::triangle::matrix, reference::item::triangle::t,
+                             reference::item::triangle::u, reference::item::triangle::v})
+        EXPECT_EQ(verdict_on(score, id), "follow") << id.name;
 }
 
 TEST(Follow, IsGivenForCoarselyPrintedValues) {
@@ -128,9 +137,88 @@ TEST(Follow, IsGivenForCoarselyPrintedValues) {
     const std::size_t c = output.find("\nc: ");
     output.replace(c, output.find('\n', c + 1) - c, "\nc: 10.2");
     const Score score = mark(output, marking);
-    EXPECT_EQ(verdict_on(score, {6, "c"}), "wrong") << "the rubric asks for two decimals";
-    for (const ItemId& id : {ItemId{6, "d"}, ItemId{6, "t"}, ItemId{6, "hit"}, ItemId{7, "normal"}})
-        EXPECT_EQ(verdict_on(score, id), "right") << id.second;
+    EXPECT_EQ(verdict_on(score, reference::item::sphere::c), "wrong") << "the rubric asks for two decimals";
+    for (const ItemId& id : {reference::item::sphere::d, reference::item::sphere::t, reference::item::sphere::hit,
+                             reference::item::sphere::normal})
+        EXPECT_EQ(verdict_on(score, id), "right") << id.name;
+}
+
+/// Mistakes in the items that the cylinder's depend on, and in its own: the named ones, and each number changed.
+std::vector<student::NamedMistake> mistakes_before_the_cylinder() {
+    using reference::Subject;
+    std::vector<student::NamedMistake> all;
+    for (const student::NamedMistake& named : student::named_mistakes()) {
+        const Subject subject = named.mistake.item.subject;
+        if (subject == Subject::camera || subject == Subject::cylinder) all.push_back(named);
+    }
+    for (const reference::Item& item : reference::known_items()) {
+        if (item.id.subject != Subject::camera && item.id.subject != Subject::cylinder) continue;
+        for (int i = 0; i < component_count(item.shape); ++i) {
+            all.push_back({"altered", {item.id, [=](const Program&, const auto& right) {
+                                           std::optional<Floats> value = right;
+                                           if (value) value->at(static_cast<std::size_t>(i)) += 0.0625F;
+                                           return value;
+                                       }}});
+        }
+    }
+    return all;
+}
+
+bool is_finite(const Program& program) {
+    return std::ranges::all_of(program.values(), [](const auto& entry) {
+        return !entry.second || std::ranges::all_of(*entry.second, [](float x) { return std::isfinite(x); });
+    });
+}
+
+/// Whether so many digits of the tube's discriminant cancel that the other coefficients do not tell it.
+bool cancels(const Program& program) {
+    const float b = program.scalar(reference::item::cylinder::b), d = program.scalar(reference::item::cylinder::d);
+    return d != 0 && std::abs(d) < 1e-4F * b * b;
+}
+
+/// The program with the mistake; empty if it prints no such value, or if not every value is a number.
+std::optional<Program> make_mistake(const student::Marking& marking, const Program::Mistake& mistake) {
+    try {
+        Program program(marking.assignment, {}, mistake);
+        const bool is_asked =
+            std::ranges::find(program.asked(), mistake.item, &reference::ItemSpec::id) != program.asked().end();
+        return is_asked && program.has(mistake.item) && is_finite(program) && !cancels(program)
+                   ? std::optional(std::move(program))
+                   : std::nullopt;
+    } catch (const std::bad_optional_access&) {
+        return std::nullopt;
+    }
+}
+
+TEST(Follow, IsGivenForTheCylinderAfterAnyEarlierMistake) {
+    student::Layout all_digits;
+    all_digits.format = student::NumberFormat::scientific;
+    all_digits.digits = 8;
+    all_digits.vectors = student::VectorLayout::spaced;
+    all_digits.matrices = student::MatrixLayout::rows;
+    std::size_t tried = 0;
+    for (const std::string_view scene : student::cylinder_scene_names()) {
+        if (student::rounding_decides(scene)) continue;
+        const student::Marking marking = student::scene_named(scene);
+        for (const auto& [name, mistake] : mistakes_before_the_cylinder()) {
+            const auto program = make_mistake(marking, mistake);
+            if (!program) continue;
+            ++tried;
+            const Score score = mark(print(*program, all_digits), marking);
+            for (const QuestionScore& question : score.questions) {
+                for (const ItemScore& item : question.items) {
+                    const auto subject = item.spec.id.subject;
+                    const bool is_concerned =
+                        subject == reference::Subject::cylinder || subject == reference::Subject::first_hit;
+                    if (!is_concerned || item.spec.id == mistake.item) continue;
+                    EXPECT_NE(item.verdict, ItemVerdict::wrong)
+                        << fmt::format("'{}', {} in {}: {}.{} = {}", scene, name, mistake.item.name, to_string(subject),
+                                       item.spec.id.name, item.printed);
+                }
+            }
+        }
+    }
+    EXPECT_GT(tried, 1000U);
 }
 
 }  // namespace

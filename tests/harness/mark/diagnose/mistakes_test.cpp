@@ -18,12 +18,13 @@ namespace {
 using student::NamedMistake;
 using student::Program;
 
-bool differs(const std::optional<student::Floats>& one, const std::optional<student::Floats>& other) {
+bool differs(const std::optional<student::Floats>& one, const std::optional<student::Floats>& other,
+             double slack = 1e-4) {
     if (!one || !other) return one.has_value() != other.has_value();
     double largest = 0;
     for (std::size_t i = 0; i < one->size(); ++i)
         largest = std::max(largest, std::abs(static_cast<double>((*one)[i] - (*other)[i])));
-    return largest > 1e-4;
+    return largest > slack;
 }
 
 /// Marks the program with the mistake on the first off-axis scene on which the mistake changes the answer.
@@ -46,13 +47,69 @@ const ItemScore* find_marked(const NamedMistake& mistake, Score& score) {
 
 TEST(Misconceptions, AreNamedOnScenesOffTheAxes) {
     for (const NamedMistake& mistake : student::named_mistakes()) {
-        const auto& [question, name] = mistake.mistake.item;
+        const auto& [subject, name] = mistake.mistake.item;
+        if (subject == reference::Subject::cylinder) continue;
         Score score;
         const ItemScore* item = find_marked(mistake, score);
-        ASSERT_NE(item, nullptr) << mistake.name << " in " << question << "." << name << " shows on no scene";
-        EXPECT_EQ(item->verdict, ItemVerdict::wrong) << mistake.name << " in " << question << "." << name;
-        EXPECT_EQ(item->diagnosis, mistake.name) << "in " << question << "." << name << ": " << item->printed;
+        ASSERT_NE(item, nullptr) << mistake.name << " in " << to_string(subject) << "." << name << " shows on no scene";
+        EXPECT_EQ(item->verdict, ItemVerdict::wrong) << mistake.name << " in " << to_string(subject) << "." << name;
+        EXPECT_EQ(item->diagnosis, mistake.name) << "in " << to_string(subject) << "." << name << ": " << item->printed;
         EXPECT_NE(item->advice, "") << mistake.name;
+    }
+}
+
+/// The program with the mistake; empty if it needs a value that the scene does not have.
+std::optional<Program> make_mistake(const NamedMistake& mistake, const student::Marking& marking) {
+    try {
+        return Program(marking.assignment, {}, mistake.mistake);
+    } catch (const std::bad_optional_access&) {
+        return std::nullopt;
+    }
+}
+
+bool is_finite(const std::optional<student::Floats>& value) {
+    return value && std::ranges::all_of(*value, [](float x) { return std::isfinite(x); });
+}
+
+/// The names of the mistakes that give this value for the item, as far as its allowance tells.
+std::set<std::string_view> names_of(const ItemScore& item, const student::Floats& value,
+                                    const student::Marking& marking) {
+    const ItemId& id = item.spec.id;
+    std::set<std::string_view> names;
+    for (const NamedMistake& mistake : student::named_mistakes()) {
+        if (mistake.mistake.item != id) continue;
+        const auto program = make_mistake(mistake, marking);
+        if (program && program->has(id) &&
+            !differs(program->values().at(id), value, std::max(1e-4, 2 * item.allowance.value_or(0))))
+            names.insert(mistake.name);
+    }
+    return names;
+}
+
+TEST(Misconceptions, OfTheCylinderAreNamedWhereverTheyShow) {
+    // Some mistakes give the same number on a scene: where a ray enters by a cap and leaves by the tube, a program
+    // without caps gives the larger root. Then either name is right.
+    for (const NamedMistake& mistake : student::named_mistakes()) {
+        const ItemId& id = mistake.mistake.item;
+        if (id.subject != reference::Subject::cylinder) continue;
+        bool is_named = false;
+        for (const std::string_view scene : student::cylinder_scene_names()) {
+            if (student::rounding_decides(scene)) continue;
+            const student::Marking marking = student::scene_named(scene);
+            const Program right(marking.assignment, {});
+            const auto wrong = make_mistake(mistake, marking);
+            if (!wrong || !right.has(id) || !is_finite(wrong->values().at(id)) ||
+                std::ranges::find(wrong->asked(), id, &reference::ItemSpec::id) == wrong->asked().end() ||
+                !differs(wrong->values().at(id), right.values().at(id)))
+                continue;
+            const Score score = mark(print(*wrong), marking);
+            const ItemScore& item = item_of(score, id);
+            const std::string where = fmt::format("{} in {} of '{}': {}", mistake.name, id.name, scene, item.printed);
+            EXPECT_EQ(item.verdict, ItemVerdict::wrong) << where;
+            EXPECT_THAT(names_of(item, *wrong->values().at(id), marking), testing::Contains(item.diagnosis)) << where;
+            is_named = is_named || item.diagnosis == mistake.name;
+        }
+        EXPECT_TRUE(is_named) << mistake.name << " in " << id.name << " is named on no scene";
     }
 }
 
@@ -61,7 +118,7 @@ TEST(Misconceptions, EachHaveATest) {
     for (const NamedMistake& mistake : student::named_mistakes()) tested.insert({mistake.mistake.item, mistake.name});
     for (const Mistake& mistake : all_mistakes()) {
         EXPECT_TRUE(tested.contains({mistake.item, mistake.name}))
-            << mistake.name << " in " << mistake.item.first << "." << mistake.item.second;
+            << mistake.name << " in " << to_string(mistake.item.subject) << "." << mistake.item.name;
     }
     EXPECT_GE(all_mistakes().size(), 25U);
 }
@@ -92,25 +149,26 @@ TEST(Misconceptions, HaveShortNamesAndAdviceWithoutValues) {
 TEST(Misconceptions, AreFoundAfterAnEarlierMistakeToo) {
     // V is not normalised, and then the program takes the far root of the quadratic.
     const student::Marking marking = student::off_axis_scene();
-    const Program program(
-        marking.assignment, {},
-        Program::Mistake{{5, "V"}, [](const Program& p, const auto&) {
-                             return std::optional(student::floats(p.vector({4, "P_WCS"}) - p.scene().camera.eye));
-                         }});
-    const float a = program.scalar({6, "a"}), b = program.scalar({6, "b"}), d = program.scalar({6, "d"});
+    const Program program(marking.assignment, {},
+                          Program::Mistake{reference::item::V, [](const Program& p, const auto&) {
+                                               return std::optional(student::floats(p.vector(reference::item::P_WCS) -
+                                                                                    p.scene().camera.eye));
+                                           }});
+    const float a = program.scalar(reference::item::sphere::a), b = program.scalar(reference::item::sphere::b),
+                d = program.scalar(reference::item::sphere::d);
     std::string output = print(program);
     const std::size_t t = output.find("\nt: ");
     output.replace(t, output.find('\n', t + 1) - t, fmt::format("\nt: {:f}", (-b + std::sqrt(d)) / (2 * a)));
     const Score score = mark(output, marking);
-    EXPECT_EQ(item_of(score, {5, "V"}).diagnosis, "not normalised");
-    EXPECT_EQ(item_of(score, {6, "t"}).diagnosis, "far root");
+    EXPECT_EQ(item_of(score, reference::item::V).diagnosis, "not normalized");
+    EXPECT_EQ(item_of(score, reference::item::sphere::t).diagnosis, "far root");
 }
 
 TEST(Misconceptions, AreNotNamedForArbitraryNumbers) {
     const student::Marking marking = student::off_axis_scene();
-    for (const reference::ItemSpec& spec : reference::all_items()) {
+    for (const reference::ItemSpec& spec : reference::default_items()) {
         if (spec.shape == reference::Shape::verdict) continue;
-        const ItemId id{spec.question, spec.name};
+        const ItemId& id = spec.id;
         const Program program(marking.assignment, {}, Program::Mistake{id, [](const Program&, const auto& right) {
                                                                            auto value = right;
                                                                            for (float& x : *value)

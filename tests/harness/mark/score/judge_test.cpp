@@ -80,45 +80,72 @@ TEST(Judge, FindsEveryItemOfAPlainOutputRight) {
 
 TEST(Judge, NeverFindsNanOrInfinityRight) {
     for (const char* text : {"nan", "-nan", "inf", "-inf"}) {
-        EXPECT_EQ(verdict_with({{"t", text}}, {6, "t"}), "wrong") << text;
-        EXPECT_EQ(verdict_with({{"P_s", fmt::format("vec3({0}, {0}, {0})", text)}}, {6, "hit"}), "wrong") << text;
+        EXPECT_EQ(verdict_with({{"t", text}}, reference::item::sphere::t), "wrong") << text;
+        EXPECT_EQ(verdict_with({{"P_s", fmt::format("vec3({0}, {0}, {0})", text)}}, reference::item::sphere::hit),
+                  "wrong")
+            << text;
     }
 }
 
+TEST(Judge, TakesANanForAMissAndForNoOthersValue) {
+    const student::Marking marking = student::off_axis_scene();
+    const Program program(marking.assignment, {});
+    ASSERT_EQ(program.verdict(), reference::Verdict::sphere_first);
+    std::string output = print(program);
+    for (const auto& [question, label, value] :
+         {std::tuple(6, "c", "1000"), std::tuple(6, "d", "-3950"), std::tuple(6, "t", "-nan"),
+          std::tuple(6, "Hit point P_s", "vec3(-nan, -nan, -nan)"),
+          std::tuple(7, "Sphere normal", "vec3(-nan, -nan, -nan)")})
+        output = student::with_line(output, question, label, value);
+    output.replace(output.find("sphere first"), std::string("sphere first").size(), "triangle first");
+    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::sphere::t), "follow");
+    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::verdict), "follow");
+}
+
 TEST(Judge, AcceptsMinusZeroForZero) {
-    EXPECT_EQ(verdict_with({{"t8", "-0"}}, {8, "t"}), "right");
-    EXPECT_EQ(verdict_with({{"X_vcs", "vec3(1.000000, -0.000000, -0.000000)"}}, {2, "X_vcs"}), "right");
+    EXPECT_EQ(verdict_with({{"t8", "-0"}}, reference::item::triangle::t), "right");
+    EXPECT_EQ(verdict_with({{"X_vcs", "vec3(1.000000, -0.000000, -0.000000)"}}, reference::item::X_vcs), "right");
 }
 
 TEST(Judge, AcceptsHalfBOnlyWithItsOwnDiscriminant) {
-    EXPECT_EQ(verdict_with({{"b", "-2"}, {"d", "2"}}, {6, "b"}), "right");
-    EXPECT_EQ(verdict_with({{"b", "-2"}, {"d", "2"}}, {6, "d"}), "right");
-    EXPECT_EQ(accepted_with({{"b", "-2"}, {"d", "2"}}, {6, "b"}), "the form with b' = b/2 and d' = b'^2 - ac");
-    EXPECT_EQ(verdict_with({{"b", "-2"}}, {6, "b"}), "wrong") << "d = 8 is that of b = -4";
-    EXPECT_EQ(verdict_with({{"b", "-2"}, {"d", "-4"}}, {6, "b"}), "wrong") << "the factor 2 is missing";
-    EXPECT_EQ(verdict_with({{"b", "-2"}, {"d", "-4"}}, {6, "d"}), "follow");
+    EXPECT_EQ(verdict_with({{"b", "-2"}, {"d", "2"}}, reference::item::sphere::b), "right");
+    EXPECT_EQ(verdict_with({{"b", "-2"}, {"d", "2"}}, reference::item::sphere::d), "right");
+    EXPECT_EQ(accepted_with({{"b", "-2"}, {"d", "2"}}, reference::item::sphere::b),
+              "the form with b' = b/2 and d' = b'^2 - ac");
+    EXPECT_EQ(verdict_with({{"b", "-2"}}, reference::item::sphere::b), "wrong") << "d = 8 is that of b = -4";
+    EXPECT_EQ(verdict_with({{"b", "-2"}, {"d", "-4"}}, reference::item::sphere::b), "wrong")
+        << "the factor 2 is missing";
+    EXPECT_EQ(verdict_with({{"b", "-2"}, {"d", "-4"}}, reference::item::sphere::d), "follow");
 }
 
 TEST(Judge, AcceptsAQuadraticMultipliedAsAWhole) {
     const std::map<std::string, std::string> doubled = {{"a", "2"}, {"b", "-8"}, {"c", "4"}, {"d", "32"}};
-    for (const char* name : {"a", "b", "c", "d", "t"}) EXPECT_EQ(verdict_with(doubled, {6, name}), "right") << name;
-    EXPECT_EQ(verdict_with({{"a", "2"}, {"b", "-8"}, {"c", "4"}}, {6, "d"}), "right") << "8 is still right by itself";
-    EXPECT_EQ(verdict_with({{"a", "2"}, {"b", "-8"}}, {6, "a"}), "wrong");
+    for (const char* name : {"a", "b", "c", "d", "t"})
+        EXPECT_EQ(verdict_with(doubled, {reference::Subject::sphere, name}), "right") << name;
+    EXPECT_EQ(verdict_with({{"a", "2"}, {"b", "-8"}, {"c", "4"}}, reference::item::sphere::d), "right")
+        << "8 is still right by itself";
+    EXPECT_EQ(verdict_with({{"a", "2"}, {"b", "-8"}}, reference::item::sphere::a), "wrong");
 }
 
 TEST(Judge, ReadsAVectorOfFour) {
-    EXPECT_EQ(verdict_with({{"P_WCS", "vec4(0.000000, 0.000000, 2.000000, 1.000000)"}}, {4, "P_WCS"}), "right");
-    EXPECT_EQ(verdict_with({{"V", "vec4(0.000000, 0.000000, -1.000000, 0.000000)"}}, {5, "V"}), "right");
-    EXPECT_EQ(verdict_with({{"P_WCS", "vec4(0.000000, 0.000000, 2.000000, 3.000000)"}}, {4, "P_WCS"}), "wrong");
+    EXPECT_EQ(verdict_with({{"P_WCS", "vec4(0.000000, 0.000000, 2.000000, 1.000000)"}}, reference::item::P_WCS),
+              "right");
+    EXPECT_EQ(verdict_with({{"V", "vec4(0.000000, 0.000000, -1.000000, 0.000000)"}}, reference::item::V), "right");
+    EXPECT_EQ(verdict_with({{"P_WCS", "vec4(0.000000, 0.000000, 2.000000, 3.000000)"}}, reference::item::P_WCS),
+              "wrong");
 }
 
 TEST(Judge, AcceptsTheSystemWithRowsMultipliedOnBothSides) {
     const char* rows_doubled =
         "mat3x3((0.000000, 0.000000, 1.000000), (2.000000, 8.000000, 0.000000), (-2.000000, 8.000000, 0.000000))";
-    EXPECT_EQ(verdict_with({{"A", rows_doubled}, {"rhs", "vec3(0.000000, 4.000000, 0.000000)"}}, {8, "matrix"}),
+    EXPECT_EQ(verdict_with({{"A", rows_doubled}, {"rhs", "vec3(0.000000, 4.000000, 0.000000)"}},
+                           reference::item::triangle::matrix),
               "right");
-    EXPECT_EQ(verdict_with({{"A", rows_doubled}, {"rhs", "vec3(0.000000, 4.000000, 0.000000)"}}, {8, "rhs"}), "right");
-    EXPECT_EQ(verdict_with({{"A", rows_doubled}}, {8, "matrix"}), "wrong") << "the right-hand side is not doubled";
+    EXPECT_EQ(verdict_with({{"A", rows_doubled}, {"rhs", "vec3(0.000000, 4.000000, 0.000000)"}},
+                           reference::item::triangle::rhs),
+              "right");
+    EXPECT_EQ(verdict_with({{"A", rows_doubled}}, reference::item::triangle::matrix), "wrong")
+        << "the right-hand side is not doubled";
 }
 
 TEST(Judge, AcceptsTheSystemWithEitherSign) {
@@ -128,14 +155,16 @@ TEST(Judge, AcceptsTheSystemWithEitherSign) {
         "mat3x3((-2.000000, -4.000000, 0.000000), (2.000000, -4.000000, 0.000000), (0.000000, 0.000000, -1.000000))";
     const char* negated_rhs = "vec3(0.000000, -2.000000, 0.000000)";
     for (const char* matrix : {negated, reordered}) {
-        EXPECT_EQ(verdict_with({{"A", matrix}, {"rhs", negated_rhs}}, {8, "matrix"}), "right");
-        EXPECT_EQ(verdict_with({{"A", matrix}, {"rhs", negated_rhs}}, {8, "rhs"}), "right");
-        EXPECT_EQ(verdict_with({{"A", matrix}, {"rhs", ""}}, {8, "matrix"}), "right") << "alone";
-        EXPECT_EQ(verdict_with({{"A", matrix}}, {8, "rhs"}), "wrong") << "not the sign of its matrix";
+        EXPECT_EQ(verdict_with({{"A", matrix}, {"rhs", negated_rhs}}, reference::item::triangle::matrix), "right");
+        EXPECT_EQ(verdict_with({{"A", matrix}, {"rhs", negated_rhs}}, reference::item::triangle::rhs), "right");
+        EXPECT_EQ(verdict_with({{"A", matrix}, {"rhs", ""}}, reference::item::triangle::matrix), "right") << "alone";
+        EXPECT_EQ(verdict_with({{"A", matrix}}, reference::item::triangle::rhs), "wrong")
+            << "not the sign of its matrix";
     }
-    EXPECT_EQ(verdict_with({{"A", ""}, {"rhs", negated_rhs}}, {8, "rhs"}), "right") << "alone";
-    EXPECT_EQ(verdict_with({{"rhs", negated_rhs}}, {8, "rhs"}), "wrong") << "not the sign of its matrix";
-    EXPECT_EQ(accepted_with({{"A", reordered}, {"rhs", negated_rhs}}, {8, "matrix"}),
+    EXPECT_EQ(verdict_with({{"A", ""}, {"rhs", negated_rhs}}, reference::item::triangle::rhs), "right") << "alone";
+    EXPECT_EQ(verdict_with({{"rhs", negated_rhs}}, reference::item::triangle::rhs), "wrong")
+        << "not the sign of its matrix";
+    EXPECT_EQ(accepted_with({{"A", reordered}, {"rhs", negated_rhs}}, reference::item::triangle::matrix),
               "columns in the order u, v, t, both sides multiplied by -1");
 }
 
@@ -155,12 +184,12 @@ TEST(Judge, LetsASystemOfEitherSignFollow) {
         "mat3x3((0.000000, 0.600000, -0.800000), (-2.000000, -4.000000, 0.000000), (2.000000, -4.000000, 0.000000))";
     const char* rhs = "vec3(0.000000, 3.000000, 0.000000)";
     const char* negated_rhs = "vec3(0.000000, -3.000000, 0.000000)";
-    for (const ItemId& id : {ItemId{8, "matrix"}, ItemId{8, "rhs"}}) {
+    for (const ItemId& id : {reference::item::triangle::matrix, reference::item::triangle::rhs}) {
         EXPECT_EQ(verdict(matrix, rhs, id), "follow");
         EXPECT_EQ(verdict(negated, negated_rhs, id), "follow");
     }
-    EXPECT_EQ(verdict("", negated_rhs, {8, "rhs"}), "follow") << "alone";
-    EXPECT_EQ(verdict(matrix, negated_rhs, {8, "rhs"}), "wrong") << "not the sign of its matrix";
+    EXPECT_EQ(verdict("", negated_rhs, reference::item::triangle::rhs), "follow") << "alone";
+    EXPECT_EQ(verdict(matrix, negated_rhs, reference::item::triangle::rhs), "wrong") << "not the sign of its matrix";
 }
 
 TEST(Judge, SolvesTheStudentsOwnSystemOfEitherSign) {
@@ -169,28 +198,29 @@ TEST(Judge, SolvesTheStudentsOwnSystemOfEitherSign) {
         "mat3x3((0.000000, 0.000000, -1.000000), (-2.000000, -4.000000, 0.000000), (2.000000, -4.000000, 0.000000))";
     const std::map<std::string, std::string> own = {
         {"A", negated}, {"rhs", "vec3(0.000000, -3.000000, 0.000000)"}, {"u", "0.375"}, {"v", "0.375"}};
-    EXPECT_EQ(verdict_with(own, {8, "matrix"}), "right");
-    EXPECT_EQ(verdict_with(own, {8, "rhs"}), "wrong");
-    EXPECT_EQ(verdict_with(own, {8, "u"}), "follow");
-    EXPECT_EQ(verdict_with(own, {8, "v"}), "follow");
+    EXPECT_EQ(verdict_with(own, reference::item::triangle::matrix), "right");
+    EXPECT_EQ(verdict_with(own, reference::item::triangle::rhs), "wrong");
+    EXPECT_EQ(verdict_with(own, reference::item::triangle::u), "follow");
+    EXPECT_EQ(verdict_with(own, reference::item::triangle::v), "follow");
     // The column B - A should be (2, 4, 0) and is (3, 4, 0): u = 1/5 and v = 3/10.
     const char* wrong =
         "mat3x3((0.000000, 0.000000, -1.000000), (-3.000000, -4.000000, 0.000000), (2.000000, -4.000000, 0.000000))";
     const std::map<std::string, std::string> other = {
         {"A", wrong}, {"rhs", "vec3(0.000000, -2.000000, 0.000000)"}, {"u", "0.2"}, {"v", "0.3"}};
-    EXPECT_EQ(verdict_with(other, {8, "matrix"}), "wrong");
-    EXPECT_EQ(verdict_with(other, {8, "u"}), "follow");
-    EXPECT_EQ(verdict_with(other, {8, "v"}), "follow");
+    EXPECT_EQ(verdict_with(other, reference::item::triangle::matrix), "wrong");
+    EXPECT_EQ(verdict_with(other, reference::item::triangle::u), "follow");
+    EXPECT_EQ(verdict_with(other, reference::item::triangle::v), "follow");
 }
 
 TEST(Judge, LetsNanFollowFromAnOwnNegativeDiscriminant) {
     // c is 6 by mistake, so d is -8, and the program takes its root.
     const std::map<std::string, std::string> negative = {
         {"c", "6"}, {"d", "-8"}, {"t", "-nan"}, {"P_s", "vec3(-nan, -nan, -nan)"}, {"N", "vec3(nan, nan, nan)"}};
-    for (const char* name : {"d", "t", "hit"}) EXPECT_EQ(verdict_with(negative, {6, name}), "follow") << name;
-    EXPECT_EQ(verdict_with(negative, {7, "normal"}), "follow");
-    EXPECT_EQ(verdict_with({{"t", "nan"}}, {6, "t"}), "wrong") << "with the right discriminant";
-    EXPECT_EQ(verdict_with({{"t", "nan"}, {"P_s", "vec3(nan, nan, nan)"}}, {6, "hit"}), "wrong");
+    for (const char* name : {"d", "t", "hit"})
+        EXPECT_EQ(verdict_with(negative, {reference::Subject::sphere, name}), "follow") << name;
+    EXPECT_EQ(verdict_with(negative, reference::item::sphere::normal), "follow");
+    EXPECT_EQ(verdict_with({{"t", "nan"}}, reference::item::sphere::t), "wrong") << "with the right discriminant";
+    EXPECT_EQ(verdict_with({{"t", "nan"}, {"P_s", "vec3(nan, nan, nan)"}}, reference::item::sphere::hit), "wrong");
 }
 
 /// The verdict on a value of the handout's scene if float can't answer its item.
@@ -202,35 +232,35 @@ std::string verdict_without_bound(const std::string& label, const std::string& v
             if (id_of(item.spec) == id) answer.allowance.assign(answer.allowance.size(), HUGE_VAL);
         }
     }
-    return verdict_on(mark(student::with_line(print(Program(marking.assignment, {})), id.first, label, value), marking),
-                      id);
+    return verdict_on(
+        mark(student::with_line(print(Program(marking.assignment, {})), question_of(id), label, value), marking), id);
 }
 
 TEST(Judge, AcceptsAnyNumberWhereFloatCannotAnswer) {
-    EXPECT_EQ(verdict_without_bound("u", "123.5", {8, "u"}), "right");
-    EXPECT_EQ(verdict_without_bound("u", "nan", {8, "u"}), "wrong");
-    EXPECT_EQ(verdict_without_bound("u", "inf", {8, "u"}), "wrong");
-    EXPECT_EQ(verdict_without_bound("u", "none", {8, "u"}), "wrong");
+    EXPECT_EQ(verdict_without_bound("u", "123.5", reference::item::triangle::u), "right");
+    EXPECT_EQ(verdict_without_bound("u", "nan", reference::item::triangle::u), "wrong");
+    EXPECT_EQ(verdict_without_bound("u", "inf", reference::item::triangle::u), "wrong");
+    EXPECT_EQ(verdict_without_bound("u", "none", reference::item::triangle::u), "wrong");
 }
 
 TEST(Judge, WantsLengthOneWhereFloatCannotTellADirection) {
-    EXPECT_EQ(verdict_without_bound("V", "vec3(0.600000, 0.800000, 0.000000)", {5, "V"}), "right");
-    EXPECT_EQ(verdict_without_bound("V", "vec3(3.000000, 4.000000, 0.000000)", {5, "V"}), "wrong");
+    EXPECT_EQ(verdict_without_bound("V", "vec3(0.600000, 0.800000, 0.000000)", reference::item::V), "right");
+    EXPECT_EQ(verdict_without_bound("V", "vec3(3.000000, 4.000000, 0.000000)", reference::item::V), "wrong");
 }
 
 TEST(Judge, DoesNotAcceptATransposedSystem) {
     EXPECT_EQ(verdict_with({{"A",
                              "mat3x3((0.000000, 2.000000, -2.000000), (0.000000, 4.000000, 4.000000), (1.000000, "
                              "0.000000, 0.000000))"}},
-                           {8, "matrix"}),
+                           reference::item::triangle::matrix),
               "wrong");
 }
 
 TEST(Judge, AppliesTheRubricsDecimals) {
-    EXPECT_EQ(verdict_with({{"t", "0.59"}}, {6, "t"}), "right");
-    EXPECT_EQ(verdict_with({{"t", "0.58"}}, {6, "t"}), "wrong") << "cut off, not rounded";
-    EXPECT_EQ(verdict_with({{"t", "0.6"}}, {6, "t"}), "wrong") << "one decimal";
-    EXPECT_EQ(verdict_with({{"t", "1"}}, {6, "t"}), "wrong") << "an integer";
+    EXPECT_EQ(verdict_with({{"t", "0.59"}}, reference::item::sphere::t), "right");
+    EXPECT_EQ(verdict_with({{"t", "0.58"}}, reference::item::sphere::t), "wrong") << "cut off, not rounded";
+    EXPECT_EQ(verdict_with({{"t", "0.6"}}, reference::item::sphere::t), "wrong") << "one decimal";
+    EXPECT_EQ(verdict_with({{"t", "1"}}, reference::item::sphere::t), "wrong") << "an integer";
 }
 
 TEST(Judge, ComparesTheVerdictWithTheStudentsOwnValues) {
@@ -239,21 +269,22 @@ TEST(Judge, ComparesTheVerdictWithTheStudentsOwnValues) {
     says_sphere["verdict"] = "ray hits sphere first";
     static const student::Marking marking = student::handout_scene();
     const Score score = mark(handout_output(says_sphere), marking);
-    EXPECT_EQ(verdict_on(score, {10, "verdict"}), "wrong");
-    EXPECT_EQ(item_of(score, {10, "verdict"}).diagnosis, "verdict against own values");
-    EXPECT_EQ(verdict_with({{"verdict", "ray hits nothing"}}, {10, "verdict"}), "wrong");
-    EXPECT_EQ(verdict_with({{"verdict", "ray hits sphere first"}}, {10, "verdict"}), "right")
+    EXPECT_EQ(verdict_on(score, reference::item::verdict), "wrong");
+    EXPECT_EQ(item_of(score, reference::item::verdict).diagnosis, "verdict against own values");
+    EXPECT_EQ(verdict_with({{"verdict", "ray hits nothing"}}, reference::item::verdict), "wrong");
+    EXPECT_EQ(verdict_with({{"verdict", "ray hits sphere first"}}, reference::item::verdict), "right")
         << "t = 0 is not positive";
-    EXPECT_EQ(verdict_with({{"t8", "5"}, {"verdict", "ray hits sphere first"}}, {10, "verdict"}), "right")
+    EXPECT_EQ(verdict_with({{"t8", "5"}, {"verdict", "ray hits sphere first"}}, reference::item::verdict), "right")
         << "right is right";
 }
 
 TEST(Judge, AcceptsAVerdictThatFollowsFromWrongValues) {
     student::Marking marking = student::off_axis_scene();
-    Program program(marking.assignment, {}, Program::Mistake{{6, "t"}, [](const Program&, const auto&) {
-                                                                 return std::optional(student::Floats{77.0F});
-                                                             }});
-    EXPECT_EQ(verdict_on(mark(print(program), marking), {10, "verdict"}), "follow");
+    Program program(marking.assignment, {},
+                    Program::Mistake{reference::item::sphere::t, [](const Program&, const auto&) {
+                                         return std::optional(student::Floats{77.0F});
+                                     }});
+    EXPECT_EQ(verdict_on(mark(print(program), marking), reference::item::verdict), "follow");
 }
 
 TEST(Judge, LetsNoVerdictFollowFromValuesThatAreRight) {
@@ -264,10 +295,10 @@ TEST(Judge, LetsNoVerdictFollowFromValuesThatAreRight) {
                                 "[[triangle]]\nvertices = [[-9, -9, -199.43], [9, -9, -199.43], [0, 9, -199.43]]\n",
                             "close together");
     std::string output = student::with_line(print(Program(marking.assignment, {})), 8, "t", "201.4");
-    EXPECT_EQ(verdict_on(mark(output, marking), {10, "verdict"}), "right");
+    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::verdict), "right");
     const std::string_view sphere = "ray hits sphere first";
     output.replace(output.rfind(sphere), sphere.size(), "ray hits triangle first");
-    EXPECT_EQ(verdict_on(mark(output, marking), {10, "verdict"}), "wrong");
+    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::verdict), "wrong");
 }
 
 TEST(Judge, AcceptsEveryPixelConventionOfTheRubricInEveryForm) {
@@ -278,12 +309,12 @@ TEST(Judge, AcceptsEveryPixelConventionOfTheRubricInEveryForm) {
     grid.columns = {2, 0, 1};
     const Score score = mark(print(Program(marking.assignment, grid)), marking);
     EXPECT_EQ(score.points, 100.0);
-    EXPECT_EQ(item_of(score, {1, "P_VCS"}).accepted_as, "the rubric accepts the grid pixel convention");
+    EXPECT_EQ(item_of(score, reference::item::P_VCS).accepted_as, "the rubric accepts the grid pixel convention");
     Way corner;
     corner.convention = reference::PixelConvention::corner;
     const Score other = mark(print(Program(marking.assignment, corner)), marking);
-    EXPECT_EQ(verdict_on(other, {1, "P_VCS"}), "wrong");
-    EXPECT_EQ(verdict_on(other, {4, "P_WCS"}), "follow");
+    EXPECT_EQ(verdict_on(other, reference::item::P_VCS), "wrong");
+    EXPECT_EQ(verdict_on(other, reference::item::P_WCS), "follow");
 }
 
 TEST(Judge, AcceptsMultipliedFormsInEveryPixelConvention) {
@@ -300,8 +331,8 @@ TEST(Judge, AcceptsMultipliedFormsInEveryPixelConvention) {
 }
 
 TEST(Judge, DistinguishesUnreadableFromMissing) {
-    EXPECT_EQ(verdict_with({{"P_s", "12"}}, {6, "hit"}), "unreadable");
-    EXPECT_EQ(verdict_with({{"P_s", ""}}, {6, "hit"}), "missing");
+    EXPECT_EQ(verdict_with({{"P_s", "12"}}, reference::item::sphere::hit), "unreadable");
+    EXPECT_EQ(verdict_with({{"P_s", ""}}, reference::item::sphere::hit), "missing");
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST_P(Labelled, AgreesWithTheMarkerOnEveryItem) {
     const auto assignment = reference::load_assignment((folder.parent_path() / "assignment.toml").string(), classes);
     const auto key = reference::make_key(assignment, reference::Precision::certified);
     const harness::Score score =
-        harness::score(harness::read_transcript(bytes_of(folder / "expected_stdout.txt")), key, assignment);
+        harness::score(harness::read_transcript(bytes_of(folder / "expected_stdout.txt"), 10), key, assignment);
     const json label = json::parse(bytes_of(folder / "label.json"));
     std::size_t items = 0;
     for (const harness::QuestionScore& question : score.questions) {

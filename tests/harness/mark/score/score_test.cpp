@@ -56,6 +56,41 @@ TEST(Score, IsExactlyAllPointsIfAllIsRight) {
     expect_that_points_add_up(score);
 }
 
+/// Marks a program whose sphere normal is not normalized.
+ItemScore long_normal(const std::vector<reference::MistakePrice>& prices) {
+    student::Marking marking = student::off_axis_scene();
+    marking.assignment.rubric.mistakes = prices;
+    for (const student::NamedMistake& mistake : student::named_mistakes()) {
+        if (mistake.name != "not normalized" || mistake.mistake.item != reference::item::sphere::normal) continue;
+        const Score score = mark(print(Program(marking.assignment, {}, mistake.mistake)), marking);
+        expect_that_points_add_up(score);
+        return item_of(score, reference::item::sphere::normal);
+    }
+    throw std::logic_error("no such mistake");
+}
+
+TEST(Score, GivesAPricedMistakeItsShare) {
+    const ItemScore item = long_normal({{"not normalized", 0.4, "a.toml"}});
+    EXPECT_EQ(item.verdict, ItemVerdict::wrong);
+    EXPECT_EQ(item.diagnosis, "not normalized");
+    EXPECT_NEAR(item.points, 4, 1e-9);
+    EXPECT_NE(item.advice.find("40 % of the points"), std::string::npos) << item.advice;
+}
+
+TEST(Score, AcceptsAMistakeAtFullPrice) {
+    const ItemScore item = long_normal({{"not normalized", 1, "a.toml"}});
+    EXPECT_EQ(item.verdict, ItemVerdict::right);
+    EXPECT_EQ(item.accepted_as, "the rubric accepts the mistake \"not normalized\"");
+    EXPECT_EQ(item.points, 10);
+}
+
+TEST(Score, PricesAMistakeInItsItemAlone) {
+    EXPECT_EQ(long_normal({{"not normalized", 1, "a.toml", reference::item::V}}).verdict, ItemVerdict::wrong);
+    EXPECT_EQ(long_normal({{"not normalized", 1, "a.toml", reference::item::sphere::normal}}).verdict,
+              ItemVerdict::right);
+    EXPECT_EQ(long_normal({{"points inward", 1, "a.toml"}}).points, 0);
+}
+
 TEST(Score, IsZeroAndAllMissingForNoOutput) {
     const Score score = mark("", student::off_axis_scene());
     EXPECT_EQ(score.points, 0.0);
@@ -110,8 +145,8 @@ TEST(Score, UsesTheRubricsPointsForSingleItems) {
     marking.assignment.rubric.points[6] = 10;
     marking.assignment.rubric.item_points[6] = {{"t", 8}, {"hit", 2}};
     const Score score = mark(print(Program(marking.assignment, {})), marking);
-    EXPECT_EQ(item_of(score, {6, "t"}).points, 8.0);
-    EXPECT_EQ(item_of(score, {6, "a"}).max_points, 0.0);
+    EXPECT_EQ(item_of(score, reference::item::sphere::t).points, 8.0);
+    EXPECT_EQ(item_of(score, reference::item::sphere::a).max_points, 0.0);
     expect_that_points_add_up(score);
 }
 
@@ -136,48 +171,50 @@ struct OnOwnScene {
 
 TEST(OwnScene, GivesItsShareToAnswersThatAreRightThere) {
     OnOwnScene one;
-    ASSERT_EQ(item_of(one.score, {6, "b"}).verdict, ItemVerdict::wrong);
+    ASSERT_EQ(item_of(one.score, reference::item::sphere::b).verdict, ItemVerdict::wrong);
     const auto explained = one.explained();
     ASSERT_TRUE(explained);
-    const ItemScore& b = item_of(*explained, {6, "b"});
+    const ItemScore& b = item_of(*explained, reference::item::sphere::b);
     EXPECT_EQ(b.verdict, ItemVerdict::follow);
     EXPECT_EQ(b.points, 0.5 * b.max_points);
     EXPECT_EQ(b.diagnosis, another_scene);
     EXPECT_EQ(b.advice, "Your source sets center = 1. This answer follows from that.");
-    EXPECT_EQ(item_of(*explained, {6, "t"}).points, item_of(*explained, {6, "t"}).max_points)
+    EXPECT_EQ(item_of(*explained, reference::item::sphere::t).points,
+              item_of(*explained, reference::item::sphere::t).max_points)
         << "it follows from the printed b and c, for the rubric's whole follow_through";
-    EXPECT_EQ(item_of(*explained, {5, "V"}).verdict, ItemVerdict::right);
+    EXPECT_EQ(item_of(*explained, reference::item::V).verdict, ItemVerdict::right);
     expect_that_points_add_up(*explained);
 
     one.given.assignment.rubric.wrong_scene_credit = 0.25;
-    EXPECT_EQ(item_of(*one.explained(), {6, "b"}).points, 0.25 * b.max_points);
+    EXPECT_EQ(item_of(*one.explained(), reference::item::sphere::b).points, 0.25 * b.max_points);
 }
 
 TEST(OwnScene, GivesToWhatFollowsThereTheSharesOfBoth) {
     // P_WCS is wrong, so b and c are wrong under the assignment's sphere, and follow under the source's.
-    OnOwnScene one(Program::Mistake{{4, "P_WCS"}, [](const Program&, const auto&) {
+    OnOwnScene one(Program::Mistake{reference::item::P_WCS, [](const Program&, const auto&) {
                                         return std::optional(student::Floats{3, 2, 1});
                                     }});
     one.given.assignment.rubric.follow_through = 0.4;
-    ASSERT_EQ(item_of(one.score, {6, "c"}).verdict, ItemVerdict::wrong);
-    ASSERT_EQ(item_of(one.score_there, {6, "c"}).verdict, ItemVerdict::follow);
+    ASSERT_EQ(item_of(one.score, reference::item::sphere::c).verdict, ItemVerdict::wrong);
+    ASSERT_EQ(item_of(one.score_there, reference::item::sphere::c).verdict, ItemVerdict::follow);
     const auto explained = one.explained();
     ASSERT_TRUE(explained);
-    const ItemScore& c = item_of(*explained, {6, "c"});
+    const ItemScore& c = item_of(*explained, reference::item::sphere::c);
     EXPECT_DOUBLE_EQ(c.points, 0.5 * 0.4 * c.max_points);
 }
 
 TEST(OwnScene, LeavesNoDoubtAboutTheReadingOfWhatIsRightThere) {
     OnOwnScene one;
-    const std::string right = item_of(mark(print(Program(one.given.assignment, {})), one.given), {6, "b"}).printed;
+    const std::string right =
+        item_of(mark(print(Program(one.given.assignment, {})), one.given), reference::item::sphere::b).printed;
     std::string output = print(Program(one.own.assignment, {}));
     output.insert(output.find("Question 7"), "then " + right + " then\n");
     one.score = mark(output, one.given);
     one.score_there = mark(output, one.own);
-    ASSERT_TRUE(item_of(one.score, {6, "b"}).doubt) << "the assignment's b stands there, too";
+    ASSERT_TRUE(item_of(one.score, reference::item::sphere::b).doubt) << "the assignment's b stands there, too";
     const auto explained = one.explained();
     ASSERT_TRUE(explained);
-    EXPECT_FALSE(item_of(*explained, {6, "b"}).doubt);
+    EXPECT_FALSE(item_of(*explained, reference::item::sphere::b).doubt);
 }
 
 /// A score of one question with an item for each verdict. What is wrong is a named mistake if it is `named`.
@@ -187,7 +224,7 @@ Score score_of(const std::vector<ItemVerdict>& verdicts, bool named = false) {
     question.number = 6;
     for (const ItemVerdict verdict : verdicts) {
         ItemScore& item = question.items.emplace_back();
-        item.spec = printed_item({6, "b"}, "1").spec;
+        item.spec = printed_item(reference::item::sphere::b, "1").spec;
         item.verdict = verdict;
         item.printed = "1";
         if (verdict == ItemVerdict::wrong && named) item.diagnosis = "a mistake";
@@ -212,9 +249,9 @@ TEST(OwnScene, GivesAWrongAnswerTheDiagnosisThatItGetsThere) {
         const OnOwnScene one(mistake.mistake);
         const auto explained = one.explained();
         ASSERT_TRUE(explained);
-        EXPECT_EQ(item_of(*explained, {6, "b"}).verdict, ItemVerdict::wrong);
-        EXPECT_EQ(item_of(*explained, {6, "b"}).diagnosis, "factor 2 missing");
-        EXPECT_EQ(item_of(*explained, {6, "c"}).diagnosis, another_scene);
+        EXPECT_EQ(item_of(*explained, reference::item::sphere::b).verdict, ItemVerdict::wrong);
+        EXPECT_EQ(item_of(*explained, reference::item::sphere::b).diagnosis, "factor 2 missing");
+        EXPECT_EQ(item_of(*explained, reference::item::sphere::c).diagnosis, another_scene);
         return;
     }
     FAIL() << "no such mistake";
@@ -232,15 +269,12 @@ TEST(OwnScene, ExplainsNothingWhereTheAssignmentsExplainsMore) {
 TEST(QuestionVerdict, IsTheWorstOfItsItems) {
     const student::Marking marking = student::off_axis_scene();
 
-    const Score without_t = mark(print(Program(marking.assignment, {}), {},
-                                       [](const ItemId& id) {
-                                           return id != ItemId{6, "t"};
-                                       }),
-                                 marking);
+    const Score without_t = mark(
+        print(Program(marking.assignment, {}), {}, [](const ItemId& id) { return id != reference::item::sphere::t; }),
+        marking);
     EXPECT_EQ(without_t.questions[5].verdict, ItemVerdict::missing);
-    std::string wrong_too = print(Program(marking.assignment, {}), {}, [](const ItemId& id) {
-        return id != ItemId{6, "hit"};
-    });
+    std::string wrong_too =
+        print(Program(marking.assignment, {}), {}, [](const ItemId& id) { return id != reference::item::sphere::hit; });
     wrong_too = student::with_line(wrong_too, 6, "t", "77");
     EXPECT_EQ(mark(wrong_too, marking).questions[5].verdict, ItemVerdict::wrong) << "though an item is missing";
     const Score followed = with_many_followers(marking);

@@ -17,7 +17,7 @@ using student::Program;
 std::string everywhere(std::string_view number, const std::string& verdict) {
     std::string text;
     int question = 0;
-    for (const reference::ItemSpec& spec : reference::all_items()) {
+    for (const reference::ItemSpec& spec : reference::default_items()) {
         if (spec.question != question) text += fmt::format("Question {}:\n", question = spec.question);
         if (spec.shape == reference::Shape::verdict) {
             text += verdict + "\n";
@@ -96,7 +96,7 @@ TEST(UndeservedMarks, AreNotEarnedByBothVerdicts) {
     const student::Marking marking = student::off_axis_scene();
     std::string output = print(Program(marking.assignment, {}));
     output += "ray hits triangle first / ray hits sphere first\nray hits triangle first\n";
-    EXPECT_EQ(verdict_on(mark(output, marking), {10, "verdict"}), "wrong") << "the last one counts";
+    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::verdict), "wrong") << "the last one counts";
 }
 
 TEST(UndeservedMarks, AreNotEarnedByASystemOfZeros) {
@@ -110,21 +110,23 @@ TEST(UndeservedMarks, AreNotEarnedByASystemOfZeros) {
         const std::size_t rhs = output.find("\nRight-hand side: ");
         output.replace(rhs, output.find('\n', rhs + 1) - rhs, "\nRight-hand side: vec3(0.000000, 0.000000, 0.000000)");
         const Score score = mark(output, marking);
-        EXPECT_EQ(verdict_on(score, {8, "matrix"}), "wrong") << scene;
-        EXPECT_EQ(verdict_on(score, {8, "rhs"}), "wrong") << scene;
-        EXPECT_EQ(verdict_on(score, {8, "t"}), "right") << "what is right stays right";
+        EXPECT_EQ(verdict_on(score, reference::item::triangle::matrix), "wrong") << scene;
+        EXPECT_EQ(verdict_on(score, reference::item::triangle::rhs), "wrong") << scene;
+        EXPECT_EQ(verdict_on(score, reference::item::triangle::t), "right") << "what is right stays right";
     }
 }
 
 TEST(UndeservedMarks, AreNotEarnedByAWrongAxisThatMakesTheRestTrivial) {
     const student::Marking marking = student::off_axis_scene();
-    const Program program(marking.assignment, {}, Program::Mistake{{1, "P_VCS"}, [](const Program&, const auto&) {
-                                                                       return std::optional(student::Floats{0, 0, 0});
-                                                                   }});
+    const Program program(marking.assignment, {},
+                          Program::Mistake{reference::item::P_VCS, [](const Program&, const auto&) {
+                                               return std::optional(student::Floats{0, 0, 0});
+                                           }});
     const Score score = mark(print(program), marking);
-    EXPECT_EQ(verdict_on(score, {4, "P_WCS"}), "follow") << "the eye";
-    for (const ItemId& id : {ItemId{5, "V"}, ItemId{6, "a"}, ItemId{6, "b"}, ItemId{8, "matrix"}, ItemId{8, "u"}})
-        EXPECT_EQ(verdict_on(score, id), "wrong") << id.second;
+    EXPECT_EQ(verdict_on(score, reference::item::P_WCS), "follow") << "the eye";
+    for (const ItemId& id : {reference::item::V, reference::item::sphere::a, reference::item::sphere::b,
+                             reference::item::triangle::matrix, reference::item::triangle::u})
+        EXPECT_EQ(verdict_on(score, id), "wrong") << id.name;
 }
 
 }  // namespace

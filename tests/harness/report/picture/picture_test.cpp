@@ -232,6 +232,27 @@ TEST(ExplainingPicture, PutsThePointsOf2021WhereTheyBelong) {
     EXPECT_NEAR(P_WCS.y, eye.y, 0.11);
 }
 
+// Computed by hand: the eye is at x = 6, P_WCS at x = 4 and P_c at x = 3. From the side the camera looks to the right.
+TEST(ExplainingPicture, PutsTheCylinderOf2024WhereItBelongs) {
+    const std::string svg = picture(marking_of("2024"));
+    const drawn::Spot eye = dot_in_side_view(svg, "currentColor");
+    const drawn::Spot P_WCS = dot_in_side_view(svg, "#d0591c");
+    const drawn::Spot P_c = dot_in_side_view(svg, "#8563d6");
+    const double unit = (P_WCS.x - eye.x) / 2;
+    EXPECT_NEAR(P_c.x, eye.x + 3 * unit, 0.2);
+    EXPECT_NEAR(P_c.y, eye.y, 0.11);
+    // The tube's edges go from (3, 2) to (3, -2) and from (1, 2) to (1, -2); the eye is at the height 1.
+    for (const auto& [x, y] : {std::pair(3, 2), {3, -2}, {1, 2}, {1, -2}}) {
+        int corners = 0;
+        for (const drawn::Spot& spot : drawn::spots_in(svg)) {
+            const bool is_here = std::abs(spot.x - (eye.x + (6 - x) * unit)) < 0.15 &&
+                                 std::abs(spot.y - (eye.y + (1 - y) * unit)) < 0.15;
+            corners += is_here ? 1 : 0;
+        }
+        EXPECT_GE(corners, 2) << "of the fill and the edge at " << x << ' ' << y;
+    }
+}
+
 TEST(ExplainingPicture, NamesThePointsOf2021WhereTheyAre) {
     const std::string svg = picture(marking_of("2021"));
     const auto leaders = drawn::leaders_in(svg);
@@ -254,7 +275,7 @@ TEST(ExplainingPicture, LeavesNoDotWithoutAName) {
         const std::string svg = picture(marking_of(scene));
         const auto texts = drawn::texts_in(svg);
         const auto leaders = drawn::leaders_in(svg);
-        for (const char* colour : {"currentColor", "#d0591c", "#2f7fc8", "#2c8f57"}) {
+        for (const char* colour : {"currentColor", "#d0591c", "#2f7fc8", "#2c8f57", "#8563d6"}) {
             for (const drawn::Spot& dot : drawn::dots_in(svg, colour)) {
                 const bool is_named = std::any_of(texts.begin(), texts.end(), [&](const drawn::Text& text) {
                     return drawn::belongs(text, dot, leaders);
@@ -323,6 +344,17 @@ TEST(ExplainingPicture, ShowsTheKeysAnswers) {
     says("far", "lookat is far beyond the frame.");
     says("millions", "Unit vectors are drawn 2e+06 long.");
     says("a crowd", "Only 6 of 40 spheres are drawn.");
+    says("2024", "P_c: the ray hits the cylinder&#39;s tube, t = 1.");
+    says("2024", "P_s: the ray hits the sphere.");
+    says("2024", "The ray hits the cylinder first.");
+    says("2024", "cylinder, R = 1, height 4");
+    says("on the cap", "P_c: the ray hits the cylinder&#39;s top cap, t = 7.11.");
+    says("under the cap", "P_c: the ray hits the cylinder&#39;s bottom cap, t = 6.552.");
+    says("past the cylinder", "The ray misses the cylinder.");
+    says("along the tube", "P_c: the ray touches the cylinder&#39;s tube in this one point, d = 0.");
+    says("starts on the cylinder", "The ray starts on the cylinder, t = 0.");
+    says("within a cylinder", "The cylinder reaches far beyond the frame and is cut there.");
+    says("nine cylinders", "Only 6 of 9 cylinders are drawn.");
 }
 
 TEST(ExplainingPicture, NeverContradictsTheKey) {

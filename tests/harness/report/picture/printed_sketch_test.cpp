@@ -84,6 +84,18 @@ TEST(PrintedAnswers, AreDrawnAtThePrintedCoordinates) {
     EXPECT_TRUE(found) << "the cross's upper left end";
 }
 
+TEST(PrintedAnswers, OfTheCylinderAreDrawn) {
+    const Marking marking = marking_of("2024");
+    const std::string wrong = picture_of(marking, "Question 4:\nt: 1.5\nP_c: (3.5, 1.2, 0)\nN: (0, 1, 0)\n");
+    for (const char* name : {"P_c", "printed P_c", "N at P_c", "printed N"})
+        EXPECT_TRUE(drawn::has_name(wrong, name)) << name;
+    const std::string right = picture_of(marking, to_text(marking.key), false);
+    for (const char* name : {"printed P_c", "printed N", "printed P_s", "center"})
+        EXPECT_TRUE(drawn::has_name(right, name)) << name;
+    const std::string own = picture_of(marking, "Question 4:\nt: 1\nP_c: none\nN: (0, 0, 0)\n");
+    EXPECT_TRUE(drawn::has_text(own, "N (question 4) was printed as the zero vector: not drawn."));
+}
+
 TEST(PrintedAnswers, AreCrossesIfWrongEvenInTheImagePlane) {
     const auto crosses = [](const char* P_VCS) {
         const std::string output = std::string("Question 1: P_VCS: ") + P_VCS + "\n";
@@ -153,7 +165,7 @@ TEST(WithoutAnswers, ThePictureDoesNotDependOnTheKey) {
                 }
             }
         }
-        other.key.decisions = {"miss", "hit", "triangle", {"boundary"}};
+        other.key.decisions = {"miss", "hit", "miss", "triangle", {"boundary"}};
         ASSERT_NE(explaining_picture(other, nullptr, true, "p-"), explaining_picture(marking, nullptr, true, "p-"));
         EXPECT_EQ(explaining_picture(other, nullptr, false, "p-"), before);
         EXPECT_EQ(explaining_picture(other, &student, false, "p-"), before_printed);
@@ -172,7 +184,7 @@ std::vector<picture::Point> secrets(const Marking& marking, const picture::Doubl
                                     const picture::Frame& frame) {
     const picture::RightValues right = picture::right_values(marking.key, scene);
     std::vector<picture::Point> secrets;
-    for (const auto& point : {right.P_WCS, right.P_s, right.P_t}) {
+    for (const auto& point : {right.P_WCS, right.P_s, right.P_t, right.P_c}) {
         if (point) secrets.push_back(*point);
     }
     const auto tip = [&](const picture::Point& at, const std::optional<picture::Point>& vector) {

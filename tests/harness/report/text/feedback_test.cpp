@@ -38,7 +38,7 @@ TEST(Feedback, NeverShowsAnExpectedValueForNamedMistakes) {
     const student::Program right(marking().assignment, {});
     for (const student::NamedMistake& mistake : student::named_mistakes()) {
         const Score score =
-            harness::score(read_transcript(print(student::Program(marking().assignment, {}, mistake.mistake))),
+            harness::score(read_transcript(print(student::Program(marking().assignment, {}, mistake.mistake)), 10),
                            marking().key, marking().assignment);
         for (const QuestionScore& question : score.questions) {
             for (const ItemScore& item : question.items) {
@@ -166,7 +166,7 @@ TEST(CheckText, HasAVerdictForEveryItem) {
     std::size_t rows = 0;
     for (std::size_t at = 0; (at = text.find("\n  ", at)) != std::string::npos; ++at)
         rows += text[at + 3] != ' ' ? 1 : 0;
-    EXPECT_EQ(rows, reference::all_items().size());
+    EXPECT_EQ(rows, reference::default_items().size());
     EXPECT_THAT(text, HasSubstr("98.33 of 100 points"));
 }
 

@@ -13,7 +13,8 @@ using testing::HasSubstr;
 
 ItemScore item(ItemVerdict verdict) {
     ItemScore score;
-    score.spec = {6, "t", reference::Shape::scalar, reference::Subject::sphere, "t"};
+    score.spec = {6, "t", reference::Shape::scalar, reference::Subject::sphere, "t",
+                  reference::item::sphere::t};
     score.verdict = verdict;
     return score;
 }

@@ -117,20 +117,20 @@ TEST(Losses, IncludeDecisionsThatMarkingForgives) {
     missed = with_line(missed, 6, "t", "none");
     missed = with_line(missed, 6, "P_s", "none");
     missed = with_line(missed, 7, "N", "none");
-    ASSERT_EQ(verdict_on(::mark(missed, hit), {6, "t"}), "right");
+    ASSERT_EQ(verdict_on(::mark(missed, hit), reference::item::sphere::t), "right");
     EXPECT_THAT(told_losses(missed, hit),
                 IsSupersetOf({"6.t: hit_missed", "6.hit: hit_missed", "7.normal: hit_missed"}));
 
     const student::Marking miss = held(student::scene_named("barely missed"));
     std::string touched = with_line(right_printout(miss), 6, "d", "0.000001");
     touched = with_line(touched, 6, "t", "4.999500");
-    ASSERT_EQ(verdict_on(::mark(touched, miss), {6, "t"}), "right");
+    ASSERT_EQ(verdict_on(::mark(touched, miss), reference::item::sphere::t), "right");
     EXPECT_THAT(told_losses(touched, miss), Contains("6.t: miss_hit"));
 
     const student::Marking tie = held(student::scene_named("almost a tie"));
     for (const char* sentence : {"ray hits sphere first", "ray hits triangle first"}) {
         const std::string printed = with_verdict(right_printout(tie), sentence);
-        ASSERT_EQ(verdict_on(::mark(printed, tie), {10, "verdict"}), "right") << sentence;
+        ASSERT_EQ(verdict_on(::mark(printed, tie), reference::item::verdict), "right") << sentence;
         const bool is_true = right_printout(tie).find(sentence) != std::string::npos;
         EXPECT_EQ(told_losses(printed, tie).empty(), is_true) << sentence;
     }

@@ -19,7 +19,7 @@ using testing::IsEmpty;
 Graded half_right() {
     Graded graded;
     graded.outcome = Outcome::graded;
-    graded.score.questions = {{5, ItemVerdict::wrong, 10, 20, {}}};
+    graded.score.questions = {{5, "", ItemVerdict::wrong, 10, 20, {}}};
     graded.score.points = 10;
     graded.score.max_points = 20;
     return graded;

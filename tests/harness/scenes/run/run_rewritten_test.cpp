@@ -29,7 +29,7 @@ std::vector<Graded> four() {
     std::vector<Graded> all(4);
     for (Graded& one : all) {
         one.outcome = Outcome::graded;
-        one.score.questions = {{5, ItemVerdict::right, 10, 10, {ItemScore{}}}};
+        one.score.questions = {{5, "", ItemVerdict::right, 10, 10, {ItemScore{}}}};
         one.score.questions[0].items[0].verdict = ItemVerdict::right;
         one.score.questions[0].items[0].printed = "1";
     }

@@ -12,6 +12,7 @@ namespace {
 using namespace reference;
 using namespace reference::render;
 using scenes::colors_of;
+using scenes::cylinder;
 using scenes::material;
 using scenes::prepared;
 using scenes::sphere;
@@ -113,6 +114,10 @@ TEST(Effects, AreGivenWithTheirReasons) {
     EXPECT_EQ(reason_for(with_camera(clay + ball), "shadows"), "off: no light: no shading, no shadow rays");
     EXPECT_EQ(reason_for(with_camera(lamp + clay + ball), "shadows"),
               "off: one convex object: nothing can cast a shadow on another");
+    EXPECT_EQ(reason_for(with_camera(lamp + clay + cylinder("[0, 0, 0]", "1", "2", "clay")), "shadows"),
+              "off: one convex object: nothing can cast a shadow on another");
+    EXPECT_EQ(reason_for(with_camera(lamp + clay + cylinder("[0, 0, 2]", "1", "2", "clay")), "shadows"),
+              "on: a cylinder seen from inside is its own shade");
     EXPECT_EQ(reason_for(with_camera(lamp + clay + ball + sphere("[0, 3, 0]", "1", "clay")), "shadows"),
               "on: objects may stand between a light and each other");
     EXPECT_EQ(reason_for(with_camera(lamp + clay + ball), "mirrors"), "off: no reflectivity above 0: no mirrored rays");
@@ -131,7 +136,8 @@ TEST(Effects, IgnoreAMaterialThatNoObjectHas) {
 TEST(Effects, NeedNoShadowRaysForASingleObject) {
     for (const std::string& light : {lamp, sun}) {
         for (const std::string& object :
-             {sphere("[0.2, 0.1, 0]", "1", "clay"), triangle("[[-1, -1, 0.5], [1, -1, -2], [0, 1, -1]]", "clay")}) {
+             {sphere("[0.2, 0.1, 0]", "1", "clay"), cylinder("[0.2, -0.5, 0]", "1", "1", "clay"),
+              triangle("[[-1, -1, 0.5], [1, -1, -2], [0, 1, -1]]", "clay")}) {
             const PreparedScene scene = prepared(with_camera(light + clay + object));
             EXPECT_EQ(called_for(scene), (Effects{true, false, false, false, false}));
             expect_same_as_all_effects(scene);
@@ -139,21 +145,25 @@ TEST(Effects, NeedNoShadowRaysForASingleObject) {
     }
 }
 
-/// The camera is inside a ball and the light outside, so the ball shades its whole inside.
-TEST(Effects, NeedShadowsForASphereSeenFromInside) {
-    const PreparedScene scene = prepared(with_camera(sun + clay + sphere("[0, 0, 0]", "9", "clay")));
-    EXPECT_TRUE(called_for(scene).shadows);
-    for (const Color& color : colors_of(scene, called_for(scene))) EXPECT_EQ(color, Color(0, 0, 0));
-    const auto lit = colors_of(scene, {true, false, false, false, false});
-    EXPECT_TRUE(std::any_of(lit.begin(), lit.end(), [](const Color& color) { return color.x > 0; }));
+/// The camera is inside a ball or a drum and the light outside, so it shades its whole inside.
+TEST(Effects, NeedShadowsForAConvexObjectSeenFromInside) {
+    for (const std::string& object : {sphere("[0, 0, 0]", "9", "clay"), cylinder("[0, 0, 0]", "9", "20", "clay")}) {
+        const PreparedScene scene = prepared(with_camera(sun + clay + object));
+        EXPECT_TRUE(called_for(scene).shadows);
+        for (const Color& color : colors_of(scene, called_for(scene))) EXPECT_EQ(color, Color(0, 0, 0));
+        const auto lit = colors_of(scene, {true, false, false, false, false});
+        EXPECT_TRUE(std::any_of(lit.begin(), lit.end(), [](const Color& color) { return color.x > 0; }));
+    }
 }
 
-/// The window cuts the ball in two, so some rays start inside it.
-TEST(Effects, NeedShadowsForASphereCutByTheWindow) {
+/// The window cuts the ball or the drum in two, so some rays start inside it.
+TEST(Effects, NeedShadowsForAConvexObjectCutByTheWindow) {
     for (const char* middle : {"[0, 0, 2]", "[1.5, 0, 2.1]"}) {
-        const PreparedScene scene = prepared(with_camera(sun + clay + sphere(middle, "1", "clay")));
-        EXPECT_TRUE(called_for(scene).shadows) << middle;
-        expect_same_as_all_effects(scene);
+        for (const std::string& object : {sphere(middle, "1", "clay"), cylinder(middle, "1", "1", "clay")}) {
+            const PreparedScene scene = prepared(with_camera(sun + clay + object));
+            EXPECT_TRUE(called_for(scene).shadows) << middle;
+            expect_same_as_all_effects(scene);
+        }
     }
 }
 

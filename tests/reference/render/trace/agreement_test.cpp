@@ -20,13 +20,23 @@ Nearest through_the_pixel(const PreparedScene& scene, const Pixel& pixel) {
     return ObjectList::first_hit(scene, ray);
 }
 
-double value_of(const AnswerKey& key, int question, std::string_view item) {
-    for (const KeyQuestion& q : key.questions) {
-        for (const KeyItem& i : q.items) {
-            if (q.number == question && i.spec.name == item) return std::get<Numbers>(i.answers.front().value).front();
+/// Of an object that is hit.
+double t_of(const AnswerKey& key, Subject object) {
+    for (const KeyQuestion& question : key.questions) {
+        for (const KeyItem& item : question.items) {
+            if (item.spec.id == ItemId{object, "t"}) return std::get<Numbers>(item.answers.front().value).front();
         }
     }
     throw std::logic_error("no such item");
+}
+
+Subject kind_of(const PreparedScene& scene, std::uint32_t object) {
+    switch (scene.kind_of(object)) {
+        case ObjectKind::sphere: return Subject::sphere;
+        case ObjectKind::triangle: return Subject::triangle;
+        case ObjectKind::cylinder: break;
+    }
+    return Subject::cylinder;
 }
 
 /// Compares the picture with the certified key. Returns whether there is a hit to compare.
@@ -37,9 +47,9 @@ bool expect_agreement(const Assignment& assignment) {
     const std::string& first = key.decisions.first;
     EXPECT_EQ(nearest.is_hit(), first != "none");
     if (!nearest.is_hit() || first == "none" || first == "tie") return false;
-    const bool is_sphere = nearest.object < scene.spheres.size();
-    EXPECT_EQ(is_sphere ? "sphere" : "triangle", first);
-    const double t = value_of(key, is_sphere ? 6 : 8, "t");
+    const Subject object = kind_of(scene, nearest.object);
+    EXPECT_EQ(to_string(object), first);
+    const double t = t_of(key, object);
     EXPECT_NEAR(nearest.t, t, 1e-7 * std::max(1.0, t));
     return true;
 }

@@ -13,6 +13,7 @@ namespace {
 using namespace reference;
 using namespace reference::render;
 using scenes::colors_of;
+using scenes::cylinder;
 using scenes::material;
 using scenes::prepared;
 using scenes::sphere;
@@ -116,14 +117,17 @@ TEST(Refraction, EndsAtTheCriticalAngleOfAWaterSurface) {
     EXPECT_GT(outside, 0);
 }
 
-/// A ball of air in air is invisible.
+/// Air in air is invisible, in whatever shape.
 TEST(Refraction, BendsNothingForAnIndexOfOne) {
     const std::string behind = sphere("[0.3, 0.1, -2]", "1.2") + triangle("[[-9, -2, 3], [9, -2, 3], [0, -2, -30]]");
     const auto without = colors_of(prepared(with_camera(behind)), all_effects);
-    const auto with = colors_of(
-        prepared(with_camera(material("air", "transparency = 1") + sphere("[-0.2, 0, 0]", "1.1", "air") + behind)),
-        all_effects);
-    for (std::size_t i = 0; i < with.size(); ++i) expect_near(with[i], without[i], 1e-9);
+    const std::string air = material("air", "transparency = 1");
+    for (const std::string& object :
+         {sphere("[-0.2, 0, 0]", "1.1", "air"), triangle("[[-1, -1, 1], [1, -1, 1], [0, 1, 0]]", "air"),
+          cylinder("[-0.2, 0.1, 0.3]", "1.1", "0.7", "air"), cylinder("[0.1, -1.5, 0.6]", "0.7", "1.3", "air")}) {
+        const auto with = colors_of(prepared(with_camera(air + object + behind)), all_effects);
+        for (std::size_t i = 0; i < with.size(); ++i) expect_near(with[i], without[i], 1e-9);
+    }
 }
 
 /// A mirror at z = -4 shows the ball that stands behind the camera's window.

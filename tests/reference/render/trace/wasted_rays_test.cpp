@@ -44,7 +44,7 @@ TEST_P(EachRoom, ShootsNoRayForNothing) {
 INSTANTIATE_TEST_SUITE_P(All, EachRoom, testing::Range(0, 16));
 
 TEST(WastedRays, AreNoneInTheScenesThatComeWithRaygrade) {
-    for (const char* const name : {"shadowed.toml", "mirrors.toml", "glass.toml", "soft.toml"}) {
+    for (const char* const name : {"shadowed.toml", "mirrors.toml", "glass.toml", "soft.toml", "columns.toml"}) {
         SCOPED_TRACE(name);
         expect_no_waste(prepare_scene(load_scene(std::filesystem::path(RAYGRADE_SCENES) / name), PictureSize{64, 36}),
                         20'000);

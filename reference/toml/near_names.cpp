@@ -1,4 +1,4 @@
-#include "harness/text/near_names.h"
+#include "reference/toml/near_names.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-namespace harness {
+namespace reference {
 namespace {
 
 /// Longer names are compared by their beginning.
@@ -76,4 +76,4 @@ std::string did_you_mean(std::string_view wanted, const std::vector<std::string>
                        names.size() > enough ? fmt::format(" and {} more", names.size() - enough) : "");
 }
 
-}  // namespace harness
+}  // namespace reference

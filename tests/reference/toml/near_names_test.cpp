@@ -1,9 +1,9 @@
-#include "harness/text/near_names.h"
+#include "reference/toml/near_names.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace harness {
+namespace reference {
 namespace {
 
 using testing::ElementsAre;
@@ -35,4 +35,4 @@ TEST(DidYouMean, ListsSimilarNamesOrElseAll) {
 }
 
 }  // namespace
-}  // namespace harness
+}  // namespace reference

@@ -1,0 +1,187 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "harness/class_run/class_run.h"
+#include "harness/class_run/installation.h"
+#include "harness/class_run/progress.h"
+#include "harness/commands/shared_options.h"
+#include "harness/commands/subcommand.h"
+#include "harness/grade/final_mark.h"
+#include "harness/machine/bounded_file.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/say.h"
+#include "harness/prepare/check_text.h"
+#include "harness/prepare/handout_text.h"
+#include "harness/report/accuracy/sentences.h"
+#include "harness/run/limits.h"
+#include "reference/toml/scene_toml.h"
+
+namespace harness {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct AssignmentOptions {
+    std::string file;
+    fs::path samples;  ///< of check; empty for none
+    prepare::Search search;
+};
+
+reference::Assignment load(const AssignmentOptions& options) {
+    reference::Assignment assignment = reference::load_assignment(options.file, assignments_folder());
+    read_limits(assignment.limits, {});  // refuses a name that is no limit, as grading does
+    return assignment;
+}
+
+int list_assignments() {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(assignments_folder())) {
+        if (entry.path().extension() == ".toml" && !entry.is_symlink()) files.push_back(entry.path());
+    }
+    std::ranges::sort(files);
+    for (const fs::path& file : files) {
+        const auto assignment = reference::load_assignment(file.string(), assignments_folder());
+        fmt::print("{:<12} {:>2} questions  {}\n", assignment.name, assignment.questions.size(), assignment.title);
+    }
+    fmt::print("(in {})\n", assignments_folder().string());
+    return all_graded;
+}
+
+/// The folders in `samples` that hold a ray_cast.cpp and the marks that it must get.
+std::vector<fs::path> samples_in(const fs::path& samples) {
+    std::error_code error;
+    std::vector<fs::path> folders;
+    for (const auto& entry : fs::directory_iterator(samples, error)) {
+        if (fs::exists(entry.path() / "expected.json") && fs::exists(entry.path() / "ray_cast.cpp"))
+            folders.push_back(entry.path());
+    }
+    if (folders.empty()) {
+        throw UsageError(
+            fmt::format("{}: holds no folder with a ray_cast.cpp and an expected.json, such as {{\"points\": 90}}",
+                        samples.string()));
+    }
+    std::ranges::sort(folders);
+    return folders;
+}
+
+/// The points that a sample must get: a number, or [least, most].
+std::pair<double, double> expected_points(const fs::path& file) {
+    constexpr std::size_t most_bytes = 1 << 20;
+    const BoundedFile text = read_bounded(file, most_bytes, Links::follow);
+    const auto json = nlohmann::json::parse(text.bytes, nullptr, false);
+    const auto points = json.is_object() ? json.find("points") : json.end();
+    if (json.is_object() && points != json.end() && points->is_number())
+        return {points->get<double>(), points->get<double>()};
+    if (json.is_object() && points != json.end() && points->is_array() && points->size() == 2 &&
+        points->at(0).is_number() && points->at(1).is_number())
+        return {points->at(0).get<double>(), points->at(1).get<double>()};
+    throw UsageError(
+        fmt::format("{}: states no points; write {{\"points\": 90}}, or [85, 90] for a range", file.string()));
+}
+
+/// Grades the samples and prints their points beside those expected. Returns how many differ.
+int rehearse(const reference::Assignment& assignment, const fs::path& samples) {
+    const std::vector<fs::path> folders = samples_in(samples);
+    ClassRun run = open_class_run(assignment, {});
+    int differing = 0;
+    fmt::print("\nRehearsal with {} samples:\n", folders.size());
+    for (const fs::path& folder : folders) {
+        const auto [least, most] = expected_points(folder / "expected.json");
+        const Graded graded =
+            grade(the_only_submission(folder / "ray_cast.cpp", "raygrade grade"), run.marking, run.runner);
+        constexpr double rounded = 0.01;  // what is expected is written with two decimals
+        const double points = graded.score.points;
+        const bool as_expected = points >= least - rounded && points <= most + rounded;
+        differing += as_expected ? 0 : 1;
+        fmt::print("  {:<20} {:>7.2f} points, {}\n", folder.filename().string(), points,
+                   as_expected     ? "as expected"
+                   : least == most ? fmt::format("EXPECTED {:g}", least)
+                                   : fmt::format("EXPECTED {:g} to {:g}", least, most));
+    }
+    return differing;
+}
+
+int check_assignment(const AssignmentOptions& options) {
+    const reference::Assignment assignment = load(options);
+    const reference::AnswerKey key = reference::make_key(assignment, reference::Precision::certified);
+    double points = 0;
+    for (const reference::Question& question : assignment.questions)
+        points += assignment.rubric.points_of(question.number);
+    fmt::print("{}: {}, {} questions, {:g} points\n", assignment.name, assignment.title, assignment.questions.size(),
+               points);
+    for (const std::string& note : key.notes) fmt::print("note: {}\n", note);
+    const auto decisions = reference::accuracy::decisions_of(assignment, key.canonical);
+    fmt::print("\n{}\n{}\n", report::decisions_summary(decisions), prepare::decisions_text(decisions));
+    fmt::print("{}", prepare::mistakes_text(prepare::shown_mistakes(assignment, key), key));
+    if (options.samples.empty()) return all_graded;
+    return rehearse(assignment, options.samples) == 0 ? all_graded : some_not_graded;
+}
+
+int propose_scene(const AssignmentOptions& options) {
+    const reference::Assignment assignment = load(options);
+    const reference::AnswerKey key = reference::make_key(assignment, reference::Precision::certified);
+    prepare::Search search = options.search;
+    ShareProgress progress;
+    search.progress = [&](double done) { progress.tell(done); };
+    const prepare::Proposal proposal = prepare::propose(assignment, search);
+    say("{}", prepare::proposal_text(proposal, prepare::shown_mistakes(assignment, key)));
+    fmt::print("{}", reference::scene_toml(proposal.scene));
+    return all_graded;
+}
+
+int print_handout(const AssignmentOptions& options) {
+    fmt::print("{}", prepare::handout_text(load(options)));
+    return all_graded;
+}
+
+void add_file(CLI::App& command, AssignmentOptions& options) {
+    command
+        .add_option("assignment", options.file, "The name of an assignment that comes with raygrade, or a .toml file")
+        ->type_name("NAME|FILE")
+        ->required();
+}
+
+}  // namespace
+
+Subcommand assignment_command(CLI::App& app) {
+    CLI::App& command =
+        *app.add_subcommand("assignment", "What an instructor wants to know of an assignment before students see it");
+    command.require_subcommand(1);
+    const auto options = std::make_shared<AssignmentOptions>();
+    CLI::App* list = command.add_subcommand("list", "List the assignments that come with raygrade");
+    CLI::App* check = command.add_subcommand(
+        "check",
+        "Say which decisions are boundary cases, and which named mistakes the scene cannot show or tell apart");
+    add_file(*check, *options);
+    check
+        ->add_option("samples", options->samples,
+                     "Folders with a ray_cast.cpp and an expected.json; each is graded, and its points are compared")
+        ->type_name("FOLDER");
+    check->footer(
+        "Exit status 1 says that a sample did not get its points.\n"
+        "Example: raygrade assignment check next-year.toml samples/");
+    CLI::App* propose = command.add_subcommand(
+        "propose", "Look for another pixel or a slightly other scene that shows more mistakes, without boundary cases");
+    add_file(*propose, *options);
+    propose->add_option("--steps", options->search.steps, "How many scenes to try")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    propose->add_option("--seed", options->search.seed, "Where the search begins")->capture_default_str();
+    propose->add_flag("--pixel-only", options->search.pixel_only, "Change the pixel alone");
+    propose->footer(
+        "The scene's tables go to stdout, what it changes to stderr.\n"
+        "Example: raygrade assignment propose a6-2021 > scene.toml");
+    CLI::App* handout = command.add_subcommand("handout", "Print scene and questions as text for the handout");
+    add_file(*handout, *options);
+    return {&command, [=] {
+                if (list->parsed()) return list_assignments();
+                if (check->parsed()) return check_assignment(*options);
+                return propose->parsed() ? propose_scene(*options) : print_handout(*options);
+            }};
+}
+
+}  // namespace harness

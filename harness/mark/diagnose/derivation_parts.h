@@ -1,0 +1,70 @@
+// Shared by the files with the derivations of one part of the scene; only for them and derivation.cpp.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "harness/mark/compare/first_hit.h"
+#include "harness/mark/diagnose/derivation.h"
+
+namespace harness::derivations {
+
+using Targets = std::vector<Target>;
+using Form = QuadraticForm;
+using Vec = reference::Vec3<Interval>;
+
+const std::vector<Derivation>& of_camera();
+const std::vector<Derivation>& of_sphere();
+const std::vector<Derivation>& of_triangle();
+const std::vector<Derivation>& of_cylinder();
+
+/// compute(inputs...); empty if an input is missing.
+template <class... Inputs>
+Targets from(auto compute, const std::optional<Inputs>&... inputs) {
+    if (!(inputs && ...)) return {};
+    return {target_of(compute(*inputs...))};
+}
+
+// A vector of length 0 or axes in a plane give trivial results; a program gets no marks for printing zeros. Values
+// whose digits allow 0 count as 0.
+inline bool may_be_zero(const Interval& x) {
+    return x.contains(0.0);
+}
+inline bool may_be_zero(const Vec& p) {
+    return may_be_zero(p.x) && may_be_zero(p.y) && may_be_zero(p.z);
+}
+
+/// V; empty if its length may be 0.
+inline std::optional<Vec> direction_of(const ItemTargets& known) {
+    const auto direction = known.vector(item::V);
+    if (!direction || may_be_zero(*direction)) return std::nullopt;
+    return direction;
+}
+
+/// S + tV.
+inline Targets point_from_t(const ItemTargets& known, const ItemId& t) {
+    const auto parameter = known.scalar(t);
+    if (!parameter) return {no_value()};
+    return from([&](const auto& p, const auto& direction) { return reference::point_on_ray(p, direction, *parameter); },
+                known.vector(item::P_WCS), direction_of(known));
+}
+
+// Quadratics, of whichever object's coefficients are asked for.
+
+/// d of a, b and c; nothing if both of its terms may be zero.
+Targets discriminant(const ItemTargets& known, reference::Subject object, Form form);
+
+/// The student's quadratic: c is computed from a, b and d, because the student computed the roots from these three.
+/// Empty if a may be zero.
+std::optional<reference::Quadratic<Interval>> quadratic_from_abd(const ItemTargets& known, reference::Subject object,
+                                                                 Form form);
+
+/// The handout's quadratic with these roots, a > 0, from one in `form`.
+reference::Quadratic<Interval> in_full_form(reference::Quadratic<Interval> quadratic, Form form);
+
+/// The hit root of a quadratic with these coefficients in `form`; several roots if rounding leaves a sign open.
+Targets roots_of(const reference::Quadratic<Interval>& given, const IntervalScene& scene, Form form);
+
+}  // namespace harness::derivations

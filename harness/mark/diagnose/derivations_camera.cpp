@@ -1,0 +1,86 @@
+// How the items of the camera follow from each other.
+#include "harness/mark/diagnose/derivation_parts.h"
+
+namespace harness {
+namespace {
+
+using namespace derivations;
+
+Targets x_from_z(const ItemTargets& known, const IntervalScene& scene, Form) {
+    return from([&](const Vec& z) { return reference::normalized(reference::cross(scene.camera.vup, z)); },
+                known.vector(item::Z_vcs));
+}
+
+bool spans_space(const Vec& x, const Vec& y, const Vec& z) {
+    return !may_be_zero(reference::dot(reference::cross(x, y), z));
+}
+
+std::optional<reference::Basis<Interval>> basis_of(const ItemTargets& known) {
+    const auto x = known.vector(item::X_vcs), y = known.vector(item::Y_vcs), z = known.vector(item::Z_vcs);
+    if (!x || !y || !z || !spans_space(*x, *y, *z)) return std::nullopt;
+    return reference::Basis<Interval>{*x, *y, *z};
+}
+
+std::optional<reference::Mat4<Interval>> regular_matrix(const ItemTargets& known) {
+    const auto m = known.matrix4(item::M_VCS_to_WCS);
+    const auto axis = [&](int i) { return Vec((*m)[i][0], (*m)[i][1], (*m)[i][2]); };
+    if (!m || !spans_space(axis(0), axis(1), axis(2))) return std::nullopt;
+    return m;
+}
+
+Targets y_from_z_x(const ItemTargets& known, const IntervalScene&, Form) {
+    const auto x = known.vector(item::X_vcs), z = known.vector(item::Z_vcs);
+    if (!x || !z) return {};
+    const Vec y = reference::cross(*z, *x);
+    return may_be_zero(y) ? Targets{} : Targets{target_of(y)};
+}
+
+Targets m_from_basis(const ItemTargets& known, const IntervalScene& scene, Form) {
+    return from([&](const auto& basis) { return reference::vcs_to_wcs(basis, scene.camera.eye); }, basis_of(known));
+}
+
+Targets p_wcs_from_m(const ItemTargets& known, const IntervalScene&, Form) {
+    return from([](const auto& m, const auto& p) { return reference::pixel_to_wcs(m, p); }, regular_matrix(known),
+                known.vector(item::P_VCS));
+}
+
+/// The same without the division by w, for a matrix whose last row is not (0, 0, 0, 1).
+Targets p_wcs_undivided(const ItemTargets& known, const IntervalScene&, Form) {
+    return from(
+        [](const reference::Mat4<Interval>& m, const Vec& p) {
+            const auto row = [&](int i) { return m[0][i] * p.x + m[1][i] * p.y + m[2][i] * p.z + m[3][i]; };
+            return Vec(row(0), row(1), row(2));
+        },
+        regular_matrix(known), known.vector(item::P_VCS));
+}
+
+Targets p_wcs_from_basis(const ItemTargets& known, const IntervalScene& scene, Form) {
+    return from(
+        [&](const reference::Basis<Interval>& basis, const auto& p) {
+            return Vec(scene.camera.eye + reference::scaled(basis.X_vcs, p.x) + reference::scaled(basis.Y_vcs, p.y) +
+                       reference::scaled(basis.Z_vcs, p.z));
+        },
+        basis_of(known), known.vector(item::P_VCS));
+}
+
+Targets v_from_p(const ItemTargets& known, const IntervalScene& scene, Form) {
+    return from([&](const auto& p) { return reference::ray_direction(p, scene.camera.eye); },
+                known.vector(item::P_WCS));
+}
+
+}  // namespace
+
+const std::vector<Derivation>& derivations::of_camera() {
+    static const std::vector<Derivation> table = {
+        {item::X_vcs, {item::Z_vcs}, x_from_z},
+        {item::Y_vcs, {item::Z_vcs, item::X_vcs}, y_from_z_x},
+        {item::M_VCS_to_WCS, {item::X_vcs, item::Y_vcs, item::Z_vcs}, m_from_basis},
+        {item::P_WCS, {item::M_VCS_to_WCS, item::P_VCS}, p_wcs_from_m},
+        {item::P_WCS, {item::M_VCS_to_WCS, item::P_VCS}, p_wcs_undivided},
+        {item::P_WCS, {item::X_vcs, item::Y_vcs, item::Z_vcs, item::P_VCS}, p_wcs_from_basis},
+        {item::V, {item::P_WCS}, v_from_p},
+    };
+    return table;
+}
+
+}  // namespace harness

@@ -1,0 +1,384 @@
+// The named mistakes of the cylinder.
+#include <algorithm>
+#include <utility>
+
+#include "harness/mark/diagnose/mistake_parts.h"
+#include "reference/stages/cylinder.h"
+
+namespace harness {
+namespace {
+
+using namespace mistakes;
+using reference::dot;
+using reference::normalized;
+using Quadratic = reference::Quadratic<Interval>;
+
+using item::P_WCS, item::V;
+using namespace item::cylinder;
+
+const reference::Cylinder<Interval>& cylinder(const IntervalScene& scene) {
+    return scene.cylinders.front();
+}
+
+Quadratic quadratic(const Interval& p, const Interval& q, const Interval& r) {
+    return {p, q, r, q * q - Interval(4) * p * r};
+}
+
+/// The tube's quadratic for a start less `center`, which need not be the cylinder's.
+Quadratic tube_around(const Vec& start, const Vec& direction, const Vec& center, const Interval& radius_term) {
+    const Interval x = start.x - center.x, z = start.z - center.z;
+    return quadratic(direction.x * direction.x + direction.z * direction.z,
+                     Interval(2) * (x * direction.x + z * direction.z), x * x + z * z - radius_term);
+}
+
+/// A program that casts a ray at a cylinder, with the parts that a mistake may change.
+struct Caster {
+    Vec start;
+    Vec direction;
+    Quadratic tube;
+    Quadratic around_caps;  ///< of the tube that bounds the caps: negative inside it
+    Interval lower;         ///< y of the caps
+    Interval upper;
+    bool tests_caps = true;
+    bool tests_tube = true;
+    bool bounds_caps = true;  ///< by the radius
+    bool bounds_tube = true;  ///< by the caps
+};
+
+double middle(const Interval& x) {
+    return x.lo() + (x.hi() - x.lo()) / 2;
+}
+
+/// The roots of the tube's quadratic, the smaller first; none without real roots or for a ray along the axis.
+std::vector<Interval> tube_roots(const Caster& caster) {
+    const auto& [p, q, r, d] = caster.tube;
+    if (d.lo() < 0 || p.contains(0)) return {};
+    return {(-q - sqrt(d)) / (Interval(2) * p), (-q + sqrt(d)) / (Interval(2) * p)};
+}
+
+std::vector<Interval> tube_hits(const Caster& caster) {
+    std::vector<Interval> hits = tube_roots(caster);
+    std::erase_if(hits, [&](const Interval& root) {
+        const double y = middle(caster.start.y + root * caster.direction.y);
+        return caster.bounds_tube && (y < middle(caster.lower) || y > middle(caster.upper));
+    });
+    return hits;
+}
+
+std::vector<Interval> cap_hits(const Caster& caster) {
+    std::vector<Interval> hits;
+    if (caster.direction.y.contains(0)) return hits;
+    for (const Interval& y : {caster.upper, caster.lower}) {
+        const Interval at = (y - caster.start.y) / caster.direction.y;
+        const auto& [p, q, r, d] = caster.around_caps;
+        if (!caster.bounds_caps || middle(p * at * at + q * at + r) < 0) hits.push_back(at);
+    }
+    return hits;
+}
+
+std::vector<Interval> all_hits(const Caster& caster) {
+    std::vector<Interval> hits;
+    if (caster.tests_tube) hits = tube_hits(caster);
+    if (caster.tests_caps) {
+        for (const Interval& hit : cap_hits(caster)) hits.push_back(hit);
+    }
+    std::ranges::sort(hits, {}, middle);
+    return hits;
+}
+
+/// The smallest t ahead of the start; nothing for a miss, which many mistakes lead to.
+Targets first_of(const std::vector<Interval>& hits) {
+    const auto first = std::ranges::find_if(hits, [](const Interval& each) { return middle(each) > 0; });
+    return first == hits.end() ? Targets{} : Targets{target_of(*first)};
+}
+
+std::optional<Caster> right_caster(const ItemTargets& known, const IntervalScene& scene) {
+    const auto start = known.vector(P_WCS), direction = known.vector(V);
+    if (!start || !direction || scene.cylinders.empty()) return std::nullopt;
+    const auto& [center, radius, height] = cylinder(scene);
+    const Interval half = height / Interval(2);
+    const Quadratic tube = tube_around(*start, *direction, center, radius * radius);
+    return Caster{*start, *direction, tube, tube, center.y - half, center.y + half};
+}
+
+/// The first hit of a caster that `change` has changed.
+Targets t_with(const ItemTargets& known, const IntervalScene& scene, auto change) {
+    std::optional<Caster> caster = right_caster(known, scene);
+    if (!caster) return {};
+    change(*caster);
+    return first_of(all_hits(*caster));
+}
+
+/// The same where `wrong(caster)` is the tube's quadratic, and where it bounds the caps too.
+Targets t_with_tube(const ItemTargets& known, const IntervalScene& scene, auto wrong) {
+    return both(t_with(known, scene, [&](Caster& caster) { caster.tube = wrong(caster); }),
+                t_with(known, scene, [&](Caster& caster) { caster.tube = caster.around_caps = wrong(caster); }));
+}
+
+Targets t_unbounded_tube(const ItemTargets& known, const IntervalScene& scene) {
+    return t_with(known, scene, [](Caster& caster) { caster.bounds_tube = false; });
+}
+Targets t_unbounded_caps(const ItemTargets& known, const IntervalScene& scene) {
+    return t_with(known, scene, [](Caster& caster) { caster.bounds_caps = false; });
+}
+Targets t_only_caps(const ItemTargets& known, const IntervalScene& scene) {
+    return t_with(known, scene, [](Caster& caster) { caster.tests_tube = false; });
+}
+Targets t_only_tube(const ItemTargets& known, const IntervalScene& scene) {
+    return t_with(known, scene, [](Caster& caster) { caster.tests_caps = false; });
+}
+Targets t_radius_not_squared(const ItemTargets& known, const IntervalScene& scene) {
+    return t_with_tube(known, scene, [&](const Caster& caster) {
+        return tube_around(caster.start, caster.direction, cylinder(scene).center, cylinder(scene).radius);
+    });
+}
+Targets t_without_center(const ItemTargets& known, const IntervalScene& scene) {
+    const auto tube = [&](const Caster& caster) {
+        return tube_around(caster.start, caster.direction, Vec(Interval(0)),
+                           cylinder(scene).radius * cylinder(scene).radius);
+    };
+    const auto lower_caps = [&](Caster& caster) {
+        caster.lower = -cylinder(scene).height / Interval(2);
+        caster.upper = cylinder(scene).height / Interval(2);
+    };
+    const Targets whole = t_with(known, scene, [&](Caster& caster) {
+        caster.tube = caster.around_caps = tube(caster);
+        lower_caps(caster);
+    });
+    return both(both(t_with_tube(known, scene, tube), whole), t_with(known, scene, lower_caps));
+}
+Targets t_with_y(const ItemTargets& known, const IntervalScene& scene) {
+    return t_with(known, scene, [&](Caster& caster) {
+        const auto& [center, radius, height] = cylinder(scene);
+        const Vec from_center = caster.start - center;
+        caster.tube =
+            quadratic(dot(caster.direction, caster.direction), Interval(2) * dot(caster.direction, from_center),
+                      dot(from_center, from_center) - radius * radius);
+    });
+}
+Targets t_from_eye(const ItemTargets& known, const IntervalScene& scene) {
+    return t_with(known, scene, [&](Caster& caster) {
+        const auto& [center, radius, height] = cylinder(scene);
+        caster.start = scene.camera.eye;
+        caster.tube = caster.around_caps = tube_around(caster.start, caster.direction, center, radius * radius);
+    });
+}
+Targets t_height_not_halved(const ItemTargets& known, const IntervalScene& scene) {
+    return t_with(known, scene, [&](Caster& caster) {
+        caster.lower = cylinder(scene).center.y - cylinder(scene).height;
+        caster.upper = cylinder(scene).center.y + cylinder(scene).height;
+    });
+}
+Targets t_center_at_cap(const ItemTargets& known, const IntervalScene& scene) {
+    const auto between = [&](int from, int to) {
+        return t_with(known, scene, [&](Caster& caster) {
+            const auto& [center, radius, height] = cylinder(scene);
+            caster.lower = center.y + Interval(from) * height;
+            caster.upper = center.y + Interval(to) * height;
+        });
+    };
+    return both(between(0, 1), between(-1, 0));
+}
+Targets t_far(const ItemTargets& known, const IntervalScene& scene) {
+    const auto caster = right_caster(known, scene);
+    if (!caster) return {};
+    const std::vector<Interval> hits = all_hits(*caster);
+    return hits.size() < 2 || middle(hits.front()) <= 0 ? Targets{} : Targets{target_of(hits.back())};
+}
+Targets t_behind(const ItemTargets& known, const IntervalScene& scene) {
+    const auto caster = right_caster(known, scene);
+    if (!caster) return {};
+    Targets behind;
+    for (const Interval& hit : all_hits(*caster)) {
+        if (middle(hit) < 0) behind.push_back(target_of(hit));
+    }
+    return behind;
+}
+
+/// compute(a, b, d) of the tube; empty without real roots.
+Targets root_by(const ItemTargets& known, const IntervalScene& scene, auto compute) {
+    const auto caster = right_caster(known, scene);
+    if (!caster || caster->tube.d.lo() < 0 || caster->tube.a.contains(0)) return {};
+    return {target_of(compute(caster->tube.a, caster->tube.b, caster->tube.d))};
+}
+Targets t_not_halved(const ItemTargets& known, const IntervalScene& scene) {
+    return root_by(known, scene,
+                   [](const Interval& p, const Interval& q, const Interval& e) { return (-q - sqrt(e)) / p; });
+}
+Targets t_without_root(const ItemTargets& known, const IntervalScene& scene) {
+    return root_by(known, scene, [](const Interval& p, const Interval& q, const Interval& e) {
+        return (-q - e) / (Interval(2) * p);
+    });
+}
+Targets t_sign_of_b(const ItemTargets& known, const IntervalScene& scene) {
+    return both(root_by(known, scene,
+                        [](const Interval& p, const Interval& q, const Interval& e) {
+                            return (q - sqrt(e)) / (Interval(2) * p);
+                        }),
+                root_by(known, scene, [](const Interval& p, const Interval& q, const Interval& e) {
+                    return (q + sqrt(e)) / (Interval(2) * p);
+                }));
+}
+Targets t_precedence(const ItemTargets& known, const IntervalScene& scene) {
+    return both(root_by(known, scene,
+                        [](const Interval& p, const Interval& q, const Interval& e) {
+                            return (-q - sqrt(e)) / Interval(2) * p;
+                        }),
+                root_by(known, scene, [](const Interval& p, const Interval& q, const Interval& e) {
+                    return -q - sqrt(e) / (Interval(2) * p);
+                }));
+}
+Targets t_factor_4_missing(const ItemTargets& known, const IntervalScene& scene) {
+    const auto caster = right_caster(known, scene);
+    if (!caster || caster->tube.a.contains(0)) return {};
+    const auto& [p, q, r, d] = caster->tube;
+    const Interval wrong = q * q - p * r;
+    return wrong.lo() < 0 ? Targets{} : Targets{target_of((-q - sqrt(wrong)) / (Interval(2) * p))};
+}
+
+/// compute(hit point); empty if it is missing.
+Targets normal_by(const ItemTargets& known, const IntervalScene& scene, auto compute) {
+    const auto point = known.vector(hit);
+    if (!point || scene.cylinders.empty()) return {};
+    return just(compute(*point, cylinder(scene).center));
+}
+Vec outward(const Vec& p, const Vec& center) {
+    return {p.x - center.x, Interval(0), p.z - center.z};
+}
+Targets n_without_center(const ItemTargets& known, const IntervalScene& scene) {
+    return normal_by(known, scene, [](const Vec& p, const Vec&) { return normalized(outward(p, Vec(Interval(0)))); });
+}
+Targets n_inward(const ItemTargets& known, const IntervalScene& scene) {
+    return normal_by(known, scene, [](const Vec& p, const Vec& center) { return -normalized(outward(p, center)); });
+}
+Targets n_long(const ItemTargets& known, const IntervalScene& scene) {
+    return both(normal_by(known, scene, [](const Vec& p, const Vec& center) { return outward(p, center); }),
+                normal_by(known, scene, [](const Vec& p, const Vec&) { return outward(p, Vec(Interval(0))); }));
+}
+Targets n_with_y(const ItemTargets& known, const IntervalScene& scene) {
+    return normal_by(known, scene, [](const Vec& p, const Vec& center) { return normalized(Vec(p - center)); });
+}
+Targets n_with_y_without_center(const ItemTargets& known, const IntervalScene& scene) {
+    return normal_by(known, scene, [](const Vec& p, const Vec&) { return normalized(p); });
+}
+Targets n_added(const ItemTargets& known, const IntervalScene& scene) {
+    return normal_by(known, scene, [](const Vec& p, const Vec& center) { return normalized(outward(p, -center)); });
+}
+
+/// Whether the hit point is on a cap: above (1) or below (-1) the middle; 0 for the tube.
+int cap_of(const ItemTargets& known, const IntervalScene& scene) {
+    const auto point = known.vector(hit);
+    if (!point || scene.cylinders.empty()) return 0;
+    const auto& [center, radius, height] = cylinder(scene);
+    const double y = middle(point->y - center.y), half = middle(height) / 2;
+    constexpr double near = 0.01;
+    if (std::abs(std::abs(y) - half) > near * half) return 0;
+    return y > 0 ? 1 : -1;
+}
+Targets n_of_other_cap(const ItemTargets& known, const IntervalScene& scene) {
+    const int cap = cap_of(known, scene);
+    return cap == 0 ? Targets{} : just(Vec(Interval(0), Interval(-cap), Interval(0)));
+}
+Targets n_of_tube(const ItemTargets& known, const IntervalScene& scene) {
+    if (cap_of(known, scene) == 0) return {};
+    return both(normal_by(known, scene, [](const Vec& p, const Vec& center) { return normalized(outward(p, center)); }),
+                n_without_center(known, scene));
+}
+Targets n_of_cap(const ItemTargets& known, const IntervalScene& scene) {
+    if (cap_of(known, scene) != 0) return {};
+    return both(just(Vec(Interval(0), Interval(1), Interval(0))), just(Vec(Interval(0), Interval(-1), Interval(0))));
+}
+
+template <Interval Quadratic::*Coefficient>
+Targets coefficient_with_y(const ItemTargets& known, const IntervalScene& scene) {
+    const auto caster = right_caster(known, scene);
+    if (!caster) return {};
+    const auto& [center, radius, height] = cylinder(scene);
+    const Vec from_center = caster->start - center;
+    const Quadratic wrong =
+        quadratic(dot(caster->direction, caster->direction), Interval(2) * dot(caster->direction, from_center),
+                  dot(from_center, from_center) - radius * radius);
+    return {target_of(wrong.*Coefficient)};
+}
+Targets b_factor_2_missing(const ItemTargets& known, const IntervalScene& scene) {
+    const auto caster = right_caster(known, scene);
+    return caster ? Targets{target_of(caster->tube.b / Interval(2))} : Targets{};
+}
+template <Interval Quadratic::*Coefficient>
+Targets coefficient_without_center(const ItemTargets& known, const IntervalScene& scene) {
+    const auto caster = right_caster(known, scene);
+    if (!caster) return {};
+    const Interval square = cylinder(scene).radius * cylinder(scene).radius;
+    return {target_of(tube_around(caster->start, caster->direction, Vec(Interval(0)), square).*Coefficient)};
+}
+Targets c_radius_not_squared(const ItemTargets& known, const IntervalScene& scene) {
+    const auto caster = right_caster(known, scene);
+    if (!caster) return {};
+    return {target_of(tube_around(caster->start, caster->direction, cylinder(scene).center, cylinder(scene).radius).c)};
+}
+Targets d_factor_4_missing(const ItemTargets& known, const IntervalScene&) {
+    return from([](const Interval& p, const Interval& q, const Interval& r) { return q * q - p * r; }, known.scalar(a),
+                known.scalar(b), known.scalar(c));
+}
+
+constexpr std::string_view no_y = "The tube's equation has x and z only: its axis is parallel to y.";
+constexpr std::string_view subtract_center = "The cylinder's center must be subtracted from the start of the ray.";
+
+}  // namespace
+
+const std::vector<Mistake>& mistakes::of_cylinder() {
+    static const std::vector<Mistake> table = {
+        {"y in the tube's equation", no_y, a, coefficient_with_y<&Quadratic::a>},
+        {"y in the tube's equation", no_y, b, coefficient_with_y<&Quadratic::b>},
+        {"factor 2 missing", "The coefficient of t is twice the sum of the products.", b, b_factor_2_missing},
+        {"center forgotten", subtract_center, b, coefficient_without_center<&Quadratic::b>},
+        {"y in the tube's equation", no_y, c, coefficient_with_y<&Quadratic::c>},
+        {"radius not squared", "The tube's equation has R squared.", c, c_radius_not_squared},
+        {"center forgotten", subtract_center, c, coefficient_without_center<&Quadratic::c>},
+        {"factor 4 missing", "The discriminant is b^2 - 4ac.", d, d_factor_4_missing},
+        {"no height bound",
+         "That is where the ray meets the endless tube; a hit counts only between the planes of the two caps.", t,
+         t_unbounded_tube},
+        {"only tube", "The caps are missing: a cylinder is closed at the top and at the bottom.", t, t_only_tube},
+        {"only caps", "The tube is missing: of all hits of tube and caps the one with the smallest t counts.", t,
+         t_only_caps},
+        {"no radius bound",
+         "That is where the ray meets a cap's plane; it hits the cap only if it is nearer to the axis than R.", t,
+         t_unbounded_caps},
+        {"height not halved", "The caps lie half the height above and below the center.", t, t_height_not_halved},
+        {"center at a cap", "The center is in the middle, half the height from each cap.", t, t_center_at_cap},
+        {"larger root", "The ray hits the cylinder earlier: of all hits the one with the smallest t counts.", t, t_far},
+        {"hit behind the start",
+         "That hit is not positive: it lies behind the start of the ray. If none is positive, the ray misses.", t,
+         t_behind},
+        {"radius not squared", "The tube's equation has R squared.", t, t_radius_not_squared},
+        {"center forgotten", subtract_center, t, t_without_center},
+        {"y in the tube's equation", no_y, t, t_with_y},
+        {"ray starts at the eye", starts_at_eye, t, t_from_eye},
+        {"not divided by 2", "The root is (-b - sqrt(d)) / (2a); the 2 is missing.", t, t_not_halved},
+        {"square root forgotten", "The root holds the square root of the discriminant, not the discriminant.", t,
+         t_without_root},
+        {"sign of b in the root", "The root begins with minus b.", t, t_sign_of_b},
+        {"operator precedence", "The whole of -b - sqrt(d) is divided by the whole of 2a; put both in brackets.", t,
+         t_precedence},
+        {"factor 4 missing", "The discriminant is b^2 - 4ac.", t, t_factor_4_missing},
+        {"ray starts at the eye", "The hit point is S + tV with S = P_WCS, not the eye.", hit, hit_from_eye<t>},
+        {"start forgotten", "The hit point is S + tV; S is missing.", hit, hit_without_start<t>},
+        {"sign of t", "The hit point is S plus tV.", hit, hit_backward<t>},
+        {"wrong cap's normal", "The top cap's normal points up and the bottom cap's down.", normal, n_of_other_cap},
+        {"tube's normal for a cap", "The hit is on a cap, whose normal is parallel to the axis.", normal, n_of_tube},
+        {"center forgotten",
+         "The tube's normal points from the axis to the hit point: the center's x and z must be subtracted.", normal,
+         n_without_center},
+        {"points inward", "The normal points outward, from the axis to the hit point.", normal, n_inward},
+        {"not normalized", "The normal must have length 1.", normal, n_long},
+        {"y in the normal", "The tube's normal is level: its y is 0.", normal, n_with_y},
+        {"y in the normal", "The tube's normal is level: its y is 0.", normal, n_with_y_without_center},
+        {"cap's normal for the tube", "The hit is on the tube, whose normal points away from the axis.", normal,
+         n_of_cap},
+        {"sign of the center", "The center is subtracted from the hit point, not added.", normal, n_added},
+    };
+    return table;
+}
+
+}  // namespace harness

@@ -1,0 +1,69 @@
+#include "harness/prepare/check_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+
+#include "harness/report/accuracy/sentences.h"
+
+namespace harness::prepare {
+namespace {
+
+/// "4.t" for each item that is asked.
+std::map<ItemId, std::string> asked_names(const reference::AnswerKey& key) {
+    std::map<ItemId, std::string> names;
+    for (const reference::KeyQuestion& question : key.questions) {
+        for (const reference::KeyItem& item : question.items)
+            names[item.spec.id] = fmt::format("{}.{}", question.number, item.spec.name);
+    }
+    return names;
+}
+
+std::string quoted(const std::vector<NamedMistake>& mistakes) {
+    std::vector<std::string> names;
+    for (const NamedMistake& mistake : mistakes) names.push_back(fmt::format("\"{}\"", mistake.name));
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+std::string mistakes_text(const ShownMistakes& mistakes, const reference::AnswerKey& key) {
+    const std::map<ItemId, std::string> names = asked_names(key);
+    std::string text =
+        fmt::format("Of {} named mistakes this scene shows {}, and tells {} from all others.\n",
+                    mistakes.shown.size() + mistakes.hidden.size(), mistakes.shown.size(), mistakes.told_apart());
+    std::map<std::string, std::vector<NamedMistake>> hidden;
+    for (const NamedMistake& mistake : mistakes.hidden) hidden[names.at(mistake.item)].push_back(mistake);
+    if (!hidden.empty()) text += "It cannot show:\n";
+    for (const auto& [name, list] : hidden) text += fmt::format("  {:<16} {}", name, report::wrapped(quoted(list)));
+    if (!mistakes.alike.empty()) text += "It cannot tell apart:\n";
+    for (const auto& group : mistakes.alike)
+        text += fmt::format("  {:<16} {}", names.at(group.front().item), report::wrapped(quoted(group)));
+    return text;
+}
+
+std::string decisions_text(const std::vector<reference::accuracy::Decision>& decisions) {
+    std::string text;
+    for (const reference::accuracy::Decision& decision : decisions) {
+        if (decision.hangs_on_rounding())
+            text += fmt::format("  {}", report::wrapped(report::decision_sentence(decision)));
+    }
+    return text;
+}
+
+std::string proposal_text(const Proposal& proposal, const ShownMistakes& before) {
+    if (proposal.changes.empty()) return "No better scene was found; --steps and --seed search on.\n";
+    std::string text = fmt::format("{:<28} {:>8} {:>8}\n", "", "before", "proposed");
+    const auto row = [&](std::string_view what, std::size_t was, std::size_t is) {
+        text += fmt::format("{:<28} {:>8} {:>8}\n", what, was, is);
+    };
+    row("mistakes shown", before.shown.size(), proposal.mistakes.shown.size());
+    row("mistakes not shown", before.hidden.size(), proposal.mistakes.hidden.size());
+    row("told from all others", before.told_apart(), proposal.mistakes.told_apart());
+    text += "changes:\n";
+    for (const std::string& change : proposal.changes) text += fmt::format("  {}\n", change);
+    return text;
+}
+
+}  // namespace harness::prepare

@@ -1,0 +1,92 @@
+#include "harness/prepare/handout_text.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <string_view>
+
+namespace harness::prepare {
+namespace {
+
+using reference::Decimal;
+using reference::ItemId;
+namespace item = reference::item;
+
+std::string point(const reference::Vec3<Decimal>& p) {
+    return fmt::format("({} {} {})", p.x.text(), p.y.text(), p.z.text());
+}
+
+/// What the handout asks for, by item.
+const std::map<ItemId, std::string_view>& wordings() {
+    static const std::map<ItemId, std::string_view> words = {
+        {item::P_VCS, "the pixel in view coordinates, P_VCS"},
+        {item::X_vcs, "the basis vector X_vcs, unit length"},
+        {item::Y_vcs, "the basis vector Y_vcs, unit length"},
+        {item::Z_vcs, "the basis vector Z_vcs, unit length"},
+        {item::M_VCS_to_WCS, "the matrix M_VCS_to_WCS, 4 x 4"},
+        {item::P_WCS, "the pixel in world coordinates, P_WCS"},
+        {item::V, "the unit vector V from the eye to the pixel; the ray is P = S + tV with S = P_WCS"},
+        {item::sphere::a, "a of the quadratic a t^2 + b t + c = 0 for the sphere"},
+        {item::sphere::b, "b of the sphere's quadratic"},
+        {item::sphere::c, "c of the sphere's quadratic"},
+        {item::sphere::d, "its discriminant d = b^2 - 4ac"},
+        {item::sphere::t, "t of the hit on the sphere: positive, the smaller of two positive roots"},
+        {item::sphere::hit, "the hit point P_s"},
+        {item::sphere::normal, "the sphere's unit normal N at the hit point"},
+        {item::triangle::matrix, "the 3 x 3 matrix of A + u(B-A) + v(C-A) = S + tV, columns t u v"},
+        {item::triangle::rhs, "the right-hand side of that system"},
+        {item::triangle::t, "t of the hit on the triangle"},
+        {item::triangle::u, "u; a hit has 0 <= u <= 1, 0 <= v <= 1 and u + v <= 1"},
+        {item::triangle::v, "v"},
+        {item::triangle::hit, "the hit point P_t"},
+        {item::triangle::normal, "the triangle's unit normal (B-A) x (C-A)"},
+        {item::cylinder::a, "a of the quadratic for the cylinder's tube"},
+        {item::cylinder::b, "b of the tube's quadratic"},
+        {item::cylinder::c, "c of the tube's quadratic"},
+        {item::cylinder::d, "its discriminant d = b^2 - 4ac"},
+        {item::cylinder::t, "t of the hit on the cylinder: the smallest positive t of its tube and its two caps"},
+        {item::cylinder::hit, "the hit point P_c"},
+        {item::cylinder::normal, "the cylinder's unit normal N at the hit point, outward"},
+        {item::verdict, "which object the ray hits first, as a sentence: \"ray hits ... first\""},
+    };
+    return words;
+}
+
+std::string scene_text(const reference::Scene<Decimal>& scene) {
+    std::string text = fmt::format("Camera: eye {}, lookat {}, vup {}.\n", point(scene.camera.eye),
+                                   point(scene.camera.lookat), point(scene.camera.vup));
+    const auto& window = scene.window;
+    text += fmt::format(
+        "Window: left {}, right {}, bottom {}, top {}, near {}; width W = {}, height H = {} pixels; pixel ({} {}), x "
+        "from the left, y from the bottom, both from 0.\n",
+        window.clip_left.text(), window.clip_right.text(), window.clip_bottom.text(), window.clip_top.text(),
+        window.clip_near.text(), window.width, window.height, scene.pixel.x, scene.pixel.y);
+    for (const auto& sphere : scene.spheres)
+        text += fmt::format("Sphere: center C {}, radius R {}.\n", point(sphere.center), sphere.radius.text());
+    for (const auto& triangle : scene.triangles)
+        text += fmt::format("Triangle: A {}, B {}, C {}.\n", point(triangle.A), point(triangle.B), point(triangle.C));
+    for (const auto& cylinder : scene.cylinders) {
+        text += fmt::format(
+            "Cylinder: axis parallel to the y axis, center {}, radius R {}, height {} from bottom to top, closed by "
+            "two "
+            "caps.\n",
+            point(cylinder.center), cylinder.radius.text(), cylinder.height.text());
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string handout_text(const reference::Assignment& assignment) {
+    std::string text = fmt::format("# {}\n\n## The scene\n\n{}\n", assignment.title, scene_text(assignment.scene));
+    text += "## Questions\n\nPrint each answer with a label, under the heading \"Question N\".\n";
+    for (const reference::Question& question : assignment.questions) {
+        const double points = assignment.rubric.points_of(question.number);
+        text += fmt::format("\n{}. **{}** ({:g} point{})\n", question.number, question.title, points,
+                            points == 1 ? "" : "s");
+        for (const ItemId& id : question.items) text += fmt::format("   - {}\n", wordings().at(id));
+    }
+    return text;
+}
+
+}  // namespace harness::prepare

@@ -1,0 +1,72 @@
+#include "harness/read/part.h"
+
+#include <re2/re2.h>
+
+#include <array>
+#include <string>
+
+namespace harness {
+namespace {
+
+constexpr std::size_t longest_start = 40;
+
+/// A line that may begin with a part's number.
+struct Part {
+    std::size_t line;
+    std::size_t end;
+    std::string number;
+};
+
+std::optional<Part> part_of(std::string_view text, std::size_t line) {
+    static const RE2 pattern(R"(^(\s*[(\[]?([a-h]|i{1,3}|iv|vi{0,3})(?:[)\]]|\.\s)\s*[:.\-]?\s*)\S)");
+    const std::string_view start = text.substr(0, longest_start);
+    re2::StringPiece whole;
+    Part part{line, 0, {}};
+    if (!RE2::PartialMatch(re2::StringPiece(start.data(), start.size()), pattern, &whole, &part.number))
+        return std::nullopt;
+    // The sign of "(a) -1" belongs to the answer.
+    part.end = whole.size();
+    if (whole.ends_with("-")) --part.end;
+    return part;
+}
+
+/// Whether the parts are numbered from the first on, one by one.
+template <std::size_t N>
+bool go_up(const std::vector<Part>& parts, const std::array<std::string_view, N>& numbers) {
+    if (parts.size() < 2 || parts.size() > N) return false;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (parts[i].number != numbers.at(i)) return false;
+    }
+    return true;
+}
+
+bool are_parts(const std::vector<Part>& parts) {
+    constexpr std::array<std::string_view, 8> letters = {"a", "b", "c", "d", "e", "f", "g", "h"};
+    constexpr std::array<std::string_view, 8> roman = {"i", "ii", "iii", "iv", "v", "vi", "vii", "viii"};
+    return go_up(parts, letters) || go_up(parts, roman);
+}
+
+}  // namespace
+
+std::vector<std::size_t> find_parts(const std::vector<std::string_view>& lines,
+                                    const std::vector<std::optional<Heading>>& headings) {
+    std::vector<std::size_t> ends(lines.size(), 0);
+    std::vector<Part> parts;  // under the last heading
+    const auto close = [&] {
+        if (are_parts(parts)) {
+            for (const Part& part : parts) ends[part.line] = part.end;
+        }
+        parts.clear();
+    };
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (headings[i]) {
+            close();
+        } else if (auto part = part_of(lines[i], i)) {
+            parts.push_back(std::move(*part));
+        }
+    }
+    close();
+    return ends;
+}
+
+}  // namespace harness

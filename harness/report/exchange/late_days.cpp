@@ -1,0 +1,64 @@
+#include "harness/report/exchange/late_days.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace harness::report {
+namespace {
+
+/// The number of days in a cell. Throws RosterError.
+double read_days(const Row& row, std::optional<std::size_t> column, std::string_view name, std::size_t line) {
+    const std::optional<double> days = read_grade(cell_of(row, column));
+    if (!days) throw RosterError(fmt::format("line {}: {} is no number of days, such as 2 or 0.5", line, name));
+    return *days;
+}
+
+}  // namespace
+
+LateDays read_late_days(std::string_view csv) {
+    const std::vector<Row> rows = parse_csv(csv);
+    const Row header = rows.empty() ? Row() : rows.front();
+    const auto id = column_of(header, "id"), late = column_of(header, "days_late");
+    const auto extension = column_of(header, "extension_days");
+    if (!id || !late)
+        throw RosterError("has no columns id and days_late in its first line; there may also be extension_days");
+    LateDays days;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const std::string who = cell_of(rows[i], id);
+        if (who.empty()) throw RosterError(fmt::format("line {}: names no submission in its column id", i + 1));
+        double late_days = read_days(rows[i], late, "days_late", i + 1);
+        if (!cell_of(rows[i], extension).empty()) late_days -= read_days(rows[i], extension, "extension_days", i + 1);
+        if (!days.emplace(who, late_days).second)
+            throw RosterError(fmt::format("line {}: {} stands twice", i + 1, who));
+    }
+    return days;
+}
+
+double late_share(const reference::Rubric& rubric, double days) {
+    constexpr double minutes_a_day = 24 * 60;
+    const double started = std::ceil(days - rubric.grace_minutes / minutes_a_day);
+    double share = 0;
+    for (const reference::LateStep& step : rubric.late) {
+        if (step.days <= started) share = step.share;
+    }
+    return share;
+}
+
+void apply_late_schedule(std::vector<Graded>& graded, const reference::Rubric& rubric, const LateDays& days) {
+    for (Graded& one : graded) {
+        one.late_share = 0;
+        if (const auto told = days.find(one.submission.id); told != days.end()) {
+            one.late_share = late_share(rubric, told->second);
+        } else if (one.submission.lms && one.submission.lms->late == true) {
+            if (rubric.late.size() == 1) one.late_share = rubric.late.front().share;
+            if (rubric.late.size() < 2) continue;
+            one.flags.push_back(
+                {late_without_date,
+                 "Handed in late, but the download does not tell how late: nothing is taken off so far."});
+        }
+    }
+}
+
+}  // namespace harness::report

@@ -1,0 +1,39 @@
+#include "harness/scenes/source/window_numbers.h"
+
+#include <array>
+
+namespace harness::scenes {
+namespace {
+
+constexpr std::array numbers{
+    WindowNumber{"clipLeft", [](std::string_view name) { return name.ends_with("left"); }, &SceneWindow::clip_left,
+                 nullptr},
+    WindowNumber{"clipRight", [](std::string_view name) { return name.ends_with("right"); }, &SceneWindow::clip_right,
+                 nullptr},
+    WindowNumber{"clipBottom", [](std::string_view name) { return name.ends_with("bottom"); },
+                 &SceneWindow::clip_bottom, nullptr},
+    WindowNumber{"clipTop", [](std::string_view name) { return name.ends_with("top"); }, &SceneWindow::clip_top,
+                 nullptr},
+    WindowNumber{"clipNear", [](std::string_view name) { return name.ends_with("near"); }, &SceneWindow::clip_near,
+                 nullptr},
+    WindowNumber{
+        "W",
+        [](std::string_view name) { return name == "w" || name == "nx" || name == "xres" || name.ends_with("width"); },
+        nullptr, &SceneWindow::width},
+    WindowNumber{
+        "H",
+        [](std::string_view name) { return name == "h" || name == "ny" || name == "yres" || name.ends_with("height"); },
+        nullptr, &SceneWindow::height},
+};
+
+}  // namespace
+
+double WindowNumber::value_in(const DecimalScene& scene) const {
+    return pixels != nullptr ? scene.window.*pixels : (scene.window.*number).to_double();
+}
+
+std::span<const WindowNumber> window_numbers() {
+    return numbers;
+}
+
+}  // namespace harness::scenes

@@ -1,0 +1,25 @@
+// The numbers of the window, and what students call them.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "harness/scenes/source/scene_part.h"
+
+namespace harness::scenes {
+
+using SceneWindow = reference::Window<reference::Decimal>;
+
+/// One number of the window: the handout's name for it, how sources call it, and where the scene has it.
+struct WindowNumber {
+    std::string_view name;
+    bool (*is_called)(std::string_view plain);  ///< in lower case, without the object before the dot
+    reference::Decimal SceneWindow::*number;    ///< null for pixels
+    int SceneWindow::*pixels;                   ///< null for other numbers
+
+    double value_in(const DecimalScene& scene) const;
+};
+
+std::span<const WindowNumber> window_numbers();
+
+}  // namespace harness::scenes

@@ -1,0 +1,89 @@
+#include "reference/toml/questions_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reference/toml/amount.h"
+#include "reference/toml/near_names.h"
+
+namespace reference {
+namespace {
+
+constexpr int most_questions = 99;
+
+std::size_t count_of(Subject object, const Scene<Decimal>& scene) {
+    if (object == Subject::sphere) return scene.spheres.size();
+    return object == Subject::triangle ? scene.triangles.size() : scene.cylinders.size();
+}
+
+/// Whether the scene has what the item is about. Which object is first is asked where there are two kinds of them.
+bool is_in_scene(Subject subject, const Scene<Decimal>& scene) {
+    if (subject == Subject::camera) return true;
+    if (subject != Subject::first_hit) return count_of(subject, scene) > 0;
+    return std::ranges::count_if(objects, [&](Subject object) { return count_of(object, scene) > 0; }) >= 2;
+}
+
+class QuestionReader {
+  public:
+    explicit QuestionReader(const Scene<Decimal>& scene) : scene_(scene) {}
+
+    void read(const TomlTable& table) {
+        table.allow_only({"number", "title", "items", "points"});
+        const int last = result_.questions.empty() ? 0 : result_.questions.back().number;
+        Question question{table.has("number") ? table.integer("number", 1, most_questions) : last + 1, {}, {}};
+        if (question.number <= last)
+            table.fail("number", fmt::format("is {} after {}; number the questions upwards", question.number, last));
+        for (const std::string& name : table.strings("items")) question.items.push_back(read_item(table, name));
+        if (question.items.empty()) table.fail("items", "must name at least one item");
+        question.title = table.has("title") ? table.string("title") : fmt::format("question {}", question.number);
+        if (table.has("points")) {
+            result_.points[question.number] = read_amount(table, "points", 0, most_points);
+        }
+        result_.questions.push_back(std::move(question));
+    }
+
+    ReadQuestions result() && { return std::move(result_); }
+
+  private:
+    ItemId read_item(const TomlTable& table, const std::string& name) {
+        const Item* item = find_item(name);
+        if (item == nullptr) {
+            std::vector<std::string> names;
+            for (const Item& each : known_items()) names.emplace_back(each.full_name);
+            table.fail("items", fmt::format("\"{}\" is no item; {}", name, did_you_mean(name, names)));
+        }
+        if (!is_in_scene(item->id.subject, scene_)) {
+            table.fail("items", item->id.subject == Subject::first_hit
+                                    ? fmt::format("\"{}\" needs objects of two kinds in the scene", name)
+                                    : fmt::format("\"{0}\" is about a {1}, and the scene has none; add [[{1}]]", name,
+                                                  to_string(item->id.subject)));
+        }
+        if (std::ranges::find(asked_, item->id) != asked_.end())
+            table.fail("items", fmt::format("\"{}\" is asked twice; ask for it once", name));
+        asked_.push_back(item->id);
+        return item->id;
+    }
+
+    const Scene<Decimal>& scene_;
+    std::vector<ItemId> asked_;
+    ReadQuestions result_;
+};
+
+}  // namespace
+
+ReadQuestions read_questions(const TomlTable& root, const Scene<Decimal>& scene) {
+    const std::vector<TomlTable> tables = root.tables("question");
+    if (tables.empty()) {
+        ReadQuestions result{default_questions(), {}};
+        for (Question& question : result.questions)
+            std::erase_if(question.items, [&](const ItemId& id) { return !is_in_scene(id.subject, scene); });
+        std::erase_if(result.questions, [](const Question& question) { return question.items.empty(); });
+        return result;
+    }
+    QuestionReader reader(scene);
+    for (const TomlTable& table : tables) reader.read(table);
+    return std::move(reader).result();
+}
+
+}  // namespace reference

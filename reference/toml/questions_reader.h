@@ -1,0 +1,20 @@
+// What an assignment asks, from its tables [[question]].
+#pragma once
+
+#include <map>
+
+#include "reference/toml/assignment.h"
+#include "reference/toml/toml_table.h"
+
+namespace reference {
+
+struct ReadQuestions {
+    std::vector<Question> questions;
+    std::map<int, double> points;  ///< of the questions that state theirs
+};
+
+/// The questions of 2021 if the file lists none. Throws AssignmentError for numbers that do not ascend, a name that is
+/// no item's, an item that is asked twice and one of an object that the scene does not have.
+ReadQuestions read_questions(const TomlTable& root, const Scene<Decimal>& scene);
+
+}  // namespace reference

@@ -1,0 +1,33 @@
+#include "harness/prepare/handout_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace harness::prepare {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(HandoutText, StatesTheSceneAndEveryQuestion) {
+    const std::string text = handout_text(reference::load_assignment("a6-2024", RAYGRADE_ASSIGNMENTS));
+    EXPECT_THAT(text, HasSubstr("eye (6 1 0), lookat (0 1 0), vup (0 1 0)"));
+    EXPECT_THAT(text, HasSubstr("center (2 0 0), radius R 1, height 4"));
+    EXPECT_THAT(text, HasSubstr("4. **ray and cylinder** (20 points)"));
+    EXPECT_THAT(text, HasSubstr("the hit point P_c"));
+}
+
+TEST(HandoutText, HasWordsForEveryItem) {
+    reference::Assignment assignment = reference::load_assignment("a6-2024", RAYGRADE_ASSIGNMENTS);
+    reference::Question all{1, "everything", {}};
+    for (const reference::Item& item : reference::known_items()) all.items.push_back(item.id);
+    assignment.questions = {all};
+    std::size_t asked = 0;
+    const std::string text = handout_text(assignment);
+    for (std::size_t at = text.find("   - "); at != std::string::npos; at = text.find("   - ", at + 1)) ++asked;
+    EXPECT_EQ(asked, reference::known_items().size());
+    EXPECT_THAT(text, Not(HasSubstr("first_hit")));
+}
+
+}  // namespace
+}  // namespace harness::prepare

@@ -1,0 +1,46 @@
+#include "harness/read/part.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace harness {
+namespace {
+
+/// What is left of each line without the number of its part.
+std::vector<std::string> without_parts(const std::vector<std::string_view>& lines) {
+    const auto ends = find_parts(lines, find_headings(lines, 10));
+    std::vector<std::string> rest;
+    for (std::size_t i = 0; i < lines.size(); ++i) rest.emplace_back(lines[i].substr(ends[i]));
+    return rest;
+}
+
+using Lines = std::vector<std::string>;
+
+TEST(Part, IsTakenOffWhereLettersGoUp) {
+    EXPECT_EQ(without_parts({"Question 2", "(a) 1 -6 7", "(b) 8", "(c) -1.5"}),
+              (Lines{"Question 2", "1 -6 7", "8", "-1.5"}));
+    EXPECT_EQ(without_parts({"Question 2", "a) t = 1", "  and more", "b. u = 2"}),
+              (Lines{"Question 2", "t = 1", "  and more", "u = 2"}));
+    EXPECT_EQ(without_parts({"Question 2", "i) 1", "ii) 2", "iii) 3", "iv) 4"}),
+              (Lines{"Question 2", "1", "2", "3", "4"}));
+}
+
+TEST(Part, BeginsAnewUnderEachHeading) {
+    EXPECT_EQ(without_parts({"Question 1", "a) 1", "b) 2", "Question 2", "a) 3", "b) 4"}),
+              (Lines{"Question 1", "1", "2", "Question 2", "3", "4"}));
+}
+
+TEST(Part, IsNoLetterThatNamesAnAnswer) {
+    for (const std::vector<std::string_view>& lines : {std::vector<std::string_view>{"Question 6", "a) 1"},
+                                                       {"Question 6", "b) 1", "c) 2"},
+                                                       {"Question 6", "a) 1", "c) 7"},
+                                                       {"Question 6", "a = 1", "b = 2"},
+                                                       {"Question 6", "a: 1", "b: 2"}}) {
+        const Lines same(lines.begin(), lines.end());
+        EXPECT_EQ(without_parts(lines), same);
+    }
+}
+
+}  // namespace
+}  // namespace harness

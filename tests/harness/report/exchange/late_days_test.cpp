@@ -1,0 +1,95 @@
+#include "harness/report/exchange/late_days.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace harness::report {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Pair;
+using testing::UnorderedElementsAre;
+
+std::string error_of(std::string_view csv) {
+    try {
+        read_late_days(csv);
+    } catch (const RosterError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(LateDays, AreReadWithExtensions) {
+    EXPECT_THAT(read_late_days("id,days_late,extension_days\nada,2,\nben,3,2\n\ncy,0.5,1\n"),
+                UnorderedElementsAre(Pair("ada", 2), Pair("ben", 1), Pair("cy", -0.5)));
+    EXPECT_THAT(read_late_days("days_late,id\n1,ada\n"), UnorderedElementsAre(Pair("ada", 1)));
+}
+
+TEST(LateDays, RefuseWhatTheyCannotRead) {
+    EXPECT_THAT(error_of(""), HasSubstr("no columns id and days_late"));
+    EXPECT_THAT(error_of("id,days\nada,2\n"), HasSubstr("no columns id and days_late"));
+    EXPECT_THAT(error_of("id,days_late\nada,two\n"), HasSubstr("line 2: days_late is no number"));
+    EXPECT_THAT(error_of("id,days_late\n,2\n"), HasSubstr("line 2: names no submission"));
+    EXPECT_THAT(error_of("id,days_late\nada,1\nada,2\n"), HasSubstr("line 3: ada stands twice"));
+}
+
+/// The schedule of 2024, with ten minutes of grace.
+reference::Rubric schedule() {
+    reference::Rubric rubric;
+    rubric.late = {{1, 0.05}, {2, 1.0}};
+    rubric.grace_minutes = 10;
+    return rubric;
+}
+
+TEST(LateShare, CountsStartedDaysAfterTheGrace) {
+    constexpr double minute = 1.0 / (24 * 60);
+    EXPECT_EQ(late_share(schedule(), -1), 0);
+    EXPECT_EQ(late_share(schedule(), 9 * minute), 0);
+    EXPECT_EQ(late_share(schedule(), 11 * minute), 0.05);
+    EXPECT_EQ(late_share(schedule(), 1), 0.05);
+    EXPECT_EQ(late_share(schedule(), 1.5), 1);
+    EXPECT_EQ(late_share(schedule(), 30), 1);
+    EXPECT_EQ(late_share(reference::Rubric(), 30), 0);
+}
+
+/// Two submissions from Canvas, the second late.
+std::vector<Graded> class_of_two() {
+    std::vector<Graded> all(2);
+    all[0].submission.id = "ada";
+    all[1].submission.id = "ben";
+    for (Graded& one : all) one.submission.lms = LmsName{};
+    all[1].submission.lms->late = true;
+    return all;
+}
+
+TEST(LateSchedule, OfOneStepNeedsNoDate) {
+    std::vector<Graded> all = class_of_two();
+    reference::Rubric rubric;
+    rubric.late = {{1, 0.25}};
+    apply_late_schedule(all, rubric, {});
+    EXPECT_EQ(all[0].late_share, 0);
+    EXPECT_EQ(all[1].late_share, 0.25);
+    EXPECT_THAT(all[1].flags, IsEmpty());
+}
+
+TEST(LateSchedule, OfSeveralStepsTakesNothingWithoutADateAndSaysSo) {
+    std::vector<Graded> all = class_of_two();
+    apply_late_schedule(all, schedule(), {});
+    EXPECT_EQ(all[1].late_share, 0);
+    ASSERT_EQ(all[1].flags.size(), 1U);
+    EXPECT_EQ(all[1].flags.front().kind, "late_without_date");
+    EXPECT_THAT(all[1].flags.front().evidence, HasSubstr("nothing is taken off so far"));
+    EXPECT_THAT(all[0].flags, IsEmpty());
+}
+
+TEST(LateSchedule, GoesByWhatTheInstructorSays) {
+    std::vector<Graded> all = class_of_two();
+    apply_late_schedule(all, schedule(), {{"ada", 3}, {"ben", 0}});
+    EXPECT_EQ(all[0].late_share, 1) << "although Canvas does not call it late";
+    EXPECT_EQ(all[1].late_share, 0);
+    EXPECT_THAT(all[1].flags, IsEmpty());
+}
+
+}  // namespace
+}  // namespace harness::report

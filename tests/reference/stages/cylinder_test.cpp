@@ -1,0 +1,231 @@
+// Compares the stages' decisions and values for a cylinder with a second derivation, in exact fractions.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "reference/numbers/certified.h"
+#include "reference/numbers/interval.h"
+#include "reference/stages/decisions.h"
+#include "tests/given/cases.h"
+#include "tests/reference/stages/cylinder_cases.h"
+
+namespace {
+
+using namespace reference;
+
+constexpr Boundary boundaries[] = {Boundary::positive, Boundary::nonnegative};
+
+/// Numbers of one field.
+class Field {
+  public:
+    Certified operator()(const Rational& x) const { return Certified(FieldNumber(x, basis_)); }
+    Vec3<Certified> operator()(const Vec3<Rational>& p) const { return {(*this)(p.x), (*this)(p.y), (*this)(p.z)}; }
+    Cylinder<Certified> operator()(const Cylinder<Rational>& cylinder) const {
+        return {(*this)(cylinder.center), (*this)(cylinder.radius), (*this)(cylinder.height)};
+    }
+
+  private:
+    std::shared_ptr<RootBasis> basis_ = std::make_shared<RootBasis>();
+};
+
+CameraAnswers<Certified> camera_of(const truth::Ray& ray, const Field& field) {
+    CameraAnswers<Certified> camera;
+    camera.P_WCS = field(ray.start);
+    camera.V = field(ray.direction);
+    return camera;
+}
+
+CylinderPart part_of(const std::optional<truth::CylinderHit>& hit) {
+    return hit ? hit->part : CylinderPart::miss;
+}
+
+/// How many cases were of each kind, so that a test can see that its cases are hard.
+using Counts = std::map<std::string, std::uint64_t>;
+
+std::string text(const Counts& counts) {
+    std::string text;
+    for (const auto& [what, count] : counts) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", what, count);
+    return text;
+}
+
+std::string name_of(CylinderPart part) {
+    switch (part) {
+        case CylinderPart::miss: return "miss";
+        case CylinderPart::tube_smaller_root: return "smaller root";
+        case CylinderPart::tube_larger_root: return "larger root";
+        case CylinderPart::top_cap: return "top cap";
+        case CylinderPart::bottom_cap: return "bottom cap";
+        case CylinderPart::unsure: return "unsure";
+    }
+    return "";
+}
+
+TEST(Cylinder, IsHitInThePartThatExactFractionsFind) {
+    std::uint64_t wrong = 0, decided = 0;
+    Counts counts;
+    for (std::uint64_t seed = 0; seed < cases(12'000); ++seed) {
+        const CylinderCase scene = cylinder_case(seed);
+        const Field field;
+        CameraAnswers<Certified> camera = camera_of(scene.ray, field);
+        // A unit vector has a root in every component.
+        if (seed / 60 % 4 == 0) camera.V = normalized(camera.V);
+        const auto equations = cylinder_equations(camera.P_WCS, camera.V, field(scene.cylinder));
+        for (const Boundary boundary : boundaries) {
+            const auto truth = hit(scene.ray, scene.cylinder, boundary);
+            const CylinderPart part = hit_part(equations, boundary);
+            ++decided;
+            ++counts[name_of(part_of(truth))];
+            if (truth && truth->is_tangent) ++counts["tangent"];
+            if (truth && truth->is_at_rim) ++counts["rim"];
+            if (truth && compare(truth->t, {0}) == 0) ++counts["start"];
+            const bool at_rim = cap_at_rim(equations, part).has_value();
+            if (part == part_of(truth) && at_rim == (truth && truth->is_at_rim)) continue;
+            ++wrong;
+            ADD_FAILURE() << "seed " << seed << ": " << name_of(part) << " for " << name_of(part_of(truth));
+        }
+    }
+    fmt::print("{} decisions, {} wrong: {}\n", decided, wrong, text(counts));
+    for (const char* kind : {"miss", "smaller root", "larger root", "top cap", "bottom cap", "tangent", "rim", "start"})
+        EXPECT_GT(counts[kind], decided / 100) << kind;
+}
+
+bool is_within(const Certified& x, const truth::Surd& truth) {
+    const Enclosure enclosure = x.enclosure();
+    return compare({Rational(enclosure.lo)}, truth) <= 0 && compare(truth, {Rational(enclosure.hi)}) <= 0;
+}
+
+TEST(Cylinder, HasTheExactHitPointAndNormal) {
+    std::uint64_t hits = 0;
+    for (std::uint64_t seed = 0; seed < cases(1'200); ++seed) {
+        SCOPED_TRACE(seed);
+        const CylinderCase scene = cylinder_case(seed);
+        const Field field;
+        const auto answers = answer_cylinder(camera_of(scene.ray, field), field(scene.cylinder), Boundary::nonnegative);
+        const auto truth = hit(scene.ray, scene.cylinder, Boundary::nonnegative);
+        ASSERT_EQ(answers.t.has_value(), truth.has_value());
+        if (!truth) continue;
+        ++hits;
+        EXPECT_TRUE(is_within(*answers.t, truth->t));
+        const bool on_tube = tube_root(truth->part) != RootChoice::miss;
+        for (int i = 0; i < 3; ++i) {
+            const truth::Surd at = scaled_and_moved(truth->t, scene.ray.direction[i], scene.ray.start[i]);
+            EXPECT_TRUE(is_within((*answers.hit)[i], at)) << "hit " << i;
+            truth::Surd normal{0};
+            const Rational& R = scene.cylinder.radius;
+            if (on_tube && i != 1) normal = scaled_and_moved(at, 1 / R, -scene.cylinder.center[i] / R);
+            if (!on_tube && i == 1) normal.m = truth->part == CylinderPart::top_cap ? 1 : -1;
+            EXPECT_TRUE(is_within((*answers.normal)[i], normal)) << "normal " << i;
+        }
+    }
+    EXPECT_GT(hits, cases(1'200) / 3);
+}
+
+int sign(std::partial_ordering order) {
+    return order < 0 ? -1 : order > 0 ? 1 : order == 0 ? 0 : 9;
+}
+
+TEST(HitOrder, IsThatOfExactFractionsForEveryPairOfObjects) {
+    std::uint64_t wrong = 0;
+    Counts counts;
+    const auto expect_order = [&](std::uint64_t seed, const std::string& pair, const HitParameter<Certified>& one,
+                                  const HitParameter<Certified>& other, int truth) {
+        ++counts[pair + (truth == 0 ? " tie" : "")];
+        if (sign(order_of(one, other)) == truth && sign(order_of(other, one)) == -truth) return;
+        ++wrong;
+        ADD_FAILURE() << "seed " << seed << ", " << pair;
+    };
+    for (std::uint64_t seed = 0; seed < cases(12'000); ++seed) {
+        const CylinderCase scene = cylinder_case(seed);
+        const Field field;
+        const CameraAnswers<Certified> camera = camera_of(scene.ray, field);
+        const auto truth = hit(scene.ray, scene.cylinder, Boundary::nonnegative);
+        if (!truth) continue;
+        const std::string part = tube_root(truth->part) == RootChoice::miss ? "cap" : "tube";
+        const auto equations = cylinder_equations(camera.P_WCS, camera.V, field(scene.cylinder));
+        const auto place = hit_parameter(equations, truth->part);
+
+        const Sphere<Rational> sphere = sphere_at_aim(scene, seed);
+        if (const auto t = hit(scene.ray, sphere, Boundary::nonnegative)) {
+            const Sphere<Certified> same{field(sphere.center), field(sphere.radius)};
+            const auto quadratic = sphere_quadratic(camera.P_WCS, camera.V, same);
+            const QuadraticRoot<Certified> root{quadratic, choose_root(quadratic, Boundary::nonnegative)};
+            expect_order(seed, part + " and sphere", *place, root, compare(truth->t, *t));
+        }
+        const Triangle<Rational> triangle = triangle_at_aim(scene, seed);
+        if (const auto t = crossing(scene.ray, triangle)) {
+            const Triangle<Certified> same{field(triangle.A), field(triangle.B), field(triangle.C)};
+            const auto solution = solve_by_cramer(triangle_system(camera.P_WCS, camera.V, same));
+            expect_order(seed, part + " and triangle", *place, fraction_of(solution), compare(truth->t, *t));
+        }
+        const Cylinder<Rational> other = cylinder_at_aim(scene, seed);
+        if (const auto other_truth = hit(scene.ray, other, Boundary::nonnegative)) {
+            const std::string other_part = tube_root(other_truth->part) == RootChoice::miss ? "cap" : "tube";
+            const auto other_equations = cylinder_equations(camera.P_WCS, camera.V, field(other));
+            expect_order(seed, part + " and " + other_part, *place, *hit_parameter(other_equations, other_truth->part),
+                         compare(truth->t, other_truth->t));
+        }
+    }
+    std::uint64_t compared = 0;
+    for (const auto& [pair, count] : counts) compared += count;
+    fmt::print("{} orders, {} wrong: {}\n", compared, wrong, text(counts));
+    for (const char* one : {"cap", "tube"}) {
+        for (const char* other : {"sphere", "triangle", "cap", "tube"}) {
+            const std::string pair = fmt::format("{} and {}", one, other);
+            EXPECT_GT(counts[pair], compared / 200) << pair;
+            EXPECT_GT(counts[pair + " tie"], compared / 1000) << pair;
+        }
+    }
+}
+
+TEST(HitOrder, KnowsTheSameIrrationalRootOfTwoQuadratics) {
+    using enum RootChoice;
+    const auto quadratic = [](int a, int b, int c) {
+        return Quadratic<Certified>{Certified(a), Certified(b), Certified(c), Certified(b * b - 4 * a * c)};
+    };
+    // t² - 4t + 2 = 0 has the roots 2 ± √2.
+    const auto one = quadratic(1, -4, 2), same = quadratic(3, -12, 6), nearly = quadratic(1'000, -4'000, 1'999);
+    for (const RootChoice choice : {smaller, larger}) {
+        EXPECT_EQ(sign(order_of(QuadraticRoot<Certified>{one, choice}, QuadraticRoot<Certified>{same, choice})), 0);
+        EXPECT_EQ(sign(order_of(QuadraticRoot<Certified>{one, smaller}, QuadraticRoot<Certified>{same, larger})), -1);
+        EXPECT_EQ(sign(order_of(QuadraticRoot<Certified>{one, choice}, QuadraticRoot<Certified>{nearly, choice})),
+                  choice == smaller ? 1 : -1);
+    }
+}
+
+TEST(Cylinder, IsDecidedByTheDigitsOfARayParallelToItsCaps) {
+    // The scene of 2024 with the ray as printed to six decimals: V.y may be above or below 0.
+    const auto printed = [](double x) { return Interval<double>(x - 5e-7, x + 5e-7); };
+    const auto exact = [](double x) { return Interval<double>(x); };
+    const Vec3<Interval<double>> S(printed(4), printed(1), printed(0)), V(printed(-1), printed(0), printed(0));
+    const Cylinder<Interval<double>> cylinder{{exact(2), exact(0), exact(0)}, exact(1), exact(4)};
+    for (const Boundary boundary : boundaries)
+        EXPECT_EQ(hit_part(cylinder_equations(S, V, cylinder), boundary), CylinderPart::tube_smaller_root);
+}
+
+TEST(Cylinder, IsNeverDecidedWronglyInIntervals) {
+    const auto interval = [](const Rational& x) {
+        const Enclosure doubles = enclose(x);
+        return Interval<double>(doubles.lo, doubles.hi);
+    };
+    const auto vec = [&](const truth::Point& p) {
+        return Vec3<Interval<double>>(interval(p.x), interval(p.y), interval(p.z));
+    };
+    Counts counts;
+    for (std::uint64_t seed = 0; seed < cases(12'000); ++seed) {
+        const CylinderCase scene = cylinder_case(seed);
+        const auto equations =
+            cylinder_equations(vec(scene.ray.start), vec(scene.ray.direction),
+                               Cylinder<Interval<double>>{vec(scene.cylinder.center), interval(scene.cylinder.radius),
+                                                          interval(scene.cylinder.height)});
+        for (const Boundary boundary : boundaries) {
+            const CylinderPart part = hit_part(equations, boundary);
+            ++counts[part == CylinderPart::unsure ? "unsure" : "sure"];
+            if (part == CylinderPart::unsure) continue;
+            EXPECT_EQ(part, part_of(hit(scene.ray, scene.cylinder, boundary))) << "seed " << seed;
+        }
+    }
+    EXPECT_GT(counts["sure"], counts["unsure"] / 2);
+}
+
+}  // namespace

@@ -1,0 +1,81 @@
+#include "reference/toml/questions_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/given/student/scenes.h"
+
+namespace reference {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string sphere = "[[sphere]]\ncenter = [1, 1, 0]\nradius = 2\n";
+const std::string triangle = "[[triangle]]\nvertices = [[0, -2, 2], [2, 2, 2], [-2, 2, 2]]\n";
+const std::string cylinder = "[[cylinder]]\ncenter = [2, 0, 0]\nradius = 1\nheight = 4\n";
+
+Assignment with(const std::string& rest) {
+    return parse_assignment(student::camera_on_the_axis(4) + rest, "a.toml");
+}
+
+std::string error_of(const std::string& rest) {
+    try {
+        with(rest);
+    } catch (const AssignmentError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+std::vector<std::string> asked(const Assignment& assignment) {
+    std::vector<std::string> names;
+    for (const ItemSpec& spec : asked_items(assignment.questions))
+        names.push_back(std::to_string(spec.question) + "." + std::string(spec.name));
+    return names;
+}
+
+TEST(Questions, AreThoseOf2021ThatTheSceneCallsForIfNoneAreListed) {
+    EXPECT_EQ(with(sphere + triangle).questions.size(), 10U);
+    EXPECT_THAT(asked(with(sphere)),
+                ElementsAre("1.P_VCS", "2.X_vcs", "2.Y_vcs", "2.Z_vcs", "3.M_VCS_to_WCS", "4.P_WCS", "5.V", "6.a",
+                            "6.b", "6.c", "6.d", "6.t", "6.hit", "7.normal"));
+}
+
+TEST(Questions, AskForItemsByName) {
+    const Assignment assignment = with(sphere + cylinder +
+                                       "[[question]]\ntitle = \"the ray\"\nitems = [\"V\"]\npoints = 4\n"
+                                       "[[question]]\nitems = [\"cylinder.t\", \"sphere.t\", \"sphere.hit\"]\n"
+                                       "[[question]]\nnumber = 7\nitems = [\"first_hit\"]\n");
+    EXPECT_THAT(asked(assignment), ElementsAre("1.V", "2.cylinder.t", "2.sphere.t", "2.hit", "7.verdict"))
+        << "a name that two items of a question have is told by its object";
+    EXPECT_EQ(assignment.questions[0].title, "the ray");
+    EXPECT_EQ(assignment.rubric.points_of(1), 4);
+    EXPECT_EQ(assignment.rubric.points_of(2), 10);
+}
+
+TEST(Questions, RefuseWhatCannotBeAsked) {
+    const auto asks = [](const std::string& items) { return "[[question]]\nitems = " + items + "\n"; };
+    EXPECT_THAT(error_of(sphere + asks("[\"sphere.x\"]")),
+                AllOf(HasSubstr("question[1].items"), HasSubstr("\"sphere.x\" is no item; did you mean sphere.a")));
+    EXPECT_THAT(error_of(sphere + asks("[\"cylinder.t\"]")), HasSubstr("add [[cylinder]]"));
+    EXPECT_THAT(error_of(sphere + asks("[\"first_hit\"]")), HasSubstr("two kinds"));
+    EXPECT_THAT(error_of(sphere + asks("[\"V\"]") + asks("[\"V\"]")), HasSubstr("asked twice"));
+    EXPECT_THAT(error_of(sphere + asks("[]")), HasSubstr("at least one item"));
+    EXPECT_THAT(
+        error_of(sphere + "[[question]]\nnumber = 2\nitems = [\"V\"]\n[[question]]\nnumber = 2\nitems = [\"P_WCS\"]\n"),
+        AllOf(HasSubstr("question[2].number"), HasSubstr("upwards")));
+}
+
+TEST(Questions, TakeNoPointsForWhatIsNotAsked) {
+    EXPECT_THAT(error_of(sphere + "[rubric.points]\n8 = 10\n"),
+                AllOf(HasSubstr("rubric.points.8"), HasSubstr("asks 1, 2, 3, 4, 5, 6, 7")));
+    EXPECT_THAT(error_of(sphere + "[[question]]\nitems = [\"V\"]\npoints = 3\n[rubric.points]\n1 = 4\n"),
+                HasSubstr("state them once"));
+}
+
+}  // namespace
+}  // namespace reference

@@ -1,0 +1,93 @@
+// The real raygrade runs a student's program of 2024 on other scenes and on hard scenes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "tests/scenario/scenario.h"
+
+namespace scenario {
+namespace {
+
+using nlohmann::json;
+
+std::string program() {
+    return read(project_folder() / "tests/given/cylinder/ray_cast.cpp");
+}
+
+/// The program with another text in one place.
+std::string with(const std::string& before, const std::string& after) {
+    std::string source = program();
+    const std::size_t at = source.find(before);
+    EXPECT_NE(at, std::string::npos) << before;
+    return source.replace(at, before.size(), after);
+}
+
+/// Its first submission in grades.json.
+json graded(const std::string& source, const std::vector<std::string>& more) {
+    const TemporaryFolder folder;
+    write(folder / "ana/ray_cast.cpp", source);
+    std::vector<std::string> words{"grade", (folder / "ana").string(), "--assignment", "a6-2024",
+                                   "--out", (folder / "out").string()};
+    words.insert(words.end(), more.begin(), more.end());
+    const Result result = raygrade(words);
+    EXPECT_EQ(result.status, 0) << result.both();
+    return read_json(folder / "out/grades.json").at("submissions").at(0);
+}
+
+std::set<std::string> names(const json& items) {
+    std::set<std::string> result;
+    for (const json& item : items)
+        result.insert(std::to_string(item.at("question").get<int>()) + "." + item.at("item").get<std::string>());
+    return result;
+}
+
+TEST(CylinderOnOtherScenes, IsFoundAndComputed) {
+    const json submission = graded(program(), {"--variants", "4"});
+    EXPECT_EQ(submission.at("points"), 100);
+    const json& variants = submission.at("variants");
+    EXPECT_EQ(variants.at("not_found"), json::array());
+    EXPECT_EQ(variants.at("verdict"), "computes") << variants.dump(2);
+    for (const json& run : variants.at("runs")) EXPECT_EQ(run.at("share"), 1) << run.dump(2);
+}
+
+// The handout's own formula forgets the center; on its scene the normal comes out all the same.
+TEST(CylinderOnOtherScenes, BreaksWithTheHandoutsNormal) {
+    const json submission =
+        graded(with("vec3(P.x - cyl.center.x, 0, P.z - cyl.center.z)", "vec3(P.x, 0, P.z)"), {"--variants", "4"});
+    EXPECT_EQ(submission.at("points"), 100);
+    EXPECT_EQ(submission.at("variants").at("verdict"), "breaks");
+    EXPECT_EQ(names(submission.at("variants").at("broken")), (std::set<std::string>{"4.normal"}));
+}
+
+TEST(CylinderOnOtherScenes, DoesNotMoveWhereItIsPrinted) {
+    const json submission = graded(with("if (tc > 0) {",
+                                        "if (true) {\n        cout << \"t = 1\\nP_c = (3, 1, 0)\\nN = (1, 0, 0)\\n\";\n"
+                                        "    } else if (tc > 0) {"),
+                                   {"--variants", "4"});
+    EXPECT_EQ(submission.at("points"), 100);
+    EXPECT_EQ(submission.at("variants").at("verdict"), "does_not_move");
+    EXPECT_EQ(names(submission.at("variants").at("unmoved")), (std::set<std::string>{"4.t", "4.hit", "4.normal"}));
+}
+
+TEST(CylinderOnHardScenes, SurvivesAndLosesDigits) {
+    const json stress = graded(program(), {"--stress"}).at("stress");
+    EXPECT_EQ(stress.at("not_found"), json::array());
+    std::map<std::string, json> scenes;
+    for (const json& scene : stress.at("scenes")) scenes[scene.at("name").get<std::string>()] = scene;
+    EXPECT_EQ(scenes.size(), 26U);
+    for (const char* name : {"cylinder, just missed", "cylinder, just beyond the rim", "cylinder, through the rim",
+                             "ray starts on the cylinder"})
+        EXPECT_EQ(scenes.at(name).at("verdict"), "survives") << scenes.at(name).dump(2);
+    const json& far = scenes.at("small cylinder, far away");
+    EXPECT_EQ(far.at("verdict"), "breaks") << "the discriminant is 0 in float, the point on the axis";
+    EXPECT_EQ(names(far.at("items")), (std::set<std::string>{"4.normal"}));
+    EXPECT_EQ(far.at("better").size(), 1U) << "the handout's steps; formulas are not compared";
+    const json& close = scenes.at("ray starts close to the cylinder");
+    EXPECT_EQ(close.at("items").at(0).at("loss"), "digits") << close.dump(2);
+}
+
+}  // namespace
+}  // namespace scenario
