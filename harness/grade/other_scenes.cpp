@@ -18,7 +18,7 @@ std::string without_blanks(const std::string& text) {
 /// Whether the item has no value if the ray misses.
 bool may_be_none(const reference::ItemSpec& spec) {
     constexpr std::array<std::string_view, 4> of_hits{"t", "hit", "u", "v"};
-    if (spec.id.name == "normal") return spec.subject != reference::Subject::triangle;
+    if (spec.id.name == "normal") return spec.id.subject != reference::Subject::triangle;
     return std::ranges::find(of_hits, spec.id.name) != of_hits.end();
 }
 

@@ -158,7 +158,7 @@ void share_no_value(std::vector<MatchedItem>& matched, const std::vector<Candida
         std::find_if(candidates.begin(), candidates.end(), [](const Candidate& c) { return c.value.numbers.empty(); });
     if (said == candidates.end()) return;
     for (MatchedItem& item : matched) {
-        const bool of_plane = item.spec.subject == reference::Subject::triangle;
+        const bool of_plane = item.spec.id.subject == reference::Subject::triangle;
         if (!item.value && may_be_absent(item.spec) && (!of_plane || item.spec.id.name == "hit"))
             item.value = said->value;
     }

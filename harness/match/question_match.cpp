@@ -214,7 +214,7 @@ Reading take_lists_apart(Reading reading, std::span<const ItemSpec> items, const
 bool may_be_absent(const ItemSpec& item) {
     const std::string_view name = item.id.name;
     return name == "t" || name == "hit" || name == "u" || name == "v" ||
-           (name == "normal" && item.subject != reference::Subject::triangle);
+           (name == "normal" && item.id.subject != reference::Subject::triangle);
 }
 
 bool has_count(Shape shape, std::size_t count) {

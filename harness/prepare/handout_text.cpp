@@ -75,6 +75,22 @@ std::string scene_text(const reference::Scene<Decimal>& scene) {
     return text;
 }
 
+std::string list_of(const std::vector<ItemId>& items, std::string_view indent) {
+    std::string text;
+    for (const ItemId& id : items) text += fmt::format("{}- {}\n", indent, wordings().at(id));
+    return text;
+}
+
+/// "a) the quadratic" and its items, for each part.
+std::string parts_text(const reference::Question& question) {
+    std::string text;
+    char letter = 'a';
+    for (const reference::QuestionPart& part : question.parts)
+        text += fmt::format("   {}){}{}\n{}", letter++, part.title.empty() ? "" : " ", part.title,
+                            list_of(part.items, "      "));
+    return text;
+}
+
 }  // namespace
 
 std::string handout_text(const reference::Assignment& assignment) {
@@ -84,7 +100,7 @@ std::string handout_text(const reference::Assignment& assignment) {
         const double points = assignment.rubric.points_of(question.number);
         text += fmt::format("\n{}. **{}** ({:g} point{})\n", question.number, question.title, points,
                             points == 1 ? "" : "s");
-        for (const ItemId& id : question.items) text += fmt::format("   - {}\n", wordings().at(id));
+        text += question.parts.empty() ? list_of(question.items, "   ") : parts_text(question);
     }
     return text;
 }

@@ -43,7 +43,7 @@ std::vector<ItemSpec> items_not_asked(std::span<const ItemSpec> asked) {
     std::vector<ItemSpec> others;
     for (const Item& item : known_items()) {
         if (std::ranges::find(asked, item.id, &ItemSpec::id) == asked.end())
-            others.push_back({0, item.full_name, item.shape, item.id.subject, item.label, item.id});
+            others.push_back({0, item.full_name, item.shape, item.label, item.id});
     }
     return others;
 }

@@ -130,7 +130,7 @@ std::vector<std::string> tell_wide_allowances(const std::vector<KeyQuestion>& qu
         for (const KeyQuestion& question : questions) {
             for (const KeyItem& item : question.items) {
                 const std::optional<double> share = wide_share(item);
-                if (item.spec.subject != subject || !share) continue;
+                if (item.spec.id.subject != subject || !share) continue;
                 std::string& list = std::isfinite(*share) ? off : any;
                 list += fmt::format("{}{} of question {}", list.empty() ? "" : ", ", item.spec.name, question.number);
                 if (std::isfinite(*share)) list += fmt::format(" ({:.2g} %)", 100 * *share);

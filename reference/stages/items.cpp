@@ -99,7 +99,7 @@ std::vector<ItemSpec> asked_items(const std::vector<Question>& questions) {
         for (const ItemId& id : question.items) {
             const Item& item = item_of(id);
             const std::string_view name = has_its_name_twice(question, id) ? item.full_name : id.name;
-            specs.push_back({question.number, name, item.shape, id.subject, item.label, id});
+            specs.push_back({question.number, name, item.shape, item.label, id});
         }
     }
     return specs;

@@ -89,11 +89,18 @@ const Item* find_item(std::string_view full_name);
 
 const Item& item_of(const ItemId& id);
 
+/// A part of a question: "a)", "b)", …
+struct QuestionPart {
+    std::string title;  ///< may be empty
+    std::vector<ItemId> items;
+};
+
 /// A question of an assignment.
 struct Question {
-    int number;         ///< 1 or more
-    std::string title;  ///< a few words that say what it asks for
-    std::vector<ItemId> items;
+    int number;                 ///< 1 or more
+    std::string title;          ///< a few words that say what it asks for
+    std::vector<ItemId> items;  ///< those of its parts, where it has any
+    std::vector<QuestionPart> parts = {};
 };
 
 /// The ten questions of 2021, which an assignment asks if it lists none.
@@ -107,14 +114,9 @@ struct ItemSpec {
     int question;
     std::string_view name;  ///< unique within its question: the item's name, or its full name where two have the same
     Shape shape;
-    Subject subject;
     std::string_view label;  ///< as the reference run prints it
     ItemId id;
 };
-
-inline const ItemId& id_of(const ItemSpec& spec) {
-    return spec.id;
-}
 
 /// The items of the questions, in their order.
 std::vector<ItemSpec> asked_items(const std::vector<Question>& questions);

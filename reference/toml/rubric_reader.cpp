@@ -131,6 +131,7 @@ Rubric read_rubric(const TomlTable& table, const ReadQuestions& asked) {
                       "variant_points", "wrong_scene_credit"});
     Rubric rubric;
     rubric.points = asked.points;
+    rubric.item_points = asked.item_points;
     if (table.has("pixel_conventions")) {
         rubric.pixel_conventions.clear();
         for (const std::string& name : table.strings("pixel_conventions")) {

@@ -73,7 +73,7 @@ std::vector<HitValues> possible_hits(const ItemTargets& float_key, const Interva
 }  // namespace
 
 bool is_close_call(const MatchedItem& printed, const Evidence& evidence, double allowance) {
-    const ItemId id = id_of(printed.spec);
+    const ItemId id = printed.spec.id;
     const bool may_hang_on_rounding =
         id == item::sphere::t || id == item::triangle::hit || id == item::cylinder::t || id == item::cylinder::normal;
     if (!may_hang_on_rounding) return false;

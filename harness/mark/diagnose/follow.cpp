@@ -19,7 +19,7 @@ bool says_something(const Target& target) {
 
 std::optional<Agreement> agrees(const MatchedItem& printed, const Target& target, const Evidence& evidence,
                                 double allowance) {
-    const ItemId id = id_of(printed.spec);
+    const ItemId id = printed.spec.id;
     if (id == item::triangle::matrix) {
         const auto form = find_column_order(printed, target, allowance, evidence.min_decimals);
         return form ? std::optional(Agreement{form}) : std::nullopt;
@@ -63,7 +63,7 @@ std::optional<Agreement> follows_by(const Derivation& derivation, const MatchedI
     for (std::size_t choice = 1; choice < choices; ++choice) {
         const auto known = choose(derivation, choice, evidence, digits);
         if (!known) continue;
-        for (const QuadraticForm form : {evidence.quadratic_of(printed.spec.subject).form, QuadraticForm::full}) {
+        for (const QuadraticForm form : {evidence.quadratic_of(printed.spec.id.subject).form, QuadraticForm::full}) {
             const std::vector<Target> results = derivation.compute(*known, evidence.scene, form);
             if (const auto agreement = is_one_of(printed, results, evidence, allowance)) return agreement;
             const bool none = std::any_of(results.begin(), results.end(), [](const Target& t) { return t.no_value; });
@@ -86,7 +86,7 @@ std::optional<Agreement> is_one_of(const MatchedItem& printed, const std::vector
 
 std::optional<Agreement> follows(const MatchedItem& printed, const Evidence& evidence, double allowance) {
     for (const Derivation& derivation : all_derivations()) {
-        if (derivation.item != id_of(printed.spec)) continue;
+        if (derivation.item != printed.spec.id) continue;
         for (const Digits digits : {Digits::of_stream, Digits::as_printed}) {
             if (const auto agreement = follows_by(derivation, printed, evidence, allowance, digits)) return agreement;
         }

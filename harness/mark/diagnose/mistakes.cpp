@@ -51,7 +51,7 @@ std::optional<FoundMistake> find_mistake(const MatchedItem& printed, const Evide
                                          std::string_view name) {
     std::optional<FoundMistake> negated;  // (-V | A-B | A-C) has its edges the wrong way round, rather than V, negated
     for (const Mistake& mistake : all_mistakes()) {
-        if (mistake.item != id_of(printed.spec) || !(name.empty() || mistake.name == name)) continue;
+        if (mistake.item != printed.spec.id || !(name.empty() || mistake.name == name)) continue;
         const auto agreement = explains(mistake, printed, evidence, allowance);
         if (!agreement) continue;
         const FoundMistake found{&mistake, agreement->system};

@@ -87,7 +87,7 @@ class Doubter {
                 if (is_own && !std::isnan(found.number.value)) answered_.push_back(found.number.value);
                 if (!within || !is_own || item.unreadable) continue;
                 found.in_answer = true;
-                found.in_right_answer = found.in_right_answer || is_right(id_of(item.spec));
+                found.in_right_answer = found.in_right_answer || is_right(item.spec.id);
             }
         }
     }
@@ -157,7 +157,7 @@ class Doubter {
     bool is_right(const ItemId& id) const {
         for (const QuestionScore& question : score_.questions) {
             for (const ItemScore& item : question.items) {
-                if (id_of(item.spec) == id) return item.verdict == ItemVerdict::right;
+                if (item.spec.id == id) return item.verdict == ItemVerdict::right;
             }
         }
         return false;
@@ -166,7 +166,7 @@ class Doubter {
     const reference::KeyItem& key_item(const reference::ItemSpec& spec) const {
         for (const reference::KeyQuestion& question : key_.questions) {
             for (const reference::KeyItem& item : question.items) {
-                if (id_of(item.spec) == id_of(spec)) return item;
+                if (item.spec.id == spec.id) return item;
             }
         }
         return key_.questions.front().items.front();

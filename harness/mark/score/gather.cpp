@@ -76,7 +76,7 @@ Gathered Gatherer::gather() {
     Gathered gathered;
     for (const reference::KeyQuestion& question : key_.questions) {
         for (const KeyItem& item : question.items) {
-            const ItemId id = id_of(item.spec);
+            const ItemId id = item.spec.id;
             const MatchedItem* printed = readable(matched_, id);
             if (printed == nullptr) continue;
             const Finding finding = compare_with_key(item, *printed);
@@ -95,7 +95,7 @@ Gathered Gatherer::gather() {
 }
 
 Finding Gatherer::compare_with_key(const KeyItem& item, const MatchedItem& printed) {
-    const ItemId id = id_of(item.spec);
+    const ItemId id = item.spec.id;
     Finding finding;
     const bool is_of_negated_system = id == rhs && evidence_.system && evidence_.system->is_negated();
     for (const reference::Answer& answer : item.answers) {
@@ -142,7 +142,7 @@ bool Gatherer::is_right_but_coarse(const KeyItem& item, const MatchedItem& print
 
 bool Gatherer::is_right_quadratic(const KeyItem& item, const MatchedItem& printed, Finding& finding) const {
     const std::string_view name = printed.spec.id.name;
-    const QuadraticScale scale = evidence_.quadratic_of(printed.spec.subject);
+    const QuadraticScale scale = evidence_.quadratic_of(printed.spec.id.subject);
     const bool half = scale.form == QuadraticForm::half_b && (name == "b" || name == "d");
     const Interval& k = scale.factor;
     const Interval factor = name == "d" && !is_one(k) ? k * k : k;
@@ -215,7 +215,7 @@ Gathered gather(const std::vector<MatchedItem>& matched, const reference::Answer
 
 const MatchedItem* readable(const std::vector<MatchedItem>& matched, const ItemId& id) {
     const auto found =
-        std::find_if(matched.begin(), matched.end(), [&](const MatchedItem& m) { return id_of(m.spec) == id; });
+        std::find_if(matched.begin(), matched.end(), [&](const MatchedItem& m) { return m.spec.id == id; });
     return found != matched.end() && found->value && !found->unreadable ? &*found : nullptr;
 }
 

@@ -51,7 +51,7 @@ void price_mistake(const Mistake& mistake, double share, ItemScore& score) {
 void learn(Evidence& evidence, const Judgement& judgement) {
     if (judgement.system) evidence.system = judgement.system;
     if (!judgement.says_nothing) return;
-    for (auto& own : evidence.own) own.erase(id_of(judgement.score.spec));
+    for (auto& own : evidence.own) own.erase(judgement.score.spec.id);
 }
 
 Judgement Judge::judge(const KeyItem& item, const Evidence& evidence) const {
@@ -60,8 +60,8 @@ Judgement Judge::judge(const KeyItem& item, const Evidence& evidence) const {
     score.spec = item.spec;
     score.allowance =
         reference::float_can_answer(item.answers.front()) ? std::optional(allowance_of(item, rubric_)) : std::nullopt;
-    const auto printed = std::find_if(matched_.begin(), matched_.end(),
-                                      [&](const MatchedItem& m) { return id_of(m.spec) == id_of(item.spec); });
+    const auto printed =
+        std::find_if(matched_.begin(), matched_.end(), [&](const MatchedItem& m) { return m.spec.id == item.spec.id; });
     if (printed == matched_.end()) return judgement;
     score.reread = printed->reread;
     if (printed->verdict) {
@@ -81,7 +81,7 @@ Judgement Judge::judge(const KeyItem& item, const Evidence& evidence) const {
 
 void Judge::judge_value(const KeyItem& item, const MatchedItem& printed, const Evidence& evidence,
                         Judgement& judgement) const {
-    const ItemId id = id_of(item.spec);
+    const ItemId id = item.spec.id;
     const Finding& finding = findings_.at(id);
     const bool is_empty = printed.value->numbers.empty();
     const double allowance = allowance_of(item, rubric_);

@@ -282,7 +282,7 @@ class Hand {
     }
 
     void print(const reference::ItemSpec& spec) {
-        const ItemId id = reference::id_of(spec);
+        const ItemId id = spec.id;
         if (spec.shape == reference::Shape::verdict) return verdict();
         const auto& value = program_.values().at(id);
         if (!value) return line(id, one_of("no value", {"none", "no hit", "does not exist", "n/a"}));
@@ -307,7 +307,7 @@ class Hand {
 
     /// An item as for another pixel.
     void print_changed(const reference::ItemSpec& spec) {
-        const ItemId id = reference::id_of(spec);
+        const ItemId id = spec.id;
         if (spec.shape == reference::Shape::verdict) return verdict();
         const auto& value = program_.values().at(id);
         if (!value || value->size() > 3) return;

@@ -29,5 +29,17 @@ TEST(HandoutText, HasWordsForEveryItem) {
     EXPECT_THAT(text, Not(HasSubstr("first_hit")));
 }
 
+TEST(HandoutText, NumbersTheParts) {
+    reference::Assignment assignment = reference::load_assignment("a6-2024", RAYGRADE_ASSIGNMENTS);
+    namespace sphere = reference::item::sphere;
+    assignment.questions = {
+        {2, "sphere", {sphere::d, sphere::t}, {{"the discriminant", {sphere::d}}, {"", {sphere::t}}}}};
+    EXPECT_THAT(handout_text(assignment), HasSubstr("2. **sphere** (20 points)\n"
+                                                    "   a) the discriminant\n"
+                                                    "      - its discriminant d = b^2 - 4ac\n"
+                                                    "   b)\n"
+                                                    "      - t of the hit"));
+}
+
 }  // namespace
 }  // namespace harness::prepare

@@ -57,6 +57,46 @@ TEST(Questions, AskForItemsByName) {
     EXPECT_EQ(assignment.rubric.points_of(2), 10);
 }
 
+const std::string two_parts =
+    "[[question]]\nparts = [{title = \"the quadratic\", items = [\"sphere.a\", \"sphere.b\"], points = 3},\n"
+    "  {items = [\"sphere.t\", \"cylinder.t\"], points = 8}]\n";
+
+TEST(Questions, HavePartsWithPointsOfTheirOwn) {
+    const Assignment assignment = with(sphere + cylinder + two_parts);
+    EXPECT_THAT(asked(assignment), ElementsAre("1.a", "1.b", "1.sphere.t", "1.cylinder.t"));
+    ASSERT_EQ(assignment.questions[0].parts.size(), 2U);
+    EXPECT_EQ(assignment.questions[0].parts[0].title, "the quadratic");
+    EXPECT_THAT(assignment.questions[0].parts[1].items, ElementsAre(item::sphere::t, item::cylinder::t));
+    EXPECT_EQ(assignment.rubric.points_of(1), 11);
+    using Points = std::map<std::string, double>;
+    EXPECT_EQ(assignment.rubric.item_points.at(1),
+              (Points{{"a", 1.5}, {"b", 1.5}, {"sphere.t", 4}, {"cylinder.t", 4}}));
+}
+
+TEST(Questions, ShareTheirPointsEquallyWhereNoPartHasAny) {
+    const Assignment assignment =
+        with(sphere +
+             "[[question]]\npoints = 6\n[[question.parts]]\nitems = [\"sphere.a\", \"sphere.b\"]\n"
+             "[[question.parts]]\nitems = [\"sphere.t\"]\n");
+    EXPECT_EQ(assignment.rubric.points_of(1), 6);
+    EXPECT_FALSE(assignment.rubric.item_points.contains(1));
+}
+
+TEST(Questions, RefuseBadParts) {
+    EXPECT_THAT(error_of(sphere + "[[question]]\nitems = [\"V\"]\nparts = [{items = [\"sphere.a\"]}]\n"),
+                HasSubstr("put each item into its part"));
+    EXPECT_THAT(error_of(sphere + "[[question]]\nparts = []\n"), HasSubstr("at least one part"));
+    EXPECT_THAT(error_of(sphere + "[[question]]\nparts = [{items = []}]\n"), HasSubstr("at least one item"));
+    EXPECT_THAT(error_of(sphere + "[[question]]\npoints = 3\nparts = [{items = [\"sphere.a\"], points = 3}]\n"),
+                HasSubstr("state them once"));
+    EXPECT_THAT(error_of(sphere + "[[question]]\nparts = [{items = [\"sphere.a\"], points = 3},\n"
+                                  "{items = [\"sphere.b\"]}]\n"),
+                HasSubstr("give each part its points"));
+    EXPECT_THAT(error_of(sphere + "[[question]]\nparts = [{items = [\"sphere.a\"]}, {items = [\"sphere.a\"]}]\n"),
+                HasSubstr("asked twice"));
+    EXPECT_THAT(error_of(sphere + cylinder + two_parts + "[rubric.points]\n1 = 5\n"), HasSubstr("state them once"));
+}
+
 TEST(Questions, RefuseWhatCannotBeAsked) {
     const auto asks = [](const std::string& items) { return "[[question]]\nitems = " + items + "\n"; };
     EXPECT_THAT(error_of(sphere + asks("[\"sphere.x\"]")),

@@ -87,7 +87,7 @@ Row row_of(std::string_view kind, std::uint64_t scenes, bool verbose) {
                 if (tasks[i].program.scalar != 0 || tasks[i].program.printing != 2) continue;
                 for (const auto& question : score.questions) {
                     for (const auto& item : question.items) {
-                        double& most = widest[id_of(item.spec)];
+                        double& most = widest[item.spec.id];
                         most = std::max(most, item.error.value_or(0));
                     }
                 }
@@ -110,9 +110,9 @@ Row row_of(std::string_view kind, std::uint64_t scenes, bool verbose) {
                 row.without_bound += std::isfinite(allowance) ? 0 : 1;
                 row.above_percent += allowance >= 1e-2 * size && size > 0 ? 1 : 0;
                 const double all = *std::max_element(answer.allowance.begin(), answer.allowance.end());
-                const double most = widest[id_of(item.spec)];
+                const double most = widest[item.spec.id];
                 if (most > 0 && std::isfinite(all))
-                    row.ratios.push_back(all / most), row.by_item[id_of(item.spec)].push_back(all / most);
+                    row.ratios.push_back(all / most), row.by_item[item.spec.id].push_back(all / most);
             }
         }
     }

@@ -80,8 +80,8 @@ std::vector<Loss> losses(const harness::Score& score) {
         for (const auto& item : question.items) {
             is_finite = is_finite && !item.not_finite;
             if (item.verdict == harness::ItemVerdict::right) continue;
-            const bool is_first_hit = id_of(item.spec) == reference::item::verdict;
-            lost.push_back({id_of(item.spec), item.not_finite || (is_first_hit && !is_finite),
+            const bool is_first_hit = item.spec.id == reference::item::verdict;
+            lost.push_back({item.spec.id, item.not_finite || (is_first_hit && !is_finite),
                             fmt::format("question {}, {}: {} {} ({}), off by {}, allowed {}", question.number,
                                         item.spec.name, to_string(item.verdict), item.printed, item.diagnosis,
                                         item.error.value_or(NAN), item.allowance.value_or(INFINITY))});

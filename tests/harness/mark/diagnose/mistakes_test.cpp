@@ -188,7 +188,7 @@ TEST(Misconceptions, AreNotNamedWhereTheAllowanceIsAsWideAsTheirEffect) {
     // it.
     for (auto& question : marking.key.questions) {
         for (auto& item : question.items) {
-            if (id_of(item.spec) == normal) item.answers.front().allowance = {1.2, 1.2, 1.2};
+            if (item.spec.id == normal) item.answers.front().allowance = {1.2, 1.2, 1.2};
         }
     }
     const Score score = mark(output, marking);

@@ -23,7 +23,7 @@ AccuracyFindings findings_2021() {
 AssignmentAccuracy unlucky() {
     AssignmentAccuracy assignment;
     assignment.title = "<i>Rays</i> & more\x1b[0m";
-    assignment.items = {{{8, "hit", reference::Shape::vector, reference::Subject::triangle, "P_t"},
+    assignment.items = {{{8, "hit", reference::Shape::vector, "P_t", reference::item::triangle::hit},
                          "none",
                          0,
                          0,

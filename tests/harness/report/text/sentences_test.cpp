@@ -13,8 +13,7 @@ using testing::HasSubstr;
 
 ItemScore item(ItemVerdict verdict) {
     ItemScore score;
-    score.spec = {6, "t", reference::Shape::scalar, reference::Subject::sphere, "t",
-                  reference::item::sphere::t};
+    score.spec = {6, "t", reference::Shape::scalar, "t", reference::item::sphere::t};
     score.verdict = verdict;
     return score;
 }

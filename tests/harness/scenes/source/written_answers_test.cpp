@@ -16,7 +16,7 @@ Score printed(const std::string& text, ItemVerdict verdict = ItemVerdict::right)
     score.questions.emplace_back();
     score.questions.back().number = 6;
     ItemScore item;
-    item.spec = {6, "t", reference::Shape::scalar, reference::Subject::sphere, "t", reference::item::sphere::t};
+    item.spec = {6, "t", reference::Shape::scalar, "t", reference::item::sphere::t};
     item.printed = text;
     item.verdict = verdict;
     score.questions.back().items = {item};
