@@ -1,6 +1,9 @@
 #include "harness/match/vocabulary.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <stdexcept>
 #include <vector>
 
 namespace harness {
@@ -121,7 +124,9 @@ const std::vector<Names>& names_of_items() {
 
 const Names& names_of(const reference::ItemSpec& item) {
     const auto& table = names_of_items();
-    return *std::find_if(table.begin(), table.end(), [&](const Names& n) { return n.item == item.id; });
+    const auto names = std::find_if(table.begin(), table.end(), [&](const Names& n) { return n.item == item.id; });
+    if (names == table.end()) throw std::logic_error(fmt::format("no names for the item \"{}\"", item.label));
+    return *names;
 }
 
 const Vocabulary& fillers() {

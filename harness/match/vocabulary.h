@@ -17,6 +17,7 @@ struct Names {
     Vocabulary weak;
 };
 
+/// Throws std::logic_error for an item without any.
 const Names& names_of(const reference::ItemSpec& item);
 
 /// Words that say nothing about which item a value is.
