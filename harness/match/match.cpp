@@ -3,6 +3,7 @@
 #include <re2/re2.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "harness/match/question_match.h"
@@ -152,15 +153,46 @@ void answer_all(std::vector<Question>& questions, const std::vector<Section>& se
     }
 }
 
+bool is_none(const MatchedItem& item) {
+    return item.value && item.value->numbers.empty();
+}
+
+/// Whether the item is one that "no hit" says not to be there. A ray that misses the triangle still meets its plane.
+bool is_of_hit(const ItemSpec& item) {
+    return may_be_absent(item) && (item.id.subject != reference::Subject::triangle || item.id.name == "hit");
+}
+
+/// "t = -1" or "t = inf" says that there is no hit if no number is printed for the hit point and the normal beside it.
+void read_stand_in(std::vector<MatchedItem>& matched) {
+    for (MatchedItem& item : matched) {
+        if (item.spec.id.name != "t" || !is_of_hit(item.spec) || !item.value || item.value->numbers.size() != 1)
+            continue;
+        const double t = item.value->numbers.front().value;
+        if (t != -1 && t != HUGE_VAL) continue;
+        std::ptrdiff_t others = 0, with_number = 0;
+        for (const MatchedItem& other : matched) {
+            if (&other == &item || other.spec.id.subject != item.spec.id.subject || !is_of_hit(other.spec)) continue;
+            ++others;
+            with_number += other.value && !is_none(other) ? 1 : 0;
+        }
+        if (others > 0 && with_number == 0) item.value->numbers.clear();
+    }
+}
+
 /// "The ray misses the sphere", said once, holds for t, the hit point and the normal alike.
 void share_no_value(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates) {
     const auto said =
         std::find_if(candidates.begin(), candidates.end(), [](const Candidate& c) { return c.value.numbers.empty(); });
-    if (said == candidates.end()) return;
     for (MatchedItem& item : matched) {
-        const bool of_plane = item.spec.id.subject == reference::Subject::triangle;
-        if (!item.value && may_be_absent(item.spec) && (!of_plane || item.spec.id.name == "hit"))
+        if (item.value || !is_of_hit(item.spec)) continue;
+        const auto beside = std::find_if(matched.begin(), matched.end(), [&](const MatchedItem& other) {
+            return is_none(other) && other.spec.id.subject == item.spec.id.subject;
+        });
+        if (beside != matched.end()) {
+            item.value = beside->value;
+        } else if (said != candidates.end()) {
             item.value = said->value;
+        }
     }
 }
 
@@ -209,6 +241,7 @@ std::vector<MatchedItem> matched_items(const Question& question, const std::vect
         matched.push_back(std::move(item));
     }
     if (!question.has_heading) return matched;
+    read_stand_in(matched);
     share_no_value(matched, question.answers.candidates);
     for (MatchedItem& item : matched) find_unreadable(item, question.answers, fits);
     return matched;

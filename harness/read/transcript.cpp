@@ -85,6 +85,8 @@ class TranscriptReader {
         LineReading reading = read_line(line, separators_);
         if (reading.values.empty()) {
             if (auto none = read_no_value(line)) reading.values.push_back(std::move(*none));
+        } else if (auto none = read_no_value_after_discriminant(line)) {
+            reading.values.push_back(std::move(*none));
         }
         if (reading.values.size() == 1 && says_what_its_number_means(line)) reading.values.front().numbers.clear();
         if (reading.values.empty()) {

@@ -112,6 +112,16 @@ TEST(Match, AppliesOneMissToAllItemsThatNeedTheHit) {
               "6.d: -1.0 @2\n6.t: none @3\n6.hit: none @3\n7.normal: none @5\n");
 }
 
+TEST(Match, TakesMinusOneForNoHitWhereNoHitPointIsPrinted) {
+    const std::string none = "6.t: none @2\n6.hit: none @2\n";
+    EXPECT_EQ(found("Question 6:\nt = -1\n"), none);
+    EXPECT_EQ(found("Question 6:\nt = -1.000\nP_s: none\n"), "6.t: none @2\n6.hit: none @3\n");
+    EXPECT_EQ(found("Question 6:\nt = inf\n"), none);
+    EXPECT_EQ(found("Question 6:\nt = -1\nP_s = (1, 2, 3)\n"), "6.t: -1 @2\n6.hit: 1 2 3 @3\n");
+    EXPECT_EQ(found("Question 6:\nt = -2\n"), "6.t: -2 @2\n");
+    EXPECT_EQ(found("Question 8:\nt = -1\n"), "8.t: -1 @2\n") << "the plane behind the start";
+}
+
 TEST(Match, ListsEveryItemInOrderForAnEmptyOutput) {
     const auto matched = match(read_transcript("", 10), reference::default_items());
     ASSERT_EQ(matched.size(), reference::default_items().size());

@@ -53,12 +53,30 @@ TEST(ReadTranscript, JoinsComponentsOnOneLineAndOnSeveral) {
 
 TEST(ReadTranscript, ReadsWordsThatMeanNoValue) {
     for (const std::string_view line :
-         {"t: none", "hit point = no hit", "N -> n/a", "The ray misses the sphere", "so there are no real roots"}) {
+         {"t: none", "hit point = no hit", "N -> n/a", "The ray misses the sphere", "so there are no real roots",
+          "t is none", "[t] none", "t none", "P_c (none)", "t,none", "t none; hit none", "the normal does not exist",
+          "hit point is undefined", "t has no value", "t: {}", "hit: false", "the ray passes the cylinder",
+          "The cylinder is not hit by the ray.", "cylinder not intersected"}) {
         const auto read = values(line);
         ASSERT_EQ(read.size(), 1U) << line;
         EXPECT_TRUE(read[0].numbers.empty()) << line;
     }
-    EXPECT_TRUE(values("if the discriminant is negative there is no hit").empty());
+    for (const std::string_view line :
+         {"if the discriminant is negative there is no hit", "t is none if d < 0",
+          "the ray passes through the cylinder", "the sphere is hit", "no problem so far"})
+        EXPECT_TRUE(values(line).empty()) << line;
+    EXPECT_EQ(values("t is none").at(0).label, "t");
+    EXPECT_EQ(values("[P_c] none").at(0).label, "P_c");
+    EXPECT_EQ(values("the normal does not exist").at(0).label, "the normal");
+}
+
+TEST(ReadTranscript, ReadsWhatIsSaidBehindADiscriminant) {
+    const auto read = values("d = -91 < 0, so no intersection\n");
+    ASSERT_EQ(read.size(), 2U);
+    EXPECT_EQ(read[0].label, "d");
+    EXPECT_TRUE(read[1].numbers.empty());
+    EXPECT_EQ(values("d = 91, so no intersection with the caps\n").size(), 1U);
+    EXPECT_EQ(values("t = -91, no intersection before the eye\n").size(), 1U);
 }
 
 TEST(ReadTranscript, LabelsAValueWithTheWordsAbove) {
