@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "harness/class_run/exit_status.h"
 #include "harness/class_run/progress.h"
@@ -32,8 +33,9 @@ void with_progress(const char* what, std::size_t count, bool shows_progress, Wor
 
 }  // namespace
 
-ClassRun open_class_run(const reference::Assignment& assignment, const RunnerOptions& options) {
-    ClassRun run{make_marking(assignment), open_runner(options, assignment.limits)};
+ClassRun open_class_run(Marking marking, const RunnerOptions& options) {
+    Runner runner = open_runner(options, marking.assignment.limits);
+    ClassRun run{std::move(marking), std::move(runner)};
     tell_of_the_sandbox(run.runner, options);
     return run;
 }
@@ -48,7 +50,7 @@ void tell_problems(const Runner& runner) {
 }
 
 Submission the_only_submission(const std::filesystem::path& source, const std::string& command) {
-    std::vector<Submission> submissions = take_in_all({source});
+    std::vector<Submission> submissions = take_in_all({source}).submissions;
     if (submissions.size() == 1) return std::move(submissions.front());
     throw UsageError(fmt::format("{}: holds {} submissions; this command takes one, `{}` a class", source.string(),
                                  submissions.size(), command));

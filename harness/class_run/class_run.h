@@ -18,9 +18,8 @@ struct ClassRun {
     Runner runner;
 };
 
-/// Makes the assignment's key, opens the runner, and says on stderr what there is to know about the sandbox. Throws
-/// AssignmentError, LimitError and HarnessError.
-ClassRun open_class_run(const reference::Assignment& assignment, const RunnerOptions& options);
+/// Opens the runner, and says on stderr what there is to know about the sandbox. Throws LimitError and HarnessError.
+ClassRun open_class_run(Marking marking, const RunnerOptions& options);
 
 /// Writes the notes of the assignment's key to stderr: what is unusual, and which answers float leaves uncertain.
 void tell_key_notes(const Marking& marking);

@@ -5,22 +5,12 @@
 #include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
 #include "harness/text/escape.h"
+#include "harness/text/printable.h"
 
 namespace harness {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Throws UsageError, which names the file and the size limit.
-std::string read_roster_text(const fs::path& file) {
-    constexpr std::uintmax_t longest = std::uintmax_t{64} << 20U;
-    BoundedFile roster = read_bounded(file, longest, Links::follow);
-    if (!roster.is_whole()) {
-        throw UsageError(fmt::format("{}: can't be read: {}; give it as it was exported", file.string(),
-                                     why_not_whole(roster, longest)));
-    }
-    return std::move(roster.bytes);
-}
 
 std::optional<KeptInput> read_roster_file(const RosterOptions& options) {
     if (options.canvas_roster.empty()) return std::nullopt;
@@ -93,6 +83,16 @@ void tell_feedback(const report::FeedbackZip& zip, const fs::path& file) {
 
 }  // namespace
 
+std::string read_roster_text(const fs::path& file) {
+    constexpr std::uintmax_t longest = std::uintmax_t{64} << 20U;
+    BoundedFile roster = read_bounded(file, longest, Links::follow);
+    if (!roster.is_whole()) {
+        throw UsageError(fmt::format("{}: can't be read: {}; give it as it was exported", file.string(),
+                                     why_not_whole(roster, longest)));
+    }
+    return std::move(roster.bytes);
+}
+
 Rosters read_given_rosters(const RosterOptions& options) {
     Rosters rosters;
     rosters.canvas_given = read_roster_file(options);
@@ -113,6 +113,28 @@ void read_kept_rosters(Rosters& rosters, const RosterOptions& options, const Gra
                            [](const std::optional<KeptInput>& input) {
                                return input ? report::read_late_days(input->content) : report::LateDays();
                            });
+}
+
+void require_matches(const Rosters& rosters, const RosterOptions& options, const std::vector<Submission>& submissions) {
+    std::vector<Graded> students(submissions.size());
+    for (std::size_t i = 0; i < submissions.size(); ++i) {
+        students[i].submission.id = submissions[i].id;
+        students[i].submission.lms = submissions[i].lms;
+    }
+    const auto require = [&](const std::vector<std::string>& unmatched, const fs::path& file, const char* option) {
+        constexpr std::size_t fewest = 3, hardly_any = 10;
+        if (submissions.size() < fewest || unmatched.size() * hardly_any < submissions.size() * (hardly_any - 1))
+            return;
+        throw UsageError(
+            fmt::format("{}: {} of {} submissions are not in it, such as {}. Give the roster of this class with {}, "
+                        "or leave it out.",
+                        file.string(), unmatched.size(), submissions.size(), in_quotes(unmatched.front()), option));
+    };
+    if (rosters.canvas_given && rosters.canvas)
+        require(report::canvas_import(*rosters.canvas, students).unmatched, options.canvas_roster, "--canvas-roster");
+    if (rosters.moodle_given && rosters.moodle)
+        require(report::moodle_import(*rosters.moodle, students).unmatched, options.moodle_worksheet,
+                "--moodle-worksheet");
 }
 
 void tell_handed_back(const HandedBack& handed_back, const fs::path& results) {

@@ -36,6 +36,9 @@ struct Rosters {
     }
 };
 
+/// The text of a roster's file. Throws UsageError, which names the file and the size limit.
+std::string read_roster_text(const std::filesystem::path& file);
+
 /// Reads the files that the options name. Throws UsageError.
 Rosters read_given_rosters(const RosterOptions& options);
 
@@ -43,6 +46,10 @@ Rosters read_given_rosters(const RosterOptions& options);
 /// of the folder `results`. Throws UsageError.
 void read_kept_rosters(Rosters& rosters, const RosterOptions& options, const Gradebook& gradebook,
                        const std::filesystem::path& results);
+
+/// Throws UsageError if a roster that was given now has hardly any of three or more submissions in it: it is another
+/// class's, or intake did not understand the names.
+void require_matches(const Rosters& rosters, const RosterOptions& options, const std::vector<Submission>& submissions);
 
 /// Prints which files go back to an LMS, and who is left out of them.
 void tell_handed_back(const HandedBack& handed_back, const std::filesystem::path& results);

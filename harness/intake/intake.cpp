@@ -56,20 +56,34 @@ Submission from_folder(const FileTree& tree, const path& folder, const Contents&
     return take(tree, hand_in, std::move(id), in_quotes(folder));
 }
 
+void leave_out(const std::vector<path>& files, Intake& intake) {
+    for (const path& file : files) intake.left_out.push_back(printable(file.filename().native()));
+}
+
 Submission from_link(const path& link) {
     return with_problem(printable(link.filename().native()),
                         in_quotes(link) + " is a symbolic link. Put the folder itself there: links are not followed.");
 }
 
-std::vector<Submission> from_class(const FileTree& tree, const Contents& contents, bool also_folders) {
-    std::vector<Submission> submissions;
+Submission from_packed(const FileTree& tree, const path& archive) {
+    HandIn hand_in;
+    hand_in.archives = {archive};
+    return take(tree, hand_in, printable(archive.stem().native()), in_quotes(archive));
+}
+
+Intake from_class(const FileTree& tree, const Contents& contents, bool also_folders) {
+    Intake intake;
     for (const auto& source : contents.sources) {
-        submissions.push_back(from_file(tree, source, printable(source.stem().native()), Links::refuse));
+        intake.submissions.push_back(from_file(tree, source, printable(source.stem().native()), Links::refuse));
     }
-    if (!also_folders) return submissions;
-    for (const auto& folder : contents.folders) submissions.push_back(from_folder(tree, folder, tree.list(folder)));
-    for (const auto& link : contents.linked) submissions.push_back(from_link(link));
-    return submissions;
+    for (const auto& archive : contents.archives) intake.submissions.push_back(from_packed(tree, archive));
+    leave_out(contents.headers, intake);
+    leave_out(contents.others, intake);
+    if (!also_folders) return intake;
+    for (const auto& folder : contents.folders)
+        intake.submissions.push_back(from_folder(tree, folder, tree.list(folder)));
+    for (const auto& link : contents.linked) intake.submissions.push_back(from_link(link));
+    return intake;
 }
 
 bool holds_a_class(const FileTree& tree, const Contents& contents) {
@@ -79,16 +93,20 @@ bool holds_a_class(const FileTree& tree, const Contents& contents) {
     });
 }
 
-std::vector<Submission> from_given_folder(const FileTree& tree, const path& folder) {
+Intake from_given_folder(const FileTree& tree, const path& folder) {
     const Contents contents = tree.list(folder);
-    if (auto of_lms = from_lms_download(tree, contents)) return std::move(*of_lms);
+    if (auto of_lms = from_lms_download(tree, contents)) {
+        Intake intake{std::move(of_lms->submissions), {}};
+        leave_out(of_lms->left_out, intake);
+        return intake;
+    }
     const bool has_sources = !contents.sources.empty();
     const bool is_class = holds_a_class(tree, contents) || (!has_sources && contents.archives.empty());
     if (contents.error || (is_class && !has_sources && contents.folders.empty())) {
         throw UsageError(why_no_source(tree, folder, contents));
     }
     const bool has_ray_cast = std::any_of(contents.sources.begin(), contents.sources.end(), is_called_ray_cast);
-    if (!is_class && (has_ray_cast || !has_sources)) return {from_folder(tree, folder, contents)};
+    if (!is_class && (has_ray_cast || !has_sources)) return Intake{{from_folder(tree, folder, contents)}, {}};
     return from_class(tree, contents, is_class);
 }
 
@@ -107,8 +125,15 @@ path without_wrapping(const FileTree& tree, path folder) {
     return folder;
 }
 
+/// Where a download lies below outer folders, that place; else `folder` itself, because a folder with one folder in it
+/// may be a class of one student.
+path download_below(const FileTree& tree, const path& folder) {
+    const path inner = without_wrapping(tree, folder);
+    return is_of_lms(tree.list(inner)) ? inner : folder;
+}
+
 /// Throws ArchiveError, also if it holds no submission.
-std::vector<Submission> from_given_archive(const path& archive) {
+Intake from_given_archive(const path& archive) {
     const auto tree = open_class(archive);
     try {
         return from_given_folder(*tree, without_wrapping(*tree, archive));
@@ -166,19 +191,19 @@ std::vector<Submission> unique(std::vector<Taken> all) {
     return submissions;
 }
 
-std::vector<Submission> submissions_at(const path& given) {
+Intake intake_at(const path& given) {
     std::error_code error;
     const auto status = std::filesystem::status(given, error);
     if (!std::filesystem::exists(status)) {
         throw UsageError("There is no " + in_quotes(given) + (error ? ": " + error.message() : "") +
                          ". Check the path; a name with blanks needs quotes.");
     }
-    std::vector<Submission> submissions;
+    Intake intake;
     const DiskTree disk;
     if (std::filesystem::is_directory(status)) {
-        submissions = from_given_folder(disk, given);
+        intake = from_given_folder(disk, download_below(disk, given));
     } else if (is_archive_name(given.native())) {
-        submissions = from_given_archive(given);
+        intake = from_given_archive(given);
     } else if (!is_source_name(given)) {
         throw UsageError(in_quotes(given) +
                          " is neither a folder nor a C++ source (.cpp, .cc or .cxx) nor an archive (.zip, .tar, "
@@ -187,42 +212,51 @@ std::vector<Submission> submissions_at(const path& given) {
         const bool named_by_folder = is_called_ray_cast(given);
         const path folder = std::filesystem::absolute(given).parent_path();
         const std::string id = named_by_folder ? folder_id(folder) : printable(given.stem().native());
-        submissions.push_back(from_file(disk, given, id, Links::follow));
+        intake.submissions.push_back(from_file(disk, given, id, Links::follow));
     }
-    std::stable_sort(submissions.begin(), submissions.end(),
+    std::stable_sort(intake.submissions.begin(), intake.submissions.end(),
                      [](const Submission& a, const Submission& b) { return a.id < b.id; });
     std::vector<Taken> all;
-    for (auto& one : submissions) all.push_back({one.file.empty() ? given : one.file, one.id, one});
-    return unique(std::move(all));
+    for (auto& one : intake.submissions) all.push_back({one.file.empty() ? given : one.file, one.id, one});
+    intake.submissions = unique(std::move(all));
+    return intake;
 }
 
-}  // namespace
-
-std::vector<Submission> take_in(const path& given) {
+Intake take_in_whole(const path& given) {
     try {
-        return submissions_at(given);
+        return intake_at(given);
     } catch (const ArchiveError& error) {
         throw UsageError(error.what());
     }
 }
 
-std::vector<Submission> take_in_all(const std::vector<path>& paths) {
-    if (paths.size() == 1) return take_in(paths.front());
-    const auto submissions_or_problem = [](const path& given) {
+}  // namespace
+
+std::vector<Submission> take_in(const path& given) {
+    return take_in_whole(given).submissions;
+}
+
+Intake take_in_all(const std::vector<path>& paths) {
+    if (paths.size() == 1) return take_in_whole(paths.front());
+    const auto intake_or_problem = [](const path& given) {
         try {
-            return submissions_at(given);
+            return intake_at(given);
         } catch (const ArchiveError& error) {  // it may be one student's
-            return std::vector{with_problem(printable(given.stem().native()), error.what())};
+            return Intake{{with_problem(printable(given.stem().native()), error.what())}, {}};
         }
     };
+    Intake whole;
     std::vector<Taken> all;
     for (const auto& given : paths) {
-        for (auto& one : submissions_or_problem(given)) {
+        Intake intake = intake_or_problem(given);
+        whole.left_out.insert(whole.left_out.end(), intake.left_out.begin(), intake.left_out.end());
+        for (auto& one : intake.submissions) {
             std::string id = one.id;
             all.push_back({given, std::move(id), std::move(one)});
         }
     }
-    return unique(std::move(all));
+    whole.submissions = unique(std::move(all));
+    return whole;
 }
 
 }  // namespace harness

@@ -18,15 +18,23 @@ namespace harness {
 ///   both                    if a folder inside holds sources, it is a class: one submission per source and per
 ///                           folder. Otherwise the folders are something the student has left there, and only the
 ///                           sources count.
+///   archives in a class     one submission per archive.
 ///   an LMS's download       one submission per student (lms_download.h), packed or unpacked.
 /// Returns the submissions sorted by id. A submission that can't be graded (no source, several, a symbolic link, not a
 /// file, unreadable, too large) is never left out: it has a problem. Symbolic links inside a folder are not followed;
 /// `path` itself may be one. Throws UsageError if the path itself can't be read or holds no submission.
 std::vector<Submission> take_in(const std::filesystem::path& path);
 
+/// What lies at the paths of the command line.
+struct Intake {
+    std::vector<Submission> submissions;
+    /// Files of a class that can't be hand-ins, such as notes.txt, as they are named there.
+    std::vector<std::string> left_out;
+};
+
 /// Reads several paths in the order given. Equal ids get as many folder names of their paths in front as are needed to
 /// make them differ (2020-s01, 2021-s01). If the same path is given twice, its ids get a number at the end. Of several
 /// paths an archive that can't be read is a submission with a problem, because it may be one student's.
-std::vector<Submission> take_in_all(const std::vector<std::filesystem::path>& paths);
+Intake take_in_all(const std::vector<std::filesystem::path>& paths);
 
 }  // namespace harness

@@ -1,6 +1,9 @@
 #include "harness/intake/lms_download.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "harness/intake/archive.h"
@@ -44,15 +47,30 @@ bool is_gradescope_metadata(const path& file) {
     return file.filename() == gradescope_metadata_name;
 }
 
+/// The files and folders with no name of the system's, apart from the export's own metadata file.
+Contents strangers_of(Lms lms, const Contents& contents) {
+    Contents strangers;
+    const auto pick = [&](const std::vector<path>& from, std::vector<path>& to, bool are_folders) {
+        std::copy_if(from.begin(), from.end(), std::back_inserter(to), [&](const path& file) {
+            return !is_gradescope_metadata(file) && readings_of(lms, file, are_folders).empty();
+        });
+    };
+    pick(contents.sources, strangers.sources, false);
+    pick(contents.headers, strangers.headers, false);
+    pick(contents.archives, strangers.archives, false);
+    pick(contents.others, strangers.others, false);
+    pick(contents.folders, strangers.folders, true);
+    strangers.linked = contents.linked;
+    return strangers;
+}
+
+std::size_t count_of(const Contents& contents) {
+    return files_of(contents).size() + contents.folders.size() + contents.linked.size();
+}
+
+/// One stray file must not hide a class, and one file that happens to have such a name makes no download.
 bool is_of(Lms lms, const Contents& contents) {
-    std::vector<path> files = files_of(contents);
-    // The export's own metadata file is no student's file.
-    std::erase_if(files, is_gradescope_metadata);
-    if (!contents.linked.empty() || (files.empty() && contents.folders.empty())) return false;
-    return std::all_of(files.begin(), files.end(),
-                       [&](const path& file) { return !readings_of(lms, file, false).empty(); }) &&
-           std::all_of(contents.folders.begin(), contents.folders.end(),
-                       [&](const path& folder) { return !readings_of(lms, folder, true).empty(); });
+    return 2 * count_of(strangers_of(lms, contents)) < count_of(contents);
 }
 
 std::optional<Lms> lms_of(const Contents& contents) {
@@ -206,13 +224,37 @@ Submission from_student(const FileTree& tree, const Student& student, const std:
     return submission;
 }
 
+std::string_view name_of(Lms lms) {
+    switch (lms) {
+        case Lms::canvas: return "Canvas";
+        case Lms::moodle: return "Moodle";
+        case Lms::gradescope: return "Gradescope";
+    }
+    return "";
+}
+
+/// What may be somebody's hand-in must not be lost without a word.
+void add_strangers(const Contents& strangers, Lms lms, LmsDownload& download) {
+    for (const auto* some : {&strangers.sources, &strangers.archives, &strangers.folders, &strangers.linked}) {
+        for (const path& file : *some) {
+            download.submissions.push_back(with_problem(
+                printable(file.filename().native()),
+                fmt::format("{} is not named as {} names hand-ins, so nobody knows whose it is. If it is a student's, "
+                            "grade it from a folder of that student's name; else take it away.",
+                            in_quotes(file.filename()), name_of(lms))));
+        }
+    }
+    for (const auto* some : {&strangers.headers, &strangers.others})
+        download.left_out.insert(download.left_out.end(), some->begin(), some->end());
+}
+
 }  // namespace
 
 bool is_of_lms(const Contents& contents) {
     return lms_of(contents).has_value();
 }
 
-std::optional<std::vector<Submission>> from_lms_download(const FileTree& tree, const Contents& contents) {
+std::optional<LmsDownload> from_lms_download(const FileTree& tree, const Contents& contents) {
     const auto lms = lms_of(contents);
     if (!lms) return std::nullopt;
     auto [students, submissions] = students_of(*lms, tree, contents);
@@ -239,7 +281,9 @@ std::optional<std::vector<Submission>> from_lms_download(const FileTree& tree, c
             submissions.push_back(from_student(tree, student, printable(id)));
         }
     }
-    return submissions;
+    LmsDownload download{std::move(submissions), {}};
+    add_strangers(strangers_of(*lms, contents), *lms, download);
+    return download;
 }
 
 }  // namespace harness

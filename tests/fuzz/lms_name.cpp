@@ -166,9 +166,10 @@ std::string check_download(const std::vector<std::string>& names) {
         files.emplace_back(name);
         (name.ends_with(".cpp") ? contents.sources : contents.others).emplace_back(name);
     }
-    const auto submissions = harness::from_lms_download(Names(), contents);
-    if (!submissions) return {};
-    for (const harness::Submission& submission : *submissions) {
+    const auto download = harness::from_lms_download(Names(), contents);
+    if (!download) return {};
+    const std::vector<harness::Submission>& submissions = download->submissions;
+    for (const harness::Submission& submission : submissions) {
         if (submission.id != harness::printable(submission.id)) return "an id with control characters";
         if (std::string broken = check_submission(submission, files); !broken.empty()) return broken;
     }
@@ -189,7 +190,7 @@ std::string check_download(const std::vector<std::string>& names) {
             }
             return false;
         };
-        if (std::none_of(submissions->begin(), submissions->end(), is_told_of))
+        if (std::none_of(submissions.begin(), submissions.end(), is_told_of))
             return "a source that nobody is told of: " + file.native();
     }
     return {};

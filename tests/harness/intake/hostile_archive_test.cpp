@@ -77,7 +77,7 @@ void take_in_class_with(const HostileArchive& hostile) {
     expect_a_source_or_a_reason(packed_in_zip[1]);
 
     const auto alone = folder.path() / "class/mallory" / hostile.name;
-    expect_honest(harness::take_in_all({folder.path() / "class/ada", alone}), "ada");
+    expect_honest(harness::take_in_all({folder.path() / "class/ada", alone}).submissions, "ada");
     EXPECT_EQ(everything_below(folder.path()), before);
 }
 
@@ -123,7 +123,7 @@ TEST(HostileArchive, AmongSeveralPathsIsNotGradedAndTheOthersAre) {
     const TemporaryFolder folder;
     const auto good = pack(folder.path() / "good.zip", {{"good.cpp", honest}});
     const auto bad = pack(folder.path() / "bad.zip", {{"../bad.cpp", honest}});
-    const auto taken = harness::take_in_all({good, bad});
+    const auto taken = harness::take_in_all({good, bad}).submissions;
     ASSERT_EQ(taken.size(), 2U);
     expect_honest(taken, "good");
     EXPECT_THAT(taken[1].problem.value_or(""), testing::HasSubstr("leads out"));

@@ -6,6 +6,7 @@
 #include "harness/intake/source_file.h"
 #include "harness/machine/errors.h"
 #include "tests/given/as_nobody.h"
+#include "tests/given/packed.h"
 #include "tests/given/temporary_folder.h"
 
 namespace {
@@ -49,6 +50,37 @@ TEST(TakeIn, TakesAFolderOfStudentFoldersSortedById) {
     EXPECT_EQ(submissions[2].source, "z");
     EXPECT_EQ(submissions[2].file, folder.path() / "zoe/ray_cast.cpp");
     EXPECT_FALSE(submissions[2].problem);
+}
+
+TEST(TakeIn, NamesWhatIsNoHandIn) {
+    const TemporaryFolder folder;
+    folder.write("zoe/ray_cast.cpp", "z");
+    folder.write("notes.txt", "");
+    folder.write("helpers.h", "");
+    EXPECT_THAT(take_in_all({folder.path()}).left_out, ElementsAre("helpers.h", "notes.txt"));
+    const TemporaryFolder other;
+    other.write("doejane_1001_5001_ray_cast.cpp", "j");
+    other.write("roe_1002_5002_ray_cast.cpp", "r");
+    other.write("desktop.ini", "");
+    EXPECT_THAT(take_in_all({other.path(), folder.path()}).left_out,
+                ElementsAre("desktop.ini", "helpers.h", "notes.txt"));
+    EXPECT_THAT(take_in_all({folder.path() / "zoe"}).left_out, IsEmpty())
+        << "a student's own files are told with the student";
+}
+
+TEST(TakeIn, TakesAnArchiveInAClassAsAStudents) {
+    const TemporaryFolder folder;
+    folder.write("zoe/ray_cast.cpp", "z");
+    std::filesystem::rename(pack(folder.path() / "tmp.zip", {{"ray_cast.cpp", "packed"}}), folder.path() / "yan.zip");
+    folder.write("xu.zip", "no zip");
+    const auto submissions = take_in(folder.path());
+    EXPECT_THAT(ids(submissions), ElementsAre("xu", "yan", "zoe"));
+    EXPECT_TRUE(submissions[0].problem);
+    EXPECT_EQ(submissions[1].source, "packed");
+    const TemporaryFolder flat;
+    flat.write("ann.cpp", "a");
+    flat.write("ben.zip", "no zip");
+    EXPECT_THAT(ids(take_in(flat.path())), ElementsAre("ann", "ben"));
 }
 
 TEST(TakeIn, TakesAFlatFolderAsOneSubmissionPerFile) {
@@ -215,16 +247,16 @@ TEST(TakeInAll, KeepsTheOrderOfThePathsAndMakesIdsUnique) {
     for (const char* file : {"2021/s01/ray_cast.cpp", "2021/s02/ray_cast.cpp", "2020/s01/ray_cast.cpp"}) {
         folder.write(file, file);
     }
-    EXPECT_THAT(ids(take_in_all({folder.path() / "2021", folder.path() / "2020"})),
+    EXPECT_THAT(ids(take_in_all({folder.path() / "2021", folder.path() / "2020"}).submissions),
                 ElementsAre("2021-s01", "s02", "2020-s01"));
-    EXPECT_THAT(ids(take_in_all({folder.path() / "2021/s01", folder.path() / "2020/s01/ray_cast.cpp"})),
+    EXPECT_THAT(ids(take_in_all({folder.path() / "2021/s01", folder.path() / "2020/s01/ray_cast.cpp"}).submissions),
                 ElementsAre("2021-s01", "2020-s01"));
 }
 
 TEST(TakeInAll, NumbersAPathThatIsGivenTwice) {
     const TemporaryFolder folder;
     const auto file = folder.write("s01/ray_cast.cpp", "");
-    EXPECT_THAT(ids(take_in_all({file, file})), ElementsAre("s01", "s01-2"));
+    EXPECT_THAT(ids(take_in_all({file, file}).submissions), ElementsAre("s01", "s01-2"));
 }
 
 }  // namespace

@@ -245,6 +245,46 @@ TEST_P(LmsDownload, OfGradescopeIsNamedByItsFoldersIfTheMetadataAreUnusable) {
     EXPECT_THAT(none.at("submission_901").notes, ElementsAre(HasSubstr("submission_metadata.yml is not there")));
 }
 
+TEST_P(LmsDownload, KeepsItsStudentsBesideStrayFiles) {
+    const auto taken = take_in({{"doejane_1001_5001_ray_cast.cpp", "jane"},
+                                {"roe_1002_5002_report.pdf", "%PDF"},
+                                {"poe_LATE_1003_5003_ray_cast.cpp", "edgar"},
+                                {"loe_1004_5004_ray_cast.cpp", "lola"},
+                                {"desktop.ini", "[.ShellClassInfo]"},
+                                {"grading notes.txt", "strict"},
+                                {"solution.cpp", "int main() { }"}});
+    EXPECT_THAT(ids(taken), ElementsAre("doejane", "loe", "poe", "roe", "solution.cpp"));
+    EXPECT_EQ(taken.at("doejane").lms->id, "1001");
+    EXPECT_THAT(taken.at("poe").notes, ElementsAre("Handed in late."));
+    EXPECT_THAT(taken.at("roe").problem.value_or(""), HasSubstr("report.pdf"));
+    EXPECT_THAT(taken.at("solution.cpp").problem.value_or(""),
+                AllOf(HasSubstr("not named as Canvas names hand-ins"), HasSubstr("nobody knows whose it is")));
+    EXPECT_FALSE(taken.at("solution.cpp").lms);
+}
+
+TEST_P(LmsDownload, MayLieBelowOuterFolders) {
+    const auto taken = take_in({{"hw6/submissions/doejane_1001_5001_ray_cast.cpp", "jane"},
+                                {"hw6/submissions/roe_1002_5002_ray_cast.cpp", "roe"},
+                                {"hw6/desktop.ini", ""},
+                                {"hw6/submissions/desktop.ini", ""}});
+    EXPECT_THAT(ids(taken), ElementsAre("doejane", "roe"));
+}
+
+TEST_P(LmsDownload, OfMoodleKeepsItsStudentsBesideStrayFolders) {
+    const auto taken = take_in({{"Jane Doe_101_assignsubmission_file/ray_cast.cpp", "jane"},
+                                {"John Roe_102_assignsubmission_file/ray_cast.cpp", "john"},
+                                {"Joan Poe_103_assignsubmission_file/ray_cast.cpp", "joan"},
+                                {"mine/ray_cast.cpp", "m"},
+                                {"Thumbs.db", ""}});
+    EXPECT_THAT(ids(taken), ElementsAre("Jane Doe", "Joan Poe", "John Roe", "mine"));
+    EXPECT_THAT(taken.at("mine").problem.value_or(""), HasSubstr("Moodle"));
+}
+
+TEST_P(LmsDownload, IsNotSeenInAClassWhereOneNameLooksLikeIt) {
+    const auto taken = take_in({{"ann.cpp", "a"}, {"ben.cpp", "b"}, {"doejane_1001_5001_ray_cast.cpp", "j"}});
+    EXPECT_THAT(ids(taken), ElementsAre("ann", "ben", "doejane_1001_5001_ray_cast"));
+}
+
 INSTANTIATE_TEST_SUITE_P(, LmsDownload, testing::Bool(),
                          [](const auto& tested) { return tested.param ? "packed" : "unpacked"; });
 
