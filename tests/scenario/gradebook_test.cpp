@@ -200,6 +200,36 @@ TEST_F(RealDay, ANewAssignmentOrRosterCountsAsAChange) {
     EXPECT_THAT(grade(with_roster).output, HasSubstr("Nothing has changed"));
 }
 
+TEST_F(RealDay, ARosterOfAnotherClassIsRefusedBeforeAnythingIsGraded) {
+    write(students() / "cy/ray_cast.cpp", right);
+    const fs::path roster = folder / "gradebook.csv";
+    write(roster, "Student,ID,Assignment 6 (71)\r\nRoe,1,\r\nDoe,2,\r\n");
+    const Result refused = grade({"--canvas-roster", roster.string()});
+    EXPECT_EQ(refused.status, usage);
+    EXPECT_THAT(refused.voice,
+                AllOf(HasSubstr("3 of 3 submissions are not in it, such as \"ada\""), HasSubstr("--canvas-roster")));
+    EXPECT_FALSE(fs::exists(out() / "grades.json"));
+    write(roster, "Student,ID,Assignment 6 (71)\r\nRoe,1,\r\nAda,ada,\r\n");
+    EXPECT_THAT(grade({"--canvas-roster", roster.string()}).output, HasSubstr("1 matched"));
+}
+
+TEST_F(RealDay, LateHandInsLoseWhatTheScheduleSaysAndItIsKept) {
+    write(students() / "ben/ray_cast.cpp", right);
+    write(folder / "late.csv", "id,days_late,extension_days\nada,2,\nben,3,2\nbem,1,\n");
+    const std::string schedule = rubric("late = [[1, 0.25], [2, 1.0]]\n");
+    const std::vector<std::string> with_days = {"--assignment", schedule, "--late-days", folder / "late.csv",
+                                                "--apply"};
+    ASSERT_EQ(grade({"--assignment", schedule}).status, 0);
+    const double ada = points("ada"), ben = points("ben");
+    ASSERT_GT(ada, 0);
+    const Result late = grade(with_days);
+    EXPECT_EQ(late.status, 0) << late.both();
+    EXPECT_THAT(late.voice, HasSubstr("--late-days: bem is none of the submissions; did you mean ben"));
+    EXPECT_EQ(points("ada"), 0);
+    EXPECT_EQ(points("ben"), 0.75 * ben) << "one day of three is left of the extension";
+    EXPECT_THAT(grade({"--assignment", schedule}).output, HasSubstr("Nothing has changed")) << "it is kept";
+}
+
 TEST_F(RealDay, AnOverrideStandsInEveryReportAndSurvivesARegrade) {
     ASSERT_EQ(grade().status, 0);
     const std::string feedback_of_ada = read(out() / "feedback/ada.md");

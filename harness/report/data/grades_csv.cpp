@@ -18,6 +18,13 @@ std::string overridden(const Graded& graded) {
     return places;
 }
 
+/// What a person should look at, by the flags' names.
+std::string flags_of(const Graded& graded) {
+    std::string kinds;
+    for (const Flag& flag : graded.flags) kinds += (kinds.empty() ? "" : " ") + flag.kind;
+    return kinds;
+}
+
 }  // namespace
 
 std::string grades_csv(const std::vector<Graded>& graded) {
@@ -27,7 +34,7 @@ std::string grades_csv(const std::vector<Graded>& graded) {
             text += fmt::format(",Q{}", question.number);
     }
     const bool has_scenes = !graded.empty() && graded.front().score.other_scenes;
-    text += fmt::format(",explanation,sandbox,automatic_points,late_deduction,overridden{}\r\n",
+    text += fmt::format(",explanation,sandbox,automatic_points,late_deduction,overridden{},flags\r\n",
                         has_scenes ? ",other_scenes" : "");
     for (const Graded& one : graded) {
         const bool marked = one.outcome != Outcome::not_graded;
@@ -40,7 +47,7 @@ std::string grades_csv(const std::vector<Graded>& graded) {
                             marked ? points_text(one.score.points) : "", mark ? points_text(mark->late_deduction) : "",
                             csv_cell(overridden(one)));
         if (has_scenes) text += "," + (marked ? points_text(final_scenes_points(one)) : "");
-        text += "\r\n";
+        text += "," + csv_cell(flags_of(one)) + "\r\n";
     }
     return text;
 }

@@ -242,7 +242,8 @@ void write_grades_json(std::ostream& out, const std::vector<Graded>& graded, con
     const Expected expected(marking.key);
     std::string_view before = "\n    ";
     for (const Graded& one : graded) {
-        out << before << text(submission_json(one, expected), on_one_line);
+        const Marking& own = own_marking(marking, one.submission);
+        out << before << text(submission_json(one, &own == &marking ? expected : Expected(own.key)), on_one_line);
         before = ",\n    ";
     }
     out << (graded.empty() ? "" : "\n  ") << "]\n}\n";

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace harness::report {
 namespace {
@@ -46,10 +47,20 @@ double late_share(const reference::Rubric& rubric, double days) {
     return share;
 }
 
+std::string late_id_of(const Submission& submission, const LateDays& days) {
+    return submission.lms && days.contains(submission.lms->id) ? submission.lms->id : submission.id;
+}
+
 void apply_late_schedule(std::vector<Graded>& graded, const reference::Rubric& rubric, const LateDays& days) {
+    std::set<std::string> numbers;
+    for (const Graded& one : graded) {
+        if (one.submission.lms) numbers.insert(one.submission.lms->id);
+    }
     for (Graded& one : graded) {
         one.late_share = 0;
-        if (const auto told = days.find(one.submission.id); told != days.end()) {
+        const std::string id = late_id_of(one.submission, days);
+        const bool is_anothers = numbers.contains(id) && !(one.submission.lms && one.submission.lms->id == id);
+        if (const auto told = days.find(id); told != days.end() && !is_anothers) {
             one.late_share = late_share(rubric, told->second);
         } else if (one.submission.lms && one.submission.lms->late == true) {
             if (rubric.late.size() == 1) one.late_share = rubric.late.front().share;

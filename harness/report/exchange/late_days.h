@@ -14,7 +14,8 @@ namespace harness::report {
 /// The flag of a submission that is late, nobody knows how late.
 constexpr const char* late_without_date = "late_without_date";
 
-/// Days by submission; 0 or less for one that is on time after all.
+/// Days by the submission's id, or the number that the learning management system gives its student; 0 or less for one
+/// that is on time after all.
 using LateDays = std::map<std::string, double>;
 
 /// Reads a CSV file with the columns id, days_late and, if there are any, extension_days. Days may be fractions: 0.5 is
@@ -23,6 +24,10 @@ LateDays read_late_days(std::string_view csv);
 
 /// The share of its points that a hand-in loses: started days count, after the rubric's grace.
 double late_share(const reference::Rubric& rubric, double days);
+
+/// The id by which `days` may name the submission: the learning management system's number goes first, because no
+/// student chooses it.
+std::string late_id_of(const Submission& submission, const LateDays& days);
 
 /// Sets what each submission loses. One that its system calls late, without a date, and that is not in `days` loses
 /// what a schedule of one step says; where the schedule has several it loses nothing and is flagged.

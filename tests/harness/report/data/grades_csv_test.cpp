@@ -39,11 +39,11 @@ std::vector<std::vector<std::string>> read_csv(const std::string& text) {
 TEST(GradesCsv, ReadsBackAsOneRowPerSubmission) {
     const auto rows = read_csv(grades_csv({graded("zoe", output_with_a_mistake()), graded("ada", "")}));
     ASSERT_EQ(rows.size(), 3U);
-    EXPECT_THAT(rows[0],
-                ElementsAre("id", "outcome", "points", "max_points", "Q1", "Q2", "Q3", "Q4", "Q5", "Q6", "Q7", "Q8",
-                            "Q9", "Q10", "explanation", "sandbox", "automatic_points", "late_deduction", "overridden"));
+    EXPECT_THAT(rows[0], ElementsAre("id", "outcome", "points", "max_points", "Q1", "Q2", "Q3", "Q4", "Q5", "Q6", "Q7",
+                                     "Q8", "Q9", "Q10", "explanation", "sandbox", "automatic_points", "late_deduction",
+                                     "overridden", "flags"));
     EXPECT_THAT(rows[1], ElementsAre("zoe", "graded", "98.33", "100", "10", "10", "10", "10", "10", "8.33", "10", "10",
-                                     "10", "10", "", "bwrap+shim", "98.33", "0", ""));
+                                     "10", "10", "", "bwrap+shim", "98.33", "0", "", ""));
     EXPECT_EQ(rows[2][1], "no_output");
     EXPECT_EQ(rows[2][2], "0");
 }
@@ -119,14 +119,21 @@ TEST(GradesCsv, HasAColumnForOtherScenesIfTheyGivePoints) {
     Graded unread = not_graded("cy");
     unread.score.other_scenes = ScenesScore{0, 10};
     const auto rows = read_csv(grades_csv({graded_on_other_scenes("ada"), by_hand, unread}));
-    EXPECT_EQ(rows[0].back(), "other_scenes");
-    EXPECT_EQ(rows[1].back(), "6");
+    EXPECT_EQ(rows[0][19], "other_scenes");
+    EXPECT_EQ(rows[1][19], "6");
     EXPECT_EQ(rows[1][2], "104.33");
-    EXPECT_EQ(rows[2].back(), "9.5");
+    EXPECT_EQ(rows[2][19], "9.5");
     EXPECT_EQ(rows[2][2], "107.83");
     EXPECT_EQ(rows[2][18], "variants");
-    EXPECT_EQ(rows[3].back(), "");
-    for (const auto& row : rows) EXPECT_EQ(row.size(), 20U);
+    EXPECT_EQ(rows[3][19], "");
+    for (const auto& row : rows) EXPECT_EQ(row.size(), 21U);
+}
+
+TEST(GradesCsv, NamesTheFlags) {
+    Graded one = graded("s", "");
+    one.flags = {{"late_without_date", "Handed in late."}, {"reading_doubtful", "6.t"}};
+    EXPECT_EQ(read_csv(grades_csv({one, graded("t", "")}))[1].back(), "late_without_date reading_doubtful");
+    EXPECT_EQ(read_csv(grades_csv({one, graded("t", "")}))[2].back(), "");
 }
 
 TEST(GradesCsv, NamesTheSandbox) {
@@ -137,7 +144,7 @@ TEST(GradesCsv, NamesTheSandbox) {
 
 TEST(GradesCsv, HasItsHeaderWithoutSubmissions) {
     EXPECT_EQ(grades_csv({}),
-              "id,outcome,points,max_points,explanation,sandbox,automatic_points,late_deduction,overridden\r\n");
+              "id,outcome,points,max_points,explanation,sandbox,automatic_points,late_deduction,overridden,flags\r\n");
 }
 
 }  // namespace

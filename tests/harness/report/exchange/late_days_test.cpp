@@ -91,5 +91,16 @@ TEST(LateSchedule, GoesByWhatTheInstructorSays) {
     EXPECT_THAT(all[1].flags, IsEmpty());
 }
 
+TEST(LateSchedule, GoesByTheLearningManagementSystemsNumberFirst) {
+    std::vector<Graded> all = class_of_two();
+    all[0].submission.id = "4711";  // as a student may call herself
+    all[1].submission.lms->id = "4711";
+    apply_late_schedule(all, schedule(), {{"4711", 1}});
+    EXPECT_EQ(all[0].late_share, 0);
+    EXPECT_EQ(all[1].late_share, 0.05);
+    EXPECT_EQ(late_id_of(all[1].submission, {{"4711", 1}}), "4711");
+    EXPECT_EQ(late_id_of(all[1].submission, {{"ben", 1}}), "ben");
+}
+
 }  // namespace
 }  // namespace harness::report
