@@ -248,7 +248,9 @@ void Batch::finish(std::size_t index, Graded graded) {
 
 std::vector<Graded> grade_all(std::vector<Submission> submissions, const Marking& marking, const Runner& runner,
                               int jobs, Timeline& timeline) {
-    const std::vector<const Marking*> markings(submissions.size(), &marking);
+    std::vector<const Marking*> markings;
+    for (const Submission& submission : submissions) markings.push_back(&own_marking(marking, submission));
+    if (!marking.of_student.empty()) return grade_each(std::move(submissions), markings, runner, jobs, timeline);
     ScoreMemo memo;
     return Batch(std::move(submissions), markings, &memo, runner, jobs, timeline).grade();
 }

@@ -66,6 +66,28 @@ std::optional<OwnSceneScore> score_on_own_scene(const Score& score, const std::s
     return best;
 }
 
+std::vector<AnswersOfAnother> flag_answers_of_others(std::vector<Graded>& graded, const Marking& marking) {
+    constexpr std::ptrdiff_t telling = 3;
+    std::vector<AnswersOfAnother> found;
+    if (marking.of_student.empty()) return found;
+    for (Graded& one : graded) {
+        if (one.printout.empty() || !has_wrong_answer(one.score)) continue;
+        const Transcript transcript = read_transcript(one.printout, last_question(marking.assignment.questions));
+        const auto fits = [&](const Marking& other) {
+            return right_answers(score(transcript, other.key, other.assignment)) >= right_answers(one.score) + telling;
+        };
+        const auto student = std::ranges::find_if(marking.of_student, [&](const auto& each) {
+            return each.second.get() != &own_marking(marking, one.submission) && fits(*each.second);
+        });
+        const bool is_students = student != marking.of_student.end();
+        if (!is_students && !fits(marking)) continue;
+        one.flags.push_back(
+            {"other_scene", "The answers are right for another scene than the one dealt to this student."});
+        found.push_back({one.submission.id, is_students ? student->first : ""});
+    }
+    return found;
+}
+
 Score score_again_on(const OwnScene& scene, const Score& score, const Transcript& transcript, const Marking& marking,
                      std::span<const ItemPlace> places) {
     const auto stated = reference::parse_assignment(scene.toml, "the scene in the source");

@@ -28,4 +28,14 @@ std::optional<OwnSceneScore> score_on_own_scene(const Score& score, const std::s
 Score score_again_on(const OwnScene& scene, const Score& score, const Transcript& transcript, const Marking& marking,
                      std::span<const ItemPlace> places = {});
 
+/// A submission whose answers are right for a scene that was dealt to somebody else.
+struct AnswersOfAnother {
+    std::string submission;
+    std::string student;  ///< whose scene it is; empty for the assignment's own
+};
+
+/// Where scenes are dealt: flags the submissions that have three more answers right on another student's scene, or on
+/// the assignment's, than on their own. The flag does not name the other student, because its student reads it.
+std::vector<AnswersOfAnother> flag_answers_of_others(std::vector<Graded>& graded, const Marking& marking);
+
 }  // namespace harness

@@ -119,7 +119,8 @@ void attach(const std::vector<KeptReread>& rereads, std::vector<Graded>& graded)
     for (Graded& one : graded) attach(rereads, one.submission);
 }
 
-void mark_again(Graded& graded, const Marking& marking) {
+void mark_again(Graded& graded, const Marking& of_class) {
+    const Marking& marking = own_marking(of_class, graded.submission);
     const Transcript transcript = read_transcript(graded.printout, last_question(marking.assignment.questions));
     const auto places = places_in(graded.submission.rereads, graded.printout);
     Score again = score(transcript, marking.key, marking.assignment, places);

@@ -39,7 +39,7 @@ std::size_t find_submission(const std::vector<Graded>& graded, const std::string
 }
 
 Marking marking_of(const KeptClass& kept) {
-    return make_marking(reference::parse_assignment(kept.run.toml, kept.run.assignment_file));
+    return make_class_marking(reference::parse_assignment(kept.run.toml, kept.run.assignment_file));
 }
 
 Author author_of(const std::string& by) {

@@ -2,21 +2,27 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "harness/class_run/class_run.h"
 #include "harness/class_run/installation.h"
 #include "harness/class_run/progress.h"
+#include "harness/class_run/rosters.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/grade/final_mark.h"
 #include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
 #include "harness/machine/say.h"
 #include "harness/prepare/check_text.h"
+#include "harness/prepare/deal.h"
 #include "harness/prepare/handout_text.h"
 #include "harness/report/accuracy/sentences.h"
+#include "harness/report/exchange/roster.h"
+#include "harness/results/reports.h"
 #include "harness/run/limits.h"
 #include "reference/toml/scene_toml.h"
 
@@ -29,6 +35,8 @@ struct AssignmentOptions {
     std::string file;
     fs::path samples;  ///< of check; empty for none
     prepare::Search search;
+    fs::path roster;         ///< of deal
+    fs::path out = "dealt";  ///< of deal
 };
 
 reference::Assignment load(const AssignmentOptions& options) {
@@ -86,7 +94,7 @@ std::pair<double, double> expected_points(const fs::path& file) {
 /// Grades the samples and prints their points beside those expected. Returns how many differ.
 int rehearse(const reference::Assignment& assignment, const fs::path& samples) {
     const std::vector<fs::path> folders = samples_in(samples);
-    ClassRun run = open_class_run(assignment, {});
+    ClassRun run = open_class_run(make_marking(assignment), {});
     int differing = 0;
     fmt::print("\nRehearsal with {} samples:\n", folders.size());
     for (const fs::path& folder : folders) {
@@ -133,6 +141,45 @@ int propose_scene(const AssignmentOptions& options) {
     return all_graded;
 }
 
+/// The assignment's file with a table [[student]] for each scene that it does not hold yet.
+std::string with_students(const reference::AssignmentFile& file, const reference::Assignment& assignment,
+                          const std::map<std::string, reference::Scene<reference::Decimal>>& scenes) {
+    std::string text = file.toml;
+    for (const auto& [student, scene] : scenes) {
+        if (!assignment.dealt.contains(student)) text += "\n" + prepare::student_toml(student, scene, assignment.scene);
+    }
+    return text;
+}
+
+int deal_scenes(const AssignmentOptions& options) {
+    const reference::AssignmentFile file = reference::read_assignment_file(options.file, assignments_folder());
+    const reference::Assignment assignment = load(options);
+    std::vector<std::string> students;
+    try {
+        students = report::students_in(read_roster_text(options.roster));
+    } catch (const report::RosterError& error) {
+        throw UsageError(fmt::format("{} {}", options.roster.string(), error.what()));
+    }
+    // A second deal would replace the scenes that students work on.
+    look_into(options.out, {}, "handouts", {"dealt scenes", "--out"});
+    make_results_folder(options.out, "handouts");
+    ShareProgress progress;
+    const auto scenes =
+        prepare::deal(assignment, students, {options.search.seed, [&](double done) { progress.tell(done); }});
+    const fs::path dealt_file = options.out / file.path.filename();
+    const std::string toml = with_students(file, assignment, scenes);
+    const reference::Assignment dealt = reference::parse_assignment(toml, dealt_file);
+    for (std::size_t i = 0; i < students.size(); ++i) {
+        write_file(options.out / "handouts" / (feedback_name(students[i], i) + ".md"),
+                   prepare::handout_text(reference::of_student(dealt, students[i])));
+    }
+    write_file(dealt_file, toml);
+    fmt::print("scenes: {}\nhandouts: {}\n", dealt_file.string(), (options.out / "handouts").string());
+    say("{} students have a scene of their own. To grade by id: raygrade grade CLASS --assignment {}\n",
+        students.size(), dealt_file.string());
+    return all_graded;
+}
+
 int print_handout(const AssignmentOptions& options) {
     fmt::print("{}", prepare::handout_text(load(options)));
     return all_graded;
@@ -175,11 +222,28 @@ Subcommand assignment_command(CLI::App& app) {
     propose->footer(
         "The scene's tables go to stdout, what it changes to stderr.\n"
         "Example: raygrade assignment propose a6-2021 > scene.toml");
+    CLI::App* deal = command.add_subcommand(
+        "deal", "Give each student of a roster a scene of their own, and write its handout; grade then goes by id");
+    add_file(*deal, *options);
+    deal->add_option("roster", options->roster,
+                     "A CSV file with a column id that names students as their submissions are named, or a roster that "
+                     "Canvas or Moodle exports")
+        ->type_name("ROSTER.csv")
+        ->required();
+    deal->add_option("-o,--out", options->out, "A new folder for the assignment with its scenes, and for the handouts")
+        ->type_name("DIR")
+        ->capture_default_str();
+    deal->add_option("--seed", options->search.seed, "Another seed deals other scenes")->capture_default_str();
+    deal->footer(
+        "A student who has a scene in FILE keeps it, so that latecomers can be added.\n"
+        "FILE.toml@ID is what one student is asked: raygrade reference -a dealt/a6-2021.toml@s07\n"
+        "Example: raygrade assignment deal a6-2021 class.csv --out dealt");
     CLI::App* handout = command.add_subcommand("handout", "Print scene and questions as text for the handout");
     add_file(*handout, *options);
     return {&command, [=] {
                 if (list->parsed()) return list_assignments();
                 if (check->parsed()) return check_assignment(*options);
+                if (deal->parsed()) return deal_scenes(*options);
                 return propose->parsed() ? propose_scene(*options) : print_handout(*options);
             }};
 }

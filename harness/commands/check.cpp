@@ -102,7 +102,7 @@ int check_source(const CheckOptions& options) {
     const Submission submission = the_only_submission(options.source, "raygrade grade");
     const CheckFiles files(options);
     if (!options.html.empty()) require_place_for_page(options.html, "--html");
-    ClassRun run = open_class_run(assignment, options.runner);
+    ClassRun run = open_class_run(make_marking(assignment), options.runner);
     tell_key_notes(run.marking);
     std::vector<Graded> all{grade(submission, run.marking, run.runner)};
     run_on_more_scenes(all, {submission.source}, run, {.other = options.other_scenes});

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "harness/batch/batch.h"
+#include "harness/batch/own_scene_score.h"
 #include "harness/batch/reread.h"
 #include "harness/class_run/class_run.h"
 #include "harness/class_run/progress.h"
@@ -16,6 +17,7 @@
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/gradebook/gradebook.h"
+#include "harness/intake/hand_in.h"
 #include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
@@ -67,13 +69,26 @@ struct Inputs {
     Rosters rosters;
 };
 
+void tell_left_out(const std::vector<std::string>& files) {
+    if (files.empty()) return;
+    say("note: not hand-ins, left out: {}\n", list_of(files));
+}
+
 Inputs read_inputs(const GradeOptions& options) {
     Inputs inputs;
     inputs.rosters = read_given_rosters(options.rosters);
     inputs.file = read_assignment(options.assignment, options.out);
     inputs.assignment = reference::parse_assignment(inputs.file.toml, inputs.file.path);
     scenes::require_other_scenes(inputs.assignment, options.other_scenes.count);
-    inputs.submissions = take_in_all(options.paths);
+    if (!inputs.assignment.dealt.empty() && (options.other_scenes.count > 0 || options.stress)) {
+        throw UsageError(
+            fmt::format("{}: deals a scene to each student, and --variants and --stress go from one scene for all; "
+                        "leave them out",
+                        inputs.file.path.string()));
+    }
+    Intake intake = take_in_all(options.paths);
+    inputs.submissions = std::move(intake.submissions);
+    tell_left_out(intake.left_out);
     if (options.other_scenes.count > 0 || options.stress) {
         for (const Submission& submission : inputs.submissions) inputs.sources.push_back(submission.source);
     }
@@ -128,7 +143,7 @@ void tell_that_count_not(const std::vector<KeptReread>& rereads, const std::vect
 void tell_open_lateness(const report::LateDays& days, const std::vector<Graded>& graded) {
     std::vector<std::string> ids;
     for (const Graded& one : graded) {
-        ids.push_back(one.submission.id);
+        ids.push_back(report::late_id_of(one.submission, days));
         for (const Flag& flag : one.flags) {
             if (flag.kind == report::late_without_date)
                 say("note: {}: {} Say it in a file for --late-days, or override the mark.\n", one.submission.id,
@@ -139,6 +154,28 @@ void tell_open_lateness(const report::LateDays& days, const std::vector<Graded>&
         if (std::ranges::find(ids, id) != ids.end()) continue;
         say("note: --late-days: {} is none of the submissions; {}\n", escape_control(id),
             reference::did_you_mean(id, ids));
+    }
+}
+
+/// Where scenes are dealt, a submission whose student has none can't be graded.
+void require_scenes(std::vector<Submission>& submissions, const Marking& marking) {
+    if (marking.of_student.empty()) return;
+    std::vector<std::string> students;
+    for (const auto& [student, own] : marking.of_student) students.push_back(student);
+    for (Submission& submission : submissions) {
+        if (submission.problem || marking.of_student.contains(student_of(marking, submission))) continue;
+        submission.problem = fmt::format(
+            "No scene was dealt to \"{}\"; name the submission as the student is named in the assignment, or add the "
+            "student with `raygrade assignment deal`.",
+            submission.id);
+        say("note: {}: {}\n", submission.id, reference::did_you_mean(submission.id, students));
+    }
+}
+
+void tell_answers_of_others(const std::vector<AnswersOfAnother>& found) {
+    for (const AnswersOfAnother& each : found) {
+        say("note: {}: the answers are right for the scene of {}\n", each.submission,
+            each.student.empty() ? "the assignment, which was dealt to nobody" : each.student);
     }
 }
 
@@ -210,14 +247,17 @@ int grade_class(const GradeOptions& options) {
     const FolderLock lock(options.out);
     ResultsSession session = open_session(options.out, holds, options.apply);
     read_kept_rosters(inputs.rosters, options.rosters, session.gradebook, options.out);
+    require_matches(inputs.rosters, options.rosters, inputs.submissions);
     check_places(options, session.writes);
 
     session.gradebook.go_by_number(inputs.submissions);
     const std::vector<KeptReread> rereads = session.gradebook.rereads();
     attach(rereads, inputs.submissions);
-    ClassRun run = open_class_run(inputs.assignment, options.runner);
+    ClassRun run = open_class_run(make_class_marking(inputs.assignment), options.runner);
     tell_key_notes(run.marking);
+    require_scenes(inputs.submissions, run.marking);
     std::vector<Graded> graded = grade_submissions(inputs, run, options);
+    tell_answers_of_others(flag_answers_of_others(graded, run.marking));
     report::apply_late_schedule(graded, inputs.assignment.rubric, inputs.rosters.late_days);
     tell_open_lateness(inputs.rosters.late_days, graded);
     const auto without_place = attach(session.gradebook.overrides(), graded);

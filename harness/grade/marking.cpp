@@ -26,12 +26,40 @@ void require_mistakes(const reference::Rubric& rubric) {
     }
 }
 
-}  // namespace
-
-Marking make_marking(reference::Assignment assignment) {
+Marking with_key(reference::Assignment assignment) {
     require_mistakes(assignment.rubric);
     reference::AnswerKey key = reference::make_key(assignment, reference::Precision::certified);
     return {std::move(assignment), std::move(key)};
+}
+
+}  // namespace
+
+Marking make_marking(reference::Assignment assignment) {
+    if (!assignment.dealt.empty()) {
+        throw reference::AssignmentError(
+            fmt::format("{0}: deals a scene to each student, and one is needed here; name whose, as in {0}.toml@{1}",
+                        assignment.name, assignment.dealt.begin()->first));
+    }
+    return with_key(std::move(assignment));
+}
+
+Marking make_class_marking(reference::Assignment assignment) {
+    Marking marking = with_key(std::move(assignment));
+    for (const auto& [student, scene] : marking.assignment.dealt) {
+        marking.of_student.emplace(
+            student, std::make_shared<const Marking>(make_marking(reference::of_student(marking.assignment, student))));
+    }
+    return marking;
+}
+
+std::string student_of(const Marking& marking, const Submission& submission) {
+    if (submission.lms && marking.of_student.contains(submission.lms->id)) return submission.lms->id;
+    return submission.id;
+}
+
+const Marking& own_marking(const Marking& marking, const Submission& submission) {
+    const auto own = marking.of_student.find(student_of(marking, submission));
+    return own == marking.of_student.end() ? marking : *own->second;
 }
 
 }  // namespace harness

@@ -1,6 +1,11 @@
 // What every submission of a class is held to.
 #pragma once
 
+#include <map>
+#include <memory>
+#include <string>
+
+#include "harness/intake/submission.h"
 #include "reference/key/answer_key.h"
 
 namespace harness {
@@ -8,10 +13,23 @@ namespace harness {
 struct Marking {
     reference::Assignment assignment;
     reference::AnswerKey key;  ///< the assignment's certified key
+    /// Where each student has a scene of their own, what each is held to, by the student's id.
+    std::map<std::string, std::shared_ptr<const Marking>> of_student = {};
 };
 
 /// Makes the certified key of `assignment`. Throws what reference::make_key throws, and AssignmentError if the rubric
-/// prices a mistake that does not exist.
+/// prices a mistake that does not exist or the assignment deals scenes to students.
 Marking make_marking(reference::Assignment assignment);
+
+/// The same for a class, in which each student may have a scene of their own.
+Marking make_class_marking(reference::Assignment assignment);
+
+/// The id by which scenes were dealt to a submission's student: the one in the learning management system if a scene
+/// was dealt to it, else the submission's own.
+std::string student_of(const Marking& marking, const Submission& submission);
+
+/// What this submission is held to. Where scenes are dealt and it has none, the marking of the class; then it can't be
+/// graded.
+const Marking& own_marking(const Marking& marking, const Submission& submission);
 
 }  // namespace harness

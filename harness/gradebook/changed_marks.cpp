@@ -10,6 +10,7 @@
 
 #include "harness/grade/final_mark.h"
 #include "harness/text/points.h"
+#include "reference/toml/scene_toml.h"
 
 namespace harness {
 namespace {
@@ -92,6 +93,13 @@ void add_scenes(std::vector<std::string>& reasons, const Graded& before, const G
     reasons.push_back(fmt::format("other scenes ({}{})", signed_points(now - then), others));
 }
 
+/// The scenes that the assignment deals to students.
+std::string dealt_toml(const reference::Assignment& assignment) {
+    std::string text;
+    for (const auto& [student, scene] : assignment.dealt) text += student + '\n' + reference::scene_toml(scene);
+    return text;
+}
+
 }  // namespace
 
 bool is_same_mark(const std::optional<double>& one, const std::optional<double>& other) {
@@ -152,6 +160,8 @@ std::string assignment_change(const AssignmentText& before, const AssignmentText
         const reference::Assignment then = reference::parse_assignment(before.toml, before.name + ".toml");
         const bool same_key = reference::to_json(reference::make_key(then, reference::Precision::certified)) ==
                               reference::to_json(marking.key);
+        if (same_key && dealt_toml(then) != dealt_toml(marking.assignment))
+            return text + ", and with it students' scenes.";
         return text + (same_key ? "; its key is the same." : ", and with it the key.");
     } catch (const std::exception&) {
         return text + ".";  // the assignment was read by another version of raygrade, whose format this one rejects

@@ -28,8 +28,9 @@ void write_feedback(const ClassResults& results, std::size_t index, report::Stud
                     const fs::path& folder) {
     const Graded& one = results.graded[index];
     const std::string name = feedback_name(one.submission.id, index);
-    write_file(folder / (name + ".md"), report::feedback_markdown(one, results.marking));
-    write_file(folder / (name + ".html"), pages.page(one));
+    const Marking& own = own_marking(results.marking, one.submission);
+    write_file(folder / (name + ".md"), report::feedback_markdown(one, own));
+    write_file(folder / (name + ".html"), &own == &results.marking ? pages.page(one) : report::student_page(one, own));
 }
 
 /// Removes the feedback of students who are no longer in the class, and files that a killed command left unfinished.

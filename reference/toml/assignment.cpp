@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "reference/toml/appearance_reader.h"
+#include "reference/toml/near_names.h"
 #include "reference/toml/other_scenes_reader.h"
 #include "reference/toml/questions_reader.h"
 #include "reference/toml/rubric_reader.h"
@@ -47,17 +48,19 @@ Assignment parse(std::string_view toml, const std::filesystem::path& path, Pixel
     const TomlDocument document(toml, path);
     const TomlTable root = document.root();
     root.allow_only({"title", "camera", "window", "sphere", "triangle", "cylinder", "question", "rubric", "limits",
-                     "light", "material", "mesh", "render", "variant"});
+                     "light", "material", "mesh", "render", "student", "variant"});
     Assignment assignment;
     assignment.name = path.stem().string();
     assignment.title = root.has("title") ? root.string("title") : assignment.name;
     assignment.scene = read_scene(root, assignment.notes, pixel);
     ReadQuestions asked = read_questions(root, assignment.scene);
     assignment.rubric.points = asked.points;
+    assignment.rubric.item_points = asked.item_points;
     if (root.has("rubric")) assignment.rubric = read_rubric(root.table("rubric"), asked);
     assignment.questions = std::move(asked.questions);
     if (root.has("limits")) assignment.limits = read_limits(root.table("limits"));
     assignment.variants = read_other_scenes(root, assignment.scene, path);
+    assignment.dealt = read_dealt_scenes(root, assignment.scene, path);
     assignment.appearance = read_appearance(root, path);
     return assignment;
 }
@@ -120,9 +123,31 @@ AssignmentFile read_assignment_file(const std::string& name_or_file, const std::
     return {path, read_text(path)};
 }
 
+Assignment of_student(const Assignment& assignment, const std::string& id) {
+    const auto own = assignment.dealt.find(id);
+    if (own == assignment.dealt.end()) {
+        std::vector<std::string> ids;
+        for (const auto& [student, scene] : assignment.dealt) ids.push_back(student);
+        throw AssignmentError(fmt::format("{}: has no scene for \"{}\"; {}", assignment.name, id,
+                                          ids.empty() ? "it deals none to single students" : did_you_mean(id, ids)));
+    }
+    Assignment result = assignment;
+    result.name += "@" + id;
+    result.scene = own->second;
+    result.dealt.clear();
+    return result;
+}
+
 Assignment load_assignment(const std::string& name_or_file, const std::filesystem::path& directory) {
-    const AssignmentFile file = read_assignment_file(name_or_file, directory);
-    return parse_assignment(file.toml, file.path);
+    constexpr std::string_view before_student = ".toml@";
+    const std::size_t student = name_or_file.find(before_student);
+    std::error_code error;
+    if (student == std::string::npos || std::filesystem::exists(name_or_file, error)) {
+        const AssignmentFile file = read_assignment_file(name_or_file, directory);
+        return parse_assignment(file.toml, file.path);
+    }
+    const std::size_t id = student + before_student.size();
+    return of_student(load_assignment(name_or_file.substr(0, id - 1), directory), name_or_file.substr(id));
 }
 
 Assignment load_scene(const std::filesystem::path& file) {

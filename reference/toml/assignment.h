@@ -99,6 +99,8 @@ struct Assignment {
     Rubric rubric;
     std::vector<LimitEntry> limits;    ///< in the file's order
     std::vector<OtherScene> variants;  ///< in the file's order; each is complete, with what it leaves unchanged
+    /// Where each student has a scene of their own: the scenes by the student's id; else empty.
+    std::map<std::string, Scene<Decimal>> dealt;
     /// What is allowed in the scene but unusual: a mirrored window. Whole sentences.
     std::vector<std::string> notes;
     Appearance appearance;  ///< for pictures; nothing in marking reads it
@@ -131,8 +133,13 @@ class AssignmentError : public std::runtime_error {
 /// Reads an assignment from TOML text; `path` names it in messages. Throws AssignmentError.
 Assignment parse_assignment(std::string_view toml, const std::filesystem::path& path);
 
+/// What this student is asked, with no scenes of others. Throws AssignmentError, with similar ids, if no scene was
+/// dealt to them.
+Assignment of_student(const Assignment& assignment, const std::string& id);
+
 /// Finds and reads an assignment: an existing file, or else the name of one in `directory` (with or without ".toml").
-/// Throws AssignmentError; if the name does not exist, the message lists the existing names.
+/// "file.toml@s07" is what the student s07 is asked. Throws AssignmentError; if the name does not exist, the message
+/// lists the existing names.
 Assignment load_assignment(const std::string& name_or_file, const std::filesystem::path& directory);
 
 /// Reads a scene file: an assignment that may leave out window.pixel, since nothing is asked about it; its pixel is

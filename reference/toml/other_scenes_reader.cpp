@@ -60,18 +60,37 @@ void change_cylinder(const TomlTable& variant, Scene<Decimal>& scene) {
     if (table.has("height")) cylinder.height = table.decimal("height");
 }
 
-/// Tells what is wrong with a variant's scene at the key of the variant that makes it so.
-[[noreturn]] void fail_in(const TomlTable& table, const std::string& name, const AssignmentError& error) {
+/// Tells what is wrong with a changed scene at the key that makes it so. `named` is the key with the scene's name.
+[[noreturn]] void fail_in(const TomlTable& table, std::string_view named, const std::string& name,
+                          const AssignmentError& error) {
     const std::string_view path = error.key();  // "sphere[1].radius"
     const std::size_t dot = std::min(path.find('.'), path.size());
     const std::string part(path.substr(0, std::min(path.find('['), dot)));
     const std::string key(path.substr(std::min(dot + 1, path.size())));
     const std::string of_scene =
         fmt::format("makes a scene that can't be marked, \"{}\": {} {}", name, path, error.problem());
-    if (!table.has(part)) table.fail("name", of_scene);
+    if (!table.has(part)) table.fail(named, of_scene);
     const TomlTable changed = table.table(part);
     if (!changed.has(key)) table.fail(part, of_scene);
     changed.fail(key, fmt::format("{}, in \"{}\"", error.problem(), name));
+}
+
+/// The scene with the changes that the table states. `named` is the table's key that holds `name`.
+Scene<Decimal> changed_scene(const TomlTable& table, std::string_view named, const std::string& name,
+                             const Scene<Decimal>& scene, const std::filesystem::path& path) {
+    table.allow_only({named, "camera", "window", "sphere", "triangle", "cylinder"});
+    Scene<Decimal> changed = scene;
+    if (table.has("camera")) change_camera(table.table("camera"), changed.camera);
+    if (table.has("window")) change_pixel(table.table("window"), changed);
+    if (table.has("sphere")) change_sphere(table, changed);
+    if (table.has("triangle")) change_triangle(table, changed);
+    if (table.has("cylinder")) change_cylinder(table, changed);
+    try {
+        check_scene(changed, path);
+    } catch (const AssignmentError& error) {
+        fail_in(table, named, name, error);
+    }
+    return changed;
 }
 
 }  // namespace
@@ -80,27 +99,28 @@ std::vector<OtherScene> read_other_scenes(const TomlTable& root, const Scene<Dec
                                           const std::filesystem::path& path) {
     std::vector<OtherScene> variants;
     for (const TomlTable& table : root.tables("variant")) {
-        table.allow_only({"name", "camera", "window", "sphere", "triangle", "cylinder"});
-        OtherScene variant{fmt::format("variant {}", variants.size() + 1), scene};
-        if (table.has("name")) variant.name = table.string("name");
-        if (table.has("camera")) change_camera(table.table("camera"), variant.scene.camera);
-        if (table.has("window")) change_pixel(table.table("window"), variant.scene);
-        if (table.has("sphere")) change_sphere(table, variant.scene);
-        if (table.has("triangle")) change_triangle(table, variant.scene);
-        if (table.has("cylinder")) change_cylinder(table, variant.scene);
-        if (scene_toml(variant.scene) == scene_toml(scene)) {
+        const std::string name =
+            table.has("name") ? table.string("name") : fmt::format("variant {}", variants.size() + 1);
+        variants.push_back({name, changed_scene(table, "name", name, scene, path)});
+        if (scene_toml(variants.back().scene) == scene_toml(scene)) {
             table.fail("name", fmt::format("\"{}\" changes nothing of the scene; state a camera.eye, sphere.center, "
                                            "triangle.vertices, … that differs",
-                                           variant.name));
+                                           name));
         }
-        try {
-            check_scene(variant.scene, path);
-        } catch (const AssignmentError& error) {
-            fail_in(table, variant.name, error);
-        }
-        variants.push_back(std::move(variant));
     }
     return variants;
+}
+
+std::map<std::string, Scene<Decimal>> read_dealt_scenes(const TomlTable& root, const Scene<Decimal>& scene,
+                                                        const std::filesystem::path& path) {
+    std::map<std::string, Scene<Decimal>> dealt;
+    for (const TomlTable& table : root.tables("student")) {
+        const std::string id = table.string("id");
+        if (id.empty()) table.fail("id", "is empty; write the student's id, as submissions are named");
+        if (!dealt.emplace(id, changed_scene(table, "id", id, scene, path)).second)
+            table.fail("id", fmt::format("\"{}\" stands twice; keep one scene for each student", id));
+    }
+    return dealt;
 }
 
 }  // namespace reference

@@ -1,5 +1,9 @@
-// Other scenes for the same program, from the tables [[variant]].
+// Other scenes than the assignment's: for the same program, from the tables [[variant]], and of single students, from
+// the tables [[student]].
 #pragma once
+
+#include <map>
+#include <string>
 
 #include "reference/toml/assignment.h"
 #include "reference/toml/toml_table.h"
@@ -7,10 +11,15 @@
 namespace reference {
 
 /// Each table [[variant]] holds tables named like the scene's, with those keys that differ from `scene`: camera.eye,
-/// camera.lookat, camera.vup, window.pixel, sphere.center, sphere.radius, triangle.vertices (of the first sphere and
-/// the first triangle), and may have a name. Throws AssignmentError for anything else, for a variant that changes
-/// nothing, and for a scene that can't be marked. `path` names the file.
+/// camera.lookat, camera.vup, window.pixel, sphere.center, sphere.radius, triangle.vertices, cylinder.center,
+/// cylinder.radius, cylinder.height (of the first of each), and may have a name. Throws AssignmentError for anything
+/// else, for a variant that changes nothing, and for a scene that can't be marked. `path` names the file.
 std::vector<OtherScene> read_other_scenes(const TomlTable& root, const Scene<Decimal>& scene,
                                           const std::filesystem::path& path);
+
+/// Each table [[student]] holds an id and the same tables as a [[variant]]; it may change nothing. Throws
+/// AssignmentError likewise, and for an id that stands twice.
+std::map<std::string, Scene<Decimal>> read_dealt_scenes(const TomlTable& root, const Scene<Decimal>& scene,
+                                                        const std::filesystem::path& path);
 
 }  // namespace reference

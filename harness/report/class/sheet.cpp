@@ -152,7 +152,8 @@ std::string links_to(const std::vector<std::size_t>& who, const std::vector<Grad
 }
 
 ClassSheets::ClassSheets(const Marking& marking, bool named)
-    : named_(named),
+    : marking_(marking),
+      named_(named),
       asked_(expected_texts(marking.key)),
       row_(templates::class_row_mustache),
       sheet_(templates::class_student_mustache),
@@ -178,14 +179,15 @@ std::string ClassSheets::row(const Graded& graded, std::size_t index) {
     return row_.fill_in(data);
 }
 
-std::string ClassSheets::rows_of(const Graded& graded, const QuestionScore& question) {
+std::string ClassSheets::rows_of(const Graded& graded, const QuestionScore& question,
+                                 const std::map<reference::ItemId, std::string>& asked) {
     std::string rows = question_heading(graded, question);
     for (const ItemScore& item : question.items) {
         PageData data;
         data["name"] = std::string(item.spec.name);
         set_text(data, "printed", item.printed);
         if (item.line != 0) data["line"] = std::to_string(item.line);
-        data["asked"] = asked_.at(item.spec.id);
+        data["asked"] = asked.at(item.spec.id);
         data["verdict"] = std::string(to_string(item.verdict));
         data["word"] = std::string(word_of(item.verdict));
         data["got"] = points_text(final_points(graded, question, item));
@@ -200,7 +202,10 @@ std::string ClassSheets::rows_of(const Graded& graded, const QuestionScore& ques
 
 std::string ClassSheets::picture_of(const Graded& graded, std::size_t index) {
     if (picture_bytes_ > most_picture_bytes || !lost_geometry(graded)) return "";
-    std::string picture = pictures_.picture(&graded, fmt::format("p{}-", index + 1));
+    const Marking& own = own_marking(marking_, graded.submission);
+    const std::string prefix = fmt::format("p{}-", index + 1);
+    std::string picture = &own == &marking_ ? pictures_.picture(&graded, prefix)
+                                            : explaining_picture(own, &graded, /*with_answers=*/true, prefix);
     picture_bytes_ += picture.size();
     return picture;
 }
@@ -218,8 +223,10 @@ std::string ClassSheets::sheet(const Graded& graded, std::size_t index) {
     set_text(data, "look", look_first_sentence(graded));
     data["changes"] = changes_of(graded, mark);
     if (has_answers(graded)) {
+        const Marking& own = own_marking(marking_, graded.submission);
+        const auto asked = &own == &marking_ ? asked_ : expected_texts(own.key);
         std::string rows;
-        for (const QuestionScore& question : graded.score.questions) rows += rows_of(graded, question);
+        for (const QuestionScore& question : graded.score.questions) rows += rows_of(graded, question, asked);
         data["rows"] = rows;
         set_text(data, "picture", picture_of(graded, index));
     }

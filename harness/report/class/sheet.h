@@ -24,7 +24,7 @@ std::string links_to(const std::vector<std::size_t>& who, const std::vector<Grad
 
 class ClassSheets {
   public:
-    /// `named`: the table has columns for names and late hand-ins.
+    /// `marking` must outlive it. `named`: the table has columns for names and late hand-ins.
     ClassSheets(const Marking& marking, bool named);
 
     /// What the sheets' pictures share; must stand before them.
@@ -33,9 +33,11 @@ class ClassSheets {
     std::string sheet(const Graded& graded, std::size_t index);
 
   private:
-    std::string rows_of(const Graded& graded, const QuestionScore& question);
+    std::string rows_of(const Graded& graded, const QuestionScore& question,
+                        const std::map<reference::ItemId, std::string>& asked);
     std::string picture_of(const Graded& graded, std::size_t index);
 
+    const Marking& marking_;
     bool named_;
     std::map<reference::ItemId, std::string> asked_;
     std::size_t picture_bytes_ = 0;  ///< of all sheets so far

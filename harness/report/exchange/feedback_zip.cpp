@@ -141,7 +141,7 @@ FeedbackZip write_feedback_zip(std::ostream& out, const std::vector<Graded>& gra
         } else if (!path) {
             zip.left_out.push_back(one.submission.id + ": Canvas has no file of this student to return the page with");
         } else {
-            writer.add(*path, student_page(one, marking));
+            writer.add(*path, student_page(one, own_marking(marking, one.submission)));
             ++zip.pages;
         }
     }

@@ -177,7 +177,7 @@ void add_properties(pugi::xml_node suite, const Graded& graded) {
 void write_junit(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking) {
     Counts all;
     for (const Graded& one : graded) {
-        for (const Case& each : cases_of(one, marking)) all.add(each);
+        for (const Case& each : cases_of(one, own_marking(marking, one.submission))) all.add(each);
     }
     // Writes one tree per submission: a tree of ten thousand would take most of raygrade's memory.
     pugi::xml_document head;
@@ -194,7 +194,7 @@ void write_junit(std::ostream& out, const std::vector<Graded>& graded, const Mar
         pugi::xml_node suite = document.append_child("testsuite");
         set(suite, "name", one.submission.id);
         Counts counts;
-        const std::vector<Case> cases = cases_of(one, marking);
+        const std::vector<Case> cases = cases_of(one, own_marking(marking, one.submission));
         for (const Case& each : cases) counts.add(each);
         set(suite, counts);
         add_properties(suite, one);

@@ -1,6 +1,7 @@
 #include "harness/report/exchange/roster.h"
 
 #include <csv.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
@@ -10,6 +11,8 @@
 #include <memory>
 #include <new>
 #include <utility>
+
+#include "harness/text/escape.h"
 
 namespace harness::report {
 namespace {
@@ -61,6 +64,30 @@ std::optional<std::size_t> column_of(const Row& header, std::string_view name) {
 
 std::string cell_of(const Row& row, std::optional<std::size_t> column) {
     return column && *column < row.size() ? row[*column] : "";
+}
+
+std::vector<std::string> students_in(std::string_view csv) {
+    const std::vector<Row> rows = parse_csv(csv);
+    const Row header = rows.empty() ? Row() : rows.front();
+    std::optional<std::size_t> id;
+    for (const char* name : {"id", "ID", "Identifier"}) {
+        if (!id) id = column_of(header, name);
+    }
+    if (!id) throw RosterError("has no column id in its first line; name the students there, one a row");
+    std::vector<std::string> students;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        constexpr std::string_view of_moodle = "Participant ";
+        std::string student = cell_of(rows[i], id);
+        if (student.starts_with(of_moodle)) student.erase(0, of_moodle.size());
+        if (student.empty()) continue;
+        if (escape_control(student) != student)
+            throw RosterError(fmt::format("line {}: the id is not printable text", i + 1));
+        if (std::ranges::find(students, student) != students.end())
+            throw RosterError(fmt::format("line {}: {} stands twice", i + 1, student));
+        students.push_back(std::move(student));
+    }
+    if (students.empty()) throw RosterError("names no students in its column id");
+    return students;
 }
 
 std::optional<double> read_grade(std::string_view cell) {

@@ -46,6 +46,36 @@ TEST(OwnSceneScore, IsThereIfTheSourceStatesTheSceneOfTheAnswers) {
         << "the kept scene gives the same score";
 }
 
+TEST(AnswersOfOthers, AreFlaggedWhereScenesAreDealt) {
+    reference::Assignment assignment = marking().assignment;
+    assignment.dealt["ada"] = assignment.dealt["ben"] = assignment.scene;
+    assignment.dealt["ben"].pixel.x += 20;
+    assignment.dealt["cy"] = assignment.scene;
+    assignment.dealt["cy"].pixel.y += 20;
+    const Marking of_class = make_class_marking(assignment);
+    const auto graded = [&](const char* id, const std::string& whose) {
+        Graded one;
+        one.submission.id = id;
+        one.outcome = Outcome::graded;
+        one.printout = print(student::Program(reference::of_student(assignment, whose), {}));
+        const Marking& own = own_marking(of_class, one.submission);
+        one.score = score(read_transcript(one.printout, 10), own.key, own.assignment);
+        return one;
+    };
+    std::vector<Graded> all = {graded("ada", "ada"), graded("ben", "cy"), graded("cy", "cy")};
+    const auto found = flag_answers_of_others(all, of_class);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].submission, "ben");
+    EXPECT_EQ(found[0].student, "cy");
+    ASSERT_EQ(all[1].flags.size(), 1U);
+    EXPECT_EQ(all[1].flags[0].kind, "other_scene");
+    EXPECT_THAT(all[1].flags[0].evidence, testing::Not(HasSubstr("cy"))) << "its student reads it";
+
+    std::vector<Graded> from_handout = {graded("ben", "ada")};  // ada's scene is the assignment's own
+    EXPECT_EQ(flag_answers_of_others(from_handout, of_class).at(0).student, "ada");
+    EXPECT_TRUE(flag_answers_of_others(all, marking()).empty()) << "where no scenes are dealt";
+}
+
 TEST(OwnSceneScore, IsNotThereIfSourceAndAnswersDiffer) {
     EXPECT_FALSE(on_own_scene(output_with_higher_sphere(), center_in_source(0.5)));
     EXPECT_FALSE(on_own_scene(output_with_higher_sphere(), center_in_source(0)));

@@ -36,5 +36,44 @@ TEST(Marking, RefusesAPriceForNoMistake) {
     EXPECT_THAT(error_of("\"far root\" = 1.5"), HasSubstr("must be from 0 to 1"));
 }
 
+Marking of_two_students() {
+    const auto file = reference::read_assignment_file("a6-2021", RAYGRADE_ASSIGNMENTS);
+    return make_class_marking(reference::parse_assignment(
+        file.toml + "[[student]]\nid = \"7\"\nsphere.radius = 2.5\n[[student]]\nid = \"ada\"\nsphere.radius = 3\n",
+        "a.toml"));
+}
+
+std::string radius_for(const Marking& marking, const std::string& id, const std::string& lms_id) {
+    Submission submission;
+    submission.id = id;
+    if (!lms_id.empty()) {
+        submission.lms.emplace();
+        submission.lms->id = lms_id;
+    }
+    return own_marking(marking, submission).assignment.scene.spheres.front().radius.text();
+}
+
+TEST(Marking, IsEachStudentsOwnWhereScenesAreDealt) {
+    const Marking marking = of_two_students();
+    EXPECT_EQ(radius_for(marking, "ada", ""), "3");
+    EXPECT_EQ(radius_for(marking, "ada", "7"), "2.5") << "the number in the learning management system goes first";
+    EXPECT_EQ(radius_for(marking, "ada", "8"), "3");
+    EXPECT_EQ(radius_for(marking, "zoe", ""), "2") << "the class's, for want of another";
+    Submission ada;
+    ada.id = "ada";
+    const Marking& own = own_marking(marking, ada);
+    EXPECT_NE(reference::to_json(own.key), reference::to_json(marking.key));
+    EXPECT_EQ(own.assignment.name, "a@ada");
+}
+
+TEST(Marking, OfOneSceneRefusesAnAssignmentThatDealsSeveral) {
+    try {
+        make_marking(of_two_students().assignment);
+        ADD_FAILURE() << "which scene?";
+    } catch (const reference::AssignmentError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("name whose, as in a.toml@7"));
+    }
+}
+
 }  // namespace
 }  // namespace harness

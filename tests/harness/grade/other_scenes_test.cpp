@@ -34,8 +34,7 @@ Score answered(const Answered& t, const Answered& u, const Answered& verdict = {
     const auto add = [](QuestionScore& question, std::string_view name, reference::Shape shape,
                         const Answered& answer) {
         ItemScore item;
-        item.spec = {
-            question.number, name, shape, reference::Subject::triangle, "", {reference::Subject::triangle, name}};
+        item.spec = {question.number, name, shape, "", {reference::Subject::triangle, name}};
         item.printed = answer.printed;
         item.verdict = answer.verdict;
         if (shape != reference::Shape::verdict && !answer.printed.starts_with("none")) item.error = 0;

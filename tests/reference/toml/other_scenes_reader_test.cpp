@@ -46,6 +46,35 @@ TEST(OtherScenesReader, OverridesTheGivenKeys) {
     EXPECT_EQ(assignment.scene.camera.eye.z.text(), "4");
 }
 
+TEST(DealtScenes, AreThoseOfTheStudents) {
+    const Assignment assignment = parse_assignment(
+        scene + "[[student]]\nid = \"s7\"\nwindow.pixel = [3, 4]\nsphere.radius = 3\n[[student]]\nid = \"s8\"\n",
+        "a.toml");
+    const Assignment own = of_student(assignment, "s7");
+    EXPECT_EQ(own.name, "a@s7");
+    EXPECT_EQ(own.scene.pixel.y, 4);
+    EXPECT_EQ(own.scene.spheres.front().radius.text(), "3");
+    EXPECT_EQ(own.scene.camera.eye.z.text(), "4");
+    EXPECT_THAT(own.dealt, IsEmpty());
+    EXPECT_EQ(scene_toml(of_student(assignment, "s8").scene), scene_toml(assignment.scene)) << "it may be the same";
+    EXPECT_EQ(assignment.scene.spheres.front().radius.text(), "2.50");
+}
+
+TEST(DealtScenes, RefuseWhatNobodyCouldUse) {
+    EXPECT_THAT(error_of("[[student]]\nsphere.radius = 3\n"), HasSubstr("student[1].id"));
+    EXPECT_THAT(error_of("[[student]]\nid = \"\"\n"), HasSubstr("is empty"));
+    EXPECT_THAT(error_of("[[student]]\nid = \"s7\"\n[[student]]\nid = \"s7\"\n"),
+                AllOf(HasSubstr("student[2].id"), HasSubstr("stands twice")));
+    EXPECT_THAT(error_of("[[student]]\nid = \"s7\"\nsphere.radius = -3\n"),
+                AllOf(HasSubstr("student[1].sphere.radius"), HasSubstr("\"s7\"")));
+    try {
+        of_student(parse_assignment(scene + "[[student]]\nid = \"s7\"\n", "a.toml"), "s77");
+        ADD_FAILURE() << "a scene for nobody";
+    } catch (const AssignmentError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("did you mean s7"));
+    }
+}
+
 TEST(OtherScenesReader, ReadsNoneWithoutATable) {
     EXPECT_THAT(parse_assignment(scene, "a.toml").variants, IsEmpty());
 }

@@ -1,0 +1,114 @@
+#include "harness/prepare/deal.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+
+#include "harness/prepare/trial_scenes.h"
+#include "reference/numbers/splitmix.h"
+#include "reference/toml/scene_toml.h"
+
+namespace harness::prepare {
+namespace {
+
+using DecimalScene = reference::Scene<reference::Decimal>;
+
+/// So that a student's scene does not depend on who else is in the class.
+std::uint64_t seed_for(const std::string& student, std::uint64_t seed) {
+    for (const char byte : student) {
+        seed ^= static_cast<unsigned char>(byte);
+        seed = reference::next_random_bits(seed);
+    }
+    return seed;
+}
+
+/// The best of a few scenes that is not among `taken`, which holds scenes as TOML. Empty if there is none.
+std::optional<DecimalScene> search(const reference::Assignment& assignment, std::uint64_t seed,
+                                   const std::set<std::string>& taken) {
+    constexpr int most_tries = 200, enough = 20;
+    TrialScenes trials(assignment, seed);
+    std::optional<DecimalScene> best;
+    std::size_t best_worth = 0;
+    for (int i = 0; i < most_tries && !(best && (best_worth >= trials.own_worth() || i >= enough)); ++i) {
+        DecimalScene scene = trials.changed(assignment.scene);
+        if (taken.contains(reference::scene_toml(scene))) continue;
+        const std::optional<ShownMistakes> shown = trials.try_scene(scene);
+        if (!shown || (best && worth(*shown) <= best_worth)) continue;
+        best_worth = worth(*shown);
+        best = std::move(scene);
+    }
+    return best;
+}
+
+/// Writes the lines of `scene` that `own` does not have, each as one key of a [[student]].
+class Changes {
+  public:
+    template <class Value>
+    void add(std::string_view key, const Value& value, const Value& own) {
+        const std::string text = text_of(value);
+        if (text != text_of(own)) text_ += fmt::format("{} = {}\n", key, text);
+    }
+    std::string text() && { return std::move(text_); }
+
+  private:
+    static std::string text_of(const reference::Decimal& x) { return std::string(x.text()); }
+    static std::string text_of(const reference::Vec3<reference::Decimal>& p) {
+        return fmt::format("[{}, {}, {}]", p.x.text(), p.y.text(), p.z.text());
+    }
+    static std::string text_of(const reference::Triangle<reference::Decimal>& triangle) {
+        return fmt::format("[{}, {}, {}]", text_of(triangle.A), text_of(triangle.B), text_of(triangle.C));
+    }
+    static std::string text_of(const reference::Pixel& pixel) { return fmt::format("[{}, {}]", pixel.x, pixel.y); }
+
+    std::string text_;
+};
+
+}  // namespace
+
+std::map<std::string, DecimalScene> deal(const reference::Assignment& assignment,
+                                         const std::vector<std::string>& students, const DealOptions& options) {
+    std::map<std::string, DecimalScene> scenes;
+    std::set<std::string> taken{reference::scene_toml(assignment.scene)};
+    for (const auto& [student, scene] : assignment.dealt) taken.insert(reference::scene_toml(scene));
+    for (std::size_t i = 0; i < students.size(); ++i) {
+        if (options.progress) options.progress(static_cast<double>(i) / static_cast<double>(students.size()));
+        if (const auto kept = assignment.dealt.find(students[i]); kept != assignment.dealt.end()) {
+            scenes.insert(*kept);
+            continue;
+        }
+        const auto scene = search(assignment, seed_for(students[i], options.seed), taken);
+        if (!scene) {
+            throw reference::AssignmentError(fmt::format(
+                "{}: no scene without boundary cases was found for \"{}\"; try another --seed, or begin with a scene "
+                "that `raygrade assignment propose` finds",
+                assignment.name, students[i]));
+        }
+        taken.insert(reference::scene_toml(*scene));
+        scenes.emplace(students[i], *scene);
+    }
+    return scenes;
+}
+
+std::string student_toml(const std::string& student, const DecimalScene& scene, const DecimalScene& own) {
+    Changes changes;
+    changes.add("camera.eye", scene.camera.eye, own.camera.eye);
+    changes.add("camera.lookat", scene.camera.lookat, own.camera.lookat);
+    changes.add("camera.vup", scene.camera.vup, own.camera.vup);
+    changes.add("window.pixel", scene.pixel, own.pixel);
+    if (!own.spheres.empty()) {
+        changes.add("sphere.center", scene.spheres.front().center, own.spheres.front().center);
+        changes.add("sphere.radius", scene.spheres.front().radius, own.spheres.front().radius);
+    }
+    if (!own.triangles.empty()) changes.add("triangle.vertices", scene.triangles.front(), own.triangles.front());
+    if (!own.cylinders.empty()) {
+        changes.add("cylinder.center", scene.cylinders.front().center, own.cylinders.front().center);
+        changes.add("cylinder.radius", scene.cylinders.front().radius, own.cylinders.front().radius);
+        changes.add("cylinder.height", scene.cylinders.front().height, own.cylinders.front().height);
+    }
+    // A string of JSON is one of TOML too.
+    return fmt::format("[[student]]\nid = {}\n{}", nlohmann::json(student).dump(), std::move(changes).text());
+}
+
+}  // namespace harness::prepare

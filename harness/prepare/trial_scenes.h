@@ -1,0 +1,44 @@
+// Scenes near an assignment's own, for whoever looks for another one, and what each of them shows.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "harness/prepare/shown_mistakes.h"
+#include "harness/scenes/source/drawing.h"
+#include "reference/toml/assignment.h"
+
+namespace harness::prepare {
+
+/// How good a scene is. To show a mistake counts more than to tell it from others.
+std::size_t worth(const ShownMistakes& mistakes);
+
+class TrialScenes {
+  public:
+    /// `assignment` must outlive it. The same scenes for the same seed on every machine.
+    TrialScenes(const reference::Assignment& assignment, std::uint64_t seed, bool pixel_only = false);
+
+    /// The worth of the assignment's own scene; 0 if it has a boundary case, so that any scene without one is better.
+    std::size_t own_worth() const { return own_worth_; }
+    const ShownMistakes& own_mistakes() const { return own_mistakes_; }
+
+    /// The scene with another pixel near the assignment's and up to two numbers moved by halves.
+    scenes::DecimalScene changed(scenes::DecimalScene scene);
+
+    /// Empty for a scene that can't be marked, in which less is hit than in the assignment's, or in which a decision
+    /// hangs on a rounding in float.
+    std::optional<ShownMistakes> try_scene(const scenes::DecimalScene& scene) const;
+
+  private:
+    int near(int pixel, int count);
+    void change_part(scenes::DecimalScene& scene);
+
+    const reference::Assignment& assignment_;
+    scenes::Draw draw_;
+    bool pixel_only_;
+    int hit_before_ = 0;
+    ShownMistakes own_mistakes_;
+    std::size_t own_worth_ = 0;
+};
+
+}  // namespace harness::prepare
