@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/kernel/cylinder.h"
 #include "reference/kernel/sphere.h"
 #include "reference/kernel/triangle.h"
 #include "reference/numbers/splitmix.h"
@@ -74,17 +75,28 @@ NarrowCase narrow_case(std::uint64_t seed) {
     // place.
     const Vec3<double> across(direction.y, -direction.x, 0);
     const double radius = length(across) * (1 + whole(state, 1) * std::numeric_limits<double>::epsilon());
+    const Vec3<double> third = point(state, 100000);
+    // From above, the ray comes nearest to the axis at t = 1, likewise; a cap is as high as the ray there, or a step
+    // off.
+    const Vec3<double> aside(direction.z, 0, -direction.x);
+    const double thickness = length(aside) * (1 + whole(state, 1) * std::numeric_limits<double>::epsilon());
+    const double height = 2 + 2 * std::abs(whole(state, 1000));
+    Vec3<double> center = start + direction + aside;
+    center.y += (steps % 2 == 0 ? 0.5 : -0.5) * height + whole(state, 1);
     return {{scaled(start, unit), scaled(direction, unit)},
             {scaled(start + direction + across, unit), (radius > 0 ? radius : 1) * unit},
-            {scaled(A, unit), scaled(A + scaled(edge, 7.0), unit), scaled(point(state, 100000), unit)}};
+            {scaled(A, unit), scaled(A + scaled(edge, 7.0), unit), scaled(third, unit)},
+            {scaled(center, unit), (thickness > 0 ? thickness : 1) * unit, height * unit}};
 }
 
 std::uint64_t hash_of_decisions(std::uint64_t cases) {
     std::uint64_t hash = no_decision;
     for (std::uint64_t seed = 0; seed < cases; ++seed) {
-        const auto [ray, sphere, triangle] = narrow_case(seed);
+        const auto [ray, sphere, triangle, cylinder] = narrow_case(seed);
         hash = hashed(hash, static_cast<int>(decide(ray, sphere)));
         hash = hashed(hash, static_cast<int>(decide(ray, triangle)));
+        const CylinderHit hit = intersect(ray, cylinder);
+        hash = hashed(hashed(hash, static_cast<int>(hit.result)), static_cast<int>(hit.part));
     }
     return hash;
 }

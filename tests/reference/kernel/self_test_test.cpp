@@ -9,6 +9,7 @@
 #endif
 
 #include "reference/accuracy/rays/truth.h"
+#include "tests/given/cylinder_parts.h"
 
 namespace reference::kernel {
 namespace {
@@ -19,17 +20,25 @@ TEST(SelfTest, FindsNothingWrongWithThisProgram) {
 
 TEST(SelfTest, KnowsTheTrueDecisions) {
     std::uint64_t hash = no_decision;
-    std::set<int> of_spheres, of_triangles;
+    std::set<int> of_spheres, of_triangles, of_cylinders, parts;
     for (std::uint64_t seed = 0; seed < self_test_cases; ++seed) {
-        const auto [ray, sphere, triangle] = narrow_case(seed);
+        const auto [ray, sphere, triangle, cylinder] = narrow_case(seed);
         const int at_sphere = static_cast<int>(accuracy::truth::sphere(ray, sphere).result);
         const int at_triangle = static_cast<int>(accuracy::truth::triangle(ray, triangle).result);
-        hash = hashed(hashed(hash, at_sphere), at_triangle);
-        of_spheres.insert(at_sphere), of_triangles.insert(at_triangle);
+        const auto hit = cylinder_parts::first_hit(ray, cylinder, Boundary::nonnegative);
+        const auto at_cylinder = static_cast<int>(!hit              ? CylinderResult::miss
+                                                  : hit->is_tangent ? CylinderResult::tangent
+                                                                    : CylinderResult::hit);
+        const auto part = static_cast<int>(hit ? hit->part : CylinderPart::tube);
+        hash = hashed(hashed(hashed(hashed(hash, at_sphere), at_triangle), at_cylinder), part);
+        of_spheres.insert(at_sphere), of_triangles.insert(at_triangle), of_cylinders.insert(at_cylinder);
+        parts.insert(part);
     }
     EXPECT_EQ(hash, self_test_hash) << std::hex << hash;
     EXPECT_GE(of_spheres.size(), 2U);
     EXPECT_GE(of_triangles.size(), 2U);
+    EXPECT_GE(of_cylinders.size(), 2U);
+    EXPECT_GE(parts.size(), 2U);
 }
 
 TEST(SelfTest, SeesAnotherRoundingMode) {
