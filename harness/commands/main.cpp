@@ -60,6 +60,32 @@ void require_command(const std::string& word, const CLI::App& app) {
                                  reference::did_you_mean(word, names)));
 }
 
+/// "assignment check"
+std::string way_to(const CLI::App& command) {
+    const CLI::App* parent = command.get_parent();
+    const bool is_below = parent != nullptr && parent->get_parent() != nullptr;
+    return (is_below ? way_to(*parent) + " " : "") + command.get_name();
+}
+
+/// The command that was given last: `raygrade assignment check` is check's.
+const CLI::App& innermost(const CLI::App& app) {
+    const auto chosen = app.get_subcommands();
+    return chosen.empty() ? app : innermost(*chosen.front());
+}
+
+/// Throws UsageError for the words that the command does not know.
+[[noreturn]] void refuse(const std::vector<std::string>& words, const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    const std::string& word = words.front();
+    const std::string what = word.starts_with('-') ? "is no option; " + reference::did_you_mean(word, names)
+                                                   : "is one word too many for this command";
+    throw UsageError(fmt::format("{}: {}; {} --help says what there is", escape_control(word), what,
+                                 command.get_parent() == nullptr ? "raygrade" : "raygrade " + way_to(command)));
+}
+
 void require_sound_arithmetic() {
     const std::string trouble = reference::kernel::arithmetic_trouble();
     if (!trouble.empty()) throw HarnessError("This program's arithmetic is not to be trusted. " + trouble);
@@ -77,9 +103,15 @@ int run(int argc, char** argv) {
         stress_command(app),  reference_command(app), cast_command(app),   accuracy_command(app),   read_command(app),
         explain_command(app), render_command(app),    doctor_command(app), assignment_command(app),
     };
-    if (argc > 1) require_command(argv[1], app);
+    if (argc < 2) {
+        fmt::print("{}", app.help());
+        return usage;
+    }
+    require_command(argv[1], app);
     try {
         app.parse(argc, argv);
+    } catch (const CLI::ExtrasError&) {
+        refuse(app.remaining(true), innermost(app));
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? all_graded : usage;
     }

@@ -12,7 +12,8 @@ CLI::Option* add_assignment(CLI::App& command, std::string& assignment) {
     assignment = "default";
     return command
         .add_option("-a,--assignment", assignment,
-                    "The name of an assignment that comes with raygrade, or a .toml file")
+                    "The name of an assignment that comes with raygrade, or a .toml file; FILE.toml@ID is the scene "
+                    "dealt to one student")
         ->type_name("NAME|FILE")
         ->capture_default_str();
 }

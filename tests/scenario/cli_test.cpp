@@ -36,8 +36,14 @@ TEST(CommandLine, PrintsItsVersion) {
 TEST(CommandLine, RefusesAnUnknownOptionAsAUsageError) {
     const Result result = raygrade({"grade", "--colour", "."});
     EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, HasSubstr("--colour"));
+    EXPECT_THAT(result.voice, HasSubstr("--colour: is no option"));
     EXPECT_EQ(result.output, "");
+    EXPECT_THAT(raygrade({"grade", ".", "--assigment", "a6-2021"}).voice,
+                testing::AllOf(HasSubstr("--assigment: is no option; did you mean --assignment?"),
+                               HasSubstr("raygrade grade --help")));
+    EXPECT_THAT(raygrade({"assignment", "deal", "a6-2021", "class.csv", "--sead", "2"}).voice,
+                testing::AllOf(HasSubstr("did you mean --seed?"), HasSubstr("raygrade assignment deal --help")));
+    EXPECT_THAT(raygrade({"check", "one.cpp", "two.cpp"}).voice, HasSubstr("two.cpp: is one word too many"));
 }
 
 TEST(CommandLine, NamesAnUnknownCommandAndSimilarCommands) {
@@ -48,7 +54,9 @@ TEST(CommandLine, NamesAnUnknownCommandAndSimilarCommands) {
 }
 
 TEST(CommandLine, RefusesNoCommandAsAUsageError) {
-    EXPECT_EQ(raygrade({}).status, usage);
+    const Result result = raygrade({});
+    EXPECT_EQ(result.status, usage);
+    EXPECT_THAT(result.output, HasSubstr("raygrade grade class/")) << "help";
 }
 
 TEST(CommandLine, RequiresJobsToBeAboveZero) {
