@@ -82,7 +82,7 @@ std::vector<AnswersOfAnother> flag_answers_of_others(std::vector<Graded>& graded
         const bool is_students = student != marking.of_student.end();
         if (!is_students && !fits(marking)) continue;
         one.flags.push_back(
-            {"other_scene", "The answers are right for another scene than the one dealt to this student."});
+            {"scene_of_another", "They are right for another scene than the one dealt to this student."});
         found.push_back({one.submission.id, is_students ? student->first : ""});
     }
     return found;

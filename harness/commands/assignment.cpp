@@ -13,6 +13,7 @@
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/grade/final_mark.h"
+#include "harness/grade/marking.h"
 #include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
@@ -41,7 +42,9 @@ struct AssignmentOptions {
 
 reference::Assignment load(const AssignmentOptions& options) {
     reference::Assignment assignment = reference::load_assignment(options.file, assignments_folder());
-    read_limits(assignment.limits, {});  // refuses a name that is no limit, as grading does
+    // Names that are no limit or no mistake are refused as grading does.
+    read_limits(assignment.limits, {});
+    require_mistakes(assignment.rubric);
     return assignment;
 }
 
@@ -161,7 +164,13 @@ int deal_scenes(const AssignmentOptions& options) {
         throw UsageError(fmt::format("{} {}", options.roster.string(), error.what()));
     }
     // A second deal would replace the scenes that students work on.
-    look_into(options.out, {}, "handouts", {"dealt scenes", "--out"});
+    if (fs::exists(options.out / "handouts")) {
+        throw UsageError(
+            fmt::format("{}: holds scenes that were dealt before; name a new folder with --out, and deal "
+                        "from {} to keep them",
+                        options.out.string(), (options.out / file.path.filename()).string()));
+    }
+    look_into(options.out, {}, "", {"dealt scenes", "--out"});
     make_results_folder(options.out, "handouts");
     ShareProgress progress;
     const auto scenes =
@@ -175,13 +184,17 @@ int deal_scenes(const AssignmentOptions& options) {
     }
     write_file(dealt_file, toml);
     fmt::print("scenes: {}\nhandouts: {}\n", dealt_file.string(), (options.out / "handouts").string());
-    say("{} students have a scene of their own. To grade by id: raygrade grade CLASS --assignment {}\n",
-        students.size(), dealt_file.string());
+    say("{} students have a scene of their own, {} of them a new one. To grade by id: raygrade grade CLASS "
+        "--assignment {}\n",
+        dealt.dealt.size(), dealt.dealt.size() - assignment.dealt.size(), dealt_file.string());
     return all_graded;
 }
 
 int print_handout(const AssignmentOptions& options) {
-    fmt::print("{}", prepare::handout_text(load(options)));
+    const reference::Assignment assignment = load(options);
+    if (!assignment.dealt.empty())
+        say("note: this is the scene that nobody was dealt; {}.toml@ID is a student's\n", assignment.name);
+    fmt::print("{}", prepare::handout_text(assignment));
     return all_graded;
 }
 

@@ -10,9 +10,7 @@
 #include "reference/toml/near_names.h"
 
 namespace harness {
-namespace {
 
-/// So that a misspelt name is not silently ignored.
 void require_mistakes(const reference::Rubric& rubric) {
     for (const reference::MistakePrice& price : rubric.mistakes) {
         std::vector<std::string> names;
@@ -25,6 +23,8 @@ void require_mistakes(const reference::Rubric& rubric) {
                                                      reference::did_you_mean(price.name, names)));
     }
 }
+
+namespace {
 
 Marking with_key(reference::Assignment assignment) {
     require_mistakes(assignment.rubric);

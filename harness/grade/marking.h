@@ -17,6 +17,9 @@ struct Marking {
     std::map<std::string, std::shared_ptr<const Marking>> of_student = {};
 };
 
+/// Throws AssignmentError if the rubric prices a mistake that does not exist.
+void require_mistakes(const reference::Rubric& rubric);
+
 /// Makes the certified key of `assignment`. Throws what reference::make_key throws, and AssignmentError if the rubric
 /// prices a mistake that does not exist or the assignment deals scenes to students.
 Marking make_marking(reference::Assignment assignment);

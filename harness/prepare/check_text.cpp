@@ -35,7 +35,7 @@ std::string mistakes_text(const ShownMistakes& mistakes, const reference::Answer
                     mistakes.shown.size() + mistakes.hidden.size(), mistakes.shown.size(), mistakes.told_apart());
     std::map<std::string, std::vector<NamedMistake>> hidden;
     for (const NamedMistake& mistake : mistakes.hidden) hidden[names.at(mistake.item)].push_back(mistake);
-    if (!hidden.empty()) text += "It cannot show:\n";
+    if (!hidden.empty()) text += "It cannot show, in one of their forms at least:\n";
     for (const auto& [name, list] : hidden) text += fmt::format("  {:<16} {}", name, report::wrapped(quoted(list)));
     if (!mistakes.alike.empty()) text += "It cannot tell apart:\n";
     for (const auto& group : mistakes.alike)

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string_view>
+#include <vector>
 
 namespace harness::prepare {
 namespace {
@@ -81,13 +82,26 @@ std::string list_of(const std::vector<ItemId>& items, std::string_view indent) {
     return text;
 }
 
-/// "a) the quadratic" and its items, for each part.
-std::string parts_text(const reference::Question& question) {
+std::string points_text(double points) {
+    return fmt::format("({:g} point{})", points, points == 1 ? "" : "s");
+}
+
+/// "a) the quadratic (6 points)" and its items, for each part; points only where parts have their own.
+std::string parts_text(const reference::Question& question, const reference::Rubric& rubric) {
+    const auto points = rubric.item_points.find(question.number);
+    const std::vector<reference::ItemSpec> specs = reference::asked_items({question});
+    auto spec = specs.begin();
     std::string text;
     char letter = 'a';
-    for (const reference::QuestionPart& part : question.parts)
-        text += fmt::format("   {}){}{}\n{}", letter++, part.title.empty() ? "" : " ", part.title,
+    for (const reference::QuestionPart& part : question.parts) {
+        double sum = 0;
+        for (std::size_t i = 0; i < part.items.size(); ++i, ++spec) {
+            if (points != rubric.item_points.end()) sum += points->second.at(std::string(spec->name));
+        }
+        text += fmt::format("   {}){}{}{}\n{}", letter++, part.title.empty() ? "" : " ", part.title,
+                            points == rubric.item_points.end() ? "" : " " + points_text(sum),
                             list_of(part.items, "      "));
+    }
     return text;
 }
 
@@ -97,10 +111,9 @@ std::string handout_text(const reference::Assignment& assignment) {
     std::string text = fmt::format("# {}\n\n## The scene\n\n{}\n", assignment.title, scene_text(assignment.scene));
     text += "## Questions\n\nPrint each answer with a label, under the heading \"Question N\".\n";
     for (const reference::Question& question : assignment.questions) {
-        const double points = assignment.rubric.points_of(question.number);
-        text += fmt::format("\n{}. **{}** ({:g} point{})\n", question.number, question.title, points,
-                            points == 1 ? "" : "s");
-        text += question.parts.empty() ? list_of(question.items, "   ") : parts_text(question);
+        text += fmt::format("\n{}. **{}** {}\n", question.number, question.title,
+                            points_text(assignment.rubric.points_of(question.number)));
+        text += question.parts.empty() ? list_of(question.items, "   ") : parts_text(question, assignment.rubric);
     }
     return text;
 }

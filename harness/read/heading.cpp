@@ -18,7 +18,7 @@ constexpr std::size_t longest_heading = 200;
 constexpr const char* decoration = R"(^[\s*=\-_#~+|/\\<>.:!\[({"'`\x{FFFD}]*)";
 /// A sub-question's letter or number, then what may close the heading's number.
 constexpr const char* closing =
-    R"((?:\.?\s?(?:[a-h]|i{1,3}|\([a-h]\))\b|\.\d\b)?(?:\s*(?:of|/)\s*\d{1,2}\b)?[\s*=_#~+|\\\])}"'`]*(?:[:.)\]\-,;>=|]+|\s|$))";
+    R"((?:\.?\s?(?:(?:[a-h]|i{1,3})\b|[(\[](?:[a-h]|i{1,3}|iv|vi{0,3})[)\]])|\.\d\b)?(?:\s*(?:of|/)\s*\d{1,2}\b)?[\s*=_#~+|\\\])}"'`]*(?:[:.)\]\-,;>=|]+|\s|$))";
 constexpr const char* number = R"([.\s]*[#:.\-_(\[]*\s*(?:no\.?\s*|nr\.?\s*|number\s*)?#?\s?(\d{1,2}))";
 constexpr const char* question_words =
     R"((?i:assignment 6,? |a6,? |(?:my )?(?:answers?|solution) (?:to|for|of) |the )?(?i:§|questions?|quest|ques|qn?|exercises?|exer|exc|ex|exo|problems?|prob|tasks?|aufgabe|frage|pregunta|ejercicio|question))";
@@ -91,10 +91,10 @@ bool is_row_of_numbers(std::string_view line, std::size_t heading_end) {
     return only_numbers && any_point;
 }
 
-/// "1.", "2)", "(3)", "--- 4 ---", "#5", "[6]", "6a)".
+/// "1.", "2)", "(3)", "--- 4 ---", "#5", "[6]", "6a)", "6(a)".
 std::optional<Heading> bare(std::string_view start, int last_question) {
     static const RE2 pattern(
-        R"((^([\s*=\-_#~+|/\[({]*)(\d{1,2})(?:\s?([a-h])|\.\d\b)?(\s*[.):\]}][\s.)\]}:*=\-_#~|]*|[\s*=\-_#~|]*$)))");
+        R"((^([\s*=\-_#~+|/\[({]*)(\d{1,2})(?:\s?\(?([a-h])|\.\d\b)?(\s*[.):\]}][\s.)\]}:*=\-_#~|]*|[\s*=\-_#~|]*$)))");
     re2::StringPiece whole, before, letter, after;
     int question = 0;
     if (!RE2::PartialMatch(re2::StringPiece(start.data(), start.size()), pattern, &whole, &before, &question, &letter,

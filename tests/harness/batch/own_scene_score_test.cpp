@@ -68,7 +68,7 @@ TEST(AnswersOfOthers, AreFlaggedWhereScenesAreDealt) {
     EXPECT_EQ(found[0].submission, "ben");
     EXPECT_EQ(found[0].student, "cy");
     ASSERT_EQ(all[1].flags.size(), 1U);
-    EXPECT_EQ(all[1].flags[0].kind, "other_scene");
+    EXPECT_EQ(all[1].flags[0].kind, "scene_of_another");
     EXPECT_THAT(all[1].flags[0].evidence, testing::Not(HasSubstr("cy"))) << "its student reads it";
 
     std::vector<Graded> from_handout = {graded("ben", "ada")};  // ada's scene is the assignment's own

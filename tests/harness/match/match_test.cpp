@@ -122,6 +122,12 @@ TEST(Match, TakesMinusOneForNoHitWhereNoHitPointIsPrinted) {
     EXPECT_EQ(found("Question 8:\nt = -1\n"), "8.t: -1 @2\n") << "the plane behind the start";
 }
 
+TEST(Match, ReadsThePartsOfAQuestionInBrackets) {
+    EXPECT_EQ(
+        found("Question 6(a)\na = 1\nb = -8\nQuestion 6(b)\nt = 0.6\nP_s = (1, 2, 3)\nQuestion 7\nN = (0, 0, 1)\n"),
+        "6.a: 1 @2\n6.b: -8 @3\n6.t: 0.6 @5\n6.hit: 1 2 3 @6\n7.normal: 0 0 1 @8\n");
+}
+
 TEST(Match, ListsEveryItemInOrderForAnEmptyOutput) {
     const auto matched = match(read_transcript("", 10), reference::default_items());
     ASSERT_EQ(matched.size(), reference::default_items().size());

@@ -39,6 +39,9 @@ TEST(HandoutText, NumbersTheParts) {
                                                     "      - its discriminant d = b^2 - 4ac\n"
                                                     "   b)\n"
                                                     "      - t of the hit"));
+    assignment.rubric.item_points[2] = {{"d", 1}, {"t", 2.5}};
+    EXPECT_THAT(handout_text(assignment), HasSubstr("   a) the discriminant (1 point)\n"));
+    EXPECT_THAT(handout_text(assignment), HasSubstr("   b) (2.5 points)\n"));
 }
 
 }  // namespace

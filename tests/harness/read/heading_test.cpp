@@ -45,6 +45,11 @@ TEST(Heading, IsRecognisedInEveryStyle) {
                                         "Question (6)",
                                         "Question 6a:",
                                         "6a)",
+                                        "Question 6(a)",
+                                        "Question 6 (a):",
+                                        "Question 6(iv)",
+                                        "Q6 [b]",
+                                        "6(a)",
 
                                         "Question 6.1:",
                                         "=== 6 ===",
