@@ -59,6 +59,8 @@ std::optional<PrintedValue> read_no_value(std::string_view line) {
 std::optional<PrintedValue> read_no_value_after_discriminant(std::string_view line) {
     static const RE2 pattern(after_discriminant);
     re2::StringPiece words;
+    // Every line with a number comes here, and hardly any has such words.
+    if (line.find("no ") == std::string_view::npos && line.find("No ") == std::string_view::npos) return std::nullopt;
     if (!finds(line.substr(0, longest), pattern, words)) return std::nullopt;
     return no_value({}, words);
 }
