@@ -40,12 +40,15 @@ struct AssignmentOptions {
     fs::path out = "dealt";  ///< of deal
 };
 
-reference::Assignment load(const AssignmentOptions& options) {
-    reference::Assignment assignment = reference::load_assignment(options.file, assignments_folder());
-    // Names that are no limit or no mistake are refused as grading does.
+/// Refuses names that are no limit or no mistake, as grading does.
+reference::Assignment checked(reference::Assignment assignment) {
     read_limits(assignment.limits, {});
     require_mistakes(assignment.rubric);
     return assignment;
+}
+
+reference::Assignment load(const AssignmentOptions& options) {
+    return checked(reference::load_assignment(options.file, assignments_folder()));
 }
 
 int list_assignments() {
@@ -134,12 +137,11 @@ int check_assignment(const AssignmentOptions& options) {
 
 int propose_scene(const AssignmentOptions& options) {
     const reference::Assignment assignment = load(options);
-    const reference::AnswerKey key = reference::make_key(assignment, reference::Precision::certified);
     prepare::Search search = options.search;
     ShareProgress progress;
     search.progress = [&](double done) { progress.tell(done); };
     const prepare::Proposal proposal = prepare::propose(assignment, search);
-    say("{}", prepare::proposal_text(proposal, prepare::shown_mistakes(assignment, key)));
+    say("{}", prepare::proposal_text(proposal));
     fmt::print("{}", reference::scene_toml(proposal.scene));
     return all_graded;
 }
@@ -156,7 +158,7 @@ std::string with_students(const reference::AssignmentFile& file, const reference
 
 int deal_scenes(const AssignmentOptions& options) {
     const reference::AssignmentFile file = reference::read_assignment_file(options.file, assignments_folder());
-    const reference::Assignment assignment = load(options);
+    const reference::Assignment assignment = checked(reference::parse_assignment(file.toml, file.path));
     std::vector<std::string> students;
     try {
         students = report::students_in(read_roster_text(options.roster));

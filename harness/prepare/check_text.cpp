@@ -52,7 +52,8 @@ std::string decisions_text(const std::vector<reference::accuracy::Decision>& dec
     return text;
 }
 
-std::string proposal_text(const Proposal& proposal, const ShownMistakes& before) {
+std::string proposal_text(const Proposal& proposal) {
+    const ShownMistakes& before = proposal.before;
     if (proposal.changes.empty()) return "No better scene was found; --steps and --seed search on.\n";
     std::string text = fmt::format("{:<28} {:>8} {:>8}\n", "", "before", "proposed");
     const auto row = [&](std::string_view what, std::size_t was, std::size_t is) {

@@ -16,6 +16,6 @@ std::string mistakes_text(const ShownMistakes& mistakes, const reference::Answer
 std::string decisions_text(const std::vector<reference::accuracy::Decision>& decisions);
 
 /// What a proposal changes, and what it shows beside what the assignment shows.
-std::string proposal_text(const Proposal& proposal, const ShownMistakes& before);
+std::string proposal_text(const Proposal& proposal);
 
 }  // namespace harness::prepare

@@ -25,14 +25,12 @@ std::uint64_t seed_for(const std::string& student, std::uint64_t seed) {
 }
 
 /// The best of a few scenes that is not among `taken`, which holds scenes as TOML. Empty if there is none.
-std::optional<DecimalScene> search(const reference::Assignment& assignment, std::uint64_t seed,
-                                   const std::set<std::string>& taken) {
+std::optional<DecimalScene> search(TrialScenes& trials, const DecimalScene& own, const std::set<std::string>& taken) {
     constexpr int most_tries = 200, enough = 20;
-    TrialScenes trials(assignment, seed);
     std::optional<DecimalScene> best;
     std::size_t best_worth = 0;
     for (int i = 0; i < most_tries && !(best && (best_worth >= trials.own_worth() || i >= enough)); ++i) {
-        DecimalScene scene = trials.changed(assignment.scene);
+        DecimalScene scene = trials.changed(own);
         if (taken.contains(reference::scene_toml(scene))) continue;
         const std::optional<ShownMistakes> shown = trials.try_scene(scene);
         if (!shown || (best && worth(*shown) <= best_worth)) continue;
@@ -72,13 +70,15 @@ std::map<std::string, DecimalScene> deal(const reference::Assignment& assignment
     std::map<std::string, DecimalScene> scenes;
     std::set<std::string> taken{reference::scene_toml(assignment.scene)};
     for (const auto& [student, scene] : assignment.dealt) taken.insert(reference::scene_toml(scene));
+    TrialScenes trials(assignment);
     for (std::size_t i = 0; i < students.size(); ++i) {
         if (options.progress) options.progress(static_cast<double>(i) / static_cast<double>(students.size()));
         if (const auto kept = assignment.dealt.find(students[i]); kept != assignment.dealt.end()) {
             scenes.insert(*kept);
             continue;
         }
-        const auto scene = search(assignment, seed_for(students[i], options.seed), taken);
+        trials.begin(seed_for(students[i], options.seed));
+        const auto scene = search(trials, assignment.scene, taken);
         if (!scene) {
             throw reference::AssignmentError(fmt::format(
                 "{}: no scene without boundary cases was found for \"{}\"; try another --seed, or begin with a scene "

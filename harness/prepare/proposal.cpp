@@ -26,8 +26,9 @@ std::vector<std::string> changes_between(const scenes::DecimalScene& own, const 
 }  // namespace
 
 Proposal propose(const reference::Assignment& assignment, const Search& search) {
-    TrialScenes trials(assignment, search.seed, search.pixel_only);
-    Proposal best{assignment.scene, {}, trials.own_mistakes()};
+    TrialScenes trials(assignment, search.pixel_only);
+    trials.begin(search.seed);
+    Proposal best{assignment.scene, {}, trials.own_mistakes(), trials.own_mistakes()};
     std::size_t best_worth = trials.own_worth();
     bool is_own = true;
     for (int step = 0; step < search.steps; ++step) {
@@ -37,7 +38,8 @@ Proposal propose(const reference::Assignment& assignment, const Search& search) 
         std::optional<ShownMistakes> shown = trials.try_scene(scene);
         if (!shown || worth(*shown) <= best_worth) continue;
         best_worth = worth(*shown);
-        best = {scene, {}, std::move(*shown)};
+        best.scene = scene;
+        best.mistakes = std::move(*shown);
         is_own = false;
     }
     best.changes = changes_between(assignment.scene, best.scene);

@@ -14,7 +14,8 @@ namespace harness::prepare {
 struct Proposal {
     reference::Scene<reference::Decimal> scene;
     std::vector<std::string> changes;  ///< "pixel = (190, 60), before pixel = (150, 100)"
-    ShownMistakes mistakes;
+    ShownMistakes before;              ///< what the assignment's own scene shows
+    ShownMistakes mistakes;            ///< what this one shows
 };
 
 /// How far the search goes and where it begins.

@@ -37,8 +37,8 @@ std::size_t worth(const ShownMistakes& mistakes) {
     return 2 * mistakes.shown.size() + mistakes.told_apart();
 }
 
-TrialScenes::TrialScenes(const Assignment& assignment, std::uint64_t seed, bool pixel_only)
-    : assignment_(assignment), draw_(seed), pixel_only_(pixel_only) {
+TrialScenes::TrialScenes(const Assignment& assignment, bool pixel_only)
+    : assignment_(assignment), pixel_only_(pixel_only) {
     const reference::AnswerKey key = reference::make_key(assignment, reference::Precision::certified);
     hit_before_ = objects_hit(key.decisions);
     own_mistakes_ = shown_mistakes(assignment, key);

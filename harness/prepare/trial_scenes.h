@@ -15,8 +15,11 @@ std::size_t worth(const ShownMistakes& mistakes);
 
 class TrialScenes {
   public:
-    /// `assignment` must outlive it. The same scenes for the same seed on every machine.
-    TrialScenes(const reference::Assignment& assignment, std::uint64_t seed, bool pixel_only = false);
+    /// `assignment` must outlive it.
+    explicit TrialScenes(const reference::Assignment& assignment, bool pixel_only = false);
+
+    /// Begins anew: the same scenes for the same seed on every machine.
+    void begin(std::uint64_t seed) { draw_ = scenes::Draw(seed); }
 
     /// The worth of the assignment's own scene; 0 if it has a boundary case, so that any scene without one is better.
     std::size_t own_worth() const { return own_worth_; }
@@ -34,7 +37,7 @@ class TrialScenes {
     void change_part(scenes::DecimalScene& scene);
 
     const reference::Assignment& assignment_;
-    scenes::Draw draw_;
+    scenes::Draw draw_{0};
     bool pixel_only_;
     int hit_before_ = 0;
     ShownMistakes own_mistakes_;
