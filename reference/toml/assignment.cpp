@@ -54,9 +54,7 @@ Assignment parse(std::string_view toml, const std::filesystem::path& path, Pixel
     assignment.title = root.has("title") ? root.string("title") : assignment.name;
     assignment.scene = read_scene(root, assignment.notes, pixel);
     ReadQuestions asked = read_questions(root, assignment.scene);
-    assignment.rubric.points = asked.points;
-    assignment.rubric.item_points = asked.item_points;
-    if (root.has("rubric")) assignment.rubric = read_rubric(root.table("rubric"), asked);
+    assignment.rubric = read_rubric(root, asked);
     assignment.questions = std::move(asked.questions);
     if (root.has("limits")) assignment.limits = read_limits(root.table("limits"));
     assignment.variants = read_other_scenes(root, assignment.scene, path);

@@ -125,13 +125,15 @@ double read_amount(const TomlTable& table, std::string_view key, double least, d
     return value;
 }
 
-Rubric read_rubric(const TomlTable& table, const ReadQuestions& asked) {
-    table.allow_only({"pixel_conventions", "boundary", "follow_through", "follow_through_cap", "grace_minutes", "late",
-                      "late_deduction", "min_decimals", "mistakes", "points", "show_expected", "tolerance",
-                      "variant_points", "wrong_scene_credit"});
+Rubric read_rubric(const TomlTable& root, const ReadQuestions& asked) {
     Rubric rubric;
     rubric.points = asked.points;
     rubric.item_points = asked.item_points;
+    if (!root.has("rubric")) return rubric;
+    const TomlTable table = root.table("rubric");
+    table.allow_only({"pixel_conventions", "boundary", "follow_through", "follow_through_cap", "grace_minutes", "late",
+                      "late_deduction", "min_decimals", "mistakes", "points", "show_expected", "tolerance",
+                      "variant_points", "wrong_scene_credit"});
     if (table.has("pixel_conventions")) {
         rubric.pixel_conventions.clear();
         for (const std::string& name : table.strings("pixel_conventions")) {

@@ -6,7 +6,8 @@
 
 namespace reference {
 
-/// Throws AssignmentError for an unknown key, a question that is not asked or a value out of its range.
-Rubric read_rubric(const TomlTable& table, const ReadQuestions& asked);
+/// The questions' points and what [rubric] says, if the file has one. Throws AssignmentError for an unknown key, a
+/// question that is not asked or a value out of its range.
+Rubric read_rubric(const TomlTable& root, const ReadQuestions& asked);
 
 }  // namespace reference
