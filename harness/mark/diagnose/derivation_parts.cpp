@@ -15,6 +15,14 @@ Targets discriminant(const ItemTargets& known, Subject object, Form form) {
     return {target_of(*q * *q - factor * *p * *r)};
 }
 
+Quadratic<Interval> in_form(Quadratic<Interval> quadratic, Form form) {
+    if (form == Form::half_b) {
+        quadratic.b = quadratic.b / Interval(2);
+        quadratic.d = quadratic.b * quadratic.b - quadratic.a * quadratic.c;
+    }
+    return quadratic;
+}
+
 Quadratic<Interval> in_full_form(Quadratic<Interval> quadratic, Form form) {
     if (form == Form::half_b) {
         quadratic.b = quadratic.b * Interval(2);

@@ -61,6 +61,9 @@ Targets discriminant(const ItemTargets& known, reference::Subject object, Form f
 std::optional<reference::Quadratic<Interval>> quadratic_from_abd(const ItemTargets& known, reference::Subject object,
                                                                  Form form);
 
+/// The handout's quadratic as a program in `form` writes it.
+reference::Quadratic<Interval> in_form(reference::Quadratic<Interval> quadratic, Form form);
+
 /// The handout's quadratic with these roots, a > 0, from one in `form`.
 reference::Quadratic<Interval> in_full_form(reference::Quadratic<Interval> quadratic, Form form);
 

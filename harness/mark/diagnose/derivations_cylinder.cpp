@@ -24,11 +24,7 @@ std::optional<Equations> equations_of(const ItemTargets& known, const IntervalSc
     const auto direction = direction_of(known);
     if (!start || !direction || scene.cylinders.empty()) return std::nullopt;
     Equations equations = reference::cylinder_equations(*start, *direction, cylinder(scene));
-    if (form == Form::half_b) {
-        Quadratic<Interval>& tube = equations.tube;
-        tube.b = tube.b / Interval(2);
-        tube.d = tube.b * tube.b - tube.a * tube.c;
-    }
+    equations.tube = in_form(equations.tube, form);
     return equations;
 }
 
@@ -92,8 +88,7 @@ Targets first_hit_of_parts(const Equations& wrong_tube, const Equations& caps, b
         if (is_ahead != false && !tries_both) break;
     }
     for (const auto& cap : {caps.top, caps.bottom}) {
-        const auto V_y = sign_of(cap.denominator), N = sign_of(cap.numerator);
-        add(reference::all_hold({meets_cap(caps.tube, cap), reference::is_ahead(V_y < 0 ? 0 <=> N : N, boundary)}),
+        add(reference::all_hold({meets_cap(caps.tube, cap), reference::is_ahead(sign_of(cap), boundary)}),
             [&] { return cap.numerator / cap.denominator; });
     }
     if (unsure) return possible_hits(wrong_tube);

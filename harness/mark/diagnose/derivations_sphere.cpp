@@ -12,12 +12,7 @@ std::optional<Quadratic<Interval>> quadratic_of(const ItemTargets& known, const 
     const auto p = known.vector(item::P_WCS);
     const auto direction = direction_of(known);
     if (!p || !direction) return std::nullopt;
-    Quadratic<Interval> quadratic = reference::sphere_quadratic(*p, *direction, scene.spheres.front());
-    if (form == Form::half_b) {
-        quadratic.b = quadratic.b / Interval(2);
-        quadratic.d = quadratic.b * quadratic.b - quadratic.a * quadratic.c;
-    }
-    return quadratic;
+    return in_form(reference::sphere_quadratic(*p, *direction, scene.spheres.front()), form);
 }
 
 template <Interval Quadratic<Interval>::*Coefficient>
