@@ -122,8 +122,7 @@ CylinderPart hit_part(const CylinderEquations<S>& equations, Boundary boundary) 
     for (const bool enters : {true, false}) {
         const bool at_top = enters == (V_y < 0);
         const Fraction<S>& cap = at_top ? equations.top : equations.bottom;
-        const auto N = sign_of(cap.numerator);
-        const Told hits_cap = all_hold({meets_cap(tube, cap), is_ahead(V_y < 0 ? 0 <=> N : N, boundary)});
+        const Told hits_cap = all_hold({meets_cap(tube, cap), is_ahead(sign_of(cap), boundary)});
         if (hits_cap == true) return at_top ? CylinderPart::top_cap : CylinderPart::bottom_cap;
         const RootChoice choice = enters ? RootChoice::smaller : RootChoice::larger;
         const Told hits_tube = all_hold(

@@ -15,6 +15,13 @@ struct Fraction {
     S denominator;
 };
 
+/// The sign of a fraction with a denominator other than 0.
+template <class S>
+std::partial_ordering sign_of(const Fraction<S>& fraction) {
+    const auto sign = sign_of(fraction.numerator);
+    return sign_of(fraction.denominator) < 0 ? 0 <=> sign : sign;
+}
+
 /// The quadratic's value at N/D, times D².
 template <class S>
 S value_at(const Quadratic<S>& quadratic, const Fraction<S>& at) {

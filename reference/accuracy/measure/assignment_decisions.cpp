@@ -128,8 +128,7 @@ class CylinderSigns {
         if (!(sign_of(value_at(truth_.tube, true_cap)) < 0)) return false;
         add(which + ", t", fmt::format("whether the {} of the {} lies ahead of the ray's start", which, name_),
             falls ? S(-cap.numerator) : cap.numerator);
-        const auto N = sign_of(true_cap.numerator);
-        return is_ahead(falls ? 0 <=> N : N, boundary_) == true;
+        return is_ahead(sign_of(true_cap), boundary_) == true;
     }
 
     /// Returns whether the root on the tube is the true hit.
