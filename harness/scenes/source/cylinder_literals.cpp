@@ -76,9 +76,7 @@ class CylinderFinder {
         const bool is_named = mentions_cylinder(list.callee) || mentions_cylinder(list.name);
         for (std::size_t i = 0; i + 1 < list.elements.size(); ++i) {
             if (!list.elements[i].vector) continue;
-            std::vector<StatedNumber> following;
-            for (std::size_t k = i + 1; k < list.elements.size() && list.elements[k].number; ++k)
-                following.push_back(*list.elements[k].number);
+            const std::vector<StatedNumber> following = list.numbers_from(i + 1);
             const std::size_t index = *list.elements[i].vector;
             const StatedVector& vector = numbers_.vectors[index];
             for (const Form form : {Form::itself, Form::bottom, Form::top}) {

@@ -233,6 +233,12 @@ class Finder {
 
 }  // namespace
 
+std::vector<StatedNumber> StatedList::numbers_from(std::size_t first) const {
+    std::vector<StatedNumber> numbers;
+    for (std::size_t i = first; i < elements.size() && elements[i].number; ++i) numbers.push_back(*elements[i].number);
+    return numbers;
+}
+
 SourceNumbers stated_numbers(const std::vector<Word>& words) {
     return Finder(words).find();
 }

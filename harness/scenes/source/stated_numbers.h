@@ -47,6 +47,9 @@ struct StatedList {
     std::string_view callee;  ///< the function or type before its bracket; may be empty
     std::string name;         ///< of the variable that it initialises; may be empty
     std::vector<ListElement> elements;
+
+    /// The numbers that stand together from this element on.
+    std::vector<StatedNumber> numbers_from(std::size_t first) const;
 };
 
 struct SourceNumbers {

@@ -200,10 +200,7 @@ class Searcher {
         if (!is_point(0) || (!is_cylinder && !holds(called, {"sph", "ball"}))) return;
         const ScenePart center = is_cylinder ? ScenePart::cylinder_center : ScenePart::center;
         place(0, center);
-        std::vector<StatedNumber> following;
-        for (std::size_t i = 1; i < list.elements.size() && list.elements[i].number; ++i)
-            following.push_back(*list.elements[i].number);
-        note_following(center, following);
+        note_following(center, list.numbers_from(1));
     }
 
     /// The part that a point's name means. Where it may mean several, the words beside it and the other names decide.
