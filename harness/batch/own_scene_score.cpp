@@ -73,12 +73,13 @@ std::vector<AnswersOfAnother> flag_answers_of_others(std::vector<Graded>& graded
     for (Graded& one : graded) {
         if (one.printout.empty() || !has_wrong_answer(one.score)) continue;
         const Transcript transcript = read_transcript(one.printout, last_question(marking.assignment.questions));
+        const Marking& own = own_marking(marking, one.submission);
+        const std::ptrdiff_t right = right_answers(one.score);
         const auto fits = [&](const Marking& other) {
-            return right_answers(score(transcript, other.key, other.assignment)) >= right_answers(one.score) + telling;
+            return right_answers(score(transcript, other.key, other.assignment)) >= right + telling;
         };
-        const auto student = std::ranges::find_if(marking.of_student, [&](const auto& each) {
-            return each.second.get() != &own_marking(marking, one.submission) && fits(*each.second);
-        });
+        const auto student = std::ranges::find_if(
+            marking.of_student, [&](const auto& each) { return each.second.get() != &own && fits(*each.second); });
         const bool is_students = student != marking.of_student.end();
         if (!is_students && !fits(marking)) continue;
         one.flags.push_back(

@@ -52,13 +52,8 @@ Marking make_class_marking(reference::Assignment assignment) {
     return marking;
 }
 
-std::string student_of(const Marking& marking, const Submission& submission) {
-    if (submission.lms && marking.of_student.contains(submission.lms->id)) return submission.lms->id;
-    return submission.id;
-}
-
 const Marking& own_marking(const Marking& marking, const Submission& submission) {
-    const auto own = marking.of_student.find(student_of(marking, submission));
+    const auto own = marking.of_student.find(id_in(marking.of_student, submission));
     return own == marking.of_student.end() ? marking : *own->second;
 }
 

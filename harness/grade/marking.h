@@ -27,10 +27,6 @@ Marking make_marking(reference::Assignment assignment);
 /// The same for a class, in which each student may have a scene of their own.
 Marking make_class_marking(reference::Assignment assignment);
 
-/// The id by which scenes were dealt to a submission's student: the one in the learning management system if a scene
-/// was dealt to it, else the submission's own.
-std::string student_of(const Marking& marking, const Submission& submission);
-
 /// What this submission is held to. Where scenes are dealt and it has none, the marking of the class; then it can't be
 /// graded.
 const Marking& own_marking(const Marking& marking, const Submission& submission);

@@ -40,4 +40,11 @@ struct Submission {
     std::optional<std::string> problem;  ///< why it can't be graded and what to do; empty if it can
 };
 
+/// The id by which a list of students names this one: the learning management system's number if the list has it, as no
+/// student chooses that; else the submission's own. `list` is a map or a set of ids.
+template <class List>
+std::string id_in(const List& list, const Submission& submission) {
+    return submission.lms && list.contains(submission.lms->id) ? submission.lms->id : submission.id;
+}
+
 }  // namespace harness

@@ -47,10 +47,6 @@ double late_share(const reference::Rubric& rubric, double days) {
     return share;
 }
 
-std::string late_id_of(const Submission& submission, const LateDays& days) {
-    return submission.lms && days.contains(submission.lms->id) ? submission.lms->id : submission.id;
-}
-
 void apply_late_schedule(std::vector<Graded>& graded, const reference::Rubric& rubric, const LateDays& days) {
     std::set<std::string> numbers;
     for (const Graded& one : graded) {
@@ -58,7 +54,7 @@ void apply_late_schedule(std::vector<Graded>& graded, const reference::Rubric& r
     }
     for (Graded& one : graded) {
         one.late_share = 0;
-        const std::string id = late_id_of(one.submission, days);
+        const std::string id = id_in(days, one.submission);
         const bool is_anothers = numbers.contains(id) && !(one.submission.lms && one.submission.lms->id == id);
         if (const auto told = days.find(id); told != days.end() && !is_anothers) {
             one.late_share = late_share(rubric, told->second);

@@ -25,10 +25,6 @@ LateDays read_late_days(std::string_view csv);
 /// The share of its points that a hand-in loses: started days count, after the rubric's grace.
 double late_share(const reference::Rubric& rubric, double days);
 
-/// The id by which `days` may name the submission: the learning management system's number goes first, because no
-/// student chooses it.
-std::string late_id_of(const Submission& submission, const LateDays& days);
-
 /// Sets what each submission loses. One that its system calls late, without a date, and that is not in `days` loses
 /// what a schedule of one step says; where the schedule has several it loses nothing and is flagged.
 void apply_late_schedule(std::vector<Graded>& graded, const reference::Rubric& rubric, const LateDays& days);

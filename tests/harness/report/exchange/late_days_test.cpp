@@ -98,8 +98,8 @@ TEST(LateSchedule, GoesByTheLearningManagementSystemsNumberFirst) {
     apply_late_schedule(all, schedule(), {{"4711", 1}});
     EXPECT_EQ(all[0].late_share, 0);
     EXPECT_EQ(all[1].late_share, 0.05);
-    EXPECT_EQ(late_id_of(all[1].submission, {{"4711", 1}}), "4711");
-    EXPECT_EQ(late_id_of(all[1].submission, {{"ben", 1}}), "ben");
+    EXPECT_EQ(id_in(LateDays{{"4711", 1}}, all[1].submission), "4711");
+    EXPECT_EQ(id_in(LateDays{{"ben", 1}}, all[1].submission), "ben");
 }
 
 }  // namespace
