@@ -2,14 +2,12 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <map>
-#include <optional>
 
 #include "harness/batch/batch.h"
 #include "harness/batch/own_scene_score.h"
 #include "harness/batch/reread.h"
 #include "harness/class_run/class_run.h"
+#include "harness/class_run/notes.h"
 #include "harness/class_run/progress.h"
 #include "harness/class_run/regrade.h"
 #include "harness/class_run/requested_files.h"
@@ -17,7 +15,6 @@
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/gradebook/gradebook.h"
-#include "harness/intake/hand_in.h"
 #include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
@@ -27,7 +24,6 @@
 #include "harness/results/reports.h"
 #include "harness/run/timeline.h"
 #include "harness/scenes/other/points.h"
-#include "harness/text/escape.h"
 #include "reference/toml/assignment.h"
 #include "reference/toml/near_names.h"
 
@@ -68,11 +64,6 @@ struct Inputs {
         sources;  ///< for other and hard scenes; empty if there are none, because grading frees them
     Rosters rosters;
 };
-
-void tell_left_out(const std::vector<std::string>& files) {
-    if (files.empty()) return;
-    say("note: not hand-ins, left out: {}\n", list_of(files));
-}
 
 Inputs read_inputs(const GradeOptions& options) {
     Inputs inputs;
@@ -120,80 +111,18 @@ std::vector<Graded> grade_submissions(Inputs& inputs, ClassRun& run, const Grade
     return graded;
 }
 
-void tell_without_place(const std::vector<KeptOverride>& overrides) {
-    for (const KeptOverride& each : overrides) {
-        say("note: the override of {} for {} is kept, but there is no such submission or item here\n",
-            place_of(each.given), escape_control(each.submission));
-    }
-}
-
-void tell_that_count_not(const std::vector<KeptReread>& rereads, const std::vector<Graded>& graded) {
-    for (const KeptReread& each : rereads) {
-        const auto one = std::find_if(graded.begin(), graded.end(),
-                                      [&](const Graded& any) { return any.submission.id == each.submission; });
-        if (one != graded.end() && counts(*one, each.given)) continue;
-        say("note: the reread of {}.{} for {} is kept but does not count: {}\n", each.given.question, each.given.item,
-            escape_control(each.submission),
-            one == graded.end() ? "there is no such submission here" : "its printout has another layout now");
-    }
-}
-
-/// A row of --late-days that names no submission may be a misspelt one. A submission that is late without a date keeps
-/// its points until somebody says how late.
-void tell_open_lateness(const report::LateDays& days, const std::vector<Graded>& graded) {
-    std::vector<std::string> ids;
-    for (const Graded& one : graded) {
-        ids.push_back(report::late_id_of(one.submission, days));
-        for (const Flag& flag : one.flags) {
-            if (flag.kind == report::late_without_date)
-                say("note: {}: {} Say it in a file for --late-days, or override the mark.\n", one.submission.id,
-                    flag.evidence);
-        }
-    }
-    for (const auto& [id, late] : days) {
-        if (std::ranges::find(ids, id) != ids.end()) continue;
-        say("note: --late-days: {} is none of the submissions; {}\n", escape_control(id),
-            reference::did_you_mean(id, ids));
-    }
-}
-
 /// Where scenes are dealt, a submission whose student has none can't be graded.
 void require_scenes(std::vector<Submission>& submissions, const Marking& marking) {
     if (marking.of_student.empty()) return;
     std::vector<std::string> students;
     for (const auto& [student, own] : marking.of_student) students.push_back(student);
     for (Submission& submission : submissions) {
-        if (submission.problem || marking.of_student.contains(student_of(marking, submission))) continue;
+        if (submission.problem || marking.of_student.contains(id_in(marking.of_student, submission))) continue;
         submission.problem = fmt::format(
             "No scene was dealt to \"{}\"; name the submission as the student is named in the assignment, or add the "
             "student with `raygrade assignment deal`.",
             submission.id);
         say("note: {}: {}\n", submission.id, reference::did_you_mean(submission.id, students));
-    }
-}
-
-void tell_answers_of_others(const std::vector<AnswersOfAnother>& found) {
-    for (const AnswersOfAnother& each : found) {
-        say("note: {}: the answers are right for the scene of {}\n", each.submission,
-            each.student.empty() ? "the assignment, which was dealt to nobody" : each.student);
-    }
-}
-
-/// Prints the notes of the submissions. A note that every submission has is printed once.
-void tell_notes(const std::vector<Graded>& graded) {
-    std::map<std::string_view, std::size_t> times;
-    for (const Graded& one : graded) {
-        for (const std::string& note : one.submission.notes) ++times[note];
-    }
-    const auto is_of_all = [&](const std::string& note) { return graded.size() > 1 && times[note] == graded.size(); };
-    for (const Graded& one : graded) {
-        for (const std::string& note : one.submission.notes) {
-            if (!is_of_all(note)) {
-                say("note: {}: {}\n", one.submission.id, note);
-            } else if (&one == &graded.front()) {
-                say("note: all {} submissions: {}\n", graded.size(), note);
-            }
-        }
     }
 }
 

@@ -1,0 +1,80 @@
+#include "harness/class_run/notes.h"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+#include "harness/batch/reread.h"
+#include "harness/grade/override_place.h"
+#include "harness/intake/hand_in.h"
+#include "harness/machine/say.h"
+#include "harness/text/escape.h"
+#include "reference/toml/near_names.h"
+
+namespace harness {
+
+void tell_left_out(const std::vector<std::string>& files) {
+    if (files.empty()) return;
+    say("note: not hand-ins, left out: {}\n", list_of(files));
+}
+
+void tell_answers_of_others(const std::vector<AnswersOfAnother>& found) {
+    for (const AnswersOfAnother& each : found) {
+        say("note: {}: the answers are right for the scene of {}\n", each.submission,
+            each.student.empty() ? "the assignment, which was dealt to nobody" : escape_control(each.student));
+    }
+}
+
+void tell_notes(const std::vector<Graded>& graded) {
+    std::map<std::string_view, std::size_t> times;
+    for (const Graded& one : graded) {
+        for (const std::string& note : one.submission.notes) ++times[note];
+    }
+    const auto is_of_all = [&](const std::string& note) { return graded.size() > 1 && times[note] == graded.size(); };
+    for (const Graded& one : graded) {
+        for (const std::string& note : one.submission.notes) {
+            if (!is_of_all(note)) {
+                say("note: {}: {}\n", one.submission.id, note);
+            } else if (&one == &graded.front()) {
+                say("note: all {} submissions: {}\n", graded.size(), note);
+            }
+        }
+    }
+}
+
+void tell_without_place(const std::vector<KeptOverride>& overrides) {
+    for (const KeptOverride& each : overrides) {
+        say("note: the override of {} for {} is kept, but there is no such submission or item here\n",
+            place_of(each.given), escape_control(each.submission));
+    }
+}
+
+void tell_that_count_not(const std::vector<KeptReread>& rereads, const std::vector<Graded>& graded) {
+    for (const KeptReread& each : rereads) {
+        const auto one = std::find_if(graded.begin(), graded.end(),
+                                      [&](const Graded& any) { return any.submission.id == each.submission; });
+        if (one != graded.end() && counts(*one, each.given)) continue;
+        say("note: the reread of {}.{} for {} is kept but does not count: {}\n", each.given.question, each.given.item,
+            escape_control(each.submission),
+            one == graded.end() ? "there is no such submission here" : "its printout has another layout now");
+    }
+}
+
+void tell_open_lateness(const report::LateDays& days, const std::vector<Graded>& graded) {
+    std::vector<std::string> ids;
+    for (const Graded& one : graded) {
+        ids.push_back(id_in(days, one.submission));
+        for (const Flag& flag : one.flags) {
+            if (flag.kind == report::late_without_date)
+                say("note: {}: {} Say it in a file for --late-days, or override the mark.\n", one.submission.id,
+                    flag.evidence);
+        }
+    }
+    for (const auto& [id, late] : days) {
+        if (std::ranges::find(ids, id) != ids.end()) continue;
+        say("note: --late-days: {} is none of the submissions; {}\n", escape_control(id),
+            reference::did_you_mean(id, ids));
+    }
+}
+
+}  // namespace harness

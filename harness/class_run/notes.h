@@ -1,0 +1,32 @@
+// What an instructor is told on stderr about a class beside its marks.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/batch/own_scene_score.h"
+#include "harness/gradebook/gradebook.h"
+#include "harness/report/exchange/late_days.h"
+
+namespace harness {
+
+/// Files of the class that can't be hand-ins.
+void tell_left_out(const std::vector<std::string>& files);
+
+/// The notes of the submissions. One that every submission has is printed once.
+void tell_notes(const std::vector<Graded>& graded);
+
+/// Whose answers are right for a scene that was dealt to somebody else.
+void tell_answers_of_others(const std::vector<AnswersOfAnother>& found);
+
+/// A row of --late-days that names no submission, because it may be misspelt, and a submission that is late without a
+/// date, because it keeps its points until somebody says how late.
+void tell_open_lateness(const report::LateDays& days, const std::vector<Graded>& graded);
+
+/// Overrides of submissions or items that are not in the class.
+void tell_without_place(const std::vector<KeptOverride>& overrides);
+
+/// Rereads that do not count, and why.
+void tell_that_count_not(const std::vector<KeptReread>& rereads, const std::vector<Graded>& graded);
+
+}  // namespace harness
