@@ -196,15 +196,15 @@ AnswerKey make_key(const Assignment& assignment, Precision precision) {
     AnswerKey key{assignment.name, precision, readings.front(), {}, {}, {}, assignment.notes};
     for (const Question& question : assignment.questions)
         key.questions.push_back({question.number, question.title, {}});
+    const std::vector<ItemSpec> asked = asked_items(assignment.questions);
     const std::vector<ReadingAnswers> runs = answer_at(precision, assignment, readings);
     key.decisions = runs.front().decisions;
     for (const ReadingAnswers& run : runs) {
         refuse_unsure(run.decisions, assignment, precision);
-        add_answers(key, run, asked_items(assignment.questions));
+        add_answers(key, run, asked);
     }
     for (const ReadingAnswers& run : runs) {
-        if (const auto other = answers_at_rim(run, assignment.rubric))
-            add_answers(key, *other, asked_items(assignment.questions));
+        if (const auto other = answers_at_rim(run, assignment.rubric)) add_answers(key, *other, asked);
     }
     std::erase_if(key.questions, [](const KeyQuestion& question) { return question.items.empty(); });
     note_policy(key);
@@ -213,6 +213,15 @@ AnswerKey make_key(const Assignment& assignment, Precision precision) {
     for (std::string& note : tell_wide_allowances(key.questions, assignment.scene))
         key.notes.push_back(std::move(note));
     return key;
+}
+
+const KeyItem* asked_item(const AnswerKey& key, const ItemId& id) {
+    for (const KeyQuestion& question : key.questions) {
+        for (const KeyItem& item : question.items) {
+            if (item.spec.id == id) return &item;
+        }
+    }
+    return nullptr;
 }
 
 std::string_view sentence(Verdict verdict) {

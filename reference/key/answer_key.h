@@ -65,6 +65,9 @@ struct AnswerKey {
                                      ///< which answers float leaves uncertain
 };
 
+/// The item in the question that asks for it; null if none does.
+const KeyItem* asked_item(const AnswerKey& key, const ItemId& id);
+
 /// Why `answer` is right besides the canonical answer, as a phrase that follows "accepted because": "the rubric accepts
 /// the grid pixel convention". Empty for the canonical reading.
 std::string reason(const Answer& answer, const AnswerKey& key);

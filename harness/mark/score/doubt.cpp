@@ -164,12 +164,8 @@ class Doubter {
     }
 
     const reference::KeyItem& key_item(const reference::ItemSpec& spec) const {
-        for (const reference::KeyQuestion& question : key_.questions) {
-            for (const reference::KeyItem& item : question.items) {
-                if (item.spec.id == spec.id) return item;
-            }
-        }
-        return key_.questions.front().items.front();
+        const reference::KeyItem* item = reference::asked_item(key_, spec.id);
+        return item == nullptr ? key_.questions.front().items.front() : *item;
     }
 
     /// The line where numbers that are not understood are right for the item; 0 if there is none.

@@ -41,7 +41,6 @@ class Judge {
     // judge_first_hit.cpp
     ItemVerdict judge_verdict(const reference::KeyItem& item, const PrintedVerdict& printed, const Evidence& evidence,
                               ItemScore& score) const;
-    bool is_asked(const ItemId& id) const;
     std::optional<HitValues> own_hits(const Evidence& evidence) const;
     /// Whether two objects have the same printed t, it is wrong for at least one of them, and no other object is
     /// nearer. Such values decide no order.

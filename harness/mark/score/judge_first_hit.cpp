@@ -30,7 +30,7 @@ std::optional<HitValues> Judge::own_hits(const Evidence& evidence) const {
     HitValues hits;
     for (const ItemId& t : hit_times(evidence)) {
         const auto printed = own.find(t);
-        if (printed == own.end() && is_asked(t)) return std::nullopt;
+        if (printed == own.end() && reference::asked_item(key_, t) != nullptr) return std::nullopt;
         hits.t[t.subject] = value(printed == own.end() ? evidence.key.targets().at(t) : printed->second);
         if (hits.t[t.subject] && !hits.t[t.subject]->is_bounded()) return std::nullopt;
     }
@@ -45,12 +45,6 @@ std::optional<HitValues> Judge::own_hits(const Evidence& evidence) const {
         }
     }
     return hits;
-}
-
-bool Judge::is_asked(const ItemId& id) const {
-    return std::ranges::any_of(key_.questions, [&](const reference::KeyQuestion& question) {
-        return std::ranges::any_of(question.items, [&](const KeyItem& each) { return each.spec.id == id; });
-    });
 }
 
 bool Judge::is_same_wrong_t(const Evidence& evidence) const {

@@ -18,12 +18,8 @@ namespace item = reference::item;
 using reference::ItemId;
 
 const Numbers* numbers_of(const AnswerKey& key, const ItemId& id) {
-    for (const auto& each : key.questions) {
-        for (const auto& item : each.items) {
-            if (item.spec.id == id) return std::get_if<Numbers>(&item.answers.front().value);
-        }
-    }
-    return nullptr;
+    const reference::KeyItem* asked = reference::asked_item(key, id);
+    return asked == nullptr ? nullptr : std::get_if<Numbers>(&asked->answers.front().value);
 }
 
 std::optional<Point> point_of(const AnswerKey& key, const ItemId& id) {

@@ -16,13 +16,8 @@ namespace harness::report {
 namespace {
 
 std::string right_value(const ItemScore& item, const Marking& marking) {
-    for (const reference::KeyQuestion& question : marking.key.questions) {
-        if (question.number != item.spec.question) continue;
-        for (const reference::KeyItem& each : question.items) {
-            if (each.spec.name == item.spec.name) return value_text(each.answers.front().value, each.spec.shape);
-        }
-    }
-    return "";
+    const reference::KeyItem* asked = reference::asked_item(marking.key, item.spec.id);
+    return asked == nullptr ? "" : value_text(asked->answers.front().value, asked->spec.shape);
 }
 
 }  // namespace

@@ -25,12 +25,8 @@ using reference::accuracy::SphereProblem;
 using reference::accuracy::TriangleProblem;
 
 const reference::Value* value_of(const reference::AnswerKey& key, const ItemId& id) {
-    for (const reference::KeyQuestion& question : key.questions) {
-        for (const reference::KeyItem& item : question.items) {
-            if (item.spec.id == id) return &item.answers.front().value;
-        }
-    }
-    return nullptr;
+    const reference::KeyItem* item = reference::asked_item(key, id);
+    return item == nullptr ? nullptr : &item->answers.front().value;
 }
 
 std::optional<reference::Vec3<double>> point(const reference::AnswerKey& key, const ItemId& id) {
