@@ -43,7 +43,7 @@ std::string check_kept(std::string_view text) {
 /// What we write of a text is one cell that says it and is no formula.
 std::string check_cell(const std::string& text) {
     const std::string cell = csv_cell(text);
-    const std::vector<Row> rows = parse_csv(cell + "," + cell + "\r\n");
+    const std::vector<Row> rows = parse_csv(cell + "," + cell + "\r\n", ',');
     if (rows.size() != 1 || rows[0].size() != 2 || rows[0][0] != rows[0][1]) return "a text that is not one cell";
     const std::string& read = rows[0][0];
     if (is_formula(read)) return "a cell that is a formula: " + read;
@@ -83,7 +83,7 @@ std::string check_canvas(std::string_view text) {
         return *error.what() == '\0' ? "a refusal without a reason" : "";
     }
     const CanvasImport import = canvas_import(roster, submissions());
-    const std::vector<Row> rows = parse_csv(import.csv);
+    const std::vector<Row> rows = parse_csv(import.csv, ',');
     if (rows.size() != 1 + roster.before.size() + import.matched) return "rows of somebody who was not matched";
     for (const Row& row : rows) {
         if (row.size() != rows[0].size()) return "rows of different lengths";

@@ -103,7 +103,7 @@ std::string line_of(const Row& cells) {
 }  // namespace
 
 CanvasRoster read_canvas_roster(std::string_view csv, const std::string& column) {
-    std::vector<Row> rows = parse_csv(csv);
+    std::vector<Row> rows = parse_csv(csv, separator_of(csv));
     if (rows.empty() || !column_of(rows.front(), "Student") || !column_of(rows.front(), "ID")) {
         throw RosterError(
             "is no gradebook of Canvas: its first row has no columns \"Student\" and \"ID\"; export one "

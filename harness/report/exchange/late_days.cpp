@@ -19,7 +19,7 @@ double read_days(const Row& row, std::optional<std::size_t> column, std::string_
 }  // namespace
 
 LateDays read_late_days(std::string_view csv) {
-    const std::vector<Row> rows = parse_csv(csv);
+    const std::vector<Row> rows = parse_csv(csv, separator_of(csv));
     const Row header = rows.empty() ? Row() : rows.front();
     const auto id = column_of(header, "id"), late = column_of(header, "days_late");
     const auto extension = column_of(header, "extension_days");

@@ -40,16 +40,6 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-char separator_of(std::string_view csv) {
-    const std::string_view head = csv.substr(0, csv.find('\n'));
-    char best = ',';
-    for (const char separator : {';', '\t'}) {
-        if (std::count(head.begin(), head.end(), separator) > std::count(head.begin(), head.end(), best))
-            best = separator;
-    }
-    return best;
-}
-
 using Column = std::optional<std::size_t>;
 
 /// Finds the columns of one worksheet.

@@ -34,6 +34,20 @@ std::string called_in(const Submission& submission, std::size_t submitter) {
 
 }  // namespace
 
+char separator_of(std::string_view csv) {
+    std::map<char, int> count;
+    bool quoted = false;
+    for (const char c : csv.substr(0, csv.find('\n'))) {
+        if (c == '"') quoted = !quoted;
+        if (!quoted) ++count[c];
+    }
+    char best = ',';
+    for (const char separator : {';', '\t'}) {
+        if (count[separator] > count[best]) best = separator;
+    }
+    return best;
+}
+
 std::vector<Row> parse_csv(std::string_view text, char separator, Blanks blanks) {
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     csv_parser parser;
@@ -67,7 +81,7 @@ std::string cell_of(const Row& row, std::optional<std::size_t> column) {
 }
 
 std::vector<std::string> students_in(std::string_view csv) {
-    const std::vector<Row> rows = parse_csv(csv);
+    const std::vector<Row> rows = parse_csv(csv, separator_of(csv));
     const Row header = rows.empty() ? Row() : rows.front();
     std::optional<std::size_t> id;
     for (const char* name : {"id", "ID", "Identifier"}) {

@@ -25,8 +25,13 @@ using Row = std::vector<std::string>;
 /// What is done with blanks around a cell that is not in quotes.
 enum class Blanks { trim, keep };
 
-/// Parses RFC 4180, also with the byte order mark that spreadsheets put before it. Skips lines that hold nothing.
-std::vector<Row> parse_csv(std::string_view text, char separator = ',', Blanks blanks = Blanks::trim);
+/// What stands between the cells: a comma, or the semicolon or tab that spreadsheets write where a comma is the decimal
+/// sign. The first line's majority outside quotes decides.
+char separator_of(std::string_view csv);
+
+/// Parses RFC 4180 with that separator, also with the byte order mark that spreadsheets put before it. Skips lines that
+/// hold nothing.
+std::vector<Row> parse_csv(std::string_view text, char separator, Blanks blanks = Blanks::trim);
 
 /// The first column with exactly this name.
 std::optional<std::size_t> column_of(const Row& header, std::string_view name);

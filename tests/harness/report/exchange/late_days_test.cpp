@@ -24,6 +24,7 @@ TEST(LateDays, AreReadWithExtensions) {
     EXPECT_THAT(read_late_days("id,days_late,extension_days\nada,2,\nben,3,2\n\ncy,0.5,1\n"),
                 UnorderedElementsAre(Pair("ada", 2), Pair("ben", 1), Pair("cy", -0.5)));
     EXPECT_THAT(read_late_days("days_late,id\n1,ada\n"), UnorderedElementsAre(Pair("ada", 1)));
+    EXPECT_THAT(read_late_days("\xef\xbb\xbfid;days_late\r\nada;0,5\r\n"), UnorderedElementsAre(Pair("ada", 0.5)));
 }
 
 TEST(LateDays, RefuseWhatTheyCannotRead) {

@@ -21,6 +21,8 @@ std::string error_of(std::string_view csv) {
 TEST(StudentsInRoster, AreThoseOfItsIds) {
     EXPECT_THAT(students_in("name,id\n\"Lovelace, Ada\",s07\nBen,s08\n"), ElementsAre("s07", "s08"));
     EXPECT_THAT(students_in("Student,ID,SIS User ID\nPoints Possible,,\n\"Doe, Jane\",4711,jd\n"), ElementsAre("4711"));
+    EXPECT_THAT(students_in("id;name\ns07;Lovelace, Ada\n"), ElementsAre("s07"));
+    EXPECT_THAT(students_in("id,\"a; b; c\"\ns07,x\n"), ElementsAre("s07"));
     EXPECT_THAT(students_in("Identifier,Full name\nParticipant 12,Ada\nParticipant 9,Ben\n"), ElementsAre("12", "9"));
 }
 
