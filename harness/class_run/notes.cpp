@@ -1,7 +1,10 @@
 #include "harness/class_run/notes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string_view>
 
 #include "harness/batch/reread.h"
@@ -23,6 +26,16 @@ void tell_answers_of_others(const std::vector<AnswersOfAnother>& found) {
         say("note: {}: the answers are right for the scene of {}\n", each.submission,
             each.student.empty() ? "the assignment, which was dealt to nobody" : escape_control(each.student));
     }
+}
+
+void tell_not_handed_in(const Marking& marking, const std::vector<Graded>& graded) {
+    std::set<std::string> handed_in;
+    for (const Graded& one : graded) handed_in.insert(id_in(marking.of_student, one.submission));
+    std::vector<std::string> missing;
+    for (const auto& [student, own] : marking.of_student) {
+        if (!handed_in.contains(student)) missing.push_back(escape_control(student));
+    }
+    if (!missing.empty()) say("note: a scene of their own and no hand-in: {}\n", fmt::join(missing, ", "));
 }
 
 void tell_notes(const std::vector<Graded>& graded) {

@@ -19,6 +19,9 @@ void tell_notes(const std::vector<Graded>& graded);
 /// Whose answers are right for a scene that was dealt to somebody else.
 void tell_answers_of_others(const std::vector<AnswersOfAnother>& found);
 
+/// Students whom a scene was dealt to and who handed nothing in.
+void tell_not_handed_in(const Marking& marking, const std::vector<Graded>& graded);
+
 /// A row of --late-days that names no submission, because it may be misspelt, and a submission that is late without a
 /// date, because it keeps its points until somebody says how late.
 void tell_open_lateness(const report::LateDays& days, const std::vector<Graded>& graded);

@@ -186,6 +186,7 @@ int grade_class(const GradeOptions& options) {
     tell_key_notes(run.marking);
     require_scenes(inputs.submissions, run.marking);
     std::vector<Graded> graded = grade_submissions(inputs, run, options);
+    tell_not_handed_in(run.marking, graded);
     tell_answers_of_others(flag_answers_of_others(graded, run.marking));
     report::apply_late_schedule(graded, inputs.assignment.rubric, inputs.rosters.late_days);
     tell_open_lateness(inputs.rosters.late_days, graded);

@@ -65,6 +65,7 @@ TEST_F(Dealt, SubmissionsAreHeldToTheirOwnScene) {
     hand_in("ben", "ada");
     hand_in("zoe", "ada");
     const Result result = grade();
+    EXPECT_THAT(result.voice, Not(HasSubstr("no hand-in")));
     EXPECT_EQ(result.status, some_not_graded) << result.both();
     const json grades = read_json(folder / "out/grades.json");
     EXPECT_EQ(submission_in(grades, "ada").at("points"), 100);
@@ -83,6 +84,11 @@ TEST_F(Dealt, SubmissionsAreHeldToTheirOwnScene) {
     EXPECT_EQ(corrected.status, 0) << corrected.both();
     EXPECT_NE(read(folder / "out/feedback/ada.html"), before);
     EXPECT_EQ(submission_in(read_json(folder / "out/grades.json"), "ada").at("questions").at(0).at("verdict"), "right");
+}
+
+TEST_F(Dealt, StudentsWithoutAHandInAreNamed) {
+    hand_in("ben", "ben");
+    EXPECT_THAT(grade().voice, HasSubstr("a scene of their own and no hand-in: ada"));
 }
 
 TEST_F(Dealt, ScenesAreNamedWhereOneIsNeeded) {
