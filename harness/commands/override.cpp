@@ -140,7 +140,7 @@ void add_options(CLI::App& command, OverrideOptions& options) {
     command.add_option("--results", options.results, "The folder that `raygrade grade` wrote its results to")
         ->type_name("DIR")
         ->capture_default_str();
-    command.add_flag("--remove", options.remove, "Take an override back: the automatic points count again");
+    command.add_flag("--remove", options.remove, "Take an override back, with --why: the automatic points count again");
     command.add_flag("--list", options.list, "Show the overrides there are");
     command.footer(
         "The reports are written again at once. Example: raygrade override s05 6.t 1.5 --why \"right but for a sign\"");

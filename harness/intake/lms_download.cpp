@@ -218,7 +218,7 @@ Submission from_student(const FileTree& tree, const Student& student, const std:
     } else {
         submission = take(tree, student.hand_in, id, "The hand-in");
     }
-    if (student.name.late == true) submission.notes.insert(submission.notes.begin(), "Handed in late.");
+    if (student.name.late == true) submission.notes.insert(submission.notes.begin(), "The download marks it as late.");
     submission.notes.insert(submission.notes.end(), student.notes.begin(), student.notes.end());
     submission.lms = student.name;
     return submission;

@@ -54,8 +54,8 @@ TEST_P(LmsDownload, OfCanvasGivesAStudentPerNumber) {
     EXPECT_THAT(ids(taken),
                 ElementsAre("anon_77", "anon_78", "doejane_1001", "doejane_1004", "doejohn", "łukaszewiczján"));
     EXPECT_EQ(taken.at("doejohn").source, "john");
-    EXPECT_THAT(taken.at("doejohn").notes, ElementsAre("Handed in late."));
-    EXPECT_THAT(taken.at("anon_78").notes, ElementsAre("Handed in late."));
+    EXPECT_THAT(taken.at("doejohn").notes, ElementsAre("The download marks it as late."));
+    EXPECT_THAT(taken.at("anon_78").notes, ElementsAre("The download marks it as late."));
     EXPECT_THAT(taken.at("doejane_1004").notes, IsEmpty());
     EXPECT_EQ(taken.at("łukaszewiczján").source, "jan");
     EXPECT_EQ(taken.at("doejane_1004").lms->id, "1004");
@@ -97,10 +97,10 @@ TEST_P(LmsDownload, KeepsStudentsWithoutASource) {
                                 {"anon_5_text.html", "t"}});
     EXPECT_THAT(ids(taken), ElementsAre("anon_5", "doejane", "moe", "poe", "roe"));
     EXPECT_THAT(*taken.at("roe").problem, AllOf(HasSubstr("report.pdf"), HasSubstr("no C++ source")));
-    EXPECT_THAT(taken.at("roe").notes, ElementsAre("Handed in late."));
+    EXPECT_THAT(taken.at("roe").notes, ElementsAre("The download marks it as late."));
     EXPECT_THAT(*taken.at("poe").problem, HasSubstr("text.html"));
     EXPECT_THAT(*taken.at("moe").problem, AllOf(HasSubstr("a.pdf"), HasSubstr("link.html")));
-    EXPECT_THAT(taken.at("moe").notes, ElementsAre("Handed in late.")) << "as soon as a part of it is";
+    EXPECT_THAT(taken.at("moe").notes, ElementsAre("The download marks it as late.")) << "as soon as a part of it is";
 }
 
 TEST_P(LmsDownload, ReadsAStudentsArchive) {
@@ -255,7 +255,7 @@ TEST_P(LmsDownload, KeepsItsStudentsBesideStrayFiles) {
                                 {"solution.cpp", "int main() { }"}});
     EXPECT_THAT(ids(taken), ElementsAre("doejane", "loe", "poe", "roe", "solution.cpp"));
     EXPECT_EQ(taken.at("doejane").lms->id, "1001");
-    EXPECT_THAT(taken.at("poe").notes, ElementsAre("Handed in late."));
+    EXPECT_THAT(taken.at("poe").notes, ElementsAre("The download marks it as late."));
     EXPECT_THAT(taken.at("roe").problem.value_or(""), HasSubstr("report.pdf"));
     EXPECT_THAT(taken.at("solution.cpp").problem.value_or(""),
                 AllOf(HasSubstr("not named as Canvas names hand-ins"), HasSubstr("nobody knows whose it is")));
