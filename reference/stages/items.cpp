@@ -42,6 +42,16 @@ bool has_its_name_twice(const Question& question, const ItemId& id) {
     return std::ranges::count(question.items, id.name, &ItemId::name) > 1;
 }
 
+/// The letter of the part that asks for the item; 0 if none does.
+char part_with(const Question& question, const ItemId& id) {
+    char letter = 'a';
+    for (const QuestionPart& part : question.parts) {
+        if (std::ranges::find(part.items, id) != part.items.end()) return letter;
+        ++letter;
+    }
+    return 0;
+}
+
 }  // namespace
 
 std::string_view to_string(Subject subject) {
@@ -99,7 +109,7 @@ std::vector<ItemSpec> asked_items(const std::vector<Question>& questions) {
         for (const ItemId& id : question.items) {
             const Item& item = item_of(id);
             const std::string_view name = has_its_name_twice(question, id) ? item.full_name : id.name;
-            specs.push_back({question.number, name, item.shape, item.label, id});
+            specs.push_back({question.number, name, item.shape, item.label, id, part_with(question, id)});
         }
     }
     return specs;

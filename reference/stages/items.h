@@ -116,6 +116,7 @@ struct ItemSpec {
     Shape shape;
     std::string_view label;  ///< as the reference run prints it
     ItemId id;
+    char part = 0;  ///< 'a' in its question's first part; 0 where the question has none
 };
 
 /// The items of the questions, in their order.

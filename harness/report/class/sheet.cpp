@@ -184,7 +184,7 @@ std::string ClassSheets::rows_of(const Graded& graded, const QuestionScore& ques
     std::string rows = question_heading(graded, question);
     for (const ItemScore& item : question.items) {
         PageData data;
-        data["name"] = std::string(item.spec.name);
+        data["name"] = name_in_question(item.spec);
         set_text(data, "printed", item.printed);
         if (item.line != 0) data["line"] = std::to_string(item.line);
         data["asked"] = asked.at(item.spec.id);

@@ -117,7 +117,7 @@ StudentPages::StudentPages(const Marking& marking)
 PageData StudentPages::item(const Graded& graded, const QuestionScore& question, const ItemScore& item,
                             bool said) const {
     PageData data;
-    data["name"] = std::string(item.spec.name);
+    data["name"] = name_in_question(item.spec);
     data["item_class"] = std::string(to_string(item.verdict));
     data["item_word"] = std::string(word_of(item.verdict));
     data["item_got"] = points_text(final_points(graded, question, item));
@@ -144,7 +144,7 @@ std::string StudentPages::question(const Graded& graded, const QuestionScore& qu
     std::string right;
     for (const ItemScore& each : question.items) {
         if (is_plainly_right(each, graded.outcome)) {
-            right += (right.empty() ? "" : ", ") + std::string(each.spec.name);
+            right += (right.empty() ? "" : ", ") + name_in_question(each.spec);
         } else if (!all_missing) {
             items.push_back(item(graded, question, each,
                                  !note.empty() && each.verdict == ItemVerdict::follow && each.advice.empty()));

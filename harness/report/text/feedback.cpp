@@ -58,7 +58,8 @@ std::string where(const ItemScore& item) {
 
 std::string item_line(const Graded& graded, const QuestionScore& question, const ItemScore& item) {
     const std::string name = item.spec.shape == reference::Shape::verdict ? "the verdict" : std::string(item.spec.name);
-    std::string text = fmt::format("- Question {}, {}{}: ", question.number, name, where(item));
+    const std::string part = item.spec.part == 0 ? "" : fmt::format(" {})", item.spec.part);
+    std::string text = fmt::format("- Question {}{}, {}{}: ", question.number, part, name, where(item));
     if (!item.printed.empty()) text += fmt::format("you printed {}. ", code(item.printed));
     text += plain(item_sentence(item, graded.outcome));
     if (!item.diagnosis.empty()) text += fmt::format(" ({})", plain(item.diagnosis));
@@ -214,7 +215,8 @@ std::string check_text(const Graded& graded) {
         text += fmt::format("Question {}, {}: {} of {} points\n", question.number, question.title,
                             points_text(question.points), points_text(question.max_points));
         for (const ItemScore& item : question.items) {
-            text += fmt::format("  {:<13} {:<10}{}\n", item.spec.name, to_string(item.verdict), where(item));
+            text +=
+                fmt::format("  {:<13} {:<10}{}\n", name_in_question(item.spec), to_string(item.verdict), where(item));
             const std::string sentence = item_sentence(item, graded.outcome);
             if (sentence.empty()) continue;
             if (!item.printed.empty()) text += fmt::format("      you printed {}\n", escape_control(item.printed));

@@ -36,7 +36,7 @@ std::string override_text(const Override* override_) {
 
 std::string item_text(const Graded& graded, const QuestionScore& question, const ItemScore& item,
                       const Marking& marking) {
-    std::string text = fmt::format("{}: {}, {} of {} points{}\n", item.spec.name, to_string(item.verdict),
+    std::string text = fmt::format("{}: {}, {} of {} points{}\n", name_in_question(item.spec), to_string(item.verdict),
                                    points_text(final_points(graded, question, item)), points_text(item.max_points),
                                    item.line == 0 ? "" : fmt::format(" (line {} of the output)", item.line));
     const std::string sentence = item_sentence(item, graded.outcome);

@@ -93,6 +93,10 @@ std::string flag_title(const Flag& flag) {
     return flag.kind;
 }
 
+std::string name_in_question(const reference::ItemSpec& spec) {
+    return spec.part == 0 ? std::string(spec.name) : fmt::format("{}) {}", spec.part, spec.name);
+}
+
 std::string item_sentence(const ItemScore& item, Outcome outcome) {
     switch (item.verdict) {
         case ItemVerdict::right: return item.accepted_as.empty() ? "" : fmt::format("Accepted: {}.", item.accepted_as);

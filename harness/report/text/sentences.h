@@ -11,6 +11,9 @@ namespace harness::report {
 /// What an answer of this shape looks like: "a vector of three numbers".
 std::string expected_shape(reference::Shape shape);
 
+/// The item's name, after its part where its question has parts: "t", "b) t".
+std::string name_in_question(const reference::ItemSpec& spec);
+
 /// Why an item lost its mark or was accepted in another form, as sentences; empty for a plainly right one.
 std::string item_sentence(const ItemScore& item, Outcome outcome);
 

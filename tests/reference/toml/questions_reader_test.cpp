@@ -67,6 +67,9 @@ TEST(Questions, HavePartsWithPointsOfTheirOwn) {
     ASSERT_EQ(assignment.questions[0].parts.size(), 2U);
     EXPECT_EQ(assignment.questions[0].parts[0].title, "the quadratic");
     EXPECT_THAT(assignment.questions[0].parts[1].items, ElementsAre(item::sphere::t, item::cylinder::t));
+    std::string letters;
+    for (const ItemSpec& spec : asked_items(assignment.questions)) letters += spec.part;
+    EXPECT_EQ(letters, "aabb");
     EXPECT_EQ(assignment.rubric.points_of(1), 11);
     using Points = std::map<std::string, double>;
     EXPECT_EQ(assignment.rubric.item_points.at(1),

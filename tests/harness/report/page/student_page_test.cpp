@@ -171,6 +171,12 @@ TEST(StudentPage, AppliesOverridesAndTheLateDeduction) {
     EXPECT_THAT(text, Not(HasSubstr("prof")));
 }
 
+TEST(StudentPage, NamesThePartOfAQuestion) {
+    Graded one = graded("s01", output_with_a_mistake());
+    for (ItemScore& item : one.score.questions[5].items) item.spec.part = 'b';
+    EXPECT_THAT(text_of(one), AllOf(HasSubstr("b) t"), HasSubstr("Right: b) a, b) b")));
+}
+
 TEST(StudentPage, ShowsOtherScenesAndWhetherTheyCount) {
     Graded one = graded("s01", output_with_a_mistake());
     one.other_scenes = broken_on_another_scene("1.25", "1.5");

@@ -191,6 +191,14 @@ TEST(Feedback, ShowsOverridesWithTheirReasons) {
     EXPECT_THAT(text, Not(HasSubstr("late")));
 }
 
+TEST(Feedback, NamesThePartOfAQuestion) {
+    Graded one = graded("s01", output_with_a_mistake());
+    EXPECT_THAT(feedback_markdown(one, marking()), Not(HasSubstr("Question 6 ")));
+    for (ItemScore& item : one.score.questions[5].items) item.spec.part = 'b';
+    EXPECT_THAT(feedback_markdown(one, marking()), HasSubstr("- Question 6 b), t (line "));
+    EXPECT_THAT(check_text(one), HasSubstr("  b) t "));
+}
+
 TEST(Feedback, ShowsTheLateDeduction) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     zoe.late_share = 0.1;
