@@ -132,8 +132,10 @@ Assignment scene_with_cylinder(std::uint64_t seed) {
 }
 
 TEST(CylinderAllowance, CoversFloatProgramsOfManyFormulas) {
-    int tubes = 0, caps = 0;
-    for (std::uint64_t seed = 0; seed < cases(60); ++seed) {
+    // Fewer might hold no ray that hits a cap.
+    const std::uint64_t scenes = std::max<std::uint64_t>(cases(60), 20);
+    std::uint64_t tubes = 0, caps = 0;
+    for (std::uint64_t seed = 0; seed < scenes; ++seed) {
         SCOPED_TRACE(seed);
         const Assignment assignment = scene_with_cylinder(seed);
         const AnswerKey key = make_key(assignment, Precision::certified);
@@ -146,8 +148,8 @@ TEST(CylinderAllowance, CoversFloatProgramsOfManyFormulas) {
                 EXPECT_TRUE(is_allowed(answer_to(key, id), given)) << id.name << ", way " << way;
         }
     }
-    EXPECT_GT(tubes, static_cast<int>(cases(60) / 10));
-    EXPECT_GT(caps, static_cast<int>(cases(60) / 20));
+    EXPECT_GT(tubes, scenes / 10);
+    EXPECT_GT(caps, scenes / 20);
 }
 
 TEST(CylinderAllowance, CoversTheStagesInFloatAndInDouble) {
