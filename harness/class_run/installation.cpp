@@ -1,9 +1,11 @@
 #include "harness/class_run/installation.h"
 
+#include "harness/machine/parts.h"
+
 namespace harness {
 
 std::filesystem::path assignments_folder() {
-    return RAYGRADE_ASSIGNMENTS;
+    return find_part("share/raygrade/assignments");
 }
 
 }  // namespace harness

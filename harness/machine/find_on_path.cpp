@@ -6,7 +6,6 @@
 #include <sstream>
 #include <system_error>
 
-#include "harness/machine/errors.h"
 #include "harness/text/printable.h"
 
 namespace harness {
@@ -23,16 +22,6 @@ std::filesystem::path find_on_path(const std::string& name) {
         }
     }
     return {};
-}
-
-std::filesystem::path find_companion(const std::string& name, const std::filesystem::path& built) {
-    std::error_code error;
-    const auto beside = std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / name;
-    for (const auto& candidate : {beside, built}) {
-        if (access(candidate.c_str(), X_OK) == 0) return candidate;
-    }
-    throw HarnessError("A part of raygrade is missing: there is no " + in_quotes(beside) +
-                       ". Build all of raygrade, and keep its programs beside each other.");
 }
 
 std::string shown_path() {

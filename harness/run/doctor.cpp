@@ -15,6 +15,7 @@
 
 #include "harness/machine/errors.h"
 #include "harness/machine/find_on_path.h"
+#include "harness/machine/parts.h"
 #include "harness/run/run.h"
 #include "harness/run/runner.h"
 #include "harness/sandbox/host/canary.h"
@@ -87,6 +88,10 @@ CanaryReport examine_tier(Tier tier) {
 
 /// Examines each tier and says which one is used for grading.
 std::vector<Finding> examine_sandboxes() {
+    if (!missing_parts().empty()) {
+        return {
+            {"programs run in", Level::bad, "no sandbox was tried, as parts of raygrade are missing", "See above."}};
+    }
     std::vector<CanaryReport> reports = {examine_tier(Tier::bwrap), examine_tier(Tier::landlock)};
     const auto best =
         std::find_if(reports.begin(), reports.end(), [](const CanaryReport& report) { return report.held(); });
@@ -162,6 +167,13 @@ Finding examine_scratch() {
     return {"scratch folder", Level::warning, detail, "Make room there, or set TMPDIR to another folder."};
 }
 
+Finding examine_parts() {
+    std::string detail;
+    for (const std::string& missing : missing_parts()) detail += (detail.empty() ? "" : "\n") + missing;
+    if (detail.empty()) return good("parts of raygrade", "all are there");
+    return {"parts of raygrade", Level::bad, detail, "Install or build all of raygrade again."};
+}
+
 Finding examine_cores() {
     const unsigned cores = std::thread::hardware_concurrency();
     return good("cores", fmt::format("{}; grade with -j {}", cores, cores));
@@ -199,6 +211,7 @@ std::vector<Finding> examine_machine() {
     // If no runner can be opened, get() throws in each check that needs one, and its finding says why.
     const std::shared_future<Runner> runner = std::async(std::launch::deferred, any_runner);
     const Examination examinations[] = {
+        {"parts of raygrade", examine_parts},
         {"compiler", [&] { return examine_compiler(runner.get()); }},
         {"compiling and running with GLM", [&] { return examine_chain(runner.get()); }},
         {"scratch folder", examine_scratch},

@@ -16,7 +16,7 @@
 
 #include "harness/machine/errors.h"
 #include "harness/machine/file_descriptor.h"
-#include "harness/machine/find_on_path.h"
+#include "harness/machine/parts.h"
 #include "harness/sandbox/host/scratch.h"
 #include "harness/text/printable.h"
 
@@ -65,7 +65,7 @@ std::string contents(const fs::path& file) {
 }
 
 ProcessResult run_canary(const Sandbox& sandbox, const Scratch& scratch, const fs::path& decoy, int port) {
-    fs::copy_file(find_companion("raygrade-canary", RAYGRADE_CANARY), scratch.path() / "canary");
+    fs::copy_file(find_part("lib/raygrade/raygrade-canary"), scratch.path() / "canary");
     fs::permissions(scratch.path() / "canary", static_cast<fs::perms>(0555));
     Command command;
     command.argv = {"./canary", decoy.string(), std::to_string(port), std::to_string(getpid())};

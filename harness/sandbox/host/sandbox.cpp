@@ -6,6 +6,7 @@
 
 #include "harness/machine/errors.h"
 #include "harness/machine/find_on_path.h"
+#include "harness/machine/parts.h"
 #include "harness/text/printable.h"
 
 namespace harness {
@@ -14,9 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Copies it to where every account can reach it, as raygrade itself may lie in a private folder.
-fs::path copy_companion(const Workspace& workspace, const std::string& name, const fs::path& built,
-                        const std::string& name_of_copy) {
-    const fs::path from = find_companion(name, built);
+fs::path copy_part(const Workspace& workspace, const std::string& path, const std::string& name_of_copy) {
+    const fs::path from = find_part(path);
     const fs::path copy = workspace.path() / name_of_copy;
     std::error_code error;
     fs::copy_file(from, copy, error);
@@ -44,8 +44,8 @@ bool is_there_itself(const fs::path& path) {
 
 Sandbox::Sandbox(Tier tier)
     : tier_(tier),
-      supervisor_(copy_companion(workspace_, "raygrade-supervisor", RAYGRADE_SUPERVISOR, "supervisor")),
-      line_buffer_(copy_companion(workspace_, "raygrade-line-buffer.so", RAYGRADE_LINE_BUFFER, "line_buffer.so")) {
+      supervisor_(copy_part(workspace_, "lib/raygrade/raygrade-supervisor", "supervisor")),
+      line_buffer_(copy_part(workspace_, "lib/raygrade/raygrade-line-buffer.so", "line_buffer.so")) {
     if (tier == Tier::bwrap) bwrap_ = find_bwrap();
 }
 

@@ -1,0 +1,38 @@
+#include "harness/machine/parts.h"
+
+#include <system_error>
+
+#include "harness/machine/errors.h"
+#include "harness/text/printable.h"
+
+namespace harness {
+
+namespace fs = std::filesystem;
+
+fs::path find_part(const std::string& path) {
+    // /proc/self/exe, not argv[0]: it holds for a link to raygrade too, and wherever the prefix was moved to.
+    std::error_code error;
+    const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+    const fs::path in_build = folder / path;
+    const fs::path in_prefix = folder.parent_path() / path;
+    for (const auto& candidate : {in_build, in_prefix}) {
+        if (fs::exists(candidate, error)) return candidate;
+    }
+    throw HarnessError("A part of raygrade is missing: there is no " + in_quotes(in_prefix) + " and no " +
+                       in_quotes(in_build) + ". Install or build all of raygrade again.");
+}
+
+std::vector<std::string> missing_parts() {
+    std::vector<std::string> missing;
+    for (const char* const path : {"lib/raygrade/raygrade-supervisor", "lib/raygrade/raygrade-canary",
+                                   "lib/raygrade/raygrade-line-buffer.so", "share/raygrade/assignments"}) {
+        try {
+            find_part(path);
+        } catch (const HarnessError& error) {
+            missing.emplace_back(error.what());
+        }
+    }
+    return missing;
+}
+
+}  // namespace harness

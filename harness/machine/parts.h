@@ -1,0 +1,18 @@
+// The files that come with raygrade, and where they are.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace harness {
+
+/// A file or folder that comes with raygrade, by its path under the prefix: "lib/raygrade/raygrade-canary". The prefix
+/// is the folder of this executable, as in a build, or the one above it, as for <prefix>/bin/raygrade. Throws
+/// HarnessError, which says where it was looked for, when there is none.
+std::filesystem::path find_part(const std::string& path);
+
+/// The message of find_part for each part that is missing; empty if raygrade is complete.
+std::vector<std::string> missing_parts();
+
+}  // namespace harness
