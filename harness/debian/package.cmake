@@ -1,7 +1,7 @@
 # cmake --build build --target package: raygrade_<version>_<architecture>.deb
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME raygrade)
-set(CPACK_PACKAGE_CONTACT "raygrade maintainers <maintainers@users.noreply.h-seed-f539962d.example>")
+set(CPACK_PACKAGE_CONTACT "raygrade maintainers <maintainers@raygrade.example>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "grader for a ray-casting assignment")
 set(CPACK_PACKAGE_DESCRIPTION "Compiles and runs each student's program in a sandbox, reads what it prints,
 and gives points for each answer, with feedback.")
