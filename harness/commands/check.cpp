@@ -139,7 +139,7 @@ void add_options(CLI::App& command, CheckOptions& options) {
         ->type_name("FILE");
     add_other_scenes(command, options.other_scenes);
     add_runner(command, options.runner);
-    command.footer(limits_footer() + "\nExample: raygrade check ray_cast.cpp");
+    command.footer("Example: raygrade check ray_cast.cpp");
 }
 
 }  // namespace

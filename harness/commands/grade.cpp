@@ -262,7 +262,7 @@ void add_options(CLI::App& command, GradeOptions& options) {
         "Also run each program on the hard scenes of `raygrade stress` and put what it loses there "
         "into the feedback; costs no points, and some fifteen runs of each program, ten more with a cylinder");
     add_runner(command, options.runner);
-    command.footer(limits_footer() + "\nExample: raygrade grade submissions/ --assignment a6-2021 --out results -j 4");
+    command.footer("Example: raygrade grade submissions/ --assignment a6-2021 --out results -j 4");
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ constexpr const char* about =
     "  raygrade read output.txt                how a printout is read, line by line, and its marks\n"
     "  raygrade explain output.txt             a picture of the scene and of what a program printed\n"
     "  raygrade render -o scene.png            the scene as its camera sees it\n"
-    "  raygrade doctor                         what this machine has and lacks";
+    "  raygrade doctor                         what this machine has and lacks\n"
+    "  raygrade help                           every command, limits, and the manual";
 
 constexpr const char* footer =
     "Exit status: 0 all graded, 1 some not graded, 2 a mistake in the command or the assignment, 3 a fault of "
@@ -99,9 +100,10 @@ int run(int argc, char** argv) {
     app.get_formatter()->column_width(36);
 
     const std::array commands{
-        grade_command(app),   override_command(app),  reread_command(app), check_command(app),      serve_command(app),
-        stress_command(app),  reference_command(app), cast_command(app),   accuracy_command(app),   read_command(app),
-        explain_command(app), render_command(app),    doctor_command(app), assignment_command(app),
+        grade_command(app),    override_command(app),   reread_command(app),    check_command(app),
+        serve_command(app),    stress_command(app),     reference_command(app), cast_command(app),
+        accuracy_command(app), read_command(app),       explain_command(app),   render_command(app),
+        doctor_command(app),   assignment_command(app), help_command(app),      generate_command(app),
     };
     if (argc < 2) {
         fmt::print("{}", app.help());

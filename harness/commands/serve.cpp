@@ -218,8 +218,7 @@ void add_options(CLI::App& command, ServeOptions& options) {
         ->type_name("DIR");
     add_runner(command, options.runner);
     command.footer(
-        limits_footer() +
-        "\nStudents upload or paste a program, see their place in the queue, and get their page: verdicts and hints, "
+        "Students upload or paste a program, see their place in the queue, and get their page: verdicts and hints, "
         "never the\nright values unless the assignment says so. Each result has an address that nobody can guess. "
         "Nothing is handed in. Programs\nrun on the assignment's own scene alone, so points of variant_points are not "
         "part "

@@ -20,7 +20,10 @@ CLI::Option* add_assignment(CLI::App& command, std::string& assignment) {
 
 void add_jobs(CLI::App& command, int& jobs, const char* meaning) {
     jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    command.add_option("-j,--jobs", jobs, meaning)->check(CLI::Range(1, 1024))->type_name("N")->capture_default_str();
+    command.add_option("-j,--jobs", jobs, meaning)
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N")
+        ->default_str("one a core");
 }
 
 void add_junit(CLI::App& command, std::filesystem::path& junit) {
@@ -35,7 +38,7 @@ void add_runner(CLI::App& command, RunnerOptions& runner) {
     command
         .add_option("--limit", runner.limits,
                     "What a program or the compiler may use, instead of the default or the assignment's: "
-                    "--limit run.cpu_seconds=4, see below")
+                    "--limit run.cpu_seconds=4; see `raygrade help limits`")
         ->allow_extra_args(false)
         ->type_name("NAME=VALUE");
     command
@@ -77,14 +80,6 @@ void add_other_scenes(CLI::App& command, scenes::OtherScenesOptions& options) {
             "the marks, and a regrade says where others moved them")
         ->type_name("N")
         ->capture_default_str();
-}
-
-std::string limits_footer() {
-    std::string text = "Limits, with their defaults:\n";
-    for (const LimitDescription& limit : describe_limits()) {
-        text += fmt::format("  {:<21} {:>5}  {}\n", limit.name, limit.value, limit.consequence);
-    }
-    return text;
 }
 
 }  // namespace harness

@@ -34,7 +34,4 @@ void add_runner(CLI::App& command, RunnerOptions& runner);
 
 void add_other_scenes(CLI::App& command, scenes::OtherScenesOptions& options);
 
-/// The table of limits at the end of a command's help.
-std::string limits_footer();
-
 }  // namespace harness

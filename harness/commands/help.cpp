@@ -1,0 +1,130 @@
+#include "harness/commands/help.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "harness/commands/subcommand.h"
+#include "harness/machine/bounded_file.h"
+#include "harness/machine/errors.h"
+#include "harness/run/limits.h"
+#include "reference/toml/near_names.h"
+
+namespace harness {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* limits = "limits";
+
+/// The folder of the manual's pages.
+fs::path manual_folder() {
+    return RAYGRADE_MANUAL;
+}
+
+std::vector<std::string> manual_pages() {
+    std::vector<std::string> names;
+    std::error_code error;  // a machine without the manual still has the commands' help
+    for (const auto& entry : fs::directory_iterator(manual_folder(), error)) {
+        if (entry.path().extension() == ".md") names.push_back(entry.path().stem().string());
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+std::string manual_page(const std::string& name) {
+    constexpr std::size_t most_bytes = 1 << 20;
+    return read_bounded(manual_folder() / (name + ".md"), most_bytes, Links::follow).bytes;
+}
+
+/// "Grade a class", from the page's first line, "# Grade a class".
+std::string title_of(const std::string& page) {
+    const std::string first = page.substr(0, page.find('\n'));
+    return first.starts_with("# ") ? first.substr(2) : "";
+}
+
+std::string limits_text() {
+    std::string text =
+        "What a program and the compiler may use, with the defaults. An assignment sets others under\n"
+        "[limits.run] and [limits.compile]; --limit NAME=VALUE does so for one command.\n\n";
+    for (const LimitDescription& limit : describe_limits())
+        text += fmt::format("  {:<21} {:>5}  {}\n", limit.name, limit.value, limit.consequence);
+    return text;
+}
+
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+    return names;
+}
+
+void list_topics(const CLI::App& app) {
+    const auto line = [](const std::string& name, const std::string& about) {
+        fmt::print("  {:<21} {}\n", name, about);
+    };
+    fmt::print("raygrade help TOPIC tells of a topic. Commands, as with raygrade COMMAND --help:\n\n");
+    for (const CLI::App* command : app.get_subcommands({})) line(command->get_name(), command->get_description());
+    fmt::print("\nBeside them:\n\n");
+    line(limits, "What a program and the compiler may use");
+    for (const std::string& name : manual_pages()) line(name, title_of(manual_page(name)));
+}
+
+/// The command that the words name from `app` on; null if there is none.
+const CLI::App* find_command(const CLI::App& app, const std::vector<std::string>& words) {
+    const CLI::App* found = &app;
+    for (const std::string& word : words) {
+        const auto below = found->get_subcommands({});
+        const auto next = std::ranges::find(below, word, [](const CLI::App* command) { return command->get_name(); });
+        if (next == below.end()) return nullptr;
+        found = *next;
+    }
+    return found;
+}
+
+int help(const CLI::App& app, const std::vector<std::string>& words) {
+    if (words.empty()) {
+        list_topics(app);
+        return all_graded;
+    }
+    const std::string topic = fmt::format("{}", fmt::join(words, " "));
+    if (const CLI::App* command = find_command(app, words)) {
+        std::string above = app.get_name();
+        for (std::size_t i = 0; i + 1 < words.size(); ++i) above += " " + words[i];
+        fmt::print("{}", command->help(above));
+        return all_graded;
+    }
+    const std::vector<std::string> pages = manual_pages();
+    if (topic == limits) {
+        fmt::print("{}", limits_text());
+    } else if (std::ranges::find(pages, topic) != pages.end()) {
+        fmt::print("{}", manual_page(topic));
+    } else {
+        std::vector<std::string> topics = names_of_commands(app);
+        for (const std::string& other : topics_beside_commands()) topics.push_back(other);
+        throw UsageError(fmt::format("{}: is no topic; {}; raygrade help lists them", topic,
+                                     reference::did_you_mean(topic, topics)));
+    }
+    return all_graded;
+}
+
+}  // namespace
+
+std::vector<std::string> topics_beside_commands() {
+    std::vector<std::string> topics{limits};
+    for (const std::string& page : manual_pages()) topics.push_back(page);
+    return topics;
+}
+
+Subcommand help_command(CLI::App& app) {
+    CLI::App& command = *app.add_subcommand("help", "Tell of a command, of limits, or of a page of the manual");
+    const auto words = std::make_shared<std::vector<std::string>>();
+    command.add_option("topic", *words, "A topic; without one, help lists the topics")->type_name("TOPIC");
+    command.footer(
+        "Examples: raygrade help grade\n          raygrade help assignment check\n          raygrade help limits");
+    return {&command, [&app, words] { return help(app, *words); }};
+}
+
+}  // namespace harness
