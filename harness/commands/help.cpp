@@ -10,6 +10,7 @@
 #include "harness/commands/subcommand.h"
 #include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
+#include "harness/machine/parts.h"
 #include "harness/run/limits.h"
 #include "reference/toml/near_names.h"
 
@@ -20,16 +21,17 @@ namespace fs = std::filesystem;
 
 constexpr const char* limits = "limits";
 
-/// The folder of the manual's pages.
-fs::path manual_folder() {
-    return RAYGRADE_MANUAL;
-}
+constexpr const char* manual = "share/raygrade/manual";
 
+/// The names of the manual's pages; empty where the manual is missing, so that the commands' help still works.
 std::vector<std::string> manual_pages() {
     std::vector<std::string> names;
-    std::error_code error;  // a machine without the manual still has the commands' help
-    for (const auto& entry : fs::directory_iterator(manual_folder(), error)) {
-        if (entry.path().extension() == ".md") names.push_back(entry.path().stem().string());
+    try {
+        for (const auto& entry : fs::directory_iterator(find_part(manual))) {
+            if (entry.path().extension() == ".md") names.push_back(entry.path().stem().string());
+        }
+    } catch (const HarnessError&) {
+        return {};
     }
     std::ranges::sort(names);
     return names;
@@ -37,7 +39,7 @@ std::vector<std::string> manual_pages() {
 
 std::string manual_page(const std::string& name) {
     constexpr std::size_t most_bytes = 1 << 20;
-    return read_bounded(manual_folder() / (name + ".md"), most_bytes, Links::follow).bytes;
+    return read_bounded(find_part(manual) / (name + ".md"), most_bytes, Links::follow).bytes;
 }
 
 /// "Grade a class", from the page's first line, "# Grade a class".

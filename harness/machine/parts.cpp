@@ -24,8 +24,9 @@ fs::path find_part(const std::string& path) {
 
 std::vector<std::string> missing_parts() {
     std::vector<std::string> missing;
-    for (const char* const path : {"lib/raygrade/raygrade-supervisor", "lib/raygrade/raygrade-canary",
-                                   "lib/raygrade/raygrade-line-buffer.so", "share/raygrade/assignments"}) {
+    for (const char* const path :
+         {"lib/raygrade/raygrade-supervisor", "lib/raygrade/raygrade-canary", "lib/raygrade/raygrade-line-buffer.so",
+          "share/raygrade/assignments", "share/raygrade/manual"}) {
         try {
             find_part(path);
         } catch (const HarnessError& error) {
