@@ -16,7 +16,7 @@ constexpr int version = 1;
 constexpr int ours = 0x52415947;  // application_id: "RAYG"
 constexpr int patience_ms = 10000;
 
-/// Points are those of the handout's rubric; times are UTC in ISO 8601. README describes the tables for people.
+/// Points are those of the handout's rubric; times are UTC in ISO 8601. manual/formats.md describes the tables.
 constexpr const char* tables = R"(
     CREATE TABLE runs (                 -- each time that a class was graded and the results written
         run INTEGER PRIMARY KEY,        -- 1, 2, ...

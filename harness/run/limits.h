@@ -15,7 +15,7 @@ struct StageLimits {
     Limits compile, run;
 };
 
-/// One limit, described for people: a row of README's table and of --help.
+/// One limit, described for people: a row of the table in manual/sandbox-and-limits.md and of --help.
 struct LimitDescription {
     std::string name;         ///< "run.cpu_seconds"; the unit is part of it
     std::string value;        ///< the default

@@ -10,7 +10,7 @@
 
 namespace scenario {
 
-// The exit statuses other than 0, as README lists them.
+// The exit statuses other than 0, as manual/sandbox-and-limits.md lists them.
 constexpr int some_not_graded = 1;
 constexpr int usage = 2;
 

@@ -99,10 +99,10 @@ TEST(ReadLimits, SuggestsTheStageForALimitWithoutItOrWithAWrongOne) {
     EXPECT_EQ(why_not({}, {"build.cpu_seconds=3"}), "--limit build.cpu_seconds: " + meant);
 }
 
-TEST(DescribeLimits, MatchesTheReadme) {
-    const std::string readme = bytes_of(RAYGRADE_PROJECT "/README.md");
+TEST(DescribeLimits, MatchesTheManual) {
+    const std::string page = bytes_of(RAYGRADE_PROJECT "/harness/manual/sandbox-and-limits.md");
     for (const LimitDescription& limit : describe_limits()) {
-        EXPECT_THAT(readme, HasSubstr("| `" + limit.name + "` | " + limit.value + " | " + limit.consequence + " |"));
+        EXPECT_THAT(page, HasSubstr("| `" + limit.name + "` | " + limit.value + " | " + limit.consequence + " |"));
     }
 }
 

@@ -67,7 +67,7 @@ TEST(HardScenes, HaveThePropertiesTheyAreNamedAfter) {
     const reference::Assignment a6 = load("a6-2021");
     auto scenes = by_name(a6, everything());
     EXPECT_EQ(scenes.size(), 16U);
-    EXPECT_EQ(most_hard_scenes(), 26U) << "as README says";
+    EXPECT_EQ(most_hard_scenes(), 26U) << "as manual/computed-or-printed.md says";
     const auto key = [&](const char* name) { return key_of(a6, scenes.at(name)); };
     EXPECT_EQ(key("sphere, grazed").decisions.sphere, "hit");
     EXPECT_EQ(key("sphere, just missed").decisions.sphere, "miss");
