@@ -31,7 +31,7 @@ std::string indented(const std::string& text) {
 Finding arithmetic() {
     const std::string trouble = reference::kernel::arithmetic_trouble();
     if (trouble.empty()) return {"arithmetic", Finding::Level::good, "known hard decisions come out right", ""};
-    return {"arithmetic", Finding::Level::bad, trouble, "build raygrade as README says"};
+    return {"arithmetic", Finding::Level::bad, trouble, "build raygrade as README.md says"};
 }
 
 int tell_findings() {

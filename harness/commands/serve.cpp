@@ -104,7 +104,7 @@ void announce(const ServeOptions& options, const Reach& reach, const serve::Abou
     if (!reach.loopback) {
         say("raygrade: warning: whoever reaches {} can use this page, and what they send and read goes over the "
             "network in plain text. For more than a quiet room put a proxy with a certificate before it and use "
-            "--behind-proxy; see README.\n",
+            "--behind-proxy; see manual/self-check-page.md.\n",
             options.host);
     }
     if (reach.behind_proxy) {
@@ -225,7 +225,7 @@ void add_options(CLI::App& command, ServeOptions& options) {
         "of what is shown.\n\n"
         "Examples: raygrade serve --assignment a6-2021                       a look at it: only on this machine\n"
         "          raygrade serve --host 192.168.1.20 --rate 200             a lab, in plain text\n"
-        "          raygrade serve --behind-proxy --name check.example.edu    behind nginx or Caddy, see README");
+        "          raygrade serve --behind-proxy --name check.example.edu    behind nginx, see manual/self-check-page.md");
 }
 
 }  // namespace

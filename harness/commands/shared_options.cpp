@@ -59,7 +59,7 @@ void add_runner(CLI::App& command, RunnerOptions& runner) {
         "costs no points and takes ten times as long");
     runner.cache = cache_folder();
     command.add_flag("--fresh", runner.fresh,
-                     "Ignore cached results: compile and run everything again; see README, What is kept");
+                     "Ignore cached results: compile and run everything again; see manual/how-it-works.md");
     command.add_flag("--unsafe", runner.unsafe,
                      "If no sandbox works, run strangers' programs with limits alone: they can read and change "
                      "whatever you can");
