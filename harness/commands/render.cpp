@@ -87,7 +87,9 @@ int render_scene(const RenderOptions& options) {
 
 void add_options(CLI::App& command, RenderOptions& options) {
     add_assignment(command, options.assignment);
-    command.add_option("--scene", options.scene, "A scene file instead: an assignment without questions, see manual/pictures.md")
+    command
+        .add_option("--scene", options.scene,
+                    "A scene file instead: an assignment without questions, see manual/pictures.md")
         ->type_name("FILE")
         ->excludes("--assignment");
     command.add_option("-o,--out", options.out, "The PNG file to write; an earlier picture there is replaced")

@@ -225,7 +225,8 @@ void add_options(CLI::App& command, ServeOptions& options) {
         "of what is shown.\n\n"
         "Examples: raygrade serve --assignment a6-2021                       a look at it: only on this machine\n"
         "          raygrade serve --host 192.168.1.20 --rate 200             a lab, in plain text\n"
-        "          raygrade serve --behind-proxy --name check.example.edu    behind nginx, see manual/self-check-page.md");
+        "          raygrade serve --behind-proxy --name check.example.edu    behind nginx, see "
+        "manual/self-check-page.md");
 }
 
 }  // namespace
