@@ -1,6 +1,7 @@
 // Man pages, in roff's man macros.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "harness/option_table/table.h"
