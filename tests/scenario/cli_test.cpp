@@ -50,7 +50,42 @@ TEST(CommandLine, NamesAnUnknownCommandAndSimilarCommands) {
     const Result result = raygrade({"grde", "submissions"});
     EXPECT_EQ(result.status, usage);
     EXPECT_THAT(result.voice, testing::AllOf(HasSubstr("grde: is no command"), HasSubstr("did you mean grade?")));
-    EXPECT_THAT(raygrade({"help"}).voice, HasSubstr("raygrade --help"));
+    EXPECT_THAT(raygrade({"elp"}).voice, HasSubstr("raygrade --help"));
+}
+
+TEST(CommandLine, HelpTellsOfACommandAsItsOwnHelpDoes) {
+    EXPECT_EQ(raygrade({"help", "grade"}).output, raygrade({"grade", "--help"}).output);
+    EXPECT_EQ(raygrade({"help", "assignment", "deal"}).output, raygrade({"assignment", "deal", "--help"}).output);
+}
+
+TEST(CommandLine, HelpListsItsTopics) {
+    const Result result = raygrade({"help"});
+    EXPECT_EQ(result.status, 0) << result.both();
+    for (const char* topic : {"  grade ", "  assignment ", "  limits "}) EXPECT_THAT(result.output, HasSubstr(topic));
+    for (const auto& page :
+         fs::exists(project_folder() / "harness/manual")
+             ? std::vector<fs::directory_entry>(fs::directory_iterator(project_folder() / "harness/manual"), {})
+             : std::vector<fs::directory_entry>{}) {
+        if (page.path().extension() != ".md") continue;
+        const std::string name = page.path().stem().string();
+        EXPECT_THAT(result.output, HasSubstr("  " + name + " "));
+        EXPECT_EQ(raygrade({"help", name}).status, 0) << name;
+    }
+}
+
+TEST(CommandLine, TheLimitsAreATopicAndInNoCommandsHelp) {
+    EXPECT_THAT(raygrade({"help", "limits"}).output, HasSubstr("  run.cpu_seconds           2  "));
+    for (const char* command : {"grade", "check", "serve", "stress"}) {
+        const std::string help = raygrade({command, "--help"}).output;
+        EXPECT_THAT(help, testing::AllOf(Not(HasSubstr("compile.stack_mib")), HasSubstr("raygrade help limits")))
+            << command;
+    }
+}
+
+TEST(CommandLine, HelpNamesTopicsLikeAnUnknownOne) {
+    const Result result = raygrade({"help", "limit"});
+    EXPECT_EQ(result.status, usage);
+    EXPECT_THAT(result.voice, HasSubstr("limit: is no topic; did you mean limits?"));
 }
 
 TEST(CommandLine, RefusesNoCommandAsAUsageError) {
