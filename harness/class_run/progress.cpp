@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <condition_variable>
+#include <csignal>
 #include <mutex>
 
 #include "harness/machine/say.h"
@@ -34,6 +36,38 @@ std::chrono::milliseconds pause_of(bool is_terminal) {
     return is_terminal ? 100ms : 10000ms;
 }
 
+// What the handler of Ctrl-C tells of. It may call only what is safe in a signal handler.
+const Timeline* interrupted_timeline = nullptr;
+std::size_t interrupted_total = 0;
+
+void write_to_stderr(std::string_view text) {
+    if (write(STDERR_FILENO, text.data(), text.size()) < 0) return;  // nobody is left to be told
+}
+
+void write_to_stderr(std::size_t number) {
+    char digits[20];
+    const char* end = std::to_chars(std::begin(digits), std::end(digits), number).ptr;
+    write_to_stderr({digits, static_cast<std::size_t>(end - digits)});
+}
+
+/// Whether the program was started so, as a shell does in the background; then Ctrl-C is for others.
+bool ignores_interrupts() {
+    struct sigaction now {};
+    return sigaction(SIGINT, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
+/// Ends the program as Ctrl-C would without it, so that a shell's loop ends too.
+void tell_and_end(int signal) {
+    if (isatty(STDERR_FILENO) == 1) write_to_stderr("\r\x1b[K");
+    write_to_stderr("stopped, ");
+    write_to_stderr(interrupted_timeline->finished);
+    write_to_stderr(" of ");
+    write_to_stderr(interrupted_total);
+    write_to_stderr(" done; the same command goes on\n");
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
 }  // namespace
 
 std::string progress_text(std::size_t finished, std::size_t total, std::chrono::duration<double> elapsed) {
@@ -61,10 +95,14 @@ std::string closing_line(const Timeline& timeline) {
 
 Progress::Progress(const Timeline& timeline, std::size_t total)
     : timeline_(timeline), total_(total), is_terminal_(isatty(STDERR_FILENO) == 1) {
+    interrupted_timeline = &timeline;
+    interrupted_total = total;
+    if (!ignores_interrupts()) std::signal(SIGINT, tell_and_end);
     teller_ = std::jthread([this](const std::stop_token& stop) { tell(stop); });
 }
 
 Progress::~Progress() {
+    if (!ignores_interrupts()) std::signal(SIGINT, SIG_DFL);
     teller_.request_stop();
     teller_.join();
     if (is_terminal_) say("\r\x1b[K");

@@ -8,7 +8,8 @@
 
 namespace harness {
 
-/// Shows progress on stderr until it is destroyed: a bar if stderr is a terminal, else a line every ten seconds.
+/// Shows progress on stderr until it is destroyed: a bar if stderr is a terminal, else a line every ten seconds. While
+/// it lives, Ctrl-C says how far the class came before it ends the program. There is one at a time.
 class Progress {
   public:
     Progress(const Timeline& timeline, std::size_t total);

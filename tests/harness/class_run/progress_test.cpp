@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <csignal>
+
 #include "harness/run/timeline.h"
 
 namespace {
@@ -23,6 +25,27 @@ TEST(ProgressText, OmitsTheRateBeforeTheFirstAndTheTimeLeftAfterTheLast) {
     EXPECT_EQ(progress_text(100, 100, 50s), "100 of 100, 2.0 a second");
     EXPECT_EQ(progress_text(0, 0, 0s), "0 of 0");
     EXPECT_EQ(progress_text(3, 5, 0s), "3 of 5");
+}
+
+TEST(Progress, SaysAtCtrlCHowFarTheClassCameAndEndsTheProgram) {
+    const auto interrupt = [] {
+        Timeline timeline;
+        const harness::Progress progress(timeline, 30);
+        timeline.finished = 6;
+        std::raise(SIGINT);
+    };
+    EXPECT_EXIT(interrupt(), testing::KilledBySignal(SIGINT), "stopped, 6 of 30 done; the same command goes on");
+}
+
+TEST(Progress, GoesOnWhereCtrlCIsIgnored) {
+    std::signal(SIGINT, SIG_IGN);
+    {
+        Timeline timeline;
+        const harness::Progress progress(timeline, 30);
+        std::raise(SIGINT);
+    }
+    std::raise(SIGINT);
+    EXPECT_EQ(std::signal(SIGINT, SIG_DFL), SIG_IGN);
 }
 
 TEST(ShareText, GivesTheTimeLeftOnceWorkIsDone) {
