@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <optional>
 
 #include "harness/batch/batch.h"
 #include "harness/batch/own_scene_score.h"
@@ -44,6 +45,7 @@ struct GradeOptions {
     fs::path junit = {};  ///< where to write JUnit XML; empty for nowhere
     scenes::OtherScenesOptions other_scenes{};
     bool stress = false;  ///< also run on the hard scenes
+    bool quiet = false;   ///< no progress, no table
 };
 
 /// Throws UsageError before a class is graded rather than after.
@@ -100,14 +102,15 @@ std::vector<Graded> grade_submissions(Inputs& inputs, ClassRun& run, const Grade
     Timeline timeline;
     std::vector<Graded> graded;
     {
-        const Progress progress(timeline, inputs.submissions.size());
+        std::optional<Progress> progress;
+        if (!options.quiet) progress.emplace(timeline, inputs.submissions.size());
         graded = grade_all(std::move(inputs.submissions), run.marking, run.runner, options.jobs, timeline);
     }
-    say("{}\n", closing_line(timeline));
+    if (!options.quiet) say("{}\n", closing_line(timeline));
     tell_problems(run.runner);
     if (!options.trace.empty()) write_file(options.trace, timeline.chrome_trace());
     run_on_more_scenes(graded, inputs.sources, run,
-                       {options.other_scenes, options.stress, options.jobs, /*shows_progress=*/true});
+                       {options.other_scenes, options.stress, options.jobs, /*shows_progress=*/!options.quiet});
     return graded;
 }
 
@@ -141,7 +144,8 @@ struct Grading {
 };
 
 void show(const Grading& grading, const ResultsSession& session, const Inputs& inputs, const GradeOptions& options) {
-    if (session.writes || session.of_an_older_raygrade) fmt::print("{}", report::class_table(grading.graded));
+    if ((session.writes || session.of_an_older_raygrade) && !options.quiet)
+        fmt::print("{}", report::class_table(grading.graded));
     tell_changes(session, grading.comparison, inputs.file, grading.results.marking, options.out);
     std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
     tell_notes(grading.graded);
@@ -261,6 +265,9 @@ void add_options(CLI::App& command, GradeOptions& options) {
         "--stress", options.stress,
         "Also run each program on the hard scenes of `raygrade stress` and put what it loses there "
         "into the feedback; costs no points, and some fifteen runs of each program, ten more with a cylinder");
+    command.add_flag("-q,--quiet", options.quiet,
+                     "Print no progress and no table: only what needs a person, what a regrade changes, and where the "
+                     "results are");
     add_runner(command, options.runner);
     command.footer("Example: raygrade grade submissions/ --assignment a6-2021 --out results -j 4");
 }
