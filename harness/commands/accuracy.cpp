@@ -40,10 +40,11 @@ reference::accuracy::Measurement measure(const AccuracyOptions& options) {
     }
 }
 
-std::string in_format(const report::AccuracyFindings& findings, const std::string& format) {
-    if (format == "json") return report::accuracy_json(findings);
-    if (format == "csv") return report::accuracy_csv(findings.measured.value());
-    return report::accuracy_text(findings);
+std::string printed(const report::AccuracyFindings& findings, const AccuracyOptions& options) {
+    if (options.format == "json") return report::accuracy_json(findings);
+    if (options.format == "csv") return report::accuracy_csv(findings.measured.value());
+    // The page shows every distribution.
+    return report::accuracy_text(findings, options.out.empty() ? report::Extent::all : report::Extent::summary);
 }
 
 void write_results(const report::AccuracyFindings& findings, const fs::path& out) {
@@ -76,7 +77,7 @@ int show_accuracy(const AccuracyOptions& options) {
     if (!options.out.empty()) prepare_folder(options.out, options.force);
     if (assignment) findings.assignment = reference::accuracy::assignment_accuracy(*assignment);
     if (measures) findings.measured = measure(options);
-    fmt::print("{}", in_format(findings, options.format));
+    fmt::print("{}", printed(findings, options));
     std::fflush(stdout);  // shows the result of a minute's work before anything can go wrong with the files
     if (options.out.empty()) return all_graded;
     write_results(findings, options.out);
@@ -107,8 +108,9 @@ void add_options(CLI::App& command, AccuracyOptions& options) {
         ->type_name("DIR");
     command.add_flag("--force", options.force, "Replace the results of an earlier run in the output folder");
     command
-        .add_option("-f,--format", options.format,
-                    "What to print: a table to read, everything as JSON, or the rows as CSV")
+        .add_option(
+            "-f,--format", options.format,
+            "What to print: tables to read, of which --out leaves the summary; everything as JSON; or the rows as CSV")
         ->check(CLI::IsMember({"text", "json", "csv"}))
         ->capture_default_str();
     command.footer(

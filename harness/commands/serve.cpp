@@ -224,9 +224,9 @@ void add_options(CLI::App& command, ServeOptions& options) {
         "part "
         "of what is shown.\n\n"
         "Examples: raygrade serve --assignment a6-2021                       a look at it: only on this machine\n"
-        "          raygrade serve --host 192.168.1.20 --rate 200             a lab, in plain text\n"
+        "          raygrade serve --host 192.168.1.20 --rate 200             a lab network, over unencrypted HTTP\n"
         "          raygrade serve --behind-proxy --name check.example.edu    behind nginx, see "
-        "manual/self-check-page.md");
+        "`raygrade help self-check-page`");
 }
 
 }  // namespace

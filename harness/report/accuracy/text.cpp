@@ -92,7 +92,7 @@ std::string price_table(const std::vector<Price>& all) {
     return text + "\n";
 }
 
-std::string measured_text(const Measurement& measured) {
+std::string measured_text(const Measurement& measured, Extent extent) {
     std::string text = fmt::format("seed {}, {} rays of each distribution, {} interleaved repetitions{}\n{}, {}\n",
                                    measured.seed, measured.rays, measured.repetitions,
                                    measured.processor.empty() ? "" : ", " + escape_control(measured.processor),
@@ -100,18 +100,19 @@ std::string measured_text(const Measurement& measured) {
     text += price_table(prices(measured));
     text += "* no method measured here is at once faster and less often wrong; `t off`: mean error of right hits\n\n";
     for (const PrimitiveSummary& summary : summarise(measured)) text += summary_table(summary);
-    for (const Panel& panel : panels_of(measured)) text += panel_table(panel);
+    if (extent == Extent::all)
+        for (const Panel& panel : panels_of(measured)) text += panel_table(panel);
     text.pop_back();
     return text;
 }
 
 }  // namespace
 
-std::string accuracy_text(const AccuracyFindings& findings) {
+std::string accuracy_text(const AccuracyFindings& findings, Extent extent) {
     std::string text;
     if (findings.assignment) text += assignment_text(*findings.assignment);
     if (findings.assignment && findings.measured) text += "\n";
-    if (findings.measured) text += measured_text(*findings.measured);
+    if (findings.measured) text += measured_text(*findings.measured, extent);
     return text;
 }
 
