@@ -40,6 +40,15 @@ TEST(Accuracy, WritesPagePictureAndFigures) {
     EXPECT_THAT(result.voice, HasSubstr("accuracy.html"));
 }
 
+TEST(Accuracy, PrintsItsSummaryAloneWhereThePageShowsTheRest) {
+    const TemporaryFolder folder;
+    const std::string summary = accuracy({"--out", (folder / "out").string()}).output;
+    const std::string all = accuracy({}).output;
+    EXPECT_THAT(summary, HasSubstr("Ray and sphere"));
+    EXPECT_THAT(all, HasSubstr("mean ULP")) << "the head of a distribution's table";
+    EXPECT_THAT(summary, Not(HasSubstr("mean ULP")));
+}
+
 TEST(Accuracy, ReplacesItsEarlierResultsOnlyWithForce) {
     const TemporaryFolder folder;
     write(folder / "out/accuracy.json", "earlier");

@@ -211,6 +211,15 @@ TEST(Grade, WritesTheTableToStdoutAndMessagesToStderr) {
     EXPECT_THAT(result.both(), Not(HasSubstr("\x1b["))) << "no colours and no progress bar into a file";
 }
 
+TEST(Grade, QuietlySaysOnlyWhereTheResultsAre) {
+    const TemporaryFolder folder;
+    const std::string out = (folder / "out").string();
+    const Result result = raygrade({"grade", sample("ada").string(), "--quiet", "--out", out});
+    EXPECT_EQ(result.status, 0) << result.both();
+    EXPECT_THAT(result.output, testing::StartsWith("\nresults: " + out));
+    EXPECT_EQ(result.voice, "");
+}
+
 TEST(Grade, WritesTheThreeKindsOfResults) {
     const TemporaryFolder folder;
     const Result result = raygrade({"grade", sample("elena").string(), "--out", (folder / "out").string()});
