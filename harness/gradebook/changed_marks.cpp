@@ -152,7 +152,7 @@ void add(ClassChanges& changes, MarkChange change) {
 
 std::string assignment_change(const AssignmentText& before, const AssignmentText& after, const Marking& marking) {
     if (after.name != before.name) {
-        return fmt::format("The assignment is another one: {} now, {} before.", after.name, before.name);
+        return fmt::format("The assignment changed from {} to {}.", before.name, after.name);
     }
     if (after.toml == before.toml) return "";
     const std::string text = fmt::format("The file of the assignment {} has changed", after.name);

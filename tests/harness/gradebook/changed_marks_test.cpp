@@ -186,7 +186,7 @@ TEST(AssignmentChange, SaysWhetherTheKeyChanged) {
     std::string moved = then;
     moved.replace(moved.find("radius = 2"), 10, "radius = 3");
     EXPECT_THAT(change(moved), HasSubstr("and with it the key"));
-    EXPECT_THAT(change(then, "b7"), HasSubstr("b7 now, a6 before"));
+    EXPECT_THAT(change(then, "b7"), HasSubstr("changed from a6 to b7"));
 }
 
 }  // namespace
