@@ -83,9 +83,9 @@ TEST(CommandLine, TheLimitsAreATopicAndInNoCommandsHelp) {
 }
 
 TEST(CommandLine, HelpNamesTopicsLikeAnUnknownOne) {
-    const Result result = raygrade({"help", "limit"});
+    const Result result = raygrade({"help", "limts"});
     EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, HasSubstr("limit: is no topic; did you mean limits?"));
+    EXPECT_THAT(result.voice, HasSubstr("limts: is no topic; did you mean limits?"));
 }
 
 TEST(CommandLine, RefusesNoCommandAsAUsageError) {
