@@ -187,6 +187,7 @@ std::string page(const Command& command, const Command& program, const std::stri
     if (const std::string word = "Exit status: "; exit_status.starts_with(word)) exit_status.erase(0, word.size());
     return ".\\\" Generated from the program's options.\n" +
            fmt::format(".TH {} 1 \"\" \"{}\" \"User Commands\"\n", roff(upper(name)), roff(version)) +
+           ".ad l\n" +  // not justified: a long list of choices has no place to stretch
            fmt::format(".SH NAME\n{} \\- {}\n", roff(name), roff(about)) + ".SH SYNOPSIS\n" + synopsis(command) + "\n" +
            ".SH DESCRIPTION\n" + paragraphs(as_sentence(about) + "\n\n" + footer.text) + commands_section(command) +
            options_section(command) + ".SH EXIT STATUS\n" + paragraphs(exit_status) +
