@@ -24,8 +24,16 @@ PrintedNumber printed_number(std::string_view text) {
 }
 
 MatchedItem printed_item(const reference::ItemId& id, std::string_view text, MatrixOrder order) {
+    const auto items = reference::default_items();
+    const auto spec = std::ranges::find(items, id, &reference::ItemSpec::id);
     const reference::Item& asked = reference::item_of(id);
-    MatchedItem item{{1, id.name, asked.shape, asked.label, id}, PrintedValue{}, order, {}, false, {}};
+    const bool of_2021 = spec != items.end();
+    MatchedItem item{of_2021 ? *spec : reference::ItemSpec{1, id.name, asked.shape, asked.label, id},
+                     PrintedValue{},
+                     order,
+                     {},
+                     false,
+                     {}};
     item.value->numbers = numbers_in(text);
     item.value->printed = std::string(text);
     item.value->line = 1;

@@ -13,6 +13,7 @@
 harness::PrintedNumber printed_number(std::string_view text);
 
 /// The item with the numbers in `text` as its printed value. A text without numbers, such as "none", gives no numbers.
+/// Its question is that of 2021; 1 for an item that 2021 did not ask for.
 harness::MatchedItem printed_item(const reference::ItemId& id, std::string_view text,
                                   harness::MatrixOrder order = harness::MatrixOrder::unsaid);
 
