@@ -1,0 +1,33 @@
+// Writes a zip, entry by entry.
+#pragma once
+
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct archive;
+
+namespace harness {
+
+/// The same entries give the same bytes at any time and on any machine: entries have no time of their own.
+class ZipWriter {
+  public:
+    enum class Mode { plain, executable };
+
+    /// Writes to `out`, which must outlive this. Names are UTF-8. Throws HarnessError.
+    explicit ZipWriter(std::ostream& out);
+
+    /// Adds a file under the relative path `path`. Throws HarnessError.
+    void add(const std::string& path, std::string_view bytes, Mode mode = Mode::plain);
+
+    /// Writes the zip's directory, without which it is no zip. Throws HarnessError.
+    void close();
+
+  private:
+    void check(int result);
+
+    std::unique_ptr<archive, int (*)(archive*)> writer_;
+};
+
+}  // namespace harness
