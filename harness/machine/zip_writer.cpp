@@ -6,7 +6,6 @@
 #include <ostream>
 
 #include "harness/machine/errors.h"
-#include "harness/text/utf8_locale.h"
 
 namespace harness {
 
@@ -24,7 +23,6 @@ ZipWriter::ZipWriter(std::ostream& out) : writer_(archive_write_new(), archive_w
 }
 
 void ZipWriter::add(const std::string& path, std::string_view bytes, Mode mode) {
-    const Utf8Names names;
     const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(archive_entry_new(), archive_entry_free);
     archive_entry_set_pathname(entry.get(), path.c_str());
     archive_entry_set_filetype(entry.get(), AE_IFREG);
@@ -37,7 +35,6 @@ void ZipWriter::add(const std::string& path, std::string_view bytes, Mode mode) 
 }
 
 void ZipWriter::close() {
-    const Utf8Names names;
     check(archive_write_close(writer_.get()));
 }
 

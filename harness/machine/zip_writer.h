@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "harness/text/utf8_locale.h"
+
 struct archive;
 
 namespace harness {
@@ -15,7 +17,8 @@ class ZipWriter {
   public:
     enum class Mode { plain, executable };
 
-    /// Writes to `out`, which must outlive this. Names are UTF-8. Throws HarnessError.
+    /// Writes to `out`, which must outlive this. Names are UTF-8, and this thread's characters too while this lives.
+    /// Throws HarnessError.
     explicit ZipWriter(std::ostream& out);
 
     /// Adds a file under the relative path `path`. Throws HarnessError.
@@ -27,6 +30,7 @@ class ZipWriter {
   private:
     void check(int result);
 
+    Utf8Names names_;
     std::unique_ptr<archive, int (*)(archive*)> writer_;
 };
 
