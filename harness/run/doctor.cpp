@@ -215,6 +215,9 @@ std::string way_to_namespaces(const std::string& failure, const NamespaceSetting
     const std::string container =
         "docker run --security-opt seccomp=unconfined --security-opt systempaths=unconfined --security-opt "
         "apparmor=unconfined";
+    if (failure.find("Unknown option") != std::string::npos) {
+        return "This bubblewrap is too old: 0.8 or newer is needed, as in Debian 12 and Ubuntu 24.04.";
+    }
     if (failure.find("mount proc") != std::string::npos) {
         return "Parts of /proc are covered here, as in containers, so no sandbox can mount its own. In Docker: " +
                container + ".";

@@ -53,6 +53,8 @@ TEST(WayToNamespaces, NamesWhatForbidsThem) {
     EXPECT_THAT(
         way_to_namespaces("bwrap: Can't mount proc on /newroot/proc: Operation not permitted", {"1", "0", "0", true}),
         testing::AllOf(StartsWith("Parts of /proc are covered"), HasSubstr("systempaths=unconfined")));
+    EXPECT_THAT(way_to_namespaces("bwrap: Unknown option --disable-userns", {"1", "0", "0", true}),
+                StartsWith("This bubblewrap is too old"));
     EXPECT_THAT(way_to_namespaces(refused, {"1", "1", "9000", false}),
                 HasSubstr("sysctl -w kernel.apparmor_restrict_unprivileged_userns=0"));
     EXPECT_EQ(way_to_namespaces(refused, {"0", "0", "9000", true}), "sysctl -w kernel.unprivileged_userns_clone=1");
