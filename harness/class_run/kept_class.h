@@ -12,9 +12,10 @@ namespace harness {
 
 struct KeptClass {
     Run run;
-    std::vector<Graded> graded;  ///< with overrides and rereads, without printouts
+    std::vector<Graded> graded;  ///< with overrides, rereads and decisions, without printouts
     std::vector<KeptOverride> overrides;
     std::vector<KeptReread> rereads;
+    std::vector<KeptDecision> decisions;
 };
 
 /// Throws UsageError if the folder holds no gradebook.

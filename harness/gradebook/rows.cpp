@@ -183,9 +183,9 @@ void write_audit(SQLite::Database& database, const Author& author, const std::st
 void rename_submissions(SQLite::Database& database, const std::map<std::string, std::string>& new_ids,
                         const Author& author) {
     const auto rename = [&](const std::string& from, const std::string& to) {
-        for (const char* table :
-             {"submissions SET id", "items SET submission", "history SET submission", "overrides SET submission",
-              "rereads SET submission", "printouts SET submission", "numbers SET submission"}) {
+        for (const char* table : {"submissions SET id", "items SET submission", "history SET submission",
+                                  "overrides SET submission", "rereads SET submission", "printouts SET submission",
+                                  "numbers SET submission", "decisions SET submission"}) {
             const bool by_id = std::string_view(table).ends_with(" id");
             Statement update(
                 database, fmt::format("UPDATE OR REPLACE {} = ?1 WHERE {} = ?2", table, by_id ? "id" : "submission"));

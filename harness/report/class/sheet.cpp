@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
 #include "harness/grade/override_place.h"
 #include "harness/report/class/statistics.h"
@@ -54,7 +55,7 @@ PageData chips_of(const Graded& graded) {
         chips.push_back(chip);
     };
     std::set<std::string> kinds;
-    for (const Flag& flag : graded.flags) kinds.insert(flag.kind);
+    for (const Flag& flag : open_flags(graded)) kinds.insert(flag.kind);
     for (std::string kind : kinds) {
         std::replace(kind.begin(), kind.end(), '_', ' ');
         add(kind, "wrong");
@@ -101,6 +102,12 @@ std::string override_text(const Graded& graded, const Override& each) {
                        each.by, each.when, each.why, why_not);
 }
 
+std::string decision_text(const Decision& each) {
+    const std::string about = each.about.empty() ? "" : fmt::format(" ({})", each.about);
+    return fmt::format("{}{}, by {}, {}: {}", each.kind == Decision::Kind::comment ? "Comment" : "Reviewed", about,
+                       each.by, each.when, each.text);
+}
+
 PageData changes_of(const Graded& graded, const std::optional<FinalMark>& mark) {
     PageData changes(PageData::type::list);
     const auto add = [&](const std::string& text) {
@@ -117,6 +124,7 @@ PageData changes_of(const Graded& graded, const std::optional<FinalMark>& mark) 
         add(fmt::format("Marked automatically: {} of {} points.", points_text(graded.score.points),
                         points_text(graded.score.max_points)));
     if (graded.score.follow_cap && marked) add(cap_sentence(*graded.score.follow_cap));
+    for (const Decision& each : graded.decisions) add(decision_text(each));
     return changes;
 }
 

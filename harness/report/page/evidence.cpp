@@ -1,5 +1,6 @@
 #include "harness/report/page/evidence.h"
 
+#include "harness/grade/concerns.h"
 #include "harness/grade/hard_scenes_sentences.h"
 #include "harness/grade/other_scenes_sentences.h"
 #include "harness/report/page/templates.h"
@@ -45,18 +46,19 @@ std::string Evidence::compiler(const Graded& graded) {
 
 std::string Evidence::others(const Graded& graded) {
     const std::vector<std::string>& notes = graded.submission.notes;
-    const bool none = graded.flags.empty() && graded.sanitizer.empty() && notes.empty() && graded.run.errors.empty();
+    const std::vector<Flag> open = open_flags(graded);
+    const bool none = open.empty() && graded.sanitizer.empty() && notes.empty() && graded.run.errors.empty();
     if (none && !graded.other_scenes && !graded.hard_scenes) return "";
     PageData data;
     data["level"] = heading_;
     PageData flags(PageData::type::list);
-    for (const Flag& flag : graded.flags) {
+    for (const Flag& flag : open) {
         PageData one;
         one["flag"] = flag_title(flag);
         one["proof"] = beginning_of(flag.evidence, most_bytes_);
         flags.push_back(one);
     }
-    data["has_flags"] = !graded.flags.empty();
+    data["has_flags"] = !open.empty();
     data["flags"] = std::move(flags);
     data["has_findings"] = !graded.sanitizer.empty();
     data["findings"] = list_of(graded.sanitizer, most_bytes_);

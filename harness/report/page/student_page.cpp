@@ -63,6 +63,7 @@ PageData list_of_changes(const Graded& graded, const std::optional<FinalMark>& m
                         given.why));
     }
     for (const std::string& sentence : reread_sentences(graded.score)) add(sentence);
+    for (const Comment& comment : comments_on(graded)) add(comment.head + ": " + comment.text);
     if (mark && mark->late_deduction > 0)
         add(fmt::format("Handed in late: {} points are taken off.", points_text(mark->late_deduction)));
     return list;
