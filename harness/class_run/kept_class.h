@@ -12,7 +12,7 @@ namespace harness {
 
 struct KeptClass {
     Run run;
-    std::vector<Graded> graded;  ///< with overrides and rereads, without printouts
+    std::vector<Graded> graded;  ///< with overrides, rereads, printouts and sources
     std::vector<KeptOverride> overrides;
     std::vector<KeptReread> rereads;
 };
