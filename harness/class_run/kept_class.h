@@ -12,7 +12,7 @@ namespace harness {
 
 struct KeptClass {
     Run run;
-    std::vector<Graded> graded;  ///< with overrides, rereads and decisions, without printouts
+    std::vector<Graded> graded;  ///< with overrides, rereads, decisions, printouts and sources
     std::vector<KeptOverride> overrides;
     std::vector<KeptReread> rereads;
     std::vector<KeptDecision> decisions;

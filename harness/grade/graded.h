@@ -31,6 +31,10 @@ enum class Outcome {
 /// The name in reports and in grades.json.
 std::string_view to_string(Outcome outcome);
 
+/// Longer printouts and sources are not kept: they can't be shown, and such a printout can't be reread.
+inline constexpr std::size_t longest_kept_printout = std::size_t{64} << 10U;
+inline constexpr std::size_t longest_kept_source = std::size_t{64} << 10U;
+
 /// "SIGSEGV", or "signal 40" for a signal without a name.
 std::string signal_name(int signal);
 
@@ -87,14 +91,14 @@ struct KeptDecision {
 };
 
 struct Graded {
-    Submission submission;
+    Submission submission;  ///< with its source, if that is not too long; the record is without
     Outcome outcome = Outcome::not_graded;
     bool our_fault = false;   ///< raygrade failed, not the machine: not graded, or a note says what is missing
     std::string explanation;  ///< a sentence about the first stage that went wrong; empty if none did
     Tier tier = Tier::bwrap;  ///< what its programs ran under
     Build build;
     ProcessResult run;     ///< without the output, which was already read
-    std::string printout;  ///< for rereads: what it printed, if that is not too long; not in the record
+    std::string printout;  ///< what it printed, if that is not too long; not in the record
     std::vector<Flag> flags;
     std::vector<std::string> sanitizer;                     ///< what a sanitizer build found; costs no points
     std::optional<scenes::OtherScenesReport> other_scenes;  ///< with --variants; empty if not tried

@@ -93,6 +93,9 @@ constexpr const char* later_tables = R"(
     CREATE TABLE IF NOT EXISTS printouts (  -- of the submissions as they are now, as printed
         submission TEXT PRIMARY KEY,
         output BLOB NOT NULL);
+    CREATE TABLE IF NOT EXISTS sources (    -- of the submissions as they are now, as handed in
+        submission TEXT PRIMARY KEY,
+        source BLOB NOT NULL);
     CREATE TABLE IF NOT EXISTS rereads (    -- those in force, whether or not they count for the printout there is now
         submission TEXT NOT NULL,
         question INTEGER NOT NULL,
@@ -133,6 +136,7 @@ constexpr const char* probes[] = {
     "SELECT name, choice, content FROM inputs",
     "SELECT entry FROM reports",
     "SELECT submission, output FROM printouts",
+    "SELECT submission, source FROM sources",
     "SELECT submission, question, item, lines, layout, why, who, at FROM rereads",
     "SELECT submission, lms_id FROM numbers",
     "SELECT decision, submission, kind, about, seen, text, who, at, before, undone_at, undone_by FROM decisions",

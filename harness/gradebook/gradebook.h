@@ -79,7 +79,7 @@ class Gradebook {
 
     /// All overrides, the oldest first.
     std::vector<KeptOverride> overrides() const;
-    /// The class in the order in which it was saved, without overrides.
+    /// The class in the order in which it was saved, with printouts and sources and without overrides.
     std::vector<Graded> restore() const;
     std::optional<KeptInput> input(const std::string& name) const;
 
