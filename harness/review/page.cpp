@@ -1,6 +1,7 @@
 #include "harness/review/page.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -45,17 +46,30 @@ std::string notice_html(const std::optional<Notice>& notice, const std::string& 
     return PageTemplate(templates::notice_mustache).fill_in(data);
 }
 
-/// The first item that needs a look: a doubtful one, else one that is not right; empty if all are right.
-const ItemScore* first_to_look_at(const Graded& one) {
-    const ItemScore* wrong = nullptr;
+/// How much a doubt says about its own item: the right value elsewhere says most.
+int vagueness(const ItemScore& item) {
+    if (!item.doubt) return item.verdict == ItemVerdict::right || item.verdict == ItemVerdict::follow ? 6 : 5;
+    switch (item.doubt->why) {
+        case Doubt::Why::right_elsewhere: return 0;
+        case Doubt::Why::printed_again: return 1;
+        case Doubt::Why::words_left: return 2;
+        case Doubt::Why::numbers_left: return 3;
+        case Doubt::Why::little_read: return 4;
+    }
+    return 4;
+}
+
+/// The item that a decision is most likely about: the most doubtful one, else one that is not right. Null if all are
+/// right.
+const ItemScore* item_to_look_at(const Graded& one) {
+    constexpr int right = 6;
+    const ItemScore* found = nullptr;
     for (const QuestionScore& question : one.score.questions) {
         for (const ItemScore& item : question.items) {
-            if (item.doubt) return &item;
-            if (wrong == nullptr && item.verdict != ItemVerdict::right && item.verdict != ItemVerdict::follow)
-                wrong = &item;
+            if (vagueness(item) < (found == nullptr ? right : vagueness(*found))) found = &item;
         }
     }
-    return wrong;
+    return found;
 }
 
 std::string item_name(const ItemScore& item) {
@@ -169,10 +183,18 @@ PageData questions_of(const Graded& one, const std::map<reference::ItemId, std::
 /// What was read from each line, and where a doubtful item may stand.
 report::LineNotes notes_of_printout(const Graded& one) {
     report::LineNotes notes = report::notes_of_answers(one.score);
+    std::map<int, std::vector<std::string>> doubtful;
     for (const QuestionScore& question : one.score.questions) {
         for (const ItemScore& item : question.items) {
-            if (item.doubt && item.doubt->line > 0)
-                notes[item.doubt->line].push_back({"is this " + item_name(item) + "?", "warning"});
+            if (item.doubt && item.doubt->line > 0) doubtful[item.doubt->line].push_back(item_name(item));
+        }
+    }
+    constexpr std::size_t most = 3;
+    for (const auto& [line, items] : doubtful) {
+        if (items.size() <= most) {
+            notes[line].push_back({fmt::format("is this {}?", fmt::join(items, ", ")), "warning"});
+        } else {
+            notes[line].push_back({fmt::format("is this one of {} answers?", items.size()), "warning"});
         }
     }
     return notes;
@@ -409,7 +431,7 @@ std::string Pages::student(std::size_t place, const std::optional<Notice>& notic
                                         : "The gradebook has no source: it is too long, or was graded by an older "
                                           "raygrade. Grading again with --apply keeps it.");
 
-    const ItemScore* item = first_to_look_at(one);
+    const ItemScore* item = item_to_look_at(one);
     const std::string default_item = item == nullptr ? "" : item_name(*item);
     const auto chosen = [&](Kind kind, const std::string& otherwise) {
         return tried && tried->kind == kind ? tried->about : otherwise;

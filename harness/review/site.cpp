@@ -74,6 +74,7 @@ Wish wish_in(const FormFields& form) {
     wish.about = form.value("about");
     wish.points = form.value("points");
     wish.text = form.value("text");
+    std::erase(wish.text, '\r');  // browsers end the lines of a text in CR LF
     wish.accepts_concerns = form.has("accepts");
     const std::string lines = form.value("lines");
     if (wish.kind == Kind::reading && !form.has("none")) {
@@ -256,8 +257,9 @@ Response Site::undo_one(const FormFields& form) {
     const std::string back = form.value("back");
     std::optional<std::size_t> place;
     if (!back.empty()) {
-        const std::string first = undone.submissions.empty() ? back : undone.submissions.front();
-        place = place_in(session_.kept(), first);
+        const bool is_here =
+            std::find(undone.submissions.begin(), undone.submissions.end(), back) != undone.submissions.end();
+        place = place_in(session_.kept(), is_here || undone.submissions.empty() ? back : undone.submissions.back());
     }
     const Notice notice{sentence, false, std::nullopt};
     return page(200, place ? pages_.student(*place, notice) : pages_.list(notice));
