@@ -158,8 +158,10 @@ PageData items_of(const Graded& one, const QuestionScore& question,
         if (each.line != 0) item["item_line"] = std::to_string(each.line);
         const auto right = asked.find(each.spec.id);
         if (each.verdict != ItemVerdict::right && right != asked.end()) item["item_asked"] = right->second;
-        if (each.verdict != ItemVerdict::right || !each.accepted_as.empty())
-            set_text(item, "item_sentence", report::item_sentence(each, one.outcome));
+        // Of the other verdicts the word says all, and the student reads how to print what is missing.
+        const bool needs_words = each.verdict == ItemVerdict::wrong || each.verdict == ItemVerdict::unreadable ||
+                                 !each.advice.empty() || !each.accepted_as.empty() || !each.reread.empty();
+        if (needs_words) set_text(item, "item_sentence", report::item_sentence(each, one.outcome));
         items.push_back(item);
     }
     return items;

@@ -94,8 +94,9 @@ report::LineNotes printing_lines(std::string_view source, std::string_view print
         const std::set<int> printing = lines_that_print(lines[static_cast<std::size_t>(number) - 1], literals);
         for (const report::ReadAnswer& answer : answers) {
             if (!answer.begins) continue;
+            const std::string prints = printing.size() == 1 ? "prints " : "may print ";
             for (const int line : printing)
-                notes[line].push_back({"prints " + answer.item, std::string(to_string(answer.verdict))});
+                notes[line].push_back({prints + answer.item, std::string(to_string(answer.verdict))});
         }
     }
     return notes;

@@ -52,6 +52,14 @@ document.addEventListener('DOMContentLoaded', () => {
     }));
     show(true);
   }
+  // The source shows the line that prints the chosen item.
+  const about = document.querySelector('.decide select[name="about"]');
+  const printing = about && [...document.querySelectorAll('.listing .verdict')]
+    .find((note) => /^(may print|prints) /.test(note.textContent) && note.textContent.endsWith(' ' + about.value));
+  if (printing) {
+    const row = printing.parentElement;
+    row.parentElement.scrollTop = row.offsetTop - row.parentElement.clientHeight / 3;
+  }
   // An item of the table is the one that the forms are about.
   document.querySelectorAll('[data-item]').forEach((row) => row.addEventListener('click', (event) => {
     if (event.target.closest('a')) return;
