@@ -390,14 +390,25 @@ TEST_F(Review, AnswersOnlyWhoKnowsTheSecretAndIsHere) {
 
 TEST_F(Review, ShowsHostileTextAsText) {
     const std::string attack = "</span></pre><script>alert(1)</script><b title='";
-    write(student("ada"), "#include <cstdio>\n// " + attack + "\nint main() { puts(\"Question 5:\\nV: " + attack +
-                              " 1 2 3\\nQuestion 6:\\na: 1\\nQuestion 5:\\nV: 0 0 -1\"); }\n");
+    const std::string program = "#include <cstdio>\n// " + attack + "\nint main() { puts(\"Question 5:\\nV: " + attack +
+                                " 1 2 3\\nQuestion 6:\\na: 1\\nQuestion 5:\\nV: 0 0 -1\"); }\n";
+    write(student("ada"), program);
+    write(student("ben"), program);
+    fs::create_directories(folder / "class/<b title='x'>");  // not graded, for a reason that names it
     grade();
-    for (const std::string& shown : {page(1), list(), give(page(1), "5.V", attack, attack).body,
-                                     decide(page(1), {{"kind", "comment"}, {"text", attack}, {"for", "alike"}}).body}) {
+    const std::vector<std::string> pages{
+        list(),
+        page(1),
+        page(2),
+        give(page(2), "5.V", attack, attack).body,
+        decide(page(2), {{"kind", "comment"}, {"text", attack}, {"for", "alike"}}).body,
+        decide(page(2), {{"kind", "accepted"}, {"about", "reading_doubtful"}, {"for", "alike"}}).body};
+    for (const std::string& shown : pages)
         EXPECT_THAT(shown, AllOf(Not(HasSubstr("<script>alert")), Not(HasSubstr("<b title"))));
-    }
-    EXPECT_THAT(page(1), HasSubstr("&lt;script&gt;alert(1)"));
+    EXPECT_THAT(pages[0], HasSubstr("&lt;b title=&#39;x&#39;&gt;"));
+    EXPECT_THAT(pages[2], HasSubstr("&lt;script&gt;alert(1)"));
+    EXPECT_THAT(pages[4], AllOf(HasSubstr("For whom?"), HasSubstr("&lt;script&gt;alert(1)")));
+    EXPECT_THAT(pages[5], HasSubstr("For whom?"));
 }
 
 TEST(ReviewCommand, NeedsResults) {

@@ -48,8 +48,16 @@ TEST(PrintingLines, AreNoneWhereTheTextsAreSomewhereElse) {
 }
 
 TEST(PrintingLines, OfAMatrixAreThoseOfItsFirstLine) {
-    EXPECT_EQ(notes_of("puts(\"M_VCS_to_WCS:\");\n", "Question 3:\nM_VCS_to_WCS: 1 0 0 0\n0 1 0 0\n0 0 1 4\n0 0 0 1\n"),
-              (Notes{{1, {"prints 3.M_VCS_to_WCS"}}}));
+    const std::string output = "first row 1 0\nsecond row 0 1\n";
+    Score score;
+    score.questions.resize(1);
+    score.questions[0].number = 3;
+    ItemScore& item = score.questions[0].items.emplace_back();
+    item.spec.name = "M";
+    item.line = 1;
+    item.last_line = 2;
+    EXPECT_EQ(texts(printing_lines("puts(\"second row \");\nputs(\"first row \");\n", output, score)),
+              (Notes{{2, {"prints 3.M"}}}));
 }
 
 }  // namespace
