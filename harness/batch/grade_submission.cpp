@@ -94,11 +94,11 @@ void release(std::string& text) {
     std::string().swap(text);
 }
 
-/// A result with what is known before anything ran, without the source, which is no longer needed.
+/// A result with what is known before anything ran.
 Graded begun(const Submission& submission, const Runner& runner) {
     Graded graded;
     graded.submission = submission;
-    release(graded.submission.source);
+    if (graded.submission.source.size() > longest_kept_source) release(graded.submission.source);
     graded.tier = runner.sandbox->tier();
     return graded;
 }
@@ -166,7 +166,7 @@ Graded mark(const Submission& submission, const Executions& executions, const Ma
     graded.score = *score;
     judge_by_source(graded, submission.source, first.run.output, marking);
     note_doubts(graded);
-    if (first.run.output.size() <= longest_printout) graded.printout = first.run.output;
+    if (first.run.output.size() <= longest_kept_printout) graded.printout = first.run.output;
     graded.build = first.build;
     graded.run = first.run;
     release(graded.run.output);  // up to a mebibyte, no longer needed: the score holds the answers

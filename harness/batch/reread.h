@@ -12,9 +12,6 @@
 
 namespace harness {
 
-/// Longer printouts are not kept, and can't be reread.
-inline constexpr std::size_t longest_printout = std::size_t{64} << 10U;
-
 /// Identifies what a printout looks like, as it is read, apart from its numbers, nan and inf included, and from the
 /// width of its blanks.
 std::string layout_of(std::string_view printout);

@@ -196,7 +196,7 @@ bool are_about_lines_below(std::size_t first, std::string_view messages) {
         std::string_view rest = line;
         if (line.starts_with(own)) {
             rest.remove_prefix(own.size());
-            if (rest.starts_with(" In ")) continue;
+            if (rest.starts_with(' ')) continue;  // " In function 'int main()':", " At global scope:"
         } else if (const std::size_t text = line.find_first_not_of(' '); text > 0 && text != std::string_view::npos) {
             rest.remove_prefix(text);
             if (rest.starts_with('|')) continue;  // carets below a quoted line

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "harness/batch/reread.h"
+#include "harness/grade/concerns.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/results/reports.h"
@@ -22,9 +23,10 @@ KeptClass restore(const Gradebook& gradebook, const fs::path& folder) {
                         "with --results",
                         folder.string()));
     }
-    KeptClass kept{*run, gradebook.restore(), gradebook.overrides(), gradebook.rereads()};
+    KeptClass kept{*run, gradebook.restore(), gradebook.overrides(), gradebook.rereads(), gradebook.decisions()};
     attach(kept.overrides, kept.graded);
     attach(kept.rereads, kept.graded);
+    attach(kept.decisions, kept.graded);
     return kept;
 }
 

@@ -12,9 +12,10 @@ namespace harness {
 
 struct KeptClass {
     Run run;
-    std::vector<Graded> graded;  ///< with overrides and rereads, without printouts
+    std::vector<Graded> graded;  ///< with overrides, rereads, decisions, printouts and sources
     std::vector<KeptOverride> overrides;
     std::vector<KeptReread> rereads;
+    std::vector<KeptDecision> decisions;
 };
 
 /// Throws UsageError if the folder holds no gradebook.

@@ -37,7 +37,7 @@ std::string printout_of(const Gradebook& gradebook, const std::string& id) {
         fmt::format("{}: there is no printout of it to read again: the program printed nothing, or more than {} KiB, "
                     "or the class was last graded by an older raygrade (then grade it again with --apply). "
                     "`raygrade override` gives points without one",
-                    escape_control(id), longest_printout >> 10U));
+                    escape_control(id), longest_kept_printout >> 10U));
 }
 
 void require_value(const Reread& given, const reference::ItemSpec& item, const Score& score,

@@ -15,6 +15,7 @@
 #include "harness/class_run/rosters.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
+#include "harness/grade/concerns.h"
 #include "harness/gradebook/gradebook.h"
 #include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
@@ -195,6 +196,7 @@ int grade_class(const GradeOptions& options) {
     report::apply_late_schedule(graded, inputs.assignment.rubric, inputs.rosters.late_days);
     tell_open_lateness(inputs.rosters.late_days, graded);
     const auto without_place = attach(session.gradebook.overrides(), graded);
+    attach(session.gradebook.decisions(), graded);
 
     const Tier tier = run.runner.sandbox->tier();
     const Grading grading{

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "harness/class_run/kept_class.h"
+#include "harness/class_run/corrections.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/machine/errors.h"
@@ -57,9 +57,7 @@ void put(Gradebook& gradebook, KeptClass& kept, std::size_t index, const Overrid
     if (points > there.most) {
         say("note: {} is more than the {} points of the rubric\n", points_text(points), points_text(there.most));
     }
-    std::erase_if(one.overrides, [&](const Override& each) { return place_of(each) == place_of(given); });
-    one.overrides.push_back(given);
-    gradebook.put_override({options.id, given}, there.automatic, points_that_count(one));
+    put_override(gradebook, kept, index, given);
     fmt::print("{} {}: {} of {}, automatically {}\n", escape_control(options.id), place_of(given), points_text(points),
                points_text(there.most), one.outcome == Outcome::not_graded ? "no mark" : points_text(there.automatic));
     tell_mark(before, one);
@@ -80,18 +78,15 @@ std::optional<std::size_t> remove(Gradebook& gradebook, KeptClass& kept, const O
     }
     const Author author = author_of(options.by);
     const std::string why = read_line(*options.why, "--why");
-    const auto one = std::find_if(kept.graded.begin(), kept.graded.end(),
-                                  [&](const Graded& any) { return any.submission.id == options.id; });
-    if (one == kept.graded.end()) {
-        gradebook.remove_override(*removed, author, why, std::nullopt);
+    const auto there = place_in(kept, options.id);
+    const std::optional<Graded> before = there ? std::optional(kept.graded[*there]) : std::nullopt;
+    const auto place = remove_override(gradebook, kept, *removed, author, why);
+    if (place) {
+        tell_mark(*before, kept.graded[*place]);
+    } else {
         fmt::print("{} {}: removed\n", escape_control(options.id), escape_control(options.item));
-        return std::nullopt;
     }
-    const Graded before = *one;
-    std::erase_if(one->overrides, [&](const Override& each) { return place_of(each) == options.item; });
-    gradebook.remove_override(*removed, author, why, points_that_count(*one));
-    tell_mark(before, *one);
-    return static_cast<std::size_t>(one - kept.graded.begin());
+    return place;
 }
 
 void check(const OverrideOptions& options) {

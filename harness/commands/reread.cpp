@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "harness/class_run/kept_class.h"
+#include "harness/class_run/corrections.h"
 #include "harness/class_run/kept_printout.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
@@ -47,19 +47,6 @@ void check_reread(const RereadOptions& options) {
                 : fmt::format("reread takes a submission, an item, and lines of its output or --none: {}", example));
     }
     if (!options.why) throw UsageError(fmt::format("reread takes a reason: {}", example));
-}
-
-std::string item_of(const Reread& given) {
-    return fmt::format("{}.{}", given.question, given.item);
-}
-
-const ItemScore& item_score(const Graded& graded, const Reread& given) {
-    for (const QuestionScore& question : graded.score.questions) {
-        for (const ItemScore& item : question.items) {
-            if (question.number == given.question && item.spec.name == given.item) return item;
-        }
-    }
-    throw UsageError(fmt::format("{}: is no item of this assignment", item_of(given)));
 }
 
 void list_rereads(const KeptClass& kept) {
@@ -124,14 +111,9 @@ class Rereading {
     }
 
     void put(std::size_t index, const Reread& given) {
-        Graded& one = kept_.graded[index];
-        const Graded before = one;
-        std::erase_if(one.submission.rereads, [&](const Reread& each) { return item_of(each) == item_of(given); });
-        one.submission.rereads.push_back(given);
-        one.printout = printout_of(gradebook_, one.submission.id);
-        mark_again(one, marking_);
-        gradebook_.put_reread({one.submission.id, given}, before, one, index);
-        tell(before, one, given);
+        const Graded before = kept_.graded[index];
+        put_reread(gradebook_, kept_, marking_, index, given);
+        tell(before, kept_.graded[index], given);
     }
 
     /// The reread that is named, and with --alike those of the same item for the same layout.
@@ -158,27 +140,13 @@ class Rereading {
 
     /// The submission's place in the class, if it still is in it.
     std::optional<std::size_t> remove(const KeptReread& removed, const Author& author, const std::string& why) {
-        const auto found = std::find_if(kept_.graded.begin(), kept_.graded.end(),
-                                        [&](const Graded& any) { return any.submission.id == removed.submission; });
-        const auto place = found == kept_.graded.end()
-                               ? std::nullopt
-                               : std::optional(static_cast<std::size_t>(found - kept_.graded.begin()));
-        const bool changes_marks = place && counts(*found, removed.given);
-        const std::optional<Graded> before = changes_marks ? std::optional(*found) : std::nullopt;
-        if (place) {
-            std::erase_if(found->submission.rereads,
-                          [&](const Reread& each) { return item_of(each) == options_.item; });
-        }
-        if (changes_marks) {
-            found->printout = printout_of(gradebook_, removed.submission);
-            mark_again(*found, marking_);
-            gradebook_.remove_reread(removed, author, why, *before, *found, *place);
-            tell(*before, *found, removed.given);
+        const RemovedReread done = remove_reread(gradebook_, kept_, marking_, removed, author, why);
+        if (done.before) {
+            tell(*done.before, kept_.graded[*done.place], removed.given);
         } else {
-            gradebook_.remove_reread(removed, author, why);
             fmt::print("{} {}: removed\n", escape_control(removed.submission), escape_control(options_.item));
         }
-        return place;
+        return done.place;
     }
 
     static void tell(const Graded& before, const Graded& after, const Reread& given) {

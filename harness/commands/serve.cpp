@@ -18,6 +18,7 @@
 #include "harness/serve/http/server.h"
 #include "harness/serve/results/graders.h"
 #include "harness/serve/results/suspects.h"
+#include "harness/serve/site/site.h"
 #include "reference/toml/assignment.h"
 
 namespace harness {
@@ -80,11 +81,9 @@ serve::ServerLimits server_limits() {
     return limits;
 }
 
-std::unique_ptr<serve::Server> listen(const ServeOptions& options, const Reach& reach, serve::Site& site,
-                                      serve::Queue& queue) {
+std::unique_ptr<serve::Server> listen(const ServeOptions& options, const Reach& reach, serve::Site& site) {
     try {
-        return std::make_unique<serve::Server>(options.host, options.port, server_limits(), reach.behind_proxy, site,
-                                               queue);
+        return std::make_unique<serve::Server>(options.host, options.port, server_limits(), reach.behind_proxy, site);
     } catch (const serve::ListenError& error) {
         throw UsageError(error.what());
     }
@@ -141,7 +140,7 @@ int serve_pages(const ServeOptions& options) {
     serve::Queue queue(kept_programs, options.queue);
     serve::Site site({about, reach, options.rate}, queue);
     // Listens before anything slow, so that a port in use is reported at once.
-    const auto server = listen(options, reach, site, queue);
+    const auto server = listen(options, reach, site);
     const ClassRun run = open_class_run(make_marking(assignment), options.runner);
     tell_key_notes(run.marking);
     if (!queue.is_idle()) say("from before: {} waiting\n", queue.queue_length());

@@ -27,6 +27,7 @@ Subcommand serve_command(CLI::App& app);
 Subcommand reference_command(CLI::App& app);
 Subcommand cast_command(CLI::App& app);
 Subcommand accuracy_command(CLI::App& app);
+Subcommand review_command(CLI::App& app);
 Subcommand read_command(CLI::App& app);
 Subcommand explain_command(CLI::App& app);
 Subcommand render_command(CLI::App& app);

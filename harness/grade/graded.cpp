@@ -20,6 +20,16 @@ std::string_view to_string(Outcome outcome) {
     return "";
 }
 
+std::string_view to_string(Decision::Kind kind) {
+    switch (kind) {
+        case Decision::Kind::accepted: return "accepted";
+        case Decision::Kind::comment: return "comment";
+        case Decision::Kind::points: return "override";
+        case Decision::Kind::reading: return "reread";
+    }
+    return "";
+}
+
 std::string signal_name(int signal) {
     const char* name = sigabbrev_np(signal);
     return name == nullptr ? fmt::format("signal {}", signal) : fmt::format("SIG{}", name);

@@ -1,6 +1,7 @@
 // The record of one submission: how it ended, what it scored, and what reports are made from.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,6 +30,10 @@ enum class Outcome {
 
 /// The name in reports and in grades.json.
 std::string_view to_string(Outcome outcome);
+
+/// Longer printouts and sources are not kept: they can't be shown, and such a printout can't be reread.
+inline constexpr std::size_t longest_kept_printout = std::size_t{64} << 10U;
+inline constexpr std::size_t longest_kept_source = std::size_t{64} << 10U;
 
 /// "SIGSEGV", or "signal 40" for a signal without a name.
 std::string signal_name(int signal);
@@ -62,15 +67,38 @@ struct Override {
     std::string when;   ///< in UTC, ISO 8601: 2026-11-22T09:30:00Z
 };
 
+/// What a person decided about a submission in a review.
+struct Decision {
+    enum class Kind { accepted, comment, points, reading };
+    std::int64_t number = 0;  ///< from 1; decisions that were made together have one number
+    Kind kind = Kind::accepted;
+    std::string about;  ///< the kind of the concern that was accepted, else the item: "6.t"; empty for the whole
+    std::string seen;   ///< what was accepted (concerns.h); else empty
+    std::string text;   ///< the comment or the reason
+    std::string by;
+    std::string when;                           ///< in UTC, ISO 8601
+    std::optional<Override> replaced_override;  ///< which counted before a decision on points; empty if none did
+    std::optional<Reread> replaced_reread;      ///< the same for a decision on a reading
+};
+
+/// The name in the gradebook: "accepted", "comment", "override" or "reread".
+std::string_view to_string(Decision::Kind kind);
+
+/// A decision and its submission, which may no longer be in the class.
+struct KeptDecision {
+    std::string submission;
+    Decision given;
+};
+
 struct Graded {
-    Submission submission;
+    Submission submission;  ///< with its source, if that is not too long; the record is without
     Outcome outcome = Outcome::not_graded;
     bool our_fault = false;   ///< raygrade failed, not the machine: not graded, or a note says what is missing
     std::string explanation;  ///< a sentence about the first stage that went wrong; empty if none did
     Tier tier = Tier::bwrap;  ///< what its programs ran under
     Build build;
     ProcessResult run;     ///< without the output, which was already read
-    std::string printout;  ///< for rereads: what it printed, if that is not too long; not in the record
+    std::string printout;  ///< what it printed, if that is not too long; not in the record
     std::vector<Flag> flags;
     std::vector<std::string> sanitizer;                     ///< what a sanitizer build found; costs no points
     std::optional<scenes::OtherScenesReport> other_scenes;  ///< with --variants; empty if not tried
@@ -79,6 +107,7 @@ struct Graded {
     std::optional<OwnScene> own_scene;                      ///< empty if the answers belong to the assignment's scene
     double late_share = 0;                                  ///< share of its points lost for lateness; 0 if on time
     std::vector<Override> overrides;  ///< the instructor's, oldest first; final_mark decides which count
+    std::vector<Decision> decisions;  ///< the instructor's that are in force, oldest first
 };
 
 /// "Read from line 12, as Ada says: the label is misspelt" or "Not printed, as Ada says: that is a debug line".

@@ -64,8 +64,7 @@ std::vector<KeptOverride> Gradebook::overrides() const {
 }
 
 void Gradebook::put_override(const KeptOverride& kept, double automatic, const std::optional<double>& points) {
-    in_database(file_, [&] {
-        SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+    write([&] {
         std::string before = fmt::format("{}, automatically", points_text(automatic));
         for (const KeptOverride& each : overrides()) {
             if (is_same_place(each, kept)) before = override_text(each.given);
@@ -73,18 +72,15 @@ void Gradebook::put_override(const KeptOverride& kept, double automatic, const s
         write_override(*database_, kept);
         write_final_points(*database_, kept.submission, points);
         write_audit(*database_, {kept.given.by, kept.given.when}, override_of(kept), before, override_text(kept.given));
-        transaction.commit();
     });
 }
 
 void Gradebook::remove_override(const KeptOverride& removed, const Author& author, const std::string& why,
                                 const std::optional<double>& points) {
-    in_database(file_, [&] {
-        SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+    write([&] {
         erase_correction(*database_, "overrides", removed.submission, removed.given.question, removed.given.item);
         write_final_points(*database_, removed.submission, points);
         write_audit(*database_, author, override_of(removed), override_text(removed.given), "removed: " + why);
-        transaction.commit();
     });
 }
 
@@ -116,32 +112,24 @@ std::string Gradebook::printout(const std::string& submission) const {
 }
 
 void Gradebook::put_reread(const KeptReread& kept, const Graded& before, const Graded& after, std::size_t place) {
-    in_database(file_, [&] {
-        SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+    write([&] {
         const Author author{kept.given.by, kept.given.when};
         write_reread(*database_, kept);
         write_audit(*database_, author, reread_of(kept), line_of(before, kept.given), reread_text(kept.given));
         write_marked_again(before, after, place, author);
-        transaction.commit();
     });
 }
 
 void Gradebook::remove_reread(const KeptReread& removed, const Author& author, const std::string& why,
                               const Graded& before, const Graded& after, std::size_t place) {
-    in_database(file_, [&] {
-        SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+    write([&] {
         erase_reread(removed, author, why);
         write_marked_again(before, after, place, author);
-        transaction.commit();
     });
 }
 
 void Gradebook::remove_reread(const KeptReread& removed, const Author& author, const std::string& why) {
-    in_database(file_, [&] {
-        SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
-        erase_reread(removed, author, why);
-        transaction.commit();
-    });
+    write([&] { erase_reread(removed, author, why); });
 }
 
 void Gradebook::erase_reread(const KeptReread& removed, const Author& author, const std::string& why) {

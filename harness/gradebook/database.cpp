@@ -93,6 +93,9 @@ constexpr const char* later_tables = R"(
     CREATE TABLE IF NOT EXISTS printouts (  -- of the submissions as they are now, as printed
         submission TEXT PRIMARY KEY,
         output BLOB NOT NULL);
+    CREATE TABLE IF NOT EXISTS sources (    -- of the submissions as they are now, as handed in
+        submission TEXT PRIMARY KEY,
+        source BLOB NOT NULL);
     CREATE TABLE IF NOT EXISTS rereads (    -- those in force, whether or not they count for the printout there is now
         submission TEXT NOT NULL,
         question INTEGER NOT NULL,
@@ -106,6 +109,19 @@ constexpr const char* later_tables = R"(
     CREATE TABLE IF NOT EXISTS numbers (    -- of submissions that are gone: the learning management system's
         submission TEXT PRIMARY KEY,
         lms_id TEXT NOT NULL);
+    CREATE TABLE IF NOT EXISTS decisions (  -- of reviews; nothing is ever removed from it
+        decision INTEGER NOT NULL,          -- 1, 2, ...; one number for all submissions that were decided together
+        submission TEXT NOT NULL,
+        kind TEXT NOT NULL,                 -- 'accepted', 'comment', 'override' or 'reread'
+        about TEXT NOT NULL,                -- the flag that was accepted, or the item: '6.t'; '' for all
+        seen TEXT NOT NULL,                 -- what was accepted; a flag with other evidence is to be reviewed again
+        text TEXT NOT NULL,                 -- the comment, or the reason
+        who TEXT NOT NULL,
+        at TEXT NOT NULL,
+        before TEXT,                        -- the override or reread that it replaced, as JSON
+        undone_at TEXT,                     -- NULL while it is in force
+        undone_by TEXT,
+        PRIMARY KEY (decision, submission, kind, about, seen));
 )";
 
 /// One statement per table; a database of the right version can prepare them all.
@@ -120,8 +136,10 @@ constexpr const char* probes[] = {
     "SELECT name, choice, content FROM inputs",
     "SELECT entry FROM reports",
     "SELECT submission, output FROM printouts",
+    "SELECT submission, source FROM sources",
     "SELECT submission, question, item, lines, layout, why, who, at FROM rereads",
     "SELECT submission, lms_id FROM numbers",
+    "SELECT decision, submission, kind, about, seen, text, who, at, before, undone_at, undone_by FROM decisions",
 };
 
 void check(SQLite::Database& database, const fs::path& file) {

@@ -140,11 +140,15 @@ std::string Gradebook::kept_id(const std::string& id) const {
 std::vector<Graded> Gradebook::restore() const {
     if (!database_) return {};
     return in_database(file_, [&] {
-        Statement query(*database_, "SELECT id, record FROM submissions ORDER BY place");
+        Statement query(*database_,
+                        "SELECT id, record, output, source FROM submissions LEFT JOIN printouts ON "
+                        "printouts.submission = id LEFT JOIN sources ON sources.submission = id ORDER BY place");
         std::vector<Graded> graded;
         while (query.executeStep()) {
             auto one = from_record(bytes_of(query.getColumn(1)));
             if (!one) throw HarnessError(gradebook_damage(file_, "the record of " + query.getColumn(0).getString()));
+            one->printout = query.getColumn(2).getString();
+            one->submission.source = query.getColumn(3).getString();
             graded.push_back(std::move(*one));
         }
         return graded;
@@ -180,9 +184,10 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
         // A transaction, so that all reads see the same state even if another program writes meanwhile.
         const SQLite::Transaction view(*database_);
         comparison.run = last_run_number(*database_);
-        // A gradebook that an older raygrade wrote has no printouts.
+        // A gradebook that an older raygrade wrote has no printouts or no sources.
         Statement find(*database_,
-                       "SELECT record, place, EXISTS (SELECT 1 FROM printouts WHERE submission = id) "
+                       "SELECT record, place, EXISTS (SELECT 1 FROM printouts WHERE submission = id), "
+                       "EXISTS (SELECT 1 FROM sources WHERE submission = id) "
                        "FROM submissions WHERE id = ?");
         std::unordered_set<std::string> present;
         std::int64_t last_place = -1;
@@ -198,7 +203,8 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
             auto compared = compare_one(bytes_of(find.getColumn(0)), one);
             if (!compared) throw HarnessError(gradebook_damage(file_, "the record of " + one.submission.id));
             const bool has_printout = find.getColumn(2).getInt() != 0 || one.printout.empty();
-            if (compared->record == Record::same && !has_printout) compared->record = Record::other;
+            const bool has_source = find.getColumn(3).getInt() != 0 || one.submission.source.empty();
+            if (compared->record == Record::same && !(has_printout && has_source)) compared->record = Record::other;
             comparison.records[i] = compared->record;
             if (compared->change) {
                 add(comparison.changes, std::move(*compared->change));

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -78,7 +79,7 @@ class Gradebook {
 
     /// All overrides, the oldest first.
     std::vector<KeptOverride> overrides() const;
-    /// The class in the order in which it was saved, without overrides.
+    /// The class in the order in which it was saved, with printouts and sources and without overrides.
     std::vector<Graded> restore() const;
     std::optional<KeptInput> input(const std::string& name) const;
 
@@ -121,7 +122,22 @@ class Gradebook {
     /// Removes the reread of a submission that is not in the class.
     void remove_reread(const KeptReread& removed, const Author& author, const std::string& why);
 
+    /// The decisions of reviews that were not undone, the oldest first. Those made together have one number.
+    std::vector<KeptDecision> decisions() const;
+    /// The number for the next decision.
+    std::int64_t next_decision() const;
+    /// Saves a decision. An override or a reread that it is about is saved by itself.
+    void put_decision(const KeptDecision& kept);
+    /// Marks a decision as undone. Does nothing if it is already.
+    void undo_decision(const KeptDecision& kept, const Author& author);
+
+    /// Rises with every change: the number of the last entry of the audit trail.
+    std::int64_t version() const;
+    /// Makes all changes that `changes` makes one transaction: if it throws, none of them is saved.
+    void together(const std::function<void()>& changes);
+
   private:
+    void write(const std::function<void()>& change);
     std::string new_id(const std::string& kept) const;
     std::string kept_id(const std::string& id) const;
     void erase_reread(const KeptReread& removed, const Author& author, const std::string& why);
@@ -129,6 +145,7 @@ class Gradebook {
     std::filesystem::path file_;
     std::unique_ptr<SQLite::Database> database_;  ///< null until there is one
     std::map<std::string, std::string> new_ids_;  ///< by the kept ids that change
+    bool in_transaction_ = false;
 };
 
 }  // namespace harness

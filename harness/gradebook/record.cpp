@@ -70,12 +70,17 @@ auto row(Doubt& doubt) {
 struct IfThere {
     std::string& text;
 };
+/// The last line of an answer, which is not written if the answer is in one line.
+struct LastLine {
+    int& last;
+    int line;
+};
 /// Items make up most of a record, and names would make up most of an item.
 auto row(ItemScore& item) {
     return std::tuple_cat(
         std::tie(item.spec.name, item.verdict, item.points, item.max_points, item.printed, item.line, item.error,
                  item.allowance, item.accepted_as, item.diagnosis, item.advice, item.doubt),
-        std::tuple(IfThere{item.reread}));
+        std::tuple(IfThere{item.reread}, LastLine{item.last_line, item.line}));
 }
 
 std::vector<reference::ItemSpec> default_items_of(int number) {
@@ -115,6 +120,7 @@ void complete(QuestionScore& question, const std::string& asked) {
         const auto found = std::ranges::find(specs, item.spec.name, &reference::ItemSpec::name);
         if (found == specs.end()) throw std::invalid_argument("an item of another question");
         item.spec = *found;
+        item.last_line = std::max(item.line, item.last_line);
     }
     if (!question.title.empty()) return;
     const auto& questions = reference::default_questions();
@@ -250,6 +256,8 @@ struct Writer {
             return scenes::hard_scenes_json(value);
         } else if constexpr (std::same_as<Value, IfThere>) {
             return value.text.empty() ? json() : json(value.text);
+        } else if constexpr (std::same_as<Value, LastLine>) {
+            return value.last <= value.line ? json() : json(value.last);
         } else if constexpr (Nullable<Value>) {
             return value ? written(*value) : json();
         } else if constexpr (List<Value>) {
@@ -307,6 +315,8 @@ struct Reader {
             value = item_name(from.get<std::string>());
         } else if constexpr (std::same_as<Value, IfThere>) {
             if (!from.is_null()) value.text = from.get<std::string>();
+        } else if constexpr (std::same_as<Value, LastLine>) {
+            if (!from.is_null()) value.last = scenes::whole_number<int>(from);
         } else if constexpr (Nullable<Value>) {
             if (!from.is_null()) read(from, value.emplace());
         } else if constexpr (List<Value>) {

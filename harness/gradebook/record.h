@@ -12,7 +12,7 @@ namespace harness {
 
 /// Writes a submission as CBOR: a map from field names to values, in which an item is an array of its fields. A map
 /// leaves out fields at their defaults, so that older records stay readable when fields are added. A record holds no
-/// overrides, and nothing that a finished run no longer has: source, output, program, and how an answer was read. The
+/// overrides, no source and no output, which the gradebook keeps beside it, and not how an answer was read. The
 /// same submission always gives the same bytes.
 std::vector<std::uint8_t> to_record(const Graded& graded);
 

@@ -83,6 +83,8 @@ SubmissionRows::SubmissionRows(SQLite::Database& database, std::int64_t run)
       remove_items_(database, "DELETE FROM items WHERE submission = ?"),
       printout_(database, "INSERT OR REPLACE INTO printouts (submission, output) VALUES (?, ?)"),
       remove_printout_(database, "DELETE FROM printouts WHERE submission = ?"),
+      source_(database, "INSERT OR REPLACE INTO sources (submission, source) VALUES (?, ?)"),
+      remove_source_(database, "DELETE FROM sources WHERE submission = ?"),
       history_(database,
                "INSERT INTO history (submission, run, outcome, automatic_points, final_points, max_points, "
                "source_sha256, items) VALUES (?, ?, ?, ?, ?, ?, ?, ?)"),
@@ -104,17 +106,19 @@ void SubmissionRows::write(const Graded& graded, std::size_t place, const std::v
     submission_.bindNoCopy(12, record.data(), static_cast<int>(record.size()));
     execute(submission_);
     write_items(graded);
-    write_printout(graded);
+    write_text(printout_, remove_printout_, submission.id, graded.printout);
+    write_text(source_, remove_source_, submission.id, submission.source);
 }
 
-void SubmissionRows::write_printout(const Graded& graded) {
-    if (graded.printout.empty()) {
-        remove_printout_.bind(1, graded.submission.id);
-        return execute(remove_printout_);
+/// An empty text has no row.
+void SubmissionRows::write_text(Statement& insert, Statement& remove, const std::string& id, const std::string& text) {
+    if (text.empty()) {
+        remove.bind(1, id);
+        return execute(remove);
     }
-    printout_.bind(1, graded.submission.id);
-    printout_.bindNoCopy(2, graded.printout.data(), static_cast<int>(graded.printout.size()));
-    execute(printout_);
+    insert.bind(1, id);
+    insert.bindNoCopy(2, text.data(), static_cast<int>(text.size()));
+    execute(insert);
 }
 
 void SubmissionRows::write_items(const Graded& graded) {
@@ -144,7 +148,7 @@ void SubmissionRows::move(const std::string& id, std::size_t place) {
 }
 
 void SubmissionRows::remove(const std::string& id) {
-    for (Statement* statement : {&keep_number_, &remove_, &remove_items_, &remove_printout_}) {
+    for (Statement* statement : {&keep_number_, &remove_, &remove_items_, &remove_printout_, &remove_source_}) {
         statement->bind(1, id);
         execute(*statement);
     }
@@ -183,9 +187,9 @@ void write_audit(SQLite::Database& database, const Author& author, const std::st
 void rename_submissions(SQLite::Database& database, const std::map<std::string, std::string>& new_ids,
                         const Author& author) {
     const auto rename = [&](const std::string& from, const std::string& to) {
-        for (const char* table :
-             {"submissions SET id", "items SET submission", "history SET submission", "overrides SET submission",
-              "rereads SET submission", "printouts SET submission", "numbers SET submission"}) {
+        for (const char* table : {"submissions SET id", "items SET submission", "history SET submission",
+                                  "overrides SET submission", "rereads SET submission", "printouts SET submission",
+                                  "sources SET submission", "numbers SET submission", "decisions SET submission"}) {
             const bool by_id = std::string_view(table).ends_with(" id");
             Statement update(
                 database, fmt::format("UPDATE OR REPLACE {} = ?1 WHERE {} = ?2", table, by_id ? "id" : "submission"));

@@ -32,11 +32,12 @@ class SubmissionRows {
 
   private:
     void write_items(const Graded& graded);
-    void write_printout(const Graded& graded);
+    void write_text(SQLite::Statement& insert, SQLite::Statement& remove, const std::string& id,
+                    const std::string& text);
 
     std::int64_t run_;
     SQLite::Statement submission_, place_, keep_number_, remove_, item_, remove_items_, printout_, remove_printout_,
-        history_, gone_;
+        source_, remove_source_, history_, gone_;
 };
 
 /// Writes an entry of the audit trail. `before` and `after` may be empty.

@@ -122,6 +122,24 @@ test('a student opens in a panel: printed beside asked, the picture, and the nex
   await seen.close();
 });
 
+test('the output and the source are folded, and a link to a line unfolds them', async () => {
+  const seen = await open(browser, report.url);
+  const { page } = seen;
+  await page.locator('#class').getByRole('link', { name: 'bea', exact: true }).click();
+  const output = panel(page).locator('details', { hasText: 'What it printed' });
+  const source = panel(page).locator('details', { hasText: 'Its source' });
+  assert.equal(await output.locator('pre').isVisible(), false);
+  await panel(page).locator('.answers').getByRole('link', { name: 'line 2', exact: true }).click();
+  assert.ok(await output.locator('pre').isVisible());
+  assert.match(await output.locator('span:target').textContent(), /^2.*1\.P_VCS right\s*$/);
+  assert.equal(await source.locator('pre').isVisible(), false);
+  await panel(page).locator('code').getByRole('link', { name: /^line/ }).first().click();
+  assert.match(await source.locator('span:target').textContent(), /printed as a constant\s*$/);
+  assert.ok((await source.locator('pre').textContent()).includes('#include'));
+  await expectAccessible(page, 'with output and source');
+  await seen.close();
+});
+
 test('the words of the pictures are apart and on them', async () => {
   const seen = await open(browser, report.url);
   for (const who of ['ben', 'jin', 's09']) {

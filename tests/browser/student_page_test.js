@@ -46,6 +46,18 @@ test('it says where to begin, and the link leads there', async () => {
   await seen.close();
 });
 
+test('a line that it names is a link to that line of the output, which shows what was read', async () => {
+  const seen = await open(browser, await check(sample('jin'), 'lines'));
+  const { page } = seen;
+  const link = page.locator('#q1').getByRole('link', { name: /^line \d+$/ }).first();
+  const number = (await link.textContent()).slice('line '.length);
+  await link.click();
+  const line = page.locator(`#o${number}`);
+  assert.ok(await line.evaluate((one) => one.matches(':target')));
+  assert.match(await line.textContent(), new RegExp(`^${number}.*1\\.P_VCS wrong\\s*$`));
+  await seen.close();
+});
+
 test('the words of the picture are apart and on it', async () => {
   for (const who of ['jin', 'ben', 's09']) {
     const seen = await open(browser, await check(sample(who), `words-${who}`));
@@ -54,13 +66,15 @@ test('the words of the picture are apart and on it', async () => {
   }
 });
 
-test('what the compiler said is there by line and word for word', async () => {
+test('what the compiler said is there by line, with that line, and in full', async () => {
   const seen = await open(browser, await check(sample('mateo'), 'mateo'));
   const { page } = seen;
   assert.match(await page.locator('.lines li').first().textContent(), /^Line 19 error expected/);
-  assert.equal(await page.locator('pre').isVisible(), false);
-  await page.getByText('Word for word').click();
-  assert.match(await page.locator('pre').textContent(), /ray_cast\.cpp:19:/);
+  const line = (await readFile(sample('mateo'), 'utf8')).split('\n')[18].trim();
+  assert.equal(await page.locator('.lines li pre').first().textContent(), line);
+  assert.equal(await page.locator('details pre').isVisible(), false);
+  await page.getByText('Full compiler output').click();
+  assert.match(await page.locator('details pre').textContent(), /ray_cast\.cpp:19:/);
   await seen.close();
 });
 

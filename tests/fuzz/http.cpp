@@ -6,8 +6,8 @@
 #include "harness/intake/source_file.h"
 #include "harness/serve/http/http_message.h"
 #include "harness/serve/http/server.h"
+#include "harness/serve/request/host_names.h"
 #include "harness/serve/site/form.h"
-#include "harness/serve/site/host_names.h"
 #include "harness/text/printable.h"
 #include "tests/fuzz/properties.h"
 

@@ -45,7 +45,7 @@ struct ItemScore {
     double max_points = 0;
     std::string printed;          ///< verbatim, at most 200 bytes; empty when nothing was
     int line = 0;                 ///< of the output, 1-based; 0 when nothing was printed
-    int last_line = 0;            ///< of the output; not kept by the gradebook
+    int last_line = 0;            ///< of the output
     std::optional<double> error;  ///< the largest distance of a component from the key; empty when there is none
     std::optional<double> allowance = 0;  ///< how far a component may be off, besides its rounding; empty where float
                                           ///< can't answer (reference/key/graded_allowance.h)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
 #include "harness/grade/override_place.h"
 #include "harness/report/class/statistics.h"
@@ -25,6 +26,9 @@ constexpr std::size_t most_text_bytes = 4 << 10U;
 /// Limit for all pictures together, so that a report of a thousand students opens at once. Later students have their
 /// picture in the feedback only.
 constexpr std::size_t most_picture_bytes = 6 << 20U;
+
+/// Limit for all printouts and sources together, for the same reason. What is left out is in the gradebook.
+constexpr std::size_t most_listing_bytes = 24 << 20U;
 
 std::string late_text(const Graded& graded) {
     return graded.submission.lms && graded.submission.lms->late == true ? "late" : "";
@@ -54,7 +58,7 @@ PageData chips_of(const Graded& graded) {
         chips.push_back(chip);
     };
     std::set<std::string> kinds;
-    for (const Flag& flag : graded.flags) kinds.insert(flag.kind);
+    for (const Flag& flag : open_flags(graded)) kinds.insert(flag.kind);
     for (std::string kind : kinds) {
         std::replace(kind.begin(), kind.end(), '_', ' ');
         add(kind, "wrong");
@@ -84,6 +88,16 @@ std::string why_of(const ItemScore& item, Outcome outcome) {
     return why;
 }
 
+/// What is said of lines of the source: the compiler's messages, and where printed answers stand as constants.
+LineNotes notes_of_source(const Graded& graded) {
+    LineNotes notes = notes_of_compiler(compiler_messages(graded.build.diagnostics));
+    for (const Flag& flag : graded.flags) {
+        if (flag.kind != "hard_coded") continue;
+        for (const int line : lines_named(flag.evidence)) notes[line].push_back({"printed as a constant", "wrong"});
+    }
+    return notes;
+}
+
 bool lost_geometry(const Graded& graded) {
     return std::any_of(graded.score.questions.begin(), graded.score.questions.end(), [](const QuestionScore& question) {
         return std::any_of(question.items.begin(), question.items.end(), [](const ItemScore& item) {
@@ -99,6 +113,12 @@ std::string override_text(const Graded& graded, const Override& each) {
                                                                     : " (a later override counts)";
     return fmt::format("Override: {} points for {}, by {}, {}: {}{}", points_text(each.points), place_in_words(each),
                        each.by, each.when, each.why, why_not);
+}
+
+std::string decision_text(const Decision& each) {
+    const std::string about = each.about.empty() ? "" : fmt::format(" ({})", each.about);
+    return fmt::format("{}{}, by {}, {}: {}", each.kind == Decision::Kind::comment ? "Comment" : "Reviewed", about,
+                       each.by, each.when, each.text);
 }
 
 PageData changes_of(const Graded& graded, const std::optional<FinalMark>& mark) {
@@ -117,6 +137,7 @@ PageData changes_of(const Graded& graded, const std::optional<FinalMark>& mark) 
         add(fmt::format("Marked automatically: {} of {} points.", points_text(graded.score.points),
                         points_text(graded.score.max_points)));
     if (graded.score.follow_cap && marked) add(cap_sentence(*graded.score.follow_cap));
+    for (const Decision& each : graded.decisions) add(decision_text(each));
     return changes;
 }
 
@@ -180,13 +201,13 @@ std::string ClassSheets::row(const Graded& graded, std::size_t index) {
 }
 
 std::string ClassSheets::rows_of(const Graded& graded, const QuestionScore& question,
-                                 const std::map<reference::ItemId, std::string>& asked) {
+                                 const std::map<reference::ItemId, std::string>& asked, const Listing& printout) {
     std::string rows = question_heading(graded, question);
     for (const ItemScore& item : question.items) {
         PageData data;
         data["name"] = name_in_question(item.spec);
         set_text(data, "printed", item.printed);
-        if (item.line != 0) data["line"] = std::to_string(item.line);
+        if (item.line != 0) data["line"] = printout.with_links(fmt::format("line {}", item.line));
         data["asked"] = asked.at(item.spec.id);
         data["verdict"] = std::string(to_string(item.verdict));
         data["word"] = std::string(word_of(item.verdict));
@@ -198,6 +219,10 @@ std::string ClassSheets::rows_of(const Graded& graded, const QuestionScore& ques
         rows += item_.fill_in(data);
     }
     return rows + "</tbody>\n";
+}
+
+ListingBounds ClassSheets::bounds_left() const {
+    return listing_bytes_ < most_listing_bytes ? ListingBounds{} : ListingBounds{0, 0};
 }
 
 std::string ClassSheets::picture_of(const Graded& graded, std::size_t index) {
@@ -219,19 +244,34 @@ std::string ClassSheets::sheet(const Graded& graded, std::size_t index) {
     const std::optional<FinalMark> mark = final_mark(graded);
     if (mark) data["total"] = points_text(mark->points);
     data["max"] = points_text(graded.score.max_points);
-    set_text(data, "explanation", graded.explanation);
+    const std::string& source_text = graded.submission.source;
+    const std::string prefix = fmt::format("s{}-", index + 1);
+    const Listing printout =
+        Listing::of_printout(graded.printout, notes_of_answers(graded.score), prefix + "o", bounds_left());
+    const Listing source = Listing::of_source(source_text, notes_of_source(graded), prefix + "c", bounds_left());
+    if (!graded.explanation.empty()) data["explanation"] = printout.with_links(graded.explanation);
     set_text(data, "look", look_first_sentence(graded));
     data["changes"] = changes_of(graded, mark);
     if (has_answers(graded)) {
         const Marking& own = own_marking(marking_, graded.submission);
         const auto asked = &own == &marking_ ? asked_ : expected_texts(own.key);
         std::string rows;
-        for (const QuestionScore& question : graded.score.questions) rows += rows_of(graded, question, asked);
+        for (const QuestionScore& question : graded.score.questions) rows += rows_of(graded, question, asked, printout);
         data["rows"] = rows;
         set_text(data, "picture", picture_of(graded, index));
     }
-    data["messages"] = evidence_.compiler(graded);
-    data["evidence"] = evidence_.others(graded);
+    const auto show = [&](const char* name, const Listing& listing, std::string_view label) {
+        const std::string html = listing.html(label);
+        listing_bytes_ += html.size();
+        set_text(data, name, html);
+    };
+    show("printout", printout, "What the program printed");
+    show("source", source, "The source");
+    data["printout_too_long"] = is_printout_too_long(graded);
+    data["source_not_kept"] = source_text.empty() && !graded.submission.source_sha256.empty();
+    data["kept_kib"] = std::to_string(longest_kept_printout >> 10U);
+    data["messages"] = evidence_.compiler(graded, source);
+    data["evidence"] = evidence_.others(graded, printout, source);
     return sheet_.fill_in(data);
 }
 

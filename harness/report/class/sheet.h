@@ -34,13 +34,16 @@ class ClassSheets {
 
   private:
     std::string rows_of(const Graded& graded, const QuestionScore& question,
-                        const std::map<reference::ItemId, std::string>& asked);
+                        const std::map<reference::ItemId, std::string>& asked, const Listing& printout);
+    /// How much of a text this sheet may still show, of all that the sheets show together.
+    ListingBounds bounds_left() const;
     std::string picture_of(const Graded& graded, std::size_t index);
 
     const Marking& marking_;
     bool named_;
     std::map<reference::ItemId, std::string> asked_;
     std::size_t picture_bytes_ = 0;  ///< of all sheets so far
+    std::size_t listing_bytes_ = 0;  ///< of all sheets so far
     PageTemplate row_;
     PageTemplate sheet_;
     PageTemplate item_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
 
 namespace harness::report {
@@ -87,7 +88,7 @@ bool has_answers(const Graded& graded) {
 }
 
 bool is_flagged(const Graded& graded) {
-    return !graded.flags.empty() || !graded.sanitizer.empty();
+    return !open_flags(graded).empty() || !graded.sanitizer.empty();
 }
 
 ClassStatistics class_statistics(const std::vector<Graded>& graded) {

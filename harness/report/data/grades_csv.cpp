@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
 #include "harness/grade/override_place.h"
 #include "harness/report/data/csv_cell.h"
@@ -18,10 +19,10 @@ std::string overridden(const Graded& graded) {
     return places;
 }
 
-/// What a person should look at, by the flags' names.
+/// What a person should still look at, by the flags' names.
 std::string flags_of(const Graded& graded) {
     std::string kinds;
-    for (const Flag& flag : graded.flags) kinds += (kinds.empty() ? "" : " ") + flag.kind;
+    for (const Flag& flag : open_flags(graded)) kinds += (kinds.empty() ? "" : " ") + flag.kind;
     return kinds;
 }
 

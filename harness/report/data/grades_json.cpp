@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "harness/execution/tier.h"
+#include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
 #include "harness/grade/hard_scenes_json.h"
 #include "harness/text/escape.h"
@@ -123,6 +124,21 @@ ordered_json rereads_json(const Graded& graded) {
     return rereads;
 }
 
+ordered_json decision_json(const Decision& given) {
+    return {{"why", escape_control(given.text)}, {"by", escape_control(given.by)}, {"when", given.when}};
+}
+
+ordered_json comments_json(const Graded& graded) {
+    ordered_json comments = ordered_json::array();
+    for (const Decision& given : comments_of(graded)) {
+        comments.push_back({{"about", or_null(given.about)},
+                            {"text", escape_control(given.text)},
+                            {"by", escape_control(given.by)},
+                            {"when", given.when}});
+    }
+    return comments;
+}
+
 ordered_json run_json(const ProcessResult& run) {
     const bool exited = run.ended == Ended::exited;
     const bool signalled = run.ended == Ended::signalled;
@@ -189,8 +205,11 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
     ordered_json notes = ordered_json::array();
     for (const std::string& note : graded.submission.notes) notes.push_back(escape_control(note));
     ordered_json flags = ordered_json::array();
-    for (const Flag& flag : graded.flags)
-        flags.push_back({{"kind", flag.kind}, {"evidence", escape_control(flag.evidence)}});
+    for (const Flag& flag : graded.flags) {
+        ordered_json one{{"kind", flag.kind}, {"evidence", escape_control(flag.evidence)}};
+        if (const Decision* accepted = acceptance_of(graded, flag)) one["accepted"] = decision_json(*accepted);
+        flags.push_back(std::move(one));
+    }
     ordered_json sanitizer = ordered_json::array();
     for (const std::string& finding : graded.sanitizer) sanitizer.push_back(escape_control(finding));
     ordered_json questions = ordered_json::array();
@@ -220,6 +239,7 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
         {"other_scenes", scenes_json(graded)},
         {"stress", graded.hard_scenes ? scenes::hard_scenes_json(*graded.hard_scenes) : ordered_json(nullptr)}};
     if (!graded.submission.rereads.empty()) submission["rereads"] = rereads_json(graded);
+    if (const ordered_json comments = comments_json(graded); !comments.empty()) submission["comments"] = comments;
     return submission;
 }
 

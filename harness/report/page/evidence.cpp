@@ -1,5 +1,8 @@
 #include "harness/report/page/evidence.h"
 
+#include <fmt/format.h>
+
+#include "harness/grade/concerns.h"
 #include "harness/grade/hard_scenes_sentences.h"
 #include "harness/grade/other_scenes_sentences.h"
 #include "harness/report/page/templates.h"
@@ -23,7 +26,7 @@ Evidence::Evidence(std::string_view heading, std::size_t most_bytes)
       messages_(templates::messages_mustache),
       others_(templates::evidence_mustache) {}
 
-std::string Evidence::compiler(const Graded& graded) {
+std::string Evidence::compiler(const Graded& graded, const Listing& source) {
     const std::string& diagnostics = graded.build.diagnostics;
     if (diagnostics.empty()) return "";
     PageData data;
@@ -32,7 +35,8 @@ std::string Evidence::compiler(const Graded& graded) {
     PageData lines(PageData::type::list);
     for (const CompilerMessage& message : compiler_messages(diagnostics)) {
         PageData line;
-        line["number"] = std::to_string(message.line);
+        line["where"] = source.with_links(fmt::format("Line {}", message.line));
+        set_text(line, "source", source_line(graded.submission.source, message.line));
         line["kind"] = message.kind;
         line["text"] = message.text;
         lines.push_back(line);
@@ -43,20 +47,22 @@ std::string Evidence::compiler(const Graded& graded) {
     return messages_.fill_in(data);
 }
 
-std::string Evidence::others(const Graded& graded) {
+std::string Evidence::others(const Graded& graded, const Listing& printout, const Listing& source) {
     const std::vector<std::string>& notes = graded.submission.notes;
-    const bool none = graded.flags.empty() && graded.sanitizer.empty() && notes.empty() && graded.run.errors.empty();
+    const std::vector<Flag> open = open_flags(graded);
+    const bool none = open.empty() && graded.sanitizer.empty() && notes.empty() && graded.run.errors.empty();
     if (none && !graded.other_scenes && !graded.hard_scenes) return "";
     PageData data;
     data["level"] = heading_;
     PageData flags(PageData::type::list);
-    for (const Flag& flag : graded.flags) {
+    for (const Flag& flag : open) {
         PageData one;
         one["flag"] = flag_title(flag);
-        one["proof"] = beginning_of(flag.evidence, most_bytes_);
+        const Listing& named = flag.kind == "hard_coded" ? source : printout;
+        one["proof"] = named.with_links(beginning_of(flag.evidence, most_bytes_));
         flags.push_back(one);
     }
-    data["has_flags"] = !graded.flags.empty();
+    data["has_flags"] = !open.empty();
     data["flags"] = std::move(flags);
     data["has_findings"] = !graded.sanitizer.empty();
     data["findings"] = list_of(graded.sanitizer, most_bytes_);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "harness/grade/graded.h"
+#include "harness/report/page/listing.h"
 #include "harness/report/page/page_template.h"
 
 namespace harness::report {
@@ -15,10 +16,11 @@ class Evidence {
     /// submission.
     Evidence(std::string_view heading, std::size_t most_bytes);
 
-    /// Errors and warnings by line, and the messages word for word; empty when there are none.
-    std::string compiler(const Graded& graded);
-    /// Everything else; empty when there is nothing.
-    std::string others(const Graded& graded);
+    /// Errors and warnings with the line of the source that each names, and all the compiler said; empty when it said
+    /// nothing. `source` is the listing that the lines are links to, if the page has one.
+    std::string compiler(const Graded& graded, const Listing& source);
+    /// Everything else; empty when there is nothing. The lines that it names are links to these listings.
+    std::string others(const Graded& graded, const Listing& printout, const Listing& source);
 
   private:
     std::string heading_;

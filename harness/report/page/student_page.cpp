@@ -63,6 +63,7 @@ PageData list_of_changes(const Graded& graded, const std::optional<FinalMark>& m
                         given.why));
     }
     for (const std::string& sentence : reread_sentences(graded.score)) add(sentence);
+    for (const Comment& comment : comments_on(graded)) add(comment.head + ": " + comment.text);
     if (mark && mark->late_deduction > 0)
         add(fmt::format("Handed in late: {} points are taken off.", points_text(mark->late_deduction)));
     return list;
@@ -114,8 +115,8 @@ StudentPages::StudentPages(const Marking& marking)
       evidence_("h2", most_bytes),
       pictures_(marking, marking.assignment.rubric.show_expected, "scene-") {}
 
-PageData StudentPages::item(const Graded& graded, const QuestionScore& question, const ItemScore& item,
-                            bool said) const {
+PageData StudentPages::item(const Graded& graded, const QuestionScore& question, const ItemScore& item, bool said,
+                            const Listing& printout) const {
     PageData data;
     data["name"] = name_in_question(item.spec);
     data["item_class"] = std::string(to_string(item.verdict));
@@ -124,7 +125,7 @@ PageData StudentPages::item(const Graded& graded, const QuestionScore& question,
     data["item_most"] = points_text(item.max_points);
     data["item_set"] = find_override(graded, question.number, std::string(item.spec.name)) != nullptr;
     set_text(data, "printed", item.printed);
-    if (item.line != 0) data["line"] = std::to_string(item.line);
+    if (item.line != 0) data["line"] = printout.with_links(fmt::format("line {}", item.line));
     const auto asked = asked_.find(item.spec.id);
     if (asked != asked_.end() && item.verdict != ItemVerdict::right) data["asked"] = asked->second;
     if (!said) set_text(data, "sentence", item_sentence(item, graded.outcome));
@@ -132,7 +133,7 @@ PageData StudentPages::item(const Graded& graded, const QuestionScore& question,
     return data;
 }
 
-std::string StudentPages::question(const Graded& graded, const QuestionScore& question) {
+std::string StudentPages::question(const Graded& graded, const QuestionScore& question, const Listing& printout) {
     const std::optional<LookFirst> look = look_first(graded);
     PageData data = cell_of(graded, question);
     data["is_first"] = look && look->question == question.number;
@@ -147,7 +148,8 @@ std::string StudentPages::question(const Graded& graded, const QuestionScore& qu
             right += (right.empty() ? "" : ", ") + name_in_question(each.spec);
         } else if (!all_missing) {
             items.push_back(item(graded, question, each,
-                                 !note.empty() && each.verdict == ItemVerdict::follow && each.advice.empty()));
+                                 !note.empty() && each.verdict == ItemVerdict::follow && each.advice.empty(),
+                                 printout));
         }
     }
     set_text(data, "right", right);
@@ -169,7 +171,8 @@ std::string StudentPages::page(const Graded& graded) {
     set_text(data, "warning", sandbox_warning(graded.tier));
     const bool ungraded = graded.outcome == Outcome::not_graded;
     if (ungraded) data["not_graded"] = reason_for_student(graded.submission);
-    if (!ungraded) set_text(data, "explanation", graded.explanation);
+    const Listing printout = Listing::of_printout(graded.printout, notes_of_answers(graded.score), "o");
+    if (!ungraded && !graded.explanation.empty()) data["explanation"] = printout.with_links(graded.explanation);
     if (const std::optional<LookFirst> look = look_first(graded)) {
         PageData first;
         first["number"] = std::to_string(look->question);
@@ -186,15 +189,18 @@ std::string StudentPages::page(const Graded& graded) {
     if (has_marks(graded)) {
         for (const QuestionScore& each : graded.score.questions) {
             cells.push_back(cell_of(graded, each));
-            if (is_worth_a_section(graded, each)) sections += question(graded, each);
+            if (is_worth_a_section(graded, each)) sections += question(graded, each, printout);
         }
         // If there is nothing to look at, a picture would waste time and bytes.
         if (!sections.empty()) data["picture"] = pictures_.whole_picture(&graded, "scene-");
     }
     data["questions"] = std::move(cells);
     data["sections"] = sections;
-    data["messages"] = evidence_.compiler(graded);
-    data["evidence"] = evidence_.others(graded);
+    if (!printout.empty()) data["printout"] = printout.html("What your program printed");
+    data["printout_too_long"] = is_printout_too_long(graded);
+    data["kept_kib"] = std::to_string(longest_kept_printout >> 10U);
+    data["messages"] = evidence_.compiler(graded, Listing());
+    data["evidence"] = evidence_.others(graded, printout, Listing());
     return std::string(page_beginning) + page_.fill_in(data);
 }
 

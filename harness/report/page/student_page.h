@@ -24,9 +24,10 @@ class StudentPages {
     std::string page(const Graded& graded);
 
   private:
-    std::string question(const Graded& graded, const QuestionScore& question);
+    std::string question(const Graded& graded, const QuestionScore& question, const Listing& printout);
     /// `said`: the question's note already tells why the item is not right.
-    PageData item(const Graded& graded, const QuestionScore& question, const ItemScore& item, bool said) const;
+    PageData item(const Graded& graded, const QuestionScore& question, const ItemScore& item, bool said,
+                  const Listing& printout) const;
 
     const Marking& marking_;
     std::map<reference::ItemId, std::string> asked_;  ///< expected values; empty if the rubric does not show them

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "harness/execution/tier.h"
+#include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
 #include "harness/grade/hard_scenes_sentences.h"
 #include "harness/grade/other_scenes_sentences.h"
@@ -81,13 +82,15 @@ std::string from_the_instructor(const Graded& graded) {
                             points_text(there->most), place_in_words(given), instead, code(given.why));
     }
     for (const std::string& sentence : reread_sentences(graded.score)) text += fmt::format("- {}\n", plain(sentence));
+    for (const Comment& comment : comments_on(graded))
+        text += fmt::format("- {}: {}\n", comment.head, code(comment.text));
     return text.empty() ? "" : text + "\n";
 }
 
 /// The mark and, if it is not the sum of the questions, why.
 std::string mark_lines(const Graded& graded) {
     const auto mark = final_mark(graded);
-    if (!mark) return "";
+    if (!mark) return from_the_instructor(graded);
     std::string text =
         fmt::format("**{} of {} points**\n\n", points_text(mark->points), points_text(graded.score.max_points));
     if (mark->late_deduction > 0) {
@@ -169,9 +172,9 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     if (has_follow) text += "\n`follow`: wrong, but computed correctly from your own earlier answers.\n";
     const std::string items = graded.outcome == Outcome::compile_error ? "" : items_worth_saying(graded);
     if (!items.empty()) text += "\n## Answers to look at\n\n" + items;
-    if (!graded.flags.empty()) {
+    if (const std::vector<Flag> open = open_flags(graded); !open.empty()) {
         text += "\n## A person should look at this\n\n";
-        for (const Flag& flag : graded.flags) {
+        for (const Flag& flag : open) {
             text += fmt::format("- {}: {}\n", plain(flag_title(flag)), code(flag.evidence));
         }
     }

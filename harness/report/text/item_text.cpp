@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "harness/execution/tier.h"
+#include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
 #include "harness/grade/other_scenes_sentences.h"
 #include "harness/report/text/sentences.h"
@@ -74,7 +75,9 @@ std::string submission_text(const Graded& graded) {
         text += "Warning: " + warning + "\n";
     if (!graded.explanation.empty()) text += escape_control(graded.explanation) + "\n";
     for (const std::string& note : graded.submission.notes) text += escape_control(note) + "\n";
-    for (const Flag& flag : graded.flags) text += flag.kind + ": " + escape_control(flag.evidence) + "\n";
+    for (const Flag& flag : open_flags(graded)) text += flag.kind + ": " + escape_control(flag.evidence) + "\n";
+    for (const Comment& comment : comments_on(graded))
+        text += comment.head + ": " + escape_control(comment.text) + "\n";
     for (const std::string& finding : graded.sanitizer) text += "Sanitizers: " + escape_control(finding) + "\n";
     if (!graded.build.diagnostics.empty())
         text += "\nThe compiler's messages:\n" + escape_control(graded.build.diagnostics) + "\n";

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "harness/mark/score/doubt.h"
 #include "harness/report/text/columns.h"
+#include "harness/report/text/read_lines.h"
 #include "harness/text/escape.h"
 #include "harness/text/points.h"
 
@@ -16,29 +18,15 @@ namespace {
 constexpr std::size_t widest = 56;
 constexpr std::size_t most_lines = 2000;
 
-std::vector<std::string_view> lines_of(std::string_view output) {
-    std::vector<std::string_view> lines;
-    while (!output.empty() && lines.size() < most_lines) {
-        const std::size_t end = output.find('\n');
-        lines.push_back(output.substr(0, end));
-        output.remove_prefix(end == std::string_view::npos ? output.size() : end + 1);
-    }
-    return lines;
-}
-
 std::string name_of(const QuestionScore& question, const ItemScore& item) {
     return fmt::format("{}.{}", question.number, item.spec.name);
 }
 
 /// What was read from a line: "6.t right".
-std::vector<std::string> read_as(int line, const Score& score) {
+std::vector<std::string> read_as(const std::vector<ReadAnswer>& answers) {
     std::vector<std::string> names;
-    for (const QuestionScore& question : score.questions) {
-        for (const ItemScore& item : question.items) {
-            if (item.line != 0 && item.line <= line && line <= item.last_line)
-                names.push_back(name_of(question, item) + " " + std::string(to_string(item.verdict)));
-        }
-    }
+    for (const ReadAnswer& answer : answers)
+        names.push_back(answer.item + " " + std::string(to_string(answer.verdict)));
     return names;
 }
 
@@ -47,9 +35,10 @@ std::vector<std::string> read_as(int line, const Score& score) {
 std::string reading_text(std::string_view output, const Score& score) {
     std::string text;
     int number = 0;
-    for (const std::string_view line : lines_of(output)) {
+    std::map<int, std::vector<ReadAnswer>> answers = answers_by_line(score);
+    for (const std::string_view line : printout_lines(output, most_lines)) {
         std::string names;
-        for (const std::string& name : read_as(++number, score)) names += (names.empty() ? "" : ", ") + name;
+        for (const std::string& name : read_as(answers[++number])) names += (names.empty() ? "" : ", ") + name;
         std::string shown = one_line(std::string(line.substr(0, 4 * widest)));
         if (names.empty()) {
             text += fmt::format("{:>5}  {}\n", number, shown);
@@ -74,11 +63,12 @@ std::string reading_json(std::string_view output, const Score& score) {
     using nlohmann::ordered_json;
     ordered_json lines = ordered_json::array(), items = ordered_json::array();
     int number = 0;
-    for (const std::string_view line : lines_of(output)) {
+    std::map<int, std::vector<ReadAnswer>> answers = answers_by_line(score);
+    for (const std::string_view line : printout_lines(output, most_lines)) {
         ++number;
         lines.push_back({{"number", number},
                          {"text", escape_control(line.substr(0, 4 * widest))},
-                         {"read_as", read_as(number, score)}});
+                         {"read_as", read_as(answers[number])}});
     }
     for (const QuestionScore& question : score.questions) {
         for (const ItemScore& item : question.items) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
 #include "harness/text/points.h"
 
@@ -65,9 +66,24 @@ std::string reason_for_student(const Submission& submission) {
 }
 
 std::string doubtful_reading(const Graded& graded) {
-    const auto found = std::find_if(graded.flags.begin(), graded.flags.end(),
-                                    [](const Flag& flag) { return flag.kind == "reading_doubtful"; });
-    return found == graded.flags.end() ? "" : found->evidence;
+    const std::vector<Flag> open = open_flags(graded);
+    const auto found =
+        std::find_if(open.begin(), open.end(), [](const Flag& flag) { return flag.kind == "reading_doubtful"; });
+    return found == open.end() ? "" : found->evidence;
+}
+
+std::vector<Comment> comments_on(const Graded& graded) {
+    std::vector<Comment> comments;
+    for (const Decision& each : comments_of(graded)) {
+        const std::size_t dot = each.about.find('.');
+        const std::string question = each.about.substr(0, dot);
+        const std::string item = dot == std::string::npos ? "" : ", " + each.about.substr(dot + 1);
+        comments.push_back({each.about.empty()
+                                ? "Your instructor writes"
+                                : fmt::format("Your instructor writes about question {}{}", question, item),
+                            each.text});
+    }
+    return comments;
 }
 
 std::vector<std::string> reread_sentences(const Score& score) {

@@ -30,7 +30,14 @@ std::string reason_for_student(const Submission& submission);
 /// What the instructor said about how answers are to be read, as sentences: "Question 6, t: Read from line 12, …"
 std::vector<std::string> reread_sentences(const Score& score);
 
-/// Why answers of the submission may have been misread; empty if none may.
+/// A comment by the instructor: "Your instructor writes about question 6, t", and what is written.
+struct Comment {
+    std::string head;
+    std::string text;
+};
+std::vector<Comment> comments_on(const Graded& graded);
+
+/// Why answers of the submission may have been misread; empty if none may, or if a person has accepted the readings.
 std::string doubtful_reading(const Graded& graded);
 
 /// What a flag means, as a sentence.

@@ -76,14 +76,14 @@ asio::awaitable<Body> read_body(Connection& connection, Common& common, Parser& 
     co_return Body::whole;
 }
 
-/// Returns the site's answer. An error of the machine or of raygrade goes to the log and to the client.
+/// Returns the service's answer. An error of the machine or of raygrade goes to the log and to the client.
 template <class Ask>
 auto answer_or_fail(const Common& common, const Head& head, Ask ask) -> decltype(ask()) {
     try {
         return ask();
     } catch (const std::exception& error) {
         complain(error);
-        return common.site.problem(head, 500);
+        return common.service.problem(head, 500);
     }
 }
 
@@ -100,12 +100,12 @@ asio::awaitable<std::optional<Answer>> answer_program(Connection& connection, Co
     common.connections.hold_body(connection, 0);
     switch (read) {
         case Body::whole: break;
-        case Body::too_large: co_return Answer{common.site.problem(head, 413)};
-        case Body::no_room: co_return Answer{common.site.problem(head, 503)};
-        case Body::malformed: co_return Answer{common.site.problem(head, 400)};
+        case Body::too_large: co_return Answer{common.service.problem(head, 413)};
+        case Body::no_room: co_return Answer{common.service.problem(head, 503)};
+        case Body::malformed: co_return Answer{common.service.problem(head, 400)};
         case Body::gone: co_return std::nullopt;
     }
-    co_return Answer{answer_or_fail(common, head, [&] { return common.site.take_in(head, body); }), true};
+    co_return Answer{answer_or_fail(common, head, [&] { return common.service.take_in(head, body); }), true};
 }
 
 asio::awaitable<bool> write(Connection& connection, const ServerLimits& limits, const Message& message,
@@ -152,10 +152,10 @@ asio::awaitable<bool> exchange(Connection& connection, Common& common, bool is_l
     if (failure) {
         const auto status = status_of(failure);
         if (!status) co_return false;
-        answer = Answer{common.site.problem(head, *status)};
+        answer = Answer{common.service.problem(head, *status)};
     } else if (!has_clear_length(parser)) {
-        answer = Answer{common.site.problem(head, 400)};
-    } else if (auto early = answer_or_fail(common, head, [&] { return common.site.answer(head); })) {
+        answer = Answer{common.service.problem(head, 400)};
+    } else if (auto early = answer_or_fail(common, head, [&] { return common.service.answer(head); })) {
         answer = Answer{std::move(*early), parser.is_done()};
     } else {
         answer = co_await answer_program(connection, common, parser, head);

@@ -5,13 +5,13 @@
 
 #include "harness/serve/http/connections.h"
 #include "harness/serve/http/server.h"
-#include "harness/serve/site/site.h"
+#include "harness/serve/request/service.h"
 
 namespace harness::serve {
 
 /// What all connections share.
 struct Common {
-    Site& site;
+    Service& service;
     const ServerLimits& limits;
     Connections connections;
     bool is_closing = false;  ///< each connection's next answer is its last

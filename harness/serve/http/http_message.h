@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "harness/serve/site/exchange.h"
+#include "harness/serve/request/exchange.h"
 
 namespace harness::serve {
 

@@ -13,7 +13,7 @@
 #include <memory>
 #include <optional>
 
-#include "harness/serve/site/host_names.h"
+#include "harness/serve/request/host_names.h"
 
 namespace harness::serve {
 namespace {

@@ -19,6 +19,7 @@
 #include "harness/machine/say.h"
 #include "harness/serve/http/conversation.h"
 #include "harness/serve/http/own_addresses.h"
+#include "harness/serve/request/rate_limit.h"
 
 namespace harness::serve {
 namespace {
@@ -64,8 +65,8 @@ void listen(tcp::acceptor& acceptor, const std::string& address, std::uint16_t p
 
 class Server::Network {
   public:
-    Network(const ServerLimits& limits, bool behind_proxy, Site& site, Queue& queue)
-        : limits_(limits), queue_(queue), common_{site, limits_, Connections(limits_, behind_proxy)} {}
+    Network(const ServerLimits& limits, bool behind_proxy, Service& service)
+        : limits_(limits), common_{service, limits_, Connections(limits_, behind_proxy)} {}
 
     void stop();
     void run(std::chrono::milliseconds grace);
@@ -79,13 +80,12 @@ class Server::Network {
     asio::awaitable<void> accept();
     void admit(tcp::socket socket);
     void forget(Connections::Iterator connection);
-    asio::awaitable<void> wait_for_the_queue();
+    asio::awaitable<void> wait_for_the_work();
     void tell_what_is_left() const;
     void close();
 
     asio::steady_timer last_moment_{io};
     const ServerLimits limits_;
-    Queue& queue_;
     Common common_;
     std::chrono::milliseconds grace_{0};
     int stops_ = 0;
@@ -108,10 +108,10 @@ asio::awaitable<void> Server::Network::wait_for_signals() {
 
 void Server::Network::stop() {
     asio::post(io, [this] {
-        queue_.close();
+        common_.service.close();
         if (++stops_ == 1) {
             tell_what_is_left();
-            asio::co_spawn(io, wait_for_the_queue(), asio::detached);
+            asio::co_spawn(io, wait_for_the_work(), asio::detached);
         } else {
             close();
         }
@@ -120,17 +120,17 @@ void Server::Network::stop() {
 
 /// Prints how much work is left. Called right at the stop, because the work may take the whole grace period.
 void Server::Network::tell_what_is_left() const {
-    const std::size_t left = queue_.unfinished();
+    const std::size_t left = common_.service.unfinished();
     if (left == 0 || grace_ == 0ms) return;
     say("stopping: {} {} still to check, for up to {:g} s; press Ctrl-C again to stop now\n", left,
         left == 1 ? "program" : "programs", std::chrono::duration<double>(grace_).count());
 }
 
 /// Students can still read their results meanwhile.
-asio::awaitable<void> Server::Network::wait_for_the_queue() {
+asio::awaitable<void> Server::Network::wait_for_the_work() {
     const auto end = std::chrono::steady_clock::now() + grace_;
     asio::steady_timer timer(io);
-    while (!common_.is_closing && !queue_.is_idle() && std::chrono::steady_clock::now() < end) {
+    while (!common_.is_closing && common_.service.unfinished() > 0 && std::chrono::steady_clock::now() < end) {
         timer.expires_after(20ms);
         co_await timer.async_wait(as_awaitable_accept);
     }
@@ -192,8 +192,8 @@ void Server::Network::forget(Connections::Iterator connection) {
 }
 
 Server::Server(const std::string& address, std::uint16_t port, const ServerLimits& limits, bool behind_proxy,
-               Site& site, Queue& queue)
-    : network_(std::make_unique<Network>(limits, behind_proxy, site, queue)) {
+               Service& service)
+    : network_(std::make_unique<Network>(limits, behind_proxy, service)) {
     listen(network_->acceptor, address, port);
 }
 

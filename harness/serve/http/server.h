@@ -7,8 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "harness/serve/queue/queue.h"
-#include "harness/serve/site/site.h"
+#include "harness/serve/request/service.h"
 
 namespace harness::serve {
 
@@ -41,8 +40,8 @@ class ListenError : public std::runtime_error {
 class Server {
   public:
     /// Starts to listen at an IP address of this machine. Port 0 means any free port. Throws ListenError.
-    Server(const std::string& address, std::uint16_t port, const ServerLimits& limits, bool behind_proxy, Site& site,
-           Queue& queue);
+    Server(const std::string& address, std::uint16_t port, const ServerLimits& limits, bool behind_proxy,
+           Service& service);
     ~Server();
     Server(const Server&) = delete;
     Server& operator=(const Server&) = delete;
@@ -51,10 +50,10 @@ class Server {
 
     /// From now on SIGINT and SIGTERM call stop.
     void stop_on_signals();
-    /// Makes run accept no more programs and return; a second call makes it return at once. Safe to call from another
+    /// Makes run accept no more work and return; a second call makes it return at once. Safe to call from another
     /// thread.
     void stop();
-    /// Serves until stop is called, and then on until the queue is empty or `grace` is over, so that students see their
+    /// Serves until stop is called, and then on until no work is left or `grace` is over, so that students see their
     /// results.
     void run(std::chrono::milliseconds grace);
 

@@ -13,10 +13,11 @@
 #include <string>
 
 #include "harness/serve/queue/queue.h"
+#include "harness/serve/request/exchange.h"
+#include "harness/serve/request/host_names.h"
+#include "harness/serve/request/rate_limit.h"
+#include "harness/serve/request/service.h"
 #include "harness/serve/results/pages.h"
-#include "harness/serve/site/exchange.h"
-#include "harness/serve/site/host_names.h"
-#include "harness/serve/site/rate_limit.h"
 
 namespace harness::serve {
 
@@ -27,17 +28,15 @@ struct SiteSettings {
 };
 
 /// Use it from one thread only. Functions throw HarnessError if the disk fails.
-class Site {
+class Site : public Service {
   public:
     Site(SiteSettings settings, Queue& queue);
 
-    /// The answer, if it does not depend on the body; empty if take_in should get the body.
-    std::optional<Response> answer(const Head& head);
-    /// The answer to a program for which `answer` returned nothing.
-    Response take_in(const Head& head, const std::string& body);
-    /// The answer to a request that failed: 400 if it is not valid HTTP, 413 or 431 if it is too large, 503 if there is
-    /// too much at a time, 500 if answering failed.
-    Response problem(const Head& head, int status) const;
+    std::optional<Response> answer(const Head& head) override;
+    Response take_in(const Head& head, const std::string& body) override;
+    Response problem(const Head& head, int status) const override;
+    void close() override { queue_.close(); }
+    std::size_t unfinished() const override { return queue_.unfinished(); }
 
   private:
     std::optional<Response> answer_check(const Head& head) const;

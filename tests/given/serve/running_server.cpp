@@ -17,7 +17,7 @@ RunningServer::RunningServer(const Options& options) {
     settings.turns_a_minute = options.rate;
     site_ = std::make_unique<Site>(settings, *queue_);
     server_ = std::make_unique<Server>("127.0.0.1", static_cast<std::uint16_t>(0), options.limits,
-                                       options.reach.behind_proxy, *site_, *queue_);
+                                       options.reach.behind_proxy, *site_);
     thread_ = std::thread([this, grace = options.grace] { server_->run(grace); });
 }
 

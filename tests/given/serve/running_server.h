@@ -9,6 +9,7 @@
 
 #include "harness/serve/http/server.h"
 #include "harness/serve/queue/queue.h"
+#include "harness/serve/site/site.h"
 #include "tests/given/serve/client.h"
 
 namespace harness::serve {

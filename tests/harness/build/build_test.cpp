@@ -289,9 +289,10 @@ TEST(BuildWithAHeader, GivesTheMessagesOfAPlainBuild) {
         {"int main() { int unused; }\n", true},
         {"int main() {\n  int sum;\n  printf(\"%d\", 1.5);\n  return sum;\n}\n", true},
         {"template <class T> int f(T x) { return x < 1u; }\nint main() { return f(-1); }\n", true},
+        {"static void never_called() {}\nint main() {}\n", true},
         {"int main() { return undeclared; }\n", false},
         {"int f();\n", false},
-        {"int main() { return EOF < 1u; }\n", true},  // a macro of the header's
+        {"int main() { return EOF < 1u; }\n", true},       // a macro of the header's
         {"#line 1\nint main() { int unused; }\n", false},  // a line of the directives, as it is told
         {"# 7 \"other.h\"\nint main() { int unused; }\n", false},
     };

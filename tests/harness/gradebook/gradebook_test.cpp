@@ -67,6 +67,34 @@ TEST(Gradebook, ReturnsTheClassInItsOrder) {
     EXPECT_EQ(run->tier, Tier::landlock);
 }
 
+TEST(Gradebook, ReturnsPrintoutsAndSourcesAsTheyWere) {
+    const TemporaryFolder folder;
+    std::vector<Graded> all = three();
+    all[0].printout = std::string("t: 1\0\xff\n", 8);
+    all[0].submission.source = std::string("int\0 main\r\n", 11);
+    save(folder.path(), all);
+    const std::vector<Graded> restored = Gradebook(folder.path()).restore();
+    EXPECT_EQ(restored[0].printout, all[0].printout);
+    EXPECT_EQ(restored[0].submission.source, all[0].submission.source);
+    EXPECT_EQ(restored[1].printout, "");
+    EXPECT_EQ(restored[1].submission.source, "");
+    all[0].submission.source.clear();  // grew beyond what is kept
+    all[0].submission.source_sha256 = "11";
+    save(folder.path(), all);
+    EXPECT_EQ(Gradebook(folder.path()).restore()[0].submission.source, "");
+}
+
+TEST(Gradebook, SavesWhatAnOlderRaygradeHasNotKept) {
+    const TemporaryFolder folder;
+    std::vector<Graded> all = three();
+    save(folder.path(), all);  // without sources, as an older raygrade
+    all[0].submission.source = "int main() {}\n";
+    const auto comparison = save(folder.path(), all);
+    EXPECT_TRUE(comparison.changes.rising.empty() && comparison.changes.falling.empty());
+    EXPECT_EQ(Gradebook(folder.path()).restore()[0].submission.source, "int main() {}\n");
+    EXPECT_TRUE(Gradebook(folder.path()).compare(all).is_as_saved());
+}
+
 TEST(Gradebook, IsReadByPython) {
     const TemporaryFolder folder;
     Graded late = graded("ada", output_with_a_mistake());

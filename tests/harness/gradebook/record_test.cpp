@@ -97,6 +97,17 @@ TEST(GradedRecord, IsNoneIfANumberIsTooLargeForItsField) {
     EXPECT_FALSE(with_exit_code(2.5));
 }
 
+TEST(GradedRecord, RestoresTheLastLineOfAnAnswer) {
+    Graded one = graded("zoe", "Question 3:\n1 0 0 0\n0 1 0 0\n0 0 1 4\n0 0 0 1\n\nQuestion 6:\nt: 3\n");
+    const Graded restored = again(one);
+    EXPECT_EQ(restored.score.questions[2].items[0].line, 2);
+    EXPECT_EQ(restored.score.questions[2].items[0].last_line, 5);
+    EXPECT_EQ(restored.score.questions[5].items[4].last_line, 8) << "an answer of one line";
+    one.score.questions[2].items[0].reread = "Read from lines 2-5, as Ada says: so";
+    EXPECT_EQ(again(one).score.questions[2].items[0].last_line, 5);
+    EXPECT_EQ(again(one).score.questions[2].items[0].reread, "Read from lines 2-5, as Ada says: so");
+}
+
 TEST(GradedRecord, RestoresWhatNoReportShows) {
     Graded one = graded("zoe", output_with_a_mistake());
     one.our_fault = true;

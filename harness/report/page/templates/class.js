@@ -99,15 +99,26 @@ document.addEventListener('DOMContentLoaded', () => {
     putBack();
     if (row && !row.hidden) linkOf(row).focus();
   });
+  // A line of a printout or a source is folded away until a link leads to it.
+  const unfold = (target) => {
+    const folded = target && target.closest('details.listed');
+    if (folded) folded.open = true;
+  };
   document.addEventListener('click', (event) => {
     const link = event.target.closest('a[href^="#s"]');
     if (!link || event.ctrlKey || event.metaKey || event.shiftKey) return;
-    const article = byId(link.hash.slice(1));
-    if (!article || article.tagName !== 'ARTICLE') return;
+    const target = byId(link.hash.slice(1));
+    unfold(target);
+    if (!target || target.tagName !== 'ARTICLE') return;
     event.preventDefault();
-    show(article);
+    show(target);
   });
   const linked = location.hash.startsWith('#s') ? byId(location.hash.slice(1)) : null;
-  if (linked && linked.tagName === 'ARTICLE') show(linked);
+  const linkedArticle = linked && linked.closest('article');
+  if (linkedArticle) {
+    show(linkedArticle);
+    unfold(linked);
+    if (linked !== linkedArticle) linked.scrollIntoView();
+  }
   filter();
 });

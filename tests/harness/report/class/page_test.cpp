@@ -97,6 +97,32 @@ TEST(ClassReport, ShowsPrintedAnswersNextToExpectedAnswers) {
     EXPECT_THAT(sheet, HasSubstr("Off by "));
 }
 
+TEST(ClassReport, HoldsThePrintoutAndTheSourceWithLinksToTheirLines) {
+    Graded one = graded("ada", output_with_a_mistake());
+    one.printout = output_with_a_mistake();
+    one.submission.source = "int main() {\n    double t = 3.41421;\n}\n";
+    one.submission.source_sha256 = "00";
+    one.build.diagnostics = "ray_cast.cpp:1:5: warning: main returns nothing\n";
+    one.flags = {{"hard_coded", "6.t: 3.41421 in line 2"}};
+    Graded bob = not_graded("bob");
+    bob.submission.source_sha256.clear();  // there was no source
+    const std::string page = report_of({one, bob});
+    const json read = read_page(page);
+    EXPECT_THAT(read.at("problems"), IsEmpty()) << "each link leads to a line that is there";
+    const std::string sheet = read.at("sheets").at("s1");
+    EXPECT_THAT(sheet,
+                AllOf(HasSubstr("What it printed 1"), HasSubstr("6.t wrong"), HasSubstr("Its source 1int main() {"),
+                      HasSubstr("2 double t = 3.41421; printed as a constant")));
+    EXPECT_THAT(
+        page, AllOf(HasSubstr("<a href=\"#s1-c2\">line 2</a>"), HasSubstr("<a href=\"#s1-c1\">Line 1</a>"),
+                    HasSubstr(fmt::format("<a href=\"#s1-o{0}\">line {0}</a>", one.score.questions[5].items[4].line))));
+    EXPECT_THAT(read.at("sheets").at("s2").get<std::string>(),
+                AllOf(Not(HasSubstr("Its source")), Not(HasSubstr("What it printed"))));
+    one.submission.source.clear();
+    EXPECT_THAT(read_page(report_of({one})).at("sheets").at("s1").get<std::string>(),
+                HasSubstr("Its source is not kept here"));
+}
+
 TEST(ClassReport, ShowsTheAutomaticMarkNextToAnOverride) {
     Graded ada = graded("ada", output_with_a_mistake());
     ada.overrides = {{6, "t", 0.5, "half right", "prof", "2026-11-22T09:30:00Z"},

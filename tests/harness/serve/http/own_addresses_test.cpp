@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "harness/serve/site/host_names.h"
+#include "harness/serve/request/host_names.h"
 
 namespace harness::serve {
 namespace {

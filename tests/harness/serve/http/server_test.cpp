@@ -286,7 +286,7 @@ TEST(Server, SaysThatAPortIsInUseAndWhatToDo) {
     Site site({}, first.queue());
     const auto why = [&](const std::string& address, std::uint16_t port) -> std::string {
         try {
-            const Server second(address, port, {}, false, site, first.queue());
+            const Server second(address, port, {}, false, site);
             return "";
         } catch (const ListenError& error) {
             return error.what();

@@ -1,4 +1,4 @@
-#include "harness/serve/site/rate_limit.h"
+#include "harness/serve/request/rate_limit.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/serve/site/exchange.h"
+#include "harness/serve/request/exchange.h"
 
 namespace harness::serve {
 

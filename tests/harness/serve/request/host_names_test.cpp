@@ -1,4 +1,4 @@
-#include "harness/serve/site/host_names.h"
+#include "harness/serve/request/host_names.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,42 @@
+// What override, reread and review have in common: a person changes marks of a kept class. Each function changes the
+// class in memory and the gradebook; the caller then writes the reports (rewrite_reports). None prints anything.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/class_run/kept_class.h"
+
+namespace harness {
+
+/// Gives the submission at `place` of the class these points, in place of an earlier override of the same item. Throws
+/// UsageError if the submission has no such item.
+void put_override(Gradebook& gradebook, KeptClass& kept, std::size_t place, const Override& given);
+
+/// Takes an override back. Returns the submission's place, empty if it is not in the class now.
+std::optional<std::size_t> remove_override(Gradebook& gradebook, KeptClass& kept, const KeptOverride& removed,
+                                           const Author& author, const std::string& why);
+
+/// Marks the submission at `place` from where the reread says, in place of an earlier reread of the same item.
+void put_reread(Gradebook& gradebook, KeptClass& kept, const Marking& marking, std::size_t place, const Reread& given);
+
+/// What taking a reread back did.
+struct RemovedReread {
+    std::optional<std::size_t> place;  ///< of the submission; empty if it is not in the class now
+    std::optional<Graded> before;      ///< as it was marked; empty if the reread did not count
+};
+RemovedReread remove_reread(Gradebook& gradebook, KeptClass& kept, const Marking& marking, const KeptReread& removed,
+                            const Author& author, const std::string& why);
+
+/// "6.t"
+std::string item_of(const Reread& given);
+
+/// The item that a reread is about. Throws UsageError if the submission has none.
+const ItemScore& item_score(const Graded& graded, const Reread& given);
+
+/// Where the submission is in the class; empty if it is not.
+std::optional<std::size_t> place_in(const KeptClass& kept, const std::string& id);
+
+}  // namespace harness

@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "harness/commands/shared_options.h"
+#include "harness/commands/subcommand.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/say.h"
+#include "harness/review/agenda.h"
+#include "harness/review/site.h"
+#include "harness/serve/http/own_addresses.h"
+#include "harness/serve/http/server.h"
+#include "harness/serve/queue/result_address.h"
+
+namespace harness {
+namespace {
+
+struct ReviewOptions {
+    std::filesystem::path results = "results";
+    std::string by;          ///< empty for the account that runs raygrade
+    std::uint16_t port = 0;  ///< 0 picks a free port
+};
+
+/// Serves until it is stopped.
+int review_class(const ReviewOptions& options) {
+    review::Session session(options.results, options.by);
+    const std::string secret = serve::new_result_address();
+    review::Site site(session, secret);
+    const auto open = review::agenda_of(session).open.size();
+    const std::string here = "127.0.0.1";
+    try {
+        serve::Server server(here, options.port, {}, /*behind_proxy=*/false, site);
+        server.stop_on_signals();
+        fmt::print("{} of {} to review\nOpen {}{}/\n", open, session.graded().size(),
+                   serve::web_address(here, server.port()), secret);
+        fmt::print(
+            "Only this machine can reach it, and only with this address. Each decision is saved at once; Ctrl-C "
+            "stops it.\n");
+        std::fflush(stdout);
+        server.run(std::chrono::milliseconds(0));
+    } catch (const serve::ListenError& error) {
+        throw UsageError(error.what());
+    }
+    return all_graded;
+}
+
+void add_options(CLI::App& command, ReviewOptions& options) {
+    command.add_option("results", options.results, "The folder that `raygrade grade` wrote its results to")
+        ->type_name("DIR")
+        ->capture_default_str();
+    command.add_option("--by", options.by, "Who decides; by default the account that runs raygrade")->type_name("NAME");
+    command.add_option("-p,--port", options.port, "The port; 0 picks a free port and prints it")
+        ->check(CLI::Range(0, 65'535))
+        ->type_name("N")
+        ->capture_default_str();
+    command.footer(
+        "Shows what needs a person: doubtful readings, flags, submissions that were not graded, late ones without a "
+        "date; then any student.\nEach with its output, source, answers and picture. You accept, give points, say "
+        "where "
+        "an answer stands, or write a comment, for one\nstudent or for all alike. The gradebook keeps who decided "
+        "what, "
+        "when and why; the reports are written again at once.\n\nExample: raygrade review results --by \"Prof. X\"");
+}
+
+}  // namespace
+
+Subcommand review_command(CLI::App& app) {
+    return subcommand(app, "review",
+                      "Go through what needs a person in a browser: printout, source and answers side by side",
+                      add_options, review_class);
+}
+
+}  // namespace harness

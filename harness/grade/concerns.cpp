@@ -1,0 +1,83 @@
+#include "harness/grade/concerns.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+namespace harness {
+namespace {
+
+int urgency(const Flag& concern) {
+    if (concern.kind == "reading_doubtful") return 0;
+    if (concern.kind == not_graded_concern) return 2;
+    return concern.kind == "late_without_date" ? 3 : 1;
+}
+
+}  // namespace
+
+std::vector<Flag> concerns_of(const Graded& graded) {
+    std::vector<Flag> concerns = graded.flags;
+    if (graded.outcome == Outcome::not_graded) {
+        concerns.push_back({std::string(not_graded_concern),
+                            graded.submission.problem ? *graded.submission.problem : graded.explanation});
+    }
+    std::stable_sort(concerns.begin(), concerns.end(),
+                     [](const Flag& a, const Flag& b) { return urgency(a) < urgency(b); });
+    return concerns;
+}
+
+std::string seen_in(const Graded& graded, const Flag& concern) {
+    std::string seen = concern.evidence;
+    if (concern.kind != "reading_doubtful") return seen;
+    for (const QuestionScore& question : graded.score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (!item.doubt) continue;
+            seen += fmt::format("\n{}.{}, line {}: {} {}", question.number, item.spec.name, item.line,
+                                to_string(item.verdict), item.printed);
+        }
+    }
+    return seen;
+}
+
+const Decision* acceptance_of(const Graded& graded, const Flag& concern) {
+    const auto found = std::find_if(graded.decisions.rbegin(), graded.decisions.rend(), [&](const Decision& each) {
+        return each.kind == Decision::Kind::accepted && each.about == concern.kind &&
+               each.seen == seen_in(graded, concern);
+    });
+    return found == graded.decisions.rend() ? nullptr : &*found;
+}
+
+std::vector<Flag> open_concerns(const Graded& graded) {
+    std::vector<Flag> open = concerns_of(graded);
+    std::erase_if(open, [&](const Flag& concern) { return acceptance_of(graded, concern) != nullptr; });
+    return open;
+}
+
+std::vector<Flag> open_flags(const Graded& graded) {
+    std::vector<Flag> open = graded.flags;
+    std::erase_if(open, [&](const Flag& flag) { return acceptance_of(graded, flag) != nullptr; });
+    return open;
+}
+
+std::vector<Decision> comments_of(const Graded& graded) {
+    std::vector<Decision> comments;
+    std::copy_if(graded.decisions.begin(), graded.decisions.end(), std::back_inserter(comments),
+                 [](const Decision& each) { return each.kind == Decision::Kind::comment; });
+    return comments;
+}
+
+void attach(const std::vector<KeptDecision>& decisions, std::vector<Graded>& graded) {
+    std::map<std::string, Graded*> by_id;
+    for (Graded& one : graded) {
+        one.decisions.clear();
+        by_id[one.submission.id] = &one;
+    }
+    for (const KeptDecision& each : decisions) {
+        const auto found = by_id.find(each.submission);
+        if (found != by_id.end()) found->second->decisions.push_back(each.given);
+    }
+}
+
+}  // namespace harness

@@ -1,0 +1,160 @@
+// The gradebook's decisions of a review.
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "harness/gradebook/database.h"
+#include "harness/gradebook/gradebook.h"
+#include "harness/gradebook/rows.h"
+
+namespace harness {
+namespace {
+
+using nlohmann::json;
+using SQLite::Statement;
+
+using Kind = Decision::Kind;
+
+Kind kind_called(const std::string& name) {
+    for (const Kind kind : {Kind::comment, Kind::points, Kind::reading}) {
+        if (to_string(kind) == name) return kind;
+    }
+    return Kind::accepted;
+}
+
+std::optional<std::string> replaced_by(const Decision& decision) {
+    if (const auto& before = decision.replaced_override) {
+        return json{{"question", before->question}, {"item", before->item}, {"points", before->points},
+                    {"why", before->why},           {"by", before->by},     {"when", before->when}}
+            .dump();
+    }
+    if (const auto& before = decision.replaced_reread) {
+        return json{{"question", before->question}, {"item", before->item}, {"lines", before->lines},
+                    {"layout", before->layout},     {"why", before->why},   {"by", before->by},
+                    {"when", before->when}}
+            .dump();
+    }
+    return std::nullopt;
+}
+
+/// Throws json::exception if the text is not one that replaced_by wrote.
+void read_replaced(const std::string& text, Decision& decision) {
+    const json before = json::parse(text);
+    const auto word = [&](const char* name) { return before.at(name).get<std::string>(); };
+    const int question = before.at("question").get<int>();
+    if (decision.kind == Kind::points) {
+        decision.replaced_override =
+            Override{question, word("item"), before.at("points").get<double>(), word("why"), word("by"), word("when")};
+    } else {
+        decision.replaced_reread =
+            Reread{question, word("item"), word("lines"), word("layout"), word("why"), word("by"), word("when")};
+    }
+}
+
+std::string name_of(const KeptDecision& kept) {
+    const Decision& given = kept.given;
+    const std::string about = given.about.empty() ? "" : " of " + given.about;
+    return fmt::format("decision {}: {}{} of {}", given.number, to_string(given.kind), about, kept.submission);
+}
+
+/// Whether the audit trail does not tell this already, as it does of overrides and rereads.
+bool is_news(const Decision& decision) {
+    return decision.kind == Kind::accepted || decision.kind == Kind::comment;
+}
+
+}  // namespace
+
+std::vector<KeptDecision> Gradebook::decisions() const {
+    if (!database_) return {};
+    return in_database(file_, [&] {
+        Statement query(*database_,
+                        "SELECT submission, decision, kind, about, seen, text, who, at, before FROM decisions "
+                        "WHERE undone_at IS NULL ORDER BY decision, rowid");
+        std::vector<KeptDecision> all;
+        while (query.executeStep()) {
+            const auto text = [&](int column) { return query.getColumn(column).getString(); };
+            KeptDecision kept{new_id(text(0)),
+                              {query.getColumn(1).getInt64(), kind_called(text(2)), text(3), text(4), text(5), text(6),
+                               text(7), std::nullopt, std::nullopt}};
+            try {
+                if (!query.getColumn(8).isNull()) read_replaced(text(8), kept.given);
+            } catch (const json::exception&) {
+                throw HarnessError(gradebook_damage(file_, "decision " + text(1)));
+            }
+            all.push_back(std::move(kept));
+        }
+        return all;
+    });
+}
+
+std::int64_t Gradebook::next_decision() const {
+    if (!database_) return 1;
+    return in_database(file_, [&] {
+        return database_->execAndGet("SELECT COALESCE(MAX(decision), 0) + 1 FROM decisions").getInt64();
+    });
+}
+
+void Gradebook::put_decision(const KeptDecision& kept) {
+    write([&] {
+        const Decision& given = kept.given;
+        Statement insert(*database_,
+                         "INSERT INTO decisions (decision, submission, kind, about, seen, text, who, at, before) "
+                         "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+        insert.bind(1, given.number);
+        insert.bind(2, kept.submission);
+        insert.bind(3, std::string(to_string(given.kind)));
+        insert.bind(4, given.about);
+        insert.bind(5, given.seen);
+        insert.bind(6, given.text);
+        insert.bind(7, given.by);
+        insert.bind(8, given.when);
+        if (const auto before = replaced_by(given)) insert.bind(9, *before);
+        insert.exec();
+        if (is_news(given)) write_audit(*database_, {given.by, given.when}, name_of(kept), std::nullopt, given.text);
+    });
+}
+
+void Gradebook::undo_decision(const KeptDecision& kept, const Author& author) {
+    write([&] {
+        Statement update(*database_,
+                         "UPDATE decisions SET undone_at = ?, undone_by = ? WHERE decision = ? AND submission = ? AND "
+                         "kind = ? AND about = ? AND undone_at IS NULL");
+        update.bind(1, author.when);
+        update.bind(2, author.name);
+        update.bind(3, kept.given.number);
+        update.bind(4, kept.submission);
+        update.bind(5, std::string(to_string(kept.given.kind)));
+        update.bind(6, kept.given.about);
+        if (update.exec() == 0) return;
+        write_audit(*database_, author, name_of(kept), kept.given.text, "undone");
+    });
+}
+
+std::int64_t Gradebook::version() const {
+    if (!database_) return 0;
+    return in_database(file_,
+                       [&] { return database_->execAndGet("SELECT COALESCE(MAX(entry), 0) FROM audit").getInt64(); });
+}
+
+void Gradebook::together(const std::function<void()>& changes) {
+    write(changes);
+}
+
+void Gradebook::write(const std::function<void()>& change) {
+    if (in_transaction_) return change();
+    in_database(file_, [&] {
+        SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
+        in_transaction_ = true;
+        try {
+            change();
+        } catch (...) {
+            in_transaction_ = false;
+            throw;
+        }
+        in_transaction_ = false;
+        transaction.commit();
+    });
+}
+
+}  // namespace harness

@@ -1,0 +1,269 @@
+#include "harness/review/decide.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/batch/reread.h"
+#include "harness/class_run/corrections.h"
+#include "harness/class_run/kept_printout.h"
+#include "harness/grade/concerns.h"
+#include "harness/machine/errors.h"
+#include "harness/report/class/wrong_answers.h"
+
+namespace harness::review {
+namespace {
+
+using Kind = Decision::Kind;
+
+constexpr const char* undo_reason = "undone in the review";
+
+Override override_for(const Graded& one, const Wish& wish, const Author& author) {
+    const OverridePlace place = read_place(wish.about, one);
+    return {place.question, place.item, read_override_points(wish.points), read_line(wish.text, "the reason"),
+            author.name,    author.when};
+}
+
+/// Throws UsageError if nothing that has the item's shape stands there.
+Reread reread_for(const Session& session, std::size_t index, const Wish& wish, const Author& author) {
+    const Graded& one = session.graded()[index];
+    const OverridePlace place = read_place(wish.about, one);
+    if (place.question == 0 || place.item.empty())
+        throw UsageError(fmt::format("{}: is not a single item; choose one, such as 6.t", wish.about));
+    const std::string& printout = one.printout;
+    if (printout.empty())
+        throw UsageError(fmt::format("{}: there is no printout of it to read again", one.submission.id));
+    Reread given{place.question, place.item, wish.lines, layout_of(printout), read_line(wish.text, "the reason"),
+                 author.name,    author.when};
+    require_value(given, item_score(one, given).spec, one.score, printout);
+    return given;
+}
+
+Decision decision_for(const Wish& wish, std::int64_t number, const Author& author) {
+    Decision decision;
+    decision.number = number;
+    decision.kind = wish.kind;
+    decision.about = wish.about;
+    decision.text = wish.text;
+    decision.by = author.name;
+    decision.when = author.when;
+    return decision;
+}
+
+/// Accepts the open concerns of a kind, or all if `kind` is empty. Returns how many.
+std::size_t accept(Gradebook& gradebook, const Graded& one, const std::string& kind, Decision decision) {
+    std::size_t accepted = 0;
+    decision.kind = Kind::accepted;
+    for (const Flag& concern : open_concerns(one)) {
+        if (!kind.empty() && concern.kind != kind) continue;
+        decision.about = concern.kind;
+        decision.seen = seen_in(one, concern);
+        gradebook.put_decision({one.submission.id, decision});
+        ++accepted;
+    }
+    return accepted;
+}
+
+std::optional<Reread> find_reread(const Graded& one, const std::string& item) {
+    for (const Reread& each : one.submission.rereads) {
+        if (item_of(each) == item) return each;
+    }
+    return std::nullopt;
+}
+
+std::optional<Override> find_override_at(const Graded& one, const std::string& item) {
+    for (const Override& each : one.overrides) {
+        if (place_of(each) == item) return each;
+    }
+    return std::nullopt;
+}
+
+void decide_one(Session& session, Gradebook& gradebook, KeptClass& kept, std::size_t place, const Wish& wish,
+                Decision decision) {
+    const std::string id = kept.graded[place].submission.id;
+    const Author author{decision.by, decision.when};
+    switch (wish.kind) {
+        case Kind::accepted:
+            if (decision.text.empty()) decision.text = "looked at; the marks stand";
+            if (accept(gradebook, kept.graded[place], wish.about, decision) == 0)
+                throw UsageError(fmt::format("{}: has nothing of this kind to accept now", id));
+            return;
+        case Kind::comment:
+            decision.text = read_line(wish.text, "the comment");
+            if (!wish.about.empty()) read_place(wish.about, kept.graded[place]);
+            gradebook.put_decision({id, decision});
+            return;
+        case Kind::points: {
+            const Override given = override_for(kept.graded[place], wish, author);
+            decision.text = given.why;
+            decision.replaced_override = find_override_at(kept.graded[place], wish.about);
+            put_override(gradebook, kept, place, given);
+            break;
+        }
+        case Kind::reading: {
+            const Reread given = reread_for(session, place, wish, author);
+            decision.text = given.why;
+            decision.replaced_reread = find_reread(kept.graded[place], wish.about);
+            put_reread(gradebook, kept, session.marking(), place, given);
+            break;
+        }
+    }
+    gradebook.put_decision({id, decision});
+    if (wish.accepts_concerns) accept(gradebook, kept.graded[place], "", decision);
+}
+
+/// Whether what the decision set is still in force.
+bool stands(const Graded& one, const Decision& decision) {
+    if (decision.kind == Kind::points) {
+        const auto now = find_override_at(one, decision.about);
+        return now && now->by == decision.by && now->when == decision.when && now->why == decision.text;
+    }
+    const auto now = find_reread(one, decision.about);
+    return now && now->by == decision.by && now->when == decision.when && now->why == decision.text;
+}
+
+/// False if somebody changed it since.
+bool undo_one(Session& session, Gradebook& gradebook, KeptClass& kept, const KeptDecision& made, const Author& author) {
+    const Decision& decision = made.given;
+    const auto place = place_in(kept, made.submission);
+    gradebook.undo_decision(made, author);
+    if (decision.kind == Kind::accepted || decision.kind == Kind::comment) return true;
+    if (!place || !stands(kept.graded[*place], decision)) return false;
+    const Graded& one = kept.graded[*place];
+    if (decision.kind == Kind::points) {
+        const KeptOverride now{made.submission, *find_override_at(one, decision.about)};
+        if (decision.replaced_override) {
+            put_override(gradebook, kept, *place, *decision.replaced_override);
+        } else {
+            remove_override(gradebook, kept, now, author, undo_reason);
+        }
+        return true;
+    }
+    const KeptReread now{made.submission, *find_reread(one, decision.about)};
+    if (decision.replaced_reread) {
+        put_reread(gradebook, kept, session.marking(), *place, *decision.replaced_reread);
+    } else {
+        remove_reread(gradebook, kept, session.marking(), now, author, undo_reason);
+    }
+    return true;
+}
+
+/// The submissions that made the same mistake in the item or question.
+std::vector<std::size_t> same_mistake(const Session& session, std::size_t place, const std::string& about) {
+    for (const report::QuestionMistakes& question : report::mistakes_by_question(session.graded())) {
+        for (const report::WrongAnswer& answer : question.answers) {
+            const std::string all = std::to_string(question.question);
+            const bool is_about = answer.whole_question ? about == all || about.starts_with(all + ".")
+                                                        : about == fmt::format("{}.{}", all, answer.spec.name);
+            if (!is_about || answer.differing) continue;
+            if (std::find(answer.who.begin(), answer.who.end(), place) != answer.who.end()) return answer.who;
+        }
+    }
+    return {};
+}
+
+std::vector<std::size_t> same_concern(const Session& session, std::size_t place, const std::string& kind) {
+    std::vector<std::size_t> candidates = session.with_layout_of(place);
+    if (kind != "reading_doubtful") {
+        candidates.clear();
+        for (std::size_t i = 0; i < session.graded().size(); ++i) candidates.push_back(i);
+    }
+    std::erase_if(candidates, [&](std::size_t i) {
+        const std::vector<Flag> open = open_concerns(session.graded()[i]);
+        return std::none_of(open.begin(), open.end(), [&](const Flag& each) { return each.kind == kind; });
+    });
+    return candidates;
+}
+
+}  // namespace
+
+Group alike(const Session& session, std::size_t place, const Wish& wish) {
+    switch (wish.kind) {
+        case Kind::accepted:
+            return {wish.about == "reading_doubtful" ? "a doubtful reading of an output with the same layout"
+                                                     : "the same reason to look at it",
+                    same_concern(session, place, wish.about)};
+        case Kind::reading: return {"an output with the same layout", session.with_layout_of(place)};
+        case Kind::points: return {"the same mistake in " + wish.about, same_mistake(session, place, wish.about)};
+        case Kind::comment: break;
+    }
+    if (!wish.about.empty()) return {"the same mistake in " + wish.about, same_mistake(session, place, wish.about)};
+    return {"an output with the same layout", session.with_layout_of(place)};
+}
+
+Graded after(const Session& session, std::size_t place, const Wish& wish) {
+    Graded one = session.graded()[place];
+    const Author author = session.author();
+    if (wish.kind == Kind::points) {
+        std::erase_if(one.overrides, [&](const Override& each) { return place_of(each) == wish.about; });
+        one.overrides.push_back(override_for(one, wish, author));
+    } else if (wish.kind == Kind::reading) {
+        const Reread given = reread_for(session, place, wish, author);
+        std::erase_if(one.submission.rereads, [&](const Reread& each) { return item_of(each) == wish.about; });
+        one.submission.rereads.push_back(given);
+        mark_again(one, session.marking());
+    } else if (wish.kind == Kind::comment) {
+        read_line(wish.text, "the comment");
+        if (!wish.about.empty()) read_place(wish.about, one);
+    }
+    return one;
+}
+
+std::int64_t decide(Session& session, const std::vector<Shown>& shown, const Wish& wish) {
+    std::int64_t number = 0;
+    const Author author = session.author();
+    session.change([&](Gradebook& gradebook, KeptClass& kept) {
+        const std::vector<std::size_t> places = session.places_of(shown);
+        number = gradebook.next_decision();
+        for (const std::size_t place : places)
+            decide_one(session, gradebook, kept, place, wish, decision_for(wish, number, author));
+        return places;
+    });
+    return number;
+}
+
+Undone undo(Session& session, std::int64_t number, const std::string& only) {
+    Undone undone;
+    const Author author = session.author();
+    session.change([&](Gradebook& gradebook, KeptClass& kept) {
+        std::vector<std::size_t> changed;
+        const std::vector<KeptDecision> made = kept.decisions;
+        // The last first, so that what a decision accepted after giving points is open again before.
+        for (auto each = made.rbegin(); each != made.rend(); ++each) {
+            if (each->given.number != number || (!only.empty() && each->submission != only)) continue;
+            const bool done = undo_one(session, gradebook, kept, *each, author);
+            auto& list = done ? undone.submissions : undone.left;
+            if (std::find(list.begin(), list.end(), each->submission) == list.end()) list.push_back(each->submission);
+            if (const auto place = place_in(kept, each->submission)) changed.push_back(*place);
+        }
+        return changed;
+    });
+    return undone;
+}
+
+void take_back_override(Session& session, const Shown& shown, const std::string& item) {
+    const Author author = session.author();
+    session.change([&](Gradebook& gradebook, KeptClass& kept) {
+        const std::size_t place = session.places_of({shown}).front();
+        const Graded& one = kept.graded[place];
+        const auto now = find_override_at(one, item);
+        if (!now) throw UsageError(fmt::format("{} of {}: is not overridden", item, one.submission.id));
+        remove_override(gradebook, kept, {one.submission.id, *now}, author, "taken back in the review");
+        return std::vector{place};
+    });
+}
+
+void take_back_reread(Session& session, const Shown& shown, const std::string& item) {
+    const Author author = session.author();
+    session.change([&](Gradebook& gradebook, KeptClass& kept) {
+        const std::size_t place = session.places_of({shown}).front();
+        const Graded& one = kept.graded[place];
+        const auto now = find_reread(one, item);
+        if (!now) throw UsageError(fmt::format("{} of {}: was not reread", item, one.submission.id));
+        remove_reread(gradebook, kept, session.marking(), {one.submission.id, *now}, author,
+                      "taken back in the review");
+        return std::vector{place};
+    });
+}
+
+}  // namespace harness::review

@@ -1,0 +1,112 @@
+#include "harness/review/session.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "harness/batch/reread.h"
+#include "harness/grade/concerns.h"
+#include "harness/gradebook/record.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/fingerprint.h"
+#include "harness/machine/fresh_file.h"
+
+namespace harness::review {
+namespace {
+
+namespace fs = std::filesystem;
+
+}  // namespace
+
+ChangedMeanwhile::ChangedMeanwhile(const std::vector<std::string>& ids)
+    : UsageError(
+          fmt::format("{} changed since this page was made, so nothing was done. The page now shows the new state; "
+                      "decide again if it is still right.",
+                      fmt::join(ids, ", "))) {}
+
+Session::Session(fs::path folder, std::string by) : folder_(std::move(folder)), by_(std::move(by)) {
+    refresh();
+    author();  // so that an unusable name is told at once
+}
+
+void Session::refresh() {
+    const Gradebook gradebook(folder_);
+    if (!kept_ || gradebook.version() != version_) load(gradebook);
+}
+
+void Session::load(const Gradebook& gradebook) {
+    const std::string toml = kept_ && marking_ ? kept_->run.toml : "";
+    kept_.reset();
+    const auto version = gradebook.version();
+    KeptClass kept = restore(gradebook, folder_);
+    if (!marking_ || kept.run.toml != toml) marking_ = harness::marking_of(kept);
+    layouts_.clear();
+    for (const Graded& one : kept.graded) layouts_.push_back(one.printout.empty() ? "" : layout_of(one.printout));
+    kept_ = std::move(kept);
+    version_ = version;
+}
+
+std::vector<std::size_t> Session::with_layout_of(std::size_t place) const {
+    std::vector<std::size_t> alike;
+    for (std::size_t i = 0; i < layouts_.size(); ++i) {
+        if (!layouts_[i].empty() && layouts_[i] == layouts_[place]) alike.push_back(i);
+    }
+    return alike;
+}
+
+std::string Session::state_of(std::size_t place) const {
+    const Graded& one = graded()[place];
+    const std::vector<std::uint8_t> record = to_record(one);
+    Fingerprint state("raygrade/review-state/1");
+    state.add(std::string(record.begin(), record.end()));
+    for (const Override& each : one.overrides)
+        state.add(fmt::format("{} {} {} {} {}", place_of(each), each.points, each.when, each.by, each.why));
+    for (const Reread& each : one.submission.rereads)
+        state.add(fmt::format("{} {} {} {} {} {}", each.question, each.item, each.lines, each.when, each.by, each.why));
+    for (const Decision& each : one.decisions)
+        state.add(fmt::format("{} {} {}", each.number, to_string(each.kind), each.about));
+    constexpr std::size_t enough = 32;
+    return state.hex().substr(0, enough);
+}
+
+std::vector<std::size_t> Session::places_of(const std::vector<Shown>& shown) const {
+    std::map<std::string, std::size_t> place_of_id;
+    for (std::size_t i = 0; i < graded().size(); ++i) place_of_id[graded()[i].submission.id] = i;
+    std::vector<std::size_t> places;
+    std::vector<std::string> changed;
+    for (const Shown& each : shown) {
+        const auto found = place_of_id.find(each.id);
+        if (found == place_of_id.end() || state_of(found->second) != each.state) {
+            changed.push_back(each.id);
+        } else {
+            places.push_back(found->second);
+        }
+    }
+    if (!changed.empty()) throw ChangedMeanwhile(changed);
+    return places;
+}
+
+void Session::change(const Work& work) {
+    const FolderLock lock(folder_);
+    Gradebook gradebook(folder_);
+    if (!kept_ || gradebook.version() != version_) load(gradebook);
+    const bool all = must_rewrite_all(gradebook, *kept_, folder_);
+    std::vector<std::size_t> changed;
+    try {
+        gradebook.together([&] { changed = work(gradebook, *kept_); });
+    } catch (...) {
+        kept_.reset();  // it may be half changed
+        refresh();
+        throw;
+    }
+    kept_->decisions = gradebook.decisions();
+    attach(kept_->decisions, kept_->graded);
+    version_ = gradebook.version();
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    rewrite_reports(gradebook, *kept_, *marking_, all, changed, folder_);
+}
+
+}  // namespace harness::review

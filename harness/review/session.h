@@ -1,0 +1,72 @@
+// The class under review. Several windows, and other commands, may change its gradebook at the same time: each request
+// sees the class as the gradebook has it, and each change is made under the lock of the results folder.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/class_run/kept_class.h"
+#include "harness/machine/errors.h"
+
+namespace harness::review {
+
+/// A submission as a page showed it.
+struct Shown {
+    std::string id;
+    std::string state;  ///< Session::state_of
+};
+
+/// Something was changed since the page was made: by another window, command or person.
+class ChangedMeanwhile : public UsageError {
+  public:
+    /// `ids` are the submissions that changed or are gone.
+    explicit ChangedMeanwhile(const std::vector<std::string>& ids);
+};
+
+class Session {
+  public:
+    /// `by` is who decides; if it is empty, the account that runs raygrade. Throws UsageError if the folder holds no
+    /// gradebook.
+    Session(std::filesystem::path folder, std::string by);
+
+    /// Reads the class again if the gradebook has changed. Throws UsageError and HarnessError.
+    void refresh();
+
+    const KeptClass& kept() const { return *kept_; }
+    const std::vector<Graded>& graded() const { return kept_->graded; }
+    const Marking& marking() const { return *marking_; }
+    /// The places of the submissions whose printouts have the layout of this one's, itself included. Empty if it
+    /// printed nothing.
+    std::vector<std::size_t> with_layout_of(std::size_t place) const;
+    Author author() const { return author_of(by_); }
+
+    /// What identifies all that is known and decided about a submission: a form that was made for another state is
+    /// refused.
+    std::string state_of(std::size_t place) const;
+
+    /// The places of these submissions. Throws ChangedMeanwhile unless all are as they were shown.
+    std::vector<std::size_t> places_of(const std::vector<Shown>& shown) const;
+
+    /// Changes the class: takes the lock, refreshes, calls `work`, and writes the reports of the submissions whose
+    /// places it returns. What `work` changes in the gradebook is one transaction. Throws UsageError, also if another
+    /// raygrade holds the folder, and HarnessError.
+    using Work = std::function<std::vector<std::size_t>(Gradebook& gradebook, KeptClass& kept)>;
+    void change(const Work& work);
+
+  private:
+    void load(const Gradebook& gradebook);
+
+    std::filesystem::path folder_;
+    std::string by_;
+    std::optional<KeptClass> kept_;  ///< empty after a change that failed
+    std::optional<Marking> marking_;
+    std::int64_t version_ = -1;
+    std::vector<std::string> layouts_;  ///< of the printouts; empty for one that printed nothing
+};
+
+}  // namespace harness::review

@@ -1,0 +1,101 @@
+'use strict';
+// The keys, and the choice of lines. Without this script everything can still be done.
+document.addEventListener('DOMContentLoaded', () => {
+  const byKey = (key) => [...document.querySelectorAll('[data-key]')]
+    .find((element) => element.dataset.key.split(' ').includes(key));
+  const keys = document.getElementById('keys');
+  const lines = document.querySelector('#reading [name="lines"]');
+  const none = document.querySelector('#reading [name="none"]');
+  const rows = [...document.querySelectorAll('#printout pre > span')];
+
+  // Which lines the field of lines names, if it names whole lines.
+  const range = () => {
+    const found = /^(\d+)(?:-(\d+))?(?::.*)?$/.exec(lines.value.trim());
+    if (!found) return null;
+    const first = Number(found[1]);
+    return [first, found[2] ? Number(found[2]) : first];
+  };
+  const show = (scroll) => {
+    const chosen = range();
+    rows.forEach((row, i) => {
+      const number = i + 1;
+      row.classList.toggle('chosen', chosen !== null && chosen[0] <= number && number <= chosen[1]);
+    });
+    const first = scroll && chosen && rows[chosen[0] - 1];
+    if (first) first.parentElement.scrollTop = first.offsetTop - first.parentElement.clientHeight / 3;
+  };
+  const choose = (first, last) => {
+    const low = Math.max(1, Math.min(first, last));
+    const high = Math.min(rows.length, Math.max(first, last));
+    lines.value = low === high ? String(low) : low + '-' + high;
+    none.checked = false;
+    show(true);
+  };
+  if (lines) {
+    lines.addEventListener('input', () => show(true));
+    lines.addEventListener('keydown', (event) => {
+      if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
+      event.preventDefault();
+      const [first, last] = range() || [0, 0];
+      const step = event.key === 'ArrowDown' ? 1 : -1;
+      if (event.shiftKey) {
+        choose(first, Math.max(first, last + step));
+      } else {
+        choose(first + step, first + step);
+      }
+    });
+    let begun = 0;
+    rows.forEach((row, i) => row.addEventListener('click', (event) => {
+      const number = i + 1;
+      if (!event.shiftKey || begun === 0) begun = number;
+      choose(begun, number);
+    }));
+    show(true);
+  }
+  // The source shows the line that prints the chosen item.
+  const about = document.querySelector('.decide select[name="about"]');
+  const printing = about && [...document.querySelectorAll('.listing .verdict')]
+    .find((note) => /^(may print|prints) /.test(note.textContent) && note.textContent.endsWith(' ' + about.value));
+  if (printing) {
+    const row = printing.parentElement;
+    row.parentElement.scrollTop = row.offsetTop - row.parentElement.clientHeight / 3;
+  }
+  // An item of the table is the one that the forms are about.
+  document.querySelectorAll('[data-item]').forEach((row) => row.addEventListener('click', (event) => {
+    if (event.target.closest('a')) return;
+    document.querySelectorAll('.decide select[name="about"]').forEach((select) => {
+      if ([...select.options].some((option) => option.value === row.dataset.item)) select.value = row.dataset.item;
+    });
+  }));
+  const fields = { o: '#points [name="points"]', r: '#reading [name="lines"]', c: '#comment [name="text"]' };
+  document.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || keys.open) return;
+    const field = event.target.closest('input, select, textarea');
+    if (field) {
+      if (event.key === 'Escape') field.blur();
+      if (field.type !== 'checkbox') return;
+    }
+    const target = fields[event.key] ? document.querySelector(fields[event.key]) : null;
+    const pressed = event.key === '?' ? keys : byKey(event.key);
+    if (target) {
+      target.focus();
+      if (target.select) target.select();
+      target.scrollIntoView({ block: 'nearest' });
+    } else if (pressed === keys) {
+      keys.showModal();
+    } else if (pressed) {
+      pressed.click();
+    } else {
+      return;
+    }
+    event.preventDefault();
+  });
+  document.querySelectorAll('[data-key="?"]').forEach((button) => button.addEventListener('click', () => keys.showModal()));
+
+  // A second press must not send a decision twice.
+  document.querySelectorAll('form[method="post"]').forEach((form) => form.addEventListener('submit', (event) => {
+    if (form.dataset.sent) event.preventDefault();
+    form.dataset.sent = '1';
+  }));
+  window.addEventListener('pageshow', () => document.querySelectorAll('form').forEach((form) => delete form.dataset.sent));
+});

@@ -1,0 +1,227 @@
+// The review of a class as an instructor uses it: by the keyboard alone, with a mouse, and without scripts.
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import path from 'node:path';
+import { createInterface } from 'node:readline';
+import { after, before, beforeEach, test } from 'node:test';
+
+import { expectAccessible, expectNoOverflow, folder, open, raygrade, screenshot, startBrowser } from './browser.js';
+
+/** Prints question 5 twice: first with these numbers, which are read, and then, in line 6, rightly, for 10 points. */
+const twice = (numbers) => `#include <cstdio>
+int main() {
+  puts("Question 5:\\nV: vec3(${numbers})");
+  puts("Question 6:\\na: 1");
+  puts("Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)");
+}
+`;
+const sources = {
+  ada: twice('0.5, 0, -1'),
+  ben: twice('0.25, 0, -1'),
+  cleo: '#include <cstdio>\nint main() { puts("Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)"); }\n',
+};
+
+let browser;
+let scratch;
+let results;
+let running = null;
+
+before(async () => {
+  browser = await startBrowser();
+  scratch = await mkdtemp(path.join(folder, 'review-'));
+  for (const [who, source] of Object.entries(sources)) {
+    await mkdir(path.join(scratch, 'class', who), { recursive: true });
+    await writeFile(path.join(scratch, 'class', who, 'ray_cast.cpp'), source);
+  }
+  await mkdir(path.join(scratch, 'class', 'dan'));
+});
+
+beforeEach(async () => {
+  running?.kill('SIGKILL');
+  running = null;
+  results = await mkdtemp(path.join(scratch, 'results-'));
+  const { status, stderr } = await raygrade('grade', path.join(scratch, 'class'), '--out', results);
+  assert.equal(status, 1, stderr);  // dan handed in nothing
+});
+
+after(async () => {
+  running?.kill('SIGKILL');
+  await browser?.close();
+  if (scratch) await rm(scratch, { recursive: true });
+});
+
+/** raygrade review of the results; its address. */
+async function review() {
+  running = spawn(process.env.RAYGRADE_BINARY, ['review', results, '--by', 'Prof. X'], { stdio: ['ignore', 'pipe', 'ignore'] });
+  for await (const line of createInterface({ input: running.stdout })) {
+    const found = line.match(/http:\/\/127\.0\.0\.1:\d+\/[0-9a-f]{32}\//);
+    if (found) return found[0];
+  }
+  throw new Error('raygrade review ended without an address');
+}
+
+async function points(who) {
+  const grades = JSON.parse(await readFile(path.join(results, 'grades.json'), 'utf8'));
+  return grades.submissions.find(({ id }) => id === who).points;
+}
+
+const left = (page) => page.locator('.steps .facts').innerText();
+
+test('keys alone review a class: reread, points, accept, comment, undo', async () => {
+  const site = await review();
+  const seen = await open(browser, site, { site });
+  const { page } = seen;
+  const { keyboard } = page;
+  const arrive = (heading) => page.getByRole('heading', { level: 1, name: heading, exact: true }).waitFor();
+
+  await keyboard.press('j');
+  await arrive('ada');
+  assert.equal(await left(page), '3 of 3 left to review');
+  assert.equal(await page.locator('#reading [name="about"]').inputValue(), '5.V');
+  await keyboard.press('r');
+  await keyboard.press('ArrowUp');
+  assert.equal(await page.locator('#reading [name="lines"]').inputValue(), '5');
+  await keyboard.press('ArrowDown');
+  await keyboard.press('Shift+ArrowDown');
+  assert.equal(await page.locator('#reading [name="lines"]').inputValue(), '6', 'there is no line 7');
+  assert.equal(await page.locator('#printout .chosen').innerText().then((text) => text.startsWith('6')), true);
+  await keyboard.press('Tab');
+  await keyboard.press('Tab');
+  await keyboard.type('the last one');  // the letters are no keys here
+  await keyboard.press('Enter');
+  await page.getByRole('status').filter({ hasText: '5.V read again for ada' }).waitFor();
+  assert.ok(Math.abs(await points('ada') - 11.67) < 0.01);
+
+  await keyboard.press('u');
+  await page.getByRole('status').filter({ hasText: 'Undone' }).waitFor();
+  assert.ok(Math.abs(await points('ada') - 1.67) < 0.01);
+
+  await keyboard.press('o');
+  await keyboard.type('4');
+  await keyboard.press('Tab');
+  await keyboard.type('nearly');
+  await keyboard.press('Enter');
+  await page.getByRole('status').filter({ hasText: 'Points for 5.V given for ada' }).waitFor();
+  assert.ok(Math.abs(await points('ada') - 5.67) < 0.01);
+  assert.equal(await left(page), '2 of 3 left to review', 'what was doubtful is settled');
+
+  await keyboard.press('n');
+  await arrive('ben');
+  await keyboard.press('c');
+  await keyboard.type('Print each answer once.');
+  await keyboard.press('Tab');
+  await keyboard.press('Enter');
+  await page.getByRole('status').filter({ hasText: 'Comment added for ben' }).waitFor();
+  await keyboard.press('a');
+  await arrive('dan');
+  await page.getByRole('status').filter({ hasText: 'Accepted for ben' }).waitFor();
+  await keyboard.press('a');
+  await arrive('Review');
+  await page.getByText('Nothing is left to review.').waitFor();
+  const feedback = await readFile(path.join(results, 'feedback', 'ben.html'), 'utf8');
+  assert.match(feedback, /Print each answer once\./);
+
+  await keyboard.press('?');
+  await page.getByRole('dialog', { name: 'Keys' }).waitFor();
+  await expectAccessible(page, 'the keys');
+  await keyboard.press('Escape');
+  await page.getByRole('dialog').waitFor({ state: 'hidden' });
+  await seen.close();
+});
+
+for (const [name, options] of Object.entries({
+  1600: { width: 1600 }, 390: { width: 390, height: 844 }, dark: { width: 1400, dark: true } })) {
+  test(`the pages are accessible and fit, ${name}`, async () => {
+    const site = await review();
+    const seen = await open(browser, site, { ...options, site });
+    const look = async (what) => {
+      await expectAccessible(seen.page, what);
+      await expectNoOverflow(seen.page);
+      await screenshot(seen.page, `review-${what}-${name}`);
+    };
+    await look('list');
+    await seen.page.getByRole('link', { name: 'ada', exact: true }).first().click();
+    await look('student');
+    await seen.page.locator('#points [name="points"]').fill('x');
+    await seen.page.getByRole('button', { name: 'Give points' }).click();
+    await seen.page.getByRole('alert').waitFor();
+    await look('refused');
+    await seen.page.locator('#points [name="points"]').fill('3');
+    await seen.page.locator('#points [name="text"]').fill('half');
+    await seen.page.getByRole('button', { name: 'Give points' }).click();
+    await seen.page.getByRole('status').waitFor();
+    await look('decided');
+    await seen.page.goto(`${site}student/2`);
+    await seen.page.locator('#reading [name="text"]').fill('the last one');
+    await seen.page.getByRole('button', { name: /^For all 2 with this layout/ }).click();
+    await seen.page.getByRole('heading', { name: 'For whom?' }).waitFor();
+    await look('group');
+    await seen.page.goto(`${site}student/4`);
+    await look('not-graded');
+    await seen.close([/status of 422/]);
+  });
+}
+
+test('a mouse chooses lines and leaves somebody out of a group', async () => {
+  const site = await review();
+  const seen = await open(browser, site, { site });
+  const { page } = seen;
+  await page.goto(`${site}student/1`);
+  await page.locator('#printout #line-4').click();
+  await page.locator('#printout #line-6').click({ modifiers: ['Shift'] });
+  assert.equal(await page.locator('#reading [name="lines"]').inputValue(), '4-6');
+  await page.locator('#printout #line-6').click();
+  await page.locator('#reading [name="text"]').fill('the last one');
+  await page.getByRole('button', { name: /^For all 2 with this layout/ }).click();
+  await page.getByRole('checkbox', { name: 'ada' }).uncheck();
+  await page.getByRole('button', { name: /Do it for these/ }).click();
+  await page.getByRole('status').filter({ hasText: '5.V read again for ben.' }).waitFor();
+  assert.ok(Math.abs(await points('ada') - 1.67) < 0.01);
+  assert.ok(Math.abs(await points('ben') - 11.67) < 0.01);
+  await page.getByRole('button', { name: /^Undo/ }).click();
+  await page.getByRole('status').filter({ hasText: 'Undone' }).waitFor();
+  assert.ok(Math.abs(await points('ben') - 1.67) < 0.01);
+  await seen.close();
+});
+
+test('of two windows the later is told what the other did', async () => {
+  const site = await review();
+  const seen = await open(browser, site, { site });
+  const first = seen.page;
+  const second = await first.context().newPage();
+  await first.goto(`${site}student/1`);
+  await second.goto(`${site}student/1`);
+  const give = async (page, given, why) => {
+    await page.locator('#points [name="points"]').fill(given);
+    await page.locator('#points [name="text"]').fill(why);
+    await page.getByRole('button', { name: 'Give points' }).click();
+  };
+  await give(first, '7', 'from the first');
+  await first.getByRole('status').waitFor();
+  await give(second, '3', 'from the second');
+  await second.getByRole('alert').filter({ hasText: 'ada changed since this page was made, so nothing was done' }).waitFor();
+  await second.getByText('7 points for question 5, V, by Prof. X').first().waitFor();
+  assert.equal(await second.locator('#points [name="text"]').inputValue(), 'from the second', 'what was typed is still there');
+  assert.ok(Math.abs(await points('ada') - 8.67) < 0.01);
+  await second.getByRole('button', { name: 'Give points' }).click();
+  await second.getByRole('status').waitFor();
+  assert.ok(Math.abs(await points('ada') - 4.67) < 0.01);
+  await seen.close([/status of 409/]);
+});
+
+test('without script it works too', async () => {
+  const site = await review();
+  const seen = await open(browser, site, { site, script: false });
+  const { page } = seen;
+  await page.getByRole('link', { name: /^Begin with ada/ }).click();
+  await page.locator('#reading [name="text"]').fill('the last one');
+  await page.getByRole('button', { name: 'Read it there' }).click();
+  await page.getByRole('status').filter({ hasText: '5.V read again for ada' }).waitFor();
+  assert.ok(Math.abs(await points('ada') - 11.67) < 0.01);
+  await page.getByRole('button', { name: /^Undo/ }).click();
+  await page.getByRole('status').filter({ hasText: 'Undone' }).waitFor();
+  await page.getByRole('button', { name: /^Accept/ }).click();
+  await page.getByRole('heading', { level: 1, name: 'ben' }).waitFor();
+  await seen.close();
+});
