@@ -9,6 +9,7 @@
 #include "harness/grade/hard_scenes_sentences.h"
 #include "harness/grade/other_scenes_sentences.h"
 #include "harness/grade/override_place.h"
+#include "harness/report/text/compiler_hints.h"
 #include "harness/report/text/look_first.h"
 #include "harness/report/text/sentences.h"
 #include "harness/text/escape.h"
@@ -188,6 +189,8 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
         text += "\n## Notes\n\n";
         for (const std::string& note : graded.submission.notes) text += "- " + code(note) + "\n";
     }
+    if (const std::string hints = list_of(compiler_hints(graded)); !hints.empty())
+        text += "\n## What to try\n\n" + hints;
     if (!graded.build.diagnostics.empty()) {
         const bool failed = graded.outcome == Outcome::compile_error;
         text += fmt::format("\n## The compiler's messages\n\n{}{}", failed ? "" : "Warnings cost no points.\n\n",
@@ -204,6 +207,7 @@ std::string check_text(const Graded& graded) {
         text += "Warning: " + warning + "\n";
     if (!graded.explanation.empty()) text += escape_control(graded.explanation) + "\n";
     for (const std::string& note : graded.submission.notes) text += escape_control(note) + "\n";
+    for (const std::string& hint : compiler_hints(graded)) text += escape_control(hint) + "\n";
     if (!graded.build.diagnostics.empty())
         text += "\nThe compiler's messages:\n" + escape_control(graded.build.diagnostics) + "\n";
     for (const Flag& flag : graded.flags) text += flag_title(flag) + ": " + escape_control(flag.evidence) + "\n";

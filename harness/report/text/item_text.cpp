@@ -7,6 +7,7 @@
 #include "harness/execution/tier.h"
 #include "harness/grade/final_mark.h"
 #include "harness/grade/other_scenes_sentences.h"
+#include "harness/report/text/compiler_hints.h"
 #include "harness/report/text/sentences.h"
 #include "harness/text/escape.h"
 #include "harness/text/points.h"
@@ -76,6 +77,7 @@ std::string submission_text(const Graded& graded) {
     for (const std::string& note : graded.submission.notes) text += escape_control(note) + "\n";
     for (const Flag& flag : graded.flags) text += flag.kind + ": " + escape_control(flag.evidence) + "\n";
     for (const std::string& finding : graded.sanitizer) text += "Sanitizers: " + escape_control(finding) + "\n";
+    for (const std::string& hint : compiler_hints(graded)) text += escape_control(hint) + "\n";
     if (!graded.build.diagnostics.empty())
         text += "\nThe compiler's messages:\n" + escape_control(graded.build.diagnostics) + "\n";
     return text;
