@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "harness/batch/reread.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
@@ -26,6 +28,13 @@ KeptClass restore(const Gradebook& gradebook, const fs::path& folder) {
     attach(kept.overrides, kept.graded);
     attach(kept.rereads, kept.graded);
     return kept;
+}
+
+std::string id_called(const std::vector<Graded>& graded, const std::string& who) {
+    const auto has_id = [&](const Graded& one) { return one.submission.id == who; };
+    const auto has_name = [&](const Graded& one) { return label_of(one.submission) == who; };
+    if (std::ranges::any_of(graded, has_id) || std::ranges::count_if(graded, has_name) != 1) return who;
+    return std::ranges::find_if(graded, has_name)->submission.id;
 }
 
 std::size_t find_submission(const std::vector<Graded>& graded, const std::string& id) {

@@ -179,11 +179,11 @@ void write_class_report(std::ostream& out, const std::vector<Graded>& graded, co
     write_head(out, graded, marking, tier, mistakes);
     write_mistakes(out, graded, mistakes);
 
-    const bool named =
-        std::any_of(graded.begin(), graded.end(), [](const Graded& one) { return one.submission.lms.has_value(); });
-    ClassSheets sheets(marking, named);
+    const ClassColumns columns = columns_of(graded);
+    ClassSheets sheets(marking, columns);
     PageData head;
-    head["named"] = named;
+    head["named"] = columns.named;
+    head["dated"] = columns.dated;
     PageData numbers(PageData::type::list);
     for (const reference::KeyQuestion& question : marking.key.questions)
         numbers.push_back(std::to_string(question.number));

@@ -40,11 +40,11 @@ bool is_plainly_right(const ItemScore& item, Outcome outcome) {
     return item_sentence(item, outcome).empty();
 }
 
+/// "Rossi, Giulia, ray_cast.cpp": the file as the student named it.
 std::string who_of(const Submission& submission) {
-    std::string who = submission.id;
-    if (submission.lms && !submission.lms->student.empty()) who = submission.lms->student + ", " + who;
-    const std::string file = submission.file.filename().string();
-    return file.empty() ? who : who + ", " + file;
+    const bool is_renamed = submission.lms && !submission.lms->file.empty();
+    const std::string file = is_renamed ? submission.lms->file : submission.file.filename().string();
+    return label_of(submission) + (file.empty() ? "" : ", " + file);
 }
 
 /// Why the points differ from the sum of the automatic ones.
@@ -162,7 +162,7 @@ std::string StudentPages::page(const Graded& graded) {
     data["policy"] = policy_;
     data["style"] = style_;
     data["title"] = marking_.assignment.title;
-    data["id"] = graded.submission.id;
+    data["id"] = label_of(graded.submission);
     data["who"] = who_of(graded.submission);
     const std::optional<FinalMark> mark = final_mark(graded);
     if (mark) data["points"] = points_text(mark->points);

@@ -53,6 +53,12 @@ std::string plain(const std::string& text) {
     return safe;
 }
 
+/// The student by name; a submission of an unknown student by its id.
+std::string whose(const Submission& submission) {
+    const std::string label = label_of(submission);
+    return label == submission.id ? "Submission " + code(label) : plain(label);
+}
+
 std::string where(const ItemScore& item) {
     return item.line == 0 ? "" : fmt::format(" (line {} of your output)", item.line);
 }
@@ -141,8 +147,7 @@ std::vector<std::string> hard_scenes_of(const Graded& graded) {
 }  // namespace
 
 std::string feedback_markdown(const Graded& graded, const Marking& marking) {
-    std::string text =
-        fmt::format("# {}\n\nSubmission {}\n\n", plain(marking.assignment.title), code(graded.submission.id));
+    std::string text = fmt::format("# {}\n\n{}\n\n", plain(marking.assignment.title), whose(graded.submission));
     if (const std::string warning = sandbox_warning(graded.tier); !warning.empty()) {
         text += fmt::format("> **Warning.** {}\n\n", warning);
     }
