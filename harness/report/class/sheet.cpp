@@ -67,6 +67,19 @@ PageData chips_of(const Graded& graded) {
     return chips;
 }
 
+/// What the table can be searched for beside what it shows: the names of the mistakes.
+std::string mistakes_of(const Graded& graded) {
+    std::set<std::string> names;
+    for (const QuestionScore& question : graded.score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (!item.diagnosis.empty()) names.insert(item.diagnosis);
+        }
+    }
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : "; ") + name;
+    return text;
+}
+
 std::string question_heading(const Graded& graded, const QuestionScore& question) {
     const double points = final_points(graded, question);
     const bool set = find_override(graded, question.number, "") != nullptr;
@@ -79,6 +92,7 @@ std::string question_heading(const Graded& graded, const QuestionScore& question
 
 /// Why an item lost its mark, for the instructor: the student's sentence, the mistake's name, the distance.
 std::string why_of(const ItemScore& item, Outcome outcome) {
+    if (item.verdict == ItemVerdict::missing) return "";  // as the verdict says
     std::string why = item_sentence(item, outcome);
     if (!item.diagnosis.empty()) why += fmt::format(" ({})", item.diagnosis);
     const bool off = item.error && item.verdict != ItemVerdict::right;
@@ -193,6 +207,7 @@ std::string ClassSheets::row(const Graded& graded, std::size_t index) {
     const std::optional<FinalMark> mark = final_mark(graded);
     data["total"] = mark ? points_text(mark->points) : "–";
     data["chips"] = chips_of(graded);
+    set_text(data, "mistakes", mistakes_of(graded));
     return row_.fill_in(data);
 }
 
@@ -247,6 +262,7 @@ std::string ClassSheets::sheet(const Graded& graded, std::size_t index) {
     const Listing source = Listing::of_source(source_text, notes_of_source(graded), prefix + "c", bounds_left());
     if (!graded.explanation.empty()) data["explanation"] = printout.with_links(graded.explanation);
     set_text(data, "look", look_first_sentence(graded));
+    if (has_answers(graded)) set_text(data, "missing", missing_sentence(graded));
     data["changes"] = changes_of(graded, mark);
     if (has_answers(graded)) {
         const Marking& own = own_marking(marking_, graded.submission);
