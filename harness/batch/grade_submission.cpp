@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <system_error>
@@ -12,6 +13,7 @@
 #include "harness/batch/reread.h"
 #include "harness/machine/errors.h"
 #include "harness/mark/score/doubt.h"
+#include "harness/read/clean_text.h"
 #include "harness/read/transcript.h"
 #include "harness/run/sanitizer.h"
 #include "harness/scenes/source/written_answers.h"
@@ -50,9 +52,17 @@ Outcome outcome_of(const ProcessResult& run) {
     return Outcome::not_graded;
 }
 
+/// For a program that did not run to its end.
+std::string what_is_marked(const std::string& output) {
+    if (output.empty()) return " It had not printed a whole line by then.";
+    const std::string text = clean_text(output);  // whose lines are those of the reader
+    const auto ends = std::count(text.begin(), text.end(), '\n');
+    return fmt::format(" It ended after line {} of its output; what it printed until then is marked.",
+                       ends + (text.ends_with('\n') ? 0 : 1));
+}
+
 std::string explain(const Build& build, const ProcessResult& run, const Limits& limits) {
-    const std::string_view still_marked =
-        run.output.empty() ? " Nothing that it printed had arrived by then." : " What it printed before is marked.";
+    const std::string still_marked = what_is_marked(run.output);
     switch (run.ended) {
         case Ended::not_started:
             return build.reached_limit ? "The compiler was stopped at a limit or broke down on this source; its "

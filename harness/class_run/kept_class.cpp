@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "harness/batch/reread.h"
 #include "harness/grade/concerns.h"
 #include "harness/machine/errors.h"
@@ -28,6 +30,13 @@ KeptClass restore(const Gradebook& gradebook, const fs::path& folder) {
     attach(kept.rereads, kept.graded);
     attach(kept.decisions, kept.graded);
     return kept;
+}
+
+std::string id_called(const std::vector<Graded>& graded, const std::string& who) {
+    const auto has_id = [&](const Graded& one) { return one.submission.id == who; };
+    const auto has_name = [&](const Graded& one) { return label_of(one.submission) == who; };
+    if (std::ranges::any_of(graded, has_id) || std::ranges::count_if(graded, has_name) != 1) return who;
+    return std::ranges::find_if(graded, has_name)->submission.id;
 }
 
 std::size_t find_submission(const std::vector<Graded>& graded, const std::string& id) {

@@ -21,6 +21,9 @@ struct KeptClass {
 /// Throws UsageError if the folder holds no gradebook.
 KeptClass restore(const Gradebook& gradebook, const std::filesystem::path& folder);
 
+/// The id of the submission that `who` names: an id, or the name of one student alone. `who` itself if there is none.
+std::string id_called(const std::vector<Graded>& graded, const std::string& who);
+
 /// The submission's place in the class. Throws UsageError with similar names if there is none.
 std::size_t find_submission(const std::vector<Graded>& graded, const std::string& id);
 

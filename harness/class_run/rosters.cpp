@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
 #include "harness/text/escape.h"
@@ -135,6 +138,24 @@ void require_matches(const Rosters& rosters, const RosterOptions& options, const
     if (rosters.moodle_given && rosters.moodle)
         require(report::moodle_import(*rosters.moodle, students).unmatched, options.moodle_worksheet,
                 "--moodle-worksheet");
+}
+
+void name_by_rosters(const Rosters& rosters, std::vector<Submission>& submissions) {
+    const auto take = [&](const std::vector<std::string>& names) {
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            if (submissions[i].name.empty()) submissions[i].name = names[i];
+        }
+    };
+    if (rosters.canvas) take(report::names_of(submissions, *rosters.canvas));
+    if (rosters.moodle) take(report::names_of(submissions, *rosters.moodle));
+    if (std::ranges::all_of(submissions, [](const Submission& one) { return one.name.empty(); })) return;
+    // "Doe, Jane" before "Doe-Fox, Al": what follows a family name does not count before the name itself.
+    const auto key = [](const Submission& one) {
+        const std::string label = label_of(one);
+        const std::size_t comma = std::min(label.find(','), label.size());
+        return std::pair(report::name_key(label.substr(0, comma)), report::name_key(label.substr(comma)));
+    };
+    std::ranges::stable_sort(submissions, {}, key);
 }
 
 void tell_handed_back(const HandedBack& handed_back, const fs::path& results) {

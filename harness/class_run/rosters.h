@@ -51,6 +51,10 @@ void read_kept_rosters(Rosters& rosters, const RosterOptions& options, const Gra
 /// class's, or intake did not understand the names.
 void require_matches(const Rosters& rosters, const RosterOptions& options, const std::vector<Submission>& submissions);
 
+/// Gives submissions their students' names as the rosters write them. If there are any, the submissions are then in the
+/// order of their names, in upper and lower case alike; those without a name are where their id belongs.
+void name_by_rosters(const Rosters& rosters, std::vector<Submission>& submissions);
+
 /// Prints which files go back to an LMS, and who is left out of them.
 void tell_handed_back(const HandedBack& handed_back, const std::filesystem::path& results);
 

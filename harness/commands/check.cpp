@@ -120,7 +120,7 @@ int check_submission(const Submission& submission, const reference::Assignment& 
     run_on_more_scenes(all, {submission.source}, run, {.other = options.other_scenes});
     const Graded& graded = all.front();
     tell_problems(run.runner);
-    fmt::print("{}\n\n{}", assignment.title, report::check_text(graded));
+    fmt::print("{}\n\n{}", assignment.title, report::check_text(graded, assignment.rubric.feedback));
     files.write(graded, run.marking);
     if (!options.html.empty()) write_page(options.html, report::student_page(graded, run.marking), "--html");
     if (graded.outcome == Outcome::not_graded) return status_of({graded});

@@ -83,9 +83,6 @@ Inputs read_inputs(const GradeOptions& options) {
     Intake intake = take_in_all(options.paths);
     inputs.submissions = std::move(intake.submissions);
     tell_left_out(intake.left_out);
-    if (options.other_scenes.count > 0 || options.stress) {
-        for (const Submission& submission : inputs.submissions) inputs.sources.push_back(submission.source);
-    }
     return inputs;
 }
 
@@ -182,6 +179,10 @@ int grade_class(const GradeOptions& options) {
     ResultsSession session = open_session(options.out, holds, options.apply);
     read_kept_rosters(inputs.rosters, options.rosters, session.gradebook, options.out);
     require_matches(inputs.rosters, options.rosters, inputs.submissions);
+    name_by_rosters(inputs.rosters, inputs.submissions);
+    if (options.other_scenes.count > 0 || options.stress) {
+        for (const Submission& submission : inputs.submissions) inputs.sources.push_back(submission.source);
+    }
     check_places(options, session.writes);
 
     session.gradebook.go_by_number(inputs.submissions);
@@ -241,7 +242,9 @@ void add_rosters(CLI::App& command, GradeOptions& options) {
 
 void add_options(CLI::App& command, GradeOptions& options) {
     command
-        .add_option("paths", options.paths, "What to grade: files, folders and archives, in the order of the report")
+        .add_option("paths", options.paths,
+                    "What to grade: files, folders and archives, in the order of the report; with a roster it is in "
+                    "the order of its names")
         ->required()
         ->type_name("PATH...");
     add_assignment(command, options.assignment)->default_str("that of the results in --out, else default");

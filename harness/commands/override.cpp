@@ -100,11 +100,13 @@ void check(const OverrideOptions& options) {
     if (!options.why) throw UsageError("override takes a reason: --why \"right but for a sign\"");
 }
 
-int override_points(const OverrideOptions& options) {
-    if (!options.list) check(options);
+int override_points(const OverrideOptions& given) {
+    if (!given.list) check(given);
+    OverrideOptions options = given;
     const FolderLock lock(options.results);
     Gradebook gradebook(options.results);
     KeptClass kept = restore(gradebook, options.results);
+    options.id = id_called(kept.graded, options.id);
     if (options.list) {
         list(kept);
         return all_graded;
@@ -122,7 +124,8 @@ int override_points(const OverrideOptions& options) {
 }
 
 void add_options(CLI::App& command, OverrideOptions& options) {
-    command.add_option("id", options.id, "The submission, as the reports name it")->type_name("ID");
+    command.add_option("id", options.id, "The submission, by its id or its student's name in the reports")
+        ->type_name("ID");
     command
         .add_option(
             "item", options.item,

@@ -165,11 +165,13 @@ class Rereading {
     const Marking& marking_;
 };
 
-int reread(const RereadOptions& options) {
-    if (!options.list) check_reread(options);
+int reread(const RereadOptions& given) {
+    if (!given.list) check_reread(given);
+    RereadOptions options = given;
     const FolderLock lock(options.results);
     Gradebook gradebook(options.results);
     KeptClass kept = restore(gradebook, options.results);
+    options.id = id_called(kept.graded, options.id);
     if (options.list) {
         list_rereads(kept);
         return all_graded;
@@ -183,7 +185,8 @@ int reread(const RereadOptions& options) {
 }
 
 void add_options(CLI::App& command, RereadOptions& options) {
-    command.add_option("id", options.id, "The submission, as the reports name it")->type_name("ID");
+    command.add_option("id", options.id, "The submission, by its id or its student's name in the reports")
+        ->type_name("ID");
     command.add_option("item", options.item, "The item that was misread, such as 6.t")->type_name("ITEM");
     command
         .add_option(

@@ -108,8 +108,9 @@ bool is_same_mark(const std::optional<double>& one, const std::optional<double>&
 }
 
 MarkChange change_between(const Graded& before, const Graded& after) {
-    MarkChange change{after.submission.id,     points_that_count(before), points_that_count(after), {},
-                      before.score.max_points, after.score.max_points};
+    MarkChange change{
+        after.submission.id,     label_of(after.submission), points_that_count(before), points_that_count(after), {},
+        before.score.max_points, after.score.max_points};
     const std::string& source_then = before.submission.source_sha256;
     const std::string& source_now = after.submission.source_sha256;
     if (source_then != source_now) {

@@ -15,6 +15,7 @@ namespace harness {
 /// How the mark of one submission changed. `before` and `after` are the points that count, empty if it has no mark.
 struct MarkChange {
     std::string id;
+    std::string label;  ///< what people call the submission; its id if nothing else is known
     std::optional<double> before, after;
     std::vector<std::string> reasons;  ///< "another source", "6.t wrong -> right (+1.67)"; none when nothing changed
     double most_before = 0, most_after = 0;  ///< the maximum points

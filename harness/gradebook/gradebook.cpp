@@ -174,7 +174,8 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
     Comparison comparison;
     comparison.records.assign(graded.size(), Record::fresh);
     const auto add_fresh = [&](const Graded& one) {
-        comparison.changes.fresh.push_back({one.submission.id, std::nullopt, points_that_count(one), {}});
+        comparison.changes.fresh.push_back(
+            {one.submission.id, label_of(one.submission), std::nullopt, points_that_count(one), {}});
     };
     if (!database_) {
         std::for_each(graded.begin(), graded.end(), add_fresh);
@@ -222,7 +223,7 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
             const SQLite::Column mark = all.getColumn(1);
             if (present.contains(id)) continue;
             comparison.changes.gone.push_back(
-                {id, mark.isNull() ? std::nullopt : std::optional(mark.getDouble()), std::nullopt, {}});
+                {id, id, mark.isNull() ? std::nullopt : std::optional(mark.getDouble()), std::nullopt, {}});
         }
         return std::move(comparison);
     });

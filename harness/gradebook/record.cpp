@@ -167,6 +167,7 @@ void fields(Archive& at, LmsName& name) {
 template <class Archive>
 void fields(Archive& at, Submission& submission) {
     at.always("id", submission.id);
+    at.unless_default("name", submission.name);
     at.unless_default("file", submission.file);
     at.unless_default("source_sha256", submission.source_sha256);
     at.unless_default("notes", submission.notes);

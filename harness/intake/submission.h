@@ -31,6 +31,7 @@ struct Submission {
     /// Unique within a batch: the folder's name, or the file's without its ending. Valid UTF-8 without control
     /// characters and '/', so that it can name a report (other bytes are written as %XX).
     std::string id;
+    std::string name;                    ///< as a roster writes it: "Rossi, Giulia"; empty if no roster names it
     std::filesystem::path file;          ///< path of the source; empty if there is none
     std::string source;                  ///< its bytes, at most largest_source_bytes
     std::string source_sha256;           ///< lower-case hexadecimal; empty if there is no source
@@ -39,6 +40,12 @@ struct Submission {
     std::vector<Reread> rereads;         ///< the instructor's
     std::optional<std::string> problem;  ///< why it can't be graded and what to do; empty if it can
 };
+
+/// What people call the submission: by the roster's name, else the learning management system's, else its id.
+inline std::string label_of(const Submission& submission) {
+    if (!submission.name.empty()) return submission.name;
+    return submission.lms && !submission.lms->student.empty() ? submission.lms->student : submission.id;
+}
 
 /// The id by which a list of students names this one: the learning management system's number if the list has it, as no
 /// student chooses that; else the submission's own. `list` is a map or a set of ids.

@@ -34,6 +34,14 @@ struct MistakePrice {
     std::optional<ItemId> item = {};  ///< the only item in which it earns that; empty for every item
 };
 
+/// How much a student is told of an answer that is not right; each tells what those before it tell.
+enum class Feedback {
+    verdict,   ///< the verdict and the points
+    hint,      ///< what can be said of the value itself: not a number, of another shape, follows or does not
+    mistake,   ///< the known mistake that gives this value
+    expected,  ///< the right value
+};
+
 /// How the assignment is marked. Every field is an optional key of [rubric] with the default given here.
 struct Rubric {
     /// Where in its pixel a ray may start. The first makes the key, the others are accepted too.
@@ -53,8 +61,8 @@ struct Rubric {
     int grace_minutes = 0;
     /// Points for answers on other scenes (`grade --variants`), in addition to those of the questions; 0 for none.
     double other_scene_points = 0;
-    /// Whether a student may see the right values next to the printed values.
-    bool show_expected = false;
+    /// How much a student is told of an answer.
+    Feedback feedback = Feedback::mistake;
     /// Half a unit of an answer's last printed decimal is forgiven. An answer with fewer decimals than this counts as
     /// if it had this many. 0 to 9.
     int min_decimals = 2;

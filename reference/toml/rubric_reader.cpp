@@ -131,9 +131,9 @@ Rubric read_rubric(const TomlTable& root, const ReadQuestions& asked) {
     rubric.item_points = asked.item_points;
     if (!root.has("rubric")) return rubric;
     const TomlTable table = root.table("rubric");
-    table.allow_only({"pixel_conventions", "boundary", "follow_through", "follow_through_cap", "grace_minutes", "late",
-                      "late_deduction", "min_decimals", "mistakes", "points", "show_expected", "tolerance",
-                      "variant_points", "wrong_scene_credit"});
+    table.allow_only({"pixel_conventions", "boundary", "feedback", "follow_through", "follow_through_cap",
+                      "grace_minutes", "late", "late_deduction", "min_decimals", "mistakes", "points", "show_expected",
+                      "tolerance", "variant_points", "wrong_scene_credit"});
     if (table.has("pixel_conventions")) {
         rubric.pixel_conventions.clear();
         for (const std::string& name : table.strings("pixel_conventions")) {
@@ -158,7 +158,18 @@ Rubric read_rubric(const TomlTable& root, const ReadQuestions& asked) {
     if (table.has("grace_minutes")) rubric.grace_minutes = table.integer("grace_minutes", 0, 7 * 24 * 60);
     if (table.has("variant_points")) rubric.other_scene_points = read_amount(table, "variant_points", 0, most_points);
     if (table.has("min_decimals")) rubric.min_decimals = table.integer("min_decimals", 0, 9);
-    if (table.has("show_expected")) rubric.show_expected = table.boolean("show_expected");
+    if (table.has("feedback")) {
+        rubric.feedback = table.choice<Feedback>("feedback", table.string("feedback"),
+                                                 {{"verdict", Feedback::verdict},
+                                                  {"hint", Feedback::hint},
+                                                  {"mistake", Feedback::mistake},
+                                                  {"expected", Feedback::expected}});
+    }
+    if (table.has("show_expected") && table.boolean("show_expected")) {
+        if (table.has("feedback") && rubric.feedback != Feedback::expected)
+            table.fail("show_expected", "contradicts feedback; leave it out, feedback = \"expected\" says the same");
+        rubric.feedback = Feedback::expected;
+    }
     if (table.has("points")) read_points(table.table("points"), asked.questions, rubric);
     if (table.has("mistakes")) read_mistakes(table.table("mistakes"), rubric);
     if (table.has("tolerance")) read_tolerance(table.table("tolerance"), asked.questions, rubric);

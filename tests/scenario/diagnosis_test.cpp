@@ -47,6 +47,33 @@ std::map<std::string, Diagnosis> expected_diagnoses() {
     return expected;
 }
 
+TEST(Diagnosis, SaysWhatToDoAboutUsualCompileErrors) {
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {"#include <glm/glm.hpp>\nint main() { glm::vec3 V(1); double t = 2; V = t * V; }\n",
+         "Line 2: GLM has no * for double and glm::vec3. Make the number a float"},
+        {"int main() { std::cout << 1; }\n", "std::cout needs #include <iostream>"},
+        {"#include <glm/GLM.hpp>\nint main() {}\n", "Line 1: write #include <glm/glm.hpp>; on Linux"},
+        {"#include <windows.h>\nint main() {}\n", "Line 1: windows.h is a header of Windows"},
+        {"int Main() { return 0; }\n", "Line 1: is Main meant to be main?"},
+    };
+    const TemporaryFolder folder;
+    std::vector<std::string> arguments = {"grade", "--assignment", "a6-2021", "--out", (folder / "out").string()};
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const fs::path one = folder / std::to_string(i);
+        write(one / "ray_cast.cpp", cases[i].first);
+        arguments.push_back(one.string());
+    }
+    const Result result = raygrade(arguments);
+    ASSERT_EQ(result.status, 0) << result.both();
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const std::string page = read(folder / "out" / "feedback" / (std::to_string(i) + ".md"));
+        std::string plain;  // without Markdown's escapes
+        std::copy_if(page.begin(), page.end(), std::back_inserter(plain), [](char c) { return c != '\\'; });
+        EXPECT_NE(plain.find("## What to try"), std::string::npos) << i;
+        EXPECT_NE(plain.find(cases[i].second), std::string::npos) << plain;
+    }
+}
+
 TEST(Diagnosis, NamesFourOfFiveSingleMistakesAndNoRightAnswer) {
     const std::map<std::string, Diagnosis> expected = expected_diagnoses();
     const TemporaryFolder folder;

@@ -158,6 +158,25 @@ TEST_F(Exchange, AMoodleClassGoesBackToMoodle) {
     EXPECT_FALSE(fs::exists(out() / "feedback.zip"));
 }
 
+TEST_F(Exchange, ARosterGivesNamesAndTheirOrder) {
+    for (const char* login : {"al", "jd", "mr"}) write(folder / "class" / login / "ray_cast.cpp", small_program);
+    write(
+        folder / "roster.csv",
+        "Student,ID,SIS User ID,SIS Login ID,Section,Six (6)\n\"de Vries, Al\",1,s1,al,01,\n\"Doe, Jane\",2,s2,jd,01,\n"
+        "\"Abe, Max\",3,s3,mr,01,\n");
+    const Result named = grade(folder / "class", {"--canvas-roster", (folder / "roster.csv").string()});
+    ASSERT_EQ(named.status, 0) << named.both();
+    EXPECT_LT(named.output.find("\nAbe, Max"), named.output.find("\nde Vries, Al"));
+    EXPECT_LT(named.output.find("\nde Vries, Al"), named.output.find("\nDoe, Jane"));
+    EXPECT_THAT(read(out() / "report.html"), HasSubstr(">Abe, Max</a></th><td class=\"id\">mr</td>"));
+    EXPECT_THAT(read(out() / "feedback/jd.html"), HasSubstr(">Doe, Jane, ray_cast.cpp</p>"));
+
+    const Result given = raygrade({"override", "Doe, Jane", "5.V", "3", "--why", "so", "--results", out().string()});
+    EXPECT_EQ(given.status, 0) << given.both();
+    EXPECT_THAT(given.output, HasSubstr("jd 5.V: 3 of 10"));
+    EXPECT_THAT(read(out() / "report.html"), HasSubstr(">Doe, Jane</a></th><td class=\"id\">jd</td>"));
+}
+
 TEST_F(Exchange, AGradescopeClassHasItsStudentsNames) {
     const std::vector<PackedEntry> sources = {{"class/submission_901/ray_cast.cpp", std::string(small_program)},
                                               {"class/submission_902/ray_cast.cpp", std::string(small_program)}};
@@ -180,7 +199,8 @@ TEST_F(Exchange, AGradescopeClassHasItsStudentsNames) {
                 testing::AllOf(HasSubstr("Max Roe, &lt;b&gt;Ann"), Not(HasSubstr("<b>Ann"))));
     EXPECT_TRUE(fs::exists(out() / "feedback/Jane Doe.html"));
     const json who = submission_in(read_json(out() / "grades.json"), "Jane Doe").at("student");
-    EXPECT_EQ(who, json::parse(R"({"name": "Jane Doe", "lms_user_id": "901", "late": null})"));
+    EXPECT_EQ(who,
+              json::parse(R"({"name": "Jane Doe", "lms_user_id": "901", "late": null, "roster_name": "Doe, Jane"})"));
 
     const Result unnamed = grade(with("submission_901: &a\n  :submitters: *b\n"), {});
     EXPECT_EQ(unnamed.status, 0) << unnamed.both();

@@ -9,6 +9,7 @@
 #include "harness/report/class/charts.h"
 #include "harness/report/class/sheet.h"
 #include "harness/report/class/statistics.h"
+#include "harness/report/class/story.h"
 #include "harness/report/class/wrong_answers.h"
 #include "harness/report/page/page_template.h"
 #include "harness/report/page/templates.h"
@@ -21,20 +22,21 @@ namespace {
 
 PageData tiles_of(const ClassStatistics& statistics) {
     PageData tiles(PageData::type::list);
-    const auto add = [&](const char* what, const std::string& value) {
+    const auto add = [&](const char* what, const std::string& value, const char* filter = "") {
         PageData tile;
+        set_text(tile, "filter", filter);
         tile["what"] = what;
         tile["value"] = value;
         tiles.push_back(tile);
     };
-    add("handed in", std::to_string(statistics.handed_in));
+    add("handed in", std::to_string(statistics.handed_in), "all");
     if (statistics.marked != statistics.handed_in) add("with points", std::to_string(statistics.marked));
     const std::string most = " of " + points_text(statistics.max_points);
     if (statistics.mean) add("mean", points_text(*statistics.mean) + most);
     if (statistics.median) add("median", points_text(*statistics.median) + most);
-    if (statistics.late > 0) add("late", std::to_string(statistics.late));
-    if (statistics.flagged > 0) add("flagged", std::to_string(statistics.flagged));
-    if (statistics.overridden > 0) add("with an override", std::to_string(statistics.overridden));
+    if (statistics.late > 0) add("late", std::to_string(statistics.late), "late");
+    if (statistics.flagged > 0) add("flagged", std::to_string(statistics.flagged), "flagged");
+    if (statistics.overridden > 0) add("with an override", std::to_string(statistics.overridden), "override");
     return tiles;
 }
 
@@ -43,6 +45,7 @@ PageData outcomes_of(const ClassStatistics& statistics, const std::vector<Graded
     for (const OutcomeCount& each : statistics.outcomes) {
         PageData outcome;
         outcome["outcome"] = outcome_words(each.outcome);
+        outcome["filter"] = std::string(to_string(each.outcome));
         outcome["count"] = std::to_string(each.who.size());
         // Most programs ran to their end; the table lists those anyway.
         outcome["who"] = each.outcome == Outcome::graded ? "all others" : links_to(each.who, graded);
@@ -77,6 +80,7 @@ PageData items_of(const ClassStatistics& statistics) {
         item["follow"] = std::to_string(tally.follow);
         item["wrong"] = std::to_string(tally.wrong);
         item["missing"] = std::to_string(tally.missing);
+        item["discrimination"] = tally.discrimination ? fmt::format("{:.2f}", *tally.discrimination) : "–";
         items.push_back(item);
     }
     return items;
@@ -123,9 +127,8 @@ PageData group_of(const WrongAnswer& answer, const std::vector<Graded>& graded) 
     return group;
 }
 
-void write_head(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking, Tier tier,
-                const std::vector<QuestionMistakes>& mistakes) {
-    const ClassStatistics statistics = class_statistics(graded);
+PageData overview(const std::vector<Graded>& graded, const Marking& marking, Tier tier,
+                  const ClassStatistics& statistics, const std::vector<QuestionMistakes>& mistakes) {
     const std::string style = std::string(templates::page_css) + std::string(templates::class_css);
     PageData data;
     data["policy"] = security_policy({style}, templates::class_js);
@@ -135,6 +138,7 @@ void write_head(std::ostream& out, const std::vector<Graded>& graded, const Mark
     data["assignment"] = marking.assignment.name;
     set_text(data, "warning", sandbox_warning(tier));
     data["tiles"] = tiles_of(statistics);
+    set_text(data, "story", class_story(statistics, graded, mistakes));
     data["distribution"] = distribution_picture(statistics);
     data["outcomes"] = outcomes_of(statistics, graded);
     PageData doubtful = doubtful_of(graded);
@@ -146,7 +150,25 @@ void write_head(std::ostream& out, const std::vector<Graded>& graded, const Mark
     data["has_items"] = !statistics.items.empty();
     data["printed"] = std::to_string(statistics.printed);
     data["items"] = items_of(statistics);
-    out << page_beginning << PageTemplate(templates::class_head_mustache).fill_in(data);
+    data["discriminates"] =
+        std::ranges::any_of(statistics.items, [](const ItemTally& tally) { return tally.discrimination.has_value(); });
+    return data;
+}
+
+/// The choices of the filter for points.
+PageData bins_of(const ClassStatistics& statistics) {
+    PageData bins(PageData::type::list);
+    for (std::size_t bin = 0; bin < statistics.distribution.size(); ++bin) {
+        const double from = statistics.bin_width * static_cast<double>(bin), below = from + statistics.bin_width;
+        const bool is_last = bin + 1 == statistics.distribution.size();
+        PageData one;
+        one["from"] = points_text(from);
+        one["below"] = is_last ? "Infinity" : points_text(below);
+        one["words"] = is_last ? points_text(from) + " or more"
+                               : fmt::format("{} to below {}", points_text(from), points_text(below));
+        bins.push_back(one);
+    }
+    return bins;
 }
 
 void write_mistakes(std::ostream& out, const std::vector<Graded>& graded,
@@ -176,29 +198,33 @@ void write_mistakes(std::ostream& out, const std::vector<Graded>& graded,
 
 void write_class_report(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking, Tier tier) {
     const std::vector<QuestionMistakes> mistakes = mistakes_by_question(graded);
-    write_head(out, graded, marking, tier, mistakes);
-    write_mistakes(out, graded, mistakes);
+    const ClassStatistics statistics = class_statistics(graded);
+    const PageData data = overview(graded, marking, tier, statistics, mistakes);
+    out << page_beginning << PageTemplate(templates::class_head_mustache).fill_in(data);
 
-    const bool named =
-        std::any_of(graded.begin(), graded.end(), [](const Graded& one) { return one.submission.lms.has_value(); });
-    ClassSheets sheets(marking, named);
+    const ClassColumns columns = columns_of(graded);
+    ClassSheets sheets(marking, columns);
     PageData head;
-    head["named"] = named;
+    head["named"] = columns.named;
+    head["dated"] = columns.dated;
     PageData numbers(PageData::type::list);
     for (const reference::KeyQuestion& question : marking.key.questions)
         numbers.push_back(std::to_string(question.number));
     head["numbers"] = std::move(numbers);
     PageData outcomes(PageData::type::list);
-    for (const OutcomeCount& each : class_statistics(graded).outcomes) {
+    for (const OutcomeCount& each : statistics.outcomes) {
         PageData outcome;
         outcome["outcome"] = std::string(to_string(each.outcome));
         outcome["outcome_words"] = outcome_words(each.outcome);
         outcomes.push_back(outcome);
     }
     head["outcomes"] = std::move(outcomes);
+    head["bins"] = bins_of(statistics);
     out << PageTemplate(templates::class_table_mustache).fill_in(head);
     for (std::size_t i = 0; i < graded.size(); ++i) out << sheets.row(graded[i], i);
-    out << "</tbody></table></div>\n</section>\n<section id=\"each\" aria-labelledby=\"each-title\">\n"
+    out << "</tbody></table></div>\n</section>\n" << PageTemplate(templates::class_answers_mustache).fill_in(data);
+    write_mistakes(out, graded, mistakes);
+    out << "<section id=\"each\" aria-labelledby=\"each-title\">\n"
            "<h2 id=\"each-title\">Each student</h2>\n"
         << sheets.shared_part();
     for (std::size_t i = 0; i < graded.size(); ++i) out << sheets.sheet(graded[i], i);

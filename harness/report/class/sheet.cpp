@@ -68,6 +68,19 @@ PageData chips_of(const Graded& graded) {
     return chips;
 }
 
+/// What the table can be searched for beside what it shows: the names of the mistakes.
+std::string mistakes_of(const Graded& graded) {
+    std::set<std::string> names;
+    for (const QuestionScore& question : graded.score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (!item.diagnosis.empty()) names.insert(item.diagnosis);
+        }
+    }
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : "; ") + name;
+    return text;
+}
+
 std::string question_heading(const Graded& graded, const QuestionScore& question) {
     const double points = final_points(graded, question);
     const bool set = find_override(graded, question.number, "") != nullptr;
@@ -80,6 +93,7 @@ std::string question_heading(const Graded& graded, const QuestionScore& question
 
 /// Why an item lost its mark, for the instructor: the student's sentence, the mistake's name, the distance.
 std::string why_of(const ItemScore& item, Outcome outcome) {
+    if (item.verdict == ItemVerdict::missing) return "";  // as the verdict says
     std::string why = item_sentence(item, outcome);
     if (!item.diagnosis.empty()) why += fmt::format(" ({})", item.diagnosis);
     const bool off = item.error && item.verdict != ItemVerdict::right;
@@ -142,20 +156,16 @@ PageData changes_of(const Graded& graded, const std::optional<FinalMark>& mark) 
 }
 
 std::string facts_of(const Graded& graded) {
-    std::string facts = graded.submission.id;
-    const std::string file = graded.submission.file.string();
-    if (!file.empty()) facts += " · " + file;
-    facts += " · " + outcome_words(graded.outcome);
+    const Submission& submission = graded.submission;
+    std::string facts = label_of(submission) == submission.id ? "" : submission.id + " · ";
+    const std::string file = submission.file.string();
+    if (!file.empty()) facts += file + " · ";
+    facts += outcome_words(graded.outcome);
     if (!late_text(graded).empty()) facts += " · late";
     return facts;
 }
 
 }  // namespace
-
-std::string label_of(const Graded& graded) {
-    const auto& lms = graded.submission.lms;
-    return lms && !lms->student.empty() ? lms->student : graded.submission.id;
-}
 
 std::string outcome_words(Outcome outcome) {
     std::string words(to_string(outcome));
@@ -167,14 +177,23 @@ std::string links_to(const std::vector<std::size_t>& who, const std::vector<Grad
     std::string links;
     for (const std::size_t i : who) {
         links += fmt::format("{}<a href=\"#s{}\">{}</a>", links.empty() ? "" : ", ", i + 1,
-                             escape_markup(label_of(graded[i])));
+                             escape_markup(label_of(graded[i].submission)));
     }
     return links;
 }
 
-ClassSheets::ClassSheets(const Marking& marking, bool named)
+ClassColumns columns_of(const std::vector<Graded>& graded) {
+    ClassColumns columns;
+    for (const Graded& one : graded) {
+        if (label_of(one.submission) != one.submission.id) columns.named = true;
+        if (one.submission.lms) columns.dated = true;
+    }
+    return columns;
+}
+
+ClassSheets::ClassSheets(const Marking& marking, const ClassColumns& columns)
     : marking_(marking),
-      named_(named),
+      columns_(columns),
       asked_(expected_texts(marking.key)),
       row_(templates::class_row_mustache),
       sheet_(templates::class_student_mustache),
@@ -187,16 +206,16 @@ std::string ClassSheets::row(const Graded& graded, std::size_t index) {
     data["outcome"] = std::string(to_string(graded.outcome));
     data["outcome_words"] = outcome_words(graded.outcome);
     data["number"] = std::to_string(index + 1);
+    data["label"] = label_of(graded.submission);
+    data["named"] = columns_.named;
     data["id"] = graded.submission.id;
-    data["named"] = named_;
-    if (named_) {
-        data["name"] = graded.submission.lms ? graded.submission.lms->student : "";
-        data["late"] = late_text(graded);
-    }
+    data["dated"] = columns_.dated;
+    data["late"] = late_text(graded);
     data["cells"] = cells_of(graded);
     const std::optional<FinalMark> mark = final_mark(graded);
     data["total"] = mark ? points_text(mark->points) : "–";
     data["chips"] = chips_of(graded);
+    set_text(data, "mistakes", mistakes_of(graded));
     return row_.fill_in(data);
 }
 
@@ -238,7 +257,7 @@ std::string ClassSheets::picture_of(const Graded& graded, std::size_t index) {
 std::string ClassSheets::sheet(const Graded& graded, std::size_t index) {
     PageData data;
     data["number"] = std::to_string(index + 1);
-    data["label"] = label_of(graded);
+    data["label"] = label_of(graded.submission);
     data["facts"] = facts_of(graded);
     data["outcome_words"] = outcome_words(graded.outcome);
     const std::optional<FinalMark> mark = final_mark(graded);
@@ -251,6 +270,7 @@ std::string ClassSheets::sheet(const Graded& graded, std::size_t index) {
     const Listing source = Listing::of_source(source_text, notes_of_source(graded), prefix + "c", bounds_left());
     if (!graded.explanation.empty()) data["explanation"] = printout.with_links(graded.explanation);
     set_text(data, "look", look_first_sentence(graded));
+    if (has_answers(graded)) set_text(data, "missing", missing_sentence(graded));
     data["changes"] = changes_of(graded, mark);
     if (has_answers(graded)) {
         const Marking& own = own_marking(marking_, graded.submission);

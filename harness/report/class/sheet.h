@@ -13,19 +13,23 @@
 
 namespace harness::report {
 
-/// What the report calls a student: the name from the learning management system, else the submission's id.
-std::string label_of(const Graded& graded);
-
 /// "compile error".
 std::string outcome_words(Outcome outcome);
 
 /// Links to the sheets of the students `who`, escaped: "<a href="#s3">…</a>, …".
 std::string links_to(const std::vector<std::size_t>& who, const std::vector<Graded>& graded);
 
+/// The columns that the table of students has only if they say something.
+struct ClassColumns {
+    bool named = false;  ///< students have names, so their ids have a column of their own
+    bool dated = false;  ///< submissions come from a system that knows which are late
+};
+ClassColumns columns_of(const std::vector<Graded>& graded);
+
 class ClassSheets {
   public:
-    /// `marking` must outlive it. `named`: the table has columns for names and late hand-ins.
-    ClassSheets(const Marking& marking, bool named);
+    /// `marking` must outlive it.
+    ClassSheets(const Marking& marking, const ClassColumns& columns);
 
     /// What the sheets' pictures share; must stand before them.
     std::string shared_part() const { return pictures_.shared_part(); }
@@ -40,7 +44,7 @@ class ClassSheets {
     std::string picture_of(const Graded& graded, std::size_t index);
 
     const Marking& marking_;
-    bool named_;
+    ClassColumns columns_;
     std::map<reference::ItemId, std::string> asked_;
     std::size_t picture_bytes_ = 0;  ///< of all sheets so far
     std::size_t listing_bytes_ = 0;  ///< of all sheets so far

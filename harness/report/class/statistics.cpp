@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
@@ -20,26 +21,54 @@ void count(ItemTally& tally, ItemVerdict verdict) {
     }
 }
 
+/// The correlation of pairs; empty if there are too few, or one of both is always the same.
+std::optional<double> correlation(const std::vector<std::pair<double, double>>& pairs) {
+    constexpr std::size_t fewest = 10;
+    constexpr double least = 1e-9;
+    if (pairs.size() < fewest) return std::nullopt;
+    const double n = static_cast<double>(pairs.size());
+    double mean_x = 0, mean_y = 0, xx = 0, yy = 0, xy = 0;
+    for (const auto& [x, y] : pairs) {
+        mean_x += x / n;
+        mean_y += y / n;
+    }
+    for (const auto& [x, y] : pairs) {
+        xx += (x - mean_x) * (x - mean_x);
+        yy += (y - mean_y) * (y - mean_y);
+        xy += (x - mean_x) * (y - mean_y);
+    }
+    if (xx < least || yy < least) return std::nullopt;
+    return xy / std::sqrt(xx * yy);
+}
+
 std::vector<ItemTally> tally_items(const std::vector<Graded>& graded) {
     std::vector<ItemTally> tallies;
+    std::map<std::size_t, std::vector<std::pair<double, double>>> points_of;  ///< item's and all others'
     for (const Graded& one : graded) {
         if (!has_answers(one)) continue;
         std::size_t at = 0;  // every score has the same items in the same order
         for (const QuestionScore& question : one.score.questions) {
             for (const ItemScore& item : question.items) {
                 if (at == tallies.size()) tallies.push_back({item.spec, question.title});
+                points_of[at].push_back({item.points, one.score.points - item.points});
                 count(tallies[at++], item.verdict);
             }
         }
     }
+    for (std::size_t i = 0; i < tallies.size(); ++i) tallies[i].discrimination = correlation(points_of[i]);
     std::stable_sort(tallies.begin(), tallies.end(),
                      [](const ItemTally& a, const ItemTally& b) { return a.failed() > b.failed(); });
     return tallies;
 }
 
-std::size_t bin_of(double points, double max_points) {
-    const double tenths = max_points > 0 ? std::floor(ClassStatistics::bins * points / max_points) : 0;
-    return static_cast<std::size_t>(std::clamp(tenths, 0.0, ClassStatistics::bins - 1.0));
+/// The least round width for which some ten bins hold all points.
+double round_width(double max_points) {
+    constexpr double most_bins = 11;
+    for (double ten = 1;; ten *= 10) {
+        for (const double width : {ten, 2 * ten, 5 * ten}) {
+            if (std::ceil(max_points / width) <= most_bins) return width;
+        }
+    }
 }
 
 double median_of(std::vector<double> values) {
@@ -54,11 +83,15 @@ void summarise_points(ClassStatistics& statistics, const std::vector<Graded>& gr
         if (const auto mark = final_mark(one)) points.push_back(mark->points);
     }
     statistics.marked = points.size();
+    statistics.bin_width = round_width(statistics.max_points);
+    const double bins = std::max(1.0, std::ceil(statistics.max_points / statistics.bin_width));
+    statistics.distribution.assign(static_cast<std::size_t>(bins), 0);
     if (points.empty()) return;
     double sum = 0;
     for (const double each : points) {
         sum += each;
-        ++statistics.distribution.at(bin_of(each, statistics.max_points));
+        const double bin = std::floor(std::max(0.0, each) / statistics.bin_width);
+        ++statistics.distribution[std::min(static_cast<std::size_t>(bin), statistics.distribution.size() - 1)];
     }
     statistics.mean = sum / static_cast<double>(points.size());
     statistics.median = median_of(std::move(points));

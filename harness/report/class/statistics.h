@@ -1,7 +1,6 @@
 // The numbers for the class report's first section.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -21,6 +20,10 @@ struct ItemTally {
     std::size_t all() const { return right + follow + wrong + missing; }
     /// Share of answers, 0 to 1, that are neither right nor follow from an earlier mistake.
     double failed() const;
+    /// The correlation of the item's points with all other points of the programs with at least one answer, -1 to 1
+    /// (item-rest correlation; for an item that is right or wrong, the point-biserial one). Empty for fewer than 10
+    /// programs, or if all have the same points.
+    std::optional<double> discrimination = {};
 };
 
 struct OutcomeCount {
@@ -29,8 +32,6 @@ struct OutcomeCount {
 };
 
 struct ClassStatistics {
-    static constexpr std::size_t bins = 10;
-
     std::size_t handed_in = 0;
     std::size_t marked = 0;  ///< submissions with points
     std::size_t late = 0;
@@ -39,10 +40,11 @@ struct ClassStatistics {
     std::optional<double> mean;  ///< of the final points; empty if nobody has points
     std::optional<double> median;
     double max_points = 0;
-    std::array<std::size_t, bins> distribution{};  ///< by tenths of max_points; the last also counts all above
-    std::vector<OutcomeCount> outcomes;            ///< outcomes that occurred, in the enumeration's order
-    std::size_t printed = 0;                       ///< programs with at least one answer
-    std::vector<ItemTally> items;                  ///< hardest first, equally hard items in the handout's order
+    double bin_width = 10;                  ///< of the distribution, in points: 1, 2, 5 or ten times as much, and so on
+    std::vector<std::size_t> distribution;  ///< marks from 0, bin_width, …; the last also counts all above
+    std::vector<OutcomeCount> outcomes;     ///< outcomes that occurred, in the enumeration's order
+    std::size_t printed = 0;                ///< programs with at least one answer
+    std::vector<ItemTally> items;           ///< hardest first, equally hard items in the handout's order
 };
 
 ClassStatistics class_statistics(const std::vector<Graded>& graded);

@@ -76,7 +76,9 @@ using Gathered = std::map<Gist, WrongAnswer>;
 
 void gather(Gathered& gathered, const Graded& graded, const QuestionScore& question, std::size_t who) {
     if (is_missing_as_a_whole(question)) {
-        WrongAnswer& answer = gathered[{0, ItemVerdict::missing, "", ""}];
+        const bool cut_short = was_cut_short(graded.outcome);
+        WrongAnswer& answer = gathered[{0, ItemVerdict::missing, "", cut_short ? "cut short" : ""}];
+        answer.sentence = cut_short ? "The program ended before it printed them." : "Not found in the output.";
         answer.spec = question.items.front().spec;
         answer.verdict = ItemVerdict::missing;
         answer.whole_question = true;
@@ -86,8 +88,9 @@ void gather(Gathered& gathered, const Graded& graded, const QuestionScore& quest
     for (std::size_t i = 0; i < question.items.size(); ++i) {
         const ItemScore& item = question.items[i];
         if (!has_mistake(item)) continue;
-        WrongAnswer& answer =
-            gathered[{i + 1, item.verdict, item.diagnosis, item.diagnosis.empty() ? gist_of(item.printed) : ""}];
+        const bool cut_short = item.verdict == ItemVerdict::missing && was_cut_short(graded.outcome);
+        const std::string gist = cut_short ? "cut short" : item.diagnosis.empty() ? gist_of(item.printed) : "";
+        WrongAnswer& answer = gathered[{i + 1, item.verdict, item.diagnosis, gist}];
         if (answer.who.empty()) {
             answer.spec = item.spec;
             answer.verdict = item.verdict;

@@ -35,7 +35,7 @@ std::string grades_csv(const std::vector<Graded>& graded) {
             text += fmt::format(",Q{}", question.number);
     }
     const bool has_scenes = !graded.empty() && graded.front().score.other_scenes;
-    text += fmt::format(",explanation,sandbox,automatic_points,late_deduction,overridden{},flags\r\n",
+    text += fmt::format(",explanation,sandbox,automatic_points,late_deduction,overridden{},flags,name\r\n",
                         has_scenes ? ",other_scenes" : "");
     for (const Graded& one : graded) {
         const bool marked = one.outcome != Outcome::not_graded;
@@ -48,7 +48,7 @@ std::string grades_csv(const std::vector<Graded>& graded) {
                             marked ? points_text(one.score.points) : "", mark ? points_text(mark->late_deduction) : "",
                             csv_cell(overridden(one)));
         if (has_scenes) text += "," + (marked ? points_text(final_scenes_points(one)) : "");
-        text += "," + csv_cell(flags_of(one)) + "\r\n";
+        text += "," + csv_cell(flags_of(one)) + "," + csv_cell(one.submission.name) + "\r\n";
     }
     return text;
 }

@@ -152,11 +152,12 @@ ordered_json run_json(const ProcessResult& run) {
 }
 
 /// What is unknown is null.
-ordered_json student_json(const std::optional<LmsName>& name) {
-    if (!name) return {{"name", nullptr}, {"lms_user_id", nullptr}, {"late", nullptr}};
-    return {{"name", or_null(name->student)},
-            {"lms_user_id", or_null(name->id)},
-            {"late", name->late ? ordered_json(*name->late) : ordered_json(nullptr)}};
+ordered_json student_json(const Submission& submission) {
+    const LmsName name = submission.lms.value_or(LmsName{});
+    return {{"name", or_null(name.student)},
+            {"lms_user_id", or_null(name.id)},
+            {"late", name.late ? ordered_json(*name.late) : ordered_json(nullptr)},
+            {"roster_name", or_null(submission.name)}};
 }
 
 /// What the program did on other scenes; null if none was tried.
@@ -219,7 +220,7 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
     }
     ordered_json submission = {
         {"id", escape_control(graded.submission.id)},
-        {"student", student_json(graded.submission.lms)},
+        {"student", student_json(graded.submission)},
         {"file", escape_control(graded.submission.file.string())},
         {"source_sha256", or_null(graded.submission.source_sha256)},
         {"outcome", to_string(graded.outcome)},

@@ -173,4 +173,15 @@ CanvasImport canvas_import(const CanvasRoster& roster, const std::vector<Graded>
     return import;
 }
 
+std::vector<std::string> names_of(const std::vector<Submission>& submissions, const CanvasRoster& roster) {
+    const Index index(roster);
+    const auto student = column_of(roster.header, "Student");
+    std::vector<std::string> names;
+    for (const Submission& one : submissions) {
+        names.push_back(
+            names_in(index.find(one), [&](std::size_t row) { return cell_of(roster.students[row], student); }));
+    }
+    return names;
+}
+
 }  // namespace harness::report

@@ -39,4 +39,8 @@ struct CanvasImport {
 /// is left out. Points have two decimals.
 CanvasImport canvas_import(const CanvasRoster& roster, const std::vector<Graded>& graded);
 
+/// The name of each submission's student as the roster writes it, "Doe, Jane", matched as above; empty where the roster
+/// has no student that fits, or several.
+std::vector<std::string> names_of(const std::vector<Submission>& submissions, const CanvasRoster& roster);
+
 }  // namespace harness::report

@@ -55,7 +55,8 @@ Case answer_case(const Graded& graded, const QuestionScore& question, const Item
         one.text.clear();
     } else if (!passed) {
         one.result = Result::failed;
-        one.message = or_else(item_sentence(item, graded.outcome), "This answer does not have all its points.");
+        one.message = or_else(item_sentence(item, graded.outcome, marking.assignment.rubric.feedback),
+                              "This answer does not have all its points.");
     } else if (item.verdict == ItemVerdict::right && item.accepted_as.empty()) {
         one.text.clear();
     }

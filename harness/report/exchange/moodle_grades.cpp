@@ -154,4 +154,15 @@ MoodleImport moodle_import(const MoodleWorksheet& worksheet, const std::vector<G
     return import;
 }
 
+std::vector<std::string> names_of(const std::vector<Submission>& submissions, const MoodleWorksheet& worksheet) {
+    const Participants participants(worksheet);
+    std::vector<std::string> names;
+    for (const Submission& one : submissions) {
+        names.push_back(names_in(participants.find(one), [&](std::size_t row) {
+            return participants.contradicts(one, row) ? "" : cell_of(worksheet.rows[row], worksheet.name);
+        }));
+    }
+    return names;
+}
+
 }  // namespace harness::report

@@ -65,4 +65,8 @@ struct MoodleImport {
 /// guesses. Points have two decimals, with the decimal sign of the worksheet's maximum.
 MoodleImport moodle_import(const MoodleWorksheet& worksheet, const std::vector<Graded>& graded);
 
+/// The name of each submission's participant as the worksheet writes it, "Jane Doe", matched as above; empty where none
+/// fits or marking is blind.
+std::vector<std::string> names_of(const std::vector<Submission>& submissions, const MoodleWorksheet& worksheet);
+
 }  // namespace harness::report

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "harness/text/escape.h"
+#include "harness/text/printable.h"
 
 namespace harness::report {
 namespace {
@@ -131,6 +132,16 @@ std::string name_key(std::string_view name) {
         if (written <= MB_LEN_MAX) result.append(bytes, written);
     }
     return result;
+}
+
+std::string names_in(const std::vector<std::set<std::size_t>>& rows_of_people,
+                     const std::function<std::string(std::size_t)>& name_of) {
+    std::string names;
+    for (const std::set<std::size_t>& rows : rows_of_people) {
+        const std::string name = rows.size() == 1 ? name_of(*rows.begin()) : "";
+        if (!name.empty()) names += (names.empty() ? "" : "; ") + printable(name);
+    }
+    return names;
 }
 
 RowMatches match_rows(const std::vector<Graded>& graded,

@@ -52,6 +52,10 @@ std::optional<double> read_grade(std::string_view cell);
 /// decides what a letter is; raygrade sets it to C.UTF-8.
 std::string name_key(std::string_view name);
 
+/// The names in the only row that fits each of the people, "; " between them; empty if there is none.
+std::string names_in(const std::vector<std::set<std::size_t>>& rows_of_people,
+                     const std::function<std::string(std::size_t)>& name_of);
+
 /// The submissions matched to each row, and those that match no row or several.
 struct RowMatches {
     std::map<std::size_t, std::vector<const Graded*>> of_row;  ///< no submission twice in a row

@@ -6,6 +6,7 @@
 #include "harness/grade/hard_scenes_sentences.h"
 #include "harness/grade/other_scenes_sentences.h"
 #include "harness/report/page/templates.h"
+#include "harness/report/text/compiler_hints.h"
 #include "harness/report/text/compiler_messages.h"
 #include "harness/report/text/sentences.h"
 
@@ -32,6 +33,10 @@ std::string Evidence::compiler(const Graded& graded, const Listing& source) {
     PageData data;
     data["level"] = heading_;
     data["only_warnings"] = graded.outcome != Outcome::compile_error;
+    PageData hints(PageData::type::list);
+    for (const std::string& hint : compiler_hints(graded)) hints.push_back(source.with_links(hint));
+    data["has_hints"] = hints.is_non_empty_list();
+    data["hints"] = std::move(hints);
     PageData lines(PageData::type::list);
     for (const CompilerMessage& message : compiler_messages(diagnostics)) {
         PageData line;

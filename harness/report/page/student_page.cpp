@@ -29,22 +29,30 @@ bool all_have(const QuestionScore& question, ItemVerdict verdict) {
                        [&](const ItemScore& item) { return item.verdict == verdict; });
 }
 
-/// Whether there is more to say than that the question is right.
+bool shows_expected(const Marking& marking) {
+    return marking.assignment.rubric.feedback == reference::Feedback::expected;
+}
+
+/// Whether all its answers are missing, so that one sentence on all such questions serves.
+bool is_missing(const QuestionScore& question) {
+    return all_have(question, ItemVerdict::missing);
+}
+
+/// Whether there is more to say than that the question is right or missing.
 bool is_worth_a_section(const Graded& graded, const QuestionScore& question) {
-    if (is_without_answers(graded)) return false;
-    return std::any_of(question.items.begin(), question.items.end(),
-                       [&](const ItemScore& item) { return !item_sentence(item, graded.outcome).empty(); });
+    return !is_without_answers(graded) && !all_have(question, ItemVerdict::right) && !is_missing(question);
 }
 
-bool is_plainly_right(const ItemScore& item, Outcome outcome) {
-    return item_sentence(item, outcome).empty();
+/// Whether the instructor gave the points of the question as a whole.
+bool is_set(const Graded& graded, const QuestionScore& question) {
+    return find_override(graded, question.number, "") != nullptr;
 }
 
+/// "Rossi, Giulia, ray_cast.cpp": the file as the student named it.
 std::string who_of(const Submission& submission) {
-    std::string who = submission.id;
-    if (submission.lms && !submission.lms->student.empty()) who = submission.lms->student + ", " + who;
-    const std::string file = submission.file.filename().string();
-    return file.empty() ? who : who + ", " + file;
+    const bool is_renamed = submission.lms && !submission.lms->file.empty();
+    const std::string file = is_renamed ? submission.lms->file : submission.file.filename().string();
+    return label_of(submission) + (file.empty() ? "" : ", " + file);
 }
 
 /// Why the points differ from the sum of the automatic ones.
@@ -72,48 +80,42 @@ PageData list_of_changes(const Graded& graded, const std::optional<FinalMark>& m
 /// A question in the strip at the top.
 PageData cell_of(const Graded& graded, const QuestionScore& question) {
     PageData cell;
-    const std::string_view verdict = class_of(question);
-    cell["class"] = std::string(verdict);
+    const bool set = is_set(graded, question);
+    cell["class"] = set ? "set" : std::string(class_of(question));
     cell["number"] = std::to_string(question.number);
     cell["question_title"] = question.title;
-    cell["symbol"] = std::string(symbol_of(question));
-    cell["word"] = word_of(question);
+    cell["symbol"] = set ? "✎" : std::string(symbol_of(question));
+    cell["word"] = set ? "points set by your instructor" : word_of(question);
+    if (set) cell["automatic"] = points_text(question.points);
     cell["got"] = points_text(final_points(graded, question));
     cell["most"] = points_text(question.max_points);
-    cell["linked"] = is_worth_a_section(graded, question);
+    const bool has_section = is_worth_a_section(graded, question);
+    cell["linked"] = has_section || (is_missing(question) && !is_without_answers(graded));
+    cell["target"] = has_section ? fmt::format("q{}", question.number) : "missing";
     return cell;
 }
 
-std::string note_of(const Graded& graded, const QuestionScore& question, const std::optional<LookFirst>& look) {
-    if (all_have(question, ItemVerdict::missing) && question.items.size() > 1) {
-        const bool ended_early = graded.outcome != Outcome::graded;
-        return ended_early
-                   ? "No answer was found in what the program printed before it ended."
-                   : "No answer was found in the output. Print each with a label under this question’s heading.";
-    }
+/// What is said once of a question that only follows from earlier ones.
+std::string note_of(const QuestionScore& question, const std::optional<LookFirst>& look) {
     const bool follows =
         look && std::find(look->following.begin(), look->following.end(), question.number) != look->following.end();
     if (!follows) return "";
-    if (!look->is_only || look->is_missing)
-        return "Nothing is wrong here by itself: it follows from your earlier answers and will be right once you fix "
-               "those.";
-    return fmt::format(
-        "Nothing is wrong here by itself: it follows from question {} and will be right once you fix that.",
-        look->question);
+    const std::string fix =
+        !look->is_only || look->is_missing ? "the earlier answers" : fmt::format("question {}", look->question);
+    return fmt::format("This step is correct for the values you had; fix {} and this one will be right too.", fix);
 }
 
 }  // namespace
 
 StudentPages::StudentPages(const Marking& marking)
     : marking_(marking),
-      asked_(marking.assignment.rubric.show_expected ? expected_texts(marking.key)
-                                                     : std::map<reference::ItemId, std::string>()),
+      asked_(shows_expected(marking) ? expected_texts(marking.key) : std::map<reference::ItemId, std::string>()),
       style_(templates::page_css),
       policy_(security_policy({style_})),
       page_(templates::student_mustache),
       question_(templates::question_mustache),
       evidence_("h2", most_bytes),
-      pictures_(marking, marking.assignment.rubric.show_expected, "scene-") {}
+      pictures_(marking, shows_expected(marking), "scene-") {}
 
 PageData StudentPages::item(const Graded& graded, const QuestionScore& question, const ItemScore& item, bool said,
                             const Listing& printout) const {
@@ -121,38 +123,42 @@ PageData StudentPages::item(const Graded& graded, const QuestionScore& question,
     data["name"] = name_in_question(item.spec);
     data["item_class"] = std::string(to_string(item.verdict));
     data["item_word"] = std::string(word_of(item.verdict));
+    const bool item_set = find_override(graded, question.number, std::string(item.spec.name)) != nullptr;
+    data["has_points"] = !is_set(graded, question);
     data["item_got"] = points_text(final_points(graded, question, item));
     data["item_most"] = points_text(item.max_points);
-    data["item_set"] = find_override(graded, question.number, std::string(item.spec.name)) != nullptr;
+    if (item_set) data["item_automatic"] = points_text(item.points);
     set_text(data, "printed", item.printed);
     if (item.line != 0) data["line"] = printout.with_links(fmt::format("line {}", item.line));
     const auto asked = asked_.find(item.spec.id);
     if (asked != asked_.end() && item.verdict != ItemVerdict::right) data["asked"] = asked->second;
-    if (!said) set_text(data, "sentence", item_sentence(item, graded.outcome));
-    set_text(data, "diagnosis", item.diagnosis);
+    const reference::Feedback feedback = marking_.assignment.rubric.feedback;
+    if (!said) set_text(data, "sentence", item_sentence(item, graded.outcome, feedback));
+    set_text(data, "diagnosis", told_diagnosis(item, feedback));
     return data;
 }
 
 std::string StudentPages::question(const Graded& graded, const QuestionScore& question, const Listing& printout) {
     const std::optional<LookFirst> look = look_first(graded);
     PageData data = cell_of(graded, question);
-    data["is_first"] = look && look->question == question.number;
-    data["set"] = find_override(graded, question.number, "") != nullptr;
-    const std::string note = note_of(graded, question, look);
+    data["is_first"] = look && !look->ended_early && look->question == question.number;
+    const std::string note = note_of(question, look);
     set_text(data, "note", note);
-    const bool all_missing = all_have(question, ItemVerdict::missing) && question.items.size() > 1;
     PageData items(PageData::type::list);
-    std::string right;
+    std::string right, missing;
     for (const ItemScore& each : question.items) {
-        if (is_plainly_right(each, graded.outcome)) {
+        if (each.verdict == ItemVerdict::right) {
             right += (right.empty() ? "" : ", ") + name_in_question(each.spec);
-        } else if (!all_missing) {
+        } else if (each.verdict == ItemVerdict::missing) {
+            missing += (missing.empty() ? "" : ", ") + name_in_question(each.spec);
+        } else {
             items.push_back(item(graded, question, each,
                                  !note.empty() && each.verdict == ItemVerdict::follow && each.advice.empty(),
                                  printout));
         }
     }
     set_text(data, "right", right);
+    set_text(data, "missing", missing);
     data["has_items"] = items.is_non_empty_list();
     data["items"] = std::move(items);
     return question_.fill_in(data);
@@ -163,7 +169,7 @@ std::string StudentPages::page(const Graded& graded) {
     data["policy"] = policy_;
     data["style"] = style_;
     data["title"] = marking_.assignment.title;
-    data["id"] = graded.submission.id;
+    data["id"] = label_of(graded.submission);
     data["who"] = who_of(graded.submission);
     const std::optional<FinalMark> mark = final_mark(graded);
     if (mark) data["points"] = points_text(mark->points);
@@ -176,6 +182,7 @@ std::string StudentPages::page(const Graded& graded) {
     if (const std::optional<LookFirst> look = look_first(graded)) {
         PageData first;
         first["number"] = std::to_string(look->question);
+        first["invitation"] = invitation(*look);
         first["reason"] = reason(*look);
         data["first"] = std::move(first);
     } else if (graded.outcome == Outcome::graded && graded.score.points == graded.score.max_points) {
@@ -196,6 +203,8 @@ std::string StudentPages::page(const Graded& graded) {
     }
     data["questions"] = std::move(cells);
     data["sections"] = sections;
+    if (has_marks(graded) && !is_without_answers(graded)) set_text(data, "missing", missing_sentence(graded));
+    if (has_marks(graded)) set_text(data, "accepted", accepted_sentence(graded.score));
     if (!printout.empty()) data["printout"] = printout.html("What your program printed");
     data["printout_too_long"] = is_printout_too_long(graded);
     data["kept_kib"] = std::to_string(longest_kept_printout >> 10U);

@@ -15,7 +15,7 @@ namespace harness::report {
 
 /// Makes the students' pages of one assignment. Each page is self-contained: no script, no request, safe under a strict
 /// Content-Security-Policy, well-formed as XML too. No expected values unless the rubric shows them
-/// (Rubric::show_expected).
+/// (Feedback::expected).
 class StudentPages {
   public:
     /// `marking` must outlive it.

@@ -14,6 +14,7 @@ extern const std::string_view student_mustache;
 extern const std::string_view question_mustache;
 extern const std::string_view messages_mustache;
 extern const std::string_view evidence_mustache;
+extern const std::string_view class_answers_mustache;
 extern const std::string_view class_head_mustache;
 extern const std::string_view class_groups_mustache;
 extern const std::string_view class_panel_mustache;

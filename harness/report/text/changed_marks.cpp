@@ -55,13 +55,13 @@ std::string changes_text(const ClassChanges& changes) {
     std::size_t width = narrowest_id;
     for (const Titled& each : groups(changes)) {
         for (const MarkChange& change : each.group)
-            width = std::max(width, std::min(widest_id, code_points(one_line(change.id))));
+            width = std::max(width, std::min(widest_id, code_points(one_line(change.label))));
     }
     std::string text;
     for (const Titled& each : groups(changes)) {
         for (const MarkChange& change : each.group) {
             std::string line =
-                fmt::format("{:<6} {} {:>7} -> {:>6} {:>7}  {}", each.word, padded(one_line(change.id), width),
+                fmt::format("{:<6} {} {:>7} -> {:>6} {:>7}  {}", each.word, padded(one_line(change.label), width),
                             mark(change.before), mark(change.after), difference(change), reasons_of(change));
             line.erase(line.find_last_not_of(' ') + 1);
             text += line + "\n";

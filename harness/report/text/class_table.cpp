@@ -15,9 +15,15 @@
 namespace harness::report {
 namespace {
 
+/// "Rossi, Giulia (rossigiulia)": where a command may follow, which takes the id.
+std::string called(const Submission& submission) {
+    const std::string label = one_line(label_of(submission)), id = one_line(submission.id);
+    return label == id ? id : fmt::format("{} ({})", label, id);
+}
+
 std::string row_of(const Graded& graded, std::size_t id_width) {
     std::string row =
-        fmt::format("{}  {:<13}", padded(one_line(graded.submission.id), id_width), to_string(graded.outcome));
+        fmt::format("{}  {:<13}", padded(one_line(label_of(graded.submission)), id_width), to_string(graded.outcome));
     const bool marked = graded.outcome != Outcome::not_graded;
     for (const QuestionScore& question : graded.score.questions)
         row += fmt::format(" {:>5}", marked ? points_text(final_points(graded, question)) : "-");
@@ -29,7 +35,7 @@ std::string row_of(const Graded& graded, std::size_t id_width) {
 std::string departures(const std::vector<Graded>& graded) {
     std::string text;
     for (const Graded& one : graded) {
-        const std::string id = one_line(one.submission.id);
+        const std::string id = called(one.submission);
         for (const Override& given : one.overrides) {
             const auto automatic = points_at(one.score, given);
             if (!automatic) continue;
@@ -102,7 +108,7 @@ std::string doubtful(const std::vector<Graded>& graded) {
     for (const Graded& one : graded) {
         const std::string why = doubtful_reading(one);
         if (why.empty()) continue;
-        who += fmt::format("  {}: {}\n", one_line(one.submission.id), one_line(why));
+        who += fmt::format("  {}: {}\n", called(one.submission), one_line(why));
         ++count;
     }
     if (count == 0) return "";
@@ -116,7 +122,7 @@ std::string class_table(const std::vector<Graded>& graded) {
     if (graded.empty()) return "";
     std::size_t id_width = narrowest_id;
     for (const Graded& one : graded)
-        id_width = std::max(id_width, std::min(widest_id, code_points(one_line(one.submission.id))));
+        id_width = std::max(id_width, std::min(widest_id, code_points(one_line(label_of(one.submission)))));
     std::string text = padded("submission", id_width) + fmt::format("  {:<13}", "outcome");
     for (const QuestionScore& question : graded.front().score.questions)
         text += fmt::format(" {:>5}", fmt::format("Q{}", question.number));
@@ -145,7 +151,7 @@ std::string class_table(const std::vector<Graded>& graded) {
     text += doubtful(graded);
     for (const Graded& one : graded) {
         if (one.outcome == Outcome::not_graded)
-            text += fmt::format("not graded: {}: {}\n", one_line(one.submission.id), one_line(one.explanation));
+            text += fmt::format("not graded: {}: {}\n", called(one.submission), one_line(one.explanation));
     }
     return text;
 }

@@ -10,6 +10,7 @@
 #include "harness/grade/hard_scenes_sentences.h"
 #include "harness/grade/other_scenes_sentences.h"
 #include "harness/grade/override_place.h"
+#include "harness/report/text/compiler_hints.h"
 #include "harness/report/text/look_first.h"
 #include "harness/report/text/sentences.h"
 #include "harness/text/escape.h"
@@ -53,17 +54,25 @@ std::string plain(const std::string& text) {
     return safe;
 }
 
+/// The student by name; a submission of an unknown student by its id.
+std::string whose(const Submission& submission) {
+    const std::string label = label_of(submission);
+    return label == submission.id ? "Submission " + code(label) : plain(label);
+}
+
 std::string where(const ItemScore& item) {
     return item.line == 0 ? "" : fmt::format(" (line {} of your output)", item.line);
 }
 
-std::string item_line(const Graded& graded, const QuestionScore& question, const ItemScore& item) {
+std::string item_line(const Graded& graded, const QuestionScore& question, const ItemScore& item,
+                      reference::Feedback feedback) {
     const std::string name = item.spec.shape == reference::Shape::verdict ? "the verdict" : std::string(item.spec.name);
     const std::string part = item.spec.part == 0 ? "" : fmt::format(" {})", item.spec.part);
     std::string text = fmt::format("- Question {}{}, {}{}: ", question.number, part, name, where(item));
     if (!item.printed.empty()) text += fmt::format("you printed {}. ", code(item.printed));
-    text += plain(item_sentence(item, graded.outcome));
-    if (!item.diagnosis.empty()) text += fmt::format(" ({})", plain(item.diagnosis));
+    text += plain(item_sentence(item, graded.outcome, feedback));
+    if (const std::string name = told_diagnosis(item, feedback); !name.empty())
+        text += fmt::format(" ({})", plain(name));
     text += fmt::format(" {} of {} points", points_text(item.points), points_text(item.max_points));
     const Override* given = find_override(graded, question.number, std::string(item.spec.name));
     if (given != nullptr) text += fmt::format("; your instructor gave {}", points_text(given->points));
@@ -107,20 +116,16 @@ std::string verdict_of(const QuestionScore& question) {
     return all_unreadable ? "unreadable" : std::string(to_string(question.verdict));
 }
 
-std::string items_worth_saying(const Graded& graded) {
+std::string items_worth_saying(const Graded& graded, reference::Feedback feedback) {
     std::string text;
     for (const QuestionScore& question : graded.score.questions) {
-        const bool all_missing = std::all_of(question.items.begin(), question.items.end(),
-                                             [](const ItemScore& i) { return i.verdict == ItemVerdict::missing; });
-        if (all_missing && question.items.size() > 1) {
-            text += fmt::format("- Question {}: no answer was found in the output. 0 of {} points.\n", question.number,
-                                points_text(question.max_points));
-            continue;
-        }
         for (const ItemScore& item : question.items) {
-            if (!item_sentence(item, graded.outcome).empty()) text += item_line(graded, question, item);
+            if (item.verdict != ItemVerdict::right && item.verdict != ItemVerdict::missing)
+                text += item_line(graded, question, item, feedback);
         }
     }
+    for (const std::string& sentence : {missing_sentence(graded), accepted_sentence(graded.score)})
+        if (!sentence.empty()) text += fmt::format("- {}\n", plain(sentence));
     return text;
 }
 
@@ -143,8 +148,7 @@ std::vector<std::string> hard_scenes_of(const Graded& graded) {
 }  // namespace
 
 std::string feedback_markdown(const Graded& graded, const Marking& marking) {
-    std::string text =
-        fmt::format("# {}\n\nSubmission {}\n\n", plain(marking.assignment.title), code(graded.submission.id));
+    std::string text = fmt::format("# {}\n\n{}\n\n", plain(marking.assignment.title), whose(graded.submission));
     if (const std::string warning = sandbox_warning(graded.tier); !warning.empty()) {
         text += fmt::format("> **Warning.** {}\n\n", warning);
     }
@@ -170,7 +174,8 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     const bool has_follow = std::any_of(score.questions.begin(), score.questions.end(),
                                         [](const QuestionScore& q) { return q.verdict == ItemVerdict::follow; });
     if (has_follow) text += "\n`follow`: wrong, but computed correctly from your own earlier answers.\n";
-    const std::string items = graded.outcome == Outcome::compile_error ? "" : items_worth_saying(graded);
+    const std::string items =
+        graded.outcome == Outcome::compile_error ? "" : items_worth_saying(graded, marking.assignment.rubric.feedback);
     if (!items.empty()) text += "\n## Answers to look at\n\n" + items;
     if (const std::vector<Flag> open = open_flags(graded); !open.empty()) {
         text += "\n## A person should look at this\n\n";
@@ -191,6 +196,8 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
         text += "\n## Notes\n\n";
         for (const std::string& note : graded.submission.notes) text += "- " + code(note) + "\n";
     }
+    if (const std::string hints = list_of(compiler_hints(graded)); !hints.empty())
+        text += "\n## What to try\n\n" + hints;
     if (!graded.build.diagnostics.empty()) {
         const bool failed = graded.outcome == Outcome::compile_error;
         text += fmt::format("\n## The compiler's messages\n\n{}{}", failed ? "" : "Warnings cost no points.\n\n",
@@ -201,12 +208,13 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     return text;
 }
 
-std::string check_text(const Graded& graded) {
+std::string check_text(const Graded& graded, reference::Feedback feedback) {
     std::string text;
     if (const std::string warning = sandbox_warning(graded.tier); !warning.empty())
         text += "Warning: " + warning + "\n";
     if (!graded.explanation.empty()) text += escape_control(graded.explanation) + "\n";
     for (const std::string& note : graded.submission.notes) text += escape_control(note) + "\n";
+    for (const std::string& hint : compiler_hints(graded)) text += escape_control(hint) + "\n";
     if (!graded.build.diagnostics.empty())
         text += "\nThe compiler's messages:\n" + escape_control(graded.build.diagnostics) + "\n";
     for (const Flag& flag : graded.flags) text += flag_title(flag) + ": " + escape_control(flag.evidence) + "\n";
@@ -220,14 +228,17 @@ std::string check_text(const Graded& graded) {
         for (const ItemScore& item : question.items) {
             text +=
                 fmt::format("  {:<13} {:<10}{}\n", name_in_question(item.spec), to_string(item.verdict), where(item));
-            const std::string sentence = item_sentence(item, graded.outcome);
-            if (sentence.empty()) continue;
+            if (item.verdict == ItemVerdict::right || item.verdict == ItemVerdict::missing) continue;
             if (!item.printed.empty()) text += fmt::format("      you printed {}\n", escape_control(item.printed));
-            text += fmt::format("      {}{}\n", sentence,
-                                item.diagnosis.empty() ? "" : fmt::format(" ({})", item.diagnosis));
+            const std::string name = told_diagnosis(item, feedback);
+            text += fmt::format("      {}{}\n", item_sentence(item, graded.outcome, feedback),
+                                name.empty() ? "" : fmt::format(" ({})", name));
         }
     }
-    if (const std::string look = look_first_sentence(graded); !look.empty()) text += "\n" + look + "\n";
+    for (const std::string& sentence :
+         {missing_sentence(graded), accepted_sentence(graded.score), look_first_sentence(graded)}) {
+        if (!sentence.empty()) text += "\n" + sentence + "\n";
+    }
     if (graded.score.other_scenes) text += "\n" + scenes_sentence(graded) + "\n";
     if (graded.score.follow_cap) text += "\n" + cap_sentence(*graded.score.follow_cap) + "\n";
     return text +

@@ -14,8 +14,8 @@ namespace harness::report {
 /// with it. Never an expected value.
 std::string feedback_markdown(const Graded& graded, const Marking& marking);
 
-/// The same marking for a student's own check, on a terminal: a verdict for every item, with the reason. Never an
-/// expected value.
-std::string check_text(const Graded& graded);
+/// The same marking for a student's own check, on a terminal: a verdict for every item, with the reason as far as
+/// `feedback` lets it be told. Never an expected value.
+std::string check_text(const Graded& graded, reference::Feedback feedback = reference::Feedback::mistake);
 
 }  // namespace harness::report

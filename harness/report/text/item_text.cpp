@@ -8,6 +8,7 @@
 #include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
 #include "harness/grade/other_scenes_sentences.h"
+#include "harness/report/text/compiler_hints.h"
 #include "harness/report/text/sentences.h"
 #include "harness/text/escape.h"
 #include "harness/text/points.h"
@@ -40,13 +41,14 @@ std::string item_text(const Graded& graded, const QuestionScore& question, const
     std::string text = fmt::format("{}: {}, {} of {} points{}\n", name_in_question(item.spec), to_string(item.verdict),
                                    points_text(final_points(graded, question, item)), points_text(item.max_points),
                                    item.line == 0 ? "" : fmt::format(" (line {} of the output)", item.line));
-    const std::string sentence = item_sentence(item, graded.outcome);
+    const reference::Feedback feedback = marking.assignment.rubric.feedback;
+    const std::string sentence = item_sentence(item, graded.outcome, feedback), name = told_diagnosis(item, feedback);
     if (!sentence.empty()) {
         if (!item.printed.empty()) text += "  You printed " + escape_control(item.printed) + "\n";
-        text += "  " + sentence + (item.diagnosis.empty() ? "" : fmt::format(" ({})", item.diagnosis)) + "\n";
+        text += "  " + sentence + (name.empty() ? "" : fmt::format(" ({})", name)) + "\n";
     }
     if (!item.reread.empty()) text += "  " + escape_control(item.reread) + "\n";
-    const bool is_shown = marking.assignment.rubric.show_expected && item.verdict != ItemVerdict::right;
+    const bool is_shown = feedback == reference::Feedback::expected && item.verdict != ItemVerdict::right;
     if (is_shown) text += "  Right value: " + right_value(item, marking) + "\n";
     const std::string word = override_text(find_override(graded, question.number, std::string(item.spec.name)));
     return text + (word.empty() ? "" : "  " + word);
@@ -79,6 +81,7 @@ std::string submission_text(const Graded& graded) {
     for (const Comment& comment : comments_on(graded))
         text += comment.head + ": " + escape_control(comment.text) + "\n";
     for (const std::string& finding : graded.sanitizer) text += "Sanitizers: " + escape_control(finding) + "\n";
+    for (const std::string& hint : compiler_hints(graded)) text += escape_control(hint) + "\n";
     if (!graded.build.diagnostics.empty())
         text += "\nThe compiler's messages:\n" + escape_control(graded.build.diagnostics) + "\n";
     return text;

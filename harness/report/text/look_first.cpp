@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "harness/report/text/sentences.h"
+
 namespace harness::report {
 namespace {
 
@@ -60,9 +62,11 @@ std::optional<LookFirst> look_first(const Graded& graded) {
     const auto missing = std::find_if(questions.begin(), questions.end(),
                                       [](const QuestionScore& q) { return any(q, ItemVerdict::missing); });
     const auto first = wrong != questions.end() ? wrong : missing;
-    if (first == questions.end()) return std::nullopt;
+    const bool ended_early = was_cut_short(graded.outcome);
+    if (first == questions.end() || (ended_early && wrong == questions.end())) return std::nullopt;
     LookFirst look{first->number,
                    wrong == questions.end(),
+                   ended_early,
                    std::count_if(questions.begin(), questions.end(), is_wrong_itself) == 1,
                    {}};
     for (const QuestionScore& question : questions) {
@@ -83,9 +87,14 @@ std::string reason(const LookFirst& look) {
                               one ? "has" : "have", one ? "its" : "their");
 }
 
+std::string invitation(const LookFirst& look) {
+    return look.ended_early ? fmt::format("Then look at question {}", look.question)
+                            : fmt::format("Look at question {} first", look.question);
+}
+
 std::string look_first_sentence(const Graded& graded) {
     const std::optional<LookFirst> look = look_first(graded);
-    return look ? fmt::format("Look at question {} first: {}", look->question, reason(*look)) : "";
+    return look ? fmt::format("{}: {}", invitation(*look), reason(*look)) : "";
 }
 
 }  // namespace harness::report

@@ -12,13 +12,14 @@ namespace harness::report {
 struct LookFirst {
     int question = 0;
     bool is_missing = false;     ///< no answer is wrong, but this question lacks one
+    bool ended_early = false;    ///< the program did not run to its end, which comes before this
     bool is_only = false;        ///< no other question is wrong
     std::vector<int> following;  ///< questions whose only mistakes follow from earlier answers
 };
 
 /// The earliest question with a wrong answer of its own or, if there is none, the earliest with a missing answer. Empty
 /// if nothing needs a look, or if there is nothing to look at: the source does not compile, or the program was stopped
-/// before it printed an answer.
+/// before it printed an answer or a wrong one.
 std::optional<LookFirst> look_first(const Graded& graded);
 
 /// Whether every item is missing.
@@ -31,7 +32,10 @@ bool is_without_answers(const Graded& graded);
 /// Why to look there first: "it is the only one with a wrong answer." In plain text, one or two sentences.
 std::string reason(const LookFirst& look);
 
-/// "Look at question 3 first: " and the reason; empty if look_first() is.
+/// "Look at question 3 first", or "Then look at question 3" if the program did not run to its end.
+std::string invitation(const LookFirst& look);
+
+/// The invitation, ": " and the reason; empty if look_first() is.
 std::string look_first_sentence(const Graded& graded);
 
 }  // namespace harness::report

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
@@ -18,7 +19,23 @@ bool holds_no_number(const ItemScore& item) {
            (item.printed.find("nan") != std::string::npos || item.printed.find("inf") != std::string::npos);
 }
 
-/// Whether the program was cut short, so that it might still have printed what is missing.
+/// What an answer that follows earns, where that is not all of its points.
+std::string share_sentence(const ItemScore& item) {
+    constexpr double a_millionth = 1e-6;
+    if (item.max_points <= 0 || item.points >= item.max_points - a_millionth) return "";
+    return fmt::format(" That earns {:.0f} % of its points.", 100 * item.points / item.max_points);
+}
+
+/// "4", "4 and 5", "4, 5 and 6".
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+    return text;
+}
+
+}  // namespace
+
 bool was_cut_short(Outcome outcome) {
     switch (outcome) {
         case Outcome::crashed:
@@ -32,8 +49,6 @@ bool was_cut_short(Outcome outcome) {
     }
     return false;
 }
-
-}  // namespace
 
 std::string expected_shape(reference::Shape shape) {
     switch (shape) {
@@ -113,12 +128,15 @@ std::string name_in_question(const reference::ItemSpec& spec) {
     return spec.part == 0 ? std::string(spec.name) : fmt::format("{}) {}", spec.part, spec.name);
 }
 
-std::string item_sentence(const ItemScore& item, Outcome outcome) {
+std::string item_sentence(const ItemScore& item, Outcome outcome, reference::Feedback feedback) {
+    const bool may_hint = feedback >= reference::Feedback::hint;
+    const bool may_name = feedback >= reference::Feedback::mistake;
     switch (item.verdict) {
         case ItemVerdict::right: return item.accepted_as.empty() ? "" : fmt::format("Accepted: {}.", item.accepted_as);
         case ItemVerdict::follow:
-            if (!item.advice.empty()) return item.advice;
-            return "Not the right value, but it follows correctly from an earlier mistake of yours.";
+            if (!item.advice.empty() && may_name) return item.advice + share_sentence(item);
+            return "Not the right value, but it follows correctly from an earlier mistake of yours." +
+                   share_sentence(item);
         case ItemVerdict::missing:
             if (was_cut_short(outcome)) return "Not found in what the program printed before it ended.";
             return fmt::format("Not found in the output. Print {} with a label under this question's heading.",
@@ -128,11 +146,65 @@ std::string item_sentence(const ItemScore& item, Outcome outcome) {
                                expected_shape(item.spec.shape));
         case ItemVerdict::wrong: break;
     }
+    constexpr const char* plainly = "That is not the right value.";
+    if (!may_hint) return plainly;
     if (holds_no_number(item))
         return "That is not a number (nan or inf): look for a division by zero or the root of a negative number.";
-    if (!item.advice.empty()) return item.advice;
-    if (item.spec.id == reference::item::P_VCS) return "That is not the right value.";
+    if (!item.advice.empty() && may_name) return item.advice;
+    if (item.spec.id == reference::item::P_VCS) return plainly;
     return "That is not the right value, nor does it follow from your earlier answers.";
+}
+
+std::string told_diagnosis(const ItemScore& item, reference::Feedback feedback) {
+    return feedback >= reference::Feedback::mistake ? item.diagnosis : "";
+}
+
+std::string missing_sentence(const Graded& graded) {
+    std::vector<std::string> names;
+    std::size_t questions = 0;
+    for (const QuestionScore& question : graded.score.questions) {
+        std::vector<std::string> items;
+        for (const ItemScore& item : question.items) {
+            if (item.verdict == ItemVerdict::missing)
+                items.push_back(fmt::format("{}.{}", question.number, item.spec.name));
+        }
+        if (items.size() == question.items.size()) {
+            ++questions;
+            names.push_back(fmt::format("question {}", question.number));
+        } else {
+            names.insert(names.end(), items.begin(), items.end());
+        }
+    }
+    if (names.empty() || graded.outcome == Outcome::compile_error || graded.outcome == Outcome::no_output ||
+        graded.outcome == Outcome::not_graded)
+        return "";
+    const bool all = questions == graded.score.questions.size();
+    if (was_cut_short(graded.outcome)) {
+        return all ? "No answer was found in what the program printed before it ended."
+                   : fmt::format("Not printed before the program ended: {}.", listed(names));
+    }
+    return fmt::format("{}. Print each answer with a label under its question's heading.",
+                       all ? "No answer was found in the output" : "Not found in the output: " + listed(names));
+}
+
+std::string accepted_sentence(const Score& score) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> items_by_form;
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (item.verdict != ItemVerdict::right || item.accepted_as.empty()) continue;
+            const auto found = std::find_if(items_by_form.begin(), items_by_form.end(),
+                                            [&](const auto& each) { return each.first == item.accepted_as; });
+            auto& items = (found != items_by_form.end()
+                               ? *found
+                               : items_by_form.emplace_back(item.accepted_as, std::vector<std::string>()))
+                              .second;
+            items.push_back(fmt::format("{}.{}", question.number, item.spec.name));
+        }
+    }
+    std::string text;
+    for (const auto& [form, items] : items_by_form)
+        text += fmt::format("{}{} ({})", text.empty() ? "Accepted: " : "; ", form, listed(items));
+    return text.empty() ? "" : text + ".";
 }
 
 }  // namespace harness::report

@@ -14,8 +14,23 @@ std::string expected_shape(reference::Shape shape);
 /// The item's name, after its part where its question has parts: "t", "b) t".
 std::string name_in_question(const reference::ItemSpec& spec);
 
-/// Why an item lost its mark or was accepted in another form, as sentences; empty for a plainly right one.
-std::string item_sentence(const ItemScore& item, Outcome outcome);
+/// Whether the program was cut short, so that it might still have printed what is missing.
+bool was_cut_short(Outcome outcome);
+
+/// Why an item lost its mark or was accepted in another form, as sentences, as far as `feedback` lets it be told; empty
+/// for a plainly right one.
+std::string item_sentence(const ItemScore& item, Outcome outcome,
+                          reference::Feedback feedback = reference::Feedback::mistake);
+
+/// The mistake's name, as far as `feedback` lets it be told; empty if none is known.
+std::string told_diagnosis(const ItemScore& item, reference::Feedback feedback);
+
+/// One sentence on all answers that are missing: "Not found in the output: 6.t, 6.hit and question 8. Print each …";
+/// empty if none is, or if nothing was printed.
+std::string missing_sentence(const Graded& graded);
+
+/// One sentence on all answers that are right in another form, with why; empty if there are none.
+std::string accepted_sentence(const Score& score);
 
 /// The points for other scenes: "Other scenes: 4 of 5 points." Precondition: the rubric gives points for them.
 std::string scenes_sentence(const Graded& graded);

@@ -151,10 +151,10 @@ TEST(ClassChanges, NameAddedAndRemovedItems) {
 TEST(ClassChanges, AreOneLineEachWithFallsLast) {
     ClassChanges changes = filed(with_t(ItemVerdict::right, 1.5), with_t(ItemVerdict::wrong, 0));
     MarkChange rise = change_between(with_t(ItemVerdict::wrong, 0), with_t(ItemVerdict::right, 1.5));
-    rise.id = "riser\n\x1b";
+    rise.label = "riser\n\x1b";
     add(changes, rise);
-    changes.fresh = {{"newcomer", std::nullopt, 50.0, {}}};
-    changes.gone = {{"leaver", 60.0, std::nullopt, {}}};
+    changes.fresh = {{"newcomer", "newcomer", std::nullopt, 50.0, {}}};
+    changes.gone = {{"leaver", "leaver", 60.0, std::nullopt, {}}};
     changes.untouched = 26;
     const std::string text = report::changes_text(changes);
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
@@ -168,7 +168,7 @@ TEST(ClassChanges, AreOneLineEachWithFallsLast) {
 }
 
 TEST(ClassChanges, NameSixReasonsAndCountTheRest) {
-    MarkChange change{"zoe", 1.0, 2.0, {"a", "b", "c", "d", "e", "f", "g", "h"}};
+    MarkChange change{"zoe", "zoe", 1.0, 2.0, {"a", "b", "c", "d", "e", "f", "g", "h"}};
     ClassChanges changes;
     add(changes, change);
     EXPECT_THAT(report::changes_text(changes), HasSubstr("a; b; c; d; e; f; and 2 more\n"));

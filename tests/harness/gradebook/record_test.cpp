@@ -111,6 +111,7 @@ TEST(GradedRecord, RestoresTheLastLineOfAnAnswer) {
 TEST(GradedRecord, RestoresWhatNoReportShows) {
     Graded one = graded("zoe", output_with_a_mistake());
     one.our_fault = true;
+    one.submission.name = "Doe, Zoe";
     one.submission.problem = "unreadable \xff";
     one.submission.notes = {"older: a.cpp", ""};
     one.submission.lms =
@@ -121,6 +122,7 @@ TEST(GradedRecord, RestoresWhatNoReportShows) {
     one.score.questions[5].items[4].advice = "The nearer one.";
     const Graded restored = again(one);
     EXPECT_TRUE(restored.our_fault);
+    EXPECT_EQ(restored.submission.name, "Doe, Zoe");
     EXPECT_EQ(restored.submission.problem, "unreadable \xff");
     EXPECT_THAT(restored.submission.notes, ElementsAre("older: a.cpp", ""));
     ASSERT_TRUE(restored.submission.lms);

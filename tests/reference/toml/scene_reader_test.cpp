@@ -219,12 +219,17 @@ TEST(Rubric, HasNoToleranceByDefault) {
 
 TEST(Rubric, DeductsNothingForLatenessAndShowsNoAnswersByDefault) {
     EXPECT_TRUE(read(scene).rubric.late.empty());
-    EXPECT_FALSE(read(scene).rubric.show_expected);
+    EXPECT_EQ(read(scene).rubric.feedback, Feedback::mistake);
     const Rubric written = read(scene + "late_deduction = 0.2\nshow_expected = true\n").rubric;
     ASSERT_EQ(written.late.size(), 1U);
     EXPECT_EQ(written.late.front().days, 1);
     EXPECT_EQ(written.late.front().share, 0.2);
-    EXPECT_TRUE(written.show_expected);
+    EXPECT_EQ(written.feedback, Feedback::expected);
+    EXPECT_EQ(read(scene + "feedback = \"verdict\"\n").rubric.feedback, Feedback::verdict);
+    EXPECT_EQ(read(scene + "feedback = \"hint\"\nshow_expected = false\n").rubric.feedback, Feedback::hint);
+    EXPECT_EQ(read(scene + "feedback = \"expected\"\nshow_expected = true\n").rubric.feedback, Feedback::expected);
+    EXPECT_THAT(complaint("[rubric]\n", "[rubric]\nfeedback = \"hint\"\nshow_expected = true\n"),
+                says("21: rubric.show_expected", "contradicts feedback"));
     EXPECT_THAT(complaint("[rubric]\n", "[rubric]\nlate_deduction = 20\n"),
                 says("20: rubric.late_deduction", "must be from 0 to 1"));
     EXPECT_THAT(complaint("[rubric]\n", "[rubric]\nshow_expected = 1\n"),

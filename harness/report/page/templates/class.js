@@ -36,23 +36,66 @@ document.addEventListener('DOMContentLoaded', () => {
   });
 
   // Filtering.
-  const words = rows.map((row) => row.textContent.toLowerCase());
+  const words = rows.map((row) => `${row.textContent} ${row.dataset.mistakes ?? ''}`.toLowerCase());
+  const pointsColumn = headings.findIndex((heading) => heading.textContent.trim() === 'Points');
+  let only = null;  // the sheets' addresses of those who are to be shown; null for all
   const columnOf = (question) => headings.findIndex((heading) => heading.dataset.question === question);
   const filter = () => {
     const find = byId('find').value.trim().toLowerCase();
     const outcome = byId('outcome').value;
     const lost = byId('lost').value === '' ? -1 : columnOf(byId('lost').value);
+    const bin = byId('points').selectedOptions[0];
+    const hasPoints = (row) => {
+      const points = parseFloat(row.cells[pointsColumn].textContent);
+      return bin.value === '' || (points >= Number(bin.value) && points < Number(bin.dataset.below));
+    };
     let shown = 0;
     rows.forEach((row, i) => {
       const lostThere = lost < 0 || /part|zero/.test(row.cells[lost].className);
       const flagged = !byId('flagged').checked || row.cells[row.cells.length - 1].textContent.trim() !== '';
-      const fits = words[i].includes(find) && (outcome === '' || row.dataset.outcome === outcome) && lostThere && flagged;
+      const fits = words[i].includes(find) && (outcome === '' || row.dataset.outcome === outcome) && lostThere && flagged && hasPoints(row) &&
+        (only === null || only.has(linkOf(row).hash));
       row.hidden = !fits;
       if (fits) shown += 1;
     });
     byId('shown').textContent = shown + ' of ' + rows.length + ' shown';
     if (byId('all').getAttribute('aria-pressed') === 'true') showInFull(true);
   };
+  // What is clicked above or below the table filters it: a tile, a bar, an outcome, a mistake.
+  const setFilter = ({ find = '', outcome = '', points = '', flagged = false, who = null, words: text = '' }) => {
+    byId('find').value = find;
+    byId('outcome').value = outcome;
+    byId('lost').value = '';
+    byId('points').value = points;
+    byId('flagged').checked = flagged;
+    only = who;
+    byId('only').hidden = who === null;
+    byId('only').textContent = `Only ${text} ✕`;
+    filter();
+    byId('students').scrollIntoView();
+  };
+  byId('only').addEventListener('click', () => setFilter({}));
+  const onClick = (selector, filterOf) => document.querySelectorAll(selector).forEach((one) => {
+    one.addEventListener('click', (event) => {
+      event.preventDefault();
+      setFilter(filterOf(one));
+    });
+  });
+  onClick('.tiles a', ({ dataset }) => ({ all: {}, flagged: { flagged: true } })[dataset.filter] ?? { find: dataset.filter });
+  onClick('.outcomes a[data-outcome]', ({ dataset }) => ({ outcome: dataset.outcome }));
+  onClick('.histogram .bin', ({ dataset }) => ({ points: byId('points').options[Number(dataset.bin) + 1].value }));
+  document.querySelectorAll('.mistakes li').forEach((group) => {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.className = 'small';
+    button.textContent = 'Show in the table';
+    group.querySelector('p').append(' ', button);
+    button.addEventListener('click', () => {
+      const who = new Set([...group.querySelectorAll('.who a')].map((link) => link.hash));
+      const name = group.querySelector('p > strong:not(.count)') ?? group.querySelector('p > code');
+      setFilter({ who, words: `those with ${name.textContent}` });
+    });
+  });
   byId('filter').addEventListener('input', filter);
   byId('filter').addEventListener('submit', (event) => event.preventDefault());
   byId('filter').hidden = false;

@@ -56,12 +56,26 @@ TEST(ClassReport, ParsesWithoutErrors) {
 TEST(ClassReport, HasARowPerSubmissionWithPointsByQuestion) {
     const Graded ada = with_name(graded("ada_7", output_with_a_mistake()), "Ada Ó Briain", true);
     const json rows = read_page(report_of({ada, not_graded("bob")})).at("rows");
-    EXPECT_THAT(rows[0], ElementsAre("Id", "Name", "Late", "Outcome", "Q1", "Q2", "Q3", "Q4", "Q5", "Q6", "Q7", "Q8",
+    EXPECT_THAT(rows[0], ElementsAre("Name", "Id", "Late", "Outcome", "Q1", "Q2", "Q3", "Q4", "Q5", "Q6", "Q7", "Q8",
                                      "Q9", "Q10", "Points", "Flags"));
-    EXPECT_THAT(rows[1], ElementsAre("ada_7", "Ada Ó Briain", "late", "graded", "10", "10", "10", "10", "10", "8.33",
+    EXPECT_THAT(rows[1], ElementsAre("Ada Ó Briain", "ada_7", "late", "graded", "10", "10", "10", "10", "10", "8.33",
                                      "10", "10", "10", "10", "98.33", ""));
     EXPECT_EQ(rows[2][3], "not graded");
     EXPECT_EQ(rows[2][14], "–");
+}
+
+TEST(ClassReport, HasNoColumnOfNamesThatSayNoMoreThanTheIds) {
+    Graded one = with_name(graded("rossigiulia", output_with_a_mistake()), "rossigiulia", false);
+    const json page = read_page(report_of({one}));
+    EXPECT_THAT(page.at("rows")[0][0], "Id");
+    EXPECT_THAT(page.at("rows")[0][1], "Late");
+    EXPECT_THAT(page.at("sheets").at("s1").get<std::string>(),
+                testing::StartsWith("rossigiuliarossigiulia/ray_cast.cpp"));
+    one.submission.name = "Rossi, Giulia";
+    const json named = read_page(report_of({one}));
+    EXPECT_THAT(named.at("rows")[1][0], "Rossi, Giulia");
+    EXPECT_THAT(named.at("rows")[1][1], "rossigiulia");
+    EXPECT_THAT(named.at("sheets").at("s1").get<std::string>(), testing::StartsWith("Rossi, Giuliarossigiulia · "));
 }
 
 TEST(ClassReport, CallsOnlyKnownLateSubmissionsLate) {
@@ -189,8 +203,8 @@ TEST(ClassReport, ShowsHostileTextAsText) {
     evil.flags = {{"<i>kind</i>", "</article><b>"}};
     const json page = read_page(report_of({evil}));
     EXPECT_THAT(page.at("problems"), IsEmpty()) << page;
-    EXPECT_EQ(page.at("rows")[1][0], "\"><svg onload=alert(1)>");
-    EXPECT_EQ(page.at("rows")[1][1], "</td><script>alert(1)</script>");
+    EXPECT_EQ(page.at("rows")[1][0], "</td><script>alert(1)</script>");
+    EXPECT_EQ(page.at("rows")[1][1], "\"><svg onload=alert(1)>");
     EXPECT_EQ(page.at("counts").at("script"), 1) << "ours";
     EXPECT_FALSE(page.at("counts").contains("b"));
     EXPECT_FALSE(page.at("counts").contains("i"));

@@ -72,6 +72,28 @@ TEST(WrongAnswers, AreOneEntryForAQuestionWithoutAnswers) {
     EXPECT_TRUE(of_question_6(mistakes)[0].whole_question);
 }
 
+TEST(WrongAnswers, OfThoseThatEndedWellAreNotAmongThoseThatCrashed) {
+    Graded crashed = with_c(ItemVerdict::missing, "");
+    crashed.outcome = Outcome::crashed;
+    Graded stopped = crashed;
+    stopped.outcome = Outcome::timed_out;
+    auto mistakes = mistakes_by_question({with_c(ItemVerdict::missing, ""), crashed, stopped});
+    ASSERT_EQ(of_question_6(mistakes).size(), 2U);
+    EXPECT_THAT(of_question_6(mistakes)[0].who, ElementsAre(1, 2));
+    EXPECT_EQ(of_question_6(mistakes)[0].sentence, "Not found in what the program printed before it ended.");
+    EXPECT_THAT(of_question_6(mistakes)[1].who, ElementsAre(0));
+
+    Graded short_one = with_c(ItemVerdict::right, "1");
+    for (ItemScore& item : short_one.score.questions[5].items) item.verdict = ItemVerdict::missing;
+    Graded cut = short_one;
+    cut.outcome = Outcome::crashed;
+    mistakes = mistakes_by_question({cut, short_one, cut});
+    ASSERT_EQ(of_question_6(mistakes).size(), 2U);
+    EXPECT_THAT(of_question_6(mistakes)[0].who, ElementsAre(0, 2));
+    EXPECT_EQ(of_question_6(mistakes)[0].sentence, "The program ended before it printed them.");
+    EXPECT_EQ(of_question_6(mistakes)[1].sentence, "Not found in the output.");
+}
+
 TEST(WrongAnswers, LeaveOutStudentsWhoPrintedNothing) {
     EXPECT_THAT(mistakes_by_question({graded("nil", ""), not_graded("bob")}), testing::IsEmpty());
 }

@@ -41,9 +41,9 @@ TEST(GradesCsv, ReadsBackAsOneRowPerSubmission) {
     ASSERT_EQ(rows.size(), 3U);
     EXPECT_THAT(rows[0], ElementsAre("id", "outcome", "points", "max_points", "Q1", "Q2", "Q3", "Q4", "Q5", "Q6", "Q7",
                                      "Q8", "Q9", "Q10", "explanation", "sandbox", "automatic_points", "late_deduction",
-                                     "overridden", "flags"));
+                                     "overridden", "flags", "name"));
     EXPECT_THAT(rows[1], ElementsAre("zoe", "graded", "98.33", "100", "10", "10", "10", "10", "10", "8.33", "10", "10",
-                                     "10", "10", "", "bwrap+shim", "98.33", "0", "", ""));
+                                     "10", "10", "", "bwrap+shim", "98.33", "0", "", "", ""));
     EXPECT_EQ(rows[2][1], "no_output");
     EXPECT_EQ(rows[2][2], "0");
 }
@@ -126,14 +126,24 @@ TEST(GradesCsv, HasAColumnForOtherScenesIfTheyGivePoints) {
     EXPECT_EQ(rows[2][2], "107.83");
     EXPECT_EQ(rows[2][18], "variants");
     EXPECT_EQ(rows[3][19], "");
-    for (const auto& row : rows) EXPECT_EQ(row.size(), 21U);
+    for (const auto& row : rows) EXPECT_EQ(row.size(), 22U);
 }
 
 TEST(GradesCsv, NamesTheFlags) {
     Graded one = graded("s", "");
     one.flags = {{"late_without_date", "Handed in late."}, {"reading_doubtful", "6.t"}};
-    EXPECT_EQ(read_csv(grades_csv({one, graded("t", "")}))[1].back(), "late_without_date reading_doubtful");
-    EXPECT_EQ(read_csv(grades_csv({one, graded("t", "")}))[2].back(), "");
+    const auto rows = read_csv(grades_csv({one, graded("t", "")}));
+    EXPECT_EQ(rows[1].at(rows[1].size() - 2), "late_without_date reading_doubtful");
+    EXPECT_EQ(rows[2].at(rows[2].size() - 2), "");
+}
+
+TEST(GradesCsv, HasTheNameInTheRoster) {
+    Graded one = graded("rossigiulia", "");
+    one.submission.name = "Rossi, Giulia";
+    const auto rows = read_csv(grades_csv({one, graded("t", "")}));
+    EXPECT_EQ(rows[0].back(), "name");
+    EXPECT_EQ(rows[1].back(), "Rossi, Giulia");
+    EXPECT_EQ(rows[2].back(), "");
 }
 
 TEST(GradesCsv, NamesTheSandbox) {
@@ -143,8 +153,9 @@ TEST(GradesCsv, NamesTheSandbox) {
 }
 
 TEST(GradesCsv, HasItsHeaderWithoutSubmissions) {
-    EXPECT_EQ(grades_csv({}),
-              "id,outcome,points,max_points,explanation,sandbox,automatic_points,late_deduction,overridden,flags\r\n");
+    EXPECT_EQ(
+        grades_csv({}),
+        "id,outcome,points,max_points,explanation,sandbox,automatic_points,late_deduction,overridden,flags,name\r\n");
 }
 
 }  // namespace

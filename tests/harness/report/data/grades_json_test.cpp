@@ -64,15 +64,15 @@ TEST(GradesJson, SaysWhatHappenedToEachItem) {
 TEST(GradesJson, NamesTheStudentAsFarAsTheFileNameTells) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     const json unknown = grades({zoe}).at("submissions").at(0).at("student");
-    EXPECT_EQ(unknown, json::parse(R"({"name": null, "lms_user_id": null, "late": null})"));
+    EXPECT_EQ(unknown, json::parse(R"({"name": null, "lms_user_id": null, "late": null, "roster_name": null})"));
     zoe.submission.lms = read_canvas_name("łzoe_LATE_17_4_ray_cast.cpp");
     const json known = grades({zoe}).at("submissions").at(0).at("student");
-    EXPECT_EQ(known, json::parse(R"({"name": "łzoe", "lms_user_id": "17", "late": true})"));
+    EXPECT_EQ(known, json::parse(R"({"name": "łzoe", "lms_user_id": "17", "late": true, "roster_name": null})"));
     zoe.submission.lms = read_canvas_name("łzoe_17_4_ray_cast.cpp");
     EXPECT_EQ(grades({zoe}).at("submissions").at(0).at("student").at("late"), false);
     zoe.submission.lms = read_moodle_name("Zoe Doe_17_assignsubmission_file");
     const json of_moodle = grades({zoe}).at("submissions").at(0).at("student");
-    EXPECT_EQ(of_moodle, json::parse(R"({"name": "Zoe Doe", "lms_user_id": "17", "late": null})"));
+    EXPECT_EQ(of_moodle, json::parse(R"({"name": "Zoe Doe", "lms_user_id": "17", "late": null, "roster_name": null})"));
 }
 
 TEST(GradesJson, HasFlagsAndSanitizerFindings) {

@@ -168,6 +168,22 @@ TEST(CanvasImport, CountsAGroupMemberListedTwiceOnce) {
         << "another submission of the same person is one";
 }
 
+TEST(CanvasRoster, NamesItsStudentsAndNobodyWhoMayBeTwo) {
+    std::setlocale(LC_CTYPE, "C.UTF-8");  // as raygrade does
+    const auto name = [](const Graded& one) {
+        return names_of({one.submission}, read_canvas_roster(exported, "71")).front();
+    };
+    EXPECT_EQ(name(handed_in("poepat", "poepat_15_9_ray_cast.cpp")), "Poe, Pat");
+    EXPECT_EQ(name(handed_in("doejane", "doejane_12_9_ray_cast.cpp")), "Doe, Jane") << "by Canvas's number";
+    EXPECT_EQ(name(handed_in("doejane")), "") << "there are two";
+    EXPECT_EQ(name(handed_in("zan")), "Łukasz, Żan") << "by login";
+    EXPECT_EQ(name(handed_in("stranger")), "");
+    Graded group = handed_in("submission_901");
+    group.submission.lms.emplace().system = Lms::gradescope;
+    group.submission.lms->submitters = {{"", "s14", ""}, {"", "nobody", ""}, {"", "s15", ""}};
+    EXPECT_EQ(name(group), "Roe, \"Rick\"; Poe, Pat");
+}
+
 TEST(CanvasRoster, SaysWhyAColumnCannotBeChosen) {
     EXPECT_THAT(why_not(exported, ""), HasSubstr("\"Assignment 5 (70)\", \"Assignment 6 (71)\""));
     EXPECT_THAT(why_not(exported, "Assignment 7"), HasSubstr("no column \"Assignment 7\""));

@@ -59,7 +59,7 @@ TEST(Gradescope, ShowsPrintedAnswersAndNeverRightOnes) {
     EXPECT_THAT(output, Not(HasSubstr("Right value")));
 
     Marking open = marking();
-    open.assignment.rubric.show_expected = true;
+    open.assignment.rubric.feedback = reference::Feedback::expected;
     const std::string shown = told(graded("ada", output_with_a_mistake()), "print(d['tests'][5]['output'])\n", open);
     const std::string right =
         value_text(open.key.questions[5].items[4].answers.front().value, reference::Shape::scalar);

@@ -240,6 +240,20 @@ TEST_F(MoodleWorksheetTest, TakesAmbiguousColumnsFromOptions) {
     EXPECT_EQ(read_moodle_worksheet(single, {"maximum=Bestwertung"}).grade, 3U);
 }
 
+TEST_F(MoodleWorksheetTest, NamesItsParticipants) {
+    const MoodleWorksheet worksheet = read_moodle_worksheet(english);
+    const auto name = [&](const std::string& id, const char* folder) {
+        Submission one;
+        one.id = id;
+        if (folder != nullptr) one.lms = read_moodle_name(folder);
+        return names_of({one}, worksheet).front();
+    };
+    EXPECT_EQ(name("x", "Rick Roe_14_assignsubmission_file"), "Rick Roe");
+    EXPECT_EQ(name("x", "Al Other_14_assignsubmission_file"), "") << "another name with this number";
+    EXPECT_EQ(name("Pat Poe", nullptr), "Pat Poe");
+    EXPECT_EQ(name("Jane Doe", nullptr), "") << "there are two";
+}
+
 TEST_F(MoodleWorksheetTest, SaysWhyItIsUnusable) {
     EXPECT_THAT(why_not(""), HasSubstr("no participants"));
     EXPECT_THAT(why_not("Identifier,Grade,Maximum grade\n"), HasSubstr("no participants"));

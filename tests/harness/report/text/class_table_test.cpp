@@ -23,6 +23,14 @@ TEST(ClassTable, HasARowPerSubmissionInTheGivenOrder) {
     EXPECT_THAT(table, HasSubstr("2 of 2 graded"));
 }
 
+TEST(ClassTable, HasTheNamesAndTheIdsWhereACommandMayFollow) {
+    Graded one = not_graded("rossigiulia");
+    one.submission.name = "Rossi, Giulia";
+    const std::string table = class_table({one, graded("ada", "")});
+    EXPECT_THAT(table, HasSubstr("\nRossi, Giulia  not_graded"));
+    EXPECT_THAT(table, HasSubstr("\nnot graded: Rossi, Giulia (rossigiulia): The folder holds"));
+}
+
 TEST(ClassTable, CountsNoMarksForUngradedSubmissions) {
     const std::string table = class_table({graded("zoe", output_with_a_mistake()), not_graded("bob")});
     EXPECT_THAT(table, HasSubstr("1 of 2 graded, average 98.33"));

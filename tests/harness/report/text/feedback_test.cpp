@@ -83,6 +83,14 @@ TEST(Feedback, ShowsHostileTextInCodeThatItCannotEnd) {
         << "the fence is longer than any run of backticks in it";
 }
 
+TEST(Feedback, CallsTheStudentByName) {
+    Graded one = graded("rossigiulia", output_with_a_mistake());
+    EXPECT_THAT(feedback_markdown(one, marking()), HasSubstr("\n\nSubmission `rossigiulia`\n\n"));
+    one.submission.name = "Rossi, Giulia";
+    EXPECT_THAT(feedback_markdown(one, marking()),
+                AllOf(HasSubstr("\n\nRossi, Giulia\n\n"), Not(HasSubstr("rossigiulia"))));
+}
+
 TEST(Feedback, ShowsAllMarkupAsText) {
     Marking titled = marking();
     titled.assignment.title = markup(0);
@@ -93,7 +101,7 @@ TEST(Feedback, ShowsAllMarkupAsText) {
     EXPECT_EQ(read.at("counts").at("h1"), 1);
     const std::string text = read.at("text");
     EXPECT_THAT(text, HasSubstr(markup(4) + " ![x](y) *z* [a]: `b` \\<b>\\x1b[31m # c"));
-    for (const int n : {0, 1, 5, 7, 8, 10, 11, 12, 13, 14, 15}) EXPECT_THAT(text, HasSubstr(markup(n))) << n;
+    for (const int n : {0, 2, 5, 7, 8, 10, 11, 12, 13, 14, 15}) EXPECT_THAT(text, HasSubstr(markup(n))) << n;
 }
 
 TEST(Feedback, ReportsACapThatCutPoints) {

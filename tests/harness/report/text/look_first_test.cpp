@@ -58,7 +58,12 @@ TEST(LookFirst, IsEmptyIfThereIsNothingToLookAt) {
     EXPECT_EQ(look_first_sentence(with({{right}, {right}})), "");
     for (const Outcome outcome : {Outcome::compile_error, Outcome::no_output, Outcome::not_graded})
         EXPECT_EQ(look_first_sentence(with({{missing}}, outcome)), "");
-    EXPECT_NE(look_first_sentence(with({{right}, {missing}}, Outcome::crashed)), "");
+    EXPECT_EQ(look_first_sentence(with({{right}, {missing}}, Outcome::crashed)), "") << "how it ended is what matters";
+}
+
+TEST(LookFirst, ComesAfterTheCrash) {
+    EXPECT_EQ(look_first_sentence(with({{right}, {wrong}, {missing}}, Outcome::crashed)),
+              "Then look at question 2: it is the only one with a wrong answer.");
 }
 
 TEST(LookFirst, IsEmptyForAProgramThatEndedBeforeItsFirstAnswer) {

@@ -65,5 +65,76 @@ TEST(ItemSentence, GivesTheAdviceOfANamedMistake) {
     EXPECT_EQ(item_sentence(far_root, Outcome::graded), "That is the far root.");
 }
 
+TEST(ItemSentence, TellsNoMoreThanTheRubricLetsBeTold) {
+    using reference::Feedback;
+    ItemScore far_root = item(ItemVerdict::wrong);
+    far_root.error = 2.0;
+    far_root.advice = "That is the far root.";
+    far_root.diagnosis = "far root";
+    const auto told = [&](Feedback feedback) {
+        return item_sentence(far_root, Outcome::graded, feedback) + told_diagnosis(far_root, feedback);
+    };
+    EXPECT_EQ(told(Feedback::verdict), "That is not the right value.");
+    EXPECT_EQ(told(Feedback::hint), "That is not the right value, nor does it follow from your earlier answers.");
+    for (const Feedback feedback : {Feedback::mistake, Feedback::expected})
+        EXPECT_EQ(told(feedback), "That is the far root.far root");
+    far_root.verdict = ItemVerdict::follow;
+    far_root.points = far_root.max_points = 1;
+    EXPECT_EQ(told(Feedback::hint), "Not the right value, but it follows correctly from an earlier mistake of yours.");
+}
+
+TEST(ItemSentence, SaysWhatAnAnswerThatFollowsEarns) {
+    ItemScore half = item(ItemVerdict::follow);
+    half.points = 1.5;
+    half.max_points = 3;
+    EXPECT_THAT(item_sentence(half, Outcome::graded), testing::EndsWith("of yours. That earns 50 % of its points."));
+    half.advice = "Your source sets center = (1, 1, 1).";
+    EXPECT_EQ(item_sentence(half, Outcome::graded),
+              "Your source sets center = (1, 1, 1). That earns 50 % of its points.");
+    half.points = 3;
+    EXPECT_THAT(item_sentence(half, Outcome::graded), testing::Not(HasSubstr("earns")));
+}
+
+Graded with_missing(const std::vector<int>& whole, Outcome outcome) {
+    Graded graded;
+    graded.outcome = outcome;
+    for (int number = 1; number <= 3; ++number) {
+        QuestionScore& question = graded.score.questions.emplace_back();
+        question.number = number;
+        for (const char* name : {"t", "hit"}) {
+            ItemScore& one = question.items.emplace_back();
+            one.spec.name = name;
+            const bool missing = std::find(whole.begin(), whole.end(), number) != whole.end();
+            one.verdict = missing ? ItemVerdict::missing : ItemVerdict::right;
+        }
+    }
+    return graded;
+}
+
+TEST(MissingSentence, IsOneOnAllAnswersThatAreMissing) {
+    Graded graded = with_missing({1, 3}, Outcome::graded);
+    graded.score.questions[1].items[1].verdict = ItemVerdict::missing;
+    EXPECT_EQ(missing_sentence(graded),
+              "Not found in the output: question 1, 2.hit and question 3. Print each answer with a label under its "
+              "question's heading.");
+    graded.outcome = Outcome::crashed;
+    EXPECT_EQ(missing_sentence(graded), "Not printed before the program ended: question 1, 2.hit and question 3.");
+    EXPECT_EQ(missing_sentence(with_missing({1, 2, 3}, Outcome::timed_out)),
+              "No answer was found in what the program printed before it ended.");
+    EXPECT_EQ(missing_sentence(with_missing({1, 2, 3}, Outcome::graded)),
+              "No answer was found in the output. Print each answer with a label under its question's heading.");
+    EXPECT_EQ(missing_sentence(with_missing({}, Outcome::graded)), "");
+    for (const Outcome outcome : {Outcome::compile_error, Outcome::no_output, Outcome::not_graded})
+        EXPECT_EQ(missing_sentence(with_missing({1, 2, 3}, outcome)), "");
+}
+
+TEST(AcceptedSentence, IsOneForEachFormWithItsAnswers) {
+    Score score = with_missing({3}, Outcome::graded).score;
+    EXPECT_EQ(accepted_sentence(score), "");
+    score.questions[0].items[0].accepted_as = score.questions[1].items[1].accepted_as = "the grid convention";
+    score.questions[0].items[1].accepted_as = "b' = b/2";
+    EXPECT_EQ(accepted_sentence(score), "Accepted: the grid convention (1.t and 2.hit); b' = b/2 (1.hit).");
+}
+
 }  // namespace
 }  // namespace harness::report

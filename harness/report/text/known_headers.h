@@ -1,0 +1,22 @@
+// The headers that students include: those of this machine, and those of others.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace harness::report {
+
+/// In ASCII.
+std::string in_lower_case(std::string_view text);
+
+/// The header that was probably meant by one that is not there: the same letters, perhaps in another case or without
+/// its folder, its ending or its slashes. Empty if there is none.
+std::string_view header_meant(std::string_view header);
+
+/// "Windows", for a header of another system; else empty.
+std::string_view system_of_header(std::string_view header);
+
+/// The header that declares a name for which g++ 12 does not say it, such as std::setprecision; else empty.
+std::string_view header_of_name(std::string_view name);
+
+}  // namespace harness::report
