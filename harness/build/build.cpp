@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <mutex>
 #include <system_error>
@@ -150,6 +151,13 @@ Command compiler_command(const BuildSettings& settings, const Scratch& scratch) 
     return command;
 }
 
+/// The last line of the first `count` directives, which a header replaces; from 1.
+std::size_t last_line(std::string_view source, const std::vector<Directive>& block, std::size_t count) {
+    if (count == 0) return 0;
+    const auto end = source.begin() + static_cast<std::ptrdiff_t>(block[count - 1].end);
+    return 1 + static_cast<std::size_t>(std::count(source.begin(), end, '\n'));
+}
+
 bool has_nothing_to_say(const ProcessResult& result) {
     return result.ended == Ended::exited && result.exit_code == 0 && result.errors.empty() && result.output.empty();
 }
@@ -168,6 +176,37 @@ ProcessResult compile(const std::string& source, const BuildSettings& settings, 
     // Relative names, so that the messages are the same wherever the scratch folder lies.
     command.argv.insert(command.argv.end(), {"-o", program_name, source_name});
     return run_process(command, sandbox);
+}
+
+/// The number at the beginning of `text`; empty if there is none.
+std::optional<std::size_t> leading_number(std::string_view text) {
+    std::size_t number = 0;
+    if (std::from_chars(text.data(), text.data() + text.size(), number).ec != std::errc()) return std::nullopt;
+    return number;
+}
+
+/// Whether each line of the compiler's messages is about, or quotes, a line of the source below `first`. Then it has
+/// the same text with a precompiled header and without, as below the directives the compiler reads the same source. Not
+/// so of "In file included from", of what a macro or a template of a header's is, and of a missing #include.
+bool are_about_lines_below(std::size_t first, std::string_view messages) {
+    const std::string own = std::string(source_name) + ":";
+    while (!messages.empty()) {
+        const std::string_view line = messages.substr(0, messages.find('\n'));
+        messages.remove_prefix(std::min(line.size() + 1, messages.size()));
+        std::string_view rest = line;
+        if (line.starts_with(own)) {
+            rest.remove_prefix(own.size());
+            if (rest.starts_with(' ')) continue;  // " In function 'int main()':", " At global scope:"
+        } else if (const std::size_t text = line.find_first_not_of(' '); text > 0 && text != std::string_view::npos) {
+            rest.remove_prefix(text);
+            if (rest.starts_with('|')) continue;  // carets below a quoted line
+        } else {
+            return false;
+        }
+        const auto number = leading_number(rest);
+        if (!number || *number <= first) return false;
+    }
+    return true;
 }
 
 bool is_program(const ProcessResult& result, const std::filesystem::path& program) {
@@ -270,12 +309,15 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
     };
     if (header) {
         const std::string& source = submission.source;
-        const ProcessResult result = compile(without_directives(source, include_block(source), header->directives),
-                                             settings, sandbox, scratch, header);
+        const auto block = include_block(source);
+        const ProcessResult result =
+            compile(without_directives(source, block, header->directives), settings, sandbox, scratch, header);
         build.wall = result.wall;
-        if (has_nothing_to_say(result) && std::filesystem::is_regular_file(program)) {
+        if (is_program(result, program) && result.output.empty() &&
+            are_about_lines_below(last_line(source, block, header->directives), result.errors)) {
             succeed();
             build.by_header = true;
+            build.diagnostics = result.errors;
             return build;
         }
         empty_folder(scratch.path());

@@ -21,11 +21,11 @@ namespace {
 
 /// Calls `work` with a timeline and, if wanted, shows its progress meanwhile.
 template <class Work>
-void with_progress(const char* what, std::size_t count, bool shows_progress, Work work) {
+void with_progress(const char* what, std::size_t count, const Runner& runner, bool shows_progress, Work work) {
     Timeline timeline;
     {
         std::optional<Progress> progress;
-        if (shows_progress) progress.emplace(timeline, count);
+        if (shows_progress) progress.emplace(timeline, count, after_interrupt(runner));
         work(timeline);
     }
     if (shows_progress) say("{}: {}\n", what, closing_line(timeline));
@@ -62,14 +62,14 @@ void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::stri
     run.runner.sanitize = false;
     if (wanted.other.count > 0) {
         const std::size_t count = graded.size() * static_cast<std::size_t>(wanted.other.count);
-        with_progress("other scenes", count, wanted.shows_progress, [&](Timeline& timeline) {
+        with_progress("other scenes", count, run.runner, wanted.shows_progress, [&](Timeline& timeline) {
             scenes::run_other_scenes(graded, sources, run.marking, run.runner, wanted.jobs, wanted.other, timeline);
         });
         scenes::award_other_scene_points(graded, run.marking.assignment.rubric);
     }
     if (wanted.hard) {
         const std::size_t count = graded.size() * scenes::most_hard_scenes();
-        with_progress("hard scenes", count, wanted.shows_progress, [&](Timeline& timeline) {
+        with_progress("hard scenes", count, run.runner, wanted.shows_progress, [&](Timeline& timeline) {
             scenes::run_hard_scenes(graded, sources, run.marking, run.runner, wanted.jobs, timeline);
         });
     }

@@ -39,6 +39,7 @@ std::chrono::milliseconds pause_of(bool is_terminal) {
 // What the handler of Ctrl-C tells of. It may call only what is safe in a signal handler.
 const Timeline* interrupted_timeline = nullptr;
 std::size_t interrupted_total = 0;
+const char* interrupted_goes_on = nullptr;
 
 void write_to_stderr(std::string_view text) {
     if (write(STDERR_FILENO, text.data(), text.size()) < 0) return;  // nobody is left to be told
@@ -63,7 +64,9 @@ void tell_and_end(int signal) {
     write_to_stderr(interrupted_timeline->finished);
     write_to_stderr(" of ");
     write_to_stderr(interrupted_total);
-    write_to_stderr(" done; the same command goes on\n");
+    write_to_stderr(" done; ");
+    write_to_stderr(interrupted_goes_on);
+    write_to_stderr("\n");
     std::signal(signal, SIG_DFL);
     std::raise(signal);
 }
@@ -93,10 +96,16 @@ std::string closing_line(const Timeline& timeline) {
     return text;
 }
 
-Progress::Progress(const Timeline& timeline, std::size_t total)
+const char* after_interrupt(const Runner& runner) {
+    if (!runner.result_cache) return "the same command begins anew";
+    return runner.fresh ? "without --fresh the same command goes on" : "the same command goes on";
+}
+
+Progress::Progress(const Timeline& timeline, std::size_t total, const char* after_interrupt)
     : timeline_(timeline), total_(total), is_terminal_(isatty(STDERR_FILENO) == 1) {
     interrupted_timeline = &timeline;
     interrupted_total = total;
+    interrupted_goes_on = after_interrupt;
     if (!ignores_interrupts()) std::signal(SIGINT, tell_and_end);
     teller_ = std::jthread([this](const std::stop_token& stop) { tell(stop); });
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <thread>
 
+#include "harness/run/runner.h"
 #include "harness/run/timeline.h"
 
 namespace harness {
@@ -12,7 +13,8 @@ namespace harness {
 /// it lives, Ctrl-C says how far the class came before it ends the program. There is one at a time.
 class Progress {
   public:
-    Progress(const Timeline& timeline, std::size_t total);
+    /// `after_interrupt`: what Ctrl-C says of what was done until then. It must outlive this.
+    Progress(const Timeline& timeline, std::size_t total, const char* after_interrupt);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -25,6 +27,9 @@ class Progress {
     bool is_terminal_;
     std::jthread teller_;
 };
+
+/// What becomes of what a run has done until Ctrl-C: for Progress.
+const char* after_interrupt(const Runner& runner);
 
 /// Shows the progress of work that reports its own share done. It writes from the worker's thread, so that no other
 /// thread disturbs what is being timed.

@@ -21,6 +21,7 @@
 #include "harness/report/text/feedback.h"
 #include "harness/run/runner.h"
 #include "harness/scenes/other/points.h"
+#include "harness/text/escape.h"
 
 namespace harness {
 namespace {
@@ -91,17 +92,28 @@ class CheckFiles {
         if (!options_.junit.empty()) write_file(options_.junit, report::junit({graded}, marking));
     }
 
+    /// Tells Gradescope why there are no marks. Without results.json its students would be told nothing.
+    void write_without_score(const std::string& why) const {
+        if (!options_.gradescope.empty())
+            write_file(options_.gradescope, report::gradescope_without_score("Not graded.\n" + why + "\n"));
+    }
+
   private:
     const CheckOptions& options_;
     std::optional<report::Classroom50Submission> classroom50_;
 };
 
-int check_source(const CheckOptions& options) {
-    const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
-    scenes::require_other_scenes(assignment, options.other_scenes.count);
-    const Submission submission = the_only_submission(options.source, "raygrade grade");
-    const CheckFiles files(options);
-    if (!options.html.empty()) require_place_for_page(options.html, "--html");
+Submission take_in_one(const CheckOptions& options, const CheckFiles& files) {
+    try {
+        return the_only_submission(options.source, "raygrade grade");
+    } catch (const UsageError& error) {
+        files.write_without_score(escape_control(error.what()));
+        throw;
+    }
+}
+
+int check_submission(const Submission& submission, const reference::Assignment& assignment, const CheckFiles& files,
+                     const CheckOptions& options) {
     ClassRun run = open_class_run(make_marking(assignment), options.runner);
     tell_key_notes(run.marking);
     std::vector<Graded> all{grade(submission, run.marking, run.runner)};
@@ -115,6 +127,23 @@ int check_source(const CheckOptions& options) {
     const bool too_few =
         options.fail_under && graded.score.points < *options.fail_under / 100 * graded.score.max_points;
     return too_few ? some_not_graded : all_graded;
+}
+
+int check_source(const CheckOptions& options) {
+    const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
+    scenes::require_other_scenes(assignment, options.other_scenes.count);
+    const CheckFiles files(options);
+    if (!options.html.empty()) require_place_for_page(options.html, "--html");
+    const Submission submission = take_in_one(options, files);
+    try {
+        return check_submission(submission, assignment, files, options);
+    } catch (const HarnessError&) {
+        // The message names paths of this machine, which is for the instructor, on stderr.
+        files.write_without_score(
+            "The grader failed, not your program. Tell your instructor, who can see the reason in the autograder's "
+            "output and run it again.");
+        throw;
+    }
 }
 
 void add_options(CLI::App& command, CheckOptions& options) {

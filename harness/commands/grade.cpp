@@ -104,7 +104,7 @@ std::vector<Graded> grade_submissions(Inputs& inputs, ClassRun& run, const Grade
     std::vector<Graded> graded;
     {
         std::optional<Progress> progress;
-        if (!options.quiet) progress.emplace(timeline, inputs.submissions.size());
+        if (!options.quiet) progress.emplace(timeline, inputs.submissions.size(), after_interrupt(run.runner));
         graded = grade_all(std::move(inputs.submissions), run.marking, run.runner, options.jobs, timeline);
     }
     if (!options.quiet) say("{}\n", closing_line(timeline));

@@ -38,6 +38,7 @@ constexpr const char* about =
     "  raygrade serve                          the same check as a page for browsers\n"
     "  raygrade stress ray_cast.cpp            which hard scenes a method survives, and what would do better\n"
     "  raygrade assignment check FILE          what an assignment's scene shows, before students see it\n"
+    "  raygrade autograder gradescope          the zip that makes Gradescope grade with raygrade\n"
     "  raygrade reference                      the canonical answers\n"
     "  raygrade cast < queries.jsonl           exact answers to any rays\n"
     "  raygrade accuracy --out accuracy        what accuracy costs in time: a page of pictures\n"
@@ -101,10 +102,11 @@ int run(int argc, char** argv) {
     app.get_formatter()->column_width(36);
 
     const std::array commands{
-        grade_command(app), review_command(app),   override_command(app),  reread_command(app), check_command(app),
-        serve_command(app), stress_command(app),   reference_command(app), cast_command(app),   accuracy_command(app),
-        read_command(app),  explain_command(app),  render_command(app),    doctor_command(app), assignment_command(app),
-        help_command(app),  generate_command(app),
+        grade_command(app),  review_command(app),   override_command(app),   reread_command(app),
+        check_command(app),  serve_command(app),    stress_command(app),     reference_command(app),
+        cast_command(app),   accuracy_command(app), read_command(app),       explain_command(app),
+        render_command(app), doctor_command(app),   assignment_command(app), autograder_command(app),
+        help_command(app),   generate_command(app),
     };
     if (argc < 2) {
         fmt::print("{}", app.help());

@@ -33,6 +33,7 @@ Subcommand explain_command(CLI::App& app);
 Subcommand render_command(CLI::App& app);
 Subcommand doctor_command(CLI::App& app);
 Subcommand assignment_command(CLI::App& app);
+Subcommand autograder_command(CLI::App& app);
 Subcommand help_command(CLI::App& app);
 Subcommand generate_command(CLI::App& app);
 

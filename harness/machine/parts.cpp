@@ -22,11 +22,14 @@ fs::path find_part(const std::string& path) {
                        in_quotes(in_build) + ". Install or build all of raygrade again.");
 }
 
+std::vector<std::string> parts() {
+    return {"lib/raygrade/raygrade-supervisor", "lib/raygrade/raygrade-canary", "lib/raygrade/raygrade-line-buffer.so",
+            "share/raygrade/assignments", "share/raygrade/manual"};
+}
+
 std::vector<std::string> missing_parts() {
     std::vector<std::string> missing;
-    for (const char* const path :
-         {"lib/raygrade/raygrade-supervisor", "lib/raygrade/raygrade-canary", "lib/raygrade/raygrade-line-buffer.so",
-          "share/raygrade/assignments", "share/raygrade/manual"}) {
+    for (const std::string& path : parts()) {
         try {
             find_part(path);
         } catch (const HarnessError& error) {

@@ -12,6 +12,9 @@ namespace harness {
 /// HarnessError, which says where it was looked for, when there is none.
 std::filesystem::path find_part(const std::string& path);
 
+/// What raygrade needs beside its executable, as find_part finds it.
+std::vector<std::string> parts();
+
 /// The message of find_part for each part that is missing; empty if raygrade is complete.
 std::vector<std::string> missing_parts();
 

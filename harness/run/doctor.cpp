@@ -53,29 +53,33 @@ std::string read_setting(const char* path) {
     return line;
 }
 
+/// Whether a seccomp filter decides on this process's system calls.
+bool is_filtered() {
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);) {
+        if (line.starts_with("Seccomp:")) return line.ends_with('2');
+    }
+    return false;
+}
+
 /// How to make the tier work, as far as raygrade can tell.
-std::string way_to(Tier tier) {
-    if (tier == Tier::landlock) {
+std::string way_to(const CanaryReport& report) {
+    if (report.tier == Tier::landlock) {
         return "The kernel needs Landlock (5.13 or newer, \"landlock\" among the lsm= of its command line).";
     }
     if (find_on_path("bwrap").empty()) return "apt install bubblewrap";
-    if (read_setting("/proc/sys/kernel/apparmor_restrict_unprivileged_userns") == "1") {
-        return "AppArmor refuses user namespaces: give bwrap a profile that allows userns, or sysctl -w "
-               "kernel.apparmor_restrict_unprivileged_userns=0";
-    }
-    if (read_setting("/proc/sys/kernel/unprivileged_userns_clone") == "0") {
-        return "sysctl -w kernel.unprivileged_userns_clone=1";
-    }
-    if (read_setting("/proc/sys/user/max_user_namespaces") == "0") return "sysctl -w user.max_user_namespaces=10000";
-    return "In a container, allow user namespaces and a fresh /proc (docker: --security-opt seccomp=unconfined "
-           "--security-opt systempaths=unconfined); not in a chroot, which forbids them.";
+    return way_to_namespaces(report.failure, {read_setting("/proc/sys/kernel/apparmor_restrict_unprivileged_userns"),
+                                              read_setting("/proc/sys/kernel/unprivileged_userns_clone"),
+                                              read_setting("/proc/sys/user/max_user_namespaces"), is_filtered()});
 }
 
 /// `when_not` is the level if the tier does not hold: only a warning if another tier does.
 Finding finding_of(const CanaryReport& report, Level when_not) {
     const std::string what = "sandbox " + std::string(to_string(report.tier));
     if (report.held()) return good(what, attempts_of(report));
-    return {what, when_not, attempts_of(report), way_to(report.tier)};
+    const std::string meanwhile =
+        when_not == Level::warning ? " Until then programs run in the other sandbox, which holds." : "";
+    return {what, when_not, attempts_of(report), way_to(report) + meanwhile};
 }
 
 CanaryReport examine_tier(Tier tier) {
@@ -206,6 +210,37 @@ struct Examination {
 };
 
 }  // namespace
+
+std::string way_to_namespaces(const std::string& failure, const NamespaceSettings& settings) {
+    const std::string container =
+        "docker run --security-opt seccomp=unconfined --security-opt systempaths=unconfined --security-opt "
+        "apparmor=unconfined";
+    if (failure.find("Unknown option") != std::string::npos) {
+        return "This bubblewrap is too old: 0.8 or newer is needed, as in Debian 12 and Ubuntu 24.04.";
+    }
+    if (failure.find("mount proc") != std::string::npos) {
+        return "Parts of /proc are covered here, as in containers, so no sandbox can mount its own. In Docker: " +
+               container + ".";
+    }
+    if (settings.apparmor_restricts == "1") {
+        return "AppArmor refuses user namespaces: give bwrap a profile that allows userns, or sysctl -w "
+               "kernel.apparmor_restrict_unprivileged_userns=0.";
+    }
+    if (settings.clone_allowed == "0") return "sysctl -w kernel.unprivileged_userns_clone=1";
+    if (settings.most == "0") return "sysctl -w user.max_user_namespaces=10000";
+    if (failure.find("ENOSPC") != std::string::npos) {
+        return "No more user namespaces are allowed: raise user.max_user_namespaces, here and outside of this "
+               "container "
+               "if it is one.";
+    }
+    if (settings.filters_calls) {
+        return "A filter of system calls refuses user namespaces, as containers have one. In Docker: " + container +
+               ".";
+    }
+    return "The kernel refuses user namespaces. In a chroot it always does: use a container or pivot_root instead. In "
+           "Docker: " +
+           container + ".";
+}
 
 std::vector<Finding> examine_machine() {
     // If no runner can be opened, get() throws in each check that needs one, and its finding says why.

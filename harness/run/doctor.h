@@ -18,6 +18,17 @@ struct Finding {
     std::string way_out;  ///< a command or an action; empty when good
 };
 
+/// What the kernel and a container say of user namespaces. Empty strings where the kernel has no such setting.
+struct NamespaceSettings {
+    std::string apparmor_restricts;  ///< kernel.apparmor_restrict_unprivileged_userns
+    std::string clone_allowed;       ///< kernel.unprivileged_userns_clone
+    std::string most;                ///< user.max_user_namespaces
+    bool filters_calls = false;      ///< a seccomp filter is on, as in a container
+};
+
+/// What to do so that bubblewrap, which is installed and failed with the message `failure`, can make its namespaces.
+std::string way_to_namespaces(const std::string& failure, const NamespaceSettings& settings);
+
 /// Examines the machine: attacks each sandbox from inside, then compiles and runs a small GLM program in the strongest
 /// one. Takes about two seconds. Never throws: a failure becomes a finding.
 std::vector<Finding> examine_machine();

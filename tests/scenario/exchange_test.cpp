@@ -76,6 +76,21 @@ TEST_F(Exchange, AnUngradedSubmissionHasNoScoreAnywhere) {
     EXPECT_THAT(read(folder / "junit.xml"), HasSubstr("<error message="));
 }
 
+TEST_F(Exchange, GradescopesStudentsAreToldWhyNothingWasGraded) {
+    const fs::path results = folder / "results.json";
+    write(folder / "empty/notes.txt", "sorry");
+    const Result nothing = raygrade({"check", (folder / "empty").string(), "--gradescope", results.string()});
+    EXPECT_EQ(nothing.status, usage);
+    EXPECT_THAT(read_json(results).at("output").get<std::string>(), HasSubstr("holds no C++ source"));
+    EXPECT_FALSE(read_json(results).contains("score"));
+
+    const Result failed = check({"--gradescope", results.string(), "--sandbox", "bwrap"}, forget_path);
+    EXPECT_EQ(failed.status, some_not_graded) << failed.both();
+    EXPECT_THAT(failed.voice, HasSubstr("No sandbox works")) << "the instructor sees the reason";
+    EXPECT_THAT(read_json(results).at("output").get<std::string>(), HasSubstr("The grader failed, not your program."));
+    EXPECT_FALSE(read_json(results).contains("score"));
+}
+
 TEST_F(Exchange, CheckWritesResultsForClassroom50) {
     const fs::path file = folder / "result.json";
     const Result result = check({"--classroom50", file.string()}, set_classroom50);

@@ -1,7 +1,12 @@
 // Sandboxes and limits as an instructor sees them: on the command line, in an assignment and in the reports.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sched.h>
+#include <seccomp.h>
+#include <sys/mount.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -80,6 +85,43 @@ TEST_F(Sandboxed, AStrongerTierThatFailsIsReported) {
     if (holds_bwrap()) {
         EXPECT_THAT(grade({}).voice, Not(HasSubstr("does not hold")));
     }
+}
+
+/// Refuses to make user namespaces, as Docker's filter does.
+bool forbid_user_namespaces() {
+    const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
+    const bool done = filter != nullptr &&
+                      seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), 1,
+                                       SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_NEWUSER, CLONE_NEWUSER)) == 0 &&
+                      seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(unshare), 0) == 0 &&
+                      seccomp_load(filter) == 0;
+    seccomp_release(filter);
+    return done;
+}
+
+/// Covers a file of /proc, as containers do; nobody may then mount a whole /proc.
+bool cover_a_part_of_proc() {
+    return unshare(CLONE_NEWNS) == 0 && mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+           mount("/dev/null", "/proc/version", nullptr, MS_BIND, nullptr) == 0;
+}
+
+TEST_F(Sandboxed, TheDoctorSaysWhatForbidsNamespacesAndThatLandlockHolds) {
+    if (!holds_bwrap()) GTEST_SKIP() << "no bwrap here";
+    const Result filtered = raygrade({"doctor"}, forbid_user_namespaces);
+    EXPECT_EQ(filtered.status, 0) << filtered.both();
+    EXPECT_THAT(
+        filtered.output,
+        AllOf(HasSubstr("It says: bwrap: No permissions to create new namespace, likely because the kernel does "
+                        "not allow non-privileged user namespaces. See <https://deb.li/bubblewrap> or "
+                        "<file:///usr/share/doc/bubblewrap/README.Debian.gz>."),
+              HasSubstr("-> A filter of system calls refuses user namespaces"),
+              HasSubstr("Until then programs run in the other sandbox, which holds."),
+              HasSubstr("programs run in: landlock+shim"), Not(HasSubstr("free memory"))));
+    if (geteuid() != 0) return;  // only root may mount
+    const Result covered = raygrade({"doctor"}, cover_a_part_of_proc);
+    EXPECT_THAT(covered.output,
+                AllOf(HasSubstr("-> Parts of /proc are covered here"), HasSubstr("systempaths=unconfined"),
+                      HasSubstr("programs run in: landlock+shim"), Not(HasSubstr("free memory"))));
 }
 
 TEST_F(Sandboxed, NothingRunsWithoutASandboxUnlessAllowed) {

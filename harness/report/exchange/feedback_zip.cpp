@@ -1,19 +1,15 @@
 #include "harness/report/exchange/feedback_zip.h"
 
-#include <archive.h>
-#include <archive_entry.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
-#include <memory>
 #include <ostream>
 
-#include "harness/machine/errors.h"
+#include "harness/machine/zip_writer.h"
 #include "harness/report/page/student_page.h"
 #include "harness/text/printable.h"
 #include "harness/text/utf8.h"
-#include "harness/text/utf8_locale.h"
 
 namespace harness::report {
 namespace {
@@ -69,46 +65,6 @@ bool is_returned_to(const Submission& submission) {
     return submission.lms && submission.lms->system != Lms::gradescope;
 }
 
-class ZipWriter {
-  public:
-    explicit ZipWriter(std::ostream& out) : writer_(archive_write_new(), archive_write_free) {
-        check(archive_write_set_format_zip(writer_.get()));
-        // Pages shrink to a fifth at the fastest level, and hardly more at the slowest.
-        check(archive_write_set_options(writer_.get(), "zip:hdrcharset=UTF-8,zip:compression-level=1"));
-        check(archive_write_set_bytes_in_last_block(writer_.get(), 1));
-        const auto write = [](archive*, void* stream, const void* bytes, std::size_t size) -> la_ssize_t {
-            auto& to = *static_cast<std::ostream*>(stream);
-            to.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(size));
-            return to ? static_cast<la_ssize_t>(size) : -1;
-        };
-        check(archive_write_open(writer_.get(), &out, nullptr, write, nullptr));
-    }
-
-    void add(const std::string& path, const std::string& bytes) {
-        const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(archive_entry_new(), archive_entry_free);
-        archive_entry_set_pathname(entry.get(), path.c_str());
-        archive_entry_set_filetype(entry.get(), AE_IFREG);
-        archive_entry_set_perm(entry.get(), 0644);
-        archive_entry_set_size(entry.get(), static_cast<la_int64_t>(bytes.size()));
-        // An entry without a time gets 1980, the earliest time in a zip, in every time zone.
-        check(archive_write_header(writer_.get(), entry.get()));
-        if (archive_write_data(writer_.get(), bytes.data(), bytes.size()) != static_cast<la_ssize_t>(bytes.size()))
-            check(ARCHIVE_FATAL);
-    }
-
-    void close() { check(archive_write_close(writer_.get())); }
-
-  private:
-    void check(int result) {
-        if (result == ARCHIVE_OK) return;
-        const char* why = archive_error_string(writer_.get());
-        throw HarnessError(fmt::format("The zip of feedback can't be written: {}; is the disk full?",
-                                       why == nullptr ? "writing failed" : why));
-    }
-
-    std::unique_ptr<archive, int (*)(archive*)> writer_;
-};
-
 }  // namespace
 
 std::optional<std::string> way_back(const Submission& submission) {
@@ -125,7 +81,6 @@ bool is_from_lms(const std::vector<Graded>& graded) {
 }
 
 FeedbackZip write_feedback_zip(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking) {
-    const Utf8Names names;
     std::map<std::pair<Lms, std::string>, int> submissions_of;
     for (const Graded& one : graded) {
         if (is_returned_to(one.submission)) ++submissions_of[{one.submission.lms->system, one.submission.lms->id}];

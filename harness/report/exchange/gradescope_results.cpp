@@ -50,19 +50,35 @@ ordered_json scenes_json(const Graded& graded) {
             {"visibility", "visible"}};
 }
 
+/// The fields that are the same for all.
+void add_settings(ordered_json& json, const std::string& output) {
+    json["output"] = bounded(output, longest_of_the_whole);
+    json["output_format"] = "text";
+    json["test_output_format"] = "text";
+    json["test_name_format"] = "text";
+    json["visibility"] = "visible";
+    json["stdout_visibility"] = "hidden";
+}
+
+std::string text_of(const ordered_json& json) {
+    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace
+
+std::string gradescope_without_score(const std::string& output) {
+    ordered_json json;
+    add_settings(json, output);
+    json["extra_data"] = {{"outcome", to_string(Outcome::not_graded)}};
+    return text_of(json);
+}
 
 std::string gradescope_results(const Graded& graded, const Marking& marking) {
     ordered_json json;
     const auto mark = final_mark(graded);
     if (mark) json["score"] = two_decimals(mark->points);
     json["execution_time"] = static_cast<double>((graded.build.wall + graded.run.wall).count()) / 1000.0;
-    json["output"] = bounded(submission_text(graded), longest_of_the_whole);
-    json["output_format"] = "text";
-    json["test_output_format"] = "text";
-    json["test_name_format"] = "text";
-    json["visibility"] = "visible";
-    json["stdout_visibility"] = "hidden";
+    add_settings(json, submission_text(graded));
     json["extra_data"] = {{"outcome", to_string(graded.outcome)}};
     const auto& lms = graded.submission.lms;
     if (lms && lms->late) json["extra_data"]["late"] = *lms->late;
@@ -72,7 +88,7 @@ std::string gradescope_results(const Graded& graded, const Marking& marking) {
             json["tests"].push_back(test_json(graded, question, marking));
         if (graded.score.other_scenes) json["tests"].push_back(scenes_json(graded));
     }
-    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return text_of(json);
 }
 
 }  // namespace harness::report

@@ -126,8 +126,12 @@ void Supervision::output_limit_reached() {
 
 /// `errors` is bwrap's stderr if bwrap failed, else the program's.
 [[noreturn]] void throw_cut_short(const Command& command, const std::string& errors) {
-    constexpr std::size_t enough = 200;
+    constexpr std::size_t enough = 500;
     const std::string said = printable(errors.substr(0, std::min(errors.find('\n'), enough)));
+    if (said.starts_with("bwrap: ")) {
+        throw HarnessError("bubblewrap could not make a sandbox for " + in_quotes(command.argv[0]) + ". It says: " +
+                           said + (said.ends_with('.') ? "" : ".") + " `raygrade doctor` says what forbids it.");
+    }
     throw HarnessError("No word from the supervisor (raygrade-supervisor) about " + in_quotes(command.argv[0]) +
                        ": it could not start, or was killed" + (said.empty() ? "" : "; the last words: " + said) +
                        ". Try again with more free memory, and see `raygrade doctor`.");

@@ -285,13 +285,23 @@ TEST(BuildWithAHeader, GivesTheSameProgramAndTheSameLineNumbers) {
 
 TEST(BuildWithAHeader, GivesTheMessagesOfAPlainBuild) {
     const Header header("#include <cstdio>\n", default_flags());
-    for (const std::string rest : {"int main() { int unused; }\n", "int main() { return undeclared; }\n", "int f();\n",
-                                   "int main() { printf(\"%d\", 1.5); }\n"}) {
-        const std::string source = "#include <cstdio>\n" + rest;
+    const std::pair<const char*, bool> sources[] = {
+        {"int main() { int unused; }\n", true},
+        {"int main() {\n  int sum;\n  printf(\"%d\", 1.5);\n  return sum;\n}\n", true},
+        {"template <class T> int f(T x) { return x < 1u; }\nint main() { return f(-1); }\n", true},
+        {"static void never_called() {}\nint main() {}\n", true},
+        {"int main() { return undeclared; }\n", false},
+        {"int f();\n", false},
+        {"int main() { return EOF < 1u; }\n", true},       // a macro of the header's
+        {"#line 1\nint main() { int unused; }\n", false},  // a line of the directives, as it is told
+        {"# 7 \"other.h\"\nint main() { int unused; }\n", false},
+    };
+    for (const auto& [rest, by_header] : sources) {
+        const std::string source = std::string("#include <cstdio>\n") + rest;
         const Folder folder;
         const Build plain = compile(source, folder);
         const Build built = compile_with(source, header.of(1));
-        EXPECT_FALSE(built.by_header) << rest;
+        EXPECT_EQ(built.by_header, by_header) << rest << built.diagnostics;
         EXPECT_NE(built.diagnostics, "") << rest;
         EXPECT_EQ(built.diagnostics, plain.diagnostics);
         EXPECT_EQ(built.compiled, plain.compiled);

@@ -5,6 +5,7 @@
 #include <csignal>
 
 #include "harness/run/timeline.h"
+#include "tests/given/temporary_folder.h"
 
 namespace {
 
@@ -30,18 +31,28 @@ TEST(ProgressText, OmitsTheRateBeforeTheFirstAndTheTimeLeftAfterTheLast) {
 TEST(Progress, SaysAtCtrlCHowFarTheClassCameAndEndsTheProgram) {
     const auto interrupt = [] {
         Timeline timeline;
-        const harness::Progress progress(timeline, 30);
+        const harness::Progress progress(timeline, 30, "some words");
         timeline.finished = 6;
         std::raise(SIGINT);
     };
-    EXPECT_EXIT(interrupt(), testing::KilledBySignal(SIGINT), "stopped, 6 of 30 done; the same command goes on");
+    EXPECT_EXIT(interrupt(), testing::KilledBySignal(SIGINT), "stopped, 6 of 30 done; some words\n");
+}
+
+TEST(AfterInterrupt, PromisesNothingThatTheCacheDoesNotKeep) {
+    harness::Runner runner;
+    EXPECT_STREQ(harness::after_interrupt(runner), "the same command begins anew") << "without a cache";
+    const TemporaryFolder folder;
+    runner.result_cache = std::make_unique<harness::ResultCache>(folder.path());
+    EXPECT_STREQ(harness::after_interrupt(runner), "the same command goes on");
+    runner.fresh = true;  // the cache is written and not read
+    EXPECT_STREQ(harness::after_interrupt(runner), "without --fresh the same command goes on");
 }
 
 TEST(Progress, GoesOnWhereCtrlCIsIgnored) {
     std::signal(SIGINT, SIG_IGN);
     {
         Timeline timeline;
-        const harness::Progress progress(timeline, 30);
+        const harness::Progress progress(timeline, 30, "");
         std::raise(SIGINT);
     }
     std::raise(SIGINT);

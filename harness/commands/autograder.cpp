@@ -1,0 +1,159 @@
+#include "harness/autograder/autograder.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "harness/class_run/installation.h"
+#include "harness/commands/shared_options.h"
+#include "harness/commands/subcommand.h"
+#include "harness/grade/marking.h"
+#include "harness/machine/bounded_file.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
+#include "harness/machine/say.h"
+#include "harness/run/limits.h"
+#include "harness/scenes/other/points.h"
+
+namespace harness {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct AutograderOptions {
+    std::string assignment;
+    fs::path zip = "autograder.zip";  ///< of gradescope
+    fs::path folder = "autograder";   ///< of classroom50
+    std::string image;                ///< of classroom50
+    bool force = false;               ///< replace an earlier autograder
+    bool unsafe = false;              ///< of gradescope
+    scenes::OtherScenesOptions other_scenes{};
+};
+
+/// Throws UsageError unless there is nothing at `zip` or an earlier zip that may be replaced.
+void require_place_for_zip(const fs::path& zip, bool may_replace) {
+    std::error_code error;
+    const fs::path folder = zip.has_parent_path() ? zip.parent_path() : ".";
+    if (!fs::is_directory(folder, error)) {
+        throw UsageError(
+            fmt::format("{}: there is no such folder; make it, or name another file with --out", folder.string()));
+    }
+    if (!fs::exists(fs::symlink_status(zip, error))) return;
+    constexpr std::string_view beginning_of_zip = "PK\x03\x04";
+    if (read_bounded(zip, beginning_of_zip.size(), Links::refuse).bytes != beginning_of_zip) {
+        throw UsageError(fmt::format("{}: is there already and is no zip; name another file with --out", zip.string()));
+    }
+    if (!may_replace) {
+        throw UsageError(fmt::format("{}: is there already; replace it with --force, or name another file with --out",
+                                     zip.string()));
+    }
+}
+
+/// Reads the assignment and checks all that grading would refuse, so that no hand-in meets a broken one.
+autograder::Settings read_settings(const AutograderOptions& options) {
+    const auto file = reference::read_assignment_file(options.assignment, assignments_folder());
+    reference::Assignment assignment = reference::parse_assignment(file.toml, file.path);
+    if (!assignment.dealt.empty()) {
+        throw UsageError(fmt::format(
+            "{}: deals a scene to each student, and an autograder isn't told whose hand-in it grades; let the system "
+            "collect the hand-ins, and grade its download with raygrade grade",
+            file.path.string()));
+    }
+    read_limits(assignment.limits, {});
+    scenes::require_other_scenes(assignment, options.other_scenes.count);
+    autograder::Settings settings{file.path.filename().string(), file.toml, {}};
+    if (options.other_scenes.count > 0) {
+        settings.options = {"--variants", std::to_string(options.other_scenes.count), "--variant-seed",
+                            std::to_string(options.other_scenes.seed)};
+    }
+    for (const std::string& note : make_marking(std::move(assignment)).key.notes) say("note: {}\n", note);
+    return settings;
+}
+
+/// Gradescope ends a whole container that takes more than 768 MiB, so the compiler gets less, unless the assignment
+/// says how much.
+void bound_compiler(autograder::Settings& settings) {
+    constexpr const char* limit = "compile.memory_mib";
+    const auto limits = reference::parse_assignment(settings.toml, settings.file_name).limits;
+    if (std::ranges::any_of(limits, [&](const reference::LimitEntry& entry) { return entry.name == limit; })) return;
+    settings.options.insert(settings.options.end(), {"--limit", fmt::format("{}=512", limit)});
+}
+
+int write_for_gradescope(const AutograderOptions& options) {
+    require_place_for_zip(options.zip, options.force);
+    autograder::Settings settings = read_settings(options);
+    bound_compiler(settings);
+    if (options.unsafe) settings.options.emplace_back("--unsafe");
+    write_file(options.zip, [&](std::ostream& stream) { autograder::write_gradescope_zip(stream, settings); });
+    fmt::print("autograder: {}\n", options.zip.string());
+    say("Upload it as it is: Configure Autograder, Zip file upload, base image Ubuntu 22.04 or newer.\n");
+    return all_graded;
+}
+
+int write_for_classroom50(const AutograderOptions& options) {
+    if (look_into(options.folder, {"autograder.py"}, "assignment", {"an autograder", "--out"}) ==
+            Holds::earlier_results &&
+        !options.force) {
+        throw UsageError(
+            fmt::format("{}: holds an autograder; replace it with --force, or name another folder with "
+                        "--out",
+                        options.folder.string()));
+    }
+    const autograder::Settings settings = read_settings(options);
+    make_results_folder(options.folder, "assignment");
+    // The script takes the only one.
+    for (const auto& entry : fs::directory_iterator(options.folder / "assignment")) fs::remove(entry.path());
+    for (const auto& [path, text] : autograder::classroom50_files(settings, options.image))
+        write_file(options.folder / path, text);
+    fmt::print("autograder: {}\n", options.folder.string());
+    say("Copy the folder to CLASSROOM/autograders/ASSIGNMENT of your classroom50 repository, and give its runtime.json "
+        "to `gh teacher assignment add --runtime`.\n");
+    return all_graded;
+}
+
+CLI::App* add_system(CLI::App& command, const char* name, const char* about, AutograderOptions& options) {
+    CLI::App* system = command.add_subcommand(name, about);
+    add_assignment(*system, options.assignment);
+    system->add_flag("--force", options.force, "Replace an earlier autograder");
+    add_other_scenes(*system, options.other_scenes);
+    return system;
+}
+
+}  // namespace
+
+Subcommand autograder_command(CLI::App& app) {
+    CLI::App& command =
+        *app.add_subcommand("autograder", "Write what makes another system grade each hand-in with raygrade");
+    command.require_subcommand(1);
+    const auto options = std::make_shared<AutograderOptions>();
+    CLI::App* gradescope = add_system(command, "gradescope",
+                                      "Write the zip that Gradescope takes as an autograder: scripts, assignment and "
+                                      "this raygrade with its libraries",
+                                      *options);
+    gradescope->add_option("-o,--out", options->zip, "Where to write the zip")
+        ->type_name("FILE.zip")
+        ->capture_default_str();
+    gradescope->add_flag("--unsafe", options->unsafe,
+                         "If no sandbox works in Gradescope's containers, run programs with limits alone, as an "
+                         "account that can't read the assignment");
+    gradescope->footer("Example: raygrade autograder gradescope --assignment a6-2021 --out autograder.zip");
+    CLI::App* classroom50 =
+        add_system(command, "classroom50", "Write autograder.py and what belongs to it for Classroom 50", *options);
+    classroom50
+        ->add_option("--image", options->image,
+                     "The public container image in which GitHub runs it, made by harness/debian/Dockerfile: see "
+                     "manual/lms.md")
+        ->type_name("NAME")
+        ->required();
+    classroom50->add_option("-o,--out", options->folder, "The folder for the files")
+        ->type_name("DIR")
+        ->capture_default_str();
+    classroom50->footer(
+        "Example: raygrade autograder classroom50 --assignment a6-2021 --image ghcr.io/my-course/raygrade");
+    return {&command,
+            [=] { return gradescope->parsed() ? write_for_gradescope(*options) : write_for_classroom50(*options); }};
+}
+
+}  // namespace harness
