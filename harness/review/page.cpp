@@ -1,20 +1,11 @@
 #include "harness/review/page.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
 
-#include "harness/class_run/corrections.h"
 #include "harness/grade/concerns.h"
-#include "harness/report/page/evidence.h"
-#include "harness/report/page/listing.h"
-#include "harness/report/text/compiler_messages.h"
-#include "harness/report/text/expected_text.h"
-#include "harness/report/text/sentences.h"
 #include "harness/report/text/verdict_words.h"
-#include "harness/review/source_notes.h"
 #include "harness/review/templates.h"
 #include "harness/text/markup.h"
 #include "harness/text/points.h"
@@ -25,239 +16,6 @@ namespace {
 using Kind = Decision::Kind;
 using report::PageData;
 using report::PageTemplate;
-using report::set_text;
-
-constexpr std::size_t most_bytes = 64 << 10U;
-
-std::string mark_of(const Graded& one) {
-    const auto points = points_that_count(one);
-    return points ? points_text(*points) : "no mark";
-}
-
-std::string notice_html(const std::optional<Notice>& notice, const std::string& root, const std::string& back) {
-    if (!notice) return "";
-    PageData data;
-    data["root"] = root;
-    data["sentence"] = notice->sentence;
-    data["look"] = std::string(notice->is_problem ? "bad" : "good");
-    data["role"] = std::string(notice->is_problem ? "alert" : "status");
-    data["back"] = back;
-    if (notice->decision) data["undo_number"] = std::to_string(*notice->decision);
-    return PageTemplate(templates::notice_mustache).fill_in(data);
-}
-
-/// How much a doubt says about its own item: the right value elsewhere says most.
-int vagueness(const ItemScore& item) {
-    if (!item.doubt) return item.verdict == ItemVerdict::right || item.verdict == ItemVerdict::follow ? 6 : 5;
-    switch (item.doubt->why) {
-        case Doubt::Why::right_elsewhere: return 0;
-        case Doubt::Why::printed_again: return 1;
-        case Doubt::Why::words_left: return 2;
-        case Doubt::Why::numbers_left: return 3;
-        case Doubt::Why::little_read: return 4;
-    }
-    return 4;
-}
-
-/// The item that a decision is most likely about: the most doubtful one, else one that is not right. Null if all are
-/// right.
-const ItemScore* item_to_look_at(const Graded& one) {
-    constexpr int right = 6;
-    const ItemScore* found = nullptr;
-    for (const QuestionScore& question : one.score.questions) {
-        for (const ItemScore& item : question.items) {
-            if (vagueness(item) < (found == nullptr ? right : vagueness(*found))) found = &item;
-        }
-    }
-    return found;
-}
-
-std::string item_name(const ItemScore& item) {
-    return fmt::format("{}.{}", item.spec.question, item.spec.name);
-}
-
-/// A list of choices for <select>.
-class Options {
-  public:
-    explicit Options(std::string chosen) : chosen_(std::move(chosen)) {}
-
-    void add(const std::string& value, const std::string& text) {
-        PageData option;
-        option["option"] = value;
-        option["option_text"] = text;
-        option["option_chosen"] = value == chosen_;
-        list_.push_back(option);
-    }
-    PageData take() { return std::move(list_); }
-
-  private:
-    std::string chosen_;
-    PageData list_{PageData::type::list};
-};
-
-PageData item_options(const Graded& one, const std::string& chosen) {
-    Options options(chosen);
-    for (const QuestionScore& question : one.score.questions) {
-        for (const ItemScore& item : question.items)
-            options.add(item_name(item), fmt::format("{} {}", item_name(item), report::word_of(item.verdict)));
-    }
-    return options.take();
-}
-
-/// Every place that can be given points, with its most.
-PageData point_options(const Graded& one, const std::string& chosen) {
-    Options options(chosen);
-    const bool has_items = one.outcome != Outcome::not_graded;
-    for (const QuestionScore& question : one.score.questions) {
-        if (!has_items) break;
-        for (const ItemScore& item : question.items) {
-            options.add(item_name(item),
-                        fmt::format("{}: {} of {}", item_name(item), points_text(final_points(one, question, item)),
-                                    points_text(item.max_points)));
-        }
-        options.add(std::to_string(question.number),
-                    fmt::format("question {}: {} of {}", question.number, points_text(final_points(one, question)),
-                                points_text(question.max_points)));
-    }
-    if (one.score.other_scenes)
-        options.add(std::string(other_scenes_place),
-                    fmt::format("other scenes: {} of {}", points_text(final_scenes_points(one)),
-                                points_text(one.score.other_scenes->max_points)));
-    options.add("total", fmt::format("the whole: {} of {}", mark_of(one), points_text(one.score.max_points)));
-    return options.take();
-}
-
-PageData comment_options(const Graded& one, const std::string& chosen) {
-    Options options(chosen);
-    if (one.outcome == Outcome::not_graded) return options.take();
-    for (const QuestionScore& question : one.score.questions) {
-        options.add(std::to_string(question.number), fmt::format("question {}", question.number));
-        for (const ItemScore& item : question.items) options.add(item_name(item), item_name(item));
-    }
-    return options.take();
-}
-
-std::string facts_of(const Graded& one) {
-    std::string facts = one.submission.id;
-    if (!one.submission.file.empty()) facts += ", " + one.submission.file.string();
-    if (one.late_share > 0) facts += fmt::format(", late: {:g} % are taken off", one.late_share * 100);
-    return facts;
-}
-
-PageData items_of(const Graded& one, const QuestionScore& question,
-                  const std::map<reference::ItemId, std::string>& asked) {
-    PageData items(PageData::type::list);
-    for (const ItemScore& each : question.items) {
-        PageData item;
-        item["item"] = item_name(each);
-        item["item_class"] = std::string(to_string(each.verdict));
-        item["item_word"] = std::string(report::word_of(each.verdict));
-        item["item_got"] = points_text(final_points(one, question, each));
-        item["item_most"] = points_text(each.max_points);
-        set_text(item, "item_printed", each.printed);
-        if (each.line != 0) item["item_line"] = std::to_string(each.line);
-        const auto right = asked.find(each.spec.id);
-        if (each.verdict != ItemVerdict::right && right != asked.end()) item["item_asked"] = right->second;
-        // Of the other verdicts the word says all, and the student reads how to print what is missing.
-        const bool needs_words = each.verdict == ItemVerdict::wrong || each.verdict == ItemVerdict::unreadable ||
-                                 !each.advice.empty() || !each.accepted_as.empty() || !each.reread.empty();
-        if (needs_words) set_text(item, "item_sentence", report::item_sentence(each, one.outcome));
-        items.push_back(item);
-    }
-    return items;
-}
-
-PageData questions_of(const Graded& one, const std::map<reference::ItemId, std::string>& asked) {
-    PageData questions(PageData::type::list);
-    if (one.outcome == Outcome::not_graded) return questions;
-    for (const QuestionScore& each : one.score.questions) {
-        PageData question;
-        question["question"] = std::to_string(each.number);
-        question["question_title"] = each.title;
-        question["question_got"] = points_text(final_points(one, each));
-        question["question_most"] = points_text(each.max_points);
-        question["items"] = items_of(one, each, asked);
-        questions.push_back(question);
-    }
-    return questions;
-}
-
-/// What was read from each line, and where a doubtful item may stand.
-report::LineNotes notes_of_printout(const Graded& one) {
-    report::LineNotes notes = report::notes_of_answers(one.score);
-    std::map<int, std::vector<std::string>> doubtful;
-    for (const QuestionScore& question : one.score.questions) {
-        for (const ItemScore& item : question.items) {
-            if (item.doubt && item.doubt->line > 0) doubtful[item.doubt->line].push_back(item_name(item));
-        }
-    }
-    constexpr std::size_t most = 3;
-    for (const auto& [line, items] : doubtful) {
-        if (items.size() <= most) {
-            notes[line].push_back({fmt::format("is this {}?", fmt::join(items, ", ")), "warning"});
-        } else {
-            notes[line].push_back({fmt::format("is this one of {} answers?", items.size()), "warning"});
-        }
-    }
-    return notes;
-}
-
-report::LineNotes notes_of_source(const Graded& one) {
-    report::LineNotes notes = report::notes_of_compiler(report::compiler_messages(one.build.diagnostics));
-    for (auto& [line, more] : printing_lines(one.submission.source, one.printout, one.score))
-        notes[line].insert(notes[line].end(), more.begin(), more.end());
-    return notes;
-}
-
-/// Reasons that were given before, the latest first.
-PageData reasons_of(const KeptClass& kept) {
-    constexpr std::size_t most = 12;
-    std::vector<std::string> reasons;
-    const auto add = [&](const std::string& reason) {
-        if (reasons.size() < most && std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
-            reasons.push_back(reason);
-    };
-    for (auto each = kept.overrides.rbegin(); each != kept.overrides.rend(); ++each) add(each->given.why);
-    for (auto each = kept.rereads.rbegin(); each != kept.rereads.rend(); ++each) add(each->given.why);
-    PageData list(PageData::type::list);
-    for (const std::string& each : reasons) {
-        PageData reason;
-        reason["reason"] = each;
-        list.push_back(reason);
-    }
-    return list;
-}
-
-/// Overrides, rereads and decisions in force.
-PageData decided_of(const Graded& one) {
-    PageData list(PageData::type::list);
-    const auto add = [&](const std::string& text, const char* what, const std::string& about) {
-        PageData decided;
-        decided["decided_text"] = text;
-        decided["decided_what"] = std::string(what);
-        decided["decided_about"] = about;
-        list.push_back(decided);
-    };
-    for (const Override& each : one.overrides) {
-        add(fmt::format("{} points for {}, by {}, {}: {}", points_text(each.points), place_in_words(each), each.by,
-                        each.when, each.why),
-            "override", place_of(each));
-    }
-    for (const Reread& each : one.submission.rereads) {
-        add(fmt::format("{}: {}{}", item_of(each), harness::note_of(each),
-                        counts(one, each) ? "" : " (does not count: the output has another layout now)"),
-            "reread", item_of(each));
-    }
-    for (const Decision& each : one.decisions) {
-        if (each.kind != Kind::accepted && each.kind != Kind::comment) continue;
-        const std::string about = each.about.empty() ? "" : " on " + each.about;
-        const std::string what =
-            each.kind == Kind::comment ? "Comment" + about : fmt::format("Accepted: {}", title_of_kind(each.about));
-        add(fmt::format("{}, by {}, {}: {}", what, each.by, each.when, each.text), "decision",
-            std::to_string(each.number));
-    }
-    return list;
-}
 
 std::string wish_in_words(const Wish& wish) {
     switch (wish.kind) {
@@ -301,6 +59,15 @@ std::string name_of(const Submission& submission) {
 
 Pages::Pages(const Session& session, std::string root) : session_(session), root_(std::move(root)) {}
 
+std::string item_name(const ItemScore& item) {
+    return fmt::format("{}.{}", item.spec.question, item.spec.name);
+}
+
+std::string mark_of(const Graded& one) {
+    const auto points = points_that_count(one);
+    return points ? points_text(*points) : "no mark";
+}
+
 std::string Pages::path_of(std::size_t place) const {
     return fmt::format("{}/student/{}", root_, place + 1);
 }
@@ -311,6 +78,18 @@ std::string Pages::framed(const std::string& title, const std::string& body) con
     data["page_title"] = title;
     data["page_body"] = body;
     return PageTemplate(templates::frame_mustache).fill_in(data);
+}
+
+std::string Pages::notice_html(const std::optional<Notice>& notice, const std::string& back) const {
+    if (!notice) return "";
+    PageData data;
+    data["root"] = root_;
+    data["sentence"] = notice->sentence;
+    data["look"] = std::string(notice->is_problem ? "bad" : "good");
+    data["role"] = std::string(notice->is_problem ? "alert" : "status");
+    data["back"] = back;
+    if (notice->decision) data["undo_number"] = std::to_string(*notice->decision);
+    return PageTemplate(templates::notice_mustache).fill_in(data);
 }
 
 std::string Pages::message(const std::string& heading, const std::string& sentence) const {
@@ -327,7 +106,7 @@ std::string Pages::list(const std::optional<Notice>& notice) {
     data["title"] = session_.marking().assignment.title;
     data["open"] = std::to_string(agenda.open.size());
     data["concerned"] = std::to_string(agenda.concerned);
-    data["notice"] = notice_html(notice, root_, "");
+    data["notice"] = notice_html(notice, "");
     data["begin"] = !agenda.open.empty();
     if (!agenda.open.empty()) {
         data["begin_path"] = path_of(agenda.open.front());
@@ -382,93 +161,6 @@ std::string Pages::list(const std::optional<Notice>& notice) {
     data["students"] = std::move(students);
     return framed("Review: " + session_.marking().assignment.title,
                   PageTemplate(templates::list_mustache).fill_in(data));
-}
-
-std::string Pages::student(std::size_t place, const std::optional<Notice>& notice, const std::optional<Wish>& tried) {
-    const Graded& one = session_.graded()[place];
-    const Marking& own = own_marking(session_.marking(), one.submission);
-    const Agenda agenda = agenda_of(session_);
-    PageData data;
-    data["root"] = root_;
-    data["id"] = one.submission.id;
-    data["state"] = session_.state_of(place);
-    data["name"] = name_of(one.submission);
-    data["facts"] = facts_of(one);
-    if (points_that_count(one)) data["points"] = mark_of(one);
-    data["max"] = points_text(one.score.max_points);
-    const auto link = [&](const char* name, const std::optional<std::size_t>& there) {
-        if (there) data[name] = path_of(*there);
-    };
-    link("previous", before(agenda, place));
-    link("next", next(agenda, place));
-    link("next_open", next_open(agenda, place));
-    data["standing"] = fmt::format("{} of {} left to review", agenda.open.size(), agenda.concerned);
-    data["notice"] = notice_html(notice, root_, one.submission.id);
-    set_text(data, "explanation", one.explanation);
-
-    const std::vector<Flag> open = open_concerns(one);
-    PageData concerns(PageData::type::list);
-    for (const Flag& each : open) {
-        PageData concern;
-        concern["concern_title"] = title_of_kind(each.kind);
-        concern["concern_kind"] = each.kind;
-        concern["evidence"] = each.evidence;
-        concern["concern_text"] = tried && tried->kind == Kind::accepted ? tried->text : std::string();
-        concern["is_first"] = &each == &open.front();
-        const std::size_t size = alike(session_, place, {Kind::accepted, each.kind, {}, {}, {}, false}).places.size();
-        if (size > 1) concern["concern_group"] = std::to_string(size);
-        concerns.push_back(concern);
-    }
-    data["has_concerns"] = !open.empty();
-    data["concerns"] = std::move(concerns);
-
-    const report::Listing printout = report::Listing::of_printout(one.printout, notes_of_printout(one), "line-");
-    const report::Listing source = report::Listing::of_source(one.submission.source, notes_of_source(one), "source-");
-    if (!printout.empty()) data["printout"] = printout.html("Printout");
-    data["no_printout"] =
-        std::string(report::is_printout_too_long(one) ? "It printed more than is kept." : "It printed nothing.");
-    if (!source.empty()) data["source"] = source.html("Source");
-    data["no_source"] = std::string(one.submission.source_sha256.empty()
-                                        ? "No source was handed in."
-                                        : "The gradebook has no source: it is too long, or was graded by an older "
-                                          "raygrade. Grading again with --apply keeps it.");
-
-    const ItemScore* item = item_to_look_at(one);
-    const std::string default_item = item == nullptr ? "" : item_name(*item);
-    const auto chosen = [&](Kind kind, const std::string& otherwise) {
-        return tried && tried->kind == kind ? tried->about : otherwise;
-    };
-    const auto typed = [&](Kind kind, const std::string Wish::*field) {
-        return tried && tried->kind == kind ? *tried.*field : std::string();
-    };
-    const bool can_reread = !one.printout.empty();
-    data["can_reread"] = can_reread;
-    data["reading_items"] = item_options(one, chosen(Kind::reading, default_item));
-    const bool knows_line = item != nullptr && item->doubt && item->doubt->line > 0;
-    data["reading_lines"] = tried && tried->kind == Kind::reading ? tried->lines
-                            : knows_line                          ? std::to_string(item->doubt->line)
-                                                                  : std::string();
-    data["reading_none"] = tried && tried->kind == Kind::reading && tried->lines.empty();
-    data["reading_text"] = typed(Kind::reading, &Wish::text);
-    const std::size_t with_layout = session_.with_layout_of(place).size();
-    if (with_layout > 1) data["layout_group"] = std::to_string(with_layout);
-    data["point_items"] =
-        point_options(one, chosen(Kind::points, one.outcome == Outcome::not_graded ? "total" : default_item));
-    data["points_given"] = typed(Kind::points, &Wish::points);
-    data["points_text"] = typed(Kind::points, &Wish::text);
-    data["comment_items"] = comment_options(one, chosen(Kind::comment, ""));
-    data["comment_text"] = typed(Kind::comment, &Wish::text);
-    data["reasons"] = reasons_of(session_.kept());
-    PageData decided = decided_of(one);
-    data["has_decided"] = decided.is_non_empty_list();
-    data["decided"] = std::move(decided);
-
-    data["questions"] = questions_of(one, report::expected_texts(own.key));
-    if (one.outcome != Outcome::not_graded && one.outcome != Outcome::compile_error)
-        data["picture"] = report::explaining_picture(own, &one, true, "scene-");
-    report::Evidence evidence("h2", most_bytes);
-    data["evidence"] = evidence.compiler(one, source) + evidence.others(one, printout, source);
-    return framed(name_of(one.submission) + ", review", PageTemplate(templates::student_mustache).fill_in(data));
 }
 
 std::string Pages::group(std::size_t place, const Wish& wish, const Group& group) {

@@ -41,6 +41,9 @@ class Pages {
 
   private:
     std::string framed(const std::string& title, const std::string& body) const;
+    std::string notice_html(const std::optional<Notice>& notice, const std::string& back) const;
+    void add_concerns(report::PageData& data, std::size_t place, const std::optional<Wish>& tried) const;
+    void add_decision_forms(report::PageData& data, std::size_t place, const std::optional<Wish>& tried) const;
 
     const Session& session_;
     std::string root_;
@@ -48,6 +51,12 @@ class Pages {
 
 /// The Content-Security-Policy of all pages: this server's own style, script and icon, and forms that go back to it.
 std::string page_policy();
+
+/// "6.t"
+std::string item_name(const ItemScore& item);
+
+/// "62.5", or "no mark".
+std::string mark_of(const Graded& one);
 
 /// The name by which the review calls a student: "Doe, Jane (doejane)".
 std::string name_of(const Submission& submission);
