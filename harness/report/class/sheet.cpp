@@ -27,7 +27,7 @@ constexpr std::size_t most_text_bytes = 4 << 10U;
 constexpr std::size_t most_picture_bytes = 6 << 20U;
 
 /// Limit for all printouts and sources together, for the same reason. What is left out is in the gradebook.
-constexpr std::size_t most_listing_bytes = 24 << 20U;
+constexpr std::size_t most_listing_bytes = 3 << 20U;
 
 std::string late_text(const Graded& graded) {
     return graded.submission.lms && graded.submission.lms->late == true ? "late" : "";
