@@ -50,11 +50,14 @@ std::string item_change(const ItemScore* before, const ItemScore* after, const G
     } else if (before->verdict != after->verdict) {
         text += fmt::format("{} -> {}", to_string(before->verdict), to_string(after->verdict));
     } else if (moves) {
-        text += fmt::format("still {}", to_string(after->verdict));
+        text =
+            fmt::format("{}.{}: still {}, now worth {} points {}", item.spec.question, item.spec.name,
+                        to_string(after->verdict), points_text(std::abs(difference)), difference < 0 ? "less" : "more");
     } else {
         return "";
     }
-    if (moves) text += fmt::format(" ({})", signed_points(difference));
+    const bool is_said = before != nullptr && after != nullptr && before->verdict == after->verdict;
+    if (moves && !is_said) text += fmt::format(" ({})", signed_points(difference));
     return text + (is_overridden(graded, item) ? ", overridden" : "");
 }
 

@@ -40,7 +40,7 @@ test('it says where to begin, and the link leads there', async () => {
   assert.match(page.url(), /#q1$/);
   const first = await page.locator('#q1').textContent();
   assert.ok(first.includes('look here first') && first.includes('integer division'));
-  assert.ok((await page.locator('#q4').textContent()).includes('it follows from question 1'));
+  assert.ok((await page.locator('#q4').textContent()).includes('fix question 1 and this one will be right too'));
   assert.equal(await page.locator('#q2').count(), 0, 'nothing to say of what is right');
   assert.ok(await page.locator('figure svg').isVisible());
   await seen.close();

@@ -83,7 +83,7 @@ TEST_F(RealDay, ARegradeShowsWhoseMarkRisesAndWhyAndWritesNothing) {
     const Result shown = grade({"--assignment", rubric("[rubric.points]\n5 = 20\n")});
     EXPECT_EQ(shown.status, 0) << shown.both();
     EXPECT_THAT(shown.output, AllOf(HasSubstr("its key is the same"), HasSubstr("rises  ada"),
-                                    HasSubstr("10 ->     20     +10  5.V still right (+10)")));
+                                    HasSubstr("10 ->     20     +10  5.V: still right, now worth 10 points more")));
     EXPECT_THAT(shown.output, AllOf(HasSubstr("1 rises, 0 fall, 1 stays as it is."), HasSubstr("Nothing was written")));
     EXPECT_EQ(files(), before);
 

@@ -28,7 +28,7 @@ constexpr std::size_t most_text_bytes = 4 << 10U;
 constexpr std::size_t most_picture_bytes = 6 << 20U;
 
 /// Limit for all printouts and sources together, for the same reason. What is left out is in the gradebook.
-constexpr std::size_t most_listing_bytes = 24 << 20U;
+constexpr std::size_t most_listing_bytes = 3 << 20U;
 
 std::string late_text(const Graded& graded) {
     return graded.submission.lms && graded.submission.lms->late == true ? "late" : "";
@@ -280,13 +280,14 @@ std::string ClassSheets::sheet(const Graded& graded, std::size_t index) {
         data["rows"] = rows;
         set_text(data, "picture", picture_of(graded, index));
     }
+    const std::string label = label_of(graded.submission);
     const auto show = [&](const char* name, const Listing& listing, std::string_view label) {
         const std::string html = listing.html(label);
         listing_bytes_ += html.size();
         set_text(data, name, html);
     };
-    show("printout", printout, "What the program printed");
-    show("source", source, "The source");
+    show("printout", printout, "What " + label + " printed");
+    show("source", source, "The source of " + label);
     data["printout_too_long"] = is_printout_too_long(graded);
     data["source_not_kept"] = source_text.empty() && !graded.submission.source_sha256.empty();
     data["kept_kib"] = std::to_string(longest_kept_printout >> 10U);

@@ -152,7 +152,7 @@ Listing::Listing(const std::vector<std::string_view>& lines, bool is_whole, cons
                            has_id ? prefix + std::to_string(last_line_) : "");
     }
     if (is_whole || lines.empty()) return;
-    cut_ = last_line_ == 0 ? "Too long to be shown here." : fmt::format("Cut after line {}.", last_line_);
+    cut_ = last_line_ == 0 ? "Left out, as the page would be too long." : fmt::format("Cut after line {}.", last_line_);
 }
 
 std::string Listing::html(std::string_view label) const {

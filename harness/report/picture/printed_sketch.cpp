@@ -137,7 +137,7 @@ class PrintedDrawing {
         const bool all_right = axes[0].is_right && axes[1].is_right && axes[2].is_right;
         const auto corners = window_corners(scene_, axes[0].value, axes[1].value, axes[2].value);
         const bool seen = std::any_of(corners.begin(), corners.end(), [&](const Point& p) { return frame_.holds(p); });
-        result_.sketch.notes.emplace_back(seen ? "The image plane is drawn as the printed axes put it."
+        result_.sketch.notes.emplace_back(seen ? "The image plane is drawn with the axes your program printed."
                                                : "The printed axes put the image plane beyond the frame.");
         result_.sketch.polygons.push_back({corners, Ink::printed, all_right ? Stroke::plain : Stroke::dashed});
     }

@@ -34,6 +34,20 @@ std::string listed(const std::vector<std::string>& names) {
     return text;
 }
 
+/// "question 2", "questions 6 to 10".
+std::vector<std::string> runs_of(const std::vector<int>& questions) {
+    std::vector<std::string> runs;
+    for (std::size_t i = 0; i < questions.size();) {
+        std::size_t end = i + 1;
+        while (end < questions.size() && questions[end] == questions[end - 1] + 1) ++end;
+        runs.push_back(end == i + 1 ? fmt::format("question {}", questions[i])
+                                    : fmt::format("questions {} {} {}", questions[i], end == i + 2 ? "and" : "to",
+                                                  questions[end - 1]));
+        i = end;
+    }
+    return runs;
+}
+
 }  // namespace
 
 bool was_cut_short(Outcome outcome) {
@@ -160,8 +174,8 @@ std::string told_diagnosis(const ItemScore& item, reference::Feedback feedback) 
 }
 
 std::string missing_sentence(const Graded& graded) {
+    std::vector<int> whole;  // questions
     std::vector<std::string> names;
-    std::size_t questions = 0;
     for (const QuestionScore& question : graded.score.questions) {
         std::vector<std::string> items;
         for (const ItemScore& item : question.items) {
@@ -169,16 +183,17 @@ std::string missing_sentence(const Graded& graded) {
                 items.push_back(fmt::format("{}.{}", question.number, item.spec.name));
         }
         if (items.size() == question.items.size()) {
-            ++questions;
-            names.push_back(fmt::format("question {}", question.number));
+            whole.push_back(question.number);
         } else {
             names.insert(names.end(), items.begin(), items.end());
         }
     }
+    const std::vector<std::string> questions = runs_of(whole);
+    names.insert(names.begin(), questions.begin(), questions.end());
     if (names.empty() || graded.outcome == Outcome::compile_error || graded.outcome == Outcome::no_output ||
         graded.outcome == Outcome::not_graded)
         return "";
-    const bool all = questions == graded.score.questions.size();
+    const bool all = whole.size() == graded.score.questions.size();
     if (was_cut_short(graded.outcome)) {
         return all ? "No answer was found in what the program printed before it ended."
                    : fmt::format("Not printed before the program ended: {}.", listed(names));

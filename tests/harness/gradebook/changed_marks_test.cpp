@@ -58,7 +58,7 @@ TEST(ClassChanges, NameTheItemByWhichAMarkRisesOrFalls) {
 
 TEST(ClassChanges, DistinguishChangedPointsFromAChangedVerdict) {
     EXPECT_THAT(filed(with_t(ItemVerdict::follow, 1), with_t(ItemVerdict::follow, 0.5)).falling.at(0).reasons,
-                ElementsAre("6.t still follow (-0.5)"));
+                ElementsAre("6.t: still follow, now worth 0.5 points less"));
 }
 
 TEST(ClassChanges, SayWhenTheMaximumChanges) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/report/class/statistics.h"
+#include "harness/report/class/story.h"
 #include "tests/given/report/graded_samples.h"
 
 namespace harness::report {
@@ -118,6 +119,60 @@ TEST(ClassStatistics, CountsFinalPointsAndPutsTheHardestItemFirst) {
     EXPECT_EQ(statistics.items.front().follow, 1U);
     EXPECT_EQ(statistics.items.front().right, 1U);
     EXPECT_EQ(statistics.overridden, 1U);
+}
+
+TEST(ClassStatistics, HaveBinsOfARoundWidth) {
+    const auto width_and_bins = [](double max_points) {
+        Graded one = with_c(ItemVerdict::right, "1");
+        one.score.points = one.score.max_points = max_points;
+        const ClassStatistics statistics = class_statistics({one});
+        EXPECT_EQ(statistics.distribution.back(), 1U);
+        return std::pair(statistics.bin_width, statistics.distribution.size());
+    };
+    EXPECT_EQ(width_and_bins(100), (std::pair<double, std::size_t>(10, 10)));
+    EXPECT_EQ(width_and_bins(95), (std::pair<double, std::size_t>(10, 10)));
+    EXPECT_EQ(width_and_bins(110), (std::pair<double, std::size_t>(10, 11)));
+    EXPECT_EQ(width_and_bins(30), (std::pair<double, std::size_t>(5, 6)));
+    EXPECT_EQ(width_and_bins(8), (std::pair<double, std::size_t>(1, 8)));
+}
+
+TEST(ClassStatistics, SayHowMuchAnAnswerTellsOfTheRest) {
+    // Five have c wrong and 0 to 4 other points, five have it right and 5 to 9: the point-biserial correlation is
+    // (7 - 2) / sqrt(8.25) * sqrt(1/4).
+    std::vector<Graded> class_of_ten;
+    for (int i = 0; i < 10; ++i) {
+        Graded one = with_c(i < 5 ? ItemVerdict::wrong : ItemVerdict::right, "1");
+        for (QuestionScore& question : one.score.questions)
+            for (ItemScore& item : question.items) item.points = 0;
+        one.score.questions[5].items[2].points = i < 5 ? 0 : 1;
+        one.score.points = i + (i < 5 ? 0 : 1);
+        class_of_ten.push_back(one);
+    }
+    const ClassStatistics statistics = class_statistics(class_of_ten);
+    EXPECT_EQ(statistics.items.front().spec.name, "c");
+    ASSERT_TRUE(statistics.items.front().discrimination);
+    EXPECT_NEAR(*statistics.items.front().discrimination, 0.870388, 1e-6);
+    EXPECT_FALSE(statistics.items.back().discrimination) << "all have the same";
+    class_of_ten.pop_back();
+    EXPECT_FALSE(class_statistics(class_of_ten).items.front().discrimination) << "too few";
+}
+
+TEST(ClassStory, TellsTheClassInAParagraph) {
+    const auto with_points = [](Graded one, double points) {
+        one.score.points = points;
+        return one;
+    };
+    Graded broken = graded("x", "");
+    broken.outcome = Outcome::compile_error;
+    broken.score.points = 0;
+    const std::vector<Graded> all = {with_points(with_c(ItemVerdict::wrong, "7", "radius not squared"), 90),
+                                     with_points(with_c(ItemVerdict::wrong, "8", "radius not squared"), 89.9),
+                                     with_points(with_c(ItemVerdict::wrong, "8", "alone"), 100), broken};
+    EXPECT_EQ(
+        class_story(class_statistics(all), all, mistakes_by_question(all)),
+        "2 of 4 have at least 90 of 100 points; the median is 89.95. The same mistake was made by 2 in question 6 "
+        "(c: radius not squared). 1 does not compile.");
+    EXPECT_EQ(class_story(class_statistics({}), {}, {}), "");
 }
 
 TEST(ClassStatistics, AverageTheTwoMiddleMarksForTheMedian) {

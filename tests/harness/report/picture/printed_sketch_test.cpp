@@ -109,7 +109,7 @@ TEST(PrintedAnswers, AreCrossesIfWrongEvenInTheImagePlane) {
 TEST(WithoutAnswers, ThePrintedImagePlaneFits) {
     const std::string svg =
         picture_of(marking_of("nothing"), "Question 2:\nX_vcs: (1, 0, 0)\nY_vcs: (0, 1, 0)\nZ_vcs: (0, 0, 1)\n", false);
-    EXPECT_TRUE(drawn::has_text(svg, "The image plane is drawn as the printed axes put it."));
+    EXPECT_TRUE(drawn::has_text(svg, "The image plane is drawn with the axes your program printed."));
 }
 
 TEST(PrintedAnswers, AreNamedIfTheyCannotBeDrawn) {
@@ -270,7 +270,7 @@ TEST(WithoutAnswers, AllPrintedAnswersAreDrawn) {
     const std::string svg = picture_of(marking, to_text(marking.key), false);
     for (const char* name : {"X_vcs", "Y_vcs", "Z_vcs", "P_VCS", "P_WCS", "V", "P_s", "P_t", "N"})
         EXPECT_TRUE(drawn::has_name(svg, fmt::format("printed {}", name))) << name;
-    EXPECT_TRUE(drawn::has_text(svg, "The image plane is drawn as the printed axes put it."));
+    EXPECT_TRUE(drawn::has_text(svg, "The image plane is drawn with the axes your program printed."));
     EXPECT_TRUE(drawn::has_text(svg, "printed, right"));
 }
 

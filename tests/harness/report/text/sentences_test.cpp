@@ -115,14 +115,16 @@ TEST(MissingSentence, IsOneOnAllAnswersThatAreMissing) {
     Graded graded = with_missing({1, 3}, Outcome::graded);
     graded.score.questions[1].items[1].verdict = ItemVerdict::missing;
     EXPECT_EQ(missing_sentence(graded),
-              "Not found in the output: question 1, 2.hit and question 3. Print each answer with a label under its "
+              "Not found in the output: question 1, question 3 and 2.hit. Print each answer with a label under its "
               "question's heading.");
     graded.outcome = Outcome::crashed;
-    EXPECT_EQ(missing_sentence(graded), "Not printed before the program ended: question 1, 2.hit and question 3.");
+    EXPECT_EQ(missing_sentence(graded), "Not printed before the program ended: question 1, question 3 and 2.hit.");
     EXPECT_EQ(missing_sentence(with_missing({1, 2, 3}, Outcome::timed_out)),
               "No answer was found in what the program printed before it ended.");
     EXPECT_EQ(missing_sentence(with_missing({1, 2, 3}, Outcome::graded)),
               "No answer was found in the output. Print each answer with a label under its question's heading.");
+    EXPECT_EQ(missing_sentence(with_missing({2, 3}, Outcome::crashed)),
+              "Not printed before the program ended: questions 2 and 3.");
     EXPECT_EQ(missing_sentence(with_missing({}, Outcome::graded)), "");
     for (const Outcome outcome : {Outcome::compile_error, Outcome::no_output, Outcome::not_graded})
         EXPECT_EQ(missing_sentence(with_missing({1, 2, 3}, outcome)), "");
