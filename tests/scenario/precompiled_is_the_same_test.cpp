@@ -133,8 +133,9 @@ TEST_P(FastWay, GivesTheSameProgramMessagesAndOutputAsPlain) {
         EXPECT_EQ(plain.diagnostics, fast.diagnostics);
         EXPECT_TRUE(plain.program == fast.program) << "program differs";
         EXPECT_EQ(plain.output, fast.output);
-        // Of the sources, only probes have warnings about anything but their own lines.
-        EXPECT_EQ(fast.by_header, plain.compiled && (!is_probe || plain.diagnostics.empty())) << fast.diagnostics;
+        // Probes also warn of what headers define, so there only a clean one must be compiled with its header.
+        EXPECT_TRUE(plain.compiled || !fast.by_header);
+        EXPECT_TRUE(fast.by_header || !plain.compiled || (is_probe && !plain.diagnostics.empty())) << fast.diagnostics;
     }
 }
 
