@@ -280,14 +280,14 @@ std::string ClassSheets::sheet(const Graded& graded, std::size_t index) {
         data["rows"] = rows;
         set_text(data, "picture", picture_of(graded, index));
     }
-    const std::string label = label_of(graded.submission);
+    const std::string student = label_of(graded.submission);
     const auto show = [&](const char* name, const Listing& listing, std::string_view label) {
         const std::string html = listing.html(label);
         listing_bytes_ += html.size();
         set_text(data, name, html);
     };
-    show("printout", printout, "What " + label + " printed");
-    show("source", source, "The source of " + label);
+    show("printout", printout, "What " + student + " printed");
+    show("source", source, "The source of " + student);
     data["printout_too_long"] = is_printout_too_long(graded);
     data["source_not_kept"] = source_text.empty() && !graded.submission.source_sha256.empty();
     data["kept_kib"] = std::to_string(longest_kept_printout >> 10U);

@@ -71,8 +71,8 @@ std::string item_line(const Graded& graded, const QuestionScore& question, const
     std::string text = fmt::format("- Question {}{}, {}{}: ", question.number, part, name, where(item));
     if (!item.printed.empty()) text += fmt::format("you printed {}. ", code(item.printed));
     text += plain(item_sentence(item, graded.outcome, feedback));
-    if (const std::string name = told_diagnosis(item, feedback); !name.empty())
-        text += fmt::format(" ({})", plain(name));
+    if (const std::string mistake = told_diagnosis(item, feedback); !mistake.empty())
+        text += fmt::format(" ({})", plain(mistake));
     text += fmt::format(" {} of {} points", points_text(item.points), points_text(item.max_points));
     const Override* given = find_override(graded, question.number, std::string(item.spec.name));
     if (given != nullptr) text += fmt::format("; your instructor gave {}", points_text(given->points));
