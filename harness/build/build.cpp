@@ -16,6 +16,7 @@
 #include "harness/machine/errors.h"
 #include "harness/machine/file_descriptor.h"
 #include "harness/machine/find_on_path.h"
+#include "harness/text/lines.h"
 #include "harness/text/printable.h"
 
 namespace harness {
@@ -190,9 +191,7 @@ std::optional<std::size_t> leading_number(std::string_view text) {
 /// so of "In file included from", of what a macro or a template of a header's is, and of a missing #include.
 bool are_about_lines_below(std::size_t first, std::string_view messages) {
     const std::string own = std::string(source_name) + ":";
-    while (!messages.empty()) {
-        const std::string_view line = messages.substr(0, messages.find('\n'));
-        messages.remove_prefix(std::min(line.size() + 1, messages.size()));
+    for (const std::string_view line : lines_of(messages)) {
         std::string_view rest = line;
         if (line.starts_with(own)) {
             rest.remove_prefix(own.size());
@@ -222,10 +221,7 @@ bool names_the_machine(const std::string& messages) {
             all.push_back(std::generic_category().message(error));
         return all;
     }();
-    std::string_view rest = messages;
-    while (!rest.empty()) {
-        const std::string_view line = rest.substr(0, rest.find('\n'));
-        rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+    for (const std::string_view line : lines_of(messages)) {
         if (line.starts_with(' ')) continue;
         for (const std::string& word : words) {
             if (line.ends_with(word)) return true;

@@ -5,12 +5,13 @@
 #include <set>
 
 #include "harness/report/text/read_lines.h"
+#include "harness/text/lines.h"
 #include "harness/text/utf8.h"
 
 namespace harness::review {
 namespace {
 
-constexpr int most_lines = 5000;
+constexpr std::size_t most_lines = 5000;
 constexpr std::size_t widest = 400;
 constexpr std::size_t shortest_literal = 2;
 
@@ -61,11 +62,11 @@ struct Literal {
 
 std::vector<Literal> literals_in(std::string_view source) {
     std::vector<Literal> literals;
-    for (int line = 1; !source.empty() && line <= most_lines; ++line) {
-        const std::size_t end = source.find('\n');
-        const std::string_view text = beginning_of_characters(source.substr(0, end), widest);
-        source.remove_prefix(end == std::string_view::npos ? source.size() : end + 1);
-        for (std::string& literal : literals_of(text)) literals.push_back({std::move(literal), line});
+    int number = 0;
+    for (const std::string_view line : lines_of(source, most_lines)) {
+        ++number;
+        for (std::string& literal : literals_of(beginning_of_characters(line, widest)))
+            literals.push_back({std::move(literal), number});
     }
     return literals;
 }

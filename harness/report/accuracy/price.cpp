@@ -7,6 +7,7 @@
 
 #include "harness/report/accuracy/summary.h"
 #include "harness/report/plot/numbers.h"
+#include "harness/text/listed.h"
 
 namespace harness::report {
 namespace {
@@ -122,11 +123,8 @@ std::string price_sentence(const std::vector<Price>& prices) {
                                     three_digits(price.rival_ns.median)));
     }
     if (parts.empty()) return "";
-    std::string text = "Never to be wrong takes ";
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
-    }
-    return text + " as the fastest formula that rounds: a hit with its t, one ray at a time, in double.";
+    return "Never to be wrong takes " + listed(parts) +
+           " as the fastest formula that rounds: a hit with its t, one ray at a time, in double.";
 }
 
 }  // namespace harness::report

@@ -5,18 +5,12 @@
 #include <algorithm>
 
 #include "harness/report/plot/numbers.h"
+#include "harness/text/listed.h"
 
 namespace harness::report {
 namespace {
 
 using reference::accuracy::Decision;
-
-std::string joined(const std::vector<std::string>& names) {
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-    return text;
-}
 
 std::string value_text(const Decision& decision) {
     const bool is_order = decision.what.rfind("order", 0) == 0;
@@ -43,7 +37,7 @@ std::string decision_sentence(const Decision& decision) {
         text += " That is within what rounding may do in float; double is sure.";
     }
     return text + (decision.wrong.empty() ? " Here float, double and long double all decide it rightly."
-                                          : fmt::format(" Decided wrongly here by {}.", joined(decision.wrong)));
+                                          : fmt::format(" Decided wrongly here by {}.", listed(decision.wrong)));
 }
 
 std::string decisions_summary(const std::vector<Decision>& decisions) {

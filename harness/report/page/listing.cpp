@@ -9,6 +9,7 @@
 
 #include "harness/report/text/read_lines.h"
 #include "harness/report/text/verdict_words.h"
+#include "harness/text/lines.h"
 #include "harness/text/markup.h"
 #include "harness/text/utf8.h"
 
@@ -19,13 +20,9 @@ constexpr std::size_t longest_line = 500;
 
 /// The lines of a source as a compiler counts them, without their ends.
 std::vector<std::string_view> source_lines(std::string_view source, std::size_t most) {
-    std::vector<std::string_view> lines;
-    while (!source.empty() && lines.size() < most) {
-        const std::size_t end = std::min(source.find('\n'), source.size());
-        std::string_view line = source.substr(0, end);
+    std::vector<std::string_view> lines = lines_of(source, most);
+    for (std::string_view& line : lines) {
         if (line.ends_with('\r')) line.remove_suffix(1);
-        lines.push_back(line);
-        source.remove_prefix(std::min(end + 1, source.size()));
     }
     return lines;
 }

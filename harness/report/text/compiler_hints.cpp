@@ -8,19 +8,10 @@
 
 #include "harness/report/text/compiler_messages.h"
 #include "harness/report/text/known_headers.h"
+#include "harness/text/lines.h"
 
 namespace harness::report {
 namespace {
-
-std::vector<std::string_view> lines_of(std::string_view text) {
-    std::vector<std::string_view> lines;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        lines.push_back(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return lines;
-}
 
 /// The texts in quotes, 'like this'.
 std::vector<std::string> quoted_texts(std::string_view message) {

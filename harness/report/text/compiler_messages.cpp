@@ -4,6 +4,7 @@
 #include <charconv>
 #include <optional>
 
+#include "harness/text/lines.h"
 #include "harness/text/utf8.h"
 
 namespace harness::report {
@@ -42,10 +43,8 @@ std::optional<CompilerMessage> read_message(std::string_view line) {
 
 std::vector<CompilerMessage> compiler_messages(std::string_view diagnostics, std::size_t most) {
     std::vector<CompilerMessage> messages;
-    while (!diagnostics.empty()) {
-        const std::size_t end = std::min(diagnostics.find('\n'), diagnostics.size());
-        if (auto message = read_message(diagnostics.substr(0, end))) messages.push_back(std::move(*message));
-        diagnostics.remove_prefix(std::min(end + 1, diagnostics.size()));
+    for (const std::string_view line : lines_of(diagnostics)) {
+        if (auto message = read_message(line)) messages.push_back(std::move(*message));
     }
     std::stable_partition(messages.begin(), messages.end(),
                           [](const CompilerMessage& message) { return message.kind == "error"; });

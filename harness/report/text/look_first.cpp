@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "harness/report/text/sentences.h"
+#include "harness/text/listed.h"
 
 namespace harness::report {
 namespace {
@@ -20,16 +21,6 @@ bool is_wrong_itself(const QuestionScore& question) {
 
 bool only_follows(const QuestionScore& question) {
     return any(question, ItemVerdict::follow) && !is_wrong_itself(question) && !any(question, ItemVerdict::missing);
-}
-
-/// "4", "4 and 5", "4, 5 and 6".
-std::string listed(const std::vector<int>& numbers) {
-    std::string text;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const char* before = i == 0 ? "" : i + 1 == numbers.size() ? " and " : ", ";
-        text += before + std::to_string(numbers[i]);
-    }
-    return text;
 }
 
 }  // namespace
@@ -80,10 +71,12 @@ std::string reason(const LookFirst& look) {
     if (!look.is_missing)
         text = look.is_only ? "it is the only one with a wrong answer." : "it is the earliest with a wrong answer.";
     if (look.following.empty()) return text;
-    const bool one = look.following.size() == 1;
+    std::vector<std::string> following;
+    for (const int question : look.following) following.push_back(std::to_string(question));
+    const bool one = following.size() == 1;
     const bool from_it = look.is_only && !look.is_missing && look.following.front() > look.question;
     return text + fmt::format(" {} {} only {} from {} and {} no mistake of {} own.", one ? "Question" : "Questions",
-                              listed(look.following), one ? "follows" : "follow", from_it ? "it" : "earlier answers",
+                              listed(following), one ? "follows" : "follow", from_it ? "it" : "earlier answers",
                               one ? "has" : "have", one ? "its" : "their");
 }
 

@@ -8,6 +8,7 @@
 
 #include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
+#include "harness/text/listed.h"
 #include "harness/text/points.h"
 
 namespace harness::report {
@@ -24,14 +25,6 @@ std::string share_sentence(const ItemScore& item) {
     constexpr double a_millionth = 1e-6;
     if (item.max_points <= 0 || item.points >= item.max_points - a_millionth) return "";
     return fmt::format(" That earns {:.0f} % of its points.", 100 * item.points / item.max_points);
-}
-
-/// "4", "4 and 5", "4, 5 and 6".
-std::string listed(const std::vector<std::string>& names) {
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-    return text;
 }
 
 /// "question 2", "questions 6 to 10".

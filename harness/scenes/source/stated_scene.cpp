@@ -10,6 +10,7 @@
 #include "harness/scenes/source/part_name.h"
 #include "harness/scenes/source/stated_numbers.h"
 #include "harness/scenes/source/window_numbers.h"
+#include "harness/text/listed.h"
 
 namespace harness::scenes {
 namespace {
@@ -333,15 +334,15 @@ std::vector<StatedScene> stated_scenes(std::string_view source, const DecimalSce
 
 std::string describe(const std::vector<OtherPart>& parts) {
     constexpr std::size_t few = 3;
-    std::string stated, given;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const std::string_view link = i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ";
-        stated += fmt::format("{}{} = {}", link, parts[i].name, parts[i].stated);
-        given += fmt::format("{}{}", link, parts[i].given);
+    std::vector<std::string> stated, given;
+    for (const OtherPart& part : parts) {
+        stated.push_back(fmt::format("{} = {}", part.name, part.stated));
+        given.push_back(part.given);
     }
-    if (parts.size() <= few) return fmt::format("Your source sets {} where the assignment has {}", stated, given);
+    if (parts.size() <= few)
+        return fmt::format("Your source sets {} where the assignment has {}", listed(stated), listed(given));
     return fmt::format("Your source sets another scene than this assignment's, perhaps that of another year: {}",
-                       stated);
+                       listed(stated));
 }
 
 }  // namespace harness::scenes
