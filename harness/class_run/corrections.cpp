@@ -24,13 +24,23 @@ bool is_same_item(const KeptReread& one, const KeptReread& other) {
 
 }  // namespace
 
+void set_override(Graded& one, const Override& given) {
+    std::erase_if(one.overrides, [&](const Override& each) { return place_of(each) == place_of(given); });
+    one.overrides.push_back(given);
+}
+
+void set_reread(Graded& one, const Marking& marking, const Reread& given) {
+    std::erase_if(one.submission.rereads, [&](const Reread& each) { return item_of(each) == item_of(given); });
+    one.submission.rereads.push_back(given);
+    mark_again(one, marking);
+}
+
 void put_override(Gradebook& gradebook, KeptClass& kept, std::size_t place, const Override& given) {
     Graded& one = kept.graded[place];
     const auto there = points_at(one.score, given);
     if (!there) throw UsageError(fmt::format("{}: is no item of this assignment", place_of(given)));
     const KeptOverride put{one.submission.id, given};
-    std::erase_if(one.overrides, [&](const Override& each) { return place_of(each) == place_of(given); });
-    one.overrides.push_back(given);
+    set_override(one, given);
     gradebook.put_override(put, there->automatic, points_that_count(one));
     replace(kept.overrides, put, [&](const KeptOverride& each) { return is_same_place(each, put); });
 }
@@ -53,10 +63,8 @@ void put_reread(Gradebook& gradebook, KeptClass& kept, const Marking& marking, s
     Graded& one = kept.graded[place];
     const Graded before = one;
     const KeptReread put{one.submission.id, given};
-    std::erase_if(one.submission.rereads, [&](const Reread& each) { return item_of(each) == item_of(given); });
-    one.submission.rereads.push_back(given);
     one.printout = printout_of(gradebook, one.submission.id);
-    mark_again(one, marking);
+    set_reread(one, marking, given);
     gradebook.put_reread(put, before, one, place);
     replace(kept.rereads, put, [&](const KeptReread& each) { return is_same_item(each, put); });
 }

@@ -11,6 +11,10 @@
 
 namespace harness {
 
+/// What the next two functions do to the submission itself. The gradebook does not know of it.
+void set_override(Graded& one, const Override& given);
+void set_reread(Graded& one, const Marking& marking, const Reread& given);
+
 /// Gives the submission at `place` of the class these points, in place of an earlier override of the same item. Throws
 /// UsageError if the submission has no such item.
 void put_override(Gradebook& gradebook, KeptClass& kept, std::size_t place, const Override& given);

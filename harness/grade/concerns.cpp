@@ -15,6 +15,11 @@ int urgency(const Flag& concern) {
     return concern.kind == "late_without_date" ? 3 : 1;
 }
 
+std::vector<Flag> without_accepted(std::vector<Flag> concerns, const Graded& graded) {
+    std::erase_if(concerns, [&](const Flag& concern) { return acceptance_of(graded, concern) != nullptr; });
+    return concerns;
+}
+
 }  // namespace
 
 std::vector<Flag> concerns_of(const Graded& graded) {
@@ -50,15 +55,11 @@ const Decision* acceptance_of(const Graded& graded, const Flag& concern) {
 }
 
 std::vector<Flag> open_concerns(const Graded& graded) {
-    std::vector<Flag> open = concerns_of(graded);
-    std::erase_if(open, [&](const Flag& concern) { return acceptance_of(graded, concern) != nullptr; });
-    return open;
+    return without_accepted(concerns_of(graded), graded);
 }
 
 std::vector<Flag> open_flags(const Graded& graded) {
-    std::vector<Flag> open = graded.flags;
-    std::erase_if(open, [&](const Flag& flag) { return acceptance_of(graded, flag) != nullptr; });
-    return open;
+    return without_accepted(graded.flags, graded);
 }
 
 std::vector<Decision> comments_of(const Graded& graded) {

@@ -195,13 +195,9 @@ Graded after(const Session& session, std::size_t place, const Wish& wish) {
     Graded one = session.graded()[place];
     const Author author = session.author();
     if (wish.kind == Kind::points) {
-        std::erase_if(one.overrides, [&](const Override& each) { return place_of(each) == wish.about; });
-        one.overrides.push_back(override_for(one, wish, author));
+        set_override(one, override_for(one, wish, author));
     } else if (wish.kind == Kind::reading) {
-        const Reread given = reread_for(session, place, wish, author);
-        std::erase_if(one.submission.rereads, [&](const Reread& each) { return item_of(each) == wish.about; });
-        one.submission.rereads.push_back(given);
-        mark_again(one, session.marking());
+        set_reread(one, session.marking(), reread_for(session, place, wish, author));
     } else if (wish.kind == Kind::comment) {
         read_line(wish.text, "the comment");
         if (!wish.about.empty()) read_place(wish.about, one);

@@ -32,7 +32,10 @@ Session::Session(fs::path folder, std::string by) : folder_(std::move(folder)), 
 }
 
 void Session::refresh() {
-    const Gradebook gradebook(folder_);
+    load_if_changed(Gradebook(folder_));
+}
+
+void Session::load_if_changed(const Gradebook& gradebook) {
     if (!kept_ || gradebook.version() != version_) load(gradebook);
 }
 
@@ -91,14 +94,14 @@ std::vector<std::size_t> Session::places_of(const std::vector<Shown>& shown) con
 void Session::change(const Work& work) {
     const FolderLock lock(folder_);
     Gradebook gradebook(folder_);
-    if (!kept_ || gradebook.version() != version_) load(gradebook);
+    load_if_changed(gradebook);
     const bool all = must_rewrite_all(gradebook, *kept_, folder_);
     std::vector<std::size_t> changed;
     try {
         gradebook.together([&] { changed = work(gradebook, *kept_); });
     } catch (...) {
         kept_.reset();  // it may be half changed
-        refresh();
+        load_if_changed(gradebook);
         throw;
     }
     kept_->decisions = gradebook.decisions();

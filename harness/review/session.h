@@ -59,6 +59,7 @@ class Session {
     void change(const Work& work);
 
   private:
+    void load_if_changed(const Gradebook& gradebook);
     void load(const Gradebook& gradebook);
 
     std::filesystem::path folder_;
