@@ -30,6 +30,7 @@ class ZipWriter {
   private:
     void check(int result);
 
+    std::ostream& out_;
     Utf8Names names_;
     std::unique_ptr<archive, int (*)(archive*)> writer_;
 };
