@@ -1,9 +1,10 @@
-// reading_steps PATTERN SIZE: finds the scene in a malicious source of SIZE bytes. reading_growth counts its
-// instructions.
+// reading_steps SIZE PATTERN…: finds the scene in a malicious source of SIZE bytes and in one of twice as many, for each
+// pattern. reading_growth counts the instructions.
 #include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "harness/scenes/source/scene_literals.h"
 #include "reference/toml/assignment.h"
@@ -59,10 +60,19 @@ std::string nasty_source(const std::string& pattern, std::size_t size) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-    if (argc != 3) return 2;
-    const auto a6 = reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS);
-    const std::string source = nasty_source(argv[1], std::strtoull(argv[2], nullptr, 10));
-    const auto found = harness::scenes::find_scene(source, a6.scene);
+/// Reads `source`; callgrind counts what happens in here, each call for itself (tests/checks/reading_growth).
+extern "C" [[gnu::noinline]] void measured_reading(const std::string& source, const harness::scenes::DecimalScene& scene) {
+    const auto found = harness::scenes::find_scene(source, scene);
     std::printf("%zu bytes, %zu numbers\n", source.size(), found.literals.size());
+}
+
+int main(int argc, char** argv) {
+    if (argc < 3) return 2;
+    const auto a6 = reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS);
+    const std::size_t size = std::strtoull(argv[1], nullptr, 10);
+    measured_reading("", a6.scene);  // what only the first call does
+    for (const std::string& pattern : std::vector<std::string>(argv + 2, argv + argc)) {
+        measured_reading(nasty_source(pattern, size), a6.scene);
+        measured_reading(nasty_source(pattern, 2 * size), a6.scene);
+    }
 }
