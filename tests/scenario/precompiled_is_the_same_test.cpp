@@ -1,7 +1,7 @@
-// The gate: a precompiled header changes only the time. Every sample submission, every probe and every labelled
-// program, as it is and with a dozen warnings, is compiled with and without the header and run; program, messages and
-// output must be byte for byte the same. To show that the probes detect differences, the same bundle of headers is also
-// forced into each of them, which must change most.
+// The gate: a precompiled header changes only the time. Every fourth sample submission with a dozen warnings (nightly:
+// every sample and every labelled program, with them and without) and every probe is compiled with and without the
+// header and run; program, messages and output must be byte for byte the same. To show that the probes detect
+// differences, the same bundle of headers is also forced into each of them, which must change most.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -46,7 +46,10 @@ std::vector<fs::path> samples() {
         }
     }
     std::sort(files.begin(), files.end());
-    return files;
+    if (is_nightly()) return files;
+    std::vector<fs::path> some;
+    for (std::size_t i = 0; i < files.size(); i += 4) some.push_back(files[i]);
+    return some;
 }
 
 std::vector<fs::path> probes() {
