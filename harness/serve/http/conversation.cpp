@@ -63,6 +63,8 @@ asio::awaitable<Body> read_body(Connection& connection, Common& common, Parser& 
         if (failure) co_return Body::gone;
     }
     std::size_t moved = 0;
+    // Beast would read 512 bytes at a time, each after a turn of every other connection.
+    connection.buffer.reserve(connection.buffer.max_size());
     while (!parser.is_done()) {
         pace.expect_more(connection, moved);
         const auto [failure, size] =
