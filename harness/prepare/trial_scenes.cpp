@@ -20,10 +20,9 @@ using scenes::DecimalScene;
 using scenes::ScenePart;
 
 int objects_hit(const reference::Decisions& decisions) {
-    int hit = 0;
-    for (const std::string& decision : {decisions.sphere, decisions.triangle, decisions.cylinder})
-        hit += decision == "hit" || decision == "boundary" ? 1 : 0;
-    return hit;
+    return static_cast<int>(std::ranges::count_if(decisions.objects, [](const auto& decided) {
+        return decided.second == "hit" || decided.second == "boundary";
+    }));
 }
 
 bool hangs_on_rounding(const Assignment& assignment, const reference::AnswerKey& key) {

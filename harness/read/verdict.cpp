@@ -147,13 +147,13 @@ std::optional<Subject> object_compared(const std::vector<std::string>& words) {
 std::optional<Verdict> verdict_of(std::string_view line, VerdictPlace place) {
     const std::vector<std::string> words = words_of(line);
     if (words.empty() || any(words, debug_words)) return std::nullopt;
-    if (const auto object = object_at_first(words)) return first(*object);
+    if (const auto object = object_at_first(words)) return Verdict(*object);
     if (place == VerdictPlace::elsewhere) return std::nullopt;
     if (says_nothing_is_hit(words)) return Verdict::no_hit;
     if (std::find(words.begin(), words.end(), "first") != words.end() && !says_tie(words)) return std::nullopt;
     if (says_tie(words)) return Verdict::tie;
     const auto object = object_compared(words);
-    return object ? std::optional(first(*object)) : std::nullopt;
+    return object ? std::optional(Verdict(*object)) : std::nullopt;
 }
 
 bool is_about_a_number(std::string_view line) {

@@ -10,7 +10,7 @@
 
 #include "reference/numbers/interval.h"
 #include "reference/numbers/rational.h"
-#include "reference/stages/item_values.h"
+#include "reference/stages/scene_answers.h"
 
 namespace reference {
 

@@ -125,12 +125,10 @@ std::vector<ReadingAnswers> answer_at(Precision precision, const Assignment& ass
 }
 
 void refuse_unsure(const Decisions& decisions, const Assignment& assignment, Precision precision) {
-    for (const std::string& decision : {decisions.sphere, decisions.triangle, decisions.cylinder, decisions.first}) {
-        if (decision == "unsure") {
-            throw std::domain_error(fmt::format("{}: whether the ray hits can't be decided at {} precision",
-                                                assignment.name, reference::to_string(precision)));
-        }
-    }
+    const auto is_unsure = [](const auto& decided) { return decided.second == "unsure"; };
+    if (decisions.first != "unsure" && std::ranges::none_of(decisions.objects, is_unsure)) return;
+    throw std::domain_error(fmt::format("{}: whether the ray hits can't be decided at {} precision", assignment.name,
+                                        reference::to_string(precision)));
 }
 
 /// The same answers, but the normal that of the cap, where the rubric leaves the boundary open and the ray hits a rim.
@@ -224,15 +222,9 @@ const KeyItem* asked_item(const AnswerKey& key, const ItemId& id) {
     return nullptr;
 }
 
-std::string_view sentence(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::triangle_first: return "ray hits triangle first";
-        case Verdict::sphere_first: return "ray hits sphere first";
-        case Verdict::cylinder_first: return "ray hits cylinder first";
-        case Verdict::tie: return "ray hits two objects at the same t";
-        case Verdict::no_hit: return "ray hits nothing";
-    }
-    return "";
+std::string sentence(Verdict verdict) {
+    if (const auto object = verdict.object()) return fmt::format("ray hits {} first", to_string(*object));
+    return verdict == Verdict::tie ? "ray hits two objects at the same t" : "ray hits nothing";
 }
 
 }  // namespace reference

@@ -88,6 +88,6 @@ std::string to_text(const AnswerKey& key);
 std::string to_json(const AnswerKey& key);
 
 /// The handout's sentence for a verdict, e.g. "ray hits triangle first".
-std::string_view sentence(Verdict verdict);
+std::string sentence(Verdict verdict);
 
 }  // namespace reference

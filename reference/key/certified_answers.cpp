@@ -10,8 +10,8 @@ namespace reference {
 namespace {
 
 Branches branches_of(const SceneAnswers<Certified>& answers) {
-    Branches branches{answers.sphere_index, RootChoice::miss, answers.triangle_index, false};
-    branches.cylinder_index = answers.cylinder_index;
+    Branches branches{answers.sphere.index, RootChoice::miss, answers.triangle.index, false};
+    branches.cylinder_index = answers.cylinder.index;
     if (answers.sphere) branches.root = answers.sphere->choice;
     if (answers.triangle) branches.triangle_has_solution = answers.triangle->t.has_value();
     if (answers.cylinder) {

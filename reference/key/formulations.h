@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "reference/numbers/affine.h"
-#include "reference/stages/pipeline.h"
+#include "reference/stages/scene_answers.h"
 
 namespace reference {
 

@@ -84,7 +84,7 @@ void write(const ordered_json& json, const std::string& new_line, std::string& t
 
 std::string value_text(const Value& value, Shape shape) {
     if (std::holds_alternative<NoValue>(value)) return "none";
-    if (const Verdict* verdict = std::get_if<Verdict>(&value)) return std::string(sentence(*verdict));
+    if (const Verdict* verdict = std::get_if<Verdict>(&value)) return sentence(*verdict);
     const Numbers& numbers = std::get<Numbers>(value);
     switch (shape) {
         case Shape::scalar: return fmt::format("{:.6g}", numbers.front());
@@ -126,9 +126,7 @@ std::string to_json(const AnswerKey& key) {
         json["questions"].push_back({{"number", question.number}, {"items", items}});
     }
     ordered_json decisions = ordered_json::object();
-    if (!key.decisions.sphere.empty()) decisions["sphere"] = key.decisions.sphere;
-    if (!key.decisions.triangle.empty()) decisions["triangle"] = key.decisions.triangle;
-    if (!key.decisions.cylinder.empty()) decisions["cylinder"] = key.decisions.cylinder;
+    for (const auto& [object, decision] : key.decisions.objects) decisions[std::string(to_string(object))] = decision;
     if (!key.decisions.first.empty()) decisions["first"] = key.decisions.first;
     decisions["policy"] = key.decisions.policy;
     json["decisions"] = decisions;

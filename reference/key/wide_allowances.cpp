@@ -42,7 +42,7 @@ std::string reason_for(Subject subject, const Scene<double>& scene, const SceneA
         {length(scene.camera.eye) / std::min(length(to_pixel), length(view)),
          "the eye's coordinates are large beside the distance to the pixel", "Move everything nearer to the origin"}};
     if (subject == Subject::sphere && answers.sphere) {
-        const Sphere<double>& sphere = scene.spheres.at(answers.sphere_index);
+        const Sphere<double>& sphere = scene.spheres.at(answers.sphere.index);
         const Quadratic<double>& quadratic = answers.sphere->quadratic;
         const double distance = length(Point(answers.camera.P_WCS - sphere.center));
         const double far = std::pow(distance / sphere.radius, 2);
@@ -62,13 +62,13 @@ std::string reason_for(Subject subject, const Scene<double>& scene, const SceneA
         const double narrow = narrowness(M[1], M[2]);
         const double edge = std::min(length(M[1]), length(M[2]));
         reasons.push_back({narrow * narrow, "the triangle is narrow", "Move a vertex"});
-        reasons.push_back({length(scene.triangles.at(answers.triangle_index).A) / edge,
+        reasons.push_back({length(scene.triangles.at(answers.triangle.index).A) / edge,
                            "an edge of the triangle is short beside its coordinates", "Move a vertex"});
         reasons.push_back({1 / std::abs(dot(normalized(M[0]), normalized(cross(M[1], M[2])))),
                            "the ray runs almost in the triangle's plane", "Take another pixel, or turn the triangle"});
     }
     if (subject == Subject::cylinder && answers.cylinder) {
-        const Cylinder<double>& cylinder = scene.cylinders.at(answers.cylinder_index);
+        const Cylinder<double>& cylinder = scene.cylinders.at(answers.cylinder.index);
         const Quadratic<double>& tube = answers.cylinder->equations.tube;
         const CylinderPart part = answers.cylinder->part;
         const Point from_center = answers.camera.P_WCS - cylinder.center;

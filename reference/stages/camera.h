@@ -1,6 +1,7 @@
 // Questions 1 to 5 of the handout: from the pixel to the ray.
 #pragma once
 
+#include "reference/stages/item_values.h"
 #include "reference/stages/scene.h"
 
 namespace reference {
@@ -72,6 +73,36 @@ Vec3<S> pixel_to_wcs(const Mat4<S>& M, const Vec3<S>& P_VCS) {
 template <class S>
 Vec3<S> ray_direction(const Vec3<S>& P_WCS, const Vec3<S>& eye) {
     return normalized(Vec3<S>(P_WCS - eye));
+}
+
+/// Questions 1 to 5.
+template <class S>
+struct CameraAnswers {
+    Vec3<S> P_VCS;
+    Basis<S> basis;
+    Mat4<S> M_VCS_to_WCS;
+    Vec3<S> P_WCS;
+    Vec3<S> V;
+};
+
+template <class S>
+CameraAnswers<S> answer_camera(const Scene<S>& scene, PixelConvention convention) {
+    const Vec3<S> P_VCS = pixel_to_vcs(scene.window, scene.pixel, convention);
+    const Basis<S> basis = view_basis(scene.camera);
+    const Mat4<S> M = vcs_to_wcs(basis, scene.camera.eye);
+    const Vec3<S> P_WCS = pixel_to_wcs(M, P_VCS);
+    return {P_VCS, basis, M, P_WCS, ray_direction(P_WCS, scene.camera.eye)};
+}
+
+template <class S>
+void add_values(const CameraAnswers<S>& camera, ItemValues<S>& values) {
+    values[item::P_VCS] = components(camera.P_VCS);
+    values[item::X_vcs] = components(camera.basis.X_vcs);
+    values[item::Y_vcs] = components(camera.basis.Y_vcs);
+    values[item::Z_vcs] = components(camera.basis.Z_vcs);
+    values[item::M_VCS_to_WCS] = components(camera.M_VCS_to_WCS);
+    values[item::P_WCS] = components(camera.P_WCS);
+    values[item::V] = components(camera.V);
 }
 
 }  // namespace reference

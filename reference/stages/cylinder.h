@@ -3,7 +3,10 @@
 
 #include <initializer_list>
 #include <optional>
+#include <string_view>
 
+#include "reference/stages/camera.h"
+#include "reference/stages/item_values.h"
 #include "reference/stages/order.h"
 
 namespace reference {
@@ -182,6 +185,68 @@ Vec3<S> cylinder_normal(const Vec3<S>& hit, const Vec3<S>& center, CylinderPart 
     if (part == CylinderPart::top_cap) return Vec3<S>(S(0), S(1), S(0));
     if (part == CylinderPart::bottom_cap) return Vec3<S>(S(0), S(-1), S(0));
     return normalized(Vec3<S>(hit.x - center.x, S(0), hit.z - center.z));
+}
+
+/// The cylinder of 2024. t, hit and normal are empty where the ray misses it.
+template <class S>
+struct CylinderAnswers {
+    CylinderEquations<S> equations;
+    CylinderPart part;
+    std::optional<S> t;
+    std::optional<Vec3<S>> hit;
+    std::optional<Vec3<S>> normal;
+};
+
+template <class S>
+CylinderAnswers<S> answer_object(const CameraAnswers<S>& ray, const Cylinder<S>& cylinder, Boundary boundary) {
+    CylinderAnswers<S> answers{cylinder_equations(ray.P_WCS, ray.V, cylinder), {}, {}, {}, {}};
+    answers.part = hit_part(answers.equations, boundary);
+    answers.t = cylinder_t(answers.equations, answers.part);
+    if (answers.t) {
+        answers.hit = point_on_ray(ray.P_WCS, ray.V, *answers.t);
+        answers.normal = cylinder_normal(*answers.hit, cylinder.center, answers.part);
+    }
+    return answers;
+}
+
+template <class S>
+bool is_unsure(const CylinderAnswers<S>& cylinder) {
+    return cylinder.part == CylinderPart::unsure;
+}
+
+template <class S>
+std::optional<HitParameter<S>> hit_parameter(const CylinderAnswers<S>& cylinder, Boundary /*boundary*/) {
+    return hit_parameter(cylinder.equations, cylinder.part);
+}
+
+template <class S>
+bool is_hit_before(const CylinderAnswers<S>& one, const CylinderAnswers<S>& other, Boundary boundary) {
+    const auto hit = hit_parameter(one, boundary);
+    const auto other_hit = hit_parameter(other, boundary);
+    if (!hit || !other_hit) return hit.has_value();
+    return order_of(*hit, *other_hit) < 0;
+}
+
+/// hit, miss, tangent (to the tube), boundary (the ray starts on it) or unsure.
+template <class S>
+std::string_view decision(const CylinderAnswers<S>& cylinder) {
+    if (cylinder.part == CylinderPart::unsure) return "unsure";
+    if (cylinder.part == CylinderPart::miss) return "miss";
+    const bool is_on_tube = tube_root(cylinder.part) != RootChoice::miss;
+    if (is_on_tube && sign_of(cylinder.equations.tube.d) == 0) return "tangent";
+    return starts_on(cylinder.equations) ? "boundary" : "hit";
+}
+
+template <class S>
+void add_values(const CylinderAnswers<S>& cylinder, Boundary /*boundary*/, ItemValues<S>& values) {
+    const Quadratic<S>& tube = cylinder.equations.tube;
+    values[item::cylinder::a] = components(tube.a);
+    values[item::cylinder::b] = components(tube.b);
+    values[item::cylinder::c] = components(tube.c);
+    values[item::cylinder::d] = components(tube.d);
+    values[item::cylinder::t] = present<S>(cylinder.t);
+    values[item::cylinder::hit] = present<S>(cylinder.hit);
+    values[item::cylinder::normal] = present<S>(cylinder.normal);
 }
 
 }  // namespace reference

@@ -4,7 +4,7 @@
 
 #include <variant>
 
-#include "reference/stages/triangle.h"
+#include "reference/stages/quadratic.h"
 
 namespace reference {
 
@@ -53,30 +53,12 @@ std::partial_ordering order_of(const Quadratic<S>& quadratic, RootChoice choice,
     return sign_of(fraction.denominator) < 0 ? 0 <=> side : side;
 }
 
-/// The triangle's t.
-template <class S>
-Fraction<S> fraction_of(const CramerSolution<S>& solution) {
-    return {solution.t_numerator, solution.det};
-}
-
-/// The sign of (the sphere's t) - (the triangle's t). `choice` is smaller or larger; the triangle's det is not 0.
-template <class S>
-std::partial_ordering order_of(const Quadratic<S>& quadratic, RootChoice choice, const CramerSolution<S>& solution) {
-    return order_of(quadratic, choice, fraction_of(solution));
-}
-
 /// The sign of `one` - `other`; neither denominator is 0.
 template <class S>
 std::partial_ordering order_of(const Fraction<S>& one, const Fraction<S>& other) {
     const S difference = one.numerator * other.denominator - other.numerator * one.denominator;
     const bool flipped = (sign_of(one.denominator) < 0) != (sign_of(other.denominator) < 0);
     return sign_of(flipped ? S(-difference) : difference);
-}
-
-/// The sign of (the t of `one`) - (the t of `other`) for two triangles; neither det is 0.
-template <class S>
-std::partial_ordering order_of(const CramerSolution<S>& one, const CramerSolution<S>& other) {
-    return order_of(fraction_of(one), fraction_of(other));
 }
 
 /// The sign of x + p√d + q√e by squaring, without a root; p and q are 1 or -1, d and e at least 0.

@@ -1,23 +1,13 @@
 // Questions 6 and 7 of the handout: the sphere. The ray is P = S + tV with S = P_WCS.
 #pragma once
 
-#include <optional>
+#include <string_view>
 
-#include "reference/stages/scene.h"
+#include "reference/stages/camera.h"
+#include "reference/stages/item_values.h"
+#include "reference/stages/order.h"
 
 namespace reference {
-
-/// Whether a hit at t = 0 exactly, where the ray starts on the object, is a hit: "t is positive" or "t >= 0".
-enum class Boundary { positive, nonnegative };
-
-/// a t^2 + b t + c = 0 with discriminant d = b^2 - 4ac; a > 0 whenever V is not zero.
-template <class S>
-struct Quadratic {
-    S a;
-    S b;
-    S c;
-    S d;
-};
 
 /// Question 6: |S + tV - C|^2 = R^2, ordered by powers of t.
 template <class S>
@@ -29,50 +19,73 @@ Quadratic<S> sphere_quadratic(const Vec3<S>& start, const Vec3<S>& V, const Sphe
     return {a, b, c, b * b - S(4) * a * c};
 }
 
-/// Which root of the quadratic is the hit. `unsure` where a sign could not be told (see sign_of).
-enum class RootChoice { miss, smaller, larger, unsure };
-
-/// Question 6: "if there are 2 positive roots, pick the smaller one", decided by the signs of d, c and b alone. The
-/// roots' product is c/a and their sum -b/a, so no root is computed and none is rounded before it is judged.
-template <class S>
-RootChoice choose_root(const Quadratic<S>& quadratic, Boundary boundary) {
-    const auto d = sign_of(quadratic.d);
-    const auto c = sign_of(quadratic.c);
-    const auto b = sign_of(quadratic.b);
-    if (d < 0) return RootChoice::miss;
-    if (c < 0) return RootChoice::larger;  // one root on each side of 0, so d > 0
-    if (d == std::partial_ordering::unordered || c == std::partial_ordering::unordered) return RootChoice::unsure;
-    if (c > 0) {
-        if (b < 0) return RootChoice::smaller;
-        // b = 0 with c > 0 has d < 0; it comes here only through rounding, and is a miss all the same.
-        return b == std::partial_ordering::unordered ? RootChoice::unsure : RootChoice::miss;
-    }
-    // c = 0: the ray starts on the sphere; the roots are 0 and -b/a.
-    if (b == std::partial_ordering::unordered) return RootChoice::unsure;
-    if (boundary == Boundary::positive) return b < 0 ? RootChoice::larger : RootChoice::miss;
-    return b < 0 ? RootChoice::smaller : RootChoice::larger;
-}
-
-/// Question 6, t: the root of the quadratic that `choice` names; empty for miss and unsure.
-template <class S>
-std::optional<S> root(const Quadratic<S>& quadratic, RootChoice choice) {
-    using std::sqrt;
-    if (choice != RootChoice::smaller && choice != RootChoice::larger) return std::nullopt;
-    const S spread = sqrt(quadratic.d);
-    const S numerator = choice == RootChoice::smaller ? S(-quadratic.b - spread) : S(-quadratic.b + spread);
-    return numerator / (S(2) * quadratic.a);
-}
-
-/// Questions 6 and 8, the hit point: S + tV.
-template <class S>
-Vec3<S> point_on_ray(const Vec3<S>& start, const Vec3<S>& V, const S& t) {
-    return start + scaled(V, t);
-}
-
 /// Question 7: the unit normal at the hit point, outward.
 template <class S>
 Vec3<S> sphere_normal(const Vec3<S>& hit, const Vec3<S>& center) {
     return normalized(Vec3<S>(hit - center));
+}
+
+/// Questions 6 and 7. t, hit and normal are empty where the ray misses the sphere.
+template <class S>
+struct SphereAnswers {
+    Quadratic<S> quadratic;
+    RootChoice choice;
+    std::optional<S> t;
+    std::optional<Vec3<S>> hit;
+    std::optional<Vec3<S>> normal;
+};
+
+template <class S>
+SphereAnswers<S> answer_object(const CameraAnswers<S>& ray, const Sphere<S>& sphere, Boundary boundary) {
+    SphereAnswers<S> answers{sphere_quadratic(ray.P_WCS, ray.V, sphere), {}, {}, {}, {}};
+    answers.choice = choose_root(answers.quadratic, boundary);
+    answers.t = root(answers.quadratic, answers.choice);
+    if (answers.t) {
+        answers.hit = point_on_ray(ray.P_WCS, ray.V, *answers.t);
+        answers.normal = sphere_normal(*answers.hit, sphere.center);
+    }
+    return answers;
+}
+
+template <class S>
+bool is_unsure(const SphereAnswers<S>& sphere) {
+    return sphere.choice == RootChoice::unsure;
+}
+
+template <class S>
+std::optional<HitParameter<S>> hit_parameter(const SphereAnswers<S>& sphere, Boundary /*boundary*/) {
+    if (!sphere.t) return std::nullopt;
+    return QuadraticRoot<S>{sphere.quadratic, sphere.choice};
+}
+
+template <class S>
+bool is_hit_before(const SphereAnswers<S>& one, const SphereAnswers<S>& other, Boundary /*boundary*/) {
+    if (!one.t || !other.t) return one.t.has_value();
+    return order_of(one.quadratic, one.choice, other.quadratic, other.choice) < 0;
+}
+
+/// hit, miss, tangent, boundary (the ray starts on the sphere) or unsure.
+template <class S>
+std::string_view decision(const SphereAnswers<S>& sphere) {
+    switch (sphere.choice) {
+        case RootChoice::miss: return "miss";
+        case RootChoice::smaller:
+        case RootChoice::larger: break;
+        case RootChoice::unsure: return "unsure";
+    }
+    if (sign_of(sphere.quadratic.d) == 0) return "tangent";
+    return sign_of(sphere.quadratic.c) == 0 ? "boundary" : "hit";
+}
+
+template <class S>
+void add_values(const SphereAnswers<S>& sphere, Boundary /*boundary*/, ItemValues<S>& values) {
+    values[item::sphere::a] = components(sphere.quadratic.a);
+    values[item::sphere::b] = components(sphere.quadratic.b);
+    values[item::sphere::c] = components(sphere.quadratic.c);
+    values[item::sphere::d] = components(sphere.quadratic.d);
+    values[item::sphere::t] = present<S>(sphere.t);
+    values[item::sphere::hit] = present<S>(sphere.hit);
+    values[item::sphere::normal] = present<S>(sphere.normal);
 }
 
 }  // namespace reference

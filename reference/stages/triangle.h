@@ -1,7 +1,11 @@
 // Questions 8 and 9 of the handout: the triangle. The ray is P = S + tV with S = P_WCS.
 #pragma once
 
-#include "reference/stages/sphere.h"
+#include <string_view>
+
+#include "reference/stages/camera.h"
+#include "reference/stages/item_values.h"
+#include "reference/stages/order.h"
 
 namespace reference {
 
@@ -35,6 +39,24 @@ CramerSolution<S> solve_by_cramer(const LinearSystem<S>& system) {
     const Vec3<S> q_r = cross(q, r);
     const Vec3<S> p_rhs = cross(p, system.rhs);
     return {dot(p, q_r), dot(system.rhs, q_r), dot(p_rhs, r), S(-dot(p_rhs, q))};
+}
+
+/// The triangle's t.
+template <class S>
+Fraction<S> fraction_of(const CramerSolution<S>& solution) {
+    return {solution.t_numerator, solution.det};
+}
+
+/// The sign of (the sphere's t) - (the triangle's t). `choice` is smaller or larger; the triangle's det is not 0.
+template <class S>
+std::partial_ordering order_of(const Quadratic<S>& quadratic, RootChoice choice, const CramerSolution<S>& solution) {
+    return order_of(quadratic, choice, fraction_of(solution));
+}
+
+/// The sign of (the t of `one`) - (the t of `other`) for two triangles; neither det is 0.
+template <class S>
+std::partial_ordering order_of(const CramerSolution<S>& one, const CramerSolution<S>& other) {
+    return order_of(fraction_of(one), fraction_of(other));
 }
 
 /// How the ray meets the triangle. Edges and vertices belong to the triangle.
@@ -71,6 +93,87 @@ TriangleHit classify(const CramerSolution<S>& solution) {
 template <class S>
 Vec3<S> triangle_normal(const Triangle<S>& triangle) {
     return normalized(cross(Vec3<S>(triangle.B - triangle.A), Vec3<S>(triangle.C - triangle.A)));
+}
+
+/// Question 8 and 9. t, u, v and hit solve the linear system, inside the triangle or not; empty where there is no
+/// solution.
+template <class S>
+struct TriangleAnswers {
+    LinearSystem<S> system;
+    CramerSolution<S> solution;
+    TriangleHit classification;
+    std::optional<S> t;
+    std::optional<S> u;
+    std::optional<S> v;
+    std::optional<Vec3<S>> hit;
+    Vec3<S> normal;
+};
+
+template <class S>
+TriangleAnswers<S> answer_object(const CameraAnswers<S>& ray, const Triangle<S>& triangle, Boundary /*boundary*/) {
+    const LinearSystem<S> system = triangle_system(ray.P_WCS, ray.V, triangle);
+    const CramerSolution<S> solution = solve_by_cramer(system);
+    TriangleAnswers<S> answers{system, solution, classify(solution), {}, {}, {}, {}, triangle_normal(triangle)};
+    const auto det = sign_of(solution.det);
+    if (det < 0 || det > 0) {
+        answers.t = solution.t_numerator / solution.det;
+        answers.u = solution.u_numerator / solution.det;
+        answers.v = solution.v_numerator / solution.det;
+        answers.hit = point_on_ray(ray.P_WCS, ray.V, *answers.t);
+    }
+    return answers;
+}
+
+/// The triangle's t among the hits: empty where the ray does not hit it.
+template <class S>
+std::optional<S> hit_distance(const TriangleAnswers<S>& answers, Boundary boundary) {
+    const bool at_start = answers.classification == TriangleHit::boundary && boundary == Boundary::nonnegative;
+    if (answers.classification == TriangleHit::hit || at_start) return answers.t;
+    return std::nullopt;
+}
+
+template <class S>
+bool is_unsure(const TriangleAnswers<S>& triangle) {
+    return triangle.classification == TriangleHit::unsure;
+}
+
+template <class S>
+std::optional<HitParameter<S>> hit_parameter(const TriangleAnswers<S>& triangle, Boundary boundary) {
+    if (!hit_distance(triangle, boundary)) return std::nullopt;
+    return fraction_of(triangle.solution);
+}
+
+template <class S>
+bool is_hit_before(const TriangleAnswers<S>& one, const TriangleAnswers<S>& other, Boundary boundary) {
+    if (!hit_distance(one, boundary) || !hit_distance(other, boundary)) return hit_distance(one, boundary).has_value();
+    return order_of(one.solution, other.solution) < 0;
+}
+
+/// hit, miss, boundary (t = 0), coplanar or unsure.
+template <class S>
+std::string_view decision(const TriangleAnswers<S>& triangle) {
+    switch (triangle.classification) {
+        case TriangleHit::hit: return "hit";
+        case TriangleHit::boundary: return "boundary";
+        case TriangleHit::miss: return "miss";
+        case TriangleHit::parallel: return "miss";
+        case TriangleHit::coplanar: return "coplanar";
+        case TriangleHit::unsure: return "unsure";
+    }
+    return "";
+}
+
+/// With the boundary at t > 0, a triangle met at t = 0 has t, u and v but no hit point.
+template <class S>
+void add_values(const TriangleAnswers<S>& triangle, Boundary boundary, ItemValues<S>& values) {
+    const bool no_hit_at_start = triangle.classification == TriangleHit::boundary && !hit_distance(triangle, boundary);
+    values[item::triangle::matrix] = components(triangle.system.matrix);
+    values[item::triangle::rhs] = components(triangle.system.rhs);
+    values[item::triangle::t] = present<S>(triangle.t);
+    values[item::triangle::u] = present<S>(triangle.u);
+    values[item::triangle::v] = present<S>(triangle.v);
+    values[item::triangle::hit] = no_hit_at_start ? ItemValue<S>() : present<S>(triangle.hit);
+    values[item::triangle::normal] = components(triangle.normal);
 }
 
 }  // namespace reference

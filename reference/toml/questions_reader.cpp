@@ -12,11 +12,6 @@ namespace {
 
 constexpr int most_questions = 99;
 
-std::size_t count_of(Subject object, const Scene<Decimal>& scene) {
-    if (object == Subject::sphere) return scene.spheres.size();
-    return object == Subject::triangle ? scene.triangles.size() : scene.cylinders.size();
-}
-
 /// Whether the scene has what the item is about. Which object is first is asked where there are two kinds of them.
 bool is_in_scene(Subject subject, const Scene<Decimal>& scene) {
     if (subject == Subject::camera) return true;

@@ -46,14 +46,8 @@ std::string show_matrix(const std::vector<PrintedNumber>& numbers, MatrixOrder o
 }
 
 std::string show(reference::Verdict verdict) {
-    switch (verdict) {
-        case reference::Verdict::triangle_first: return "triangle first";
-        case reference::Verdict::sphere_first: return "sphere first";
-        case reference::Verdict::cylinder_first: return "cylinder first";
-        case reference::Verdict::tie: return "tie";
-        case reference::Verdict::no_hit: return "no hit";
-    }
-    return {};
+    if (const auto object = verdict.object()) return fmt::format("{} first", reference::to_string(*object));
+    return verdict == reference::Verdict::tie ? "tie" : "no hit";
 }
 
 std::string show(const MatchedItem& item) {

@@ -37,7 +37,7 @@ std::vector<Verdict> order_of(const Times& times) {
     for (const auto& [object, t] : times) earliest_end = std::min(earliest_end, t.hi());
     std::vector<Verdict> verdicts;
     for (const auto& [object, t] : times) {
-        if (t.lo() <= earliest_end) verdicts.push_back(reference::first(object));
+        if (t.lo() <= earliest_end) verdicts.emplace_back(object);
     }
     if (verdicts.size() > 1) verdicts.push_back(Verdict::tie);
     return verdicts;

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "harness/mark/compare/closeness.h"
-#include "reference/stages/pipeline.h"
+#include "reference/stages/scene_answers.h"
 
 namespace harness {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "reference/stages/scene_answers.h"
@@ -13,25 +14,29 @@ namespace {
 using reference::Boundary;
 using reference::Vec3;
 
-double size_of(const reference::Scene<double>& scene) {
-    double size = 1;
-    const auto reach = [&](const Vec3<double>& p) {
-        size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    };
-    reach(scene.camera.eye);
-    for (const auto& sphere : scene.spheres) {
-        reach(sphere.center);
-        size = std::max(size, sphere.radius);
+/// The largest number of the scene, at least 1.
+class Size {
+  public:
+    explicit Size(const reference::Scene<double>& scene) {
+        reach(scene.camera.eye);
+        reference::for_each_kind(
+            [&](reference::Subject /*kind*/, const auto& objects) {
+                for (const auto& object : objects)
+                    reference::for_each_field([&](std::string_view, const auto& field) { reach(field); }, object);
+            },
+            scene);
     }
-    for (const auto& cylinder : scene.cylinders) {
-        reach(cylinder.center);
-        size = std::max({size, cylinder.radius, cylinder.height});
+    double size() const { return size_; }
+
+  private:
+    void reach(double x) { size_ = std::max(size_, std::abs(x)); }
+    void reach(const Vec3<double>& p) { reach(p.x), reach(p.y), reach(p.z); }
+    void reach(const reference::Vertices<const Vec3<double>>& vertices) {
+        for (const Vec3<double>* vertex : vertices) reach(*vertex);
     }
-    for (const auto& triangle : scene.triangles) {
-        for (const Vec3<double>& vertex : {triangle.A, triangle.B, triangle.C}) reach(vertex);
-    }
-    return size;
-}
+
+    double size_ = 1;
+};
 
 }  // namespace
 
@@ -39,10 +44,12 @@ IntervalScene real_scene(const reference::Assignment& assignment, const referenc
     const auto scene = reference::in_double(assignment.scene);
     const auto answers = reference::answer_scene(scene, reading.convention, reading.boundary);
     IntervalScene real{reference::convert_scene<Interval>(scene, [](double x) { return Interval(x); }), {}};
-    if (!real.spheres.empty()) std::swap(real.spheres.front(), real.spheres[answers.sphere_index]);
-    if (!real.triangles.empty()) std::swap(real.triangles.front(), real.triangles[answers.triangle_index]);
-    if (!real.cylinders.empty()) std::swap(real.cylinders.front(), real.cylinders[answers.cylinder_index]);
-    real.size = size_of(scene);
+    reference::for_each_kind(
+        [&](reference::Subject kind, auto& objects) {
+            if (!objects.empty()) std::swap(objects.front(), objects[reference::asked_index(kind, answers)]);
+        },
+        real);
+    real.size = Size(scene).size();
     using reference::BoundaryPolicy;
     if (assignment.rubric.boundary != BoundaryPolicy::positive) real.boundaries.push_back(Boundary::nonnegative);
     if (assignment.rubric.boundary != BoundaryPolicy::nonnegative) real.boundaries.push_back(Boundary::positive);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/stages/pipeline.h"
+#include "reference/stages/scene_answers.h"
 #include "reference/stages/scene_numbers.h"
 
 namespace harness::report::picture {
@@ -16,6 +16,7 @@ using reference::Numbers;
 
 namespace item = reference::item;
 using reference::ItemId;
+using reference::Subject;
 
 const Numbers* numbers_of(const AnswerKey& key, const ItemId& id) {
     const reference::KeyItem* asked = reference::asked_item(key, id);
@@ -117,7 +118,7 @@ std::string hit_note(std::string_view object, std::string_view point, double t) 
 }
 
 void draw_sphere_hit(const RightValues& right, const AnswerKey& key, Sketch& sketch) {
-    const std::string& decision = key.decisions.sphere;
+    const std::string decision = key.decisions.of(Subject::sphere);
     if (right.P_s) sketch.dots.push_back({*right.P_s, "P_s", Ink::sphere, Mark::dot});
     if (right.P_s && right.sphere_normal)
         sketch.arrows.push_back({*right.P_s, *right.sphere_normal, "N at P_s", Ink::sphere, Stroke::plain});
@@ -133,7 +134,7 @@ bool is_behind_start(const RightValues& right) {
 }
 
 void draw_triangle_hit(const RightValues& right, const AnswerKey& key, const DoubleScene& scene, Sketch& sketch) {
-    const std::string& decision = key.decisions.triangle;
+    const std::string decision = key.decisions.of(Subject::triangle);
     const bool met = decision == "hit" || decision == "boundary";
     // If t = 0 does not count as a hit, the key has no hit point, although the ray starts there.
     const std::optional<Point> P_t = decision == "boundary" ? right.P_WCS : right.P_t;
@@ -164,7 +165,7 @@ std::string_view part_of_cylinder(const std::optional<Point>& normal) {
 }
 
 void draw_cylinder_hit(const RightValues& right, const AnswerKey& key, Sketch& sketch) {
-    const std::string& decision = key.decisions.cylinder;
+    const std::string decision = key.decisions.of(Subject::cylinder);
     if (right.P_c) sketch.dots.push_back({*right.P_c, "P_c", Ink::cylinder, Mark::dot});
     if (right.P_c && right.cylinder_normal)
         sketch.arrows.push_back({*right.P_c, *right.cylinder_normal, "N at P_c", Ink::cylinder, Stroke::plain});
@@ -181,8 +182,7 @@ void draw_cylinder_hit(const RightValues& right, const AnswerKey& key, Sketch& s
 
 void tell_first(const AnswerKey& key, Sketch& sketch) {
     const auto& decisions = key.decisions;
-    const int objects = (decisions.sphere.empty() ? 0 : 1) + (decisions.triangle.empty() ? 0 : 1) +
-                        (decisions.cylinder.empty() ? 0 : 1);
+    const std::size_t objects = decisions.objects.size();
     if (objects < 2) return;
     if (std::find(decisions.policy.begin(), decisions.policy.end(), "boundary") != decisions.policy.end()) {
         sketch.notes.push_back(fmt::format("Which of the {} is hit first depends on whether t = 0 counts as a hit.",

@@ -118,7 +118,7 @@ ExplainingPictures::Base::Base(const Marking& marking, bool answers, Room room, 
     std::vector<Point> more;
     if (with_answers) {
         right = right_values(marking.key, scene);
-        const bool misses = marking.key.decisions.triangle == "miss";
+        const bool misses = marking.key.decisions.of(reference::Subject::triangle) == "miss";
         for (const auto& point : {right.P_WCS, right.P_s, misses ? std::nullopt : right.P_t, right.P_c}) {
             if (point) more.push_back(*point);
         }

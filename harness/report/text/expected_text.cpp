@@ -39,8 +39,7 @@ std::string numbers_text(const Numbers& numbers, Shape shape) {
 
 std::string expected_text(const reference::Value& value, Shape shape) {
     if (const auto* numbers = std::get_if<Numbers>(&value)) return numbers_text(*numbers, shape);
-    if (const auto* verdict = std::get_if<reference::Verdict>(&value))
-        return std::string(reference::sentence(*verdict));
+    if (const auto* verdict = std::get_if<reference::Verdict>(&value)) return reference::sentence(*verdict);
     return "none";
 }
 

@@ -101,7 +101,8 @@ std::optional<double> number(const reference::AnswerKey& key, const ItemId& id) 
 /// The t of the hit. It is checked against the decision, because the linear system also has a t for rays that miss the
 /// triangle.
 std::optional<double> t_of_triangle(const reference::AnswerKey& key) {
-    const bool is_hit = key.decisions.triangle == "hit" || key.decisions.triangle == "boundary";
+    const std::string decision = key.decisions.of(reference::Subject::triangle);
+    const bool is_hit = decision == "hit" || decision == "boundary";
     return is_hit ? number(key, reference::item::triangle::t) : std::nullopt;
 }
 

@@ -63,9 +63,11 @@ std::string missing_parts(const HardRecipe& recipe, const scenes::PartSet& locat
 }
 
 Scene with_moved_objects_alone(Scene scene) {
-    if (!scene.spheres.empty()) scene.spheres.resize(1);
-    if (!scene.triangles.empty()) scene.triangles.resize(1);
-    if (!scene.cylinders.empty()) scene.cylinders.resize(1);
+    reference::for_each_kind(
+        [](reference::Subject /*kind*/, auto& objects) {
+            if (!objects.empty()) objects.resize(1);
+        },
+        scene);
     return scene;
 }
 
@@ -75,9 +77,9 @@ bool asks_about_moved(const HardRecipe& recipe, const Scene& scene, reference::P
     for (const auto boundary : {reference::Boundary::positive, reference::Boundary::nonnegative}) {
         const Answers answers = reference::answer_scene(scene, convention, boundary);
         for (const ScenePart part : recipe.needs) {
-            if (part == ScenePart::center && answers.sphere_index != 0) return false;
-            if (part == ScenePart::A && answers.triangle_index != 0) return false;
-            if (part == ScenePart::cylinder_center && answers.cylinder_index != 0) return false;
+            if (part == ScenePart::center && answers.sphere.index != 0) return false;
+            if (part == ScenePart::A && answers.triangle.index != 0) return false;
+            if (part == ScenePart::cylinder_center && answers.cylinder.index != 0) return false;
         }
     }
     return true;

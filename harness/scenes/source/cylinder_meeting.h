@@ -1,7 +1,7 @@
 // How clearly a ray meets a cylinder or misses it, for those who draw scenes.
 #pragma once
 
-#include "reference/stages/pipeline.h"
+#include "reference/stages/scene_answers.h"
 
 namespace harness::scenes {
 

@@ -77,7 +77,7 @@ void add_errors(std::vector<ItemAccuracy>& items, const std::string& scalar, con
 
 std::string truth_text(const Value& value, Shape shape) {
     if (std::holds_alternative<NoValue>(value)) return "none";
-    if (const Verdict* verdict = std::get_if<Verdict>(&value)) return std::string(sentence(*verdict));
+    if (const Verdict* verdict = std::get_if<Verdict>(&value)) return sentence(*verdict);
     const Numbers& numbers = std::get<Numbers>(value);
     if (shape == Shape::scalar) return fmt::format("{:.6g}", numbers.front());
     if (shape != Shape::vector) return "";

@@ -171,8 +171,8 @@ template <class S>
 void add_orders(Signs<S>& signs, const std::vector<SphereAnswers<S>>& spheres,
                 const std::vector<TriangleAnswers<S>>& triangles, const std::vector<CylinderAnswers<S>>& cylinders,
                 const Truth& truth, Boundary boundary) {
-    const std::size_t first_sphere = truth.scene.sphere_index;
-    const std::size_t first_triangle = truth.scene.triangle_index;
+    const std::size_t first_sphere = truth.scene.sphere.index;
+    const std::size_t first_triangle = truth.scene.triangle.index;
     const auto add = [&](const std::string& one, const std::string& other, std::partial_ordering order) {
         signs.push_back({"order: " + one + ", " + other, fmt::format("whether {} or {} is hit first", one, other),
                          order, std::nullopt});
@@ -198,7 +198,7 @@ void add_orders(Signs<S>& signs, const std::vector<SphereAnswers<S>>& spheres,
                      triangles[first_triangle].solution));
     }
     if (cylinders.empty()) return;
-    const std::size_t first_cylinder = truth.scene.cylinder_index;
+    const std::size_t first_cylinder = truth.scene.cylinder.index;
     const auto cylinder = [&](std::size_t i) { return name_of("cylinder", i, cylinders.size()); };
     const auto hit_of = [&](std::size_t i) { return hit_parameter(cylinders[i].equations, truth.cylinders[i].part); };
     const auto first = hit_of(first_cylinder);
@@ -226,16 +226,16 @@ Signs<S> signs_in(const Scene<S>& scene, const Reading& reading, const Truth& tr
     std::vector<CylinderAnswers<S>> cylinders;
     Signs<S> signs;
     for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
-        spheres.push_back(answer_sphere(camera, scene.spheres[i], reading.boundary));
+        spheres.push_back(answer_object(camera, scene.spheres[i], reading.boundary));
         add_sphere(signs, name_of("sphere", i, scene.spheres.size()), spheres[i].quadratic, truth.spheres[i].quadratic);
     }
     for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
-        triangles.push_back(answer_triangle(camera, scene.triangles[i]));
+        triangles.push_back(answer_object(camera, scene.triangles[i], reading.boundary));
         add_triangle(signs, name_of("triangle", i, scene.triangles.size()), triangles[i].solution,
                      truth.triangles[i].solution, truth.surely_missed[i]);
     }
     for (std::size_t i = 0; i < scene.cylinders.size(); ++i) {
-        cylinders.push_back(answer_cylinder(camera, scene.cylinders[i], reading.boundary));
+        cylinders.push_back(answer_object(camera, scene.cylinders[i], reading.boundary));
         CylinderSigns<S>(signs, name_of("cylinder", i, scene.cylinders.size()), cylinders[i].equations,
                          truth.cylinders[i].equations, reading.boundary)
             .add();
@@ -249,13 +249,14 @@ Truth truth_of(const Scene<Certified>& scene, const Scene<Interval<float>>& floa
     const CameraAnswers<Interval<float>> float_camera = answer_camera(floats, reading.convention);
     Truth truth{{}, {}, {}, {}, answer_scene(scene, reading.convention, reading.boundary)};
     for (const Sphere<Certified>& sphere : scene.spheres)
-        truth.spheres.push_back(answer_sphere(camera, sphere, reading.boundary));
+        truth.spheres.push_back(answer_object(camera, sphere, reading.boundary));
     for (const Triangle<Certified>& triangle : scene.triangles)
-        truth.triangles.push_back(answer_triangle(camera, triangle));
+        truth.triangles.push_back(answer_object(camera, triangle, reading.boundary));
     for (const Cylinder<Certified>& cylinder : scene.cylinders)
-        truth.cylinders.push_back(answer_cylinder(camera, cylinder, reading.boundary));
+        truth.cylinders.push_back(answer_object(camera, cylinder, reading.boundary));
     for (const Triangle<Interval<float>>& triangle : floats.triangles)
-        truth.surely_missed.push_back(answer_triangle(float_camera, triangle).classification == TriangleHit::miss);
+        truth.surely_missed.push_back(answer_object(float_camera, triangle, reading.boundary).classification ==
+                                      TriangleHit::miss);
     return truth;
 }
 

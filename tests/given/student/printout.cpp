@@ -121,7 +121,7 @@ class Printer {
                 text_ += fmt::format("debug: step {} of 7, tmp = {}\n", random_() % 7, number(0.125F));
             if (layout_.blank_lines && chance(30)) text_ += "\n";
             if (spec.shape == Shape::verdict)
-                text_ += std::string(reference::sentence(program_.verdict())) + "\n";
+                text_ += reference::sentence(program_.verdict()) + "\n";
             else
                 print_item(id, spec.shape);
         }

@@ -66,9 +66,9 @@ void Program::compare_hits() {
         verdict_ = smallest && scalar(t) == *smallest ? Verdict::tie : is_first;
         smallest = scalar(t);
     };
-    compare(t_s, has(t_s) && is_hit_at(scalar(t_s)), Verdict::sphere_first);
-    compare(t_t, has(t_t) && in_triangle() && is_hit_at(scalar(t_t)), Verdict::triangle_first);
-    compare(tube::t, has(tube::t) && is_hit_at(scalar(tube::t)), Verdict::cylinder_first);
+    compare(t_s, has(t_s) && is_hit_at(scalar(t_s)), Verdict(reference::Subject::sphere));
+    compare(t_t, has(t_t) && in_triangle() && is_hit_at(scalar(t_t)), Verdict(reference::Subject::triangle));
+    compare(tube::t, has(tube::t) && is_hit_at(scalar(tube::t)), Verdict(reference::Subject::cylinder));
 }
 
 void Program::settle(const ItemId& id, std::optional<Floats> value) {

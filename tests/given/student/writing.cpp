@@ -318,7 +318,7 @@ class Hand {
     }
 
     void verdict() {
-        const std::string said(reference::sentence(program_.verdict()));
+        const std::string said = reference::sentence(program_.verdict());
         if (is("page", "table")) {
             text_ += fmt::format("| {} | verdict | {} |\n", question_, said);
         } else {

@@ -85,7 +85,7 @@ TEST(ItemPlace, MayHoldASentence) {
     const auto item =
         read_at(transcript, spec_of(10, "verdict"), place(10, "verdict", "1"), reference::default_items());
     ASSERT_TRUE(item && item->verdict);
-    EXPECT_EQ(item->verdict->verdict, reference::Verdict::triangle_first);
+    EXPECT_EQ(item->verdict->verdict, reference::Verdict(reference::Subject::triangle));
 }
 
 TEST(Match, ReadsAnItemFromItsPlaceAndLeavesTheValueToNoOther) {

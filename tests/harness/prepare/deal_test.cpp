@@ -34,7 +34,10 @@ TEST(Deal, GivesEachStudentASceneOfTheirOwnWithoutABoundaryCase) {
         Assignment own = assignment;
         own.scene = scene;
         const auto key = make_key(own, reference::Precision::certified);
-        EXPECT_EQ(key.decisions.sphere + key.decisions.triangle + key.decisions.cylinder, "hithithit") << student;
+        EXPECT_EQ(key.decisions.of(reference::Subject::sphere) + key.decisions.of(reference::Subject::triangle) +
+                      key.decisions.of(reference::Subject::cylinder),
+                  "hithithit")
+            << student;
         for (const auto& decision : reference::accuracy::decisions_of(own, key.canonical))
             EXPECT_FALSE(decision.hangs_on_rounding()) << student << ": " << decision.what;
     }

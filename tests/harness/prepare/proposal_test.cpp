@@ -23,8 +23,8 @@ TEST(Proposal, ShowsMoreMistakesWithoutABoundaryCase) {
         reference::Assignment proposed = assignment;
         proposed.scene = proposal.scene;
         const auto key = make_key(proposed, reference::Precision::certified);
-        EXPECT_EQ(key.decisions.sphere, "hit");
-        EXPECT_EQ(key.decisions.triangle, "hit");
+        EXPECT_EQ(key.decisions.of(reference::Subject::sphere), "hit");
+        EXPECT_EQ(key.decisions.of(reference::Subject::triangle), "hit");
         EXPECT_TRUE(key.decisions.policy.empty() || key.decisions.policy.front() != "boundary");
         for (const auto& decision : reference::accuracy::decisions_of(proposed, key.canonical))
             EXPECT_FALSE(decision.hangs_on_rounding()) << decision.what;

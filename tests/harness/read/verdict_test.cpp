@@ -16,42 +16,45 @@ std::optional<Verdict> read(const std::vector<std::string>& texts, VerdictPlace 
 
 TEST(ReadVerdict, IgnoresTheTextOfTheQuestion) {
     EXPECT_EQ(read({"Print triangle first or sphere first"}), std::nullopt);
-    EXPECT_EQ(read({"Which is hit first, the sphere or the triangle?", "the sphere"}), Verdict::sphere_first);
+    EXPECT_EQ(read({"Which is hit first, the sphere or the triangle?", "the sphere"}),
+              Verdict(reference::Subject::sphere));
     EXPECT_EQ(read({"- ray hits triangle first", "- ray hits sphere first", "ray hits triangle first"}),
-              Verdict::triangle_first);
+              Verdict(reference::Subject::triangle));
 }
 
 TEST(ReadVerdict, TakesANegatedFirstAsTheOtherObject) {
-    EXPECT_EQ(read({"ray does not hit triangle first, it hits sphere first"}), Verdict::sphere_first);
-    EXPECT_EQ(read({"ray does not hit the sphere first; it hits the triangle"}), Verdict::triangle_first);
-    EXPECT_EQ(read({"The triangle is no true hit, so ray hits sphere first"}), Verdict::sphere_first);
-    EXPECT_EQ(read({"The triangle is hit after the sphere"}), Verdict::sphere_first);
-    EXPECT_EQ(read({"Closest object: sphere (t = 2.1), triangle is behind it"}), Verdict::sphere_first);
+    EXPECT_EQ(read({"ray does not hit triangle first, it hits sphere first"}), Verdict(reference::Subject::sphere));
+    EXPECT_EQ(read({"ray does not hit the sphere first; it hits the triangle"}), Verdict(reference::Subject::triangle));
+    EXPECT_EQ(read({"The triangle is no true hit, so ray hits sphere first"}), Verdict(reference::Subject::sphere));
+    EXPECT_EQ(read({"The triangle is hit after the sphere"}), Verdict(reference::Subject::sphere));
+    EXPECT_EQ(read({"Closest object: sphere (t = 2.1), triangle is behind it"}), Verdict(reference::Subject::sphere));
 }
 
 TEST(ReadVerdict, TellsThreeObjectsApart) {
-    EXPECT_EQ(read({"ray hits cylinder first"}), Verdict::cylinder_first);
-    EXPECT_EQ(read({"cylinder"}), Verdict::cylinder_first);
-    EXPECT_EQ(read({"closest is the cylinder with t = 1"}), Verdict::cylinder_first);
-    EXPECT_EQ(read({"the order is cylinder (1), sphere (1.58579), triangle (2)"}), Verdict::cylinder_first);
-    EXPECT_EQ(read({"triangle, then cylinder, then sphere"}), Verdict::triangle_first);
-    EXPECT_EQ(read({"The cylinder is nearer than the sphere and the triangle"}), Verdict::cylinder_first);
-    EXPECT_EQ(read({"ray does not hit the cylinder first; it hits the sphere first"}), Verdict::sphere_first);
+    EXPECT_EQ(read({"ray hits cylinder first"}), Verdict(reference::Subject::cylinder));
+    EXPECT_EQ(read({"cylinder"}), Verdict(reference::Subject::cylinder));
+    EXPECT_EQ(read({"closest is the cylinder with t = 1"}), Verdict(reference::Subject::cylinder));
+    EXPECT_EQ(read({"the order is cylinder (1), sphere (1.58579), triangle (2)"}),
+              Verdict(reference::Subject::cylinder));
+    EXPECT_EQ(read({"triangle, then cylinder, then sphere"}), Verdict(reference::Subject::triangle));
+    EXPECT_EQ(read({"The cylinder is nearer than the sphere and the triangle"}), Verdict(reference::Subject::cylinder));
+    EXPECT_EQ(read({"ray does not hit the cylinder first; it hits the sphere first"}),
+              Verdict(reference::Subject::sphere));
     EXPECT_EQ(read({"ray hits triangle first / sphere first / cylinder first"}), std::nullopt) << "the question";
 }
 
 TEST(ReadVerdict, TakesTheObjectThatAnotherIsBehind) {
-    EXPECT_EQ(read({"the triangle is behind the sphere"}), Verdict::sphere_first);
-    EXPECT_EQ(read({"the sphere is hit, the triangle is behind"}), Verdict::sphere_first);
+    EXPECT_EQ(read({"the triangle is behind the sphere"}), Verdict(reference::Subject::sphere));
+    EXPECT_EQ(read({"the sphere is hit, the triangle is behind"}), Verdict(reference::Subject::sphere));
 }
 
 TEST(ReadVerdict, ReadsTheWordsStudentsUse) {
-    EXPECT_EQ(read({"ray hits sphere first"}), Verdict::sphere_first);
-    EXPECT_EQ(read({"RAY HITS TRIANGLE FIRST!!!"}), Verdict::triangle_first);
-    EXPECT_EQ(read({"The first object hit is the triangle"}), Verdict::triangle_first);
-    EXPECT_EQ(read({"sphere is closer than the triangle"}), Verdict::sphere_first);
-    EXPECT_EQ(read({"Closest: triangle"}), Verdict::triangle_first);
-    EXPECT_EQ(read({"sphere"}), Verdict::sphere_first);
+    EXPECT_EQ(read({"ray hits sphere first"}), Verdict(reference::Subject::sphere));
+    EXPECT_EQ(read({"RAY HITS TRIANGLE FIRST!!!"}), Verdict(reference::Subject::triangle));
+    EXPECT_EQ(read({"The first object hit is the triangle"}), Verdict(reference::Subject::triangle));
+    EXPECT_EQ(read({"sphere is closer than the triangle"}), Verdict(reference::Subject::sphere));
+    EXPECT_EQ(read({"Closest: triangle"}), Verdict(reference::Subject::triangle));
+    EXPECT_EQ(read({"sphere"}), Verdict(reference::Subject::sphere));
     EXPECT_EQ(read({"The ray hits neither"}), Verdict::no_hit);
     EXPECT_EQ(read({"ray does not hit the sphere or the triangle"}), Verdict::no_hit);
     EXPECT_EQ(read({"it's a tie"}), Verdict::tie);
@@ -59,7 +62,7 @@ TEST(ReadVerdict, ReadsTheWordsStudentsUse) {
 
 TEST(ReadVerdict, PrefersTheSentenceToTheValues) {
     EXPECT_EQ(read({"sphere hit at t = 0.58", "ray hits triangle first", "triangle: hit, t = 0"}),
-              Verdict::triangle_first);
+              Verdict(reference::Subject::triangle));
 }
 
 TEST(ReadVerdict, IgnoresDebugLines) {
@@ -68,7 +71,7 @@ TEST(ReadVerdict, IgnoresDebugLines) {
 
 TEST(ReadVerdict, RequiresTheWordFirstOutsideQuestion10) {
     EXPECT_EQ(read({"the ray hits the sphere"}, VerdictPlace::elsewhere), std::nullopt);
-    EXPECT_EQ(read({"ray hits sphere first"}, VerdictPlace::elsewhere), Verdict::sphere_first);
+    EXPECT_EQ(read({"ray hits sphere first"}, VerdictPlace::elsewhere), Verdict(reference::Subject::sphere));
 }
 
 TEST(ReadVerdict, GivesTheLineOfTheOutput) {

@@ -55,7 +55,7 @@ TEST(HardCases, H5_RotatedBase) {
     const Triangle<Decimal> triangle{point({"5", "-1", "11"}), point({"-7", "8", "11"}), point({"13", "2", "8"})};
     const ReadingAnswers run =
         answers(camera({"3", "4", "12"}, {"0", "0", "0"}, {"0", "0", "1"}), plain_window, {0, 0}, {triangle});
-    EXPECT_EQ(run.decisions.triangle, "boundary");
+    EXPECT_EQ(run.decisions.of(reference::Subject::triangle), "boundary");
     EXPECT_EQ(run.decisions.first, "triangle");
     // The start (33, 44, 132)/13 is A + 46/117 (B-A) + 33/117 (C-A) exactly, so t is not small: it is 0.
     expect(run, reference::item::triangle::t, {0}, 0);

@@ -98,7 +98,7 @@ void expect_student_allowed(const Assignment& assignment, const AnswerKey& key) 
     expect_allowed(answer(key, item::sphere::b), std::vector<float>{b});
     expect_allowed(answer(key, item::sphere::c), std::vector<float>{c});
     expect_allowed(answer(key, item::sphere::d), std::vector<float>{b * b - 4 * c});
-    if (key.decisions.sphere == "hit" && c > 0) {
+    if (key.decisions.of(reference::Subject::sphere) == "hit" && c > 0) {
         const float t = (-b - std::sqrt(b * b - 4 * c)) / 2;
         expect_allowed(answer(key, item::sphere::t), std::vector<float>{t});
         expect_allowed(answer(key, item::sphere::hit), list(S + t * V));

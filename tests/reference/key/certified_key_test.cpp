@@ -75,10 +75,10 @@ TEST(CertifiedKey, MatchesTheHandDerivationOfA6_2021) {
     expect_item(key, 8, "v", {0.25}, true);
     expect_item(key, 8, "hit", {0, 0, 2}, true);
     expect_item(key, 9, "normal", {0, 0, 1}, true);
-    EXPECT_EQ(std::get<Verdict>(find(key, 10, "verdict")->value), Verdict::triangle_first);
-    EXPECT_EQ(std::get<Verdict>(find(key, 10, "verdict", 1)->value), Verdict::sphere_first);
-    EXPECT_EQ(key.decisions.sphere, "hit");
-    EXPECT_EQ(key.decisions.triangle, "boundary");
+    EXPECT_EQ(std::get<Verdict>(find(key, 10, "verdict")->value), Verdict(reference::Subject::triangle));
+    EXPECT_EQ(std::get<Verdict>(find(key, 10, "verdict", 1)->value), Verdict(reference::Subject::sphere));
+    EXPECT_EQ(key.decisions.of(reference::Subject::sphere), "hit");
+    EXPECT_EQ(key.decisions.of(reference::Subject::triangle), "boundary");
     EXPECT_EQ(key.decisions.first, "triangle");
     EXPECT_EQ(key.decisions.policy, std::vector<std::string>{"boundary"});
 }
@@ -111,10 +111,10 @@ TEST(CertifiedKey, MatchesTheHandDerivationOfA6_Edge) {
     expect_item(key, 8, "hit", {2.33333333333333333333, 1, 0}, false);
     // (B-A) x (C-A) = (-6, -4, 0).
     expect_item(key, 9, "normal", {-0.83205029433784368303, -0.55470019622522912202, 0}, false);
-    EXPECT_EQ(std::get<Verdict>(find(key, 10, "verdict")->value), Verdict::sphere_first);
+    EXPECT_EQ(std::get<Verdict>(find(key, 10, "verdict")->value), Verdict(reference::Subject::sphere));
     EXPECT_EQ(find(key, 10, "verdict", 1), nullptr);
-    EXPECT_EQ(key.decisions.sphere, "hit");
-    EXPECT_EQ(key.decisions.triangle, "hit");
+    EXPECT_EQ(key.decisions.of(reference::Subject::sphere), "hit");
+    EXPECT_EQ(key.decisions.of(reference::Subject::triangle), "hit");
     EXPECT_EQ(key.decisions.first, "sphere");
     EXPECT_TRUE(key.decisions.policy.empty());
 }
@@ -149,10 +149,10 @@ TEST(CertifiedKey, HasAHitOnTheEdgeFromBToC) {
     const AnswerKey key = key_of_scene("[[triangle]]\nvertices = [[-2, -2, 0], [2, -2, 0], [-2, 2, 0]]");
     expect_item(key, 8, "u", {0.5}, true);
     expect_item(key, 8, "v", {0.5}, true);
-    EXPECT_EQ(key.decisions.triangle, "hit");
+    EXPECT_EQ(key.decisions.of(reference::Subject::triangle), "hit");
     const AnswerKey beside =
         key_of_scene("[[triangle]]\nvertices = [[-2, -2, 0], [1.99999999999999999999, -2, 0], [-2, 2, 0]]");
-    EXPECT_EQ(beside.decisions.triangle, "miss") << "the edge passes the axis by 10^-20";
+    EXPECT_EQ(beside.decisions.of(reference::Subject::triangle), "miss") << "the edge passes the axis by 10^-20";
 }
 
 TEST(CertifiedKey, ComparesATriangleWithTheFarRoot) {
@@ -226,7 +226,8 @@ TEST(CertifiedKey, AsksAboutTheNearestOfSeveralSpheres) {
 
 TEST(CertifiedKey, SaysHowTheRayTouchesOrPasses) {
     const auto of_sphere = [](const std::string& x) {
-        return key_of_scene("[[sphere]]\ncenter = [" + x + ", 0, 0]\nradius = 1").decisions.sphere;
+        return key_of_scene("[[sphere]]\ncenter = [" + x + ", 0, 0]\nradius = 1")
+            .decisions.of(reference::Subject::sphere);
     };
     EXPECT_EQ(of_sphere("1"), "tangent");
     EXPECT_EQ(of_sphere("0.99999999999999999999"), "hit");
@@ -234,7 +235,7 @@ TEST(CertifiedKey, SaysHowTheRayTouchesOrPasses) {
     // A triangle in a plane along the ray.
     const auto of_triangle = [](const std::string& x) {
         return key_of_scene("[[triangle]]\nvertices = [[" + x + ", -1, 0], [" + x + ", 1, 0], [" + x + ", 0, -3]]")
-            .decisions.triangle;
+            .decisions.of(reference::Subject::triangle);
     };
     EXPECT_EQ(of_triangle("0"), "coplanar");
     EXPECT_EQ(of_triangle("0.00000000000000000001"), "miss");

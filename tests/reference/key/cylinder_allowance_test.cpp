@@ -160,7 +160,7 @@ TEST(CylinderAllowance, CoversTheStagesInFloatAndInDouble) {
         const AnswerKey key = make_key(assignment, Precision::certified);
         for (const Precision precision : {Precision::float_, Precision::double_}) {
             const AnswerKey run = make_key(assignment, precision);
-            EXPECT_EQ(run.decisions.cylinder, key.decisions.cylinder);
+            EXPECT_EQ(run.decisions.of(reference::Subject::cylinder), key.decisions.of(reference::Subject::cylinder));
             for (const Item& item : known_items()) {
                 if (item.id.subject != Subject::cylinder) continue;
                 const auto* given = std::get_if<Numbers>(&answer_to(run, item.id).value);

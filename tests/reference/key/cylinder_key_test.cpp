@@ -86,8 +86,8 @@ TEST(CylinderKey, MatchesTheHandDerivationOfA6_2024) {
     expect_value(key, item::cylinder::t, {1});
     expect_value(key, item::cylinder::hit, {3, 1, 0});
     expect_value(key, item::cylinder::normal, {1, 0, 0});
-    EXPECT_EQ(std::get<Verdict>(answers_to(key, item::verdict).front().value), Verdict::cylinder_first);
-    EXPECT_EQ(key.decisions.cylinder, "hit");
+    EXPECT_EQ(std::get<Verdict>(answers_to(key, item::verdict).front().value), Verdict(reference::Subject::cylinder));
+    EXPECT_EQ(key.decisions.of(reference::Subject::cylinder), "hit");
     EXPECT_EQ(key.decisions.first, "cylinder");
     EXPECT_EQ(nlohmann::json::parse(to_json(key))["decisions"]["cylinder"], "hit");
     EXPECT_THAT(key.notes, testing::IsEmpty());
@@ -99,22 +99,25 @@ Decisions decisions_of_2024(const std::string& objects) {
 }
 
 TEST(CylinderKey, SaysHowTheRayTouchesOrPasses) {
-    const auto at_z = [](const std::string& z) { return decisions_of_2024(cylinder("0, 0, " + z, "1", "4")).cylinder; };
+    const auto at_z = [](const std::string& z) {
+        return decisions_of_2024(cylinder("0, 0, " + z, "1", "4")).of(Subject::cylinder);
+    };
     EXPECT_EQ(at_z("1"), "tangent");
     EXPECT_EQ(at_z("0.99999999999999999999"), "hit");
     EXPECT_EQ(at_z("-1.00000000000000000001"), "miss");
     const auto at_y = [](const std::string& y) {
-        return decisions_of_2024(cylinder("0, " + y + ", 0", "1", "4")).cylinder;
+        return decisions_of_2024(cylinder("0, " + y + ", 0", "1", "4")).of(Subject::cylinder);
     };
     EXPECT_EQ(at_y("-1"), "hit") << "in the plane of the top cap";
     EXPECT_EQ(at_y("-1.00000000000000000001"), "miss");
     EXPECT_EQ(at_y("3"), "hit") << "in the plane of the bottom cap";
     EXPECT_EQ(at_y("3.00000000000000000001"), "miss");
-    EXPECT_EQ(decisions_of_2024(cylinder("3, 0, 0", "1", "4")).cylinder, "boundary");
-    EXPECT_EQ(decisions_of_2024(cylinder("4, -1, 0", "1", "4")).cylinder, "boundary") << "on the top cap";
-    EXPECT_EQ(decisions_of_2024(cylinder("4, 0, 0", "1", "4")).cylinder, "hit") << "inside";
-    EXPECT_EQ(decisions_of_2024(cylinder("3, -2, 0", "1", "4")).cylinder, "miss") << "above the tube's rim";
-    EXPECT_EQ(decisions_of_2024(sphere_2024).cylinder, "");
+    EXPECT_EQ(decisions_of_2024(cylinder("3, 0, 0", "1", "4")).of(Subject::cylinder), "boundary");
+    EXPECT_EQ(decisions_of_2024(cylinder("4, -1, 0", "1", "4")).of(Subject::cylinder), "boundary") << "on the top cap";
+    EXPECT_EQ(decisions_of_2024(cylinder("4, 0, 0", "1", "4")).of(Subject::cylinder), "hit") << "inside";
+    EXPECT_EQ(decisions_of_2024(cylinder("3, -2, 0", "1", "4")).of(Subject::cylinder), "miss")
+        << "above the tube's rim";
+    EXPECT_EQ(decisions_of_2024(sphere_2024).of(Subject::cylinder), "");
 }
 
 TEST(CylinderKey, NamesTheNearestOfThreeObjects) {

@@ -180,9 +180,9 @@ TEST(Enclosure, ContainsTheTruthOfEveryItemOnRandomScenes) {
                 if (found != truth.end()) expect_enclosed(answer, found->second);
             }
         }
-        sphere_hits += key.decisions.sphere == "hit" ? 1 : 0;
-        triangle_hits += key.decisions.triangle == "hit" ? 1 : 0;
-        cylinder_hits += key.decisions.cylinder == "hit" ? 1 : 0;
+        sphere_hits += key.decisions.of(reference::Subject::sphere) == "hit" ? 1 : 0;
+        triangle_hits += key.decisions.of(reference::Subject::triangle) == "hit" ? 1 : 0;
+        cylinder_hits += key.decisions.of(reference::Subject::cylinder) == "hit" ? 1 : 0;
     }
     // The random scenes must include enough hits.
     EXPECT_GT(sphere_hits, cases(120) / 5);

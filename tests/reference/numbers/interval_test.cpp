@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "reference/stages/pipeline.h"
+#include "reference/stages/scene_answers.h"
 
 namespace {
 
@@ -115,7 +115,7 @@ TEST(Interval, RunsTheStagesAndHoldsTheHandoutsSphereHit) {
     using reference::Vec3;
     const reference::CameraAnswers<I> ray{{}, {}, {}, Vec3<I>(I(0), I(0), I(2)), Vec3<I>(I(0), I(0), I(-1))};
     const reference::Sphere<I> sphere{Vec3<I>(I(1), I(1), I(0)), I(2)};
-    const auto answers = answer_sphere(ray, sphere, reference::Boundary::nonnegative);
+    const auto answers = answer_object(ray, sphere, reference::Boundary::nonnegative);
     ASSERT_TRUE(answers.t);
     EXPECT_LT(static_cast<double>(answers.t->lo()), 2 - std::sqrt(2.0));
     EXPECT_GT(static_cast<double>(answers.t->hi()), 2 - std::sqrt(2.0));

@@ -101,7 +101,7 @@ TEST(Cylinder, HasTheExactHitPointAndNormal) {
         SCOPED_TRACE(seed);
         const CylinderCase scene = cylinder_case(seed);
         const Field field;
-        const auto answers = answer_cylinder(camera_of(scene.ray, field), field(scene.cylinder), Boundary::nonnegative);
+        const auto answers = answer_object(camera_of(scene.ray, field), field(scene.cylinder), Boundary::nonnegative);
         const auto truth = hit(scene.ray, scene.cylinder, Boundary::nonnegative);
         ASSERT_EQ(answers.t.has_value(), truth.has_value());
         if (!truth) continue;

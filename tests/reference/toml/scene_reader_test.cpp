@@ -177,14 +177,14 @@ TEST(SceneReader, AsksAboutTheFirstSphereThatIsHit) {
     const std::string nearer = "[[sphere]]\ncenter = [0, 0, 1]\nradius = 0.5\n";
     const AnswerKey key = make_key(read(with("[[sphere]]\n", missed + nearer + "[[sphere]]\n")), Precision::certified);
     EXPECT_EQ(std::get<Numbers>(key.questions.at(5).items.at(4).answers.front().value), Numbers{0.5});
-    EXPECT_EQ(key.decisions.sphere, "hit");
+    EXPECT_EQ(key.decisions.of(reference::Subject::sphere), "hit");
     // If no sphere is hit, the questions are about the first one listed: its c is 81 + 81 + 49 - 1.
     const AnswerKey none =
         make_key(read(with("center = [1, 1, 0]\nradius = 2\n",
                            "center = [9, 9, 9]\nradius = 1\n[[sphere]]\ncenter = [8, 8, 8]\nradius = 1\n")),
                  Precision::certified);
     EXPECT_EQ(std::get<Numbers>(none.questions.at(5).items.at(2).answers.front().value), Numbers{210});
-    EXPECT_EQ(none.decisions.sphere, "miss");
+    EXPECT_EQ(none.decisions.of(reference::Subject::sphere), "miss");
 }
 
 TEST(SceneReader, AsksAboutTheFirstTriangleThatIsHit) {

@@ -10,9 +10,13 @@ namespace {
 
 using reference::Boundary;
 using reference::Subject;
+using reference::Verdict;
 using testing::ElementsAre;
 using testing::UnorderedElementsAre;
-using enum reference::Verdict;
+
+constexpr Verdict sphere_first(Subject::sphere);
+constexpr Verdict triangle_first(Subject::triangle);
+constexpr Verdict cylinder_first(Subject::cylinder);
 
 Interval of(std::string_view text) {
     return enclosure_of(printed_number(text), Digits::as_printed);
@@ -38,8 +42,8 @@ TEST(PossibleVerdicts, NameTheSmallerT) {
 }
 
 TEST(PossibleVerdicts, AreAllThreeIfBothTHaveTheSameDigits) {
-    EXPECT_THAT(verdicts(values("1.59", "1.59")), UnorderedElementsAre(sphere_first, triangle_first, tie));
-    EXPECT_THAT(verdicts(values("1.590", "1.5904")), UnorderedElementsAre(sphere_first, triangle_first, tie));
+    EXPECT_THAT(verdicts(values("1.59", "1.59")), UnorderedElementsAre(sphere_first, triangle_first, Verdict::tie));
+    EXPECT_THAT(verdicts(values("1.590", "1.5904")), UnorderedElementsAre(sphere_first, triangle_first, Verdict::tie));
     EXPECT_THAT(verdicts(values("1.590", "1.592")), ElementsAre(sphere_first));
 }
 
@@ -59,9 +63,9 @@ TEST(PossibleVerdicts, CompareAllObjects) {
     EXPECT_THAT(verdicts(three("1.59", "0.5", "1")), ElementsAre(triangle_first));
     EXPECT_THAT(verdicts(three("none", "none", "1")), ElementsAre(cylinder_first));
     EXPECT_THAT(verdicts(three("1", "2", "none")), ElementsAre(sphere_first));
-    EXPECT_THAT(verdicts(three("1", "2", "1")), UnorderedElementsAre(sphere_first, cylinder_first, tie));
+    EXPECT_THAT(verdicts(three("1", "2", "1")), UnorderedElementsAre(sphere_first, cylinder_first, Verdict::tie));
     EXPECT_THAT(verdicts(three("2", "1", "2")), ElementsAre(triangle_first)) << "a tie behind the first";
-    EXPECT_THAT(verdicts(three("none", "none", "none")), ElementsAre(no_hit));
+    EXPECT_THAT(verdicts(three("none", "none", "none")), ElementsAre(Verdict::no_hit));
 }
 
 TEST(PossibleVerdicts, FollowTheBoundaryPolicyIfTIsExactlyZero) {
@@ -80,18 +84,18 @@ TEST(PossibleVerdicts, TakeTheSignOfAPrintedZero) {
 TEST(PossibleVerdicts, ContainNoHitWithoutANumber) {
     EXPECT_THAT(verdicts(values("none", "0.5")), ElementsAre(triangle_first));
     EXPECT_THAT(verdicts(values("0.5", "none")), ElementsAre(sphere_first));
-    EXPECT_THAT(verdicts(values("none", "none")), ElementsAre(no_hit));
+    EXPECT_THAT(verdicts(values("none", "none")), ElementsAre(Verdict::no_hit));
 }
 
 TEST(PossibleVerdicts, ContainNoHitBehindTheStart) {
-    EXPECT_THAT(verdicts(values("-1.5", "-0.5")), ElementsAre(no_hit));
+    EXPECT_THAT(verdicts(values("-1.5", "-0.5")), ElementsAre(Verdict::no_hit));
     EXPECT_THAT(verdicts(values("-1.5", "0.5")), ElementsAre(triangle_first));
 }
 
 TEST(PossibleVerdicts, ContainNoHitOutsideTheTriangle) {
     EXPECT_THAT(verdicts(values("1.59", "0.75", "-0.5", "0.25")), ElementsAre(sphere_first));
     EXPECT_THAT(verdicts(values("1.59", "0.75", "0.75", "0.5")), ElementsAre(sphere_first));
-    EXPECT_THAT(verdicts(values("none", "0.75", "1.5", "-1")), ElementsAre(no_hit));
+    EXPECT_THAT(verdicts(values("none", "0.75", "1.5", "-1")), ElementsAre(Verdict::no_hit));
 }
 
 TEST(PossibleVerdicts, ContainAHitOfTheTrianglesEdge) {

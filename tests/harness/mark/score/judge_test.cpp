@@ -90,7 +90,7 @@ TEST(Judge, NeverFindsNanOrInfinityRight) {
 TEST(Judge, TakesANanForAMissAndForNoOthersValue) {
     const student::Marking marking = student::off_axis_scene();
     const Program program(marking.assignment, {});
-    ASSERT_EQ(program.verdict(), reference::Verdict::sphere_first);
+    ASSERT_EQ(program.verdict(), reference::Verdict(reference::Subject::sphere));
     std::string output = print(program);
     for (const auto& [question, label, value] :
          {std::tuple(6, "c", "1000"), std::tuple(6, "d", "-3950"), std::tuple(6, "t", "-nan"),

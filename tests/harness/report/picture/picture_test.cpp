@@ -364,8 +364,9 @@ TEST(ExplainingPicture, NeverContradictsTheKey) {
         SCOPED_TRACE(seed);
         const std::string svg = picture(marking);
         const auto& decisions = marking.key.decisions;
-        const bool sphere = decisions.sphere != "miss";
-        const bool triangle = decisions.triangle == "hit" || decisions.triangle == "boundary";
+        const bool sphere = decisions.of(reference::Subject::sphere) != "miss";
+        const bool triangle = decisions.of(reference::Subject::triangle) == "hit" ||
+                              decisions.of(reference::Subject::triangle) == "boundary";
         missed += sphere ? 0 : 1;
         EXPECT_EQ(drawn::has_text(svg, "The ray misses the sphere."), !sphere);
         EXPECT_EQ(!drawn::dots_in(svg, "#2f7fc8").empty(), sphere);

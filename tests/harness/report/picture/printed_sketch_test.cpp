@@ -165,7 +165,10 @@ TEST(WithoutAnswers, ThePictureDoesNotDependOnTheKey) {
                 }
             }
         }
-        other.key.decisions = {"miss", "hit", "miss", "triangle", {"boundary"}};
+        using reference::Subject;
+        other.key.decisions = {{{Subject::sphere, "miss"}, {Subject::triangle, "hit"}, {Subject::cylinder, "miss"}},
+                               "triangle",
+                               {"boundary"}};
         ASSERT_NE(explaining_picture(other, nullptr, true, "p-"), explaining_picture(marking, nullptr, true, "p-"));
         EXPECT_EQ(explaining_picture(other, nullptr, false, "p-"), before);
         EXPECT_EQ(explaining_picture(other, &student, false, "p-"), before_printed);

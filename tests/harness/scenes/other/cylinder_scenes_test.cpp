@@ -58,11 +58,11 @@ TEST(CylinderScenes, MeetTheTubeACapAndMissAndEachObjectIsFirst) {
         std::vector<reference::SceneAnswers<reference::Certified>> exact;
         for (const OtherScene& each : scenes) exact.push_back(exact_answers(each.scene));
         EXPECT_TRUE(is_tube(exact[0].cylinder->part));
-        EXPECT_EQ(exact[0].verdict, reference::Verdict::sphere_first);
+        EXPECT_EQ(exact[0].verdict, reference::Verdict(reference::Subject::sphere));
         EXPECT_TRUE(is_cap(exact[1].cylinder->part));
-        EXPECT_EQ(exact[1].verdict, reference::Verdict::triangle_first);
+        EXPECT_EQ(exact[1].verdict, reference::Verdict(reference::Subject::triangle));
         EXPECT_TRUE(is_tube(exact[2].cylinder->part));
-        EXPECT_EQ(exact[2].verdict, reference::Verdict::cylinder_first);
+        EXPECT_EQ(exact[2].verdict, reference::Verdict(reference::Subject::cylinder));
         EXPECT_EQ(exact[3].cylinder->part, CylinderPart::miss);
         EXPECT_GT(exact[3].cylinder->equations.tube.d.enclosure().lo, 0) << "the endless tube is hit";
     }

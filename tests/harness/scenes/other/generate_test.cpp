@@ -57,7 +57,7 @@ TEST(OtherScenesFor, GivesTheFourKindsWithTheirProperties) {
             keys.push_back(key_of(variant));
             const double radius = value_of(variant.scene, ScenePart::radius)[0];
             shares.push_back(number_of(keys.back(), 6, "d") / (4 * radius * radius));
-            EXPECT_EQ(keys.back().decisions.triangle, "hit");
+            EXPECT_EQ(keys.back().decisions.of(reference::Subject::triangle), "hit");
         }
         const auto lead = [&](std::size_t i) { return number_of(keys[i], 6, "t") - number_of(keys[i], 8, "t"); };
         EXPECT_GT(shares[0], 0.2);
@@ -66,10 +66,10 @@ TEST(OtherScenesFor, GivesTheFourKindsWithTheirProperties) {
         EXPECT_GT(lead(1), 0.3) << "the triangle is in front";
         EXPECT_EQ(keys[1].decisions.first, "triangle");
         EXPECT_LT(shares[2], -0.2);
-        EXPECT_EQ(keys[2].decisions.sphere, "miss");
+        EXPECT_EQ(keys[2].decisions.of(reference::Subject::sphere), "miss");
         EXPECT_GT(shares[3], 0.005) << "grazed, but hit";
         EXPECT_LT(shares[3], 0.12);
-        EXPECT_EQ(keys[3].decisions.sphere, "hit");
+        EXPECT_EQ(keys[3].decisions.of(reference::Subject::sphere), "hit");
         for (const reference::AnswerKey& key : keys) {
             const double u = number_of(key, 8, "u"), v = number_of(key, 8, "v");
             EXPECT_GT(std::min({u, v, 1 - u - v}), 0.05) << "not at an edge";

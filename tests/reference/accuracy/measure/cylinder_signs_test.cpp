@@ -89,7 +89,7 @@ TEST(CylinderSigns, AreAllThatDecide) {
             ++wrong_somewhere;
             continue;
         }
-        EXPECT_EQ(floats.cylinder_index, exact.cylinder_index) << seed;
+        EXPECT_EQ(floats.cylinder.index, exact.cylinder.index) << seed;
         EXPECT_EQ(floats.cylinder->part, exact.cylinder->part) << seed;
         EXPECT_EQ(floats.verdict, exact.verdict) << seed;
     }

@@ -4,7 +4,7 @@
 
 #include "reference/key/answer_key.h"
 #include "reference/render/trace/visibility.h"
-#include "reference/stages/pipeline.h"
+#include "reference/stages/scene_answers.h"
 #include "tests/given/cases.h"
 #include "tests/given/random_scene.h"
 #include "tests/given/render/scenes.h"
