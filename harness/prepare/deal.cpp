@@ -43,23 +43,15 @@ std::optional<DecimalScene> search(TrialScenes& trials, const DecimalScene& own,
 /// Writes the lines of `scene` that `own` does not have, each as one key of a [[student]].
 class Changes {
   public:
-    template <class Value>
-    void add(std::string_view key, const Value& value, const Value& own) {
-        const std::string text = text_of(value);
-        if (text != text_of(own)) text_ += fmt::format("{} = {}\n", key, text);
+    void add(std::string_view key, const auto& value, const auto& own) {
+        add(key, reference::toml_value(value), reference::toml_value(own));
+    }
+    void add(std::string_view key, const std::string& value, const std::string& own) {
+        if (value != own) text_ += fmt::format("{} = {}\n", key, value);
     }
     std::string text() && { return std::move(text_); }
 
   private:
-    static std::string text_of(const reference::Decimal& x) { return std::string(x.text()); }
-    static std::string text_of(const reference::Vec3<reference::Decimal>& p) {
-        return fmt::format("[{}, {}, {}]", p.x.text(), p.y.text(), p.z.text());
-    }
-    static std::string text_of(const reference::Triangle<reference::Decimal>& triangle) {
-        return fmt::format("[{}, {}, {}]", text_of(triangle.A), text_of(triangle.B), text_of(triangle.C));
-    }
-    static std::string text_of(const reference::Pixel& pixel) { return fmt::format("[{}, {}]", pixel.x, pixel.y); }
-
     std::string text_;
 };
 
@@ -96,17 +88,18 @@ std::string student_toml(const std::string& student, const DecimalScene& scene, 
     changes.add("camera.eye", scene.camera.eye, own.camera.eye);
     changes.add("camera.lookat", scene.camera.lookat, own.camera.lookat);
     changes.add("camera.vup", scene.camera.vup, own.camera.vup);
-    changes.add("window.pixel", scene.pixel, own.pixel);
-    if (!own.spheres.empty()) {
-        changes.add("sphere.center", scene.spheres.front().center, own.spheres.front().center);
-        changes.add("sphere.radius", scene.spheres.front().radius, own.spheres.front().radius);
-    }
-    if (!own.triangles.empty()) changes.add("triangle.vertices", scene.triangles.front(), own.triangles.front());
-    if (!own.cylinders.empty()) {
-        changes.add("cylinder.center", scene.cylinders.front().center, own.cylinders.front().center);
-        changes.add("cylinder.radius", scene.cylinders.front().radius, own.cylinders.front().radius);
-        changes.add("cylinder.height", scene.cylinders.front().height, own.cylinders.front().height);
-    }
+    const auto pixel = [](const DecimalScene& of) { return fmt::format("[{}, {}]", of.pixel.x, of.pixel.y); };
+    changes.add("window.pixel", pixel(scene), pixel(own));
+    reference::for_each_kind(
+        [&](reference::Subject kind, const auto& objects, const auto& own_objects) {
+            if (own_objects.empty()) return;
+            reference::for_each_field(
+                [&](std::string_view key, const auto& value, const auto& own_value) {
+                    changes.add(fmt::format("{}.{}", to_string(kind), key), value, own_value);
+                },
+                objects.front(), own_objects.front());
+        },
+        scene, own);
     // A string of JSON is one of TOML too.
     return fmt::format("[[student]]\nid = {}\n{}", nlohmann::json(student).dump(), std::move(changes).text());
 }

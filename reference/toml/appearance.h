@@ -4,11 +4,13 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "reference/numbers/vector.h"
+#include "reference/stages/items.h"
 
 namespace reference {
 
@@ -69,6 +71,9 @@ struct MeshFile {
     std::string place;  ///< for messages: file, line and key
 };
 
+/// The index of each object's material; objects beyond the end have none.
+using MaterialChoices = std::vector<std::optional<std::size_t>>;
+
 struct Appearance {
     std::vector<PointLight> point_lights;
     std::vector<DirectionalLight> directional_lights;
@@ -77,9 +82,7 @@ struct Appearance {
     Color background{0, 0, 0};
     int samples_per_pixel = 1;  ///< a square number: they form a grid in the pixel
     std::vector<Material> materials;
-    std::vector<std::optional<std::size_t>> sphere_materials;    ///< by sphere; spheres beyond the end have none
-    std::vector<std::optional<std::size_t>> triangle_materials;  ///< by triangle; triangles beyond the end have none
-    std::vector<std::optional<std::size_t>> cylinder_materials;  ///< by cylinder; cylinders beyond the end have none
+    std::map<Subject, MaterialChoices> object_materials;  ///< by kind of object
     std::vector<MeshFile> meshes;
 };
 

@@ -145,13 +145,9 @@ Appearance read_appearance(const TomlTable& root, const std::filesystem::path& p
     Appearance appearance;
     for (const TomlTable& light : root.tables("light")) read_light(light, appearance);
     const std::vector<std::string> names = read_materials(root, path.parent_path(), appearance);
-    for (const TomlTable& sphere : root.tables("sphere"))
-        appearance.sphere_materials.push_back(read_choice(sphere, names));
-    for (const TomlTable& triangle : root.tables("triangle")) {
-        appearance.triangle_materials.push_back(read_choice(triangle, names));
-    }
-    for (const TomlTable& cylinder : root.tables("cylinder")) {
-        appearance.cylinder_materials.push_back(read_choice(cylinder, names));
+    for (const Subject kind : objects) {
+        for (const TomlTable& object : root.tables(to_string(kind)))
+            appearance.object_materials[kind].push_back(read_choice(object, names));
     }
     for (const TomlTable& mesh : root.tables("mesh")) {
         mesh.allow_only({"file", "material"});

@@ -47,8 +47,11 @@ std::vector<LimitEntry> read_limits(const TomlTable& stages) {
 Assignment parse(std::string_view toml, const std::filesystem::path& path, PixelKey pixel) {
     const TomlDocument document(toml, path);
     const TomlTable root = document.root();
-    root.allow_only({"title", "camera", "window", "sphere", "triangle", "cylinder", "question", "rubric", "limits",
-                     "light", "material", "mesh", "render", "student", "variant"});
+    std::vector<std::string_view> keys{"title", "camera", "window"};
+    for (const Subject kind : objects) keys.push_back(to_string(kind));
+    keys.insert(keys.end(),
+                {"question", "rubric", "limits", "light", "material", "mesh", "render", "student", "variant"});
+    root.allow_only(keys);
     Assignment assignment;
     assignment.name = path.stem().string();
     assignment.title = root.has("title") ? root.string("title") : assignment.name;

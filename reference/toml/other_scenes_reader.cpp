@@ -33,31 +33,32 @@ void change_pixel(const TomlTable& table, Scene<Decimal>& scene) {
     scene.pixel = {whole(pixel[0], scene.window.width), whole(pixel[1], scene.window.height)};
 }
 
-void change_sphere(const TomlTable& variant, Scene<Decimal>& scene) {
-    if (scene.spheres.empty()) variant.fail("sphere", "is none of this scene's, which has no sphere to change");
-    const TomlTable table = variant.table("sphere");
-    table.allow_only({"center", "radius"});
-    if (table.has("center")) scene.spheres.front().center = vector_from(table.decimals("center", 3));
-    if (table.has("radius")) scene.spheres.front().radius = table.decimal("radius");
-}
+/// Changes those fields of an object that the table states.
+struct FieldChange {
+    const TomlTable& table;
 
-void change_triangle(const TomlTable& variant, Scene<Decimal>& scene) {
-    if (scene.triangles.empty()) variant.fail("triangle", "is none of this scene's, which has no triangle to change");
-    const TomlTable table = variant.table("triangle");
-    table.allow_only({"vertices"});
-    if (!table.has("vertices")) return;
-    const auto rows = table.decimal_rows("vertices", 3, 3);
-    scene.triangles.front() = {vector_from(rows[0]), vector_from(rows[1]), vector_from(rows[2])};
-}
+    void operator()(std::string_view key, Decimal& number) const {
+        if (table.has(key)) number = table.decimal(key);
+    }
+    void operator()(std::string_view key, Vec3<Decimal>& point) const {
+        if (table.has(key)) point = vector_from(table.decimals(key, 3));
+    }
+    void operator()(std::string_view key, const Vertices<Vec3<Decimal>>& vertices) const {
+        if (!table.has(key)) return;
+        const auto rows = table.decimal_rows(key, vertices.size(), 3);
+        for (std::size_t i = 0; i < vertices.size(); ++i) *vertices[i] = vector_from(rows[i]);
+    }
+};
 
-void change_cylinder(const TomlTable& variant, Scene<Decimal>& scene) {
-    if (scene.cylinders.empty()) variant.fail("cylinder", "is none of this scene's, which has no cylinder to change");
-    const TomlTable table = variant.table("cylinder");
-    table.allow_only({"center", "radius", "height"});
-    Cylinder<Decimal>& cylinder = scene.cylinders.front();
-    if (table.has("center")) cylinder.center = vector_from(table.decimals("center", 3));
-    if (table.has("radius")) cylinder.radius = table.decimal("radius");
-    if (table.has("height")) cylinder.height = table.decimal("height");
+/// Changes the first of the scene's objects of a kind, if the variant has a table of that name.
+template <class Object>
+void change_first(const TomlTable& variant, Subject kind, std::vector<Object>& of_scene) {
+    const std::string_view name = to_string(kind);
+    if (!variant.has(name)) return;
+    if (of_scene.empty()) variant.fail(name, fmt::format("is none of this scene's, which has no {} to change", name));
+    const TomlTable table = variant.table(name);
+    table.allow_only(field_names<Object>());
+    for_each_field(FieldChange{table}, of_scene.front());
 }
 
 /// Tells what is wrong with a changed scene at the key that makes it so. `named` is the key with the scene's name.
@@ -78,13 +79,13 @@ void change_cylinder(const TomlTable& variant, Scene<Decimal>& scene) {
 /// The scene with the changes that the table states. `named` is the table's key that holds `name`.
 Scene<Decimal> changed_scene(const TomlTable& table, std::string_view named, const std::string& name,
                              const Scene<Decimal>& scene, const std::filesystem::path& path) {
-    table.allow_only({named, "camera", "window", "sphere", "triangle", "cylinder"});
+    std::vector<std::string_view> keys{named, "camera", "window"};
+    for (const Subject kind : objects) keys.push_back(to_string(kind));
+    table.allow_only(keys);
     Scene<Decimal> changed = scene;
     if (table.has("camera")) change_camera(table.table("camera"), changed.camera);
     if (table.has("window")) change_pixel(table.table("window"), changed);
-    if (table.has("sphere")) change_sphere(table, changed);
-    if (table.has("triangle")) change_triangle(table, changed);
-    if (table.has("cylinder")) change_cylinder(table, changed);
+    for_each_kind([&](Subject kind, auto& of_scene) { change_first(table, kind, of_scene); }, changed);
     try {
         check_scene(changed, path);
     } catch (const AssignmentError& error) {

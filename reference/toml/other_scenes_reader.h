@@ -11,9 +11,9 @@
 namespace reference {
 
 /// Each table [[variant]] holds tables named like the scene's, with those keys that differ from `scene`: camera.eye,
-/// camera.lookat, camera.vup, window.pixel, sphere.center, sphere.radius, triangle.vertices, cylinder.center,
-/// cylinder.radius, cylinder.height (of the first of each), and may have a name. Throws AssignmentError for anything
-/// else, for a variant that changes nothing, and for a scene that can't be marked. `path` names the file.
+/// camera.lookat, camera.vup, window.pixel and the fields of the first object of each kind (sphere.center, …), and may
+/// have a name. Throws AssignmentError for anything else, for a variant that changes nothing, and for a scene that
+/// can't be marked. `path` names the file.
 std::vector<OtherScene> read_other_scenes(const TomlTable& root, const Scene<Decimal>& scene,
                                           const std::filesystem::path& path);
 

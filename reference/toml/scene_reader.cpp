@@ -102,46 +102,57 @@ Pixel read_pixel(const TomlTable& table, const Window<Decimal>& window) {
     return {inside(numbers[0], window.width, "x"), inside(numbers[1], window.height, "y")};
 }
 
-Sphere<Decimal> read_sphere(const TomlTable& table) {
-    table.allow_only({"center", "radius", "material"});
-    const Vec3<Decimal> center = read_vector(table, "center");
-    exact(table, "center", center);
-    return {center, read_positive(table, "radius", "a sphere has points on it")};
-}
+/// Reads the fields of an object from its table; `kind` names it in messages.
+struct FieldReader {
+    const TomlTable& table;
+    std::string_view kind;
 
-Triangle<Decimal> read_triangle(const TomlTable& table) {
-    table.allow_only({"vertices", "material"});
-    const std::vector<std::vector<Decimal>> rows = table.decimal_rows("vertices", 3, 3);
-    const auto vertex = [&](std::size_t i) { return Vec3<Decimal>(rows[i][0], rows[i][1], rows[i][2]); };
-    const Triangle<Decimal> triangle{vertex(0), vertex(1), vertex(2)};
-    const Vec3<Rational> A = exact(table, "vertices", triangle.A);
-    const Vec3<Rational> B = exact(table, "vertices", triangle.B);
-    const Vec3<Rational> C = exact(table, "vertices", triangle.C);
-    if (is_zero(exact_cross(difference(B, A), difference(C, A)))) {
-        table.fail("vertices", "lie on one line, so the triangle has no area and no normal; move one of them off it");
+    void operator()(std::string_view key, Decimal& number) const {
+        number = read_positive(table, key, fmt::format("a {} has points on it", kind));
     }
-    return triangle;
+    void operator()(std::string_view key, Vec3<Decimal>& point) const {
+        point = read_vector(table, key);
+        exact(table, key, point);
+    }
+    void operator()(std::string_view key, const Vertices<Vec3<Decimal>>& vertices) const {
+        const std::vector<std::vector<Decimal>> rows = table.decimal_rows(key, vertices.size(), 3);
+        std::vector<Vec3<Rational>> exact_vertices;
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            *vertices[i] = {rows[i][0], rows[i][1], rows[i][2]};
+            exact_vertices.push_back(exact(table, key, *vertices[i]));
+        }
+        const auto edge = [&](std::size_t i) { return difference(exact_vertices[i], exact_vertices[0]); };
+        if (!is_zero(exact_cross(edge(1), edge(2)))) return;
+        table.fail(key,
+                   fmt::format("lie on one line, so the {} has no area and no normal; move one of them off it", kind));
+    }
+};
+
+template <class Object>
+Object read_object(const TomlTable& table, std::string_view kind) {
+    std::vector<std::string_view> keys = field_names<Object>();
+    keys.emplace_back("material");
+    table.allow_only(keys);
+    Object object;
+    for_each_field(FieldReader{table, kind}, object);
+    return object;
 }
 
-Cylinder<Decimal> read_cylinder(const TomlTable& table) {
-    table.allow_only({"center", "radius", "height", "material"});
-    const Vec3<Decimal> center = read_vector(table, "center");
-    exact(table, "center", center);
-    return {center, read_positive(table, "radius", "a cylinder has points on it"),
-            read_positive(table, "height", "it reaches from cap to cap")};
+template <class Object>
+void read_objects(const TomlTable& root, Subject kind, std::vector<Object>& read) {
+    for (const TomlTable& table : root.tables(to_string(kind)))
+        read.push_back(read_object<Object>(table, to_string(kind)));
 }
 
 }  // namespace
 
 Scene<Decimal> read_scene(const TomlTable& root, std::vector<std::string>& notes, PixelKey pixel) {
     const TomlTable window = root.table("window");
-    Scene<Decimal> scene{read_camera(root.table("camera")), read_window(window, notes), {}, {}, {}};
+    Scene<Decimal> scene{read_camera(root.table("camera")), read_window(window, notes), {}};
     const bool reads_pixel = pixel == PixelKey::required || window.has("pixel");
     scene.pixel =
         reads_pixel ? read_pixel(window, scene.window) : Pixel{scene.window.width / 2, scene.window.height / 2};
-    for (const TomlTable& sphere : root.tables("sphere")) scene.spheres.push_back(read_sphere(sphere));
-    for (const TomlTable& triangle : root.tables("triangle")) scene.triangles.push_back(read_triangle(triangle));
-    for (const TomlTable& cylinder : root.tables("cylinder")) scene.cylinders.push_back(read_cylinder(cylinder));
+    for_each_kind([&](Subject kind, auto& read) { read_objects(root, kind, read); }, scene);
     return scene;
 }
 

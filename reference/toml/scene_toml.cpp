@@ -6,35 +6,40 @@
 #include "reference/toml/toml_table.h"
 
 namespace reference {
-namespace {
 
-std::string vector_text(const Vec3<Decimal>& p) {
+std::string toml_value(const Decimal& x) {
+    return std::string(x.text());
+}
+
+std::string toml_value(const Vec3<Decimal>& p) {
     return fmt::format("[{}, {}, {}]", p.x.text(), p.y.text(), p.z.text());
 }
 
-}  // namespace
+std::string toml_value(const Vertices<const Vec3<Decimal>>& vertices) {
+    return fmt::format("[{}, {}, {}]", toml_value(*vertices[0]), toml_value(*vertices[1]), toml_value(*vertices[2]));
+}
 
 std::string scene_toml(const Scene<Decimal>& scene) {
     const Camera<Decimal>& camera = scene.camera;
     const Window<Decimal>& window = scene.window;
-    std::string text = fmt::format("[camera]\neye = {}\nlookat = {}\nvup = {}\n", vector_text(camera.eye),
-                                   vector_text(camera.lookat), vector_text(camera.vup));
+    std::string text = fmt::format("[camera]\neye = {}\nlookat = {}\nvup = {}\n", toml_value(camera.eye),
+                                   toml_value(camera.lookat), toml_value(camera.vup));
     text += fmt::format("[window]\nclip_left = {}\nclip_right = {}\nclip_bottom = {}\nclip_top = {}\nclip_near = {}\n",
                         window.clip_left.text(), window.clip_right.text(), window.clip_bottom.text(),
                         window.clip_top.text(), window.clip_near.text());
     text += fmt::format("width = {}\nheight = {}\npixel = [{}, {}]\n", window.width, window.height, scene.pixel.x,
                         scene.pixel.y);
-    for (const Sphere<Decimal>& sphere : scene.spheres) {
-        text += fmt::format("[[sphere]]\ncenter = {}\nradius = {}\n", vector_text(sphere.center), sphere.radius.text());
-    }
-    for (const Triangle<Decimal>& triangle : scene.triangles) {
-        text += fmt::format("[[triangle]]\nvertices = [{}, {}, {}]\n", vector_text(triangle.A), vector_text(triangle.B),
-                            vector_text(triangle.C));
-    }
-    for (const Cylinder<Decimal>& cylinder : scene.cylinders) {
-        text += fmt::format("[[cylinder]]\ncenter = {}\nradius = {}\nheight = {}\n", vector_text(cylinder.center),
-                            cylinder.radius.text(), cylinder.height.text());
-    }
+    for_each_kind(
+        [&](Subject kind, const auto& objects_of_kind) {
+            for (const auto& object : objects_of_kind) {
+                text += fmt::format("[[{}]]\n", to_string(kind));
+                const auto write = [&](std::string_view key, const auto& field) {
+                    text += fmt::format("{} = {}\n", key, toml_value(field));
+                };
+                for_each_field(write, object);
+            }
+        },
+        scene);
     return text;
 }
 

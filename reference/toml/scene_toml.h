@@ -9,7 +9,12 @@
 
 namespace reference {
 
-/// The tables [camera], [window], [[sphere]] and [[triangle]].
+/// A field of a scene as a file states it: "2", "[0, 1, 0]", or three such points.
+std::string toml_value(const Decimal& x);
+std::string toml_value(const Vec3<Decimal>& p);
+std::string toml_value(const Vertices<const Vec3<Decimal>>& vertices);
+
+/// The tables [camera], [window], and one for each object.
 std::string scene_toml(const Scene<Decimal>& scene);
 
 /// Returns the scene if read_scene accepts it. Throws AssignmentError, in which `path` names the scene.

@@ -116,7 +116,7 @@ struct TomlTable::Impl {
     }
 };
 
-void TomlTable::allow_only(std::initializer_list<std::string_view> allowed) const {
+void TomlTable::allow_only(const std::vector<std::string_view>& allowed) const {
     for (const auto& [key, node] : *impl_->table) {
         if (std::find(allowed.begin(), allowed.end(), key.str()) != allowed.end()) continue;
         const std::vector<std::string> names(allowed.begin(), allowed.end());

@@ -20,7 +20,7 @@ class TomlDocument;
 class TomlTable {
   public:
     /// Refuses a key that is not in the list, so that a misspelt key is not silently ignored.
-    void allow_only(std::initializer_list<std::string_view> keys) const;
+    void allow_only(const std::vector<std::string_view>& keys) const;
 
     bool has(std::string_view key) const;
     bool is_table(std::string_view key) const;

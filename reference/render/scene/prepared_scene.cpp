@@ -8,7 +8,7 @@
 
 #include "reference/numbers/rational.h"
 #include "reference/render/scene/mesh_reader.h"
-#include "reference/stages/pipeline.h"
+#include "reference/stages/scene_answers.h"
 
 namespace reference::render {
 namespace {
@@ -153,11 +153,10 @@ bool is_twin(const Cylinder<double>& one, const Cylinder<double>& other) {
     return one.center == other.center && one.radius == other.radius && one.height == other.height;
 }
 
-/// `to` is a vector of `prepared`. `noun` names one object, for the note.
+/// `to` is a vector of `prepared`.
 template <class Object>
-void add_without_twins(const std::vector<Object>& objects, std::string_view noun,
-                       const std::vector<std::optional<std::size_t>>& materials, std::vector<Object>& to,
-                       PreparedScene& prepared) {
+void add_without_twins(const std::vector<Object>& objects, Subject kind, std::map<Subject, MaterialChoices>& materials,
+                       std::vector<Object>& to, PreparedScene& prepared) {
     std::size_t twins = 0;
     for (std::size_t i = 0; i < objects.size(); ++i) {
         const auto known = [&](const Object& other) { return is_twin(objects[i], other); };
@@ -166,11 +165,11 @@ void add_without_twins(const std::vector<Object>& objects, std::string_view noun
             continue;
         }
         to.push_back(objects[i]);
-        prepared.surface_of.push_back(surface_index(materials, i));
+        prepared.surface_of.push_back(surface_index(materials[kind], i));
     }
     if (twins > 0) {
-        prepared.notes.push_back(
-            fmt::format("{} {}{} left out: there is the same one before.", twins, noun, twins == 1 ? " is" : "s are"));
+        prepared.notes.push_back(fmt::format("{} {}{} left out: there is the same one before.", twins, to_string(kind),
+                                             twins == 1 ? " is" : "s are"));
     }
 }
 
@@ -219,9 +218,10 @@ PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureS
     prepared.eye = eye_of(scene, assignment.rubric.pixel_conventions.front(), side);
     prepared.boundary =
         assignment.rubric.boundary == BoundaryPolicy::positive ? Boundary::positive : Boundary::nonnegative;
-    add_without_twins(scene.spheres, "sphere", appearance.sphere_materials, prepared.spheres, prepared);
+    std::map<Subject, MaterialChoices> materials = appearance.object_materials;
+    add_without_twins(scene.spheres, Subject::sphere, materials, prepared.spheres, prepared);
     add_triangles(scene.triangles, "of the scene", prepared,
-                  [&](std::size_t i) { return surface_index(appearance.triangle_materials, i); });
+                  [&](std::size_t i) { return surface_index(materials[Subject::triangle], i); });
     for (const MeshFile& mesh : appearance.meshes) {
         add_triangles(load_mesh(mesh), "of " + mesh.path.filename().string(), prepared,
                       [&](std::size_t) { return surface_index(mesh.material); });
@@ -232,7 +232,7 @@ PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureS
     }
     prepared.sphere_count = static_cast<std::uint32_t>(prepared.spheres.size());
     prepared.first_cylinder = prepared.sphere_count + static_cast<std::uint32_t>(prepared.triangles.size());
-    add_without_twins(scene.cylinders, "cylinder", appearance.cylinder_materials, prepared.cylinders, prepared);
+    add_without_twins(scene.cylinders, Subject::cylinder, materials, prepared.cylinders, prepared);
     prepared.object_count = prepared.first_cylinder + static_cast<std::uint32_t>(prepared.cylinders.size());
     prepared.surfaces = surfaces_of(appearance, color_space);
     add_lights(appearance, prepared);

@@ -38,7 +38,7 @@ TEST(AppearanceReader, ReadsNothingFromASceneWithoutItsTables) {
     EXPECT_EQ(appearance.ambient_light, Color(0, 0, 0));
     EXPECT_EQ(appearance.background, Color(0, 0, 0));
     EXPECT_EQ(appearance.samples_per_pixel, 1);
-    EXPECT_EQ(appearance.sphere_materials.at(0), std::nullopt);
+    EXPECT_EQ(appearance.object_materials.at(Subject::sphere).at(0), std::nullopt);
 }
 
 TEST(AppearanceReader, ReadsEveryTable) {
@@ -66,10 +66,10 @@ TEST(AppearanceReader, ReadsEveryTable) {
     EXPECT_EQ(appearance.materials.at(1).refractive_index, 1.5);
     EXPECT_EQ(appearance.materials.at(1).reflectivity, 0.25);
     EXPECT_EQ(appearance.materials.at(1).transparency, 0.75);
-    EXPECT_EQ(appearance.sphere_materials.at(0), 1U);
-    EXPECT_EQ(appearance.triangle_materials.at(0), 0U);
-    EXPECT_EQ(appearance.cylinder_materials.at(0), std::nullopt);
-    EXPECT_EQ(appearance.cylinder_materials.at(1), 1U);
+    EXPECT_EQ(appearance.object_materials.at(Subject::sphere).at(0), 1U);
+    EXPECT_EQ(appearance.object_materials.at(Subject::triangle).at(0), 0U);
+    EXPECT_EQ(appearance.object_materials.at(Subject::cylinder).at(0), std::nullopt);
+    EXPECT_EQ(appearance.object_materials.at(Subject::cylinder).at(1), 1U);
     EXPECT_EQ(appearance.meshes.at(0).path, "folder/bunny.obj");
     EXPECT_EQ(appearance.meshes.at(0).material, 0U);
 }
