@@ -4,10 +4,9 @@
 
 #include <compare>
 #include <map>
-#include <optional>
 #include <utility>
-#include <vector>
 
+#include "reference/key/object_programs.h"
 #include "reference/numbers/interval.h"
 #include "reference/numbers/rational.h"
 #include "reference/stages/scene_answers.h"
@@ -17,20 +16,12 @@ namespace reference {
 /// What the exact decisions chose: the objects asked about, the root and the part. A program that decides otherwise is
 /// not covered by an allowance, but by the boundary policy and by follow-through from its own values.
 struct Branches {
-    std::size_t sphere_index = 0;
-    RootChoice root = RootChoice::miss;
-    std::size_t triangle_index = 0;
-    bool triangle_has_solution = false;  ///< det is not 0
-    std::size_t cylinder_index = 0;
-    CylinderPart cylinder_part = CylinderPart::miss;
-    std::optional<CylinderPart> rim_cap = {};  ///< the cap whose rim the ray hits
+    SphereBranch sphere = {};
+    TriangleBranch triangle = {};
+    CylinderBranch cylinder = {};
 
     friend auto operator<=>(const Branches&, const Branches&) = default;
 };
-
-/// Where correct programs' numbers for an item lie, by component; the whole line for each where a formulation has no
-/// bound for one: a divisor may be zero there, or a number may overflow.
-using ItemBounds = std::vector<Interval<double>>;
 
 /// The bounds of a scene's correct programs.
 class CorrectPrograms {

@@ -10,14 +10,14 @@ namespace reference {
 namespace {
 
 Branches branches_of(const SceneAnswers<Certified>& answers) {
-    Branches branches{answers.sphere.index, RootChoice::miss, answers.triangle.index, false};
-    branches.cylinder_index = answers.cylinder.index;
-    if (answers.sphere) branches.root = answers.sphere->choice;
-    if (answers.triangle) branches.triangle_has_solution = answers.triangle->t.has_value();
-    if (answers.cylinder) {
-        branches.cylinder_part = answers.cylinder->part;
-        branches.rim_cap = cap_at_rim(answers.cylinder->equations, answers.cylinder->part);
-    }
+    Branches branches;
+    for_each_asked(
+        [](Subject /*kind*/, const auto& asked, auto& branch) {
+            if (!asked) return;
+            branch = branch_of(*asked);
+            branch.index = asked.index;
+        },
+        answers, branches);
     return branches;
 }
 

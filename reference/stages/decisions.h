@@ -32,9 +32,11 @@ inline std::string_view first_decision(std::optional<Verdict> verdict) {
 template <class S>
 Decisions decisions_of(const SceneAnswers<S>& answers) {
     Decisions decisions;
-    for_each_asked(answers, [&](Subject kind, const auto& asked) {
-        if (asked) decisions.objects[kind] = decision(*asked);
-    });
+    for_each_asked(
+        [&](Subject kind, const auto& asked) {
+            if (asked) decisions.objects[kind] = decision(*asked);
+        },
+        answers);
     if (!decisions.objects.empty()) decisions.first = first_decision(answers.verdict);
     return decisions;
 }

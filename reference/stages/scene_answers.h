@@ -28,21 +28,32 @@ struct SceneAnswers {
     std::optional<Verdict> verdict = {};  ///< empty where it could not be told
 };
 
-/// Calls visit(kind, answers) for each kind of object, with the answers about the object asked about.
-template <class AnyAnswers, class Visit>
-void for_each_asked(AnyAnswers& answers, Visit visit) {
-    visit(Subject::sphere, answers.sphere);
-    visit(Subject::triangle, answers.triangle);
-    visit(Subject::cylinder, answers.cylinder);
+/// Calls visit(kind, asked...) for each kind of object, with what each of `holders` has about the object asked about:
+/// SceneAnswers, and what else has such a member for each kind.
+template <class Visit, class... Holders>
+void for_each_asked(const Visit& visit, Holders&... holders) {
+    visit(Subject::sphere, holders.sphere...);
+    visit(Subject::triangle, holders.triangle...);
+    visit(Subject::cylinder, holders.cylinder...);
+}
+
+/// Calls visit(kind, objects, asked...), with the scene's objects of that kind before what the holders have.
+template <class Visit, class S, class... Holders>
+void for_each_object_asked(const Visit& visit, const Scene<S>& scene, Holders&... holders) {
+    visit(Subject::sphere, scene.spheres, holders.sphere...);
+    visit(Subject::triangle, scene.triangles, holders.triangle...);
+    visit(Subject::cylinder, scene.cylinders, holders.cylinder...);
 }
 
 /// Which object of a kind the answers are about; 0 where the scene has none.
 template <class S>
 std::size_t asked_index(Subject kind, const SceneAnswers<S>& answers) {
     std::size_t index = 0;
-    for_each_asked(answers, [&](Subject each, const auto& asked) {
-        if (each == kind) index = asked.index;
-    });
+    for_each_asked(
+        [&](Subject each, const auto& asked) {
+            if (each == kind) index = asked.index;
+        },
+        answers);
     return index;
 }
 
@@ -75,26 +86,27 @@ template <class S>
 std::optional<Verdict> verdict_of(const SceneAnswers<S>& answers, Boundary boundary) {
     std::vector<HitObject<S>> hits;
     bool unsure = false;
-    for_each_asked(answers, [&](Subject kind, const auto& asked) {
-        if (!asked) return;
-        unsure = unsure || is_unsure(*asked);
-        if (const auto t = hit_parameter(*asked, boundary)) hits.push_back({kind, *t});
-    });
+    for_each_asked(
+        [&](Subject kind, const auto& asked) {
+            if (!asked) return;
+            unsure = unsure || is_unsure(*asked);
+            if (const auto t = hit_parameter(*asked, boundary)) hits.push_back({kind, *t});
+        },
+        answers);
     return unsure ? std::nullopt : nearest(hits);
 }
 
 template <class S>
 SceneAnswers<S> answer_scene(const Scene<S>& scene, PixelConvention convention, Boundary boundary) {
     SceneAnswers<S> answers{answer_camera(scene, convention)};
-    const auto ask = [&](const auto& objects_of_kind, auto& asked) {
-        for (std::size_t i = 0; i < objects_of_kind.size(); ++i) {
-            auto next = answer_object(answers.camera, objects_of_kind[i], boundary);
-            if (!asked || is_hit_before(next, *asked, boundary)) asked = {std::move(next), i};
-        }
-    };
-    ask(scene.spheres, answers.sphere);
-    ask(scene.triangles, answers.triangle);
-    ask(scene.cylinders, answers.cylinder);
+    for_each_object_asked(
+        [&](Subject /*kind*/, const auto& of_scene, auto& asked) {
+            for (std::size_t i = 0; i < of_scene.size(); ++i) {
+                auto next = answer_object(answers.camera, of_scene[i], boundary);
+                if (!asked || is_hit_before(next, *asked, boundary)) asked = {std::move(next), i};
+            }
+        },
+        scene, answers);
     answers.verdict = verdict_of(answers, boundary);
     return answers;
 }
@@ -105,11 +117,13 @@ ItemValues<S> values_of(const SceneAnswers<S>& answers, Boundary boundary) {
     ItemValues<S> values;
     add_values(answers.camera, values);
     int kinds = 0;
-    for_each_asked(answers, [&](Subject /*kind*/, const auto& asked) {
-        if (!asked) return;
-        add_values(*asked, boundary, values);
-        ++kinds;
-    });
+    for_each_asked(
+        [&](Subject /*kind*/, const auto& asked) {
+            if (!asked) return;
+            add_values(*asked, boundary, values);
+            ++kinds;
+        },
+        answers);
     // With one kind of object nothing is to be compared.
     if (kinds > 1 && answers.verdict) values[item::verdict] = *answers.verdict;
     return values;
