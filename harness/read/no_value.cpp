@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "reference/stages/items.h"
+
 namespace harness {
 namespace {
 
@@ -20,8 +22,13 @@ constexpr const char* after_label =
 constexpr const char* without_label =
     R"((?i)^\s*[(<"'\[*]*\s*((?:none|no (?:(?:real|positive|valid|such|true) )*(?:hit|intersection|solution|root|normal|t\b)|not? hit|n/a\b|(?:the )?ray (?:misses|does not hit|doesn't hit)|there is no (?:hit|intersection)|miss(?:es|ed)?\b).*)$)";
 
-constexpr const char* within_sentence =
-    R"((?i)(\b(?:no (?:real|positive) (?:root|solution|value)s?\b|(?:ray|it) (?:misses|does not (?:hit|intersect|meet)|doesn't (?:hit|intersect|meet)|never (?:hits|intersects|meets))|no (?:hit|intersection)\b|(?:not|never) (?:hit|intersected|met)\b|(?:passes|goes) (?:by |past |over |above |below |under |beside )?(?:the )?(?:sphere|triangle|cylinder)|(?:hits?|intersects?|intersection)\s*[:=?]\s*(?:false|no)\b).*)$)";
+std::string within_sentence() {
+    std::string names;
+    for (const reference::Subject object : reference::objects)
+        names += (names.empty() ? "" : "|") + std::string(to_string(object));
+    return R"((?i)(\b(?:no (?:real|positive) (?:root|solution|value)s?\b|(?:ray|it) (?:misses|does not (?:hit|intersect|meet)|doesn't (?:hit|intersect|meet)|never (?:hits|intersects|meets))|no (?:hit|intersection)\b|(?:not|never) (?:hit|intersected|met)\b|(?:passes|goes) (?:by |past |over |above |below |under |beside )?(?:the )?(?:)" +
+           names + R"()|(?:hits?|intersects?|intersection)\s*[:=?]\s*(?:false|no)\b).*)$)";
+}
 
 // The discriminant and what it says: "d = -91 < 0, so no intersection".
 constexpr const char* after_discriminant =
@@ -42,7 +49,7 @@ PrintedValue no_value(re2::StringPiece label, re2::StringPiece words) {
 
 std::optional<PrintedValue> read_no_value(std::string_view line) {
     static const RE2 separated(after_separator), alone(after_label), unlabelled(without_label),
-        sentence(within_sentence);
+        sentence(within_sentence());
     static const RE2 conditional(R"((?i)\bif\b|\?|\bwhether\b|\bwhen\b)");
     const std::string_view start = line.substr(0, longest);
     const re2::StringPiece piece(start.data(), start.size());

@@ -9,7 +9,7 @@
 namespace harness {
 
 /// Reads words that say that there is no value, and the label before them if there is one: "t: none", "t is none",
-/// "N -> (not defined)", "the cylinder is not hit".
+/// "N -> (not defined)", "it is not hit".
 std::optional<PrintedValue> read_no_value(std::string_view line);
 
 /// Reads what a line with a discriminant says of the hit: "d = -91 < 0, so no intersection".

@@ -23,6 +23,14 @@ enum class Subject { camera, sphere, triangle, cylinder, first_hit };
 /// The kinds of object that a ray may hit, in the order of the tables.
 inline constexpr Subject objects[] = {Subject::sphere, Subject::triangle, Subject::cylinder};
 
+/// Calls visit.operator()<kind>() for each of them, for what is defined object by object.
+template <class Visit>
+void for_each_object(const Visit& visit) {
+    visit.template operator()<Subject::sphere>();
+    visit.template operator()<Subject::triangle>();
+    visit.template operator()<Subject::cylinder>();
+}
+
 /// "camera", "sphere", …, as assignments name it.
 std::string_view to_string(Subject subject);
 

@@ -74,9 +74,7 @@ std::vector<HitValues> possible_hits(const ItemTargets& float_key, const Interva
 
 bool is_close_call(const MatchedItem& printed, const Evidence& evidence, double allowance) {
     const ItemId id = printed.spec.id;
-    const bool may_hang_on_rounding =
-        id == item::sphere::t || id == item::triangle::hit || id == item::cylinder::t || id == item::cylinder::normal;
-    if (!may_hang_on_rounding) return false;
+    if (std::ranges::find(close_call_items(), id) == close_call_items().end()) return false;
     const auto may_be = [&](const ItemTargets& known, QuadraticForm form) {
         return is_one_of(printed, results_of(id, known, evidence.scene, form), evidence, allowance).has_value();
     };

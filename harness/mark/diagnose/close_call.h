@@ -9,11 +9,11 @@
 
 namespace harness {
 
-/// Whether a correct program may print this for the sphere's or the cylinder's t or the triangle's hit point, which do
-/// not exist if the ray misses, or for the cylinder's normal, which is another on each side of a rim, and the student's
-/// own right values leave it open too. Always false for other items. A miss of the sphere needs no more than a
-/// discriminant that may be negative in float. If the ray meets the triangle's plane outside the triangle, the point
-/// may be printed or left out ("no hit"): both are right.
+/// Whether a correct program may print this for one of close_call_items(), e.g. a t or a hit point, which do not exist
+/// if the ray misses, or a normal, which is another on each side of a rim, and the student's own right values leave it
+/// open too. Always false for other items. A miss of the sphere needs no more than a discriminant that may be negative
+/// in float. If the ray meets the triangle's plane outside the triangle, the point may be printed or left out ("no
+/// hit"): both are right.
 bool is_close_call(const MatchedItem& printed, const Evidence& evidence, double allowance);
 
 /// Whether the printed value follows from close calls that went the other way. All of the student's values that it

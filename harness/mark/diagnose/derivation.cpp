@@ -4,12 +4,26 @@
 
 namespace harness {
 
+using reference::Subject;
+
 std::span<const Derivation> all_derivations() {
     static const std::vector<Derivation> table = [] {
-        std::vector<Derivation> all;
-        for (const auto* more : {&derivations::of_camera(), &derivations::of_sphere(), &derivations::of_triangle(),
-                                 &derivations::of_cylinder()})
-            all.insert(all.end(), more->begin(), more->end());
+        std::vector<Derivation> all = derivations::of<Subject::camera>();
+        reference::for_each_object([&]<Subject object>() {
+            const std::vector<Derivation>& more = derivations::of<object>();
+            all.insert(all.end(), more.begin(), more.end());
+        });
+        return all;
+    }();
+    return table;
+}
+
+std::span<const ItemId> close_call_items() {
+    static const std::vector<ItemId> table = [] {
+        std::vector<ItemId> all;
+        reference::for_each_object([&]<Subject object>() {
+            for (const ItemId& id : derivations::close_calls_of<object>()) all.push_back(id);
+        });
         return all;
     }();
     return table;

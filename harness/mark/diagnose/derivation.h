@@ -22,4 +22,7 @@ struct Derivation {
 
 std::span<const Derivation> all_derivations();
 
+/// The items that rounding may decide in a correct program (see close_call.h).
+std::span<const ItemId> close_call_items();
+
 }  // namespace harness

@@ -11,14 +11,18 @@
 
 namespace harness::derivations {
 
+using reference::Subject;
 using Targets = std::vector<Target>;
 using Form = QuadraticForm;
 using Vec = reference::Vec3<Interval>;
 
-const std::vector<Derivation>& of_camera();
-const std::vector<Derivation>& of_sphere();
-const std::vector<Derivation>& of_triangle();
-const std::vector<Derivation>& of_cylinder();
+/// The derivations of a part of the scene; each part's file defines its own.
+template <Subject part>
+const std::vector<Derivation>& of();
+
+/// The object's items that rounding may decide in a correct program (see close_call.h).
+template <Subject object>
+std::vector<ItemId> close_calls_of();
 
 /// compute(inputs...); empty if an input is missing.
 template <class... Inputs>

@@ -70,7 +70,8 @@ Targets v_from_p(const ItemTargets& known, const IntervalScene& scene, Form) {
 
 }  // namespace
 
-const std::vector<Derivation>& derivations::of_camera() {
+template <>
+const std::vector<Derivation>& derivations::of<Subject::camera>() {
     static const std::vector<Derivation> table = {
         {item::X_vcs, {item::Z_vcs}, x_from_z},
         {item::Y_vcs, {item::Z_vcs, item::X_vcs}, y_from_z_x},

@@ -145,7 +145,8 @@ Targets normal_from_hit(const ItemTargets& known, const IntervalScene& scene, Fo
 
 }  // namespace
 
-const std::vector<Derivation>& derivations::of_cylinder() {
+template <>
+const std::vector<Derivation>& derivations::of<Subject::cylinder>() {
     using namespace item::cylinder;
     static const std::vector<Derivation> table = {
         {a, {item::V}, coefficient<&Quadratic<Interval>::a>},
@@ -158,6 +159,11 @@ const std::vector<Derivation>& derivations::of_cylinder() {
         {normal, {hit}, normal_from_hit},
     };
     return table;
+}
+
+template <>
+std::vector<ItemId> derivations::close_calls_of<Subject::cylinder>() {
+    return {item::cylinder::t, item::cylinder::normal};
 }
 
 }  // namespace harness

@@ -53,7 +53,8 @@ Targets sphere_normal_from_hit(const ItemTargets& known, const IntervalScene& sc
 
 }  // namespace
 
-const std::vector<Derivation>& derivations::of_sphere() {
+template <>
+const std::vector<Derivation>& derivations::of<Subject::sphere>() {
     static const std::vector<Derivation> table = {
         {item::sphere::a, {item::V}, coefficient<&Quadratic<Interval>::a>},
         {item::sphere::b, {item::P_WCS, item::V}, coefficient<&Quadratic<Interval>::b>},
@@ -65,6 +66,11 @@ const std::vector<Derivation>& derivations::of_sphere() {
         {item::sphere::normal, {item::sphere::hit}, sphere_normal_from_hit},
     };
     return table;
+}
+
+template <>
+std::vector<ItemId> derivations::close_calls_of<Subject::sphere>() {
+    return {item::sphere::t};
 }
 
 }  // namespace harness

@@ -70,7 +70,8 @@ using Solved = reference::CramerSolution<Interval>;
 
 }  // namespace
 
-const std::vector<Derivation>& derivations::of_triangle() {
+template <>
+const std::vector<Derivation>& derivations::of<Subject::triangle>() {
     static const std::vector<Derivation> table = {
         {item::triangle::matrix, {item::V}, matrix_from_v},
         {item::triangle::rhs, {item::P_WCS}, rhs_from_p},
@@ -86,6 +87,11 @@ const std::vector<Derivation>& derivations::of_triangle() {
         {item::triangle::hit, {item::triangle::u, item::triangle::v}, triangle_point_from_uv},
     };
     return table;
+}
+
+template <>
+std::vector<ItemId> derivations::close_calls_of<Subject::triangle>() {
+    return {item::triangle::hit};
 }
 
 }  // namespace harness

@@ -8,13 +8,13 @@
 
 namespace harness::mistakes {
 
+using reference::Subject;
 using Targets = std::vector<Target>;
 using Vec = reference::Vec3<Interval>;
 
-const std::vector<Mistake>& of_camera();
-const std::vector<Mistake>& of_sphere();
-const std::vector<Mistake>& of_triangle();
-const std::vector<Mistake>& of_cylinder();
+/// The mistakes of a part of the scene; each part's file defines its own.
+template <Subject part>
+const std::vector<Mistake>& of();
 
 /// compute(inputs...); empty if an input is missing.
 template <class... Inputs>

@@ -39,9 +39,11 @@ std::optional<Agreement> explains(const Mistake& mistake, const MatchedItem& pri
 
 std::span<const Mistake> all_mistakes() {
     static const std::vector<Mistake> table = [] {
-        std::vector<Mistake> all = mistakes::of_camera();
-        for (const auto* more : {&mistakes::of_sphere(), &mistakes::of_triangle(), &mistakes::of_cylinder()})
-            all.insert(all.end(), more->begin(), more->end());
+        std::vector<Mistake> all = mistakes::of<reference::Subject::camera>();
+        reference::for_each_object([&]<reference::Subject object>() {
+            const std::vector<Mistake>& more = mistakes::of<object>();
+            all.insert(all.end(), more.begin(), more.end());
+        });
         return all;
     }();
     return table;

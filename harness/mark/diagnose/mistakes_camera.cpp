@@ -183,7 +183,8 @@ Targets v_to_lookat(const ItemTargets&, const IntervalScene& scene) {
 
 }  // namespace
 
-const std::vector<Mistake>& mistakes::of_camera() {
+template <>
+const std::vector<Mistake>& mistakes::of<Subject::camera>() {
     static const std::vector<Mistake> table = {
         {"positive z", "The camera looks along -z: the image plane lies at z = -clipNear.", P_VCS, positive_z},
         {"integer division",

@@ -326,7 +326,8 @@ constexpr std::string_view subtract_center = "The cylinder's center must be subt
 
 }  // namespace
 
-const std::vector<Mistake>& mistakes::of_cylinder() {
+template <>
+const std::vector<Mistake>& mistakes::of<Subject::cylinder>() {
     static const std::vector<Mistake> table = {
         {"y in the tube's equation", no_y, a, coefficient_with_y<&Quadratic::a>},
         {"y in the tube's equation", no_y, b, coefficient_with_y<&Quadratic::b>},

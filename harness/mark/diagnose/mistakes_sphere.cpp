@@ -149,7 +149,8 @@ constexpr std::string_view subtract_center = "The sphere's center must be subtra
 
 }  // namespace
 
-const std::vector<Mistake>& mistakes::of_sphere() {
+template <>
+const std::vector<Mistake>& mistakes::of<Subject::sphere>() {
     static const std::vector<Mistake> table = {
         {"ray starts at the eye", starts_at_eye, b, b_from_eye},
         {"factor 2 missing", "The coefficient of t is twice the dot product.", b, b_times<1>},

@@ -107,7 +107,8 @@ constexpr std::string_view divide_by_det = "Cramer's rule divides by the determi
 
 }  // namespace
 
-const std::vector<Mistake>& mistakes::of_triangle() {
+template <>
+const std::vector<Mistake>& mistakes::of<Subject::triangle>() {
     static const std::vector<Mistake> table = {
         {"V not negated", "Brought to the side of u and v, V changes its sign.", matrix, v_not_negated},
         {"edges the wrong way round", "The columns for u and v are B - A and C - A.", matrix, edges_reversed},

@@ -65,7 +65,10 @@ Gatherer::Gatherer(const std::vector<MatchedItem>& matched, const reference::Ans
     }
     evidence_.scene = real_scene(assignment, key.canonical);
     evidence_.min_decimals = rubric_.min_decimals;
-    for (const reference::Subject object : {reference::Subject::sphere, reference::Subject::cylinder}) {
+    for (const reference::Subject object : reference::objects) {
+        const bool has_quadratic =
+            std::ranges::count(reference::known_items(), ItemId{object, "d"}, &reference::Item::id) > 0;
+        if (!has_quadratic) continue;
         const PrintedQuadratic printed{object, readable(matched_, {object, "a"}), readable(matched_, {object, "b"}),
                                        readable(matched_, {object, "c"}), readable(matched_, {object, "d"})};
         evidence_.quadratics[object] = find_quadratic_scale(printed, evidence_.conventions, rubric_.min_decimals);
