@@ -105,16 +105,16 @@ Rosters read_given_rosters(const RosterOptions& options) {
     return rosters;
 }
 
-void read_kept_rosters(Rosters& rosters, const RosterOptions& options, const Gradebook& gradebook,
-                       const fs::path& results) {
+void read_kept_rosters(Rosters& rosters, const RosterOptions& options, const reference::Rubric& rubric,
+                       const Gradebook& gradebook, const fs::path& results) {
     rosters.canvas = read_given_or_kept(rosters.canvas_given, options.canvas_roster, canvas_roster_input, gradebook,
                                         results, read_roster);
     rosters.moodle = read_given_or_kept(rosters.moodle_given, options.moodle_worksheet, moodle_worksheet_input,
                                         gradebook, results, read_worksheet);
     rosters.late_days =
         read_given_or_kept(rosters.late_given, options.late_days, late_days_input, gradebook, results,
-                           [](const std::optional<KeptInput>& input) {
-                               return input ? report::read_late_days(input->content) : report::LateDays();
+                           [&](const std::optional<KeptInput>& input) {
+                               return input ? report::read_late_days(input->content, rubric.due) : report::LateDays();
                            });
 }
 

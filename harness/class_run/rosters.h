@@ -44,8 +44,8 @@ Rosters read_given_rosters(const RosterOptions& options);
 
 /// Fills in `canvas`, `moodle` and `late_days`: from what was given, else from what earlier runs kept in the gradebook
 /// of the folder `results`. Throws UsageError.
-void read_kept_rosters(Rosters& rosters, const RosterOptions& options, const Gradebook& gradebook,
-                       const std::filesystem::path& results);
+void read_kept_rosters(Rosters& rosters, const RosterOptions& options, const reference::Rubric& rubric,
+                       const Gradebook& gradebook, const std::filesystem::path& results);
 
 /// Throws UsageError if a roster that was given now has hardly any of three or more submissions in it: it is another
 /// class's, or intake did not understand the names.

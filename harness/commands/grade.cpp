@@ -177,7 +177,7 @@ int grade_class(const GradeOptions& options) {
     if (holds == Holds::nothing || options.apply) make_results_folder(options.out, "feedback");
     const FolderLock lock(options.out);
     ResultsSession session = open_session(options.out, holds, options.apply);
-    read_kept_rosters(inputs.rosters, options.rosters, session.gradebook, options.out);
+    read_kept_rosters(inputs.rosters, options.rosters, inputs.assignment.rubric, session.gradebook, options.out);
     require_matches(inputs.rosters, options.rosters, inputs.submissions);
     name_by_rosters(inputs.rosters, inputs.submissions);
     if (options.other_scenes.count > 0 || options.stress) {
@@ -214,8 +214,9 @@ int grade_class(const GradeOptions& options) {
 void add_rosters(CLI::App& command, GradeOptions& options) {
     command
         .add_option("--late-days", options.rosters.late_days,
-                    "Who handed in how late: a CSV file with the columns id, days_late and, for extensions, "
-                    "extension_days; the rubric's schedule says what that costs. Kept for later runs")
+                    "Who handed in how late: a CSV file with the columns id, days_late or handed_in (a date with a "
+                    "time) and, for extensions, extension_days; the rubric's schedule says what that costs. Kept for "
+                    "later runs")
         ->type_name("FILE");
     command
         .add_option("--canvas-roster", options.rosters.canvas_roster,

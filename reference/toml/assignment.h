@@ -14,6 +14,7 @@
 #include "reference/stages/items.h"
 #include "reference/stages/scene.h"
 #include "reference/toml/appearance.h"
+#include "reference/toml/moment.h"
 
 namespace reference {
 
@@ -57,6 +58,8 @@ struct Rubric {
     double follow_through_cap = 1.0;
     /// What late hand-ins lose, by days; `late_deduction` of the file is one step for every late hand-in.
     std::vector<LateStep> late;
+    /// When the assignment is due, for hand-ins of which a moment is known.
+    std::optional<Moment> due;
     /// So much later is still on time.
     int grace_minutes = 0;
     /// Points for answers on other scenes (`grade --variants`), in addition to those of the questions; 0 for none.

@@ -93,6 +93,15 @@ void read_mistakes(const TomlTable& table, Rubric& rubric) {
     }
 }
 
+Moment read_due(const TomlTable& table) {
+    const std::optional<Moment> due = parse_moment(table.moment_text("due"));
+    if (!due)
+        table.fail("due",
+                   "is no date with a time; write \"2026-11-05 23:59\", or \"2026-11-05 23:59+01:00\" with a time "
+                   "zone");
+    return *due;
+}
+
 std::vector<LateStep> read_late(const TomlTable& table) {
     if (table.has("late_deduction")) {
         if (table.has("late")) table.fail("late_deduction", "is there beside late; keep one of the two");
@@ -131,7 +140,7 @@ Rubric read_rubric(const TomlTable& root, const ReadQuestions& asked) {
     rubric.item_points = asked.item_points;
     if (!root.has("rubric")) return rubric;
     const TomlTable table = root.table("rubric");
-    table.allow_only({"pixel_conventions", "boundary", "feedback", "follow_through", "follow_through_cap",
+    table.allow_only({"pixel_conventions", "boundary", "due", "feedback", "follow_through", "follow_through_cap",
                       "grace_minutes", "late", "late_deduction", "min_decimals", "mistakes", "points", "show_expected",
                       "tolerance", "variant_points", "wrong_scene_credit"});
     if (table.has("pixel_conventions")) {
@@ -155,6 +164,7 @@ Rubric read_rubric(const TomlTable& root, const ReadQuestions& asked) {
     if (table.has("follow_through_cap")) rubric.follow_through_cap = read_amount(table, "follow_through_cap", 0, 1);
     if (table.has("wrong_scene_credit")) rubric.wrong_scene_credit = read_amount(table, "wrong_scene_credit", 0, 1);
     rubric.late = read_late(table);
+    if (table.has("due")) rubric.due = read_due(table);
     if (table.has("grace_minutes")) rubric.grace_minutes = table.integer("grace_minutes", 0, 7 * 24 * 60);
     if (table.has("variant_points")) rubric.other_scene_points = read_amount(table, "variant_points", 0, most_points);
     if (table.has("min_decimals")) rubric.min_decimals = table.integer("min_decimals", 0, 9);

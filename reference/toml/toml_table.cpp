@@ -18,6 +18,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "reference/toml/assignment.h"
 #include "reference/toml/near_names.h"
@@ -164,6 +165,14 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
 
 std::string TomlTable::string(std::string_view key) const {
     return impl_->string(impl_->required(key), key);
+}
+
+std::string TomlTable::moment_text(std::string_view key) const {
+    const toml::node& node = impl_->required(key);
+    if (!node.is_date_time()) return impl_->string(node, key);
+    std::ostringstream text;
+    text << node.as_date_time()->get();
+    return text.str();
 }
 
 std::vector<std::string> TomlTable::strings(std::string_view key) const {

@@ -30,6 +30,8 @@ class TomlTable {
     /// The tables of [[key]], in the file's order; none when the key is absent.
     std::vector<TomlTable> tables(std::string_view key) const;
     std::string string(std::string_view key) const;
+    /// A text, or the text of one of TOML's own dates with times.
+    std::string moment_text(std::string_view key) const;
     std::vector<std::string> strings(std::string_view key) const;
     Decimal decimal(std::string_view key) const;
     std::vector<Decimal> decimals(std::string_view key, std::size_t count) const;

@@ -16,20 +16,40 @@ double read_days(const Row& row, std::optional<std::size_t> column, std::string_
     return *days;
 }
 
+/// The days from `due` to the moment in a cell. Throws RosterError.
+double days_after(const reference::Moment& due, const std::string& cell, std::size_t line) {
+    const std::optional<reference::Moment> moment = reference::parse_moment(cell);
+    if (!moment)
+        throw RosterError(fmt::format("line {}: handed_in is no date with a time, such as 2026-11-05 23:59", line));
+    if (moment->has_zone != due.has_zone)
+        throw RosterError(fmt::format("line {}: handed_in {} a time zone, and due of [rubric] {}; state both alike",
+                                      line, moment->has_zone ? "has" : "has not",
+                                      due.has_zone ? "has one" : "has none"));
+    constexpr double minutes_a_day = 24 * 60;
+    return static_cast<double>(moment->minutes - due.minutes) / minutes_a_day;
+}
+
 }  // namespace
 
-LateDays read_late_days(std::string_view csv) {
+LateDays read_late_days(std::string_view csv, const std::optional<reference::Moment>& due) {
     const std::vector<Row> rows = parse_csv(csv, separator_of(csv));
     const Row header = rows.empty() ? Row() : rows.front();
     const auto id = column_of(header, "id"), late = column_of(header, "days_late");
-    const auto extension = column_of(header, "extension_days");
-    if (!id || !late)
-        throw RosterError("has no columns id and days_late in its first line; there may also be extension_days");
+    const auto handed_in = column_of(header, "handed_in"), extension = column_of(header, "extension_days");
+    if (!id || late.has_value() == handed_in.has_value())
+        throw RosterError(
+            "has no columns id and days_late, or id and handed_in, in its first line; there may also be "
+            "extension_days");
+    if (handed_in && !due)
+        throw RosterError(
+            "says when students handed in, and the assignment does not say when it was due: add due to its "
+            "[rubric]");
     LateDays days;
     for (std::size_t i = 1; i < rows.size(); ++i) {
         const std::string who = cell_of(rows[i], id);
         if (who.empty()) throw RosterError(fmt::format("line {}: names no submission in its column id", i + 1));
-        double late_days = read_days(rows[i], late, "days_late", i + 1);
+        double late_days =
+            late ? read_days(rows[i], late, "days_late", i + 1) : days_after(*due, cell_of(rows[i], handed_in), i + 1);
         if (!cell_of(rows[i], extension).empty()) late_days -= read_days(rows[i], extension, "extension_days", i + 1);
         if (!days.emplace(who, late_days).second)
             throw RosterError(fmt::format("line {}: {} stands twice", i + 1, who));

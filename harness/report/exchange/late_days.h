@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,9 +19,10 @@ constexpr const char* late_without_date = "late_without_date";
 /// that is on time after all.
 using LateDays = std::map<std::string, double>;
 
-/// Reads a CSV file with the columns id, days_late and, if there are any, extension_days. Days may be fractions: 0.5 is
-/// twelve hours. Throws RosterError, which names the line.
-LateDays read_late_days(std::string_view csv);
+/// Reads a CSV file with the columns id, days_late or handed_in and, if there are any, extension_days. Days may be
+/// fractions: 0.5 is twelve hours. handed_in is a date with a time and counts from `due`. Throws RosterError, which
+/// names the line.
+LateDays read_late_days(std::string_view csv, const std::optional<reference::Moment>& due);
 
 /// The share of its points that a hand-in loses: started days count, after the rubric's grace.
 double late_share(const reference::Rubric& rubric, double days);

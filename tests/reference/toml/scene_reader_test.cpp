@@ -123,6 +123,18 @@ TEST(SceneReader, ReadsALateSchedule) {
     EXPECT_THAT(refused("[[1, 0.1]]\nlate_deduction = 0.1"), testing::HasSubstr("keep one of the two"));
 }
 
+TEST(RubricReader, ReadsWhenTheAssignmentIsDue) {
+    const auto due = [](const std::string& value) {
+        return read(with("[rubric]\n", "[rubric]\ndue = " + value + "\n")).rubric.due.value().minutes;
+    };
+    EXPECT_EQ(due("\"1970-01-01 01:00\""), 60);
+    EXPECT_EQ(due("1970-01-01T01:00:00"), 60) << "a date of TOML";
+    EXPECT_EQ(due("1970-01-01T01:00:00+01:00"), 0);
+    EXPECT_THAT(complaint("[rubric]\n", "[rubric]\ndue = \"tomorrow\"\n"),
+                AllOf(HasSubstr("rubric.due"), HasSubstr("is no date with a time; write")));
+    EXPECT_THAT(complaint("[rubric]\n", "[rubric]\ndue = 5\n"), HasSubstr("rubric.due"));
+}
+
 TEST(SceneReader, NamesTheKeyThatAMisspeltOneResembles) {
     EXPECT_THAT(complaint("radius = 2", "radios = 2"), says("16: sphere[1].radios", "did you mean radius?"));
     EXPECT_THAT(complaint("center = [1, 1, 0]", "centre = [1, 1, 0]"),

@@ -11,9 +11,9 @@ using testing::IsEmpty;
 using testing::Pair;
 using testing::UnorderedElementsAre;
 
-std::string error_of(std::string_view csv) {
+std::string error_of(std::string_view csv, const std::optional<reference::Moment>& due = {}) {
     try {
-        read_late_days(csv);
+        read_late_days(csv, due);
     } catch (const RosterError& error) {
         return error.what();
     }
@@ -21,10 +21,30 @@ std::string error_of(std::string_view csv) {
 }
 
 TEST(LateDays, AreReadWithExtensions) {
-    EXPECT_THAT(read_late_days("id,days_late,extension_days\nada,2,\nben,3,2\n\ncy,0.5,1\n"),
+    EXPECT_THAT(read_late_days("id,days_late,extension_days\nada,2,\nben,3,2\n\ncy,0.5,1\n", {}),
                 UnorderedElementsAre(Pair("ada", 2), Pair("ben", 1), Pair("cy", -0.5)));
-    EXPECT_THAT(read_late_days("days_late,id\n1,ada\n"), UnorderedElementsAre(Pair("ada", 1)));
-    EXPECT_THAT(read_late_days("\xef\xbb\xbfid;days_late\r\nada;0,5\r\n"), UnorderedElementsAre(Pair("ada", 0.5)));
+    EXPECT_THAT(read_late_days("days_late,id\n1,ada\n", {}), UnorderedElementsAre(Pair("ada", 1)));
+    EXPECT_THAT(read_late_days("\xef\xbb\xbfid;days_late\r\nada;0,5\r\n", {}), UnorderedElementsAre(Pair("ada", 0.5)));
+}
+
+TEST(LateDays, CountFromTheMomentTheAssignmentIsDue) {
+    const auto due = reference::parse_moment("2026-02-28 23:59");
+    EXPECT_THAT(read_late_days("id,handed_in\nada,2026-03-01 23:59\nben,2026-02-28T11:59:30\n", due),
+                UnorderedElementsAre(Pair("ada", 1), Pair("ben", -0.5)));
+    EXPECT_THAT(read_late_days("id,handed_in,extension_days\nada,2026-03-01 11:59,1\n", due),
+                UnorderedElementsAre(Pair("ada", -0.5)));
+    EXPECT_THAT(read_late_days("id,handed_in\nada,2026-03-01T00:59+01:00\nben,2026-03-01T11:59:00.123Z\n",
+                               reference::parse_moment("2026-02-28T23:59Z")),
+                UnorderedElementsAre(Pair("ada", 0), Pair("ben", 0.5)));
+}
+
+TEST(LateDays, RefuseAMomentThatCountsFromNothing) {
+    const auto due = reference::parse_moment("2026-02-28 23:59");
+    EXPECT_THAT(error_of("id,handed_in\nada,2026-03-01 23:59\n"), HasSubstr("add due to its [rubric]"));
+    EXPECT_THAT(error_of("id,handed_in\nada,yesterday\n", due), HasSubstr("line 2: handed_in is no date with a time"));
+    EXPECT_THAT(error_of("id,handed_in\nada,2026-03-01 23:59Z\n", due),
+                HasSubstr("line 2: handed_in has a time zone, and due of [rubric] has none"));
+    EXPECT_THAT(error_of("id,handed_in,days_late\nada,2026-03-01 23:59,1\n", due), HasSubstr("no columns id and"));
 }
 
 TEST(LateDays, RefuseWhatTheyCannotRead) {

@@ -1,0 +1,19 @@
+// A date with its time, as an assignment's `due` and a table of hand-ins state it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace reference {
+
+struct Moment {
+    std::int64_t minutes;  ///< since 1970, in UTC where `has_zone`, else by the clock of whoever wrote it
+    bool has_zone;
+};
+
+/// Reads "2026-11-05 23:59", also with T for the blank, with seconds, which are left out, and with a time zone: Z or
+/// +01:00. Empty for anything else and for a day or time that does not exist.
+std::optional<Moment> parse_moment(std::string_view text);
+
+}  // namespace reference
