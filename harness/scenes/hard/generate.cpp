@@ -43,14 +43,7 @@ Stage stage_of(const Assignment& assignment, reference::PixelConvention conventi
 }
 
 bool has_all(const Scene& scene, const std::vector<ScenePart>& parts) {
-    return std::all_of(parts.begin(), parts.end(), [&](ScenePart part) {
-        const bool of_sphere = part == ScenePart::center || part == ScenePart::radius;
-        const bool of_triangle = part == ScenePart::A || part == ScenePart::B || part == ScenePart::C;
-        const bool of_cylinder = part == ScenePart::cylinder_center || part == ScenePart::cylinder_radius ||
-                                 part == ScenePart::cylinder_height;
-        return !(of_sphere && scene.spheres.empty()) && !(of_triangle && scene.triangles.empty()) &&
-               !(of_cylinder && scene.cylinders.empty());
-    });
+    return std::ranges::all_of(parts, [&](ScenePart part) { return scenes::has_part(scene, part); });
 }
 
 /// Says which of the needed parts were not located; empty if all were.
@@ -71,18 +64,18 @@ Scene with_moved_objects_alone(Scene scene) {
     return scene;
 }
 
-/// Whether the questions are about the objects that were moved. They are about the object that the ray hits first,
-/// which may be a different one.
-bool asks_about_moved(const HardRecipe& recipe, const Scene& scene, reference::PixelConvention convention) {
+/// The kind of a moved object that the questions are not about. They are about the object that the ray hits first,
+/// which may be a different one. Empty if they are about those that were moved.
+std::optional<reference::Subject> asked_of_another(const HardRecipe& recipe, const Scene& scene,
+                                                   reference::PixelConvention convention) {
     for (const auto boundary : {reference::Boundary::positive, reference::Boundary::nonnegative}) {
         const Answers answers = reference::answer_scene(scene, convention, boundary);
         for (const ScenePart part : recipe.needs) {
-            if (part == ScenePart::center && answers.sphere.index != 0) return false;
-            if (part == ScenePart::A && answers.triangle.index != 0) return false;
-            if (part == ScenePart::cylinder_center && answers.cylinder.index != 0) return false;
+            const reference::Subject subject = scenes::subject_of(part);
+            if (reference::asked_index(subject, answers) != 0) return subject;
         }
     }
-    return true;
+    return std::nullopt;
 }
 
 /// Sets the scene of `hard`, or `why_not` if it can't be made.
@@ -97,11 +90,8 @@ void draw_scene(HardScene& hard, const HardRecipe& recipe, const Stage& stage, s
                                                                   reference::Boundary::nonnegative),
                                           scene);
         if (!(worth > most)) continue;
-        if (!asks_about_moved(recipe, scene, stage.convention)) {
-            const bool moves_cylinder =
-                std::ranges::find(recipe.needs, ScenePart::cylinder_center) != recipe.needs.end();
-            hard.why_not = fmt::format("the ray hits another {} of this assignment first there",
-                                       moves_cylinder ? "cylinder" : "sphere or triangle");
+        if (const auto other = asked_of_another(recipe, scene, stage.convention)) {
+            hard.why_not = fmt::format("the ray hits another {} of this assignment first there", to_string(*other));
             continue;
         }
         most = worth;

@@ -57,22 +57,23 @@ std::string_view to_string(ScenePart part) {
     return "";
 }
 
-bool has_part(const DecimalScene& scene, ScenePart part) {
+reference::Subject subject_of(ScenePart part) {
+    using reference::Subject;
     switch (part) {
         case ScenePart::eye:
         case ScenePart::lookat:
         case ScenePart::vup:
-        case ScenePart::pixel: return true;
+        case ScenePart::pixel: break;
         case ScenePart::center:
-        case ScenePart::radius: return !scene.spheres.empty();
+        case ScenePart::radius: return Subject::sphere;
         case ScenePart::A:
         case ScenePart::B:
-        case ScenePart::C: return !scene.triangles.empty();
+        case ScenePart::C: return Subject::triangle;
         case ScenePart::cylinder_center:
         case ScenePart::cylinder_radius:
-        case ScenePart::cylinder_height: return !scene.cylinders.empty();
+        case ScenePart::cylinder_height: return Subject::cylinder;
     }
-    return false;
+    return Subject::camera;
 }
 
 std::size_t size_of(ScenePart part) {

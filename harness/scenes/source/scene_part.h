@@ -59,8 +59,15 @@ std::string_view to_string(ScenePart part);
 
 using DecimalScene = reference::Scene<reference::Decimal>;
 
+/// The kind of object that has the part, or the camera.
+reference::Subject subject_of(ScenePart part);
+
 /// Whether the scene has the part: a scene without a sphere has no center.
-bool has_part(const DecimalScene& scene, ScenePart part);
+template <class S>
+bool has_part(const reference::Scene<S>& scene, ScenePart part) {
+    const reference::Subject subject = subject_of(part);
+    return subject == reference::Subject::camera || reference::count_of(subject, scene) > 0;
+}
 
 /// How many numbers the part has: 2 for the pixel, 1 for a radius or a height, else 3.
 std::size_t size_of(ScenePart part);
