@@ -45,25 +45,28 @@ std::size_t nearest(const std::vector<T>& things, Difference difference) {
     return best;
 }
 
-std::size_t asked_sphere(const AnswerKey& key, const DoubleScene& scene, const RightValues& right) {
+// The index of the object of a kind that the questions are about. P_WCS and V are known.
+std::size_t asked_index(const std::vector<reference::Sphere<double>>& spheres, const AnswerKey& key,
+                        const RightValues& right) {
+    const std::optional<Point> P_s = right.of(Subject::sphere).hit;
     const double b = number_of(key, item::sphere::b);
     const double c = number_of(key, item::sphere::c);
-    if ((std::isnan(b) || std::isnan(c)) && right.P_s) {
-        return nearest(scene.spheres, [&](const auto& sphere) {
-            return std::abs(distance(*right.P_s, sphere.center) - sphere.radius);
-        });
+    if ((std::isnan(b) || std::isnan(c)) && P_s) {
+        return nearest(spheres,
+                       [&](const auto& sphere) { return std::abs(distance(*P_s, sphere.center) - sphere.radius); });
     }
-    return nearest(scene.spheres, [&](const auto& sphere) {
+    return nearest(spheres, [&](const auto& sphere) {
         const auto quadratic = reference::sphere_quadratic(*right.P_WCS, *right.V, sphere);
         return std::hypot(quadratic.b - b, quadratic.c - c);
     });
 }
 
-std::size_t asked_triangle(const AnswerKey& key, const DoubleScene& scene, const RightValues& right) {
+std::size_t asked_index(const std::vector<reference::Triangle<double>>& triangles, const AnswerKey& key,
+                        const RightValues& right) {
     const Numbers* matrix = numbers_of(key, item::triangle::matrix);
     const auto rhs = point_of(key, item::triangle::rhs);
     if (matrix == nullptr || matrix->size() != 9 || !rhs) return 0;
-    return nearest(scene.triangles, [&](const auto& triangle) {
+    return nearest(triangles, [&](const auto& triangle) {
         const auto system = reference::triangle_system(*right.P_WCS, *right.V, triangle);
         double sum = distance(system.rhs, *rhs);
         for (int i = 1; i < 3; ++i) {
@@ -74,23 +77,16 @@ std::size_t asked_triangle(const AnswerKey& key, const DoubleScene& scene, const
     });
 }
 
-std::size_t asked_cylinder(const DoubleScene& scene, const RightValues& right) {
-    if (!right.P_c) return 0;
-    return nearest(scene.cylinders, [&](const auto& cylinder) {
-        const Point from_center = *right.P_c - cylinder.center;
+std::size_t asked_index(const std::vector<reference::Cylinder<double>>& cylinders, const AnswerKey& /*key*/,
+                        const RightValues& right) {
+    const std::optional<Point> P_c = right.of(Subject::cylinder).hit;
+    if (!P_c) return 0;
+    return nearest(cylinders, [&](const auto& cylinder) {
+        const Point from_center = *P_c - cylinder.center;
         const double beyond_tube = std::hypot(from_center.x, from_center.z) - cylinder.radius;
         const double beyond_cap = std::abs(from_center.y) - cylinder.height / 2;
         return std::abs(std::max(beyond_tube, beyond_cap));
     });
-}
-
-AskedObjects asked_objects(const AnswerKey& key, const DoubleScene& scene, const RightValues& right) {
-    if (!right.P_WCS || !right.V) return {};
-    return {asked_sphere(key, scene, right), asked_triangle(key, scene, right), asked_cylinder(scene, right)};
-}
-
-Point middle_of(const reference::Triangle<double>& triangle) {
-    return triangle.A / 3.0 + triangle.B / 3.0 + triangle.C / 3.0;
 }
 
 void draw_window(const RightValues& right, const DoubleScene& scene, Sketch& sketch) {
@@ -117,40 +113,43 @@ std::string hit_note(std::string_view object, std::string_view point, double t) 
     return fmt::format("{}: the ray hits the {}, t = {:.4g}.", point, object, t);
 }
 
-void draw_sphere_hit(const RightValues& right, const AnswerKey& key, Sketch& sketch) {
+// Where the ray meets the object that the questions are about.
+void draw_hit(const reference::Sphere<double>& /*sphere*/, const RightValues& right, const AnswerKey& key,
+              Sketch& sketch) {
+    const auto [P_s, normal, index] = right.of(Subject::sphere);
     const std::string decision = key.decisions.of(Subject::sphere);
-    if (right.P_s) sketch.dots.push_back({*right.P_s, "P_s", Ink::sphere, Mark::dot});
-    if (right.P_s && right.sphere_normal)
-        sketch.arrows.push_back({*right.P_s, *right.sphere_normal, "N at P_s", Ink::sphere, Stroke::plain});
+    if (P_s) sketch.dots.push_back({*P_s, "P_s", Ink::sphere, Mark::dot});
+    if (P_s && normal) sketch.arrows.push_back({*P_s, *normal, "N at P_s", Ink::sphere, Stroke::plain});
     if (decision == "hit") sketch.notes.push_back(hit_note("sphere", "P_s", number_of(key, item::sphere::t)));
     if (decision == "miss") sketch.notes.emplace_back("The ray misses the sphere.");
     if (decision == "tangent") sketch.notes.emplace_back("P_s: the ray touches the sphere in this one point, d = 0.");
     if (decision == "boundary") sketch.notes.emplace_back("The ray starts on the sphere, c = 0.");
 }
 
-/// Whether P_t lies behind the ray's start.
-bool is_behind_start(const RightValues& right) {
-    return right.P_t && right.P_WCS && right.V && reference::dot(*right.P_t - *right.P_WCS, *right.V) < 0;
+/// Whether the hit point lies behind the ray's start.
+bool is_behind_start(const std::optional<Point>& hit, const RightValues& right) {
+    return hit && right.P_WCS && right.V && reference::dot(*hit - *right.P_WCS, *right.V) < 0;
 }
 
-void draw_triangle_hit(const RightValues& right, const AnswerKey& key, const DoubleScene& scene, Sketch& sketch) {
+void draw_hit(const reference::Triangle<double>& triangle, const RightValues& right, const AnswerKey& key,
+              Sketch& sketch) {
+    const auto [hit, normal, index] = right.of(Subject::triangle);
     const std::string decision = key.decisions.of(Subject::triangle);
     const bool met = decision == "hit" || decision == "boundary";
     // If t = 0 does not count as a hit, the key has no hit point, although the ray starts there.
-    const std::optional<Point> P_t = decision == "boundary" ? right.P_WCS : right.P_t;
+    const std::optional<Point> P_t = decision == "boundary" ? right.P_WCS : hit;
     if (P_t) sketch.dots.push_back({*P_t, "P_t", Ink::triangle, met ? Mark::dot : Mark::ring});
-    if (right.triangle_normal) {
+    if (normal) {
         const bool at_hit = met && P_t;
-        const Point at = at_hit ? *P_t : middle_of(scene.triangles[right.asked.triangle]);
-        sketch.arrows.push_back(
-            {at, *right.triangle_normal, at_hit ? "N at P_t" : "N of ABC", Ink::triangle, Stroke::plain});
+        const Point at = at_hit ? *P_t : middle_of(triangle);
+        sketch.arrows.push_back({at, *normal, at_hit ? "N at P_t" : "N of ABC", Ink::triangle, Stroke::plain});
     }
     if (decision == "hit") sketch.notes.push_back(hit_note("triangle", "P_t", number_of(key, item::triangle::t)));
     if (decision == "boundary") sketch.notes.emplace_back("P_t: the ray starts on the triangle, t = 0.");
     if (decision == "coplanar") sketch.notes.emplace_back("The ray lies in the triangle's plane.");
     if (decision == "miss") {
         const double t = number_of(key, item::triangle::t);
-        const bool behind = std::isnan(t) ? is_behind_start(right) : t < 0;
+        const bool behind = std::isnan(t) ? is_behind_start(hit, right) : t < 0;
         sketch.notes.emplace_back(!P_t     ? "The ray misses the triangle: it runs beside its plane."
                                   : behind ? "The ray misses the triangle: P_t is behind its start, t < 0."
                                            : "The ray misses the triangle: P_t is in its plane, but outside of it.");
@@ -164,13 +163,14 @@ std::string_view part_of_cylinder(const std::optional<Point>& normal) {
     return normal->y > 0 ? "top cap" : "bottom cap";
 }
 
-void draw_cylinder_hit(const RightValues& right, const AnswerKey& key, Sketch& sketch) {
+void draw_hit(const reference::Cylinder<double>& /*cylinder*/, const RightValues& right, const AnswerKey& key,
+              Sketch& sketch) {
+    const auto [P_c, normal, index] = right.of(Subject::cylinder);
     const std::string decision = key.decisions.of(Subject::cylinder);
-    if (right.P_c) sketch.dots.push_back({*right.P_c, "P_c", Ink::cylinder, Mark::dot});
-    if (right.P_c && right.cylinder_normal)
-        sketch.arrows.push_back({*right.P_c, *right.cylinder_normal, "N at P_c", Ink::cylinder, Stroke::plain});
+    if (P_c) sketch.dots.push_back({*P_c, "P_c", Ink::cylinder, Mark::dot});
+    if (P_c && normal) sketch.arrows.push_back({*P_c, *normal, "N at P_c", Ink::cylinder, Stroke::plain});
     if (decision == "hit") {
-        const std::string_view part = part_of_cylinder(right.cylinder_normal);
+        const std::string_view part = part_of_cylinder(normal);
         const std::string object = part.empty() ? "cylinder" : fmt::format("cylinder's {}", part);
         sketch.notes.push_back(hit_note(object, "P_c", number_of(key, item::cylinder::t)));
     }
@@ -195,14 +195,32 @@ void tell_first(const AnswerKey& key, Sketch& sketch) {
     }
 }
 
+void draw_object(const reference::Sphere<double>& sphere, bool named, Sketch& sketch) {
+    sketch.balls.push_back({sphere.center, sphere.radius});
+    if (named) sketch.dots.push_back({sphere.center, "C", Ink::sphere, Mark::ring});
+}
+
+void draw_object(const reference::Triangle<double>& triangle, bool named, Sketch& sketch) {
+    sketch.polygons.push_back({{triangle.A, triangle.B, triangle.C}, Ink::triangle, Stroke::plain});
+    if (!named) return;
+    sketch.dots.push_back({triangle.A, "A", Ink::triangle, Mark::dot});
+    sketch.dots.push_back({triangle.B, "B", Ink::triangle, Mark::dot});
+    sketch.dots.push_back({triangle.C, "C", Ink::triangle, Mark::dot});
+}
+
+void draw_object(const reference::Cylinder<double>& cylinder, bool named, Sketch& sketch) {
+    sketch.tubes.push_back({cylinder.center, cylinder.radius, cylinder.height});
+    if (named) sketch.dots.push_back({cylinder.center, "center", Ink::cylinder, Mark::ring});
+}
+
 /// If there are many things of a kind, draws only some, without names; `asked` is always among them.
-template <class T, class Draw>
-void draw_objects(const std::vector<T>& things, std::size_t asked, std::string_view what, Draw draw, Sketch& sketch) {
+template <class T>
+void draw_objects(const std::vector<T>& things, std::size_t asked, std::string_view what, Sketch& sketch) {
     constexpr std::size_t most = 6;
     constexpr std::size_t most_named = 2;
     const std::size_t count = std::min(things.size(), most);
     for (std::size_t i = 0; i < count; ++i)
-        draw(things[i + 1 == count ? std::max(i, asked) : i], things.size() <= most_named);
+        draw_object(things[i + 1 == count ? std::max(i, asked) : i], things.size() <= most_named, sketch);
     if (count < things.size())
         sketch.notes.push_back(fmt::format("Only {} of {} {}s are drawn.", count, things.size(), what));
 }
@@ -221,13 +239,12 @@ RightValues right_values(const AnswerKey& key, const DoubleScene& scene) {
     right.Z_vcs = point_of(key, item::Z_vcs);
     right.P_WCS = point_of(key, item::P_WCS);
     right.V = point_of(key, item::V);
-    right.P_s = point_of(key, item::sphere::hit);
-    right.sphere_normal = point_of(key, item::sphere::normal);
-    right.P_t = point_of(key, item::triangle::hit);
-    right.triangle_normal = point_of(key, item::triangle::normal);
-    right.P_c = point_of(key, item::cylinder::hit);
-    right.cylinder_normal = point_of(key, item::cylinder::normal);
-    right.asked = asked_objects(key, scene, right);
+    for (const Subject kind : reference::objects)
+        right.objects[kind] = {point_of(key, {kind, "hit"}), point_of(key, {kind, "normal"})};
+    if (!right.P_WCS || !right.V) return right;
+    reference::for_each_kind(
+        [&](Subject kind, const auto& objects) { right.objects[kind].index = asked_index(objects, key, right); },
+        scene);
     return right;
 }
 
@@ -240,12 +257,22 @@ std::vector<Point> window_corners(const DoubleScene& scene, const Point& X_vcs, 
             corner(window.clip_right, window.clip_top), corner(window.clip_left, window.clip_top)};
 }
 
+Point middle_of(const reference::Sphere<double>& sphere) {
+    return sphere.center;
+}
+Point middle_of(const reference::Triangle<double>& triangle) {
+    return triangle.A / 3.0 + triangle.B / 3.0 + triangle.C / 3.0;
+}
+Point middle_of(const reference::Cylinder<double>& cylinder) {
+    return cylinder.center;
+}
+
 Line ray_from(const Point& start, const Point& V, const Frame& frame) {
     constexpr double across_the_frame = 4;
     return {start, start + V * (across_the_frame * frame.unit), Ink::ray, Stroke::plain};
 }
 
-Sketch given_sketch(const DoubleScene& scene, const AskedObjects& asked) {
+Sketch given_sketch(const DoubleScene& scene, const RightValues& right) {
     Sketch sketch;
     const auto& camera = scene.camera;
     sketch.dots.push_back({camera.eye, "eye", Ink::camera, Mark::dot});
@@ -253,39 +280,22 @@ Sketch given_sketch(const DoubleScene& scene, const AskedObjects& asked) {
     sketch.lines.push_back({camera.eye, camera.lookat, Ink::camera, Stroke::thin});
     const double length = distance(camera.vup, Point(0, 0, 0));
     sketch.arrows.push_back({camera.eye, camera.vup / length, "vup", Ink::camera, Stroke::thin});
-    draw_objects(
-        scene.spheres, asked.sphere, "sphere",
-        [&](const auto& sphere, bool named) {
-            sketch.balls.push_back({sphere.center, sphere.radius});
-            if (named) sketch.dots.push_back({sphere.center, "C", Ink::sphere, Mark::ring});
+    reference::for_each_kind(
+        [&](Subject kind, const auto& objects) {
+            draw_objects(objects, right.of(kind).index, to_string(kind), sketch);
         },
-        sketch);
-    draw_objects(
-        scene.triangles, asked.triangle, "triangle",
-        [&](const auto& triangle, bool named) {
-            sketch.polygons.push_back({{triangle.A, triangle.B, triangle.C}, Ink::triangle, Stroke::plain});
-            if (!named) return;
-            sketch.dots.push_back({triangle.A, "A", Ink::triangle, Mark::dot});
-            sketch.dots.push_back({triangle.B, "B", Ink::triangle, Mark::dot});
-            sketch.dots.push_back({triangle.C, "C", Ink::triangle, Mark::dot});
-        },
-        sketch);
-    draw_objects(
-        scene.cylinders, asked.cylinder, "cylinder",
-        [&](const auto& cylinder, bool named) {
-            sketch.tubes.push_back({cylinder.center, cylinder.radius, cylinder.height});
-            if (named) sketch.dots.push_back({cylinder.center, "center", Ink::cylinder, Mark::ring});
-        },
-        sketch);
+        scene);
     return sketch;
 }
 
 Sketch right_sketch(const RightValues& right, const AnswerKey& key, const DoubleScene& scene, const Frame& frame) {
     Sketch sketch;
     draw_ray(right, scene, frame, sketch);
-    if (!scene.spheres.empty()) draw_sphere_hit(right, key, sketch);
-    if (!scene.triangles.empty()) draw_triangle_hit(right, key, scene, sketch);
-    if (!scene.cylinders.empty()) draw_cylinder_hit(right, key, sketch);
+    reference::for_each_kind(
+        [&](Subject kind, const auto& objects) {
+            if (!objects.empty()) draw_hit(objects[right.of(kind).index], right, key, sketch);
+        },
+        scene);
     tell_first(key, sketch);
     draw_window(right, scene, sketch);
     for (const Dot& dot : sketch.dots) {

@@ -310,7 +310,7 @@ std::vector<Solid> solids_of(const Sketch& sketch) {
     return solids;
 }
 
-Point middle_of(const Solid& solid) {
+Point center_of(const Solid& solid) {
     return std::visit([](const auto* thing) { return thing->center; }, solid);
 }
 
@@ -319,7 +319,7 @@ Point middle_of(const Solid& solid) {
 Panel draw_panel(const View& view, const Frame& frame, const Sketch& sketch) {
     PanelDrawing drawing(view, frame);
     for (const Solid& solid :
-         far_to_near(solids_of(sketch), view, [&](const Solid& each) { return frame.inside(middle_of(each)); }))
+         far_to_near(solids_of(sketch), view, [&](const Solid& each) { return frame.inside(center_of(each)); }))
         std::visit([&](const auto* thing) { drawing.draw(*thing); }, solid);
     for (const Polygon& polygon : far_to_near(sketch.polygons, view, [&](const Polygon& each) {
              Point sum(0, 0, 0);

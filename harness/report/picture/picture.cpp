@@ -119,8 +119,10 @@ ExplainingPictures::Base::Base(const Marking& marking, bool answers, Room room, 
     if (with_answers) {
         right = right_values(marking.key, scene);
         const bool misses = marking.key.decisions.of(reference::Subject::triangle) == "miss";
-        for (const auto& point : {right.P_WCS, right.P_s, misses ? std::nullopt : right.P_t, right.P_c}) {
-            if (point) more.push_back(*point);
+        if (right.P_WCS) more.push_back(*right.P_WCS);
+        for (const auto& [kind, met] : right.objects) {
+            const bool is_beside = kind == reference::Subject::triangle && misses;
+            if (met.hit && !is_beside) more.push_back(*met.hit);
         }
         if (right.X_vcs && right.Y_vcs && right.Z_vcs) {
             for (const Point& corner : window_corners(scene, *right.X_vcs, *right.Y_vcs, *right.Z_vcs))
@@ -129,7 +131,7 @@ ExplainingPictures::Base::Base(const Marking& marking, bool answers, Room room, 
     }
     std::vector<std::string> of_frame;
     frame = choose_frame(scene, more, room, of_frame);
-    Sketch sketch = given_sketch(scene, right.asked);
+    Sketch sketch = given_sketch(scene, right);
     if (with_answers) append(sketch, right_sketch(right, marking.key, scene, frame));
     notes = sketch.notes;
     notes.insert(notes.end(), of_frame.begin(), of_frame.end());

@@ -15,10 +15,7 @@ using reference::ItemId;
 
 /// What the picture calls an item.
 std::string name_of(const reference::ItemSpec& spec) {
-    if (spec.id == item::sphere::hit) return "P_s";
-    if (spec.id == item::triangle::hit) return "P_t";
-    if (spec.id == item::cylinder::hit) return "P_c";
-    if (spec.id.name == "normal") return "N";
+    if (spec.id.name == "hit" || spec.id.name == "normal") return std::string(spec.label);
     return std::string(spec.id.name);
 }
 
@@ -49,9 +46,8 @@ class PrintedDrawing {
         draw_P_VCS();
         draw_basis();
         draw_ray();
-        draw_sphere();
-        draw_triangle();
-        draw_cylinder();
+        reference::for_each_kind([&](reference::Subject kind, const auto& objects) { draw_object(kind, objects); },
+                                 scene_);
         return std::move(result_);
     }
 
@@ -167,27 +163,13 @@ class PrintedDrawing {
         return otherwise;
     }
 
-    void draw_sphere() {
-        if (scene_.spheres.empty()) return;
-        const std::size_t asked = right_ == nullptr ? 0 : right_->asked.sphere;
-        const Point at =
-            foot(item::sphere::hit, right_ == nullptr ? std::nullopt : right_->P_s, scene_.spheres[asked].center);
-        if (const auto normal = answer(item::sphere::normal)) draw_vector(item::sphere::normal, at, *normal);
-    }
-
-    void draw_triangle() {
-        if (scene_.triangles.empty()) return;
-        const auto& triangle = scene_.triangles[right_ == nullptr ? 0 : right_->asked.triangle];
-        const Point middle = triangle.A / 3.0 + triangle.B / 3.0 + triangle.C / 3.0;
-        const Point at = foot(item::triangle::hit, right_ == nullptr ? std::nullopt : right_->P_t, middle);
-        if (const auto normal = answer(item::triangle::normal)) draw_vector(item::triangle::normal, at, *normal);
-    }
-
-    void draw_cylinder() {
-        if (scene_.cylinders.empty()) return;
-        const Point middle = scene_.cylinders[right_ == nullptr ? 0 : right_->asked.cylinder].center;
-        const Point at = foot(item::cylinder::hit, right_ == nullptr ? std::nullopt : right_->P_c, middle);
-        if (const auto normal = answer(item::cylinder::normal)) draw_vector(item::cylinder::normal, at, *normal);
+    /// The printed hit point and normal of the object that the questions are about.
+    void draw_object(reference::Subject kind, const auto& objects) {
+        if (objects.empty()) return;
+        const RightHit right = right_ == nullptr ? RightHit() : right_->of(kind);
+        const Point at = foot({kind, "hit"}, right.hit, middle_of(objects[right.index]));
+        const ItemId normal_id{kind, "normal"};
+        if (const auto normal = answer(normal_id)) draw_vector(normal_id, at, *normal);
     }
 
     const Score& score_;

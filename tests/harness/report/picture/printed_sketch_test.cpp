@@ -187,8 +187,9 @@ std::vector<picture::Point> secrets(const Marking& marking, const picture::Doubl
                                     const picture::Frame& frame) {
     const picture::RightValues right = picture::right_values(marking.key, scene);
     std::vector<picture::Point> secrets;
-    for (const auto& point : {right.P_WCS, right.P_s, right.P_t, right.P_c}) {
-        if (point) secrets.push_back(*point);
+    if (right.P_WCS) secrets.push_back(*right.P_WCS);
+    for (const auto& [kind, met] : right.objects) {
+        if (met.hit) secrets.push_back(*met.hit);
     }
     const auto tip = [&](const picture::Point& at, const std::optional<picture::Point>& vector) {
         if (vector) secrets.push_back(at + *vector * frame.arrow);
@@ -196,7 +197,8 @@ std::vector<picture::Point> secrets(const Marking& marking, const picture::Doubl
     tip(scene.camera.eye, right.X_vcs);
     tip(scene.camera.eye, right.Y_vcs);
     tip(*right.P_WCS, right.V);
-    if (right.P_s) tip(*right.P_s, right.sphere_normal);
+    const picture::RightHit sphere = right.of(reference::Subject::sphere);
+    if (sphere.hit) tip(*sphere.hit, sphere.normal);
     const auto corners = picture::window_corners(scene, *right.X_vcs, *right.Y_vcs, *right.Z_vcs);
     secrets.insert(secrets.end(), corners.begin(), corners.end());
     return secrets;
