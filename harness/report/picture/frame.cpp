@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <string_view>
 
 namespace harness::report::picture {
 namespace {
@@ -61,6 +61,12 @@ class FrameChoice {
         for (const Point& point : points) bounds_.hold(point, around);
         return true;
     }
+    bool take_object(const reference::Sphere<double>& sphere) { return take({sphere.center}, sphere.radius); }
+    bool take_object(const reference::Triangle<double>& triangle) { return take({triangle.A, triangle.B, triangle.C}); }
+    bool take_object(const reference::Cylinder<double>& cylinder) {
+        const Point half(cylinder.radius, cylinder.height / 2, cylinder.radius);
+        return take({cylinder.center - half, cylinder.center + half});
+    }
     const Bounds& bounds() const { return bounds_; }
 
   private:
@@ -68,6 +74,13 @@ class FrameChoice {
     double limit_;
     Bounds bounds_;
 };
+
+void tell_beyond(std::size_t count, std::size_t all, std::string_view what, std::vector<std::string>& notes) {
+    if (count == 0) return;
+    const std::string which = all == 1 ? fmt::format("The {} reaches", what)
+                                       : fmt::format("Of {} {}s {} reach{}", all, what, count, count == 1 ? "es" : "");
+    notes.push_back(which + " far beyond the frame and is cut there.");
+}
 
 }  // namespace
 
@@ -104,25 +117,14 @@ Frame choose_frame(const DoubleScene& scene, const std::vector<Point>& more, Roo
     if (room == Room::for_mistakes) bounds.hold(eye + (eye - middle_of_window));
     FrameChoice choice(eye, farthest * std::hypot(window.clip_near, around), bounds);
     if (!choice.take({scene.camera.lookat})) notes.emplace_back("lookat is far beyond the frame.");
-    std::array<std::size_t, 3> left_out{};
-    for (const auto& triangle : scene.triangles)
-        left_out[0] += choice.take({triangle.A, triangle.B, triangle.C}) ? 0 : 1;
-    for (const auto& sphere : scene.spheres) left_out[1] += choice.take({sphere.center}, sphere.radius) ? 0 : 1;
-    for (const auto& cylinder : scene.cylinders) {
-        const Point half(cylinder.radius, cylinder.height / 2, cylinder.radius);
-        left_out[2] += choice.take({cylinder.center - half, cylinder.center + half}) ? 0 : 1;
-    }
+    reference::for_each_kind(
+        [&](reference::Subject kind, const auto& objects) {
+            const auto beyond =
+                std::ranges::count_if(objects, [&](const auto& object) { return !choice.take_object(object); });
+            tell_beyond(static_cast<std::size_t>(beyond), objects.size(), to_string(kind), notes);
+        },
+        scene);
     for (const Point& point : more) choice.take({point});
-    const auto tell = [&](std::size_t count, std::size_t all, const char* what) {
-        if (count == 0) return;
-        const std::string which = all == 1
-                                      ? fmt::format("The {} reaches", what)
-                                      : fmt::format("Of {} {}s {} reach{}", all, what, count, count == 1 ? "es" : "");
-        notes.push_back(which + " far beyond the frame and is cut there.");
-    };
-    tell(left_out[0], scene.triangles.size(), "triangle");
-    tell(left_out[1], scene.spheres.size(), "sphere");
-    tell(left_out[2], scene.cylinders.size(), "cylinder");
     Frame frame = frame_around(choice.bounds());
     // There is always room for the camera's axes.
     bounds = choice.bounds();

@@ -50,6 +50,18 @@ std::string_view colour_of(Ink ink) {
     return "";
 }
 
+Ink ink_of(reference::Subject kind) {
+    using reference::Subject;
+    switch (kind) {
+        case Subject::sphere: return Ink::sphere;
+        case Subject::triangle: return Ink::triangle;
+        case Subject::cylinder: return Ink::cylinder;
+        case Subject::camera:
+        case Subject::first_hit: break;
+    }
+    return Ink::camera;
+}
+
 // Lines that coincide in a view are drawn once; a horizontal or vertical line needs only one more number.
 void Strokes::line(const Segment& segment, Ink ink, Stroke stroke) {
     std::string x = coordinate(segment.to.x);

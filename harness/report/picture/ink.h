@@ -7,6 +7,7 @@
 
 #include "harness/report/picture/sketch.h"
 #include "harness/report/plot/label_placement.h"
+#include "reference/stages/items.h"
 
 namespace harness::report::picture {
 
@@ -20,6 +21,9 @@ std::string figure(double x);
 
 /// Readable on white and on black; what belongs to the camera has the colour of the surrounding text.
 std::string_view colour_of(Ink ink);
+
+/// What belongs to an object of this kind; the camera's for what is no object.
+Ink ink_of(reference::Subject kind);
 
 /// Lines of the same look become one <path>.
 class Strokes {

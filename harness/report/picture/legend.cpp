@@ -44,8 +44,25 @@ class Key {
     std::string words_;
 };
 
-std::string objects(const char* one, std::size_t count) {
-    return count == 1 ? one : fmt::format("{} {}s", count, one);
+std::string objects(std::string_view one, std::size_t count) {
+    return count == 1 ? std::string(one) : fmt::format("{} {}s", count, one);
+}
+
+/// Adds the fields of an object that are single numbers: ", R = 1, height 2".
+struct SizeWriter {
+    std::string& text;
+    void operator()(std::string_view name, double size) const {
+        text += name == "radius" ? ", R = " : fmt::format(", {} ", name);
+        text += figure(size);
+    }
+    void operator()(std::string_view /*name*/, const Point& /*point*/) const {}
+    void operator()(std::string_view /*name*/, const reference::Vertices<const Point>& /*vertices*/) const {}
+};
+
+std::string sizes_of(const auto& object) {
+    std::string text;
+    reference::for_each_field(SizeWriter{text}, object);
+    return text;
 }
 
 }  // namespace
@@ -58,20 +75,13 @@ KeyLines draw_key(const DoubleScene& scene, bool with_answers, const Spot& first
     } else {
         key.colour(Ink::ray, "the field with the pixel");
     }
-    if (!scene.spheres.empty()) {
-        const bool one = scene.spheres.size() == 1;
-        key.colour(Ink::sphere, objects("sphere", scene.spheres.size()) +
-                                    (one ? fmt::format(", R = {}", figure(scene.spheres[0].radius)) : ""));
-    }
-    if (!scene.triangles.empty()) key.colour(Ink::triangle, objects("triangle", scene.triangles.size()));
-    if (!scene.cylinders.empty()) {
-        const auto& first_one = scene.cylinders[0];
-        const bool one = scene.cylinders.size() == 1;
-        key.colour(
-            Ink::cylinder,
-            objects("cylinder", scene.cylinders.size()) +
-                (one ? fmt::format(", R = {}, height {}", figure(first_one.radius), figure(first_one.height)) : ""));
-    }
+    reference::for_each_kind(
+        [&](reference::Subject kind, const auto& of_scene) {
+            if (of_scene.empty()) return;
+            const std::string sizes = of_scene.size() == 1 ? sizes_of(of_scene[0]) : "";
+            key.colour(ink_of(kind), objects(to_string(kind), of_scene.size()) + sizes);
+        },
+        scene);
     if (with_answers) key.mark(Ink::camera, Mark::ring, "not hit by the ray");
     return {key.svg(), key.next()};
 }
