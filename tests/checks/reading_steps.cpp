@@ -1,5 +1,5 @@
-// reading_steps SIZE PATTERN…: finds the scene in a malicious source of SIZE bytes and in one of twice as many, for each
-// pattern. reading_growth counts the instructions.
+// reading_steps SIZE PATTERN…: finds the scene in a malicious source of SIZE bytes and in one of twice as many, for
+// each pattern. reading_growth counts the instructions.
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -61,7 +61,8 @@ std::string nasty_source(const std::string& pattern, std::size_t size) {
 }  // namespace
 
 /// Reads `source`; callgrind counts what happens in here, each call for itself (tests/checks/reading_growth).
-extern "C" [[gnu::noinline]] void measured_reading(const std::string& source, const harness::scenes::DecimalScene& scene) {
+extern "C" [[gnu::noinline]] void measured_reading(const std::string& source,
+                                                   const harness::scenes::DecimalScene& scene) {
     const auto found = harness::scenes::find_scene(source, scene);
     std::printf("%zu bytes, %zu numbers\n", source.size(), found.literals.size());
 }

@@ -424,7 +424,8 @@ TEST_F(Review, RefusesAndTellsNothingToWhoDoesNotKnowItsAddress) {
     std::string wrong = root;
     wrong.back() = wrong.back() == '0' ? '1' : '0';
     // The corpus of attacks on the self-check page, at an address that is wrong in one digit.
-    const harness::serve::Target target{"localhost", wrong + "/student/1", planted.string(), std::string(small_program)};
+    const harness::serve::Target target{"localhost", wrong + "/student/1", planted.string(),
+                                        std::string(small_program)};
     const std::vector<std::string> secrets{root.substr(1), "planted-", "SQLite format 3", out().string(), ">dee<"};
     const std::string before = list();
     for (std::uint32_t seed = 0; seed < 6 * harness::serve::hostile_request_kinds(); ++seed) {
@@ -432,7 +433,8 @@ TEST_F(Review, RefusesAndTellsNothingToWhoDoesNotKnowItsAddress) {
         const std::string received = exchange(port, 3, attack.bytes, 15s);
         EXPECT_EQ(told(received, secrets), "") << attack.what << ", seed " << seed;
         for (const Answer& answer : answers_in(received, attack.is_to_head).all) {
-            EXPECT_THAT(answer.status, AnyOf(AllOf(Ge(400), Lt(500)), 100, 501, 505)) << attack.what << ", seed " << seed;
+            EXPECT_THAT(answer.status, AnyOf(AllOf(Ge(400), Lt(500)), 100, 501, 505))
+                << attack.what << ", seed " << seed;
             EXPECT_EQ(wrong_with(answer), "") << attack.what << ", seed " << seed;
         }
     }
