@@ -121,7 +121,7 @@ class RewrittenPart {
             const Submission submission = submission_of(scenes[i]);
             const Marking& marking = *run.scene->marking;
             run.graded = graded_or_not(submission, marking, runner, [&] {
-                return mark(submission, executions, marking, runner, nullptr, timeline);
+                return mark(submission, executions, marking, runner, run.scene->memo.get(), timeline);
             });
         }
         count_ways(copy, scenes.size(), timeline);
@@ -192,7 +192,8 @@ std::optional<MarkedScene> with_key(reference::OtherScene scene, const Marking& 
     assignment.name = fmt::format("{} ({})", assignment.name, scene.name);
     try {
         auto marking = std::make_shared<const Marking>(make_marking(std::move(assignment)));
-        return MarkedScene{std::move(scene), std::move(marking)};
+        constexpr std::size_t few_scores = 8;
+        return MarkedScene{std::move(scene), std::move(marking), std::make_shared<ScoreMemo>(few_scores)};
     } catch (const reference::AssignmentError&) {
         return {};
     } catch (const std::domain_error&) {

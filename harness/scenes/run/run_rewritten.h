@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/batch/score_memo.h"
 #include "harness/grade/graded.h"
 #include "harness/grade/marking.h"
 #include "harness/run/runner.h"
@@ -20,6 +21,7 @@ namespace harness::scenes {
 struct MarkedScene {
     reference::OtherScene scene;
     std::shared_ptr<const Marking> marking;
+    std::shared_ptr<ScoreMemo> memo;  ///< of the marking; small, as there may be a hundred scenes
 };
 
 /// Makes the marking of `base` for another scene. Empty if the scene has no certified key, e.g. because the rubric's
