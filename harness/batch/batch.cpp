@@ -10,6 +10,8 @@
 #include <atomic>
 #include <condition_variable>
 #include <deque>
+#include <exception>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -57,20 +59,18 @@ BatchPlan plan_batch(const std::vector<Submission>& submissions, const Runner& r
 struct Built {
     std::size_t index = 0;  ///< of the submission
     Compiled compiled;
+    std::exception_ptr failure{};  ///< what compiling threw
 };
 
 class Batch {
   public:
-    /// `memo` is for submissions that share one marking, else null.
-    Batch(std::vector<Submission> submissions, const std::vector<const Marking*>& markings, ScoreMemo* memo,
-          const Runner& runner, int jobs, Timeline& timeline)
+    Batch(std::vector<Submission> submissions, const Runner& runner, int jobs, Timeline& timeline,
+          const WhenCompiled& then)
         : submissions_(std::move(submissions)),
-          markings_(markings),
-          memo_(memo),
           runner_(runner),
           jobs_(static_cast<std::size_t>(jobs)),
           timeline_(timeline),
-          results_(submissions_.size()),
+          then_(then),
           plan_(plan_batch(submissions_, runner)),
           waiting_(plan_.with_header),
           ready_(plan_.at_once.begin(), plan_.at_once.end()),
@@ -78,7 +78,7 @@ class Batch {
           builders_(jobs_) {}
 
     /// Throws HarnessError if the machine starts no threads. Where it starts only some, they do the work.
-    std::vector<Graded> grade() {
+    void run() {
         std::size_t started = 0;
         std::string why_not;
         {
@@ -99,7 +99,6 @@ class Batch {
             throw HarnessError("The machine starts no threads (" + why_not +
                                "). See to its memory, and to the limits `ulimit -v` and `ulimit -u`.");
         }
-        return std::move(results_);
     }
 
   private:
@@ -115,17 +114,16 @@ class Batch {
     void hand_over(Built built);
     std::optional<Built> next_built();
     void run_all();
-    Graded run_one(Built built);
-    void finish(std::size_t index, Graded graded);
+    void run_one(Built built);
 
-    std::vector<Submission> submissions_;  ///< each with its source until it is graded
-    const std::vector<const Marking*>& markings_;
-    ScoreMemo* const memo_;
+    std::vector<Submission> submissions_;  ///< each with its source until it is done
     const Runner& runner_;
     const std::size_t jobs_;
     Timeline& timeline_;
-    std::vector<Graded> results_;
+    const WhenCompiled& then_;
     const BatchPlan plan_;
+
+    std::atomic<std::size_t> done_ = 0;
 
     std::mutex mutex_;  ///< guards all that follows
     std::size_t next_header_ = 0;
@@ -184,17 +182,14 @@ void Batch::make_header(std::size_t header) {
 }
 
 void Batch::build_one(std::size_t index) {
-    const Submission& submission = submissions_[index];
-    std::optional<Built> built;
-    Graded not_built = graded_or_not(submission, *markings_[index], runner_, [&] {
-        built = Built{index, compile(submission, runner_, made_[index], timeline_)};
-        return Graded();
-    });
-    if (built) {
-        hand_over(std::move(*built));
-    } else {
-        finish(index, std::move(not_built));
+    Built built{index, {}};
+    try {
+        if (!submissions_[index].problem)
+            built.compiled = compile(submissions_[index], runner_, made_[index], timeline_);
+    } catch (...) {
+        built.failure = std::current_exception();
     }
+    hand_over(std::move(built));
 }
 
 void Batch::hand_over(Built built) {
@@ -215,36 +210,53 @@ std::optional<Built> Batch::next_built() {
 }
 
 void Batch::run_all() {
-    while (auto built = next_built()) {
-        const std::size_t index = built->index;
-        finish(index, run_one(std::move(*built)));
-    }
+    while (auto built = next_built()) run_one(std::move(*built));
 }
 
-Graded Batch::run_one(Built built) {
-    const Submission& submission = submissions_[built.index];
-    const Marking& marking = *markings_[built.index];
-    return graded_or_not(submission, marking, runner_, [&] {
-        const Executions executions = run_compiled(std::move(built.compiled), submission, runner_, timeline_);
-        if (executions.from_cache) {
-            ++timeline_.from_cache;
-        } else if (executions.runs.front().build.by_header) {
-            ++timeline_.by_header;
-        }
-        return mark(submission, executions, marking, runner_, memo_, timeline_);
+void Batch::run_one(Built built) {
+    Submission& submission = submissions_[built.index];
+    then_(built.index, submission, [&] {
+        if (built.failure) std::rethrow_exception(built.failure);
+        return run_compiled(std::move(built.compiled), submission, runner_, timeline_);
     });
-}
-
-void Batch::finish(std::size_t index, Graded graded) {
-    results_[index] = std::move(graded);
-    submissions_[index] = {};  // frees the source: those of ten thousand submissions take 50 MB
+    submission = {};  // frees the source: those of ten thousand submissions take 50 MB
     // The allocator does not reuse the sources' memory for results, because other threads, with other arenas, allocate
     // results.
     constexpr std::size_t seldom = 512;
-    if (++timeline_.finished % seldom == 0) malloc_trim(0);
+    if (++done_ % seldom == 0) malloc_trim(0);
+}
+
+/// `memo` is for submissions that share one marking, else null.
+std::vector<Graded> grade_with(ScoreMemo* memo, std::vector<Submission> submissions,
+                               const std::vector<const Marking*>& markings, const Runner& runner, int jobs,
+                               Timeline& timeline) {
+    std::vector<Graded> results(submissions.size());
+    run_each(std::move(submissions), runner, jobs, timeline,
+             [&](std::size_t index, const Submission& submission, const std::function<Executions()>& run) {
+                 results[index] = graded_or_not(submission, *markings[index], runner, [&] {
+                     const Executions executions = run();
+                     count_ways(executions, 1, timeline);
+                     return mark(submission, executions, *markings[index], runner, memo, timeline);
+                 });
+                 ++timeline.finished;
+             });
+    return results;
 }
 
 }  // namespace
+
+void count_ways(const Executions& executions, std::size_t submissions, Timeline& timeline) {
+    if (executions.from_cache) {
+        timeline.from_cache += submissions;
+    } else if (executions.runs.front().build.by_header) {
+        timeline.by_header += submissions;
+    }
+}
+
+void run_each(std::vector<Submission> submissions, const Runner& runner, int jobs, Timeline& timeline,
+              const WhenCompiled& then) {
+    Batch(std::move(submissions), runner, jobs, timeline, then).run();
+}
 
 std::vector<Graded> grade_all(std::vector<Submission> submissions, const Marking& marking, const Runner& runner,
                               int jobs, Timeline& timeline) {
@@ -252,12 +264,12 @@ std::vector<Graded> grade_all(std::vector<Submission> submissions, const Marking
     for (const Submission& submission : submissions) markings.push_back(&own_marking(marking, submission));
     if (!marking.of_student.empty()) return grade_each(std::move(submissions), markings, runner, jobs, timeline);
     ScoreMemo memo;
-    return Batch(std::move(submissions), markings, &memo, runner, jobs, timeline).grade();
+    return grade_with(&memo, std::move(submissions), markings, runner, jobs, timeline);
 }
 
 std::vector<Graded> grade_each(std::vector<Submission> submissions, const std::vector<const Marking*>& markings,
                                const Runner& runner, int jobs, Timeline& timeline) {
-    return Batch(std::move(submissions), markings, nullptr, runner, jobs, timeline).grade();
+    return grade_with(nullptr, std::move(submissions), markings, runner, jobs, timeline);
 }
 
 }  // namespace harness

@@ -1,6 +1,8 @@
 // A class through the main path of grade_submission.h: what is compiled and run when, so that no core waits.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "harness/batch/grade_submission.h"
@@ -17,5 +19,18 @@ std::vector<Graded> grade_all(std::vector<Submission> submissions, const Marking
 /// The same with a marking for each submission. Every marking must outlive the call.
 std::vector<Graded> grade_each(std::vector<Submission> submissions, const std::vector<const Marking*>& markings,
                                const Runner& runner, int jobs, Timeline& timeline);
+
+/// What is done with a submission once it is compiled. `run` runs it, and throws what compiling or running it threw. It
+/// must be called at most once, and not for a submission with a problem.
+using WhenCompiled =
+    std::function<void(std::size_t index, const Submission& submission, const std::function<Executions()>& run)>;
+
+/// Compiles the submissions as grade_all does, and calls `then` for each, from several threads and in any order. `then`
+/// must not throw, and counts in the timeline what it has finished.
+void run_each(std::vector<Submission> submissions, const Runner& runner, int jobs, Timeline& timeline,
+              const WhenCompiled& then);
+
+/// Adds to the timeline's counts of how submissions were compiled.
+void count_ways(const Executions& executions, std::size_t submissions, Timeline& timeline);
 
 }  // namespace harness

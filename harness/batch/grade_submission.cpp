@@ -136,9 +136,10 @@ std::shared_ptr<const Score> read_and_score(const std::string& output, const Sub
 }
 
 /// Adds what the source tells about the answers: that they belong to another scene, or that they stand in it.
-void judge_by_source(Graded& graded, const std::string& source, const std::string& output, const Marking& marking) {
+void judge_by_source(Graded& graded, const std::string& source, const std::string& output, const Marking& marking,
+                     ScoreMemo* memo) {
     const auto places = places_in(graded.submission.rereads, output);
-    if (auto own = score_on_own_scene(graded.score, output, source, marking, places)) {
+    if (auto own = score_on_own_scene(graded.score, output, source, marking, places, memo)) {
         graded.score = std::move(own->score);
         graded.flags.push_back({"other_scene", own->scene.cause + "; answers belong to that scene."});
         graded.own_scene = std::move(own->scene);
@@ -174,7 +175,7 @@ Graded mark(const Submission& submission, const Executions& executions, const Ma
     }
     if (const auto evidence = difference(repetitions)) graded.flags.push_back({"nondeterministic", *evidence});
     graded.score = *score;
-    judge_by_source(graded, submission.source, first.run.output, marking);
+    judge_by_source(graded, submission.source, first.run.output, marking, memo);
     note_doubts(graded);
     if (first.run.output.size() <= longest_kept_printout) graded.printout = first.run.output;
     graded.build = first.build;

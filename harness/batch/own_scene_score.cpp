@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <stdexcept>
 
 #include "harness/scenes/source/stated_scene.h"
@@ -10,18 +11,16 @@
 namespace harness {
 namespace {
 
-/// The transcript's score where `scene` takes the assignment's place. Empty if the scene can't be marked.
-std::optional<Score> score_on(const reference::Scene<reference::Decimal>& scene, const Transcript& transcript,
-                              const Marking& marking, std::span<const ItemPlace> places) {
+/// The marking with `scene` in the assignment's place; null if the scene can't be marked.
+std::shared_ptr<const Marking> marking_on(const reference::Scene<reference::Decimal>& scene, const Marking& marking) {
     try {
         reference::Assignment other = marking.assignment;
         other.scene = reference::check_scene(scene, "the scene in the source");
-        const Marking own = make_marking(std::move(other));
-        return score(transcript, own.key, own.assignment, places);
+        return std::make_shared<const Marking>(make_marking(std::move(other)));
     } catch (const reference::AssignmentError&) {
-        return std::nullopt;
+        return nullptr;
     } catch (const std::domain_error&) {
-        return std::nullopt;
+        return nullptr;
     }
 }
 
@@ -45,7 +44,8 @@ std::ptrdiff_t right_answers(const Score& score) {
 }  // namespace
 
 std::optional<OwnSceneScore> score_on_own_scene(const Score& score, const std::string& output, std::string_view source,
-                                                const Marking& marking, std::span<const ItemPlace> places) {
+                                                const Marking& marking, std::span<const ItemPlace> places,
+                                                ScoreMemo* memo) {
     if (!has_wrong_answer(score)) return std::nullopt;
     const auto stated_scenes = scenes::stated_scenes(source, marking.assignment.scene);
     if (stated_scenes.empty()) return std::nullopt;
@@ -53,15 +53,17 @@ std::optional<OwnSceneScore> score_on_own_scene(const Score& score, const std::s
     std::optional<OwnSceneScore> best;
     std::ptrdiff_t most_right = 0;
     for (const scenes::StatedScene& stated : stated_scenes) {
-        const auto own = score_on(stated.scene, transcript, marking, places);
-        if (!own) continue;
+        const auto make = [&] { return marking_on(stated.scene, marking); };
+        const auto there = memo ? memo->on_scene(stated.scene, make) : make();
+        if (!there) continue;
+        const Score own = harness::score(transcript, there->key, there->assignment, places);
         OwnScene scene{reference::scene_toml(stated.scene), describe(stated.parts)};
-        auto explained = explained_by_scene(score, *own, scene.cause, marking.assignment.rubric);
-        const std::ptrdiff_t right = right_answers(*own);
+        auto explained = explained_by_scene(score, own, scene.cause, marking.assignment.rubric);
+        const std::ptrdiff_t right = right_answers(own);
         if (!explained || right <= most_right) continue;
         most_right = right;
         best = OwnSceneScore{std::move(*explained), std::move(scene)};
-        if (!has_wrong_answer(*own)) break;
+        if (!has_wrong_answer(own)) break;
     }
     return best;
 }
@@ -92,9 +94,10 @@ std::vector<AnswersOfAnother> flag_answers_of_others(std::vector<Graded>& graded
 Score score_again_on(const OwnScene& scene, const Score& score, const Transcript& transcript, const Marking& marking,
                      std::span<const ItemPlace> places) {
     const auto stated = reference::parse_assignment(scene.toml, "the scene in the source");
-    const auto own = score_on(stated.scene, transcript, marking, places);
-    if (!own) return score;
-    return explained_by_scene(score, *own, scene.cause, marking.assignment.rubric).value_or(score);
+    const auto there = marking_on(stated.scene, marking);
+    if (!there) return score;
+    const Score own = harness::score(transcript, there->key, there->assignment, places);
+    return explained_by_scene(score, own, scene.cause, marking.assignment.rubric).value_or(score);
 }
 
 }  // namespace harness

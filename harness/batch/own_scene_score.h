@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "harness/batch/score_memo.h"
 #include "harness/grade/graded.h"
 #include "harness/grade/marking.h"
 #include "harness/match/item_place.h"
@@ -20,9 +21,10 @@ struct OwnSceneScore {
 
 /// Looks for a scene in the source to which the answers that are not right for the assignment belong. `score` is that
 /// of the output, in which items that have a place were read from there. Empty if there is none. Makes a key for each
-/// scene tried, of which there are at most twelve.
+/// scene tried, of which there are at most twelve, unless the memo, which may be null, has it.
 std::optional<OwnSceneScore> score_on_own_scene(const Score& score, const std::string& output, std::string_view source,
-                                                const Marking& marking, std::span<const ItemPlace> places = {});
+                                                const Marking& marking, std::span<const ItemPlace> places = {},
+                                                ScoreMemo* memo = nullptr);
 
 /// Marks the transcript again with a scene that was found before.
 Score score_again_on(const OwnScene& scene, const Score& score, const Transcript& transcript, const Marking& marking,

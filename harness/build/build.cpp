@@ -298,6 +298,7 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
     if (submission.problem) return build;
     if (settings.compiler.empty()) throw_no_compiler();
     build.tried = true;
+    const bool is_ours = !submission.inputs.empty();
     const auto program = scratch.path() / program_name;
     const auto succeed = [&] {
         build.program = program;
@@ -309,17 +310,18 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
         const ProcessResult result =
             compile(without_directives(source, block, header->directives), settings, sandbox, scratch, header);
         build.wall = result.wall;
-        if (is_program(result, program) && result.output.empty() &&
-            are_about_lines_below(last_line(source, block, header->directives), result.errors)) {
+        const bool same_messages =
+            is_ours || are_about_lines_below(last_line(source, block, header->directives), result.errors);
+        if (is_program(result, program) && result.output.empty() && same_messages) {
             succeed();
             build.by_header = true;
             build.diagnostics = result.errors;
-            return build;
         }
+        if (build.compiled || is_ours) return build;
         empty_folder(scratch.path());
     }
     ProcessResult result = compile(submission.source, settings, sandbox, scratch, {});
-    if (!is_program(result, program) && failed(result)) {
+    if (!is_program(result, program) && failed(result) && !is_ours) {
         // The machine can cause any error: where it fails to read a file of the compiler's, a name is undefined.
         static std::mutex one_at_a_time;  // what was short for several may do for one
         const std::lock_guard lock(one_at_a_time);
@@ -331,10 +333,8 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
     build.depends_on_load = result.ended == Ended::wall_limit || result.ended == Ended::signalled || broke_down;
     build.diagnostics = messages(result, settings.limits);
     build.wall += result.wall;
-    if (is_program(result, program)) {
-        succeed();
-        return build;
-    }
+    if (is_program(result, program)) succeed();
+    if (build.compiled || is_ours) return build;
     refuse_a_full_disk(scratch.path(), settings.limits);
     if (result.ended == Ended::exited && names_the_machine(result.errors)) {
         throw HarnessError("The compiler says that the machine lacks something, twice, so its failure is not marked: " +

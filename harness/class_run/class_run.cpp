@@ -60,19 +60,24 @@ void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::stri
                         const MoreScenes& wanted) {
     run.runner.repetitions = 1;
     run.runner.sanitize = false;
-    if (wanted.other.count > 0) {
-        const std::size_t count = graded.size() * static_cast<std::size_t>(wanted.other.count);
-        with_progress("other scenes", count, run.runner, wanted.shows_progress, [&](Timeline& timeline) {
-            scenes::run_other_scenes(graded, sources, run.marking, run.runner, wanted.jobs, wanted.other, timeline);
-        });
-        scenes::award_other_scene_points(graded, run.marking.assignment.rubric);
+    // Both at once, because a program is compiled once for all its scenes.
+    const bool other = wanted.other.count > 0;
+    std::vector<scenes::Trial> trials;
+    std::size_t count = 0;  // of scenes, at most
+    if (other) {
+        trials.push_back(scenes::on_other_scenes(graded, sources, run.marking, wanted.other));
+        count += graded.size() * static_cast<std::size_t>(wanted.other.count);
     }
     if (wanted.hard) {
-        const std::size_t count = graded.size() * scenes::most_hard_scenes();
-        with_progress("hard scenes", count, run.runner, wanted.shows_progress, [&](Timeline& timeline) {
-            scenes::run_hard_scenes(graded, sources, run.marking, run.runner, wanted.jobs, timeline);
-        });
+        trials.push_back(scenes::on_hard_scenes(graded, sources, run.marking));
+        count += graded.size() * scenes::most_hard_scenes();
     }
+    if (trials.empty()) return;
+    const char* what = !wanted.hard ? "other scenes" : other ? "other and hard scenes" : "hard scenes";
+    with_progress(what, count, run.runner, wanted.shows_progress, [&](Timeline& timeline) {
+        scenes::run_rewritten(graded, sources, run.marking.assignment.scene, run.runner, wanted.jobs, timeline, trials);
+    });
+    if (other) scenes::award_other_scene_points(graded, run.marking.assignment.rubric);
 }
 
 int status_of(const std::vector<Graded>& graded) {

@@ -31,13 +31,16 @@ struct Submission {
     /// Unique within a batch: the folder's name, or the file's without its ending. Valid UTF-8 without control
     /// characters and '/', so that it can name a report (other bytes are written as %XX).
     std::string id;
-    std::string name;                    ///< as a roster writes it: "Rossi, Giulia"; empty if no roster names it
-    std::filesystem::path file;          ///< path of the source; empty if there is none
-    std::string source;                  ///< its bytes, at most largest_source_bytes
-    std::string source_sha256;           ///< lower-case hexadecimal; empty if there is no source
-    std::optional<LmsName> lms;          ///< what its name in a learning management system's download says
-    std::vector<std::string> notes;      ///< what the instructor should know, e.g. other files in the folder
-    std::vector<Reread> rereads;         ///< the instructor's
+    std::string name;                ///< as a roster writes it: "Rossi, Giulia"; empty if no roster names it
+    std::filesystem::path file;      ///< path of the source; empty if there is none
+    std::string source;              ///< its bytes, at most largest_source_bytes
+    std::string source_sha256;       ///< lower-case hexadecimal; empty if there is no source
+    std::optional<LmsName> lms;      ///< what its name in a learning management system's download says
+    std::vector<std::string> notes;  ///< what the instructor should know, e.g. other files in the folder
+    std::vector<Reread> rereads;     ///< the instructor's
+    /// Of a source that raygrade itself wrote: what its runs get as stdin, one run each. That it does not compile then
+    /// says nothing of the submission. Empty for what students hand in, which runs without an input.
+    std::vector<std::string> inputs;
     std::optional<std::string> problem;  ///< why it can't be graded and what to do; empty if it can
 };
 

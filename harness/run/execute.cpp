@@ -14,11 +14,18 @@
 namespace harness {
 namespace {
 
-/// The cache keys of the runs: the first run, its repetitions, and last the sanitized run. Empty if nothing is cached.
+bool is_sanitized(const Submission& submission, const Runner& runner) {
+    return runner.sanitize && submission.inputs.empty();
+}
+
+/// The cache keys of the runs: of each input; or else the first run, its repetitions, and last the sanitized run. Empty
+/// if nothing is cached.
 std::vector<std::string> keys_of(const Submission& submission, const Runner& runner) {
     std::vector<std::string> keys;
     if (!runner.result_cache) return keys;
     const auto add = [&](const std::string& which) { keys.push_back(execution_key(submission.source, runner, which)); };
+    for (const std::string& input : submission.inputs) add("with input " + input);
+    if (!submission.inputs.empty()) return keys;
     add("first");
     for (int i = 2; i <= runner.repetitions; ++i) add("repetition " + std::to_string(i));
     if (runner.sanitize) add("sanitized");
@@ -34,7 +41,7 @@ std::optional<Executions> find_in_cache(const Submission& submission, const Runn
         if (!kept) return {};
         found.runs.push_back(std::move(*kept));
     }
-    if (runner.sanitize) {
+    if (is_sanitized(submission, runner)) {
         found.sanitized = std::move(found.runs.back());
         found.runs.pop_back();
     }
@@ -72,12 +79,12 @@ bool lacks_something(const ProcessResult& run) {
 
 /// Runs a program, and once more by itself if the machine may have ended it. Then the second run counts, if a program
 /// that is known to be right runs in the same place.
-void run_fairly(Execution& execution, const Runner& runner, const Scratch& program) {
-    execution.run = run(execution.build, runner.run, *runner.sandbox, program);
+void run_fairly(Execution& execution, const Runner& runner, const Scratch& program, const std::string& input) {
+    execution.run = run(execution.build, runner.run, *runner.sandbox, program, input);
     if (!may_be_the_machine(execution.run)) return;
     static std::mutex one_at_a_time;
     const std::lock_guard lock(one_at_a_time);
-    execution.run = run(execution.build, runner.run, *runner.sandbox, program);
+    execution.run = run(execution.build, runner.run, *runner.sandbox, program, input);
     if (may_be_the_machine(execution.run)) runner.known_program->require_that_it_runs(runner.run);
     execution.depends_on_machine = !may_be_the_machine(execution.run) || lacks_something(execution.run);
 }
@@ -108,8 +115,10 @@ Compiled compile(const Submission& submission, const Runner& runner, const std::
     Execution execution;
     compiled.program = std::make_unique<Scratch>(runner.sandbox->workspace());
     execution.build = build(submission, runner.build, *runner.sandbox, *compiled.program, header);
-    compiled.executions.runs.assign(static_cast<std::size_t>(runner.repetitions), execution);
-    if (!runner.sanitize) return compiled;
+    const std::size_t runs =
+        submission.inputs.empty() ? static_cast<std::size_t>(runner.repetitions) : submission.inputs.size();
+    compiled.executions.runs.assign(runs, execution);
+    if (!is_sanitized(submission, runner)) return compiled;
     BuildSettings settings = runner.build;
     for (const std::string& flag : sanitizer_flags()) settings.flags.push_back(flag);
     compiled.sanitized_program = std::make_unique<Scratch>(runner.sandbox->workspace());
@@ -123,10 +132,13 @@ Executions run_compiled(Compiled compiled, const Submission& submission, const R
     if (executions.from_cache) return std::move(executions);
     {
         const Timeline::Span span(timeline, Stage::run, submission.id);
-        for (Execution& each : executions.runs) run_fairly(each, runner, *compiled.program);
+        for (std::size_t i = 0; i < executions.runs.size(); ++i) {
+            const std::string input = submission.inputs.empty() ? "" : submission.inputs[i];
+            run_fairly(executions.runs[i], runner, *compiled.program, input);
+        }
         if (executions.sanitized) {
             executions.sanitized->run = run(executions.sanitized->build, sanitizer_limits(runner.run), *runner.sandbox,
-                                            *compiled.sanitized_program, sanitizer_environment());
+                                            *compiled.sanitized_program, {}, sanitizer_environment());
         }
     }
     keep(executions, submission, runner);

@@ -17,7 +17,8 @@ namespace harness {
 
 /// All runs of one source.
 struct Executions {
-    std::vector<Execution> runs;         ///< at least one; those after the first are repetitions (`--repeat`)
+    /// At least one. Those after the first are repetitions (`--repeat`); with inputs, there is one for each.
+    std::vector<Execution> runs;
     std::optional<Execution> sanitized;  ///< the run of a second build under the sanitizers (`--sanitize`)
     bool from_cache = false;             ///< nothing was compiled or run for them
 };

@@ -3,7 +3,7 @@
 namespace harness {
 
 ProcessResult run(const Build& build, const Limits& limits, const Sandbox& sandbox, const Scratch& scratch,
-                  const std::vector<std::string>& more_environment) {
+                  const std::string& input, const std::vector<std::string>& more_environment) {
     if (!build.program) return {};
     Command command;
     // Relative to the working directory, because inside the sandbox that has another path than outside.
@@ -15,6 +15,7 @@ ProcessResult run(const Build& build, const Limits& limits, const Sandbox& sandb
     command.preload = sandbox.line_buffer_inside();
     if (sandbox.tier() != Tier::bwrap) command.readable.push_back(sandbox.line_buffer());
     command.environment.insert(command.environment.end(), more_environment.begin(), more_environment.end());
+    command.input = input;
     command.limits = limits;
     return run_process(command, sandbox);
 }

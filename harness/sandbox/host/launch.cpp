@@ -51,6 +51,17 @@ Pipe make_pipe() {
     return {FileDescriptor(ends[0]), FileDescriptor(ends[1])};
 }
 
+/// A pipe that holds `input` and ends behind it; the descriptor of /dev/null for none.
+FileDescriptor open_input(const std::string& input) {
+    if (input.empty()) return FileDescriptor(open("/dev/null", O_RDONLY | O_CLOEXEC));
+    Pipe pipe = make_pipe();
+    const bool fits = input.size() <= longest_input;
+    if (fits && write(pipe.write_end.get(), input.data(), input.size()) == static_cast<ssize_t>(input.size()))
+        return std::move(pipe.read_end);
+    throw HarnessError("Could not fill a pipe for a program's input: " + std::generic_category().message(errno) +
+                       ". Grade fewer submissions at a time (-j).");
+}
+
 /// If stdin, stdout or stderr is closed, a pipe may get its number, and the child would then overwrite the pipe.
 void keep_standard_descriptors_taken() {
     static const bool done = [] {
@@ -65,7 +76,7 @@ void keep_standard_descriptors_taken() {
 /// Prepares the child between vfork and exec. The child has its own descriptors and credentials but shares this
 /// process's memory.
 struct SupervisorSetup {
-    int output_fd, error_fd, status_fd, lifeline_fd;
+    int input_fd, output_fd, error_fd, status_fd, lifeline_fd;
     const char* const* environment;
     int lock_fd;             ///< keeps the workspace until the last process in it is gone
     const Account* account;  ///< the account to change to before exec; null for no change
@@ -92,9 +103,10 @@ struct SupervisorSetup {
         errno = 0;
         be_the_first_to_go();
         const bool ready = setsid() >= 0 && (account == nullptr || become(*account)) &&
-                           dup2(output_fd, STDOUT_FILENO) >= 0 && dup2(error_fd, STDERR_FILENO) >= 0 &&
-                           close_range(3, ~0U, CLOSE_RANGE_CLOEXEC) == 0 && fcntl(status_fd, F_SETFD, 0) == 0 &&
-                           fcntl(lifeline_fd, F_SETFD, 0) == 0 && fcntl(lock_fd, F_SETFD, 0) == 0;
+                           dup2(input_fd, STDIN_FILENO) >= 0 && dup2(output_fd, STDOUT_FILENO) >= 0 &&
+                           dup2(error_fd, STDERR_FILENO) >= 0 && close_range(3, ~0U, CLOSE_RANGE_CLOEXEC) == 0 &&
+                           fcntl(status_fd, F_SETFD, 0) == 0 && fcntl(lifeline_fd, F_SETFD, 0) == 0 &&
+                           fcntl(lock_fd, F_SETFD, 0) == 0;
         return ready ? error_code() : error_code(errno, boost::system::system_category());
     }
 
@@ -144,6 +156,7 @@ std::vector<std::string> command_line(const Command& command, const Sandbox& san
     orders.purpose = command.purpose;
     // The kernel counts an account's processes separately in each user namespace.
     orders.counted_alone = sandbox.tier() == Tier::bwrap || command.account;
+    orders.has_input = !command.input.empty();
     orders.limits = command.limits;
     orders.working_directory = sandbox.inside(command.working_directory).string();
     orders.argv = command.argv;
@@ -173,7 +186,9 @@ void launch(Supervisor& supervisor, const Command& command, const Sandbox& sandb
     const auto variables = environment_of(command, sandbox);
     const auto environment = pointers_to(variables);
     const auto words = command_line(command, sandbox, status.write_end.get(), lifeline.read_end.get());
-    const SupervisorSetup setup = {output.write_end.get(),
+    const FileDescriptor input = open_input(command.input);
+    const SupervisorSetup setup = {input.get(),
+                                   output.write_end.get(),
                                    errors.write_end.get(),
                                    status.write_end.get(),
                                    lifeline.read_end.get(),

@@ -1,6 +1,7 @@
 // The description of a program to run with limits. run_process of sandbox.h runs it.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,6 +12,10 @@
 
 namespace harness {
 
+/// What every pipe holds, however many pipes the user has (pipe(7)), so that it can be filled before the program
+/// starts.
+inline constexpr std::size_t longest_input = 4096;
+
 struct Command {
     std::vector<std::string> argv;            ///< argv[0] is an absolute path, or one from the working directory: "./x"
     std::filesystem::path working_directory;  ///< absolute; the program can access it
@@ -19,6 +24,7 @@ struct Command {
     std::vector<std::filesystem::path> readable;  ///< what else it may read, under the same path: absolute, existing
     std::vector<std::string> environment;         ///< "NAME=value"; HOME and TMPDIR, the working directory, are added
     std::filesystem::path preload;                ///< a library, as the program finds it; empty for none
+    std::string input;                            ///< its stdin, at most longest_input bytes; empty for /dev/null
     Limits limits;
 };
 

@@ -43,10 +43,10 @@ class Sandbox {
 /// may keep private files.
 std::vector<std::filesystem::path> system_folders(Purpose purpose);
 
-/// Runs the command in the sandbox until it ends or exceeds a limit, with stdin from /dev/null, and leaves no process
-/// of it behind. Safe to call from several threads. A program that exceeded a limit gets that verdict even if it ended
-/// by itself first. Throws HarnessError if the machine could not run it (no such program or folder, no more processes,
-/// no sandbox) or could not tell how it ended.
+/// Runs the command in the sandbox until it ends or exceeds a limit, and leaves no process of it behind. Safe to call
+/// from several threads. A program that exceeded a limit gets that verdict even if it ended by itself first. Throws
+/// HarnessError if the machine could not run it (no such program or folder, no more processes, no sandbox) or could not
+/// tell how it ended.
 ProcessResult run_process(const Command& command, const Sandbox& sandbox);
 
 }  // namespace harness

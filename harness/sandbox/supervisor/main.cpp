@@ -223,7 +223,7 @@ SupervisorStatus supervise(const SupervisorOrders& orders) {
     if (const char* failed = harden()) return not_executed(errno, failed);
     const FileDescriptor child_fd = listen_for_children();
     if (!child_fd) return not_executed(errno, "signalfd");
-    if (!silence(STDIN_FILENO)) return not_executed(errno, "open-dev-null");
+    if (!orders.has_input && !silence(STDIN_FILENO)) return not_executed(errno, "open-dev-null");
     const auto strangers = running_now();
     const auto kills_before = out_of_memory_kills();
     const auto start = Clock::now();

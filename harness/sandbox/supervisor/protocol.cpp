@@ -64,6 +64,7 @@ std::vector<std::string> to_arguments(const SupervisorOrders& orders) {
         "tier=" + std::string(to_string(orders.tier)),
         word("compiling", orders.purpose == Purpose::compile ? 1 : 0),
         word("counted-alone", orders.counted_alone ? 1 : 0),
+        word("has-input", orders.has_input ? 1 : 0),
         word("cpu-ms", limits.cpu.count()),
         word("wall-ms", limits.wall.count()),
         word("memory-bytes", limits.memory_bytes),
@@ -99,18 +100,21 @@ std::optional<SupervisorOrders> from_arguments(const std::vector<std::string>& a
     for (auto word = first; word != last; ++word) orders.readable.push_back(word->second);
     int compiling = 0;
     int counted_alone = 0;
+    int has_input = 0;
     Account account;
     const bool complete =
         take(words, "status-fd", orders.status_fd) && take(words, "lifeline-fd", orders.lifeline_fd) &&
         take_tier(words, orders.tier) && take(words, "compiling", compiling) &&
-        take(words, "counted-alone", counted_alone) && take_duration(words, "cpu-ms", limits.cpu) &&
-        take_duration(words, "wall-ms", limits.wall) && take(words, "memory-bytes", limits.memory_bytes) &&
-        take(words, "file-bytes", limits.file_bytes) && take(words, "stack-bytes", limits.stack_bytes) &&
-        take(words, "processes", limits.processes) && take(words, "open-files", limits.open_files) &&
+        take(words, "counted-alone", counted_alone) && take(words, "has-input", has_input) &&
+        take_duration(words, "cpu-ms", limits.cpu) && take_duration(words, "wall-ms", limits.wall) &&
+        take(words, "memory-bytes", limits.memory_bytes) && take(words, "file-bytes", limits.file_bytes) &&
+        take(words, "stack-bytes", limits.stack_bytes) && take(words, "processes", limits.processes) &&
+        take(words, "open-files", limits.open_files) &&
         (!words.contains("uid") || (take(words, "uid", account.uid) && take(words, "gid", account.gid)));
     if (!complete) return std::nullopt;
     orders.purpose = compiling != 0 ? Purpose::compile : Purpose::run;
     orders.counted_alone = counted_alone != 0;
+    orders.has_input = has_input != 0;
     if (words.contains("uid")) orders.account = account;
     return orders;
 }

@@ -23,6 +23,7 @@ struct SupervisorOrders {
     std::optional<Account> account;  ///< the program's; with namespaces also the supervisor's
     /// The program's account has no other processes, so the kernel counts the program's processes exactly.
     bool counted_alone = false;
+    bool has_input = false;             ///< the supervisor's stdin is the program's; else that is /dev/null
     std::vector<std::string> readable;  ///< absolute; for Landlock only
     Limits limits{};
     std::string working_directory;

@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <exception>
 #include <map>
+#include <memory>
 #include <utility>
 
-#include "harness/run/runner.h"
-#include "harness/run/timeline.h"
 #include "harness/scenes/hard/better_formula.h"
 #include "harness/scenes/hard/generate.h"
 #include "harness/scenes/hard/losses.h"
-#include "harness/scenes/run/run_rewritten.h"
 #include "harness/text/escape.h"
 
 namespace harness::scenes {
@@ -74,11 +72,21 @@ class ClassOnHardScenes {
     ClassOnHardScenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking)
         : graded_(graded), sources_(sources), marking_(marking) {}
 
-    void run(const Runner& runner, int jobs, Timeline& timeline) {
-        scenes::run_rewritten(
-            graded_, sources_, marking_.assignment.scene, runner, jobs, timeline,
-            [this](std::size_t index, const PartSet& located) -> const auto& { return set_of(index, located).marked; },
-            [this](const Rewritten& one) { conclude(one); });
+    const std::vector<MarkedScene>& scenes_for(std::size_t index, const PartSet& located) {
+        return set_of(index, located).marked;
+    }
+
+    /// A failure here concerns only feedback and changes no marks.
+    void conclude(const Rewritten& one) {
+        Graded& graded = graded_[one.index];
+        try {
+            graded.hard_scenes = report_of(one, graded);
+        } catch (const std::exception& error) {
+            graded.our_fault = true;
+            graded.submission.notes.push_back(
+                fmt::format("It was not run on hard scenes by a fault of raygrade: {}. Please report it.",
+                            escape_control(error.what())));
+        }
     }
 
   private:
@@ -93,19 +101,6 @@ class ClassOnHardScenes {
             set.fault = std::current_exception();
         }
         return set;
-    }
-
-    /// A failure here concerns only feedback and changes no marks.
-    void conclude(const Rewritten& one) {
-        Graded& graded = graded_[one.index];
-        try {
-            graded.hard_scenes = report_of(one, graded);
-        } catch (const std::exception& error) {
-            graded.our_fault = true;
-            graded.submission.notes.push_back(
-                fmt::format("It was not run on hard scenes by a fault of raygrade: {}. Please report it.",
-                            escape_control(error.what())));
-        }
     }
 
     HardScenesReport report_of(const Rewritten& one, const Graded& graded) {
@@ -150,9 +145,12 @@ class ClassOnHardScenes {
 
 }  // namespace
 
-void run_hard_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
-                     const Runner& runner, int jobs, Timeline& timeline) {
-    ClassOnHardScenes(graded, sources, marking).run(runner, jobs, timeline);
+Trial on_hard_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking) {
+    const auto all = std::make_shared<ClassOnHardScenes>(graded, sources, marking);
+    return {[all](std::size_t index, const PartSet& located) -> const auto& {return all->scenes_for(index, located);
+}
+, [all](const Rewritten& one) { all->conclude(one); }
+};  // namespace harness::scenes
 }
 
 }  // namespace harness::scenes

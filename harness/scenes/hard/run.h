@@ -1,4 +1,4 @@
-// Runs a class on the hard scenes. The results are feedback only and change no marks.
+// Tries a class on the hard scenes. The results are feedback only and change no marks.
 #pragma once
 
 #include <string>
@@ -6,15 +6,13 @@
 
 #include "harness/grade/graded.h"
 #include "harness/grade/marking.h"
-#include "harness/run/runner.h"
-#include "harness/run/timeline.h"
+#include "harness/scenes/run/run_rewritten.h"
 
 namespace harness::scenes {
 
-/// Fills `hard_scenes` of each result that has a right answer. `sources` are those of the results. Each source is
-/// rewritten, compiled, run and cached as for other scenes; the caller turns repetitions and sanitizers off. A fault of
-/// raygrade's becomes a note of the submission and leaves its marks as they are.
-void run_hard_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
-                     const Runner& runner, int jobs, Timeline& timeline);
+/// Fills `hard_scenes` of each result that has a right answer. `sources` are those of the results. A fault of
+/// raygrade's becomes a note of the submission and leaves its marks as they are. All that is given must outlive the
+/// trial.
+Trial on_hard_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking);
 
 }  // namespace harness::scenes

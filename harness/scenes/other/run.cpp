@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
+#include <utility>
 
 #include "harness/grade/other_scenes_sentences.h"
-#include "harness/run/runner.h"
-#include "harness/run/timeline.h"
 #include "harness/scenes/other/generate.h"
-#include "harness/scenes/run/run_rewritten.h"
 #include "harness/scenes/source/written_answers.h"
 
 namespace harness::scenes {
@@ -25,11 +24,34 @@ class ClassOnOtherScenes {
                        const OtherScenesOptions& options)
         : graded_(graded), sources_(sources), marking_(marking), options_(options) {}
 
-    void run(const Runner& runner, int jobs, Timeline& timeline) {
-        run_rewritten(
-            graded_, sources_, marking_.assignment.scene, runner, jobs, timeline,
-            [this](std::size_t /*index*/, const PartSet& located) -> const auto& { return set_of(located).marked; },
-            [this](Rewritten one) { conclude(std::move(one)); });
+    const std::vector<MarkedScene>& scenes_for(const PartSet& located) { return set_of(located).marked; }
+
+    void conclude(Rewritten one) {
+        Graded& graded = graded_[one.index];
+        const DecimalScene& scene = marking_.assignment.scene;
+        std::vector<OtherSceneRun> runs;
+        std::vector<UntriedScene> not_tried = set_of(one.literals.located).not_had;
+        for (SceneRun& each : one.runs) {
+            std::string why = why_not_tried(each);
+            if (why.empty()) {
+                runs.push_back(run_of(each));
+            } else {
+                const reference::OtherScene& other = each.scene->scene;
+                not_tried.push_back({other.name, described(other.scene, scene), std::move(why)});
+            }
+        }
+        const bool nothing_tried = runs.empty();
+        graded.other_scenes =
+            compare(graded.score, std::move(runs), std::move(not_tried), parts_not_found(scene, one.literals.located));
+        graded.other_scenes->seed = options_.seed;
+        const auto is_hard_coded = [](const Flag& flag) { return flag.kind == "hard_coded"; };
+        if (!nothing_tried) std::erase_if(graded.flags, is_hard_coded);  // running it says more than its source
+        if (graded.other_scenes->verdict == OtherSceneVerdict::does_not_move) {
+            graded.flags.push_back({"hard_coded", unmoved_evidence(*graded.other_scenes)});
+        } else if (nothing_tried && std::none_of(graded.flags.begin(), graded.flags.end(), is_hard_coded)) {
+            const auto written = written_answers(sources_[one.index], graded.score, scene);
+            if (written.size() >= fewest_written) graded.flags.push_back({"hard_coded", written_evidence(written)});
+        }
     }
 
   private:
@@ -63,34 +85,6 @@ class ClassOnOtherScenes {
                 run.graded->outcome == Outcome::graded, std::move(run.graded->score)};
     }
 
-    void conclude(Rewritten one) {
-        Graded& graded = graded_[one.index];
-        const DecimalScene& scene = marking_.assignment.scene;
-        std::vector<OtherSceneRun> runs;
-        std::vector<UntriedScene> not_tried = set_of(one.literals.located).not_had;
-        for (SceneRun& each : one.runs) {
-            std::string why = why_not_tried(each);
-            if (why.empty()) {
-                runs.push_back(run_of(each));
-            } else {
-                const reference::OtherScene& other = each.scene->scene;
-                not_tried.push_back({other.name, described(other.scene, scene), std::move(why)});
-            }
-        }
-        const bool nothing_tried = runs.empty();
-        graded.other_scenes =
-            compare(graded.score, std::move(runs), std::move(not_tried), parts_not_found(scene, one.literals.located));
-        graded.other_scenes->seed = options_.seed;
-        const auto is_hard_coded = [](const Flag& flag) { return flag.kind == "hard_coded"; };
-        if (!nothing_tried) std::erase_if(graded.flags, is_hard_coded);  // running it says more than its source
-        if (graded.other_scenes->verdict == OtherSceneVerdict::does_not_move) {
-            graded.flags.push_back({"hard_coded", unmoved_evidence(*graded.other_scenes)});
-        } else if (nothing_tried && std::none_of(graded.flags.begin(), graded.flags.end(), is_hard_coded)) {
-            const auto written = written_answers(sources_[one.index], graded.score, scene);
-            if (written.size() >= fewest_written) graded.flags.push_back({"hard_coded", written_evidence(written)});
-        }
-    }
-
     std::vector<Graded>& graded_;
     const std::vector<std::string>& sources_;
     const Marking& marking_;
@@ -100,9 +94,13 @@ class ClassOnOtherScenes {
 
 }  // namespace
 
-void run_other_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
-                      const Runner& runner, int jobs, const OtherScenesOptions& options, Timeline& timeline) {
-    if (options.count > 0) ClassOnOtherScenes(graded, sources, marking, options).run(runner, jobs, timeline);
+Trial on_other_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
+                      const OtherScenesOptions& options) {
+    const auto all = std::make_shared<ClassOnOtherScenes>(graded, sources, marking, options);
+    return {[all](std::size_t /*index*/, const PartSet& located) -> const auto& {return all->scenes_for(located);
+}
+, [all](Rewritten one) { all->conclude(std::move(one)); }
+};  // namespace harness::scenes
 }
 
 }  // namespace harness::scenes

@@ -1,4 +1,4 @@
-// Runs a class on other scenes: each source is rewritten, compiled, run and marked like any submission.
+// Tries a class on other scenes.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,7 @@
 
 #include "harness/grade/graded.h"
 #include "harness/grade/marking.h"
-#include "harness/run/runner.h"
-#include "harness/run/timeline.h"
+#include "harness/scenes/run/run_rewritten.h"
 
 namespace harness::scenes {
 
@@ -19,9 +18,8 @@ struct OtherScenesOptions {
 
 /// Fills `other_scenes` of each result, and adds the flag "hard_coded" if answers do not change with the scene, or if
 /// the scene was not located and the source contains the answers as printed. `sources` are those of the results. A
-/// submission without a right answer is not tried. Each source is compiled, run and cached like any other. The runner's
-/// repetitions and sanitizers apply here too, so the caller turns them off.
-void run_other_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
-                      const Runner& runner, int jobs, const OtherScenesOptions& options, Timeline& timeline);
+/// submission without a right answer is not tried. All that is given must outlive the trial.
+Trial on_other_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
+                      const OtherScenesOptions& options);
 
 }  // namespace harness::scenes

@@ -9,59 +9,151 @@
 #include "harness/machine/errors.h"
 #include "harness/run/runner.h"
 #include "harness/run/timeline.h"
+#include "harness/scenes/run/scene_table.h"
 #include "harness/text/escape.h"
 
 namespace harness::scenes {
 namespace {
 
-/// A part of a class, whose rewritten sources form one batch.
+/// A part of a class, which is run together.
 class RewrittenPart {
   public:
     RewrittenPart(const std::vector<Graded>& graded, const std::vector<std::string>& sources, const DecimalScene& scene)
         : graded_(graded), sources_(sources), scene_(scene) {}
 
-    /// Adds a submission on all its scenes, or nothing if it throws.
-    void add(std::size_t index, const ScenesFor& scenes_for) {
+    /// Adds a submission on all scenes of a trial, or nothing if it throws.
+    void add(std::size_t index, const Trial& trial) {
         if (!has_right_answer(graded_[index])) return;
         Rewritten one{index, find_scene(sources_[index], scene_), {}};
         std::vector<std::optional<std::string>> written;
-        for (const MarkedScene& scene : scenes_for(index, one.literals.located)) {
+        for (const MarkedScene& scene : trial.scenes_for(index, one.literals.located)) {
             one.runs.push_back({&scene, {}});
             written.push_back(with_scene(sources_[index], one.literals, scene.scene.scene));
         }
         for (std::size_t i = 0; i < written.size(); ++i) {
-            if (written[i]) add(one, i, std::move(*written[i]));
+            if (written[i]) sources_on_scenes_.push_back({index, rewritten_.size(), i, std::move(*written[i])});
         }
         rewritten_.push_back(std::move(one));
+        trials_.push_back(&trial);
     }
 
-    std::vector<Rewritten> run(const Runner& runner, int jobs, Timeline& timeline) {
-        std::vector<Graded> results = grade_each(std::move(submissions_), markings_, runner, jobs, timeline);
-        for (std::size_t i = 0; i < results.size(); ++i)
-            rewritten_[places_[i].first].runs[places_[i].second].graded = std::move(results[i]);
-        return std::move(rewritten_);
+    void run(const Runner& runner, int jobs, Timeline& timeline) {
+        compile_once(runner, jobs, timeline);
+        compile_for_each(runner, jobs, timeline);
+    }
+
+    /// Calls `one(trial, rewritten)` for all that were added, in that order.
+    template <class One>
+    void conclude(One one) {
+        for (std::size_t i = 0; i < rewritten_.size(); ++i) one(*trials_[i], std::move(rewritten_[i]));
     }
 
   private:
-    void add(const Rewritten& one, std::size_t run, std::string source) {
-        const MarkedScene& scene = *one.runs[run].scene;
+    /// A source that states a scene.
+    struct OnScene {
+        std::size_t index;      ///< of the submission in the class
+        std::size_t rewritten;  ///< its place in rewritten_
+        std::size_t run;        ///< and in the runs there
+        std::string source;
+    };
+
+    SceneRun& run_of(const OnScene& one) { return rewritten_[one.rewritten].runs[one.run]; }
+    bool is_done(const OnScene& one) { return run_of(one).graded.has_value(); }
+
+    Submission submission_of(const OnScene& one) {
+        const Submission& base = graded_[one.index].submission;
         Submission submission;
-        submission.id = fmt::format("{} ({})", graded_[one.index].submission.id, scene.scene.name);
-        submission.file = graded_[one.index].submission.file;
-        submission.source = std::move(source);
-        submission.rereads = graded_[one.index].submission.rereads;
-        submissions_.push_back(std::move(submission));
-        markings_.push_back(scene.marking.get());
-        places_.emplace_back(rewritten_.size(), run);
+        submission.id = fmt::format("{} ({})", base.id, run_of(one).scene->scene.name);
+        submission.file = base.file;
+        submission.source = one.source;
+        submission.rereads = base.rereads;
+        return submission;
+    }
+
+    /// The copy that reads its scene from a table, with the tables of the assignment's scene and of all `scenes`.
+    std::optional<Submission> copy_for(std::span<const OnScene> scenes) {
+        constexpr std::size_t worth_it = 2;  // one more is run on the assignment's scene
+        const OnScene& first = scenes.front();
+        const SceneLiterals& literals = rewritten_[first.rewritten].literals;
+        auto source = with_table(sources_[first.index], literals);
+        auto own_table = table_of(literals, scene_);
+        if (scenes.size() < worth_it || !source || !own_table) return {};
+        Submission copy;
+        copy.id = graded_[first.index].submission.id + " (any scene)";
+        copy.source = std::move(*source);
+        copy.inputs.push_back(std::move(*own_table));
+        for (const OnScene& one : scenes) {
+            auto table = table_of(literals, run_of(one).scene->scene.scene);
+            if (!table) return {};
+            copy.inputs.push_back(std::move(*table));
+        }
+        return copy;
+    }
+
+    void compile_once(const Runner& runner, int jobs, Timeline& timeline) {
+        std::vector<Submission> copies;
+        std::vector<std::span<const OnScene>> scenes_of;
+        const std::span<const OnScene> all = sources_on_scenes_;
+        for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+            while (end < all.size() && all[end].index == all[begin].index) ++end;
+            auto copy = copy_for(all.subspan(begin, end - begin));
+            if (!copy) continue;
+            copies.push_back(std::move(*copy));
+            scenes_of.push_back(all.subspan(begin, end - begin));
+        }
+        run_each(std::move(copies), runner, jobs, timeline,
+                 [&](std::size_t copy, const Submission&, const std::function<Executions()>& run_copy) {
+                     try {
+                         take(run_copy(), scenes_of[copy], runner, timeline);
+                     } catch (const std::exception&) {
+                         return;  // what failed says so once more where each scene is compiled
+                     }
+                 });
+    }
+
+    /// Takes the copy's runs if on the assignment's scene it did exactly what the submission did.
+    void take(Executions copy, std::span<const OnScene> scenes, const Runner& runner, Timeline& timeline) {
+        if (!does_the_same(copy.runs.front(), graded_[scenes.front().index])) return;
+        for (std::size_t i = 0; i < scenes.size(); ++i) {
+            SceneRun& run = run_of(scenes[i]);
+            Executions executions;
+            executions.runs.push_back(std::move(copy.runs[i + 1]));
+            const Submission submission = submission_of(scenes[i]);
+            const Marking& marking = *run.scene->marking;
+            run.graded = graded_or_not(submission, marking, runner, [&] {
+                return mark(submission, executions, marking, runner, run.scene->memo.get(), timeline);
+            });
+        }
+        count_ways(copy, scenes.size(), timeline);
+        timeline.finished += scenes.size();
+    }
+
+    static bool does_the_same(const Execution& copy, const Graded& graded) {
+        const ProcessResult& run = copy.run;
+        return run.output == graded.printout && run.ended == graded.run.ended && run.signal == graded.run.signal &&
+               run.exit_code == graded.run.exit_code;
+    }
+
+    void compile_for_each(const Runner& runner, int jobs, Timeline& timeline) {
+        std::vector<Submission> submissions;
+        std::vector<const Marking*> markings;
+        std::vector<SceneRun*> runs;
+        for (const OnScene& one : sources_on_scenes_) {
+            if (is_done(one)) continue;
+            submissions.push_back(submission_of(one));
+            markings.push_back(run_of(one).scene->marking.get());
+            runs.push_back(&run_of(one));
+        }
+        std::vector<Graded> results = grade_each(std::move(submissions), markings, runner, jobs, timeline);
+        for (std::size_t i = 0; i < results.size(); ++i) runs[i]->graded = std::move(results[i]);
     }
 
     const std::vector<Graded>& graded_;
     const std::vector<std::string>& sources_;
     const DecimalScene& scene_;
     std::vector<Rewritten> rewritten_;
-    std::vector<Submission> submissions_;
-    std::vector<const Marking*> markings_;
-    std::vector<std::pair<std::size_t, std::size_t>> places_;  ///< of each submission: in rewritten_, and in its runs
+    std::vector<const Trial*> trials_;        ///< of each in rewritten_
+    std::vector<OnScene> sources_on_scenes_;  ///< those of a submission stand together
 };
 
 void note_fault(Graded& graded, const std::string& what) {
@@ -100,7 +192,8 @@ std::optional<MarkedScene> with_key(reference::OtherScene scene, const Marking& 
     assignment.name = fmt::format("{} ({})", assignment.name, scene.name);
     try {
         auto marking = std::make_shared<const Marking>(make_marking(std::move(assignment)));
-        return MarkedScene{std::move(scene), std::move(marking)};
+        constexpr std::size_t few_scores = 8;
+        return MarkedScene{std::move(scene), std::move(marking), std::make_shared<ScoreMemo>(few_scores)};
     } catch (const reference::AssignmentError&) {
         return {};
     } catch (const std::domain_error&) {
@@ -137,24 +230,28 @@ bool has_right_answer(const Graded& graded) {
 }
 
 void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& sources, const DecimalScene& scene,
-                   const Runner& runner, int jobs, Timeline& timeline, const ScenesFor& scenes_for,
-                   const std::function<void(Rewritten)>& conclude) {
+                   const Runner& runner, int jobs, Timeline& timeline, const std::vector<Trial>& trials) {
     // In parts, because the sources of all scenes together would take several times the memory of the class.
     constexpr std::size_t at_a_time = 256;
     for (std::size_t begin = 0; begin < graded.size(); begin += at_a_time) {
         const std::span<Graded> some(graded.begin() + static_cast<std::ptrdiff_t>(begin),
                                      std::min(at_a_time, graded.size() - begin));
         RewrittenPart part(graded, sources, scene);
-        for (std::size_t i = 0; i < some.size(); ++i)
-            or_noted(some.subspan(i, 1), [&] { part.add(begin + i, scenes_for); });
-        std::vector<Rewritten> done;
-        or_noted(some, [&] { done = part.run(runner, jobs, timeline); });
-        for (Rewritten& one : done) {
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            for (const Trial& trial : trials) or_noted(some.subspan(i, 1), [&] { part.add(begin + i, trial); });
+        }
+        bool is_run = false;
+        or_noted(some, [&] {
+            part.run(runner, jobs, timeline);
+            is_run = true;
+        });
+        if (!is_run) continue;
+        part.conclude([&](const Trial& trial, Rewritten one) {
             Graded& base = graded[one.index];
             const auto failed = std::find_if(one.runs.begin(), one.runs.end(), is_our_fault);
             if (failed != one.runs.end()) note_fault(base, failed->graded->explanation);
-            or_noted({&base, 1}, [&] { conclude(std::move(one)); });
-        }
+            or_noted({&base, 1}, [&] { trial.conclude(std::move(one)); });
+        });
     }
 }
 

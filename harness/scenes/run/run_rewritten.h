@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/batch/score_memo.h"
 #include "harness/grade/graded.h"
 #include "harness/grade/marking.h"
 #include "harness/run/runner.h"
@@ -20,6 +21,7 @@ namespace harness::scenes {
 struct MarkedScene {
     reference::OtherScene scene;
     std::shared_ptr<const Marking> marking;
+    std::shared_ptr<ScoreMemo> memo;  ///< of the marking; small, as there may be a hundred scenes
 };
 
 /// Makes the marking of `base` for another scene. Empty if the scene has no certified key, e.g. because the rubric's
@@ -46,16 +48,23 @@ struct Rewritten {
 /// run_rewritten returns.
 using ScenesFor = std::function<const std::vector<MarkedScene>&(std::size_t index, const PartSet& located)>;
 
+/// Which scenes the submissions are tried on, and what is made of the runs.
+struct Trial {
+    ScenesFor scenes_for;
+    std::function<void(Rewritten)> conclude;
+};
+
 /// Whether the submission has a right answer, so that there is something to compare on other scenes.
 bool has_right_answer(const Graded& graded);
 
-/// Tries every submission that has a right answer; `sources` are those of `graded`. Each rewritten source is compiled,
-/// run and cached like any other. The runner's repetitions and sanitizers apply here too, so the caller turns them off.
-/// `conclude` is called in the order of the class. A failure for one submission, also in `scenes_for` and `conclude`,
-/// does not stop the others and changes no marks. The submission gets a note, and our_fault if the fault is raygrade's.
+/// Tries every submission that has a right answer; `sources` are those of `graded`. A source is compiled once for all
+/// its scenes where that does what compiling it for each does (scene_table.h); else it is rewritten, compiled, run and
+/// cached for each scene like any other. The runner's repetitions and sanitizers apply here too, so the caller turns
+/// them off. Each trial is concluded in the order of the class, before the next trial of the same submission. A failure
+/// for one submission, also in `scenes_for` and `conclude`, does not stop the others and changes no marks. The
+/// submission gets a note, and our_fault if the fault is raygrade's.
 void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& sources, const DecimalScene& scene,
-                   const Runner& runner, int jobs, Timeline& timeline, const ScenesFor& scenes_for,
-                   const std::function<void(Rewritten)>& conclude);
+                   const Runner& runner, int jobs, Timeline& timeline, const std::vector<Trial>& trials);
 
 /// The parts in which `scene` differs from `other`, in words: "eye = (3, -2, 5), radius = 2".
 std::string described(const DecimalScene& scene, const DecimalScene& other);

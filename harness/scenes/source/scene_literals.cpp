@@ -255,27 +255,23 @@ class Locator {
     PartSet doubtful_;
 };
 
-std::optional<std::string> spell_in_place(double value, const SceneLiteral& literal) {
-    std::optional<std::string> text = spell(value, literal.constant);
-    if (text && literal.in_define && text->starts_with('-')) *text = "(" + *text + ")";
-    return text;
-}
-
-std::optional<std::string> replacement(const SceneLiteral& literal, const std::array<double, 3>& value) {
-    if (!literal.splat) return spell_in_place(value.at(literal.component) + literal.offset, literal);
-    std::string all;
-    for (const double x : value) {
-        const auto text = spell_in_place(x, literal);
-        if (!text) return {};
-        all += (all.empty() ? "" : ", ") + *text;
-    }
-    return all;
-}
-
 }  // namespace
 
 SceneLiterals find_scene(std::string_view source, const DecimalScene& scene) {
     return Locator(source, scene).locate();
+}
+
+std::optional<std::vector<std::string>> numbers_in_place(const SceneLiteral& literal, const DecimalScene& variant) {
+    const std::array<double, 3> value = value_of(variant, literal.part, literal.form);
+    const std::size_t first = literal.component;
+    const std::size_t end = literal.splat ? value.size() : first + 1;
+    std::vector<std::string> numbers;
+    for (std::size_t k = first; k < end; ++k) {
+        auto number = spell(value.at(k) + literal.offset, literal.constant);
+        if (!number) return {};
+        numbers.push_back(std::move(*number));
+    }
+    return numbers;
 }
 
 std::optional<std::string> with_scene(std::string_view source, const SceneLiterals& found,
@@ -283,9 +279,15 @@ std::optional<std::string> with_scene(std::string_view source, const SceneLitera
     std::string text;
     std::size_t at = 0;
     for (const SceneLiteral& literal : found.literals) {
-        const auto number = replacement(literal, value_of(variant, literal.part, literal.form));
-        if (!number) return {};
-        text.append(source.substr(at, literal.begin - at)).append(*number);
+        const auto numbers = numbers_in_place(literal, variant);
+        if (!numbers) return {};
+        text.append(source.substr(at, literal.begin - at));
+        const char* comma = "";
+        for (const std::string& number : *numbers) {
+            const bool needs_brackets = literal.in_define && number.starts_with('-');
+            text += comma + (needs_brackets ? "(" + number + ")" : number);
+            comma = ", ";
+        }
         at = literal.end;
     }
     return text.append(source.substr(at));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "harness/machine/errors.h"
 #include "harness/run/limits.h"
 #include "tests/given/strongest_tier.h"
 
@@ -13,8 +14,8 @@ using harness::ProcessResult;
 
 class Run : public testing::Test {
   protected:
-    ProcessResult run(const Build& build) const {
-        return harness::run(build, harness::read_limits({}, {}).run, sandbox_, scratch_);
+    ProcessResult run(const Build& build, const std::string& input = {}) const {
+        return harness::run(build, harness::read_limits({}, {}).run, sandbox_, scratch_, input);
     }
     /// A build that looks as if the program had been compiled in the scratch folder.
     Build copy_of(const std::filesystem::path& program) const {
@@ -46,6 +47,17 @@ TEST_F(Run, RunsTheProgramInItsScratchFolderWithAFreshEnvironment) {
                               (has_pwd() ? "PWD=" + home() + "\n" : ""));
     EXPECT_EQ(env.errors, "") << "nothing but the program writes to its standard error";
     EXPECT_EQ(run(copy_of("/usr/bin/pwd")).output, home() + "\n");
+}
+
+TEST_F(Run, GivesTheProgramItsInputAndThenTheEnd) {
+    const std::string longest(harness::longest_input, 'x');
+    for (const std::string& input : {std::string("a\0b\n", 4), longest}) {
+        const harness::ProcessResult cat = run(copy_of("/bin/cat"), input);
+        EXPECT_EQ(cat.ended, Ended::exited);
+        EXPECT_EQ(cat.output, input);
+    }
+    EXPECT_EQ(run(copy_of("/bin/cat")).output, "");
+    EXPECT_THROW(run(copy_of("/bin/cat"), longest + "x"), harness::HarnessError);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ SupervisorOrders some_orders() {
             .purpose = harness::Purpose::compile,
             .account = harness::Account{70000, 80000},
             .counted_alone = true,
+            .has_input = true,
             .readable = {"/usr/lib", "/a=b c"},
             .limits = {2s, 10s, 1ULL << 40, 3, 4, 0, 0, 16, 64},
             .working_directory = "/a folder=odd",
@@ -37,6 +38,7 @@ TEST(SupervisorProtocol, ReadsOrdersBackUnchanged) {
     EXPECT_EQ(orders->account->uid, 70000U);
     EXPECT_EQ(orders->account->gid, 80000U);
     EXPECT_TRUE(orders->counted_alone);
+    EXPECT_TRUE(orders->has_input);
     EXPECT_EQ(orders->readable, some_orders().readable);
     EXPECT_EQ(orders->limits.memory_bytes, 1ULL << 40);
     EXPECT_EQ(orders->limits.wall, 10s);

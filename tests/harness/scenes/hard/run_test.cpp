@@ -38,8 +38,10 @@ TEST(RunHardScenes, KeepsTheMarksOfAClassIfItFailsItself) {
     const double points = graded[0].score.points;
     marking.assignment.scene.camera.lookat = marking.assignment.scene.camera.eye;
     Timeline timeline;
-    run_hard_scenes(graded, {"int main() {}", "int main() {}", ""}, {marking.assignment, marking.key},
-                    workshop_without_sandbox(), 1, timeline);
+    const std::vector<std::string> sources{"int main() {}", "int main() {}", ""};
+    const Marking held_to{marking.assignment, marking.key};
+    run_rewritten(graded, sources, held_to.assignment.scene, workshop_without_sandbox(), 1, timeline,
+                  {on_hard_scenes(graded, sources, held_to)});
     for (const std::size_t i : {0U, 1U}) {
         EXPECT_EQ(graded[i].outcome, Outcome::graded);
         EXPECT_EQ(graded[i].score.points, points);

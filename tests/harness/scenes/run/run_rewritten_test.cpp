@@ -7,11 +7,14 @@
 #include <memory>
 #include <stdexcept>
 
+#include "harness/batch/grade_submission.h"
 #include "harness/grade/marking.h"
 #include "harness/machine/errors.h"
+#include "harness/run/limits.h"
 #include "harness/run/runner.h"
 #include "harness/run/timeline.h"
 #include "reference/toml/assignment.h"
+#include "tests/given/strongest_tier.h"
 
 namespace harness::scenes {
 namespace {
@@ -44,18 +47,17 @@ std::vector<std::size_t> concluded(std::vector<Graded>& graded, ForOne for_one, 
     const std::vector<MarkedScene> none;
     std::vector<std::size_t> indices;
     Timeline timeline;
-    run_rewritten(
-        graded, sources, scene(), Runner{}, 1, timeline,
-        [&](std::size_t index, const PartSet&) -> const auto& {
-            for_one(index);
-            return none;
-        },
-        [&](const Rewritten& one) {
-            conclude(one.index);
-            indices.push_back(one.index);
-        });
-    return indices;
+    const Trial trial{[&](std::size_t index, const PartSet&) -> const auto& {for_one(index);
+    return none;
 }
+, [&](const Rewritten& one) {
+    conclude(one.index);
+    indices.push_back(one.index);
+}
+};  // namespace
+run_rewritten(graded, sources, scene(), Runner{}, 1, timeline, {trial});
+return indices;
+}  // namespace harness::scenes
 
 void nothing(std::size_t /*index*/) {}
 
@@ -97,6 +99,74 @@ TEST(RunRewritten, DistinguishesTheMachinesFailureFromItsOwnFault) {
     EXPECT_FALSE(graded[0].our_fault);
     EXPECT_THAT(graded[0].submission.notes,
                 ElementsAre("It was not run on other scenes: something went wrong here, not in it."));
+}
+
+/// Runs a program on the assignment's scene, and then on two other scenes, in which the sphere's radius is 3 and 5.
+struct OnThreeScenes {
+    explicit OnThreeScenes(const std::string& source) {
+        const StageLimits limits = read_limits({}, {});
+        const Runner runner = make_runner(std::make_unique<const Sandbox>(strongest_tier()),
+                                          default_build_settings(limits.compile), limits.run);
+        const Marking marking = make_marking(reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS));
+        std::vector<MarkedScene> scenes;
+        for (const char* radius : {"3", "5"}) {
+            reference::OtherScene other{std::string("radius ") + radius, scene()};
+            other.scene.spheres.front().radius = reference::Decimal::parse(radius).value();
+            scenes.push_back(with_key(std::move(other), marking).value());
+        }
+        Submission submission;
+        submission.id = "ada";
+        submission.source = source;
+        std::vector<Graded> graded{grade(submission, marking, runner)};
+        // Whatever it printed, there is something to try.
+        graded[0].score.questions = four()[0].score.questions;
+        Timeline timeline;
+        const Trial trial{[&](std::size_t, const PartSet&) -> const auto& {return scenes;
+    }
+    , [&](const Rewritten& one) {
+        for (const SceneRun& run : one.runs) printed.push_back(run.graded.value().printout);
+    }
+};
+run_rewritten(graded, {source}, scene(), runner, 1, timeline, {trial});
+const std::string trace = timeline.chrome_trace();
+for (std::size_t at = 0; (at = trace.find("\"build\"", at)) != std::string::npos; ++at) ++compiled;
+}
+
+std::vector<std::string> printed;  ///< on the two other scenes
+int compiled = 0;                  ///< how often something was compiled for them
+}
+;
+
+TEST(RunRewritten, CompilesAProgramOnceForAllScenes) {
+    const OnThreeScenes run("#include <cstdio>\nint main() { float R = 2; printf(\"R %g\\n\", R); }\n");
+    EXPECT_THAT(run.printed, ElementsAre("R 3\n", "R 5\n"));
+    EXPECT_EQ(run.compiled, 1);
+}
+
+TEST(RunRewritten, CompilesEachSceneWhereANumberMustBeAConstant) {
+    const OnThreeScenes run(
+        "#include <cstdio>\nconstexpr int R = 2;\nchar a[R];\n"
+        "int main() { printf(\"R %zu\\n\", sizeof a); }\n");
+    EXPECT_THAT(run.printed, ElementsAre("R 3\n", "R 5\n"));
+    EXPECT_EQ(run.compiled, 3);
+}
+
+TEST(RunRewritten, CompilesEachSceneOfAProgramWhoseCopyPrintsSomethingElse) {
+    for (const char* odd : {
+             // tells a constant from a variable
+             "#include <cstdio>\n#define R 2\nint main() { printf(\"R %d\\n\", __builtin_constant_p(R) ? R : 7); }\n",
+             // shows its own text
+             "#include <cstdio>\n#define SHOW(x) #x\n#define TEXT(x) SHOW(x)\n#define R 2\n"
+             "int main() { puts(\"R \" TEXT(R)); }\n",
+             // takes the scene away before the copy reads it
+             "#include <cstdio>\n#include <unistd.h>\nfloat R = 2;\n"
+             "__attribute__((section(\".preinit_array\"), used)) static void (*const early)() = [] { close(0); };\n"
+             "int main() { printf(\"R %g\\n\", R); }\n",
+         }) {
+        const OnThreeScenes run(odd);
+        EXPECT_THAT(run.printed, ElementsAre("R 3\n", "R 5\n")) << odd;
+        EXPECT_EQ(run.compiled, 3) << odd;
+    }
 }
 
 }  // namespace

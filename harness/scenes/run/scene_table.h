@@ -1,0 +1,22 @@
+// A copy of a source that reads the scene's numbers from a table, so that one program runs on every scene.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "harness/scenes/source/scene_literals.h"
+
+namespace harness::scenes {
+
+/// The source with each located number replaced by a constant's like from a table, which the program fills from its
+/// stdin before anything else runs. Lines keep their numbers, and the leading directives stay as they are. Empty if
+/// there is nothing to replace, too much, or a long double. The copy need not compile: a number may have to be constant
+/// where it stands. And nothing proves that it does what the source does; whoever runs it compares.
+std::optional<std::string> with_table(std::string_view source, const SceneLiterals& found);
+
+/// What the copy reads from its stdin on the scene `variant`: each number as with_scene writes it. Empty where
+/// with_scene is, and where with_table is.
+std::optional<std::string> table_of(const SceneLiterals& found, const DecimalScene& variant);
+
+}  // namespace harness::scenes
