@@ -174,7 +174,8 @@ void write(const Grading& grading, ResultsSession& session, const Inputs& inputs
 int grade_class(const GradeOptions& options) {
     Inputs inputs = read_inputs(options);
     const Holds holds = look_into(options.out, marks_of_results(), "feedback");
-    if (holds == Holds::nothing || options.apply) make_results_folder(options.out, "feedback");
+    std::optional<ResultsFolder> folder;
+    if (holds == Holds::nothing || options.apply) folder.emplace(options.out, "feedback");
     const FolderLock lock(options.out);
     ResultsSession session = open_session(options.out, holds, options.apply);
     read_kept_rosters(inputs.rosters, options.rosters, session.gradebook, options.out);
