@@ -22,4 +22,8 @@ struct Derivation {
 
 std::span<const Derivation> all_derivations();
 
+/// Whether the item can follow from earlier answers, and is not computed from the assignment's numbers alone, as Z_vcs
+/// is.
+bool can_follow(const ItemId& item);
+
 }  // namespace harness
