@@ -18,7 +18,7 @@ std::string name_of(const reference::ItemSpec& spec) {
     if (spec.id == item::sphere::hit) return "P_s";
     if (spec.id == item::triangle::hit) return "P_t";
     if (spec.id == item::cylinder::hit) return "P_c";
-    if (spec.id.name == "normal") return "N";
+    if (spec.id.name == "normal") return fmt::format("N_{}", to_string(spec.id.subject).front());  // as P_s is named
     return std::string(spec.id.name);
 }
 
