@@ -266,7 +266,7 @@ void add_options(CLI::App& command, GradeOptions& options) {
     options.assignment.clear();
     command
         .add_option(
-            "-o,--out", options.out,
+            "-o,--out,--results", options.out,
             "The folder for report.html, gradebook.sqlite, grades.json, grades.csv and feedback/<id>.html and .md")
         ->type_name("DIR")
         ->capture_default_str();

@@ -43,6 +43,8 @@ TEST(CommandLine, RefusesAnUnknownOptionAsAUsageError) {
                                HasSubstr("raygrade grade --help")));
     EXPECT_THAT(raygrade({"assignment", "deal", "a6-2021", "class.csv", "--sead", "2"}).voice,
                 testing::AllOf(HasSubstr("did you mean --seed?"), HasSubstr("raygrade assignment deal --help")));
+    EXPECT_THAT(raygrade({"--versoin"}).voice, HasSubstr("--versoin: is no option; did you mean --version?"));
+    EXPECT_EQ(raygrade({"-V"}).output, raygrade({"--version"}).output);
     EXPECT_THAT(raygrade({"check", "one.cpp", "two.cpp"}).voice, HasSubstr("two.cpp: is one word too many"));
 }
 
