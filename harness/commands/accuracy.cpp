@@ -43,8 +43,9 @@ reference::accuracy::Measurement measure(const AccuracyOptions& options) {
 std::string printed(const report::AccuracyFindings& findings, const AccuracyOptions& options) {
     if (options.format == "json") return report::accuracy_json(findings);
     if (options.format == "csv") return report::accuracy_csv(findings.measured.value());
-    // The page shows every distribution.
-    return report::accuracy_text(findings, options.out.empty() ? report::Extent::all : report::Extent::summary);
+    // The page shows every distribution, and who asks for a quick look wants no six hundred lines.
+    const bool is_summary = options.quick || !options.out.empty();
+    return report::accuracy_text(findings, is_summary ? report::Extent::summary : report::Extent::all);
 }
 
 void write_results(const report::AccuracyFindings& findings, const fs::path& out) {
@@ -110,7 +111,8 @@ void add_options(CLI::App& command, AccuracyOptions& options) {
     command
         .add_option(
             "-f,--format", options.format,
-            "What to print: tables to read, of which --out leaves the summary; everything as JSON; or the rows as CSV")
+            "What to print: tables to read, of which --quick and --out leave the summary; everything as JSON; or the "
+            "rows as CSV")
         ->check(CLI::IsMember({"text", "json", "csv"}))
         ->capture_default_str();
     command.footer(

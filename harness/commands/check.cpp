@@ -17,11 +17,13 @@
 #include "harness/report/exchange/classroom50.h"
 #include "harness/report/exchange/gradescope_results.h"
 #include "harness/report/exchange/junit.h"
+#include "harness/report/exchange/summary_json.h"
 #include "harness/report/page/student_page.h"
 #include "harness/report/text/feedback.h"
 #include "harness/run/runner.h"
 #include "harness/scenes/other/points.h"
 #include "harness/text/escape.h"
+#include "harness/text/ink.h"
 
 namespace harness {
 namespace {
@@ -37,6 +39,7 @@ struct CheckOptions {
     std::filesystem::path junit = {};        ///< JUnit XML
     std::filesystem::path html = {};         ///< the student's page
     scenes::OtherScenesOptions other_scenes{};
+    bool json = false;  ///< print JSON instead of text
 };
 
 std::string from_environment(const char* name) {
@@ -120,7 +123,12 @@ int check_submission(const Submission& submission, const reference::Assignment& 
     run_on_more_scenes(all, {submission.source}, run, {.other = options.other_scenes});
     const Graded& graded = all.front();
     tell_problems(run.runner);
-    fmt::print("{}\n\n{}", assignment.title, report::check_text(graded, assignment.rubric.feedback));
+    if (options.json) {
+        fmt::print("{}", report::check_json(graded, run.marking));
+    } else {
+        fmt::print("{}\n\n{}", assignment.title,
+                   report::check_text(graded, assignment.rubric.feedback, ink_of_stdout()));
+    }
     files.write(graded, run.marking);
     if (!options.html.empty()) write_page(options.html, report::student_page(graded, run.marking), "--html");
     if (graded.outcome == Outcome::not_graded) return status_of({graded});
@@ -166,6 +174,7 @@ void add_options(CLI::App& command, CheckOptions& options) {
         .add_option("--html", options.html,
                     "Also write the verdicts as a page for a browser; replaces only an earlier page of raygrade's")
         ->type_name("FILE");
+    command.add_flag("--json", options.json, "Print raygrade/check/1, for programs, instead of text");
     add_other_scenes(command, options.other_scenes);
     add_runner(command, options.runner);
     command.footer("Example: raygrade check ray_cast.cpp");

@@ -4,8 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
+#include "harness/text/ink.h"
 #include "reference/kernel/self_test.h"
 
 namespace harness {
@@ -18,6 +21,15 @@ std::string_view mark(Finding::Level level) {
         case Finding::Level::bad: return "BAD";
     }
     return "";
+}
+
+Colour colour_of(Finding::Level level) {
+    switch (level) {
+        case Finding::Level::good: return Colour::green;
+        case Finding::Level::warning: return Colour::yellow;
+        case Finding::Level::bad: return Colour::red;
+    }
+    return Colour::red;
 }
 
 /// Indents the lines after the first, so that they align with it.
@@ -34,24 +46,51 @@ Finding arithmetic() {
     return {"arithmetic", Finding::Level::bad, trouble, "build raygrade as README.md says"};
 }
 
-int tell_findings() {
-    std::vector<Finding> findings = examine_machine();
-    findings.push_back(arithmetic());
+struct DoctorOptions {
+    bool json = false;
+};
+
+void print_for_people(const std::vector<Finding>& findings, bool bad) {
+    const Ink ink = ink_of_stdout();
     for (const Finding& finding : findings) {
-        fmt::print("{:<8} {}: {}\n", mark(finding.level), finding.what, indented(finding.detail));
+        const std::string level = fmt::format("{:<8}", mark(finding.level));
+        fmt::print("{} {}: {}\n", inked(level, colour_of(finding.level), ink), finding.what, indented(finding.detail));
         if (!finding.way_out.empty()) fmt::print("{:<8} -> {}\n", "", finding.way_out);
     }
+    fmt::print("{}\n", bad ? "This machine can't grade yet." : "This machine is ready to grade.");
+}
+
+void print_json(const std::vector<Finding>& findings, bool bad) {
+    using Json = nlohmann::ordered_json;
+    Json list = Json::array();
+    for (const Finding& finding : findings) {
+        const std::string_view level = finding.level == Finding::Level::bad ? "bad" : mark(finding.level);
+        list.push_back({{"what", finding.what},
+                        {"level", level},
+                        {"detail", finding.detail},
+                        {"way_out", finding.way_out.empty() ? Json() : Json(finding.way_out)}});
+    }
+    const Json json{{"schema", "raygrade/doctor/1"}, {"ready", !bad}, {"findings", std::move(list)}};
+    fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+int tell_findings(const DoctorOptions& options) {
+    std::vector<Finding> findings = examine_machine();
+    findings.push_back(arithmetic());
     const bool bad =
         std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.level == Finding::Level::bad; });
-    fmt::print("{}\n", bad ? "This machine can't grade yet." : "This machine is ready to grade.");
+    (options.json ? print_json : print_for_people)(findings, bad);
     return bad ? some_not_graded : all_graded;
+}
+
+void add_options(CLI::App& command, DoctorOptions& options) {
+    command.add_flag("--json", options.json, "Print raygrade/doctor/1, for programs, instead of text");
 }
 
 }  // namespace
 
 Subcommand doctor_command(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("doctor", "Say what this machine has and lacks for grading");
-    return {&command, tell_findings};
+    return subcommand(app, "doctor", "Say what this machine has and lacks for grading", add_options, tell_findings);
 }
 
 }  // namespace harness

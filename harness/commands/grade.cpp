@@ -13,6 +13,7 @@
 #include "harness/class_run/regrade.h"
 #include "harness/class_run/requested_files.h"
 #include "harness/class_run/rosters.h"
+#include "harness/commands/people_on_stderr.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/grade/concerns.h"
@@ -22,10 +23,12 @@
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/say.h"
 #include "harness/report/exchange/junit.h"
+#include "harness/report/exchange/summary_json.h"
 #include "harness/report/text/class_table.h"
 #include "harness/results/reports.h"
 #include "harness/run/timeline.h"
 #include "harness/scenes/other/points.h"
+#include "harness/text/ink.h"
 #include "reference/toml/assignment.h"
 #include "reference/toml/near_names.h"
 
@@ -47,6 +50,7 @@ struct GradeOptions {
     scenes::OtherScenesOptions other_scenes{};
     bool stress = false;  ///< also run on the hard scenes
     bool quiet = false;   ///< no progress, no table
+    bool json = false;    ///< a summary for programs on stdout, and what is for people on stderr
 };
 
 /// Throws UsageError before a class is graded rather than after.
@@ -142,8 +146,11 @@ struct Grading {
 };
 
 void show(const Grading& grading, const ResultsSession& session, const Inputs& inputs, const GradeOptions& options) {
-    if ((session.writes || session.of_an_older_raygrade) && !options.quiet)
-        fmt::print("{}", report::class_table(grading.graded));
+    if (session.writes || session.of_an_older_raygrade) {
+        const Ink ink = ink_of_stdout();
+        if (!options.quiet) fmt::print("{}", report::class_table(grading.graded, ink));
+        fmt::print("{}", report::needs_a_person(grading.graded, "raygrade review " + options.out.string(), ink));
+    }
     tell_changes(session, grading.comparison, inputs.file, grading.results.marking, options.out);
     std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
     tell_notes(grading.graded);
@@ -172,9 +179,11 @@ void write(const Grading& grading, ResultsSession& session, const Inputs& inputs
 }
 
 int grade_class(const GradeOptions& options) {
+    PeopleOnStderr people(options.json);
     Inputs inputs = read_inputs(options);
     const Holds holds = look_into(options.out, marks_of_results(), "feedback");
-    if (holds == Holds::nothing || options.apply) make_results_folder(options.out, "feedback");
+    std::optional<ResultsFolder> folder;
+    if (holds == Holds::nothing || options.apply) folder.emplace(options.out, "feedback");
     const FolderLock lock(options.out);
     ResultsSession session = open_session(options.out, holds, options.apply);
     read_kept_rosters(inputs.rosters, options.rosters, inputs.assignment.rubric, session.gradebook, options.out);
@@ -207,6 +216,12 @@ int grade_class(const GradeOptions& options) {
     show(grading, session, inputs, options);
     tell_that_count_not(rereads, graded);
     if (session.writes) write(grading, session, inputs, options);
+    if (options.json) {
+        people.end();
+        const ClassChanges* changes = session.last_run ? &grading.comparison.changes : nullptr;
+        fmt::print("{}",
+                   report::class_summary_json(graded, run.marking, {options.out.string(), session.writes, changes}));
+    }
     return status_of(graded);
 }
 
@@ -252,7 +267,7 @@ void add_options(CLI::App& command, GradeOptions& options) {
     options.assignment.clear();
     command
         .add_option(
-            "-o,--out", options.out,
+            "-o,--out,--results", options.out,
             "The folder for report.html, gradebook.sqlite, grades.json, grades.csv and feedback/<id>.html and .md")
         ->type_name("DIR")
         ->capture_default_str();
@@ -274,6 +289,8 @@ void add_options(CLI::App& command, GradeOptions& options) {
     command.add_flag("-q,--quiet", options.quiet,
                      "Print no progress and no table: only what needs a person, what a regrade changes, and where the "
                      "results are");
+    command.add_flag("--json", options.json,
+                     "Print raygrade/summary/1 to stdout, for programs, and what is for people to stderr");
     add_runner(command, options.runner);
     command.footer("Example: raygrade grade submissions/ --assignment a6-2021 --out results -j 4");
 }

@@ -54,15 +54,6 @@ constexpr const char* footer =
     "Of `stress` 1 says that no hard scene could be tried.\n"
     "Marks never change it, except under `check --fail-under`.";
 
-/// Throws UsageError for a first word that is no option and no subcommand.
-void require_command(const std::string& word, const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-    if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
-    throw UsageError(fmt::format("{}: is no command; {}; raygrade --help says what each does", escape_control(word),
-                                 reference::did_you_mean(word, names)));
-}
-
 /// "assignment check"
 std::string way_to(const CLI::App& command) {
     const CLI::App* parent = command.get_parent();
@@ -89,6 +80,17 @@ const CLI::App& innermost(const CLI::App& app) {
                                  command.get_parent() == nullptr ? "raygrade" : "raygrade " + way_to(command)));
 }
 
+/// Throws UsageError for a first word that is no option and no subcommand.
+void require_command(const std::string& word, const CLI::App& app) {
+    if (word.starts_with('-') && app.get_option_no_throw(word.substr(0, word.find('='))) == nullptr)
+        refuse({word}, app);
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+    if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
+    throw UsageError(fmt::format("{}: is no command; {}; raygrade --help says what each does", escape_control(word),
+                                 reference::did_you_mean(word, names)));
+}
+
 void require_sound_arithmetic() {
     const std::string trouble = reference::kernel::arithmetic_trouble();
     if (!trouble.empty()) throw HarnessError("This program's arithmetic is not to be trusted. " + trouble);
@@ -98,7 +100,7 @@ int run(int argc, char** argv) {
     CLI::App app(about, "raygrade");
     app.footer(footer);
     app.require_subcommand(1);
-    app.set_version_flag("--version", "raygrade " RAYGRADE_VERSION);
+    app.set_version_flag("-V,--version", "raygrade " RAYGRADE_VERSION);
     app.get_formatter()->column_width(36);
 
     const std::array commands{

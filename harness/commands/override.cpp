@@ -135,10 +135,11 @@ void add_options(CLI::App& command, OverrideOptions& options) {
     command.add_option("points", options.points, "What it gets instead, 0 or more")->type_name("POINTS");
     command.add_option("--why", options.why, "The reason, which the student reads too")->type_name("TEXT");
     command.add_option("--by", options.by, "Who decides; by default the account that runs raygrade")->type_name("NAME");
-    command.add_option("--results", options.results, "The folder that `raygrade grade` wrote its results to")
+    command.add_option("--results,-o,--out", options.results, "The folder that `raygrade grade` wrote its results to")
         ->type_name("DIR")
         ->capture_default_str();
-    command.add_flag("--remove", options.remove, "Take an override back, with --why: the automatic points count again");
+    command.add_flag("--remove", options.remove,
+                     "Take an override back: the automatic points count again. It needs --why too");
     command.add_flag("--list", options.list, "Show the overrides there are");
     command.footer(
         "The reports are written again at once. Example: raygrade override s05 6.t 1.5 --why \"right but for a sign\"");

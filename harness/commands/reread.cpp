@@ -200,7 +200,7 @@ void add_options(CLI::App& command, RereadOptions& options) {
         "--alike", options.alike,
         "Also for every other submission whose output looks the same but for its numbers; with --remove, take "
         "those back too");
-    command.add_option("--results", options.results, "The folder that `raygrade grade` wrote its results to")
+    command.add_option("--results,-o,--out", options.results, "The folder that `raygrade grade` wrote its results to")
         ->type_name("DIR")
         ->capture_default_str();
     command.add_flag("--remove", options.remove, "Take a reread back: the item is read automatically again");

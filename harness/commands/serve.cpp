@@ -33,6 +33,7 @@ struct ServeOptions {
     int jobs = 1;
     std::size_t queue = 100;        ///< programs that may wait
     double rate = 10;               ///< programs per minute from one address
+    int checks = 0;                 ///< programs per day from one address; 0 for any number
     int keep_hours = 24;            ///< how long results are kept
     int grace_seconds = 20;         ///< how long the queue may still work when the server is stopped
     std::filesystem::path state{};  ///< the folder of queue and results; empty for the assignment's own
@@ -130,7 +131,7 @@ int serve_pages(const ServeOptions& options) {
     const reference::AssignmentFile file = reference::read_assignment_file(options.assignment, assignments_folder());
     const reference::Assignment assignment = reference::parse_assignment(file.toml, file.path);
     const serve::About about{assignment.title, std::chrono::hours(options.keep_hours),
-                             assignment.rubric.other_scene_points};
+                             assignment.rubric.other_scene_points, options.checks};
     serve::SpoolBounds bounds;
     bounds.age = about.keep;
     serve::KeptPrograms kept_programs(state_of(options, assignment.name), bounds);
@@ -198,6 +199,13 @@ void add_options(CLI::App& command, ServeOptions& options) {
         .add_option("--rate", options.rate,
                     "How many programs one address may send a minute; more for a room behind one address")
         ->check(CLI::Range(1, 100'000))
+        ->type_name("N")
+        ->capture_default_str();
+    command
+        .add_option("--checks", options.checks,
+                    "How many programs one address may send a day: all at once, and they come back evenly over the "
+                    "day; 0 for any number")
+        ->check(CLI::Range(0, 100'000))
         ->type_name("N")
         ->capture_default_str();
     command.add_option("--keep", options.keep_hours, "How long results are kept")

@@ -89,7 +89,7 @@ void add_options(CLI::App& command, StressOptions& options) {
         "float has some seven digits. raygrade finds where the source states the scene, writes hard scenes there, "
         "runs\n"
         "each, and compares with its certified key. Only answers that are right on the assignment's scene are looked\n"
-        "at. A scene\n"
+        "at, and on a scene about a sphere, a triangle or a cylinder only those about it. A program\n"
         "  survives  when every answer is right and says rightly what the ray hits; digits may be lost on the way,\n"
         "  breaks    when an answer is wrong, nan or inf, or a hit is told as a miss or a miss as a hit,\n"
         "  is left out where the source was not found to state the part of the scene that it needs, or where the ray\n"

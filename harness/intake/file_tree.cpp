@@ -209,7 +209,7 @@ Contents DiskTree::list(const path& folder) const {
     std::filesystem::directory_iterator entry(folder, contents.error);
     for (; !contents.error && entry != std::filesystem::directory_iterator(); entry.increment(contents.error)) {
         const path name = entry->path().filename();
-        if (name.native().starts_with('.')) continue;
+        if (name.native().starts_with('.') || name == "__MACOSX") continue;
         std::error_code ignored;
         const auto type = entry->symlink_status(ignored).type();
         if (type == std::filesystem::file_type::directory) {

@@ -1,14 +1,15 @@
 #include "harness/intake/intake.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <iterator>
+#include <optional>
 #include <system_error>
 
 #include "harness/intake/archive.h"
 #include "harness/intake/file_tree.h"
 #include "harness/intake/hand_in.h"
 #include "harness/intake/lms_download.h"
+#include "harness/intake/unique_ids.h"
 #include "harness/machine/errors.h"
 #include "harness/text/printable.h"
 
@@ -71,18 +72,33 @@ Submission from_packed(const FileTree& tree, const path& archive) {
     return take(tree, hand_in, printable(archive.stem().native()), in_quotes(archive));
 }
 
+/// Whether a hand-in may lie in the folder or, down to some depth, in folders in it.
+bool may_hold_hand_ins(const FileTree& tree, const path& folder, int deepest = 8) {
+    const Contents contents = tree.list(folder);
+    return !contents.sources.empty() || !contents.archives.empty() ||
+           (deepest > 0 && std::any_of(contents.folders.begin(), contents.folders.end(),
+                                       [&](const path& inner) { return may_hold_hand_ins(tree, inner, deepest - 1); }));
+}
+
 Intake from_class(const FileTree& tree, const Contents& contents, bool also_folders) {
     Intake intake;
     for (const auto& source : contents.sources) {
         intake.submissions.push_back(from_file(tree, source, printable(source.stem().native()), Links::refuse));
     }
     for (const auto& archive : contents.archives) intake.submissions.push_back(from_packed(tree, archive));
+    if (also_folders && contents.folders.size() > intake.submissions.size()) {
+        for (Submission& beside : intake.submissions)
+            beside.notes.push_back("It lies beside the students' folders. If nobody handed it in, take it away.");
+    }
     leave_out(contents.headers, intake);
     leave_out(contents.others, intake);
-    if (!also_folders) return intake;
-    for (const auto& folder : contents.folders)
-        intake.submissions.push_back(from_folder(tree, folder, tree.list(folder)));
-    for (const auto& link : contents.linked) intake.submissions.push_back(from_link(link));
+    for (const auto& folder : contents.folders) {
+        if (also_folders || may_hold_hand_ins(tree, folder))
+            intake.submissions.push_back(from_folder(tree, folder, tree.list(folder)));
+    }
+    if (also_folders) {
+        for (const auto& link : contents.linked) intake.submissions.push_back(from_link(link));
+    }
     return intake;
 }
 
@@ -93,33 +109,15 @@ bool holds_a_class(const FileTree& tree, const Contents& contents) {
     });
 }
 
-Intake from_given_folder(const FileTree& tree, const path& folder) {
-    const Contents contents = tree.list(folder);
-    if (auto of_lms = from_lms_download(tree, contents)) {
-        Intake intake{std::move(of_lms->submissions), {}};
-        leave_out(of_lms->left_out, intake);
-        return intake;
-    }
-    const bool has_sources = !contents.sources.empty();
-    const bool is_class = holds_a_class(tree, contents) || (!has_sources && contents.archives.empty());
-    if (contents.error || (is_class && !has_sources && contents.folders.empty())) {
-        throw UsageError(why_no_source(tree, folder, contents));
-    }
-    const bool has_ray_cast = std::any_of(contents.sources.begin(), contents.sources.end(), is_called_ray_cast);
-    if (!is_class && (has_ray_cast || !has_sources)) return Intake{{from_folder(tree, folder, contents)}, {}};
-    return from_class(tree, contents, is_class);
-}
-
 /// Skips outer folders: packers often put everything below a folder with the archive's name.
 path without_wrapping(const FileTree& tree, path folder) {
     constexpr int deepest = 8;
     for (int i = 0; i < deepest; ++i) {
         const Contents contents = tree.list(folder);
         const bool alone = contents.folders.size() == 1 && contents.sources.empty() && contents.archives.empty();
-        if (!alone || is_of_lms(contents)) break;
-        if (!holds_a_class(tree, tree.list(contents.folders.front())) &&
-            tree.list(contents.folders.front()).sources.empty() && !is_of_lms(tree.list(contents.folders.front())))
-            break;
+        if (!alone || count_lms_names(contents) > 0) break;
+        const Contents inner = tree.list(contents.folders.front());
+        if (!holds_a_class(tree, inner) && inner.sources.empty() && count_lms_names(inner) == 0) break;
         folder = contents.folders.front();
     }
     return folder;
@@ -129,7 +127,56 @@ path without_wrapping(const FileTree& tree, path folder) {
 /// may be a class of one student.
 path download_below(const FileTree& tree, const path& folder) {
     const path inner = without_wrapping(tree, folder);
-    return is_of_lms(tree.list(inner)) ? inner : folder;
+    return count_lms_names(tree.list(inner)) > 0 ? inner : folder;
+}
+
+/// Downloads in folders of this one, e.g. one for each section, and what lies beside them. Empty unless they hold most
+/// of what may be a hand-in: a student's folder may hold a file with a name of a download.
+std::optional<LmsDownload> from_downloads_within(const FileTree& tree, const Contents& contents) {
+    LmsDownload all;
+    Contents beside = contents;
+    beside.folders.clear();
+    std::size_t hand_ins = 0;
+    for (const path& folder : contents.folders) {
+        const Contents inner = tree.list(download_below(tree, folder));
+        const std::size_t names = count_lms_names(inner);
+        auto download = names > 1 ? from_lms_download(tree, inner) : std::nullopt;
+        if (!download) {
+            beside.folders.push_back(folder);
+            continue;
+        }
+        hand_ins += names;
+        std::move(download->submissions.begin(), download->submissions.end(), std::back_inserter(all.submissions));
+        all.left_out.insert(all.left_out.end(), download->left_out.begin(), download->left_out.end());
+    }
+    std::erase_if(beside.folders, [&](const path& folder) { return !may_hold_hand_ins(tree, folder); });
+    if (hand_ins <= beside.sources.size() + beside.archives.size() + beside.folders.size()) return std::nullopt;
+    add_strangers(beside, "lies beside the folder of a download", all);
+    return all;
+}
+
+Intake from_given_folder(const FileTree& tree, const path& folder) {
+    const Contents contents = tree.list(folder);
+    auto download = from_lms_download(tree, contents);
+    if (!download) download = from_downloads_within(tree, contents);
+    if (download) {
+        Intake intake{std::move(download->submissions), {}};
+        leave_out(download->left_out, intake);
+        return intake;
+    }
+    const bool has_sources = !contents.sources.empty();
+    const bool is_class = holds_a_class(tree, contents) || (!has_sources && contents.archives.empty());
+    if (contents.error || (is_class && !has_sources && contents.folders.empty())) {
+        throw UsageError(why_no_source(tree, folder, contents));
+    }
+    const bool has_ray_cast = std::any_of(contents.sources.begin(), contents.sources.end(), is_called_ray_cast);
+    if (is_class || (has_sources && !has_ray_cast)) return from_class(tree, contents, is_class);
+    Submission only = from_folder(tree, folder, contents);
+    for (const path& inner : contents.folders) {
+        if (may_hold_hand_ins(tree, inner))
+            only.notes.push_back("What lies in the folder " + in_quotes(inner.filename()) + " is not graded.");
+    }
+    return Intake{{std::move(only)}, {}};
 }
 
 /// Throws ArchiveError, also if it holds no submission.
@@ -140,55 +187,6 @@ Intake from_given_archive(const path& archive) {
     } catch (const UsageError& error) {
         throw ArchiveError(error.what());
     }
-}
-
-struct Taken {
-    path from;
-    std::string id;
-    Submission submission;
-};
-
-/// Joins the last `count` names of the path in which `one` was found, or all if there are fewer. Leaves out the name
-/// that the id came from.
-std::string last_names(const Taken& one, std::size_t count) {
-    std::vector<std::string> names;
-    for (const auto& name : std::filesystem::absolute(one.from).lexically_normal()) {
-        if (!name.empty() && name != "/") names.push_back(printable(name.native()));
-    }
-    while (!names.empty() && (names.back() == one.id || is_source_name(names.back()))) names.pop_back();
-    std::string text;
-    for (std::size_t i = names.size() - std::min(count, names.size()); i < names.size(); ++i) text += names[i] + '-';
-    return text;
-}
-
-std::map<std::string, int> count_ids(const std::vector<Taken>& all) {
-    std::map<std::string, int> counts;
-    for (const auto& one : all) ++counts[one.submission.id];
-    return counts;
-}
-
-void make_ids_unique(std::vector<Taken>& all) {
-    constexpr std::size_t enough_names = 4;
-    for (std::size_t names = 1; names <= enough_names; ++names) {
-        const auto counts = count_ids(all);
-        for (auto& one : all) {
-            if (counts.at(one.submission.id) > 1) one.submission.id = last_names(one, names) + one.id;
-        }
-    }
-    const auto counts = count_ids(all);
-    std::set<std::string> used;
-    for (auto& one : all) {
-        if (counts.at(one.submission.id) > 1) one.submission.id = one.id;
-        const std::string id = one.submission.id;
-        for (int i = 2; !used.insert(one.submission.id).second; ++i) one.submission.id = id + '-' + std::to_string(i);
-    }
-}
-
-std::vector<Submission> unique(std::vector<Taken> all) {
-    make_ids_unique(all);
-    std::vector<Submission> submissions;
-    for (auto& one : all) submissions.push_back(std::move(one.submission));
-    return submissions;
 }
 
 Intake intake_at(const path& given) {
@@ -218,7 +216,7 @@ Intake intake_at(const path& given) {
                      [](const Submission& a, const Submission& b) { return a.id < b.id; });
     std::vector<Taken> all;
     for (auto& one : intake.submissions) all.push_back({one.file.empty() ? given : one.file, one.id, one});
-    intake.submissions = unique(std::move(all));
+    intake.submissions = with_unique_ids(std::move(all));
     return intake;
 }
 
@@ -255,7 +253,7 @@ Intake take_in_all(const std::vector<path>& paths) {
             all.push_back({given, std::move(id), std::move(one)});
         }
     }
-    whole.submissions = unique(std::move(all));
+    whole.submissions = with_unique_ids(std::move(all));
     return whole;
 }
 

@@ -233,25 +233,25 @@ std::string_view name_of(Lms lms) {
     return "";
 }
 
-/// What may be somebody's hand-in must not be lost without a word.
-void add_strangers(const Contents& strangers, Lms lms, LmsDownload& download) {
+}  // namespace
+
+std::size_t count_lms_names(const Contents& contents) {
+    const auto lms = lms_of(contents);
+    return lms ? count_of(contents) - count_of(strangers_of(*lms, contents)) : 0;
+}
+
+void add_strangers(const Contents& strangers, const std::string& why, LmsDownload& download) {
     for (const auto* some : {&strangers.sources, &strangers.archives, &strangers.folders, &strangers.linked}) {
         for (const path& file : *some) {
             download.submissions.push_back(with_problem(
                 printable(file.filename().native()),
-                fmt::format("{} is not named as {} names hand-ins, so nobody knows whose it is. If it is a student's, "
-                            "grade it from a folder of that student's name; else take it away.",
-                            in_quotes(file.filename()), name_of(lms))));
+                fmt::format("{} {}, so nobody knows whose it is. If it is a student's, grade it from a folder of that "
+                            "student's name; else take it away.",
+                            in_quotes(file.filename()), why)));
         }
     }
     for (const auto* some : {&strangers.headers, &strangers.others})
         download.left_out.insert(download.left_out.end(), some->begin(), some->end());
-}
-
-}  // namespace
-
-bool is_of_lms(const Contents& contents) {
-    return lms_of(contents).has_value();
 }
 
 std::optional<LmsDownload> from_lms_download(const FileTree& tree, const Contents& contents) {
@@ -282,7 +282,8 @@ std::optional<LmsDownload> from_lms_download(const FileTree& tree, const Content
         }
     }
     LmsDownload download{std::move(submissions), {}};
-    add_strangers(strangers_of(*lms, contents), *lms, download);
+    add_strangers(strangers_of(*lms, contents), fmt::format("is not named as {} names hand-ins", name_of(*lms)),
+                  download);
     return download;
 }
 

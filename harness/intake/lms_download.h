@@ -1,8 +1,10 @@
 // The download of a learning management system: whose is which of its files and folders.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "harness/intake/file_tree.h"
@@ -10,8 +12,8 @@
 
 namespace harness {
 
-/// Whether most files and folders are named as in a learning management system's download.
-bool is_of_lms(const Contents& contents);
+/// Of the files and folders, how many are named as in a learning management system's download; 0 unless most are.
+std::size_t count_lms_names(const Contents& contents);
 
 struct LmsDownload {
     std::vector<Submission> submissions;
@@ -25,5 +27,9 @@ struct LmsDownload {
 /// entries and hand-ins without a source become submissions with a problem, and so do sources, archives and folders
 /// with no such name, which may be somebody's. Empty for other folders.
 std::optional<LmsDownload> from_lms_download(const FileTree& tree, const Contents& contents);
+
+/// Adds what lies beside a download: what may be somebody's as submissions with a problem, `"solution.cpp" <why>, so
+/// nobody knows whose it is`, the rest as left out.
+void add_strangers(const Contents& strangers, const std::string& why, LmsDownload& download);
 
 }  // namespace harness

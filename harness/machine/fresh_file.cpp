@@ -58,6 +58,18 @@ void make_results_folder(const fs::path& out, const std::string& feedback) {
     }
 }
 
+ResultsFolder::ResultsFolder(fs::path out, std::string feedback)
+    : out_(std::move(out)), feedback_(std::move(feedback)), is_new_(!fs::exists(out_)) {
+    make_results_folder(out_, feedback_);
+}
+
+ResultsFolder::~ResultsFolder() {
+    if (!is_new_) return;
+    std::error_code ignored;  // only an empty folder can be removed
+    fs::remove(out_ / feedback_, ignored);
+    fs::remove(out_, ignored);
+}
+
 FolderLock::FolderLock(const fs::path& folder) : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (!folder_ || flock(folder_.get(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
     throw UsageError(

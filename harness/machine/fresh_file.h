@@ -30,6 +30,21 @@ Holds look_into(const std::filesystem::path& out, const std::vector<std::string>
 /// can't be made or written.
 void make_results_folder(const std::filesystem::path& out, const std::string& feedback = "");
 
+/// Makes a folder of results with make_results_folder. One that was not there before goes again if nothing was written
+/// to it, as when the command is refused later.
+class ResultsFolder {
+  public:
+    ResultsFolder(std::filesystem::path out, std::string feedback);
+    ResultsFolder(const ResultsFolder&) = delete;
+    ResultsFolder& operator=(const ResultsFolder&) = delete;
+    ~ResultsFolder();
+
+  private:
+    std::filesystem::path out_;
+    std::string feedback_;
+    bool is_new_;
+};
+
 /// Locks a folder while a command reads and writes it, so that two commands don't mix their results.
 class FolderLock {
   public:

@@ -61,6 +61,16 @@ async function expectResult(page) {
   assert.match(await page.locator('body').innerText(), /\b10 of 100/);
 }
 
+test('a dark browser gets dark pages, accessible too', async () => {
+  const { site, stop } = await serve();
+  const seen = await open(browser, site, { width: 400, dark: true, site });
+  assert.equal(await seen.page.evaluate(() => getComputedStyle(document.body).backgroundColor), 'rgb(21, 24, 27)');
+  await expectAccessible(seen.page);
+  await screenshot(seen.page, 'serve-form-400-dark');
+  await seen.close();
+  await stop();
+});
+
 for (const width of [400, 1400]) {
   test(`a file is uploaded and its verdicts are shown, ${width} pixels wide`, async () => {
     const { site, stop } = await serve();

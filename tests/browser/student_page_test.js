@@ -66,6 +66,16 @@ test('the words of the picture are apart and on it', async () => {
   }
 });
 
+test('on a phone the picture keeps its size and moves sideways in its own frame', async () => {
+  const seen = await open(browser, await check(sample('jin'), 'phone'), { width: 390 });
+  const picture = seen.page.locator('figure svg');
+  const { drawn, own } = await picture.evaluate((svg) => ({ drawn: svg.getBoundingClientRect().width, own: svg.viewBox.baseVal.width }));
+  assert.equal(drawn, own);
+  await expectNoOverflow(seen.page);
+  await expectAccessible(seen.page);
+  await seen.close();
+});
+
 test('what the compiler said is there by line, with that line, and in full', async () => {
   const seen = await open(browser, await check(sample('mateo'), 'mateo'));
   const { page } = seen;
@@ -114,6 +124,18 @@ for (const who of ['jin', 'nadia', 'mateo', 'ada']) {
     }
   }
 }
+
+test('on paper no grid holds what must not be broken, and a heading stays with what follows', async () => {
+  const seen = await open(browser, await check(sample('dmitri'), 'grid'), { width: 800, print: true });
+  const { page } = seen;
+  const style = (selector, name) =>
+    page.locator(selector).first().evaluate((found, of) => getComputedStyle(found)[of], name);
+  assert.equal(await style('.question.follow dl', 'display'), 'block');
+  assert.equal(await style('.question', 'breakInside'), 'avoid');
+  for (const kept of ['h2', '.question .tags', 'h2 + .facts', '.listing > span'])
+    assert.equal(await style(kept, 'breakAfter'), 'avoid', kept);
+  await seen.close();
+});
 
 test('on paper it is dark on light, and fits', async () => {
   const seen = await open(browser, await check(sample('jin'), 'paper'), { width: 800, dark: true, print: true });

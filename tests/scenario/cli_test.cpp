@@ -43,6 +43,8 @@ TEST(CommandLine, RefusesAnUnknownOptionAsAUsageError) {
                                HasSubstr("raygrade grade --help")));
     EXPECT_THAT(raygrade({"assignment", "deal", "a6-2021", "class.csv", "--sead", "2"}).voice,
                 testing::AllOf(HasSubstr("did you mean --seed?"), HasSubstr("raygrade assignment deal --help")));
+    EXPECT_THAT(raygrade({"--versoin"}).voice, HasSubstr("--versoin: is no option; did you mean --version?"));
+    EXPECT_EQ(raygrade({"-V"}).output, raygrade({"--version"}).output);
     EXPECT_THAT(raygrade({"check", "one.cpp", "two.cpp"}).voice, HasSubstr("two.cpp: is one word too many"));
 }
 
@@ -107,6 +109,13 @@ TEST(CommandLine, DoctorReportsWhatTheMachineHas) {
     const Result result = raygrade({"doctor"});
     EXPECT_EQ(result.status, 0) << result.both();
     EXPECT_THAT(result.output, HasSubstr("g++"));
+}
+
+TEST(CommandLine, DoctorPrintsJsonForPrograms) {
+    const json report = json::parse(raygrade({"doctor", "--json"}).output);
+    EXPECT_EQ(report.at("schema"), "raygrade/doctor/1");
+    EXPECT_TRUE(report.at("ready").is_boolean());
+    EXPECT_EQ(report.at("findings").at(0).at("what"), "parts of raygrade");
 }
 
 TEST(ReferenceRun, PrintsTheHandoutsQuestions) {
@@ -218,6 +227,32 @@ TEST(Grade, QuietlySaysOnlyWhereTheResultsAre) {
     EXPECT_EQ(result.status, 0) << result.both();
     EXPECT_THAT(result.output, testing::StartsWith("\nresults: " + out));
     EXPECT_EQ(result.voice, "");
+    write(folder / "class/bob/notes.cpp.txt", "");
+    const Result ungraded = raygrade({"grade", (folder / "class").string(), "--quiet", "--out", out + "2"});
+    EXPECT_THAT(ungraded.output, testing::StartsWith("not graded: bob: ")) << "this needs a person";
+}
+
+TEST(Grade, PrintsASummaryForProgramsAloneToStdout) {
+    const TemporaryFolder folder;
+    const std::string out = (folder / "out").string();
+    const Result result = raygrade({"grade", sample("ada").string(), "--json", "--out", out});
+    EXPECT_EQ(result.status, 0) << result.both();
+    const json summary = json::parse(result.output);
+    EXPECT_EQ(summary.at("schema"), "raygrade/summary/1");
+    EXPECT_EQ(summary.at("results"), out);
+    EXPECT_EQ(summary.at("written"), true);
+    EXPECT_THAT(result.voice, HasSubstr("report: " + out));
+    const json again = json::parse(raygrade({"grade", sample("ada").string(), "--json", "--out", out}).output);
+    EXPECT_EQ(again.at("written"), false);
+    EXPECT_EQ(again.at("changes").at("unchanged"), 1);
+}
+
+TEST(Check, PrintsJsonForPrograms) {
+    const Result result = raygrade({"check", (sample("dmitri") / "ray_cast.cpp").string(), "--json"});
+    EXPECT_EQ(result.status, 0) << result.both();
+    const json checked = json::parse(result.output);
+    EXPECT_EQ(checked.at("schema"), "raygrade/check/1");
+    EXPECT_EQ(checked.at("questions").at(1).at("verdict"), "wrong");
 }
 
 TEST(Grade, WritesTheThreeKindsOfResults) {

@@ -142,6 +142,7 @@ void expect_clean_reports(const std::vector<Graded>& graded, const harness::Mark
         {"grades.json", harness::report::grades_json(graded, marking, tier)},
         {"grades.csv", with_plain_line_ends(harness::report::grades_csv(graded))},
         {"the class table", harness::report::class_table(graded)},
+        {"who needs a person", harness::report::needs_a_person(graded, "raygrade review out")},
         {"the feedback", harness::report::feedback_markdown(graded[0], marking)},
         {"the check", harness::report::check_text(graded[0])}};
     for (const auto& [name, text] : reports) {

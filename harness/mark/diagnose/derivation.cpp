@@ -1,5 +1,7 @@
 #include "harness/mark/diagnose/derivation.h"
 
+#include <algorithm>
+
 #include "harness/mark/diagnose/derivation_parts.h"
 
 namespace harness {
@@ -27,6 +29,12 @@ std::span<const ItemId> close_call_items() {
         return all;
     }();
     return table;
+}
+
+bool can_follow(const ItemId& item) {
+    // Which object is first follows from the objects' t without a derivation: first_hit.h.
+    return item.subject == reference::Subject::first_hit ||
+           std::ranges::any_of(all_derivations(), [&](const Derivation& each) { return each.item == item; });
 }
 
 }  // namespace harness

@@ -15,7 +15,8 @@ using reference::ItemId;
 
 /// What the picture calls an item.
 std::string name_of(const reference::ItemSpec& spec) {
-    if (spec.id.name == "hit" || spec.id.name == "normal") return std::string(spec.label);
+    if (spec.id.name == "hit") return std::string(spec.label);
+    if (spec.id.name == "normal") return fmt::format("N_{}", to_string(spec.id.subject).front());  // as P_s is named
     return std::string(spec.id.name);
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "harness/report/text/columns.h"
 #include "harness/text/points.h"
@@ -22,13 +23,51 @@ std::string difference(const MarkChange& change) {
     return (points > 0 ? "+" : "") + points_text(points);
 }
 
-std::string reasons_of(const MarkChange& change) {
+using Reasons = std::vector<std::string>;
+
+std::string joined(const Reasons& reasons) {
     constexpr std::size_t enough = 6;
     std::string text;
-    for (std::size_t i = 0; i < std::min(enough, change.reasons.size()); ++i)
-        text += (i == 0 ? "" : "; ") + one_line(change.reasons[i]);
-    if (change.reasons.size() > enough) text += fmt::format("; and {} more", change.reasons.size() - enough);
+    for (std::size_t i = 0; i < std::min(enough, reasons.size()); ++i)
+        text += (i == 0 ? "" : "; ") + one_line(reasons[i]);
+    if (reasons.size() > enough) text += fmt::format("; and {} more", reasons.size() - enough);
     return text;
+}
+
+/// What changes for most of a class, as when the rubric was changed, is told once.
+struct Shared {
+    Reasons reasons;     ///< empty if most have nothing in common
+    std::size_t by = 0;  ///< how many change for these reasons alone
+    std::size_t compared = 0;
+
+    bool tells_all_of(const MarkChange& change) const { return !reasons.empty() && change.reasons == reasons; }
+
+    /// The reasons that are the submission's own.
+    std::string own(const MarkChange& change) const {
+        Reasons rest;
+        for (const std::string& reason : change.reasons) {
+            if (std::ranges::find(reasons, reason) == reasons.end()) rest.push_back(reason);
+        }
+        const bool has_all = !reasons.empty() && change.reasons.size() == reasons.size() + rest.size();
+        return has_all ? "the same, and " + joined(rest) : joined(change.reasons);
+    }
+};
+
+Shared shared_by_most(const ClassChanges& changes) {
+    constexpr std::size_t fewest = 3;
+    Shared shared;
+    std::map<Reasons, std::size_t> counts;
+    for (const auto* group : {&changes.rising, &changes.falling, &changes.level}) {
+        for (const MarkChange& change : *group) ++counts[change.reasons];
+        shared.compared += group->size();
+    }
+    shared.compared += changes.untouched;
+    for (const auto& [reasons, count] : counts) {
+        if (reasons.empty() || count < fewest || 2 * count <= shared.compared) continue;
+        shared.reasons = reasons;
+        shared.by = count;
+    }
+    return shared;
 }
 
 /// A group and the word that begins its lines. The group that an instructor must see comes last.
@@ -52,17 +91,20 @@ std::string counted(std::size_t count, std::string_view one, std::string_view se
 }  // namespace
 
 std::string changes_text(const ClassChanges& changes) {
+    const Shared shared = shared_by_most(changes);
     std::size_t width = narrowest_id;
     for (const Titled& each : groups(changes)) {
         for (const MarkChange& change : each.group)
             width = std::max(width, std::min(widest_id, code_points(one_line(change.label))));
     }
     std::string text;
+    if (shared.by > 0) text = fmt::format("{} of {}: {}\n", shared.by, shared.compared, joined(shared.reasons));
     for (const Titled& each : groups(changes)) {
         for (const MarkChange& change : each.group) {
+            if (shared.tells_all_of(change)) continue;
             std::string line =
                 fmt::format("{:<6} {} {:>7} -> {:>6} {:>7}  {}", each.word, padded(one_line(change.label), width),
-                            mark(change.before), mark(change.after), difference(change), reasons_of(change));
+                            mark(change.before), mark(change.after), difference(change), shared.own(change));
             line.erase(line.find_last_not_of(' ') + 1);
             text += line + "\n";
         }

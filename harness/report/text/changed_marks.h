@@ -8,7 +8,8 @@
 namespace harness::report {
 
 /// A line with the reasons for each submission that rises, falls, is new, is gone, or has the same mark for other
-/// reasons; empty if there is none.
+/// reasons; empty if there is none. What changes for most of the class, as by a changed rubric, is told once, before
+/// whoever differs from it.
 std::string changes_text(const ClassChanges& changes);
 
 /// "2 rise, 1 falls, 26 stay as they are." and what else changed; always says how many rise, fall and stay.

@@ -1,11 +1,13 @@
 #include "harness/report/text/class_table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
 
 #include "harness/execution/tier.h"
+#include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
 #include "harness/grade/override_place.h"
 #include "harness/report/text/columns.h"
@@ -21,14 +23,47 @@ std::string called(const Submission& submission) {
     return label == id ? id : fmt::format("{} ({})", label, id);
 }
 
-std::string row_of(const Graded& graded, std::size_t id_width) {
-    std::string row =
-        fmt::format("{}  {:<13}", padded(one_line(label_of(graded.submission)), id_width), to_string(graded.outcome));
+std::string short_title(const Flag& flag) {
+    if (flag.kind == "reading_doubtful") return "an answer may have been misread";
+    if (flag.kind == "hard_coded") return "printed numbers may not depend on the scene";
+    if (flag.kind == "other_scene") return "the source states another scene";
+    if (flag.kind == "nondeterministic") return "answers differ from run to run";
+    std::string words = one_line(flag.kind);
+    std::ranges::replace(words, '_', ' ');
+    return words;
+}
+
+/// A line of a terminal's length; the report has the rest.
+std::string shortened(const std::string& evidence) {
+    constexpr std::size_t longest = 160;
+    std::string line = one_line(evidence);
+    if (code_points(line) <= longest) return line;
+    line = padded(line, longest);
+    return line.substr(0, line.find_last_of(' ')) + " …";
+}
+
+/// "hard coded, reading doubtful"
+std::string flags_of(const Graded& graded) {
+    std::vector<std::string> names;
+    for (const Flag& flag : open_flags(graded)) {
+        names.push_back(one_line(flag.kind));
+        std::ranges::replace(names.back(), '_', ' ');
+    }
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string row_of(const Graded& graded, std::size_t id_width, Ink ink) {
+    const std::string outcome = fmt::format("{:<13}", to_string(graded.outcome));
+    std::string row = padded(one_line(label_of(graded.submission)), id_width) + "  " +
+                      (graded.outcome == Outcome::graded ? outcome : inked(outcome, Colour::red, ink));
     const bool marked = graded.outcome != Outcome::not_graded;
     for (const QuestionScore& question : graded.score.questions)
         row += fmt::format(" {:>5}", marked ? points_text(final_points(graded, question)) : "-");
     const auto points = points_that_count(graded);
-    return row + fmt::format("  {:>6}{}\n", points ? points_text(*points) : "-", graded.overrides.empty() ? "" : "*");
+    row += fmt::format("  {:>6}{}", points ? points_text(*points) : "-", graded.overrides.empty() ? "" : "*");
+    const std::string flags = flags_of(graded);
+    if (!flags.empty()) row += (graded.overrides.empty() ? "   " : "  ") + inked(flags, Colour::yellow, ink);
+    return row + "\n";
 }
 
 /// The instructor's overrides and the late deductions.
@@ -101,24 +136,9 @@ std::string summary(const std::vector<Graded>& graded) {
     return text + scenes_summary(graded);
 }
 
-/// Whose printout a person should read, because something may have been misread.
-std::string doubtful(const std::vector<Graded>& graded) {
-    std::string who;
-    int count = 0;
-    for (const Graded& one : graded) {
-        const std::string why = doubtful_reading(one);
-        if (why.empty()) continue;
-        who += fmt::format("  {}: {}\n", called(one.submission), one_line(why));
-        ++count;
-    }
-    if (count == 0) return "";
-    return fmt::format("\n{} of {} to look at, because an answer may have been misread:\n{}", count, graded.size(),
-                       who);
-}
-
 }  // namespace
 
-std::string class_table(const std::vector<Graded>& graded) {
+std::string class_table(const std::vector<Graded>& graded, Ink ink) {
     if (graded.empty()) return "";
     std::size_t id_width = narrowest_id;
     for (const Graded& one : graded)
@@ -126,11 +146,12 @@ std::string class_table(const std::vector<Graded>& graded) {
     std::string text = padded("submission", id_width) + fmt::format("  {:<13}", "outcome");
     for (const QuestionScore& question : graded.front().score.questions)
         text += fmt::format(" {:>5}", fmt::format("Q{}", question.number));
-    text += fmt::format("  {:>6}\n", "points");
+    const bool has_flags = std::ranges::any_of(graded, [](const Graded& one) { return !open_flags(one).empty(); });
+    text += fmt::format("  {:>6}{}\n", "points", has_flags ? "   flags" : "");
     double sum = 0;
     std::size_t marked = 0, by_hand = 0;
     for (const Graded& one : graded) {
-        text += row_of(one, id_width);
+        text += row_of(one, id_width, ink);
         const auto points = points_that_count(one);
         if (!points) continue;
         sum += *points;
@@ -148,12 +169,25 @@ std::string class_table(const std::vector<Graded>& graded) {
     if (const std::string warning = sandbox_warning(graded.front().tier); !warning.empty()) {
         text += fmt::format("\nWarning: {}\n", warning);
     }
-    text += doubtful(graded);
-    for (const Graded& one : graded) {
-        if (one.outcome == Outcome::not_graded)
-            text += fmt::format("not graded: {}: {}\n", called(one.submission), one_line(one.explanation));
-    }
     return text;
+}
+
+std::string needs_a_person(const std::vector<Graded>& graded, const std::string& way, Ink ink) {
+    std::string flagged, ungraded;
+    int count = 0;
+    for (const Graded& one : graded) {
+        const std::vector<Flag> open = open_flags(one);
+        if (!open.empty()) ++count;
+        for (const Flag& flag : open)
+            flagged +=
+                fmt::format("  {}: {}: {}\n", called(one.submission), short_title(flag), shortened(flag.evidence));
+        if (one.outcome == Outcome::not_graded)
+            ungraded += fmt::format("{} {}: {}\n", inked("not graded:", Colour::red, ink), called(one.submission),
+                                    one_line(one.explanation));
+    }
+    if (count == 0) return ungraded;
+    const std::string head = fmt::format("{} of {} to look at; `{}` goes through them:", count, graded.size(), way);
+    return fmt::format("\n{}\n{}{}", inked(head, Colour::yellow, ink), flagged, ungraded);
 }
 
 }  // namespace harness::report

@@ -1,15 +1,22 @@
-// The class as a table for a terminal. Text from submissions is escaped. Points are the final ones (final_mark.h), with
-// the automatic points beside them where they differ. A class graded without a sandbox is marked as such.
+// The class as a table for a terminal, and what in it needs a person. Text from submissions is escaped. Points are the
+// final ones (final_mark.h), with the automatic points beside them where they differ. A class graded without a sandbox
+// is marked as such.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "harness/grade/graded.h"
+#include "harness/text/ink.h"
 
 namespace harness::report {
 
-/// The class table and the summary by question, for a terminal. Ends in a newline.
-std::string class_table(const std::vector<Graded>& graded);
+/// The class table, with the flags that nobody has accepted, and the summary by question. Ends in a newline; empty for
+/// an empty class.
+std::string class_table(const std::vector<Graded>& graded, Ink ink = Ink::none);
+
+/// Whose answers a person should look at and why, and who was not graded. `way` is the command that goes through them.
+/// Ends in a newline; empty if nothing needs a person.
+std::string needs_a_person(const std::vector<Graded>& graded, const std::string& way, Ink ink = Ink::none);
 
 }  // namespace harness::report

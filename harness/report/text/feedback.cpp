@@ -145,6 +145,17 @@ std::vector<std::string> hard_scenes_of(const Graded& graded) {
     return graded.hard_scenes ? scenes::hard_scenes_sentences(*graded.hard_scenes) : std::vector<std::string>();
 }
 
+Colour colour_of(ItemVerdict verdict) {
+    switch (verdict) {
+        case ItemVerdict::right: return Colour::green;
+        case ItemVerdict::follow: return Colour::cyan;
+        case ItemVerdict::wrong: return Colour::red;
+        case ItemVerdict::missing:
+        case ItemVerdict::unreadable: return Colour::yellow;
+    }
+    return Colour::yellow;
+}
+
 }  // namespace
 
 std::string feedback_markdown(const Graded& graded, const Marking& marking) {
@@ -208,7 +219,7 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     return text;
 }
 
-std::string check_text(const Graded& graded, reference::Feedback feedback) {
+std::string check_text(const Graded& graded, reference::Feedback feedback, Ink ink) {
     std::string text;
     if (const std::string warning = sandbox_warning(graded.tier); !warning.empty())
         text += "Warning: " + warning + "\n";
@@ -226,8 +237,9 @@ std::string check_text(const Graded& graded, reference::Feedback feedback) {
         text += fmt::format("Question {}, {}: {} of {} points\n", question.number, question.title,
                             points_text(question.points), points_text(question.max_points));
         for (const ItemScore& item : question.items) {
-            text +=
-                fmt::format("  {:<13} {:<10}{}\n", name_in_question(item.spec), to_string(item.verdict), where(item));
+            const std::string verdict = fmt::format("{:<10}", to_string(item.verdict));
+            text += fmt::format("  {:<13} {}{}\n", name_in_question(item.spec),
+                                inked(verdict, colour_of(item.verdict), ink), where(item));
             if (item.verdict == ItemVerdict::right || item.verdict == ItemVerdict::missing) continue;
             if (!item.printed.empty()) text += fmt::format("      you printed {}\n", escape_control(item.printed));
             const std::string name = told_diagnosis(item, feedback);

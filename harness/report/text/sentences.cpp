@@ -8,6 +8,7 @@
 
 #include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
+#include "harness/mark/diagnose/derivation.h"
 #include "harness/text/listed.h"
 #include "harness/text/points.h"
 
@@ -158,7 +159,7 @@ std::string item_sentence(const ItemScore& item, Outcome outcome, reference::Fee
     if (holds_no_number(item))
         return "That is not a number (nan or inf): look for a division by zero or the root of a negative number.";
     if (!item.advice.empty() && may_name) return item.advice;
-    if (item.spec.id == reference::item::P_VCS) return plainly;
+    if (!can_follow(item.spec.id)) return plainly;
     return "That is not the right value, nor does it follow from your earlier answers.";
 }
 

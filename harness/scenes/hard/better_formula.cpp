@@ -8,9 +8,9 @@
 #include <cfloat>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
+#include "harness/scenes/hard/losses.h"
 #include "harness/scenes/source/drawing.h"
 #include "reference/accuracy/measure/assignment_accuracy.h"
 #include "reference/accuracy/methods/method.h"
@@ -58,39 +58,50 @@ std::optional<int> kept(const reference::accuracy::Answer& answer, const std::op
 }
 
 std::string told(const std::string& name, const std::optional<int>& digits, const std::optional<double>& t) {
-    if (!digits) return name + " decides otherwise";
     return t && *t != 0 ? fmt::format("{} keeps {} digits of t", name, *digits) : name + " decides right";
 }
 
-/// Tells of the textbook's method in this scalar, and of the first method after it that keeps nearly a float's digits
-/// (FLT_DIG - 1). Only methods with a formula count, because students use neither wider numbers nor the certified
-/// kernel.
-template <template <class> class Problem>
-void tell_scalar(std::vector<std::string>& sentences, const std::vector<Method<Problem>>& methods,
-                 const std::string& scalar, const Problem<double>& problem, const std::optional<double>& t) {
-    const reference::accuracy::Rays<Problem> rays{{as_floats(problem)}, {problem}};
-    bool first = true;
-    for (const Method<Problem>& method : methods) {
-        const std::string_view formula = formula_of(method.kernel);
-        if (method.scalar != scalar || formula.empty()) continue;
-        const auto digits = kept(method.judge(rays, 1).front(), t);
-        const bool is_good = digits && *digits >= FLT_DIG - 1;
-        if (!first && !is_good) continue;
-        sentences.push_back(told(method.name(), digits, t) + (first ? "" : fmt::format(" ({})", formula)));
-        if (is_good) return;
-        first = false;
-    }
-    sentences.push_back(fmt::format("no method in {} keeps {}", scalar, FLT_DIG - 1));
+/// Whether a method that keeps this many digits does clearly better than the program. `own` is what the program keeps,
+/// empty if it decides wrongly. Rounding may cost one digit in any scene.
+bool is_better(const std::optional<int>& digits, const std::optional<int>& own) {
+    return digits && *digits >= FLT_DIG - 1 && (!own || *digits > *own + 1);
 }
 
-/// `t` is the t of the hit, empty for a miss.
+/// What the ladder of methods is climbed for.
 template <template <class> class Problem>
-std::string tell_ladder(const std::vector<Method<Problem>>& methods, const Problem<double>& problem,
-                        const std::optional<double>& t) {
-    std::vector<std::string> told;
-    for (const char* scalar : {"float", "double"}) tell_scalar(told, methods, scalar, problem, t);
-    return fmt::format("Of the methods of `raygrade accuracy`, {}.", fmt::join(told, "; "));
-}
+struct Climb {
+    const std::vector<Method<Problem>>& methods;
+    Problem<double> problem;
+    std::optional<double> t;  ///< of the hit, empty for a miss
+    std::optional<int> own;   ///< how many digits the program keeps; empty if it decides wrongly
+
+    /// The first method with a formula in this scalar that does better; empty if there is none. Students use neither
+    /// wider numbers nor the certified kernel.
+    std::optional<std::string> better(const std::string& scalar) const {
+        const reference::accuracy::Rays<Problem> rays{{as_floats(problem)}, {problem}};
+        for (const Method<Problem>& method : methods) {
+            const std::string_view formula = formula_of(method.kernel);
+            if (method.scalar != scalar || formula.empty()) continue;
+            const auto digits = kept(method.judge(rays, 1).front(), t);
+            if (!is_better(digits, own)) continue;
+            const bool is_textbook = method.kernel == methods.front().kernel;
+            return told(method.name(), digits, t) + (is_textbook ? "" : fmt::format(" ({})", formula));
+        }
+        return std::nullopt;
+    }
+
+    std::string tell() const {
+        const auto in_float = better("float"), in_double = better("double");
+        if (in_float && in_float->starts_with(methods.front().name()))
+            return fmt::format("The formula is not at fault: {} here.", *in_float);
+        const auto or_none = [&](const std::optional<std::string>& found, const char* scalar) {
+            return found.value_or(t && *t != 0 ? fmt::format("no method in {} keeps {}", scalar, FLT_DIG - 1)
+                                               : fmt::format("no method in {} decides right", scalar));
+        };
+        return fmt::format("Of the methods of `raygrade accuracy`, {}; {}.", or_none(in_float, "float"),
+                           or_none(in_double, "double"));
+    }
+};
 
 std::optional<double> number(const reference::AnswerKey& key, const ItemId& id) {
     const reference::Value* value = value_of(key, id);
@@ -106,15 +117,6 @@ std::optional<double> t_of_triangle(const reference::AnswerKey& key) {
     return is_hit ? number(key, reference::item::triangle::t) : std::nullopt;
 }
 
-ItemId id_of(const HardItem& lost, const reference::AnswerKey& key) {
-    for (const reference::KeyQuestion& question : key.questions) {
-        for (const reference::KeyItem& item : question.items) {
-            if (question.number == lost.question && item.spec.name == lost.item) return item.spec.id;
-        }
-    }
-    throw std::logic_error("a lost item that the key does not have");
-}
-
 /// The comparison of methods that is about this item: the sphere's or the triangle's, without what a method starts
 /// from; empty for none.
 std::optional<Subject> ladder_of(const ItemId& id) {
@@ -124,10 +126,25 @@ std::optional<Subject> ladder_of(const ItemId& id) {
     return {};
 }
 
-/// Whether a better formula could help: not if the ray itself lost digits, because no later formula brings them back.
-bool concerns(const std::vector<ItemId>& lost, Subject ladder) {
-    const bool ray = std::ranges::any_of(lost, [](const ItemId& id) { return id.subject == Subject::camera; });
-    return !ray && std::ranges::any_of(lost, [&](const ItemId& id) { return ladder_of(id) == ladder; });
+/// Whether a better formula could help: not if the ray itself lost digits, because no later formula brings them back,
+/// and not with what is not printed.
+bool concerns(const std::vector<HardItem>& lost, Subject ladder, const reference::AnswerKey& key) {
+    const bool ray =
+        std::ranges::any_of(lost, [&](const HardItem& item) { return id_of(item, key).subject == Subject::camera; });
+    return !ray && std::ranges::any_of(lost, [&](const HardItem& item) {
+        return item.loss != Loss::missing && ladder_of(id_of(item, key)) == ladder;
+    });
+}
+
+/// The fewest digits that the program keeps of what the ladder is about; empty if one is lost in another way.
+std::optional<int> kept_by_program(const std::vector<HardItem>& lost, Subject ladder, const reference::AnswerKey& key) {
+    int fewest = FLT_DIG;
+    for (const HardItem& item : lost) {
+        if (item.loss == Loss::missing || ladder_of(id_of(item, key)) != ladder) continue;
+        if (item.loss != Loss::digits) return std::nullopt;
+        fewest = std::min(fewest, item.digits_kept);
+    }
+    return fewest;
 }
 
 /// Tells how much the handout's own steps keep, for the first few items that no comparison of methods is about.
@@ -176,21 +193,31 @@ std::string_view formula_of(std::string_view kernel) {
 }
 
 std::vector<std::string> better_formulas(const std::vector<HardItem>& lost_items, const Marking& marking) {
-    std::vector<ItemId> lost;
-    for (const HardItem& item : lost_items) lost.push_back(id_of(item, marking.key));
+    using reference::accuracy::sphere_methods, reference::accuracy::triangle_methods;
+    std::vector<ItemId> lost;  // of what is printed
+    for (const HardItem& item : lost_items) {
+        if (item.loss != Loss::missing) lost.push_back(id_of(item, marking.key));
+    }
     std::vector<std::string> sentences;
     const auto& scene = marking.assignment.scene;
     const reference::Scene<double> in_double = scenes::in_double(scene);
     const auto ray = ray_of(marking.key);
     const auto asks = [&](const ItemId& id) { return value_of(marking.key, id) != nullptr; };
-    if (ray && concerns(lost, Subject::sphere) && asks(reference::item::sphere::t) && scene.spheres.size() == 1) {
-        sentences.push_back(tell_ladder<SphereProblem>(reference::accuracy::sphere_methods(),
-                                                       {*ray, in_double.spheres.front()},
-                                                       number(marking.key, reference::item::sphere::t)));
+    if (ray && concerns(lost_items, Subject::sphere, marking.key) && asks(reference::item::sphere::t) &&
+        scene.spheres.size() == 1) {
+        const Climb<SphereProblem> climb{sphere_methods(),
+                                         {*ray, in_double.spheres.front()},
+                                         number(marking.key, reference::item::sphere::t),
+                                         kept_by_program(lost_items, Subject::sphere, marking.key)};
+        sentences.push_back(climb.tell());
     }
-    if (ray && concerns(lost, Subject::triangle) && asks(reference::item::triangle::t) && scene.triangles.size() == 1) {
-        sentences.push_back(tell_ladder<TriangleProblem>(
-            reference::accuracy::triangle_methods(), {*ray, in_double.triangles.front()}, t_of_triangle(marking.key)));
+    if (ray && concerns(lost_items, Subject::triangle, marking.key) && asks(reference::item::triangle::t) &&
+        scene.triangles.size() == 1) {
+        const Climb<TriangleProblem> climb{triangle_methods(),
+                                           {*ray, in_double.triangles.front()},
+                                           t_of_triangle(marking.key),
+                                           kept_by_program(lost_items, Subject::triangle, marking.key)};
+        sentences.push_back(climb.tell());
     }
     if (const std::string steps = tell_steps(lost, marking); !steps.empty()) sentences.push_back(steps);
     return sentences;

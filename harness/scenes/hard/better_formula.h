@@ -12,10 +12,11 @@
 
 namespace harness::scenes {
 
-/// Sentences about what is lost. For the sphere and the triangle they say how many digits of t a method keeps on this
-/// ray, in float and in double: the textbook's method and the first after it that keeps nearly a float's digits
-/// (FLT_DIG - 1). For other answers they say how many digits the handout's steps keep. They contain no value of the
-/// key. Empty if nothing is lost.
+/// Sentences about what is lost. For the sphere and the triangle they name a method that does better on this ray than
+/// the program, in float and in double: the first that keeps nearly a float's digits of t (FLT_DIG - 1). If that is the
+/// textbook's method in float, the formula is not at fault, and the sentence says so. For other answers they say how
+/// many digits the handout's steps keep. They contain no value of the key. Empty if nothing is lost, or only what is
+/// not printed.
 std::vector<std::string> better_formulas(const std::vector<HardItem>& lost, const Marking& marking);
 
 /// The formula of a method, in one line: "q = -(b + sign(b) √d) / 2, t = q/a or c/q". Empty for an unknown kernel.

@@ -106,6 +106,20 @@ void draw_scene(HardScene& hard, const HardRecipe& recipe, const Stage& stage, s
     }
 }
 
+struct Recipes {
+    std::optional<reference::Subject> about;
+    std::vector<HardRecipe> list;
+};
+
+/// In the order of the report.
+std::vector<Recipes> all_recipes() {
+    using reference::Subject;
+    return {{Subject::sphere, sphere_recipes()},
+            {Subject::triangle, triangle_recipes()},
+            {{}, camera_recipes()},
+            {Subject::cylinder, cylinder_recipes()}};
+}
+
 }  // namespace
 
 Point across(const Stage& stage, scenes::Draw& draw) {
@@ -127,11 +141,11 @@ std::vector<HardScene> hard_scenes(const Assignment& assignment, reference::Pixe
     const Stage stage = stage_of(assignment, convention, located);
     std::vector<HardScene> scenes;
     std::uint64_t seed = 0;
-    for (const auto& recipes : {sphere_recipes(), triangle_recipes(), camera_recipes(), cylinder_recipes()}) {
+    for (const auto& [about, recipes] : all_recipes()) {
         for (const HardRecipe& recipe : recipes) {
             ++seed;
             if (!has_all(stage.scene, recipe.needs)) continue;
-            HardScene hard{std::string(recipe.name), recipe.asks};
+            HardScene hard{std::string(recipe.name), recipe.asks, about};
             hard.why_not = missing_parts(recipe, located);
             if (hard.why_not.empty() && recipe.needs_exact && !stage.is_exact)
                 hard.why_not = "no point of this ray can be written exactly in decimals";
@@ -143,7 +157,9 @@ std::vector<HardScene> hard_scenes(const Assignment& assignment, reference::Pixe
 }
 
 std::size_t most_hard_scenes() {
-    return sphere_recipes().size() + triangle_recipes().size() + camera_recipes().size() + cylinder_recipes().size();
+    std::size_t count = 0;
+    for (const Recipes& recipes : all_recipes()) count += recipes.list.size();
+    return count;
 }
 
 }  // namespace harness::scenes

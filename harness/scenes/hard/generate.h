@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "harness/scenes/source/scene_part.h"
+#include "reference/stages/items.h"
 #include "reference/toml/assignment.h"
 
 namespace harness::scenes {
@@ -15,6 +16,7 @@ namespace harness::scenes {
 struct HardScene {
     std::string name;                                ///< "far small sphere"
     std::string_view asks;                           ///< what is hard about it, a phrase for a student
+    std::optional<reference::Subject> about = {};    ///< the object that is hard to hit; empty if the ray is hard
     std::optional<scenes::DecimalScene> scene = {};  ///< empty if it can't be made; `why_not` says why
     std::string why_not = {};                        ///< a phrase: "the source was not found to state radius"
 };

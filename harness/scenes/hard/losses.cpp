@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <stdexcept>
 
 namespace harness::scenes {
 namespace {
@@ -103,6 +105,33 @@ std::vector<HardItem> losses(const Score& base, const Score& score, const Markin
             if (auto item = loss_of(*after, key_item, marking.key)) lost.push_back(std::move(*item));
         }
     }
+    return lost;
+}
+
+reference::ItemId id_of(const HardItem& lost, const reference::AnswerKey& key) {
+    for (const reference::KeyQuestion& question : key.questions) {
+        for (const reference::KeyItem& item : question.items) {
+            if (question.number == lost.question && item.spec.name == lost.item) return item.spec.id;
+        }
+    }
+    throw std::logic_error("a lost item that the key does not have");
+}
+
+std::vector<HardItem> that_count(std::vector<HardItem> lost, std::optional<reference::Subject> about,
+                                 const reference::AnswerKey& key) {
+    using reference::Subject;
+    const auto is_of_object = [](Subject subject) {
+        return std::ranges::find(reference::objects, subject) != std::end(reference::objects);
+    };
+    const bool other_lost = std::ranges::any_of(lost, [&](const HardItem& item) {
+        const Subject subject = id_of(item, key).subject;
+        return is_of_object(subject) && subject != about;
+    });
+    std::erase_if(lost, [&](const HardItem& item) {
+        const Subject subject = id_of(item, key).subject;
+        if (subject == Subject::first_hit) return !about || other_lost;
+        return about && subject != about;
+    });
     return lost;
 }
 

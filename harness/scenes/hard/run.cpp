@@ -6,6 +6,7 @@
 #include <exception>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "harness/scenes/hard/better_formula.h"
@@ -114,13 +115,14 @@ class ClassOnHardScenes {
             result.name = hard.name;
             result.asks = hard.asks;
             result.skipped = hard.why_not;
-            if (result.skipped.empty()) tell(result, *run++, graded);
+            if (result.skipped.empty()) tell(result, *run++, graded, hard.about);
             report.scenes.push_back(std::move(result));
         }
         return report;
     }
 
-    void tell(HardResult& result, const SceneRun& run, const Graded& base) const {
+    void tell(HardResult& result, const SceneRun& run, const Graded& base,
+              std::optional<reference::Subject> about) const {
         const Marking& marking = *run.scene->marking;
         result.changes = scenes::described(marking.assignment.scene, marking_.assignment.scene);
         if (!run.graded) {
@@ -133,7 +135,7 @@ class ClassOnHardScenes {
         if (!result.skipped.empty()) return;
         // A program that ends early also on the assignment's scene does not do so because the scene is hard.
         if (base.outcome == Outcome::graded) result.ended = ended_there(outcome);
-        result.items = losses(base.score, run.graded->score, marking);
+        result.items = that_count(losses(base.score, run.graded->score, marking), about, marking.key);
         result.better = better_formulas(result.items, marking);
     }
 

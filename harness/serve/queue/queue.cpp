@@ -50,7 +50,8 @@ Standing Queue::standing(const std::string& result_address) const {
         const std::lock_guard guard(mutex_);
         const auto place = std::find(waiting_.begin(), waiting_.end(), key);
         if (place != waiting_.end()) {
-            return Waiting{static_cast<std::size_t>(place - waiting_.begin()) + 1, waiting_.size()};
+            const std::size_t position = static_cast<std::size_t>(place - waiting_.begin()) + 1;
+            return Waiting{position, waiting_.size(), pace_.wait(position, most_at_work_)};
         }
         if (at_work_.contains(key)) return BeingGraded{};
         if (lost_.contains(key)) return Lost{};
@@ -75,7 +76,8 @@ std::optional<Task> Queue::next() {
             if (left_ || waiting_.empty()) return {};
             task.key = std::move(waiting_.front());
             waiting_.pop_front();
-            at_work_.insert(task.key);
+            at_work_.emplace(task.key, std::chrono::steady_clock::now());
+            most_at_work_ = std::max(most_at_work_, at_work_.size());
             task.number = ++begun_;
         }
         try {
@@ -105,7 +107,10 @@ void Queue::finish(const Task& task, const Result& result) {
         return;
     }
     const std::lock_guard guard(mutex_);
-    at_work_.erase(task.key);
+    const auto begun = at_work_.find(task.key);
+    if (begun == at_work_.end()) return;
+    pace_.took(std::chrono::steady_clock::now() - begun->second);
+    at_work_.erase(begun);
 }
 
 void Queue::close() {
@@ -123,7 +128,7 @@ std::size_t Queue::leave() {
     const std::lock_guard guard(mutex_);
     closed_ = left_ = true;
     grew_.notify_all();
-    for (const std::string& key : at_work_) kept_programs_.give_back(key);
+    for (const auto& [key, since] : at_work_) kept_programs_.give_back(key);
     return waiting_.size() + at_work_.size();
 }
 

@@ -1,23 +1,27 @@
 // The queue of programs to grade, and access to their results.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <string>
 #include <variant>
 
+#include "harness/serve/queue/pace.h"
 #include "harness/serve/queue/spool.h"
 
 namespace harness::serve {
 
 /// The states of a program.
 struct Waiting {
-    std::size_t position;  ///< 1 for the next program
-    std::size_t length;    ///< of the queue
+    std::size_t position;                    ///< 1 for the next program
+    std::size_t length;                      ///< of the queue
+    std::optional<Pace::Seconds> wait = {};  ///< until the result, by what programs took lately; empty if unknown
 };
 struct BeingGraded {};
 struct Done {
@@ -81,8 +85,10 @@ class Queue {
     const std::size_t suspects_;
     mutable std::mutex mutex_;  ///< guards all that follows
     std::condition_variable grew_;
-    std::deque<std::string> waiting_;  ///< keys
-    std::set<std::string> at_work_;
+    std::deque<std::string> waiting_;                                       ///< keys
+    std::map<std::string, std::chrono::steady_clock::time_point> at_work_;  ///< and since when
+    std::size_t most_at_work_ = 0;                                          ///< how many were graded at a time
+    Pace pace_;
     std::set<std::string> lost_;
     std::size_t begun_ = 0;
     bool closed_ = false;

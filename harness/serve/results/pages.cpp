@@ -4,6 +4,7 @@
 #include <sodium.h>
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "harness/text/markup.h"
@@ -71,6 +72,10 @@ std::string front_page(const About& about) {
              "<textarea id=\"text\" name=\"source\" rows=\"8\" spellcheck=\"false\" autocapitalize=\"off\" "
              "autocomplete=\"off\" wrap=\"off\" required></textarea>\n",
              "Check this text");
+    const std::string budget = about.checks_a_day == 0
+                                   ? ""
+                                   : fmt::format(" From one network address it takes {} program{} a day.",
+                                                 about.checks_a_day, about.checks_a_day == 1 ? "" : "s");
     return page(
         "Check your ray_cast.cpp: " + title, ".", "",
         fmt::format(
@@ -80,14 +85,25 @@ std::string front_page(const About& about) {
             "handed in.</strong></p>\n{}<div class=\"pair\">\n{}{}</div>\n"
             "<p class=\"facts\">One source file of at most 1 MiB. The result gets an address that nobody can guess; "
             "anyone you give the address to can read the result. The result is kept for {}, your program only until "
-            "the result is ready.</p>\n</main>\n",
-            title, paragraph(not_shown(about)), upload, paste, hours_text(about.keep)));
+            "the result is ready.{}</p>\n</main>\n",
+            title, paragraph(not_shown(about)), upload, paste, hours_text(about.keep), budget));
+}
+
+std::string about_time(std::chrono::duration<double> time) {
+    const auto tens = static_cast<long>(std::ceil(time.count() / 10)) * 10;
+    constexpr long minute = 60, hour = 60 * minute;
+    if (tens <= 10) return "a few seconds";
+    if (tens < 2 * minute) return fmt::format("about {} seconds", tens);
+    if (tens < 2 * hour) return fmt::format("about {} minutes", (tens + minute - 1) / minute);
+    return fmt::format("about {} hours", (tens + hour - 1) / hour);
 }
 
 std::string sentence_of(const Standing& standing) {
     if (const auto* waiting = std::get_if<Waiting>(&standing)) {
-        if (waiting->position == 1) return "Your program is the next one.";
-        return fmt::format("Your program is number {} of {} in the queue.", waiting->position, waiting->length);
+        const std::string place = waiting->position == 1 ? "Your program is the next one."
+                                                         : fmt::format("Your program is number {} of {} in the queue.",
+                                                                       waiting->position, waiting->length);
+        return waiting->wait ? fmt::format("{} Its result takes {}.", place, about_time(*waiting->wait)) : place;
     }
     if (std::holds_alternative<BeingGraded>(standing)) return "Your program is being compiled and run.";
     if (const auto* done = std::get_if<Done>(&standing)) {

@@ -13,6 +13,7 @@ struct About {
     std::string title;  ///< of the assignment
     std::chrono::hours keep;
     double other_scene_points = 0;  ///< the rubric's points for other scenes, which the page does not show
+    int checks_a_day = 0;           ///< how many programs one address may send a day; 0 for any number
 };
 
 // All are complete pages. Links and addresses are relative, so that a proxy may put them below any path.
@@ -23,8 +24,11 @@ std::string front_page(const About& about);
 /// The page at the result's address while there is no result.
 std::string waiting_page(const About& about, const std::string& result_address, const Standing& standing);
 
-/// A sentence for the waiting student: "Your program is number 3 of 7 in the queue."
+/// A sentence for the waiting student: "Your program is number 3 of 7 in the queue. Its result takes about 20 seconds."
 std::string sentence_of(const Standing& standing);
+
+/// "a few seconds", "about 40 seconds", "about 3 minutes" or "about 2 hours"; rounded, so that it seldom changes.
+std::string about_time(std::chrono::duration<double> time);
 
 /// A sentence that points for other scenes are not shown; empty if the rubric gives none.
 std::string not_shown(const About& about);

@@ -64,7 +64,11 @@ std::optional<Response> asset(const std::string& path) {
 Site::Site(SiteSettings settings, Queue& queue)
     : settings_(std::move(settings)),
       queue_(queue),
-      rate_(settings_.turns_a_minute, std::max(1, static_cast<int>(settings_.turns_a_minute))) {}
+      rate_(settings_.turns_a_minute, std::max(1, static_cast<int>(settings_.turns_a_minute))) {
+    constexpr double minutes_a_day = 24 * 60;
+    const int checks = settings_.about.checks_a_day;
+    if (checks > 0) budget_.emplace(checks / minutes_a_day, checks);
+}
 
 Response Site::say(const Head& head, int status, const std::string& heading, const std::string& sentence) const {
     if (head.wants_json) return as_json(status, {{"error", sentence}});
@@ -111,14 +115,23 @@ std::optional<Response> Site::answer_check(const Head& head) const {
 
 std::optional<Response> Site::too_soon(const Head& head) const {
     const std::string client = client_of(client_address(head, settings_.reach));
-    const auto wait = rate_.wait_of(client, RateLimit::Clock::now());
+    const auto now = RateLimit::Clock::now();
+    const auto refuse_for = [&](std::chrono::seconds wait, const std::string& sentence) {
+        Response response = say(head, 429, "A little slower, please", sentence);
+        response.fields.emplace_back("Retry-After", std::to_string(wait.count()));
+        return response;
+    };
+    if (const auto wait = rate_.wait_of(client, now); wait.count() > 0)
+        return refuse_for(
+            wait, fmt::format("Many programs were sent from your network address within a short time. Please send "
+                              "yours again in {} second{}.",
+                              wait.count(), wait.count() == 1 ? "" : "s"));
+    const auto wait = budget_ ? budget_->wait_of(client, now) : std::chrono::seconds(0);
     if (wait.count() == 0) return {};
-    Response response = say(head, 429, "A little slower, please",
-                            fmt::format("Many programs were sent from your network address within a short time. Please "
-                                        "send yours again in {} second{}.",
-                                        wait.count(), wait.count() == 1 ? "" : "s"));
-    response.fields.emplace_back("Retry-After", std::to_string(wait.count()));
-    return response;
+    return refuse_for(wait,
+                      fmt::format("The checks of your network address for today, {} in all, are used up. The next "
+                                  "one is free in {}.",
+                                  settings_.about.checks_a_day, about_time(wait)));
 }
 
 Response Site::refuse(const Head& head, Refusal refusal) const {
@@ -152,7 +165,10 @@ Response Site::take_in(const Head& head, const std::string& body) {
     if (!handed.problem.empty()) return say(head, 400, "That was no program", handed.problem);
     const auto accepted = queue_.accept(handed.source, handed.file);
     if (const auto* refusal = std::get_if<Refusal>(&accepted)) return refuse(head, *refusal);
-    rate_.take(client_of(client_address(head, settings_.reach)), RateLimit::Clock::now());
+    const std::string client = client_of(client_address(head, settings_.reach));
+    const auto now = RateLimit::Clock::now();
+    rate_.take(client, now);
+    if (budget_) budget_->take(client, now);
     const std::string address = "result/" + std::get<std::string>(accepted);
     Response response = head.wants_json ? as_json(201, {{"result", address}})
                                         : page(303, "<!DOCTYPE html><title>Accepted</title>\n", own_policy());

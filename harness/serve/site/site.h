@@ -49,6 +49,7 @@ class Site : public Service {
     SiteSettings settings_;
     Queue& queue_;
     RateLimit rate_;
+    std::optional<RateLimit> budget_;  ///< of a day
 };
 
 }  // namespace harness::serve

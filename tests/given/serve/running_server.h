@@ -20,6 +20,7 @@ class RunningServer {
         ServerLimits limits{};
         std::size_t queue = 100;
         double rate = 100'000;
+        int checks = 0;
         Reach reach{};
         std::chrono::milliseconds grace{0};
     };

@@ -18,6 +18,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 using testing::SizeIs;
+using testing::StartsWith;
 
 /// Question 6's t.
 ItemScore& t_of(Graded& one) {
@@ -187,6 +188,26 @@ TEST(AssignmentChange, SaysWhetherTheKeyChanged) {
     moved.replace(moved.find("radius = 2"), 10, "radius = 3");
     EXPECT_THAT(change(moved), HasSubstr("and with it the key"));
     EXPECT_THAT(change(then, "b7"), HasSubstr("changed from a6 to b7"));
+}
+
+MarkChange falling(const std::string& id, std::vector<std::string> reasons) {
+    return {id, id, 100, 95, std::move(reasons), 100, 95};
+}
+
+TEST(ChangesText, TellsOnceWhatChangesForMost) {
+    const std::string rubric = "1.P_VCS: still right, now worth 5 points less";
+    ClassChanges changes;
+    for (const char* id : {"ann", "ben", "cora"}) changes.falling.push_back(falling(id, {rubric}));
+    changes.falling.push_back(falling("dan", {rubric, "6.t right -> wrong (-2)"}));
+    changes.untouched = 1;
+    const std::string text = report::changes_text(changes);
+    EXPECT_THAT(text, StartsWith("3 of 5: " + rubric + "\nfalls  dan "));
+    EXPECT_THAT(text, EndsWith("  the same, and 6.t right -> wrong (-2)\n"));
+    changes.untouched = 2;
+    EXPECT_THAT(report::changes_text(changes), StartsWith("falls  ann ")) << "half are not most";
+    changes.untouched = 0;
+    changes.falling.resize(2);
+    EXPECT_THAT(report::changes_text(changes), StartsWith("falls  ann ")) << "two are told one by one";
 }
 
 }  // namespace

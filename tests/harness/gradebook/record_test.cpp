@@ -69,6 +69,7 @@ TEST(GradedRecord, GivesTheSameReportsByteForByte) {
               report::grades_json(fresh, marking(), Tier::bwrap));
     EXPECT_EQ(report::grades_csv(restored), report::grades_csv(fresh));
     EXPECT_EQ(report::class_table(restored), report::class_table(fresh));
+    EXPECT_EQ(report::needs_a_person(restored, ""), report::needs_a_person(fresh, ""));
     for (std::size_t i = 0; i < fresh.size(); ++i) {
         EXPECT_EQ(report::feedback_markdown(restored[i], marking()), report::feedback_markdown(fresh[i], marking()));
         EXPECT_EQ(report::check_text(restored[i]), report::check_text(fresh[i]));

@@ -110,6 +110,7 @@ TEST(TakeIn, TakesSourcesNextToStudentFoldersToo) {
     folder.write("s02/answers.txt", "no source");
     const auto submissions = take_in(folder.path());
     ASSERT_THAT(ids(submissions), ElementsAre("ray_cast", "s01", "s02"));
+    EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("lies beside the students' folders")));
     EXPECT_THAT(submissions[2].problem.value_or(""), HasSubstr("holds no C++ source"));
 }
 
@@ -118,6 +119,20 @@ TEST(TakeIn, IgnoresFoldersWithoutSourcesInAFlatClass) {
     folder.write("alice.cpp", "a");
     folder.write("build/alice.o", "");
     EXPECT_THAT(ids(take_in(folder.path())), ElementsAre("alice"));
+}
+
+TEST(TakeIn, LosesNoClassBesideASource) {
+    const TemporaryFolder folder;
+    folder.write("solution.cpp", "");
+    folder.write("class/ann/ray_cast.cpp", "a");
+    folder.write("class/ben/ray_cast.cpp", "b");
+    const auto submissions = take_in(folder.path());
+    ASSERT_THAT(ids(submissions), ElementsAre("class", "solution"));
+    EXPECT_THAT(submissions[0].problem.value_or(""), HasSubstr("class/ann\". Move it up"));
+    std::filesystem::rename(folder.path() / "solution.cpp", folder.path() / "ray_cast.cpp");
+    const auto one = take_in(folder.path());
+    ASSERT_EQ(one.size(), 1U);
+    EXPECT_THAT(one[0].notes, ElementsAre("What lies in the folder \"class\" is not graded."));
 }
 
 TEST(TakeIn, NamesARayCastFileByItsFolderAndOtherFilesByThemselves) {
@@ -132,6 +147,7 @@ TEST(TakeIn, IgnoresHiddenFilesAndFolders) {
     folder.write("s01/ray_cast.cpp", "");
     folder.write("s01/.ray_cast.cpp.swp.cpp", "");
     folder.write(".git/x.cpp", "");
+    folder.write("__MACOSX/s01/ray_cast.cpp", "");
     const auto submissions = take_in(folder.path());
     ASSERT_THAT(ids(submissions), ElementsAre("s01"));
     EXPECT_THAT(submissions[0].notes, IsEmpty());

@@ -270,6 +270,39 @@ TEST_P(LmsDownload, MayLieBelowOuterFolders) {
     EXPECT_THAT(ids(taken), ElementsAre("doejane", "roe"));
 }
 
+TEST_P(LmsDownload, KeepsItsStudentsBelowStrangersThatLieBesideItsFolder) {
+    const auto of_canvas = take_in({{"hw6/doejane_1001_5001_ray_cast.cpp", "jane"},
+                                    {"hw6/roe_1002_5002_ray_cast.cpp", "roe"},
+                                    {"desktop.ini", ""},
+                                    {"glm/vec3.hpp", ""},
+                                    {"solution.cpp", "int main() { }"}});
+    EXPECT_THAT(ids(of_canvas), ElementsAre("doejane", "roe", "solution.cpp"));
+    EXPECT_THAT(of_canvas.at("solution.cpp").problem.value_or(""), HasSubstr("beside the folder of a download"));
+}
+
+TEST_P(LmsDownload, OfMoodleMayLieTwoFoldersBelowAStranger) {
+    const auto of_moodle = take_in({{"hw6/in/Jane Doe_101_assignsubmission_file/ray_cast.cpp", "jane"},
+                                    {"hw6/in/John Roe_102_assignsubmission_file/ray_cast.cpp", "john"},
+                                    {"ray_cast.cpp", "m"}});
+    EXPECT_THAT(ids(of_moodle), ElementsAre("Jane Doe", "John Roe", "ray_cast.cpp"));
+}
+
+TEST_P(LmsDownload, MayBeOneOfEachSection) {
+    const auto taken = take_in({{"monday/doejane_1001_5001_ray_cast.cpp", "jane"},
+                                {"monday/roe_1002_5002_ray_cast.cpp", "roe"},
+                                {"friday/poe_1003_5003_ray_cast.cpp", "poe"},
+                                {"friday/loe_1004_5004_ray_cast.cpp", "loe"}});
+    EXPECT_THAT(ids(taken), ElementsAre("doejane", "loe", "poe", "roe"));
+}
+
+TEST_P(LmsDownload, IsNotSeenInTheFolderOfAStudent) {
+    const auto taken = take_in({{"ann/ray_cast.cpp", "a"},
+                                {"ben/ray_cast.cpp", "b"},
+                                {"cora/doejane_1001_5001_ray_cast.cpp", "j"},
+                                {"cora/roe_1002_5002_notes.txt", ""}});
+    EXPECT_THAT(ids(taken), ElementsAre("ann", "ben", "cora"));
+}
+
 TEST_P(LmsDownload, OfMoodleKeepsItsStudentsBesideStrayFolders) {
     const auto taken = take_in({{"Jane Doe_101_assignsubmission_file/ray_cast.cpp", "jane"},
                                 {"John Roe_102_assignsubmission_file/ray_cast.cpp", "john"},

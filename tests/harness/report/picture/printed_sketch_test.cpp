@@ -87,13 +87,13 @@ TEST(PrintedAnswers, AreDrawnAtThePrintedCoordinates) {
 TEST(PrintedAnswers, OfTheCylinderAreDrawn) {
     const Marking marking = marking_of("2024");
     const std::string wrong = picture_of(marking, "Question 4:\nt: 1.5\nP_c: (3.5, 1.2, 0)\nN: (0, 1, 0)\n");
-    for (const char* name : {"P_c", "printed P_c", "N at P_c", "printed N"})
+    for (const char* name : {"P_c", "printed P_c", "N at P_c", "printed N_c"})
         EXPECT_TRUE(drawn::has_name(wrong, name)) << name;
     const std::string right = picture_of(marking, to_text(marking.key), false);
-    for (const char* name : {"printed P_c", "printed N", "printed P_s", "center"})
+    for (const char* name : {"printed P_c", "printed N_c", "printed P_s", "center"})
         EXPECT_TRUE(drawn::has_name(right, name)) << name;
     const std::string own = picture_of(marking, "Question 4:\nt: 1\nP_c: none\nN: (0, 0, 0)\n");
-    EXPECT_TRUE(drawn::has_text(own, "N (question 4) was printed as the zero vector: not drawn."));
+    EXPECT_TRUE(drawn::has_text(own, "N_c (question 4) was printed as the zero vector: not drawn."));
 }
 
 TEST(PrintedAnswers, AreCrossesIfWrongEvenInTheImagePlane) {
@@ -273,7 +273,7 @@ TEST(WithoutAnswers, NoTextShowsTheKeysNumbers) {
 TEST(WithoutAnswers, AllPrintedAnswersAreDrawn) {
     const Marking marking = marking_of("ones");
     const std::string svg = picture_of(marking, to_text(marking.key), false);
-    for (const char* name : {"X_vcs", "Y_vcs", "Z_vcs", "P_VCS", "P_WCS", "V", "P_s", "P_t", "N"})
+    for (const char* name : {"X_vcs", "Y_vcs", "Z_vcs", "P_VCS", "P_WCS", "V", "P_s", "P_t", "N_s", "N_t"})
         EXPECT_TRUE(drawn::has_name(svg, fmt::format("printed {}", name))) << name;
     EXPECT_TRUE(drawn::has_text(svg, "The image plane is drawn with the axes your program printed."));
     EXPECT_TRUE(drawn::has_text(svg, "printed, right"));

@@ -9,8 +9,10 @@ namespace harness::report {
 namespace {
 
 using namespace report_samples;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 
 TEST(ClassTable, IsEmptyForNoSubmissions) {
     EXPECT_EQ(class_table({}), "");
@@ -26,22 +28,51 @@ TEST(ClassTable, HasARowPerSubmissionInTheGivenOrder) {
 TEST(ClassTable, HasTheNamesAndTheIdsWhereACommandMayFollow) {
     Graded one = not_graded("rossigiulia");
     one.submission.name = "Rossi, Giulia";
-    const std::string table = class_table({one, graded("ada", "")});
-    EXPECT_THAT(table, HasSubstr("\nRossi, Giulia  not_graded"));
-    EXPECT_THAT(table, HasSubstr("\nnot graded: Rossi, Giulia (rossigiulia): The folder holds"));
+    EXPECT_THAT(class_table({one, graded("ada", "")}), HasSubstr("\nRossi, Giulia  not_graded"));
+    EXPECT_THAT(needs_a_person({one}, "raygrade review out"),
+                StartsWith("not graded: Rossi, Giulia (rossigiulia): The folder holds"));
 }
 
 TEST(ClassTable, CountsNoMarksForUngradedSubmissions) {
     const std::string table = class_table({graded("zoe", output_with_a_mistake()), not_graded("bob")});
     EXPECT_THAT(table, HasSubstr("1 of 2 graded, average 98.33"));
-    EXPECT_THAT(table, HasSubstr("not graded: bob"));
 }
 
 TEST(ClassTable, ShowsNoControlBytes) {
-    const std::string table = class_table({hostile()});
+    const std::string table = class_table({hostile()}) + needs_a_person({hostile()}, "raygrade review out");
     EXPECT_THAT(table, Not(HasSubstr("\x1b")));
     EXPECT_THAT(table, Not(HasSubstr("\xff")));
     EXPECT_THAT(table, Not(HasSubstr("\a")));
+}
+
+TEST(ClassTable, NamesTheFlags) {
+    Graded zoe = graded("zoe", output_with_a_mistake());
+    zoe.flags = {{"hard_coded", "Printed answers stand in the source as they are printed: 6.t."}};
+    const std::string table = class_table({zoe, graded("ada", output_with_a_mistake())});
+    EXPECT_THAT(table, HasSubstr("points   flags\n"));
+    EXPECT_THAT(table, HasSubstr(" 98.33   hard coded\nada"));
+    EXPECT_EQ(needs_a_person({zoe, graded("ada", output_with_a_mistake())}, "raygrade review out"),
+              "\n1 of 2 to look at; `raygrade review out` goes through them:\n"
+              "  zoe: printed numbers may not depend on the scene: Printed answers stand in the source as they are "
+              "printed: 6.t.\n");
+    EXPECT_THAT(class_table({graded("ada", "")}), Not(HasSubstr("flags")));
+    EXPECT_EQ(needs_a_person({graded("ada", output_with_a_mistake())}, "raygrade review out"), "");
+}
+
+TEST(ClassTable, CutsALongReason) {
+    Graded zoe = graded("zoe", output_with_a_mistake());
+    zoe.flags = {{"hard_coded", std::string(100, 'x') + " " + std::string(100, 'y')}};
+    EXPECT_THAT(needs_a_person({zoe}, "raygrade review out"), EndsWith(std::string(100, 'x') + " …\n"));
+}
+
+TEST(ClassTable, HasColourOnATerminalOnly) {
+    Graded zoe = graded("zoe", output_with_a_mistake());
+    zoe.flags = {{"hard_coded", "6.t"}};
+    const std::vector<Graded> all = {zoe, not_graded("bob")};
+    EXPECT_THAT(class_table(all, Ink::terminal), HasSubstr("\x1b[33mhard coded\x1b[0m\n"));
+    EXPECT_THAT(class_table(all, Ink::terminal), HasSubstr("\x1b[31mnot_graded   \x1b[0m "));
+    EXPECT_THAT(needs_a_person(all, "", Ink::terminal), HasSubstr("\x1b[31mnot graded:\x1b[0m bob"));
+    EXPECT_THAT(class_table(all) + needs_a_person(all, ""), Not(HasSubstr("\x1b")));
 }
 
 TEST(ClassTable, FlagsAnOverriddenMarkAndSaysWhoGaveWhatAndWhy) {

@@ -83,6 +83,17 @@ TEST(ItemSentence, TellsNoMoreThanTheRubricLetsBeTold) {
     EXPECT_EQ(told(Feedback::hint), "Not the right value, but it follows correctly from an earlier mistake of yours.");
 }
 
+TEST(ItemSentence, SpeaksOfEarlierAnswersOnlyWhereTheyMatter) {
+    ItemScore wrong = item(ItemVerdict::wrong);
+    for (const reference::ItemId& alone :
+         {reference::item::P_VCS, reference::item::Z_vcs, reference::item::triangle::normal}) {
+        wrong.spec.id = alone;
+        EXPECT_EQ(item_sentence(wrong, Outcome::graded), "That is not the right value.") << alone.name;
+    }
+    wrong.spec.id = reference::item::X_vcs;
+    EXPECT_THAT(item_sentence(wrong, Outcome::graded), HasSubstr("your earlier answers"));
+}
+
 TEST(ItemSentence, SaysWhatAnAnswerThatFollowsEarns) {
     ItemScore half = item(ItemVerdict::follow);
     half.points = 1.5;

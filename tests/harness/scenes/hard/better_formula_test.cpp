@@ -14,8 +14,10 @@ namespace harness::scenes {
 namespace {
 
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 std::vector<std::string> formulas_for(const std::vector<HardItem>& lost, const student::Marking& marking) {
     return better_formulas(lost, {marking.assignment, marking.key});
@@ -26,9 +28,23 @@ TEST(BetterFormulas, AreNamedAsInTheMeasurement) {
     const auto lost = losses_of(student::with_line(right_printout(marking), 6, "t", "100000.50"), marking);
     const auto sentences = formulas_for(lost, marking);
     ASSERT_FALSE(sentences.empty());
-    EXPECT_THAT(sentences.front(), AllOf(HasSubstr("naive quadratic float keeps 4 digits"), HasSubstr("Haines float"),
-                                         HasSubstr("naive quadratic double keeps 15")));
+    EXPECT_THAT(sentences.front(), AllOf(Not(HasSubstr("naive quadratic float")), HasSubstr("Haines float keeps 15"),
+                                         HasSubstr("naive quadratic double keeps 15")))
+        << "a method that does no better is not named";
     EXPECT_THAT(formulas_for({}, marking), IsEmpty());
+}
+
+TEST(BetterFormulas, SayThatTheFormulaIsNotAtFault) {
+    const student::Marking marking = held(student::scene_named("sphere missed"));
+    EXPECT_THAT(formulas_for({{6, "t", Loss::miss_hit, 0, 0, ""}}, marking),
+                ElementsAre("The formula is not at fault: naive quadratic float decides right here."));
+}
+
+TEST(BetterFormulas, AreNotToldOfWhatIsNotPrinted) {
+    EXPECT_THAT(formulas_for({{6, "t", Loss::missing, 0, 0, ""}}, far_sphere()), IsEmpty());
+    EXPECT_THAT(formulas_for({{4, "P_WCS", Loss::missing, 0, 0, ""}, {6, "t", Loss::digits, 2, 6, ""}}, far_sphere()),
+                IsEmpty())
+        << "the ray itself is not known";
 }
 
 /// A name without its scalar.

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 
 #include "tests/given/hard_scenes/held.h"
@@ -46,6 +47,26 @@ TEST(Losses, AreNoneInARightPrintout) {
         const student::Marking marking = held(student::scene_named(scene));
         EXPECT_THAT(told_losses(right_printout(marking), marking), IsEmpty()) << scene;
     }
+}
+
+/// Those that count on a scene about this object, as "6.t".
+std::vector<std::string> counted(const std::vector<HardItem>& lost, std::optional<reference::Subject> about) {
+    std::vector<std::string> names;
+    for (const HardItem& item : that_count(lost, about, held(student::handout_scene()).key))
+        names.push_back(std::to_string(item.question) + "." + item.item);
+    return names;
+}
+
+TEST(Losses, CountOnScenesAboutTheirOwnObject) {
+    using reference::Subject;
+    const HardItem V{5, "V", Loss::digits, 2, 6, ""}, t{6, "t", Loss::miss_hit, 0, 0, ""},
+        u{8, "u", Loss::wrong, 0, 0, ""}, verdict{10, "verdict", Loss::other_first, 0, 0, ""};
+    EXPECT_THAT(counted({V, t, u, verdict}, Subject::sphere), ElementsAre("6.t"));
+    EXPECT_THAT(counted({V, t, u, verdict}, Subject::triangle), ElementsAre("8.u"));
+    EXPECT_THAT(counted({V, t, u, verdict}, std::nullopt), ElementsAre("5.V", "6.t", "8.u"));
+    EXPECT_THAT(counted({u, verdict}, Subject::triangle), ElementsAre("8.u", "10.verdict"));
+    EXPECT_THAT(counted({verdict}, Subject::triangle), ElementsAre("10.verdict"));
+    EXPECT_THAT(counted({t, verdict}, Subject::triangle), IsEmpty()) << "the sphere's mistake decides";
 }
 
 TEST(Losses, CountTheRightDigitsOfThePrinted) {

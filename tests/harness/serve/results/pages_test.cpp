@@ -30,5 +30,23 @@ TEST(Pages, SayThatPointsForOtherScenesAreNotShown) {
         EXPECT_THAT(page, AllOf(Not(HasSubstr("other scenes")), Not(HasSubstr("<p></p>")), Not(HasSubstr("\"note\""))));
 }
 
+TEST(Pages, SayHowLongAResultTakes) {
+    using std::chrono::seconds;
+    EXPECT_EQ(sentence_of(Waiting{3, 7, seconds(14)}),
+              "Your program is number 3 of 7 in the queue. Its result takes about 20 seconds.");
+    EXPECT_EQ(sentence_of(Waiting{1, 7, seconds(3)}), "Your program is the next one. Its result takes a few seconds.");
+    EXPECT_EQ(sentence_of(Waiting{1, 7}), "Your program is the next one.");
+    EXPECT_EQ(about_time(seconds(110)), "about 110 seconds");
+    EXPECT_EQ(about_time(seconds(121)), "about 3 minutes");
+    EXPECT_EQ(about_time(seconds(3 * 3600)), "about 3 hours");
+}
+
+TEST(Pages, TellTheBudgetOnlyIfThereIsOne) {
+    About with = about();
+    with.checks_a_day = 1;
+    EXPECT_THAT(front_page(with), HasSubstr("it takes 1 program a day."));
+    EXPECT_THAT(front_page(about()), Not(HasSubstr("a day")));
+}
+
 }  // namespace
 }  // namespace harness::serve

@@ -203,6 +203,17 @@ TEST(Site, SlowsAClientDownThatSendsTooMuch) {
     EXPECT_EQ(server.ask(get("/")).status, 200);
 }
 
+TEST(Site, HasABudgetOfChecksADay) {
+    RunningServer::Options options;
+    options.checks = 2;
+    const RunningServer server(options);
+    EXPECT_THAT(server.ask(get("/")).body, HasSubstr("it takes 2 programs a day"));
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(server.ask(upload("x")).status, 303);
+    const HttpAnswer answer = server.ask(upload("x", as_script));
+    EXPECT_EQ(answer.status, 429);
+    EXPECT_THAT(json::parse(answer.body).at("error").get<std::string>(), HasSubstr("free in about 12 hours."));
+}
+
 /// The server accepts both heads. By the time of the second body the client has used up its rate.
 TEST(Site, CountsSimultaneousRequests) {
     RunningServer::Options options;

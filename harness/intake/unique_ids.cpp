@@ -1,0 +1,60 @@
+#include "harness/intake/unique_ids.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "harness/intake/source_file.h"
+#include "harness/text/printable.h"
+
+namespace harness {
+namespace {
+
+/// Joins the last `count` names of the path in which `one` was found, or all if there are fewer. Leaves out the name
+/// that the id came from.
+std::string last_names(const Taken& one, std::size_t count) {
+    std::vector<std::string> names;
+    for (const auto& name : std::filesystem::absolute(one.from).lexically_normal()) {
+        if (!name.empty() && name != "/") names.push_back(printable(name.native()));
+    }
+    while (!names.empty() && (names.back() == one.id || is_source_name(names.back()))) names.pop_back();
+    std::string text;
+    for (std::size_t i = names.size() - std::min(count, names.size()); i < names.size(); ++i) text += names[i] + '-';
+    return text;
+}
+
+std::map<std::string, int> count_ids(const std::vector<Taken>& all) {
+    std::map<std::string, int> counts;
+    for (const auto& one : all) ++counts[one.submission.id];
+    return counts;
+}
+
+void make_ids_unique(std::vector<Taken>& all) {
+    constexpr std::size_t enough_names = 4;
+    for (std::size_t names = 1; names <= enough_names; ++names) {
+        const auto counts = count_ids(all);
+        for (auto& one : all) {
+            if (counts.at(one.submission.id) > 1) one.submission.id = last_names(one, names) + one.id;
+        }
+    }
+    const auto counts = count_ids(all);
+    std::set<std::string> used;
+    for (auto& one : all) {
+        if (counts.at(one.submission.id) > 1) one.submission.id = one.id;
+        const std::string id = one.submission.id;
+        for (int i = 2; !used.insert(one.submission.id).second; ++i) one.submission.id = id + '-' + std::to_string(i);
+    }
+}
+
+}  // namespace
+
+std::vector<Submission> with_unique_ids(std::vector<Taken> all) {
+    make_ids_unique(all);
+    std::vector<Submission> submissions;
+    for (auto& one : all) submissions.push_back(std::move(one.submission));
+    return submissions;
+}
+
+}  // namespace harness
