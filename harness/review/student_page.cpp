@@ -248,7 +248,7 @@ void Pages::add_concerns(PageData& data, std::size_t place, const std::optional<
         PageData concern;
         concern["concern_title"] = title_of_kind(each.kind);
         concern["concern_kind"] = each.kind;
-        concern["evidence"] = each.evidence;
+        concern["evidence"] = report::evidence_text(one, each, Audience::instructor);
         concern["concern_text"] = tried && tried->kind == Kind::accepted ? tried->text : std::string();
         concern["is_first"] = &each == &open.front();
         const std::size_t size = alike(session_, place, {Kind::accepted, each.kind, {}, {}, {}, false}).places.size();
@@ -332,7 +332,7 @@ std::string Pages::student(std::size_t place, const std::optional<Notice>& notic
     data["questions"] = questions_of(one, report::expected_texts(own.key));
     if (one.outcome != Outcome::not_graded && one.outcome != Outcome::compile_error)
         data["picture"] = report::explaining_picture(own, &one, true, "scene-");
-    report::Evidence evidence("h2", most_bytes);
+    report::Evidence evidence("h2", most_bytes, Audience::instructor);
     data["evidence"] = evidence.compiler(one, source) + evidence.others(one, printout, source);
     return framed(name_of(one.submission) + ", review", PageTemplate(templates::student_mustache).fill_in(data));
 }

@@ -25,8 +25,8 @@ std::string_view to_string(ItemVerdict verdict);
 /// Why what was read for an item may not be what the student meant.
 struct Doubt {
     enum class Why {
-        right_elsewhere,  ///< the right value stands elsewhere in the printout, unused
-        numbers_left,     ///< its question has numbers that were not understood
+        right_elsewhere,  ///< the right value stands elsewhere in the printout, in no answer that is right
+        numbers_left,     ///< its question has numbers that were used for no answer
         words_left,       ///< its question has only words that were not understood
         printed_again,    ///< its question was printed more than once, and one printing was read
         little_read,      ///< less than half of the answers were found in the whole printout

@@ -198,7 +198,7 @@ ClassSheets::ClassSheets(const Marking& marking, const ClassColumns& columns)
       row_(templates::class_row_mustache),
       sheet_(templates::class_student_mustache),
       item_(templates::class_item_mustache),
-      evidence_("h4", most_text_bytes),
+      evidence_("h4", most_text_bytes, Audience::instructor),
       pictures_(marking, true, "all-") {}
 
 std::string ClassSheets::row(const Graded& graded, std::size_t index) {

@@ -114,7 +114,7 @@ StudentPages::StudentPages(const Marking& marking)
       policy_(security_policy({style_})),
       page_(templates::student_mustache),
       question_(templates::question_mustache),
-      evidence_("h2", most_bytes),
+      evidence_("h2", most_bytes, Audience::student),
       pictures_(marking, shows_expected(marking), "scene-") {}
 
 PageData StudentPages::item(const Graded& graded, const QuestionScore& question, const ItemScore& item, bool said,

@@ -178,7 +178,7 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
         graded.outcome == Outcome::compile_error ? "" : items_worth_saying(graded, marking.assignment.rubric.feedback);
     if (!items.empty()) text += "\n## Answers to look at\n\n" + items;
     if (const std::vector<Flag> open = open_flags(graded); !open.empty()) {
-        text += "\n## A person should look at this\n\n";
+        text += "\n## To look at\n\n";
         for (const Flag& flag : open) {
             text += fmt::format("- {}: {}\n", plain(flag_title(flag)), code(flag.evidence));
         }

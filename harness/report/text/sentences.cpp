@@ -91,7 +91,12 @@ std::string doubtful_reading(const Graded& graded) {
     const std::vector<Flag> open = open_flags(graded);
     const auto found =
         std::find_if(open.begin(), open.end(), [](const Flag& flag) { return flag.kind == "reading_doubtful"; });
-    return found == open.end() ? "" : found->evidence;
+    return found == open.end() ? "" : evidence_text(graded, *found, Audience::instructor);
+}
+
+std::string evidence_text(const Graded& graded, const Flag& flag, Audience audience) {
+    const bool has_more = flag.kind == "reading_doubtful" && audience == Audience::instructor;
+    return has_more ? doubts_text(graded.score, audience) : flag.evidence;
 }
 
 std::vector<Comment> comments_on(const Graded& graded) {
