@@ -55,8 +55,8 @@ std::string page_policy() {
 }
 
 std::string name_of(const Submission& submission) {
-    const bool is_named = submission.lms && !submission.lms->student.empty();
-    return is_named ? fmt::format("{} ({})", submission.lms->student, submission.id) : submission.id;
+    const std::string label = label_of(submission);
+    return label == submission.id ? label : fmt::format("{} ({})", label, submission.id);
 }
 
 Pages::Pages(const Session& session, std::string root) : session_(session), root_(std::move(root)) {}

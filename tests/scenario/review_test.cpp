@@ -164,6 +164,16 @@ class Review : public testing::Test {
     std::string root;
 };
 
+TEST_F(Review, NamesStudentsAsTheRosterDoesAndInItsOrder) {
+    write(folder / "gradebook.csv", "Student,ID,Assignment 6 (71)\r\n\"Roe, Ada\",ada,\r\n\"Abel, Ben\",ben,\r\n");
+    const Result regraded = run({"grade", (folder / "class").string(), "--out", out().string(), "--canvas-roster",
+                                 (folder / "gradebook.csv").string(), "--apply"});
+    const std::string page = list();
+    EXPECT_THAT(page, HasSubstr("Roe, Ada (ada)")) << regraded.both();
+    EXPECT_LT(page.rfind("Abel, Ben (ben)"), page.rfind("Roe, Ada (ada)"));
+    EXPECT_LT(page.find("Abel, Ben (ben)"), page.find("Roe, Ada (ada)"));
+}
+
 TEST_F(Review, ListsWhatNeedsAPersonAndAllStudents) {
     EXPECT_THAT(list(), AllOf(HasSubstr("<strong>4</strong> of 4 to review"), HasSubstr("Doubtful readings"),
                               HasSubstr("Not graded"), HasSubstr(">dee</a>")));
