@@ -58,6 +58,7 @@ struct ItemScore {
     bool no_value = false;    ///< read as "none"
     bool not_finite = false;  ///< its numbers include nan or inf
     double half_unit = 0;     ///< half a unit of the last printed digit; the largest among its numbers
+    bool by_columns = false;  ///< of a matrix that is not right: printed column by column
     /// The share of its points that an answer earns: one that follows, where it is not the rubric's follow_through, and
     /// a wrong one whose mistake the rubric prices.
     std::optional<double> credit;

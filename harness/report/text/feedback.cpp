@@ -221,7 +221,10 @@ std::string check_text(const Graded& graded, reference::Feedback feedback) {
     for (const std::string& sentence : other_scenes_of(graded)) text += escape_control(sentence) + "\n";
     for (const std::string& finding : graded.sanitizer)
         text += "Found by the sanitizers: " + escape_control(finding) + "\n";
-    if (graded.outcome == Outcome::compile_error || graded.outcome == Outcome::not_graded) return text;
+    if (graded.outcome == Outcome::not_graded) return text;
+    const std::string points =
+        fmt::format("\n{} of {} points\n", points_text(graded.score.points), points_text(graded.score.max_points));
+    if (graded.outcome == Outcome::compile_error) return text + points;
     for (const QuestionScore& question : graded.score.questions) {
         text += fmt::format("Question {}, {}: {} of {} points\n", question.number, question.title,
                             points_text(question.points), points_text(question.max_points));
@@ -241,8 +244,7 @@ std::string check_text(const Graded& graded, reference::Feedback feedback) {
     }
     if (graded.score.other_scenes) text += "\n" + scenes_sentence(graded) + "\n";
     if (graded.score.follow_cap) text += "\n" + cap_sentence(*graded.score.follow_cap) + "\n";
-    return text +
-           fmt::format("\n{} of {} points\n", points_text(graded.score.points), points_text(graded.score.max_points));
+    return text + points;
 }
 
 }  // namespace harness::report

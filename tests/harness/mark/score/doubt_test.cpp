@@ -71,6 +71,7 @@ TEST(Doubt, IsNotRaisedByAValueThatWasReadForTheItemAndJudged) {
     const std::string output = "Question 3:\nM: mat4x4(" + rows + ")\n";
     ASSERT_EQ(item_of(marked(output), reference::item::M_VCS_to_WCS).verdict, ItemVerdict::wrong);
     EXPECT_FALSE(doubt_of(output, reference::item::M_VCS_to_WCS));
+    EXPECT_TRUE(item_of(marked(output), reference::item::M_VCS_to_WCS).by_columns) << "so that the key's is shown so";
 }
 
 TEST(Doubt, IsNotRaisedByPiecesOfSeveralValues) {
