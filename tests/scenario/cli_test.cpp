@@ -91,8 +91,9 @@ TEST(CommandLine, HelpNamesTopicsLikeAnUnknownOne) {
 TEST(CommandLine, HelpLeadsToThePageWhoseHeadingHasTheWord) {
     EXPECT_EQ(raygrade({"help", "moodle"}).output, raygrade({"help", "lms"}).output);
     EXPECT_EQ(raygrade({"help", "Late", "hand-ins"}).output, raygrade({"help", "grade-a-class"}).output);
-    const Result several = raygrade({"help", "sandbox"});
-    EXPECT_THAT(several.output, HasSubstr("raygrade help sandbox-and-limits"));
+    const Result several = raygrade({"help", "class"});
+    EXPECT_THAT(several.output, testing::AllOf(HasSubstr("raygrade help grade-a-class "),
+                                               HasSubstr("raygrade help review-and-marks "), Not(HasSubstr("```"))));
     const Result none = raygrade({"help", "zzzzzzzzzz"});
     EXPECT_EQ(none.status, usage);
     for (const char* topic : {"grade", "limits", "mistakes", "sandbox-and-limits", "self-check-page"})
