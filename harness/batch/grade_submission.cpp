@@ -12,7 +12,7 @@
 #include "harness/batch/repetition.h"
 #include "harness/batch/reread.h"
 #include "harness/machine/errors.h"
-#include "harness/mark/score/doubt.h"
+#include "harness/mark/score/doubts_text.h"
 #include "harness/read/clean_text.h"
 #include "harness/read/transcript.h"
 #include "harness/run/sanitizer.h"
@@ -187,7 +187,7 @@ Graded mark(const Submission& submission, const Executions& executions, const Ma
 
 void note_doubts(Graded& graded) {
     std::erase_if(graded.flags, [](const Flag& flag) { return flag.kind == "reading_doubtful"; });
-    if (const std::string doubts = doubts_text(graded.score); !doubts.empty())
+    if (const std::string doubts = doubts_text(graded.score, Audience::student); !doubts.empty())
         graded.flags.push_back({"reading_doubtful", doubts});
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "harness/batch/reread.h"
+#include "harness/class_run/student_names.h"
 #include "harness/grade/concerns.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
@@ -16,6 +17,16 @@
 namespace harness {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+StudentNames names_of(const std::vector<Graded>& graded) {
+    StudentNames names;
+    for (const Graded& one : graded) names.add(one.submission);
+    return names;
+}
+
+}  // namespace
 
 KeptClass restore(const Gradebook& gradebook, const fs::path& folder) {
     const auto run = gradebook.last_run();
@@ -33,10 +44,7 @@ KeptClass restore(const Gradebook& gradebook, const fs::path& folder) {
 }
 
 std::string id_called(const std::vector<Graded>& graded, const std::string& who) {
-    const auto has_id = [&](const Graded& one) { return one.submission.id == who; };
-    const auto has_name = [&](const Graded& one) { return label_of(one.submission) == who; };
-    if (std::ranges::any_of(graded, has_id) || std::ranges::count_if(graded, has_name) != 1) return who;
-    return std::ranges::find_if(graded, has_name)->submission.id;
+    return names_of(graded).id_of(who);
 }
 
 std::size_t find_submission(const std::vector<Graded>& graded, const std::string& id) {
@@ -50,7 +58,9 @@ std::size_t find_submission(const std::vector<Graded>& graded, const std::string
 }
 
 Marking marking_of(const KeptClass& kept) {
-    return make_class_marking(reference::parse_assignment(kept.run.toml, kept.run.assignment_file));
+    Marking marking = make_class_marking(reference::parse_assignment(kept.run.toml, kept.run.assignment_file));
+    names_of(kept.graded).go_by_ids(marking.of_student);
+    return marking;
 }
 
 Author author_of(const std::string& by) {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "harness/batch/reread.h"
+#include "harness/class_run/student_names.h"
 #include "harness/grade/override_place.h"
 #include "harness/intake/hand_in.h"
 #include "harness/machine/say.h"
@@ -75,8 +76,10 @@ void tell_that_count_not(const std::vector<KeptReread>& rereads, const std::vect
 
 void tell_open_lateness(const report::LateDays& days, const std::vector<Graded>& graded) {
     std::vector<std::string> ids;
+    StudentNames names;
     for (const Graded& one : graded) {
         ids.push_back(id_in(days, one.submission));
+        names.add(one.submission);
         for (const Flag& flag : one.flags) {
             if (flag.kind == report::late_without_date)
                 say("note: {}: {} Say it in a file for --late-days, or override the mark.\n", one.submission.id,
@@ -85,8 +88,12 @@ void tell_open_lateness(const report::LateDays& days, const std::vector<Graded>&
     }
     for (const auto& [id, late] : days) {
         if (std::ranges::find(ids, id) != ids.end()) continue;
-        say("note: --late-days: {} is none of the submissions; {}\n", escape_control(id),
-            reference::did_you_mean(id, ids));
+        if (const std::size_t count = names.count(id); count > 1) {
+            say("note: --late-days: {} is the name of {} submissions; name one by its id\n", escape_control(id), count);
+        } else {
+            say("note: --late-days: {} is none of the submissions; {}\n", escape_control(id),
+                reference::did_you_mean(id, ids));
+        }
     }
 }
 

@@ -13,6 +13,7 @@
 #include "harness/class_run/regrade.h"
 #include "harness/class_run/requested_files.h"
 #include "harness/class_run/rosters.h"
+#include "harness/class_run/student_names.h"
 #include "harness/commands/people_on_stderr.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
@@ -155,6 +156,7 @@ void show(const Grading& grading, const ResultsSession& session, const Inputs& i
     std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
     tell_notes(grading.graded);
     tell_without_place(grading.without_place);
+    tell_open_lateness(inputs.rosters.late_days, grading.graded);
     if (session.writes) return;
     tell_what_apply_writes(session, grading.comparison, grading.run, grading.results, inputs.rosters.given(),
                            options.out);
@@ -189,6 +191,9 @@ int grade_class(const GradeOptions& options) {
     read_kept_rosters(inputs.rosters, options.rosters, inputs.assignment.rubric, session.gradebook, options.out);
     require_matches(inputs.rosters, options.rosters, inputs.submissions);
     name_by_rosters(inputs.rosters, inputs.submissions);
+    StudentNames names;
+    for (const Submission& submission : inputs.submissions) names.add(submission);
+    names.go_by_ids(inputs.rosters.late_days);
     if (options.other_scenes.count > 0 || options.stress) {
         for (const Submission& submission : inputs.submissions) inputs.sources.push_back(submission.source);
     }
@@ -199,12 +204,12 @@ int grade_class(const GradeOptions& options) {
     attach(rereads, inputs.submissions);
     ClassRun run = open_class_run(make_class_marking(inputs.assignment), options.runner);
     tell_key_notes(run.marking);
+    names.go_by_ids(run.marking.of_student);
     require_scenes(inputs.submissions, run.marking);
     std::vector<Graded> graded = grade_submissions(inputs, run, options);
     tell_not_handed_in(run.marking, graded);
     tell_answers_of_others(flag_answers_of_others(graded, run.marking));
     report::apply_late_schedule(graded, inputs.assignment.rubric, inputs.rosters.late_days);
-    tell_open_lateness(inputs.rosters.late_days, graded);
     const auto without_place = attach(session.gradebook.overrides(), graded);
     attach(session.gradebook.decisions(), graded);
 
@@ -229,9 +234,9 @@ int grade_class(const GradeOptions& options) {
 void add_rosters(CLI::App& command, GradeOptions& options) {
     command
         .add_option("--late-days", options.rosters.late_days,
-                    "Who handed in how late: a CSV file with the columns id, days_late or handed_in (a date with a "
-                    "time) and, for extensions, extension_days; the rubric's schedule says what that costs. Kept for "
-                    "later runs")
+                    "Who handed in how late: a CSV file with the columns id (or the student's name in the reports), "
+                    "days_late or handed_in (a date with a time) and, for extensions, extension_days; the rubric's "
+                    "schedule says what that costs. Kept for later runs")
         ->type_name("FILE");
     command
         .add_option("--canvas-roster", options.rosters.canvas_roster,

@@ -1,16 +1,20 @@
 #include "harness/commands/help.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 
 #include "harness/commands/subcommand.h"
 #include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/parts.h"
+#include "harness/mark/diagnose/mistakes.h"
 #include "harness/run/limits.h"
 #include "reference/toml/near_names.h"
 
@@ -20,6 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* limits = "limits";
+constexpr const char* mistakes = "mistakes";
 
 constexpr const char* manual = "share/raygrade/manual";
 
@@ -57,6 +62,75 @@ std::string limits_text() {
     return text;
 }
 
+/// The named mistakes by item, in the order of the questions. An item that the default questions have goes by their
+/// number too.
+std::string mistakes_text() {
+    std::string text =
+        "Wrong answers that get a name, by item, with what the student is told. An assignment gives points for one\n"
+        "under [rubric.mistakes], by its name, as in \"far root\" = 0.5.\n";
+    const auto title = [](const reference::ItemId& id) {
+        const auto& specs = reference::default_items();
+        const auto asked = std::ranges::find(specs, id, &reference::ItemSpec::id);
+        const std::string_view full_name = reference::item_of(id).full_name;
+        return asked == specs.end() ? std::string(full_name)
+                                    : fmt::format("{}.{} ({})", asked->question, asked->name, full_name);
+    };
+    std::vector<reference::ItemId> items;
+    for (const Mistake& each : all_mistakes()) {
+        if (std::ranges::find(items, each.item) == items.end()) items.push_back(each.item);
+    }
+    for (const reference::ItemId& item : items) {
+        text += fmt::format("\n{}\n", title(item));
+        std::vector<std::string_view> told;  // one mistake may have several stages
+        for (const Mistake& each : all_mistakes()) {
+            if (each.item != item || std::ranges::find(told, each.name) != told.end()) continue;
+            told.push_back(each.name);
+            text += fmt::format("  {:<40} {}\n", each.name, each.advice);
+        }
+    }
+    return text;
+}
+
+/// A heading of the manual, and its page.
+struct Heading {
+    std::string page;
+    std::string text;
+};
+
+std::string in_lower_case(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+/// The headings that have the words, at the beginning of their own words: "late" is in "Late hand-ins" and not in
+/// "Translate".
+std::vector<Heading> headings_with(const std::string& words) {
+    std::vector<Heading> found;
+    const std::string wanted = " " + in_lower_case(words);
+    for (const std::string& page : manual_pages()) {
+        std::istringstream lines(manual_page(page));
+        bool is_code = false;
+        for (std::string line; std::getline(lines, line);) {
+            if (line.starts_with("```")) is_code = !is_code;
+            const std::size_t text = line.find_first_not_of('#');
+            if (is_code || text == 0 || text == std::string::npos) continue;
+            if (in_lower_case(line.substr(text)).find(wanted) != std::string::npos)
+                found.push_back({page, line.substr(text + 1)});
+        }
+    }
+    return found;
+}
+
+/// Prints the page if it is the only one, else where to look.
+void show(const std::vector<Heading>& found) {
+    const bool is_one_page = std::ranges::all_of(found, [&](const Heading& h) { return h.page == found.front().page; });
+    if (is_one_page) {
+        fmt::print("{}", manual_page(found.front().page));
+        return;
+    }
+    for (const Heading& each : found) fmt::print("raygrade help {:<22} {}\n", each.page, each.text);
+}
+
 std::vector<std::string> names_of_commands(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
@@ -71,6 +145,7 @@ void list_topics(const CLI::App& app) {
     for (const CLI::App* command : app.get_subcommands({})) line(command->get_name(), command->get_description());
     fmt::print("\nBeside them:\n\n");
     line(limits, "What a program and the compiler may use");
+    line(mistakes, "The mistakes that have a name");
     for (const std::string& name : manual_pages()) line(name, title_of(manual_page(name)));
 }
 
@@ -101,13 +176,20 @@ int help(const CLI::App& app, const std::vector<std::string>& words) {
     const std::vector<std::string> pages = manual_pages();
     if (topic == limits) {
         fmt::print("{}", limits_text());
+    } else if (topic == mistakes) {
+        fmt::print("{}", mistakes_text());
     } else if (std::ranges::find(pages, topic) != pages.end()) {
         fmt::print("{}", manual_page(topic));
+    } else if (const std::vector<Heading> headings = headings_with(topic); !headings.empty()) {
+        show(headings);
     } else {
         std::vector<std::string> topics = names_of_commands(app);
         for (const std::string& other : topics_beside_commands()) topics.push_back(other);
-        throw UsageError(fmt::format("{}: is no topic; {}; raygrade help lists them", topic,
-                                     reference::did_you_mean(topic, topics)));
+        const auto near = reference::near_names(topic, topics);
+        throw UsageError(fmt::format(
+            "{}: is no topic{}", topic,
+            near.empty() ? fmt::format(" and in no heading of the manual; there are {}", fmt::join(topics, ", "))
+                         : fmt::format("; did you mean {}?", fmt::join(near, " or "))));
     }
     return all_graded;
 }
@@ -115,15 +197,19 @@ int help(const CLI::App& app, const std::vector<std::string>& words) {
 }  // namespace
 
 std::vector<std::string> topics_beside_commands() {
-    std::vector<std::string> topics{limits};
+    std::vector<std::string> topics{limits, mistakes};
     for (const std::string& page : manual_pages()) topics.push_back(page);
     return topics;
 }
 
 Subcommand help_command(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand("help", "Tell of a command, of limits, or of a page of the manual");
+    CLI::App& command =
+        *app.add_subcommand("help", "Tell of a command, of limits, of the named mistakes, or of a page of the manual");
     const auto words = std::make_shared<std::vector<std::string>>();
-    command.add_option("topic", *words, "A topic; without one, help lists the topics")->type_name("TOPIC");
+    command
+        .add_option("topic", *words,
+                    "A topic, or a word in a heading of the manual; without one, help lists the topics")
+        ->type_name("TOPIC");
     command.footer(
         "Examples: raygrade help grade\n          raygrade help assignment check\n          raygrade help limits");
     return {&command, [&app, words] { return help(app, *words); }};

@@ -49,17 +49,17 @@ void put(Gradebook& gradebook, KeptClass& kept, std::size_t index, const Overrid
     Graded& one = kept.graded[index];
     const Graded before = one;
     const OverridePlace place = read_place(options.item, one);
-    const double points = read_override_points(options.points);
     const Author author = author_of(options.by);
-    const Override given{place.question, place.item, points, read_line(*options.why, "--why"),
-                         author.name,    author.when};
+    Override given{place.question, place.item, 0, read_line(*options.why, "--why"), author.name, author.when};
     const PlacePoints there = points_at(one.score, given).value();
-    if (points > there.most) {
-        say("note: {} is more than the {} points of the rubric\n", points_text(points), points_text(there.most));
+    given.points = read_override_points(options.points, there);
+    if (given.points > there.most) {
+        say("note: {} is more than the {} points of the rubric\n", points_text(given.points), points_text(there.most));
     }
     put_override(gradebook, kept, index, given);
-    fmt::print("{} {}: {} of {}, automatically {}\n", escape_control(options.id), place_of(given), points_text(points),
-               points_text(there.most), one.outcome == Outcome::not_graded ? "no mark" : points_text(there.automatic));
+    fmt::print("{} {}: {} of {}, automatically {}\n", escape_control(options.id), place_of(given),
+               points_text(given.points), points_text(there.most),
+               one.outcome == Outcome::not_graded ? "no mark" : points_text(there.automatic));
     tell_mark(before, one);
 }
 

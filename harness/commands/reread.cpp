@@ -98,10 +98,7 @@ class Rereading {
 
   private:
     Reread read_options(const Graded& one) const {
-        const OverridePlace place = read_place(options_.item, one);
-        if (place.question == 0 || place.item.empty()) {
-            throw UsageError(fmt::format("{}: is not a single item; name one, such as 6.t", options_.item));
-        }
+        const OverridePlace place = read_item_place(options_.item, one);
         const std::string printout = printout_of(gradebook_, options_.id);
         const Author author = author_of(options_.by);
         Reread given{place.question, place.item, options_.lines, layout_of(printout), read_line(*options_.why, "--why"),

@@ -9,6 +9,7 @@
 
 #include "harness/machine/errors.h"
 #include "harness/text/escape.h"
+#include "harness/text/points.h"
 #include "reference/toml/near_names.h"
 
 namespace harness {
@@ -99,12 +100,31 @@ OverridePlace read_place(std::string_view text, const Graded& graded) {
     return place;
 }
 
-double read_override_points(std::string_view text) {
+OverridePlace read_item_place(std::string_view text, const Graded& graded) {
+    const OverridePlace place = read_place(text, graded);
+    if (place.question != 0 && !place.item.empty()) return place;
+    std::vector<std::string> items;
+    for (const QuestionScore& question : graded.score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (place.question == 0 || place.question == question.number)
+                items.push_back(to_string(OverridePlace{question.number, std::string(item.spec.name)}));
+        }
+    }
+    throw UsageError(fmt::format("{}: is not a single item; name {}{}", escape_control(text),
+                                 items.size() == 1 ? "" : "one, such as ", items.empty() ? "6.t" : items.front()));
+}
+
+double read_override_points(std::string_view text, const PlacePoints& there) {
     constexpr double most = 1e6;
     double points = -1;
     const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), points);
     const bool is_number = error == std::errc{} && stop == text.data() + text.size();
-    if (is_number && points >= 0 && points <= most) return std::abs(points);  // no -0
+    if (is_number && points >= 0 && points <= most) {
+        for (const double exact : {there.most, there.automatic}) {
+            if (fmt::format("{}", points) == points_text(exact)) return exact;
+        }
+        return std::abs(points);  // no -0
+    }
     throw UsageError(
         fmt::format("{}: is no number of points; write one from 0 to 1000000, such as 2.5", escape_control(text)));
 }

@@ -43,8 +43,12 @@ std::vector<KeptOverride> attach(const std::vector<KeptOverride>& overrides, std
 /// submission that was not graded has no place but the total; any other place throws UsageError.
 OverridePlace read_place(std::string_view text, const Graded& graded);
 
-/// Reads points such as "1.5", from 0 to a million. Throws UsageError.
-double read_override_points(std::string_view text);
+/// The same for a single item. Throws UsageError for a question or the total, with an item of it.
+OverridePlace read_item_place(std::string_view text, const Graded& graded);
+
+/// Reads points such as "1.5", from 0 to a million, for this place. A number that is the maximum or the automatic
+/// points as reports print them stands for those: 1.67 for five thirds. Throws UsageError.
+double read_override_points(std::string_view text, const PlacePoints& there);
 
 /// Reads a reason or a name as a single line, without control characters and surrounding blanks. Throws UsageError,
 /// which begins with `option`, if nothing is left or if it is longer than 2,000 bytes.

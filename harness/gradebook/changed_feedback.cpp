@@ -21,7 +21,7 @@ constexpr Optional optional_parts[] = {{"other_scenes", "other scenes", "--varia
                                        {"stress", "hard scenes", "--stress"},
                                        {"sanitizer", "sanitizers' findings", "--sanitize"}};
 
-/// A part of a record that every submission has. All other parts are reported as details.
+/// A part of a record that every submission has.
 struct Always {
     const char* group;
     const char* field;
@@ -30,7 +30,18 @@ struct Always {
 constexpr Always lasting_parts[] = {{"score", "questions", "answers"},
                                     {"build", "diagnostics", "compiler's messages"},
                                     {"run", "errors", "standard error"},
-                                    {"submission", "notes", "notes"}};
+                                    {"submission", "notes", "notes"},
+                                    {"submission", "name", "names"},
+                                    {"submission", "lms", "data of the learning management system"},
+                                    {"submission", "file", "files' names"},
+                                    {"submission", "source_sha256", "sources"},
+                                    {"submission", "problem", "reasons why not graded"}};
+
+/// The rest of a record, by its fields.
+constexpr std::pair<const char*, const char*> rest[] = {
+    {"explanation", "explanations"},    {"sandbox", "sandboxes"},   {"outcome", "outcomes"},
+    {"own_scene", "scenes in sources"}, {"late_share", "lateness"}, {"build", "how programs compiled"},
+    {"run", "how programs ended"},      {"score", "points"},        {"submission", "ids"}};
 
 constexpr std::pair<const char*, const char*> measured[] = {
     {"build", "ms"}, {"run", "cpu_ms"}, {"run", "wall_ms"}, {"run", "peak_memory_bytes"}};
@@ -73,6 +84,8 @@ void add_feedback(FeedbackChanges& changes, const Graded& before, const Graded& 
     if (marks == Marks::moved && !has_optional_parts(before) && !has_optional_parts(after)) return;
     json then = json::from_cbor(to_record(before));
     json now = json::from_cbor(to_record(after));
+    if (before.submission.file.filename() == after.submission.file.filename())
+        now["submission"]["file"] = then["submission"]["file"];  // no feedback has the folders or the archive
     bool differs = false;
     const auto compare = [&](const json& one, const json& two, const std::string& part, const std::string& option) {
         if (one == two) return;
@@ -99,6 +112,7 @@ void add_feedback(FeedbackChanges& changes, const Graded& before, const Graded& 
         taken(then[group], field);
         taken(now[group], field);
     }
+    for (const auto& [field, part] : rest) compare(taken(then, field), taken(now, field), part, "");
     compare(then, now, "details", "");
     ++(differs ? changes.differing : changes.remeasured);
 }

@@ -38,12 +38,23 @@ struct Compared {
     FeedbackChanges feedback;
 };
 
+/// Whether the record differs only in the folders or the archive that the file was in. A download of an LMS has a new
+/// name each time.
+bool differs_in_folder_only(const std::vector<std::uint8_t>& kept, const Graded& before, const Graded& after) {
+    const std::filesystem::path& file = before.submission.file;
+    if (file == after.submission.file || file.filename() != after.submission.file.filename()) return false;
+    Graded there = after;
+    there.submission.file = file;
+    return to_record(there) == kept;
+}
+
 /// Empty if the kept record is damaged.
 std::optional<Compared> compare_one(const std::vector<std::uint8_t>& kept, const Graded& after) {
     Compared compared;
     if (kept == to_record(after)) return compared;
     auto before = from_record(kept);
     if (!before) return std::nullopt;
+    if (differs_in_folder_only(kept, *before, after)) return compared;
     before->overrides = after.overrides;
     const MarkChange& change = compared.change.emplace(change_between(*before, after));
     const bool moved = !change.reasons.empty() || !is_same_mark(change.before, change.after);

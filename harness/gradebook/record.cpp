@@ -75,12 +75,16 @@ struct LastLine {
     int& last;
     int line;
 };
+/// Something that is not written unless it is so.
+struct IfTrue {
+    bool& value;
+};
 /// Items make up most of a record, and names would make up most of an item.
 auto row(ItemScore& item) {
     return std::tuple_cat(
         std::tie(item.spec.name, item.verdict, item.points, item.max_points, item.printed, item.line, item.error,
                  item.allowance, item.accepted_as, item.diagnosis, item.advice, item.doubt),
-        std::tuple(IfThere{item.reread}, LastLine{item.last_line, item.line}));
+        std::tuple(IfThere{item.reread}, LastLine{item.last_line, item.line}, IfTrue{item.by_columns}));
 }
 
 std::vector<reference::ItemSpec> default_items_of(int number) {
@@ -257,6 +261,8 @@ struct Writer {
             return scenes::hard_scenes_json(value);
         } else if constexpr (std::same_as<Value, IfThere>) {
             return value.text.empty() ? json() : json(value.text);
+        } else if constexpr (std::same_as<Value, IfTrue>) {
+            return value.value ? json(true) : json();
         } else if constexpr (std::same_as<Value, LastLine>) {
             return value.last <= value.line ? json() : json(value.last);
         } else if constexpr (Nullable<Value>) {
@@ -316,6 +322,8 @@ struct Reader {
             value = item_name(from.get<std::string>());
         } else if constexpr (std::same_as<Value, IfThere>) {
             if (!from.is_null()) value.text = from.get<std::string>();
+        } else if constexpr (std::same_as<Value, IfTrue>) {
+            if (!from.is_null()) value.value = from.get<bool>();
         } else if constexpr (std::same_as<Value, LastLine>) {
             if (!from.is_null()) value.last = scenes::whole_number<int>(from);
         } else if constexpr (Nullable<Value>) {

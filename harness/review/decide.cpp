@@ -20,16 +20,15 @@ constexpr const char* undo_reason = "undone in the review";
 
 Override override_for(const Graded& one, const Wish& wish, const Author& author) {
     const OverridePlace place = read_place(wish.about, one);
-    return {place.question, place.item, read_override_points(wish.points), read_line(wish.text, "the reason"),
-            author.name,    author.when};
+    Override given{place.question, place.item, 0, read_line(wish.text, "the reason"), author.name, author.when};
+    given.points = read_override_points(wish.points, points_at(one.score, given).value());
+    return given;
 }
 
 /// Throws UsageError if nothing that has the item's shape stands there.
 Reread reread_for(const Session& session, std::size_t index, const Wish& wish, const Author& author) {
     const Graded& one = session.graded()[index];
-    const OverridePlace place = read_place(wish.about, one);
-    if (place.question == 0 || place.item.empty())
-        throw UsageError(fmt::format("{}: is not a single item; choose one, such as 6.t", wish.about));
+    const OverridePlace place = read_item_place(wish.about, one);
     const std::string& printout = one.printout;
     if (printout.empty())
         throw UsageError(fmt::format("{}: there is no printout of it to read again", one.submission.id));

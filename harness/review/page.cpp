@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "harness/grade/concerns.h"
+#include "harness/report/text/sentences.h"
 #include "harness/report/text/verdict_words.h"
 #include "harness/review/templates.h"
 #include "harness/text/markup.h"
@@ -33,7 +34,8 @@ std::string wish_in_words(const Wish& wish) {
 /// What is there that the decision is about: the evidence, or what was printed.
 std::string what_is_there(const Graded& one, const Wish& wish) {
     for (const Flag& concern : open_concerns(one)) {
-        if (wish.kind == Kind::accepted && concern.kind == wish.about) return concern.evidence;
+        if (wish.kind == Kind::accepted && concern.kind == wish.about)
+            return report::evidence_text(one, concern, Audience::instructor);
     }
     for (const QuestionScore& question : one.score.questions) {
         for (const ItemScore& item : question.items) {
@@ -53,8 +55,8 @@ std::string page_policy() {
 }
 
 std::string name_of(const Submission& submission) {
-    const bool is_named = submission.lms && !submission.lms->student.empty();
-    return is_named ? fmt::format("{} ({})", submission.lms->student, submission.id) : submission.id;
+    const std::string label = label_of(submission);
+    return label == submission.id ? label : fmt::format("{} ({})", label, submission.id);
 }
 
 Pages::Pages(const Session& session, std::string root) : session_(session), root_(std::move(root)) {}
@@ -131,7 +133,7 @@ std::string Pages::list(const std::optional<Notice>& notice) {
             }
             count += one.places.size();
             entry["who"] = std::move(who);
-            entry["evidence"] = one.concern.evidence;
+            entry["evidence"] = report::evidence_text(graded[one.places.front()], one.concern, Audience::instructor);
             entry["accept_all"] = one.places.size() > 1;
             entry["accept_id"] = graded[one.places.front()].submission.id;
             entry["accept_state"] = session_.state_of(one.places.front());

@@ -122,8 +122,7 @@ std::string facts_of(const Graded& one) {
     return facts;
 }
 
-PageData items_of(const Graded& one, const QuestionScore& question,
-                  const std::map<reference::ItemId, std::string>& asked) {
+PageData items_of(const Graded& one, const QuestionScore& question, const report::ExpectedTexts& asked) {
     PageData items(PageData::type::list);
     for (const ItemScore& each : question.items) {
         PageData item;
@@ -135,7 +134,7 @@ PageData items_of(const Graded& one, const QuestionScore& question,
         set_text(item, "item_printed", each.printed);
         if (each.line != 0) item["item_line"] = std::to_string(each.line);
         const auto right = asked.find(each.spec.id);
-        if (each.verdict != ItemVerdict::right && right != asked.end()) item["item_asked"] = right->second;
+        if (each.verdict != ItemVerdict::right && right != asked.end()) item["item_asked"] = right->second.beside(each);
         // Of the other verdicts the word says all, and the student reads how to print what is missing.
         const bool needs_words = each.verdict == ItemVerdict::wrong || each.verdict == ItemVerdict::unreadable ||
                                  !each.advice.empty() || !each.accepted_as.empty() || !each.reread.empty();
@@ -145,7 +144,7 @@ PageData items_of(const Graded& one, const QuestionScore& question,
     return items;
 }
 
-PageData questions_of(const Graded& one, const std::map<reference::ItemId, std::string>& asked) {
+PageData questions_of(const Graded& one, const report::ExpectedTexts& asked) {
     PageData questions(PageData::type::list);
     if (one.outcome == Outcome::not_graded) return questions;
     for (const QuestionScore& each : one.score.questions) {
@@ -248,7 +247,7 @@ void Pages::add_concerns(PageData& data, std::size_t place, const std::optional<
         PageData concern;
         concern["concern_title"] = title_of_kind(each.kind);
         concern["concern_kind"] = each.kind;
-        concern["evidence"] = each.evidence;
+        concern["evidence"] = report::evidence_text(one, each, Audience::instructor);
         concern["concern_text"] = tried && tried->kind == Kind::accepted ? tried->text : std::string();
         concern["is_first"] = &each == &open.front();
         const std::size_t size = alike(session_, place, {Kind::accepted, each.kind, {}, {}, {}, false}).places.size();
@@ -332,7 +331,7 @@ std::string Pages::student(std::size_t place, const std::optional<Notice>& notic
     data["questions"] = questions_of(one, report::expected_texts(own.key));
     if (one.outcome != Outcome::not_graded && one.outcome != Outcome::compile_error)
         data["picture"] = report::explaining_picture(own, &one, true, "scene-");
-    report::Evidence evidence("h2", most_bytes);
+    report::Evidence evidence("h2", most_bytes, Audience::instructor);
     data["evidence"] = evidence.compiler(one, source) + evidence.others(one, printout, source);
     return framed(name_of(one.submission) + ", review", PageTemplate(templates::student_mustache).fill_in(data));
 }

@@ -90,6 +90,26 @@ TEST(CommandLine, HelpNamesTopicsLikeAnUnknownOne) {
     EXPECT_THAT(result.voice, HasSubstr("limts: is no topic; did you mean limits?"));
 }
 
+TEST(CommandLine, HelpLeadsToThePageWhoseHeadingHasTheWord) {
+    EXPECT_EQ(raygrade({"help", "moodle"}).output, raygrade({"help", "lms"}).output);
+    EXPECT_EQ(raygrade({"help", "Late", "hand-ins"}).output, raygrade({"help", "grade-a-class"}).output);
+    const Result several = raygrade({"help", "class"});
+    EXPECT_THAT(several.output, testing::AllOf(HasSubstr("raygrade help grade-a-class "),
+                                               HasSubstr("raygrade help review-and-marks "), Not(HasSubstr("```"))));
+    const Result none = raygrade({"help", "zzzzzzzzzz"});
+    EXPECT_EQ(none.status, usage);
+    for (const char* topic : {"grade", "limits", "mistakes", "sandbox-and-limits", "self-check-page"})
+        EXPECT_THAT(none.voice, HasSubstr(topic));
+    EXPECT_THAT(none.voice, Not(HasSubstr("more")));
+}
+
+TEST(CommandLine, HelpListsTheNamedMistakesByItem) {
+    const std::string all = raygrade({"help", "mistakes"}).output;
+    EXPECT_THAT(all, testing::AllOf(HasSubstr("\n6.t (sphere.t)\n"), HasSubstr("\n  far root "),
+                                    HasSubstr("\ncylinder."), HasSubstr("\n  radius not squared ")));
+    EXPECT_LT(all.find("3.M_VCS_to_WCS"), all.find("6.t (sphere.t)"));
+}
+
 TEST(CommandLine, RefusesNoCommandAsAUsageError) {
     const Result result = raygrade({});
     EXPECT_EQ(result.status, usage);

@@ -230,6 +230,18 @@ TEST_F(RealDay, LateHandInsLoseWhatTheScheduleSaysAndItIsKept) {
     EXPECT_THAT(grade({"--assignment", schedule}).output, HasSubstr("Nothing has changed")) << "it is kept";
 }
 
+TEST_F(RealDay, ALateHandInIsListedByTheNameInTheReports) {
+    write(students() / "ben/ray_cast.cpp", right);
+    const fs::path roster = folder / "gradebook.csv";
+    write(roster, "Student,ID,Assignment 6 (71)\r\n\"Roe, Ada\",ada,\r\n\"Doe, Ben\",ben,\r\n");
+    write(folder / "late.csv", "id,days_late\n\"Roe, Ada\",1\n\"Roe, Adam\",1\n");
+    const Result late = grade({"--assignment", rubric("late = [[1, 1.0]]\n"), "--canvas-roster", roster.string(),
+                               "--late-days", (folder / "late.csv").string()});
+    EXPECT_EQ(points("ada"), 0) << late.both();
+    EXPECT_GT(points("ben"), 0);
+    EXPECT_THAT(late.voice, HasSubstr("--late-days: Roe, Adam is none of the submissions"));
+}
+
 TEST_F(RealDay, AnOverrideStandsInEveryReportAndSurvivesARegrade) {
     ASSERT_EQ(grade().status, 0);
     const std::string feedback_of_ada = read(out() / "feedback/ada.md");

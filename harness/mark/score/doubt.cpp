@@ -1,7 +1,5 @@
 #include "harness/mark/score/doubt.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -33,12 +31,31 @@ struct Found {
     bool repeats = false;   ///< an answer has the same number
 };
 
+/// The values of one question from a heading on.
+struct Printing {
+    int first_line;
+    int last_line;
+    std::size_t values;
+};
+
 std::size_t numbers_in(Shape shape) {
     return static_cast<std::size_t>(reference::component_count(shape));
 }
 
 bool same(const PrintedNumber& a, const PrintedNumber& b) {
     return std::abs(a.value) == std::abs(b.value) || (std::isnan(a.value) && std::isnan(b.value));
+}
+
+/// Whether the item has a number like it in the value that was read for it.
+bool has_number(const MatchedItem& item, const Found& found) {
+    return item.value && std::any_of(item.value->numbers.begin(), item.value->numbers.end(),
+                                     [&](const PrintedNumber& x) { return same(x, found.number); });
+}
+
+/// Whether what was read for the item includes this number of the printout.
+bool was_read_from(const MatchedItem& item, const Found& found) {
+    return !item.unreadable && has_number(item, found) && item.value->line <= found.line &&
+           found.line <= item.value->last_line;
 }
 
 class Doubter {
@@ -80,12 +97,8 @@ class Doubter {
         for (const MatchedItem& item : matched_) {
             if (!item.value) continue;
             for (Found& found : numbers_) {
-                const bool within = item.value->line <= found.line && found.line <= item.value->last_line;
-                const auto& own = item.value->numbers;
-                const bool is_own =
-                    std::any_of(own.begin(), own.end(), [&](const PrintedNumber& x) { return same(x, found.number); });
-                if (is_own && !std::isnan(found.number.value)) answered_.push_back(found.number.value);
-                if (!within || !is_own || item.unreadable) continue;
+                if (has_number(item, found) && !std::isnan(found.number.value)) answered_.push_back(found.number.value);
+                if (!was_read_from(item, found)) continue;
                 found.in_answer = true;
                 found.in_right_answer = found.in_right_answer || is_right(item.spec.id);
             }
@@ -168,7 +181,7 @@ class Doubter {
         return item == nullptr ? key_.questions.front().items.front() : *item;
     }
 
-    /// The line where numbers that are not understood are right for the item; 0 if there is none.
+    /// The line where a value begins that is right for the item and was not read for it; 0 if there is none.
     int line_of_right_value(const ItemScore& item) const {
         const std::size_t size = numbers_in(item.spec.shape);
         if (size == 0) return 0;
@@ -182,9 +195,37 @@ class Doubter {
         return 0;
     }
 
-    /// Whether the numbers from `first` on, a stride apart, are right for the item and are not understood. A single
+    bool begins_line(std::size_t i) const { return i == 0 || numbers_[i - 1].line != numbers_[i].line; }
+    bool ends_line(std::size_t i) const { return i + 1 == numbers_.size() || begins_line(i + 1); }
+
+    /// Whether so many numbers from `first` on, a stride apart, are printed as one value: in one line, in whole lines
+    /// one after the other, or as a column of lines that have as many numbers as the stride. Others are pieces of
+    /// several values.
+    bool is_one_value(std::size_t first, std::size_t size, std::size_t stride) const {
+        const std::size_t last = first + (size - 1) * stride;
+        if (numbers_[first].line == numbers_[last].line) return true;
+        if (stride == 1) return begins_line(first) && ends_line(last);
+        std::size_t row = first;
+        while (!begins_line(row)) --row;
+        for (std::size_t i = row; i < row + size * stride; ++i) {
+            const bool is_start = (i - row) % stride == 0, is_end = (i - row) % stride == stride - 1;
+            if (i >= numbers_.size() || begins_line(i) != is_start || ends_line(i) != is_end) return false;
+        }
+        return true;
+    }
+
+    /// Whether the item itself was read from all of these numbers: then they are judged, and nothing was passed over.
+    bool is_what_was_read(const ItemScore& item, const std::vector<const Found*>& numbers) const {
+        const auto own = std::find_if(matched_.begin(), matched_.end(),
+                                      [&](const MatchedItem& each) { return each.spec.id == item.spec.id; });
+        return own != matched_.end() && std::all_of(numbers.begin(), numbers.end(),
+                                                    [&](const Found* each) { return was_read_from(*own, *each); });
+    }
+
+    /// Whether the numbers from `first` on, a stride apart, are right for the item and no right answer's. A single
     /// number must have three digits and stand in the item's question: others are right by chance too often.
     bool is_right_value(const ItemScore& item, std::size_t first, std::size_t stride) const {
+        if (!is_one_value(first, numbers_in(item.spec.shape), stride)) return false;
         std::vector<const Found*> found;
         for (std::size_t k = 0; k < numbers_in(item.spec.shape); ++k) found.push_back(&numbers_[first + k * stride]);
         const bool is_own = may_be_of(found.front()->question, item);
@@ -197,6 +238,7 @@ class Doubter {
         };
         if (std::all_of(found.begin(), found.end(), is_plain) || std::none_of(found.begin(), found.end(), is_free))
             return false;
+        if (is_what_was_read(item, found)) return false;
         MatchedItem read{item.spec, PrintedValue(), MatrixOrder::unsaid, {}, false, {}};
         for (const Found* each : found) read.value->numbers.push_back(each->number);
         const reference::KeyItem& key = key_item(item.spec);
@@ -219,30 +261,40 @@ class Doubter {
             if (!may_be_of(section.question, item)) continue;
             for (const PrintedLine& line : std::span(section.lines).first(std::min(section.lines.size(), most_lines))) {
                 const bool words = std::any_of(line.text.begin(), line.text.end(), is_letter);
-                const bool read = std::any_of(section.values.begin(), section.values.end(), [&](const PrintedValue& v) {
-                    return v.line <= line.number && line.number <= v.last_line;
-                });
-                if (words && !read) return line.number;
+                const bool has_value = std::any_of(
+                    section.values.begin(), section.values.end(),
+                    [&](const PrintedValue& v) { return v.line <= line.number && line.number <= v.last_line; });
+                if (words && !has_value && !is_read_verdict(line.number)) return line.number;
             }
         }
         return 0;
     }
 
+    /// Whether the answer to what is hit first was read from this line.
+    bool is_read_verdict(int line) const {
+        return std::any_of(matched_.begin(), matched_.end(),
+                           [&](const MatchedItem& each) { return each.verdict && each.verdict->line == line; });
+    }
+
     /// The first line of another printing of the item's question, which has as many values; 0 if there is none.
+    /// Sections of one question that follow one another, such as 8 a) and 8 b), are one printing.
     int line_printed_again(const ItemScore& item) const {
-        std::vector<const Section*> printings;
+        std::vector<Printing> printings;
+        const Section* before = nullptr;
         for (const Section& section : transcript_.sections) {
-            if (section.question == item.spec.question && !section.values.empty()) printings.push_back(&section);
+            if (section.question != item.spec.question || section.values.empty()) continue;
+            if (before == nullptr || before + 1 != &section) printings.push_back({section.values.front().line, 0, 0});
+            printings.back().last_line = section.values.back().last_line;
+            printings.back().values += section.values.size();
+            before = &section;
         }
-        const auto is_read = [&](const Section* section) {
-            return section->values.front().line <= item.line && item.line <= section->values.back().last_line;
-        };
-        const auto read = std::find_if(printings.begin(), printings.end(), is_read);
-        for (const Section* section : printings) {
-            const bool apart = read == printings.end() || section > *read + 1 || section + 1 < *read;
-            if (apart && (read == printings.end() || section->values.size() >= (*read)->values.size()) &&
-                printings.size() > 1)
-                return section->values.front().line;
+        const auto read = std::find_if(printings.begin(), printings.end(), [&](const Printing& each) {
+            return each.first_line <= item.line && item.line <= each.last_line;
+        });
+        for (const Printing& each : printings) {
+            const bool is_as_long = read == printings.end() || each.values >= read->values;
+            if (printings.size() > 1 && (read == printings.end() || &each != &*read) && is_as_long)
+                return each.first_line;
         }
         return 0;
     }
@@ -257,40 +309,7 @@ class Doubter {
     std::vector<double> answered_;  ///< sorted
 };
 
-std::string phrase_of(const Doubt& doubt) {
-    switch (doubt.why) {
-        case Doubt::Why::right_elsewhere:
-        case Doubt::Why::numbers_left: return fmt::format("line {} has numbers that were not understood", doubt.line);
-        case Doubt::Why::words_left: return fmt::format("line {} has words that were not understood", doubt.line);
-        case Doubt::Why::printed_again:
-            return fmt::format("the question was printed more than once, also on line {}", doubt.line);
-        case Doubt::Why::little_read: return "most of the printout was not understood";
-    }
-    return "";
-}
-
 }  // namespace
-
-std::string doubts_text(const Score& score) {
-    std::vector<std::pair<std::string, std::string>> items_by_phrase;
-    for (const QuestionScore& question : score.questions) {
-        for (const ItemScore& item : question.items) {
-            if (!item.doubt) continue;
-            const std::string phrase = phrase_of(*item.doubt);
-            const std::string name = fmt::format("{}.{}", question.number, item.spec.name);
-            const auto found = std::find_if(items_by_phrase.begin(), items_by_phrase.end(),
-                                            [&](const auto& each) { return each.second == phrase; });
-            if (found == items_by_phrase.end()) {
-                items_by_phrase.emplace_back(name, phrase);
-            } else {
-                found->first += ", " + name;
-            }
-        }
-    }
-    std::string text;
-    for (const auto& [items, phrase] : items_by_phrase) text += (text.empty() ? "" : "; ") + items + ": " + phrase;
-    return text;
-}
 
 void doubt_readings(Score& score, const Transcript& transcript, const std::vector<MatchedItem>& matched,
                     const reference::AnswerKey& key, const reference::Assignment& assignment) {

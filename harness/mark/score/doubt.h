@@ -1,7 +1,6 @@
 // Where the reading of an answer may be wrong. The key may raise a doubt here, but it never chooses what is read.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "harness/mark/score/score.h"
@@ -13,9 +12,5 @@ namespace harness {
 /// Linear in the length of the printout.
 void doubt_readings(Score& score, const Transcript& transcript, const std::vector<MatchedItem>& matched,
                     const reference::AnswerKey& key, const reference::Assignment& assignment);
-
-/// A sentence on each doubt, for a person: "6.t, 6.hit: line 12 has numbers that were not understood". Never says which
-/// number is right. Empty if there is no doubt.
-std::string doubts_text(const Score& score);
 
 }  // namespace harness

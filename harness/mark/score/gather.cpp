@@ -41,7 +41,7 @@ class Gatherer {
 
   private:
     Finding compare_with_key(const KeyItem& item, const MatchedItem& printed);
-    bool is_right_but_coarse(const KeyItem& item, const MatchedItem& printed) const;
+    bool is_right_but_coarse(const KeyItem& item, const MatchedItem& printed, int least_digits) const;
     bool is_right_quadratic(const KeyItem& item, const MatchedItem& printed, Finding& finding) const;
     bool is_right_matrix(const KeyItem& item, const MatchedItem& printed, Finding& finding);
     bool is_right_without_matrix(const KeyItem& item, const MatchedItem& printed, Finding& finding) const;
@@ -126,17 +126,22 @@ Finding Gatherer::compare_with_key(const KeyItem& item, const MatchedItem& print
             finding.right = is_right_without_matrix(item, printed, finding);
         }
     }
-    finding.coarse = !finding.right && is_right_but_coarse(item, printed);
+    constexpr int digits_that_tell = 3;  // too many values round to 0.6 to tell which was meant
+    finding.coarse = !finding.right && is_right_but_coarse(item, printed, digits_that_tell);
+    finding.too_short = !finding.right && is_right_but_coarse(item, printed, 0);
     return finding;
 }
 
-bool Gatherer::is_right_but_coarse(const KeyItem& item, const MatchedItem& printed) const {
-    constexpr int digits_that_tell = 3;  // too many values round to "1" to tell which was meant
+/// Whether the key's values, rounded as they are printed, are these. A number with fewer digits
+/// than `least_digits` is taken as it is; if that is 0, so is a whole number and one with the rubric's decimals.
+bool Gatherer::is_right_but_coarse(const KeyItem& item, const MatchedItem& printed, int least_digits) const {
     const std::vector<PrintedNumber> numbers = by_columns(printed);
     return std::any_of(item.answers.begin(), item.answers.end(), [&](const reference::Answer& answer) {
         Target target = target_with_allowance(item, answer, rubric_);
         for (std::size_t i = 0; i < std::min(numbers.size(), target.allowance.size()); ++i) {
-            if (numbers[i].significant >= digits_that_tell)
+            const bool is_short = numbers[i].decimals > 0 && numbers[i].decimals < rubric_.min_decimals;
+            const bool is_rounded = is_short || least_digits > 0;
+            if (is_rounded && !numbers[i].exact && numbers[i].significant >= least_digits)
                 target.allowance[i] += 0.5 * std::pow(10.0, -numbers[i].decimals);
         }
         return compare(printed, target, 0.0, rubric_.min_decimals).within;

@@ -75,6 +75,7 @@ Judgement Judge::judge(const KeyItem& item, const Evidence& evidence) const {
         note_reading(score, *printed->value);
         score.verdict = ItemVerdict::unreadable;
         if (!printed->unreadable) judge_value(item, *printed, evidence, judgement);
+        score.by_columns = printed->order == MatrixOrder::columns && score.verdict != ItemVerdict::right;
     }
     return judgement;
 }
@@ -127,7 +128,14 @@ void Judge::judge_value(const KeyItem& item, const MatchedItem& printed, const E
         return price_mistake(*found->mistake, price.share, score);
     }
     const auto found = find_mistake(printed, known, allowance);
-    if (!found) return;
+    if (!found) {
+        if (finding.too_short) {
+            score.advice =
+                fmt::format("This has too few digits to tell whether it is right: print {} decimals or more.",
+                            std::max(rubric_.min_decimals, 2));
+        }
+        return;
+    }
     score.diagnosis = found->mistake->name;
     score.advice = found->mistake->advice;
     judgement.system = found->system;

@@ -25,8 +25,8 @@ std::string_view to_string(ItemVerdict verdict);
 /// Why what was read for an item may not be what the student meant.
 struct Doubt {
     enum class Why {
-        right_elsewhere,  ///< the right value stands elsewhere in the printout, unused
-        numbers_left,     ///< its question has numbers that were not understood
+        right_elsewhere,  ///< the right value stands elsewhere in the printout, in no answer that is right
+        numbers_left,     ///< its question has numbers that were used for no answer
         words_left,       ///< its question has only words that were not understood
         printed_again,    ///< its question was printed more than once, and one printing was read
         little_read,      ///< less than half of the answers were found in the whole printout
@@ -58,6 +58,7 @@ struct ItemScore {
     bool no_value = false;    ///< read as "none"
     bool not_finite = false;  ///< its numbers include nan or inf
     double half_unit = 0;     ///< half a unit of the last printed digit; the largest among its numbers
+    bool by_columns = false;  ///< of a matrix that is not right: printed column by column
     /// The share of its points that an answer earns: one that follows, where it is not the rubric's follow_through, and
     /// a wrong one whose mistake the rubric prices.
     std::optional<double> credit;

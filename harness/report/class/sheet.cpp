@@ -198,7 +198,7 @@ ClassSheets::ClassSheets(const Marking& marking, const ClassColumns& columns)
       row_(templates::class_row_mustache),
       sheet_(templates::class_student_mustache),
       item_(templates::class_item_mustache),
-      evidence_("h4", most_text_bytes),
+      evidence_("h4", most_text_bytes, Audience::instructor),
       pictures_(marking, true, "all-") {}
 
 std::string ClassSheets::row(const Graded& graded, std::size_t index) {
@@ -219,15 +219,15 @@ std::string ClassSheets::row(const Graded& graded, std::size_t index) {
     return row_.fill_in(data);
 }
 
-std::string ClassSheets::rows_of(const Graded& graded, const QuestionScore& question,
-                                 const std::map<reference::ItemId, std::string>& asked, const Listing& printout) {
+std::string ClassSheets::rows_of(const Graded& graded, const QuestionScore& question, const ExpectedTexts& asked,
+                                 const Listing& printout) {
     std::string rows = question_heading(graded, question);
     for (const ItemScore& item : question.items) {
         PageData data;
         data["name"] = name_in_question(item.spec);
         set_text(data, "printed", item.printed);
         if (item.line != 0) data["line"] = printout.with_links(fmt::format("line {}", item.line));
-        data["asked"] = asked.at(item.spec.id);
+        data["asked"] = asked.at(item.spec.id).beside(item);
         data["verdict"] = std::string(to_string(item.verdict));
         data["word"] = std::string(word_of(item.verdict));
         data["got"] = points_text(final_points(graded, question, item));

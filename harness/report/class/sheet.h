@@ -1,7 +1,6 @@
 // One student in the class report: a row of its table, and a sheet with what was printed against what was asked.
 #pragma once
 
-#include <map>
 #include <string>
 
 #include "harness/grade/graded.h"
@@ -9,6 +8,7 @@
 #include "harness/report/page/evidence.h"
 #include "harness/report/page/page_template.h"
 #include "harness/report/picture/picture.h"
+#include "harness/report/text/expected_text.h"
 #include "reference/stages/item_values.h"
 
 namespace harness::report {
@@ -37,15 +37,15 @@ class ClassSheets {
     std::string sheet(const Graded& graded, std::size_t index);
 
   private:
-    std::string rows_of(const Graded& graded, const QuestionScore& question,
-                        const std::map<reference::ItemId, std::string>& asked, const Listing& printout);
+    std::string rows_of(const Graded& graded, const QuestionScore& question, const ExpectedTexts& asked,
+                        const Listing& printout);
     /// How much of a text this sheet may still show, of all that the sheets show together.
     ListingBounds bounds_left() const;
     std::string picture_of(const Graded& graded, std::size_t index);
 
     const Marking& marking_;
     ClassColumns columns_;
-    std::map<reference::ItemId, std::string> asked_;
+    ExpectedTexts asked_;
     std::size_t picture_bytes_ = 0;  ///< of all sheets so far
     std::size_t listing_bytes_ = 0;  ///< of all sheets so far
     PageTemplate row_;

@@ -21,9 +21,10 @@ PageData list_of(const std::vector<std::string>& texts, std::size_t most_bytes) 
 
 }  // namespace
 
-Evidence::Evidence(std::string_view heading, std::size_t most_bytes)
+Evidence::Evidence(std::string_view heading, std::size_t most_bytes, Audience audience)
     : heading_(heading),
       most_bytes_(most_bytes),
+      audience_(audience),
       messages_(templates::messages_mustache),
       others_(templates::evidence_mustache) {}
 
@@ -64,7 +65,7 @@ std::string Evidence::others(const Graded& graded, const Listing& printout, cons
         PageData one;
         one["flag"] = flag_title(flag);
         const Listing& named = flag.kind == "hard_coded" ? source : printout;
-        one["proof"] = named.with_links(beginning_of(flag.evidence, most_bytes_));
+        one["proof"] = named.with_links(beginning_of(evidence_text(graded, flag, audience_), most_bytes_));
         flags.push_back(one);
     }
     data["has_flags"] = !open.empty();

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "harness/grade/graded.h"
+#include "harness/mark/score/doubts_text.h"
 #include "harness/report/page/listing.h"
 #include "harness/report/page/page_template.h"
 
@@ -14,7 +15,7 @@ class Evidence {
   public:
     /// `heading` is the element for headings, such as "h2". Shows at most `most_bytes` of each text from the
     /// submission.
-    Evidence(std::string_view heading, std::size_t most_bytes);
+    Evidence(std::string_view heading, std::size_t most_bytes, Audience audience);
 
     /// Errors and warnings with the line of the source that each names, and all the compiler said; empty when it said
     /// nothing. `source` is the listing that the lines are links to, if the page has one.
@@ -25,6 +26,7 @@ class Evidence {
   private:
     std::string heading_;
     std::size_t most_bytes_;
+    Audience audience_;
     PageTemplate messages_;
     PageTemplate others_;
 };

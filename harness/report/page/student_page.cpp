@@ -109,12 +109,12 @@ std::string note_of(const QuestionScore& question, const std::optional<LookFirst
 
 StudentPages::StudentPages(const Marking& marking)
     : marking_(marking),
-      asked_(shows_expected(marking) ? expected_texts(marking.key) : std::map<reference::ItemId, std::string>()),
+      asked_(shows_expected(marking) ? expected_texts(marking.key) : ExpectedTexts()),
       style_(templates::page_css),
       policy_(security_policy({style_})),
       page_(templates::student_mustache),
       question_(templates::question_mustache),
-      evidence_("h2", most_bytes),
+      evidence_("h2", most_bytes, Audience::student),
       pictures_(marking, shows_expected(marking), "scene-") {}
 
 PageData StudentPages::item(const Graded& graded, const QuestionScore& question, const ItemScore& item, bool said,
@@ -131,7 +131,7 @@ PageData StudentPages::item(const Graded& graded, const QuestionScore& question,
     set_text(data, "printed", item.printed);
     if (item.line != 0) data["line"] = printout.with_links(fmt::format("line {}", item.line));
     const auto asked = asked_.find(item.spec.id);
-    if (asked != asked_.end() && item.verdict != ItemVerdict::right) data["asked"] = asked->second;
+    if (asked != asked_.end() && item.verdict != ItemVerdict::right) data["asked"] = asked->second.beside(item);
     const reference::Feedback feedback = marking_.assignment.rubric.feedback;
     if (!said) set_text(data, "sentence", item_sentence(item, graded.outcome, feedback));
     set_text(data, "diagnosis", told_diagnosis(item, feedback));

@@ -1,7 +1,6 @@
 // A student's own page: the same marking as feedback_markdown, for a browser.
 #pragma once
 
-#include <map>
 #include <string>
 
 #include "harness/grade/graded.h"
@@ -9,6 +8,7 @@
 #include "harness/report/page/evidence.h"
 #include "harness/report/page/page_template.h"
 #include "harness/report/picture/picture.h"
+#include "harness/report/text/expected_text.h"
 #include "reference/stages/item_values.h"
 
 namespace harness::report {
@@ -30,7 +30,7 @@ class StudentPages {
                   const Listing& printout) const;
 
     const Marking& marking_;
-    std::map<reference::ItemId, std::string> asked_;  ///< expected values; empty if the rubric does not show them
+    ExpectedTexts asked_;  ///< expected values; empty if the rubric does not show them
     std::string style_;
     std::string policy_;
     PageTemplate page_;

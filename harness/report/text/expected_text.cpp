@@ -12,41 +12,45 @@ std::string number_text(double x) {
     return fmt::format("{:.6g}", x == 0 ? 0.0 : x);  // no "-0"
 }
 
-/// A column-major matrix, one row per line.
-std::string matrix_text(const Numbers& columns, std::size_t size) {
-    std::string text;
-    for (std::size_t row = 0; row < size; ++row) {
-        text += row == 0 ? "[" : "\n[";
-        for (std::size_t column = 0; column < size; ++column)
-            text += (column == 0 ? "" : "  ") + number_text(columns.at(column * size + row));
+enum class Lines { rows, columns };
+
+/// A column-major matrix, one row or column per line.
+std::string matrix_text(const Numbers& columns, std::size_t size, Lines lines) {
+    std::string text = lines == Lines::rows ? "by rows" : "by columns";
+    for (std::size_t line = 0; line < size; ++line) {
+        text += "\n[";
+        for (std::size_t i = 0; i < size; ++i) {
+            const std::size_t place = lines == Lines::rows ? i * size + line : line * size + i;
+            text += (i == 0 ? "" : "  ") + number_text(columns.at(place));
+        }
         text += "]";
     }
     return text;
 }
 
 std::string numbers_text(const Numbers& numbers, Shape shape) {
-    switch (shape) {
-        case Shape::scalar: return number_text(numbers.front());
-        case Shape::matrix3: return matrix_text(numbers, 3);
-        case Shape::matrix4: return matrix_text(numbers, 4);
-        case Shape::vector:
-        case Shape::verdict: break;
-    }
+    if (shape == Shape::scalar) return number_text(numbers.front());
     std::string text;
     for (const double x : numbers) text += (text.empty() ? "(" : ", ") + number_text(x);
     return text + ")";
 }
 
-std::string expected_text(const reference::Value& value, Shape shape) {
-    if (const auto* numbers = std::get_if<Numbers>(&value)) return numbers_text(*numbers, shape);
-    if (const auto* verdict = std::get_if<reference::Verdict>(&value)) return reference::sentence(*verdict);
-    return "none";
+ExpectedText expected_text(const reference::Value& value, Shape shape) {
+    if (const auto* numbers = std::get_if<Numbers>(&value)) {
+        const bool is_matrix = shape == Shape::matrix3 || shape == Shape::matrix4;
+        const std::size_t size = shape == Shape::matrix3 ? 3 : 4;
+        if (!is_matrix) return {numbers_text(*numbers, shape), ""};
+        return {matrix_text(*numbers, size, Lines::rows), matrix_text(*numbers, size, Lines::columns)};
+    }
+    if (const auto* verdict = std::get_if<reference::Verdict>(&value))
+        return {reference::sentence(*verdict), ""};
+    return {"none", ""};
 }
 
 }  // namespace
 
-std::map<reference::ItemId, std::string> expected_texts(const reference::AnswerKey& key) {
-    std::map<reference::ItemId, std::string> texts;
+ExpectedTexts expected_texts(const reference::AnswerKey& key) {
+    ExpectedTexts texts;
     for (const reference::KeyQuestion& question : key.questions) {
         for (const reference::KeyItem& item : question.items)
             texts[item.spec.id] = expected_text(item.answers.front().value, item.spec.shape);

@@ -189,7 +189,7 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
         graded.outcome == Outcome::compile_error ? "" : items_worth_saying(graded, marking.assignment.rubric.feedback);
     if (!items.empty()) text += "\n## Answers to look at\n\n" + items;
     if (const std::vector<Flag> open = open_flags(graded); !open.empty()) {
-        text += "\n## A person should look at this\n\n";
+        text += "\n## To look at\n\n";
         for (const Flag& flag : open) {
             text += fmt::format("- {}: {}\n", plain(flag_title(flag)), code(flag.evidence));
         }
@@ -232,7 +232,10 @@ std::string check_text(const Graded& graded, reference::Feedback feedback, Ink i
     for (const std::string& sentence : other_scenes_of(graded)) text += escape_control(sentence) + "\n";
     for (const std::string& finding : graded.sanitizer)
         text += "Found by the sanitizers: " + escape_control(finding) + "\n";
-    if (graded.outcome == Outcome::compile_error || graded.outcome == Outcome::not_graded) return text;
+    if (graded.outcome == Outcome::not_graded) return text;
+    const std::string points =
+        fmt::format("\n{} of {} points\n", points_text(graded.score.points), points_text(graded.score.max_points));
+    if (graded.outcome == Outcome::compile_error) return text + points;
     for (const QuestionScore& question : graded.score.questions) {
         text += fmt::format("Question {}, {}: {} of {} points\n", question.number, question.title,
                             points_text(question.points), points_text(question.max_points));
@@ -253,8 +256,7 @@ std::string check_text(const Graded& graded, reference::Feedback feedback, Ink i
     }
     if (graded.score.other_scenes) text += "\n" + scenes_sentence(graded) + "\n";
     if (graded.score.follow_cap) text += "\n" + cap_sentence(*graded.score.follow_cap) + "\n";
-    return text +
-           fmt::format("\n{} of {} points\n", points_text(graded.score.points), points_text(graded.score.max_points));
+    return text + points;
 }
 
 }  // namespace harness::report

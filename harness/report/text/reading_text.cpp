@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "harness/mark/score/doubt.h"
+#include "harness/mark/score/doubts_text.h"
 #include "harness/report/text/columns.h"
 #include "harness/report/text/read_lines.h"
 #include "harness/text/escape.h"
@@ -54,7 +54,7 @@ std::string reading_text(std::string_view output, const Score& score) {
         }
     }
     if (!missing.empty()) text += "\nnot found: " + missing + "\n";
-    if (const std::string doubts = doubts_text(score); !doubts.empty())
+    if (const std::string doubts = doubts_text(score, Audience::instructor); !doubts.empty())
         text += "\nto look at, because it may have been misread: " + doubts + "\n";
     return text + fmt::format("\n{} of {} points\n", points_text(score.points), points_text(score.max_points));
 }

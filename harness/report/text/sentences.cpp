@@ -9,6 +9,7 @@
 #include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
 #include "harness/mark/diagnose/derivation.h"
+#include "harness/match/match.h"
 #include "harness/text/listed.h"
 #include "harness/text/points.h"
 
@@ -19,6 +20,36 @@ namespace {
 bool holds_no_number(const ItemScore& item) {
     return !item.error &&
            (item.printed.find("nan") != std::string::npos || item.printed.find("inf") != std::string::npos);
+}
+
+/// What the program wrote to standard error of what is missing in its output, by a heading or, without one, by a label:
+/// " Your program wrote question 6 to standard error …". Empty if nothing.
+std::string missing_in_standard_error(const Graded& graded) {
+    std::vector<reference::ItemSpec> missing;
+    for (const QuestionScore& question : graded.score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (item.verdict == ItemVerdict::missing) missing.push_back(item.spec);
+        }
+    }
+    if (missing.empty() || graded.run.errors.empty()) return "";
+    const Transcript transcript = read_transcript(graded.run.errors, last_question(graded.score));
+    std::vector<int> headings;
+    for (const Section& section : transcript.sections) {
+        const bool is_missing = std::ranges::any_of(
+            missing, [&](const reference::ItemSpec& each) { return each.question == section.question; });
+        if (is_missing && std::ranges::find(headings, section.question) == headings.end())
+            headings.push_back(section.question);
+    }
+    std::ranges::sort(headings);
+    std::vector<std::string> names;
+    for (const int question : headings) names.push_back(fmt::format("question {}", question));
+    for (const MatchedItem& each : match(transcript, missing)) {
+        const bool is_named = each.verdict || (each.value && !each.value->label.empty());
+        if (is_named && headings.empty()) names.push_back(fmt::format("{}.{}", each.spec.question, each.spec.name));
+    }
+    if (names.empty()) return "";
+    return fmt::format(" Your program wrote {} to standard error (std::cerr); only standard output is read.",
+                       listed(names));
 }
 
 /// What an answer that follows earns, where that is not all of its points.
@@ -92,7 +123,12 @@ std::string doubtful_reading(const Graded& graded) {
     const std::vector<Flag> open = open_flags(graded);
     const auto found =
         std::find_if(open.begin(), open.end(), [](const Flag& flag) { return flag.kind == "reading_doubtful"; });
-    return found == open.end() ? "" : found->evidence;
+    return found == open.end() ? "" : evidence_text(graded, *found, Audience::instructor);
+}
+
+std::string evidence_text(const Graded& graded, const Flag& flag, Audience audience) {
+    const bool has_more = flag.kind == "reading_doubtful" && audience == Audience::instructor;
+    return has_more ? doubts_text(graded.score, audience) : flag.evidence;
 }
 
 std::vector<Comment> comments_on(const Graded& graded) {
@@ -192,8 +228,9 @@ std::string missing_sentence(const Graded& graded) {
         return all ? "No answer was found in what the program printed before it ended."
                    : fmt::format("Not printed before the program ended: {}.", listed(names));
     }
-    return fmt::format("{}. Print each answer with a label under its question's heading.",
-                       all ? "No answer was found in the output" : "Not found in the output: " + listed(names));
+    return fmt::format("{}. Print each answer with a label under its question's heading.{}",
+                       all ? "No answer was found in the output" : "Not found in the output: " + listed(names),
+                       missing_in_standard_error(graded));
 }
 
 std::string accepted_sentence(const Score& score) {

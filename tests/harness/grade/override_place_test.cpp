@@ -56,13 +56,32 @@ TEST(OverridePlace, CanOnlyBeTheTotalOfAnUngradedSubmission) {
     EXPECT_EQ(read_place("total", not_graded("bob")).question, 0);
 }
 
+TEST(ItemPlace, IsRefusedForAQuestionWithAnItemOfIt) {
+    const Graded one = graded("zoe", output_with_a_mistake());
+    const auto refused = [&](std::string_view text) { return refusal([&] { read_item_place(text, one); }); };
+    EXPECT_EQ(to_string(read_item_place("6.t", one)), "6.t");
+    EXPECT_EQ(refused("7"), "7: is not a single item; name 7.normal");
+    EXPECT_EQ(refused("8"), "8: is not a single item; name one, such as 8.matrix");
+    EXPECT_EQ(refused("total"), "total: is not a single item; name one, such as 1.P_VCS");
+}
+
+TEST(OverridePoints, AreTheExactOnesIfTheyAreWrittenAsReportsPrintThem) {
+    const PlacePoints there{5.0 / 6, 5.0 / 3};
+    EXPECT_EQ(read_override_points("1.67", there), 5.0 / 3);
+    EXPECT_EQ(read_override_points("0.83", there), 5.0 / 6);
+    EXPECT_EQ(read_override_points("1.670", there), 5.0 / 3);
+    EXPECT_EQ(read_override_points("1.666", there), 1.666);
+    EXPECT_EQ(read_override_points("1.68", there), 1.68);
+    EXPECT_EQ(read_override_points("2", {0, 2}), 2);
+}
+
 TEST(OverridePoints, MustBeANumberFromZeroToAMillion) {
-    EXPECT_EQ(read_override_points("0"), 0);
-    EXPECT_EQ(read_override_points("1.25"), 1.25);
-    EXPECT_EQ(read_override_points("1000000"), 1e6);
-    EXPECT_FALSE(std::signbit(read_override_points("-0")));
+    EXPECT_EQ(read_override_points("0", {0, 10}), 0);
+    EXPECT_EQ(read_override_points("1.25", {0, 10}), 1.25);
+    EXPECT_EQ(read_override_points("1000000", {0, 10}), 1e6);
+    EXPECT_FALSE(std::signbit(read_override_points("-0", {0, 10})));
     for (const char* text : {"", "x", "-1", "1000000.5", "1e7", "nan", "inf", "1,5", "1.5 ", " 1", "+1", "0x10"})
-        EXPECT_THAT(refusal([&] { read_override_points(text); }), HasSubstr("no number of points")) << text;
+        EXPECT_THAT(refusal([&] { read_override_points(text, {0, 10}); }), HasSubstr("no number of points")) << text;
 }
 
 TEST(OverrideReason, MustBeOneLineAndNotBlank) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "harness/report/text/changed_feedback.h"
 #include "tests/given/report/graded_samples.h"
 
@@ -62,7 +64,23 @@ TEST(FeedbackChanges, NameEachChangedPart) {
               "Apart from the marks, by number of submissions: other scenes changed in 1; hard scenes changed in 1; "
               "sanitizers' findings changed in "
               "1; flag hard_coded changed in 1; answers changed in 1; compiler's messages changed in 1; standard error "
-              "changed in 1; notes changed in 1; details changed in 1.\n");
+              "changed in 1; notes changed in 1; explanations changed in 1.\n");
+}
+
+TEST(FeedbackChanges, NameEachDetail) {
+    const auto part = [](const std::function<void(Graded&)>& change) {
+        Graded after = plain();
+        change(after);
+        return told(plain(), after);
+    };
+    const std::string before = "Apart from the marks, by number of submissions: ";
+    EXPECT_EQ(part([](Graded& one) { one.submission.name = "Rossi, Ada"; }), before + "names changed in 1.\n");
+    EXPECT_EQ(part([](Graded& one) { one.submission.source_sha256 = "0"; }), before + "sources changed in 1.\n");
+    EXPECT_EQ(part([](Graded& one) { one.submission.file = "a/x.cpp"; }), before + "files' names changed in 1.\n");
+    EXPECT_EQ(part([](Graded& one) { one.tier = Tier::unsafe; }), before + "sandboxes changed in 1.\n");
+    EXPECT_EQ(part([](Graded& one) { one.run.exit_code = 7; }), before + "how programs ended changed in 1.\n");
+    EXPECT_EQ(part([](Graded& one) { one.build.reached_limit = !one.build.reached_limit; }),
+              before + "how programs compiled changed in 1.\n");
 }
 
 TEST(FeedbackChanges, NameOnlyAddedOrRemovedPartsIfTheMarkChanged) {

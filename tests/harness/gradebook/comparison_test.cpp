@@ -55,6 +55,11 @@ TEST(Gradebook, KnowsWhetherAClassEqualsTheSavedClass) {
     std::vector<Graded> other = three();
     other[1].build.wall = 5ms;
     EXPECT_FALSE(is_as_saved(other));
+    std::vector<Graded> moved = three();
+    for (Graded& one : moved) one.submission.file = "submissions (1).zip" / one.submission.file.filename();
+    EXPECT_TRUE(is_as_saved(moved)) << "the folder or the archive has another name";
+    moved[0].submission.file = "submissions (1).zip/other.cpp";
+    EXPECT_FALSE(is_as_saved(moved));
     other = three();
     other.push_back(graded("dan", "Question 5:\n"));
     EXPECT_FALSE(is_as_saved(other)) << "one is new";

@@ -106,6 +106,9 @@ TEST(GradedRecord, RestoresTheLastLineOfAnAnswer) {
     EXPECT_EQ(restored.score.questions[5].items[4].last_line, 8) << "an answer of one line";
     one.score.questions[2].items[0].reread = "Read from lines 2-5, as Ada says: so";
     EXPECT_EQ(again(one).score.questions[2].items[0].last_line, 5);
+    EXPECT_FALSE(again(one).score.questions[2].items[0].by_columns);
+    one.score.questions[2].items[0].by_columns = true;
+    EXPECT_TRUE(again(one).score.questions[2].items[0].by_columns);
     EXPECT_EQ(again(one).score.questions[2].items[0].reread, "Read from lines 2-5, as Ada says: so");
 }
 

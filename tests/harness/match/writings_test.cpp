@@ -10,7 +10,7 @@
 #include <random>
 #include <sstream>
 
-#include "harness/mark/score/doubt.h"
+#include "harness/mark/score/doubts_text.h"
 #include "harness/mark/score/score.h"
 #include "tests/given/cases.h"
 #include "tests/given/student/scenes.h"
@@ -144,7 +144,7 @@ TEST(Writings, ThatAreMisreadAreDoubted) {
         const Score marked = score(read_transcript(output, 10), marking.key, marking.assignment);
         if (marked.points == marked.max_points) continue;
         ++misread;
-        const std::string doubts = doubts_text(marked);
+        const std::string doubts = doubts_text(marked, Audience::student);
         if (!doubts.empty()) continue;
         ++unnoticed;
         std::string told;

@@ -1,7 +1,10 @@
 #include "harness/mark/score/doubt.h"
 
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "harness/mark/score/doubts_text.h"
 #include "tests/given/printed_values.h"
 #include "tests/given/student/scenes.h"
 
@@ -54,6 +57,32 @@ TEST(Doubt, SeesTheColumnsOfABlock) {
     EXPECT_EQ(doubt->why, Doubt::Why::right_elsewhere);
 }
 
+TEST(Doubt, IsNotRaisedByAValueThatWasReadForTheItemAndJudged) {
+    // Transposed: right if it were printed by rows, but to_string prints columns.
+    const reference::KeyItem& asked = *reference::asked_item(off_axis().key, reference::item::M_VCS_to_WCS);
+    const auto& columns = std::get<std::vector<double>>(asked.answers.front().value);
+    std::string rows;
+    for (std::size_t row = 0; row < 4; ++row) {
+        std::string numbers;
+        for (std::size_t column = 0; column < 4; ++column)
+            numbers += fmt::format("{}{:.6f}", column == 0 ? "" : ", ", columns[4 * column + row]);
+        rows += fmt::format("{}({})", row == 0 ? "" : ", ", numbers);
+    }
+    const std::string output = "Question 3:\nM: mat4x4(" + rows + ")\n";
+    ASSERT_EQ(item_of(marked(output), reference::item::M_VCS_to_WCS).verdict, ItemVerdict::wrong);
+    EXPECT_FALSE(doubt_of(output, reference::item::M_VCS_to_WCS));
+    EXPECT_TRUE(item_of(marked(output), reference::item::M_VCS_to_WCS).by_columns) << "so that the key's is shown so";
+}
+
+TEST(Doubt, IsNotRaisedByPiecesOfSeveralValues) {
+    // Every third number from the first on, of values that are three, one and three numbers long.
+    EXPECT_FALSE(doubt_of("Question 6:\nhit: (3.62297, 2.5, 3.5)\na: 0.37245\nb: 1.25\nc: 6.5\nd: 0.73491\n",
+                          reference::item::sphere::hit));
+    // The end of a line and the beginning of the next one.
+    EXPECT_FALSE(
+        doubt_of("Question 6:\nhit: (1.5, 3.62297, 0.37245)\nt: 0.73491\nd: 3.25\n", reference::item::sphere::hit));
+}
+
 TEST(Doubt, SaysWhichNumbersWereLeft) {
     const auto doubt =
         doubt_of("Question 7:\nsomething 0.1 something 0.2 something 0.3\n", reference::item::sphere::normal);
@@ -77,6 +106,24 @@ TEST(Doubt, IsRaisedIfAnotherPrintingWasPassedOver) {
     EXPECT_EQ(doubt->line, 6);
 }
 
+TEST(Doubt, DoesNotTakeThePartsOfAQuestionForPrintingsOfIt) {
+    EXPECT_FALSE(
+        doubt_of("Question 8 a)\nA: 1 2 3 4 5 6 7 8 9\nQuestion 8 b)\nu: 0.125\n", reference::item::triangle::t));
+    EXPECT_TRUE(
+        doubt_of("Question 8\nu: 0.125\nQuestion 9\nN: 1 2 3\nQuestion 8\nu: 0.125\n", reference::item::triangle::t));
+}
+
+TEST(Doubt, IsNotRaisedByTheAnswerToWhatIsHitFirst) {
+    // On this scene the triangle's hit point may be answered in words too.
+    const student::Marking handout = student::handout_scene();
+    const auto doubt = [&](const std::string& output) {
+        const Score marked = score(read_transcript(output, 10), handout.key, handout.assignment);
+        return item_of(marked, reference::item::triangle::hit).doubt;
+    };
+    EXPECT_TRUE(doubt("Question 10:\nil triangolo viene prima\n"));
+    EXPECT_FALSE(doubt("Question 10:\nray hits triangle first\n"));
+}
+
 TEST(Doubt, IsRaisedIfLittleWasRead) {
     std::string output = "Question 1:\n";
     for (int i = 0; i < 30; ++i) output += "zzz " + std::to_string(i) + ".25 zzz " + std::to_string(i) + ".75\n";
@@ -87,10 +134,41 @@ TEST(Doubt, IsRaisedIfLittleWasRead) {
     }
 }
 
-TEST(DoubtsText, NamesItemsAndLinesAndNoValue) {
-    const std::string text = doubts_text(marked("Question 6:\nt: 3.29988\nfar: 2.29988\n"));
-    EXPECT_EQ(text, "6.t: line 3 has numbers that were not understood");
-    EXPECT_EQ(doubts_text(marked("Question 6:\nt: 3.29988\n")), "");
+std::string told(const std::string& output) {
+    return doubts_text(marked(output), Audience::instructor);
+}
+
+TEST(DoubtsText, TellsAnInstructorWhereTheRightValueStandsAndWhatWasReadThere) {
+    using testing::HasSubstr;
+    EXPECT_EQ(told("Question 6:\nt: 3.29988\nc: 2.29988\n"), "6.t: the right value stands on line 3, read as 6.c");
+    EXPECT_THAT(told("Question 6:\na: 1\nb: 1\nc: 1\nd: 1\nt: 3.29988\nhit: (1, 2, 3)\nzz 0.5 zz 2.29988\n"),
+                HasSubstr("6.t: the right value stands on line 8, read as no answer"));
+    EXPECT_THAT(told("Question 6:\nt: 3.29988 (rounded 2.29988)\n"),
+                HasSubstr("6.t: the right value stands on line 2, beside what was read for it"));
+    EXPECT_THAT(told("Question 6:\nt: 3.29988\nhit: (1.5, 2.5, 3.5)\n3.62297 then\n0.37245 then\n0.73491\n"),
+                HasSubstr("6.hit: the right value begins on line 4"));
+}
+
+TEST(DoubtsText, TellsAnInstructorEveryOtherReason) {
+    using testing::HasSubstr;
+    EXPECT_THAT(told("Question 7:\nsomething 0.1 something 0.2 something 0.3\n"),
+                HasSubstr("7.normal, 8.matrix, 8.rhs, 8.t, 8.u, 8.v, 8.hit, 9.normal: line 2 has numbers that were "
+                          "used for no answer"));
+    EXPECT_EQ(told("Question 10:\nla sfera viene prima\n"), "10.verdict: line 2 has words that were not understood");
+    EXPECT_THAT(told("Question 6:\nt: 1.75\nQuestion 7:\nN: 0 0 1\nQuestion 6:\nt: 1.85\n"),
+                HasSubstr("6.t: the question was printed more than once, also on line 6"));
+    EXPECT_THAT(told("Question 5:\nV: 1 2 3\nzzz 4.25 zzz 5.75 zzz 6.5 zzz 7.5\n"),
+                HasSubstr(": less than half of the answers were found"));
+    EXPECT_EQ(told("Question 6:\nt: 3.29988\n"), "");
+}
+
+TEST(DoubtsText, DoesNotTellAStudentWhichNumbersAreRight) {
+    const auto student = [](const std::string& number) {
+        return doubts_text(marked("Question 6:\na: 1\nt: 3.29988\nzz 0.5 zz " + number + " zz 0.75 zz 6.5\n"),
+                           Audience::student);
+    };
+    EXPECT_THAT(student("2.29988"), testing::HasSubstr("6.t, 8.t, 8.u, 8.v: line 4 may have been meant"));
+    EXPECT_EQ(student("2.29988"), student("2.5"));
 }
 
 }  // namespace

@@ -263,6 +263,16 @@ TEST(Judge, AppliesTheRubricsDecimals) {
     EXPECT_EQ(verdict_with({{"t", "1"}}, reference::item::sphere::t), "wrong") << "an integer";
 }
 
+TEST(Judge, SaysThatAnAnswerHasTooFewDigitsToTell) {
+    static const student::Marking marking = student::handout_scene();
+    const auto advice = [](const std::string& label, const std::string& printed) {
+        return item_of(mark(handout_output({{label, printed}}), marking), reference::item::sphere::t).advice;
+    };
+    const std::string too_few = "This has too few digits to tell whether it is right: print 2 decimals or more.";
+    EXPECT_EQ(advice("t", "0.6"), too_few);
+    for (const char* other : {"0.7", "1", "0", "0.58", "0.59"}) EXPECT_NE(advice("t", other), too_few) << other;
+}
+
 TEST(Judge, ComparesTheVerdictWithTheStudentsOwnValues) {
     const std::map<std::string, std::string> far = {{"t8", "0.75"}, {"t", "3.414214"}};
     auto says_sphere = far;

@@ -169,6 +169,12 @@ TEST(Feedback, HidesTheMachinesFailuresFromTheStudent) {
     EXPECT_THAT(text, Not(HasSubstr("/srv")));
 }
 
+TEST(CheckText, EndsWithThePointsOfASourceThatDoesNotCompileToo) {
+    Graded one = graded("s01", "");
+    one.outcome = Outcome::compile_error;
+    EXPECT_THAT(check_text(one), testing::EndsWith("\n0 of 100 points\n"));
+}
+
 TEST(CheckText, HasAVerdictForEveryItem) {
     const std::string text = check_text(graded("s01", output_with_a_mistake()));
     std::size_t rows = 0;

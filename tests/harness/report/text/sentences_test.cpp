@@ -106,6 +106,20 @@ TEST(ItemSentence, SaysWhatAnAnswerThatFollowsEarns) {
     EXPECT_THAT(item_sentence(half, Outcome::graded), testing::Not(HasSubstr("earns")));
 }
 
+TEST(MissingSentence, SaysWhatWentToStandardError) {
+    Graded one = report_samples::graded("zoe", "Question 5:\nV: 0 0 -1\n");
+    const auto sentence = [&](const std::string& errors) {
+        one.run.errors = errors;
+        return missing_sentence(one);
+    };
+    EXPECT_THAT(sentence("Question 6:\nt: 0.585786\n"),
+                testing::EndsWith(" Your program wrote question 6 to standard error (std::cerr); only standard output "
+                                  "is read."));
+    EXPECT_THAT(sentence("sphere normal: 0.5 0.5 0.7\n"), HasSubstr("wrote 7.normal to standard error"));
+    for (const char* nothing : {"", "Question 5:\nV: 0 0 -1\n", "terminate called\n", "debug 1 2 3\n"})
+        EXPECT_THAT(sentence(nothing), testing::EndsWith("question's heading.")) << nothing;
+}
+
 Graded with_missing(const std::vector<int>& whole, Outcome outcome) {
     Graded graded;
     graded.outcome = outcome;
