@@ -23,9 +23,10 @@ Json points_or_null(const std::optional<double>& points) {
     return points ? Json(std::round(*points * 1e6) / 1e6) : Json();
 }
 
-Json flags_json(const std::vector<Flag>& flags) {
+Json flags_json(const Graded& graded, const std::vector<Flag>& flags, Audience audience) {
     Json list = Json::array();
-    for (const Flag& flag : flags) list.push_back({{"kind", flag.kind}, {"evidence", escape_control(flag.evidence)}});
+    for (const Flag& flag : flags)
+        list.push_back({{"kind", flag.kind}, {"evidence", escape_control(evidence_text(graded, flag, audience))}});
     return list;
 }
 
@@ -69,7 +70,7 @@ std::string class_summary_json(const std::vector<Graded>& graded, const Marking&
     for (const Graded& one : graded) {
         const Json id = escape_control(one.submission.id), name = escape_control(label_of(one.submission));
         if (const auto open = open_flags(one); !open.empty())
-            to_look_at.push_back({{"id", id}, {"name", name}, {"flags", flags_json(open)}});
+            to_look_at.push_back({{"id", id}, {"name", name}, {"flags", flags_json(one, open, Audience::instructor)}});
         if (one.outcome == Outcome::not_graded)
             not_graded.push_back({{"id", id}, {"name", name}, {"why", text_or_null(one.explanation)}});
         if (const auto points = points_that_count(one)) {
@@ -117,7 +118,7 @@ std::string check_json(const Graded& graded, const Marking& marking) {
                     {"look_first", text_or_null(look_first_sentence(graded))},
                     {"compiler", text_or_null(graded.build.diagnostics)},
                     {"hints", std::move(hints)},
-                    {"flags", flags_json(graded.flags)},
+                    {"flags", flags_json(graded, graded.flags, Audience::student)},
                     {"questions", std::move(questions)}});
 }
 

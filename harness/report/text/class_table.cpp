@@ -179,8 +179,8 @@ std::string needs_a_person(const std::vector<Graded>& graded, const std::string&
         const std::vector<Flag> open = open_flags(one);
         if (!open.empty()) ++count;
         for (const Flag& flag : open)
-            flagged +=
-                fmt::format("  {}: {}: {}\n", called(one.submission), short_title(flag), shortened(flag.evidence));
+            flagged += fmt::format("  {}: {}: {}\n", called(one.submission), short_title(flag),
+                                   shortened(evidence_text(one, flag, Audience::instructor)));
         if (one.outcome == Outcome::not_graded)
             ungraded += fmt::format("{} {}: {}\n", inked("not graded:", Colour::red, ink), called(one.submission),
                                     one_line(one.explanation));

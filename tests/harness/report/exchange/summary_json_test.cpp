@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "harness/mark/score/doubts_text.h"
 #include "tests/given/report/graded_samples.h"
 
 namespace harness::report {
@@ -37,6 +38,15 @@ TEST(ClassSummary, CountsAndNamesWhatNeedsAPerson) {
     EXPECT_EQ(summary.at("not_graded").at(0).at("id"), "bob");
     EXPECT_EQ(summary.at("changes").at("rise"), json::array({"zoe"}));
     EXPECT_EQ(summary.at("changes").at("unchanged"), 2);
+}
+
+TEST(ClassSummary, HasTheReasonOfADoubtThatTheStudentIsNotTold) {
+    Graded zoe = graded("zoe", output_with_a_mistake());
+    zoe.score.questions.front().items.front().doubt = Doubt{Doubt::Why::numbers_left, 400};
+    zoe.flags = {{"reading_doubtful", doubts_text(zoe.score, Audience::student)}};
+    const std::string reason = "line 400 has numbers that were used for no answer";
+    EXPECT_THAT(class_summary_json({zoe}, marking(), {"out"}), HasSubstr(reason));
+    EXPECT_THAT(check_json(zoe, marking()), Not(HasSubstr(reason)));
 }
 
 TEST(ClassSummary, HasNullForWhatThereIsNot) {

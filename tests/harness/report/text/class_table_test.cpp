@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "harness/mark/score/doubts_text.h"
 #include "tests/given/report/graded_samples.h"
 
 namespace harness::report {
@@ -57,6 +58,13 @@ TEST(ClassTable, NamesTheFlags) {
               "printed: 6.t.\n");
     EXPECT_THAT(class_table({graded("ada", "")}), Not(HasSubstr("flags")));
     EXPECT_EQ(needs_a_person({graded("ada", output_with_a_mistake())}, "raygrade review out"), "");
+}
+
+TEST(ClassTable, TellsTheInstructorWhyAReadingIsDoubtful) {
+    Graded zoe = graded("zoe", output_with_a_mistake());
+    zoe.score.questions.front().items.front().doubt = Doubt{Doubt::Why::numbers_left, 400};
+    zoe.flags = {{"reading_doubtful", doubts_text(zoe.score, Audience::student)}};
+    EXPECT_THAT(needs_a_person({zoe}, ""), HasSubstr("line 400 has numbers that were used for no answer"));
 }
 
 TEST(ClassTable, CutsALongReason) {
