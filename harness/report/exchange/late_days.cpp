@@ -36,7 +36,8 @@ LateDays read_late_days(std::string_view csv, const std::optional<reference::Mom
     const Row header = rows.empty() ? Row() : rows.front();
     const auto id = column_of(header, "id"), late = column_of(header, "days_late");
     const auto handed_in = column_of(header, "handed_in"), extension = column_of(header, "extension_days");
-    if (!id || late.has_value() == handed_in.has_value())
+    if (late && handed_in) throw RosterError("has both days_late and handed_in in its first line; keep one of the two");
+    if (!id || (!late && !handed_in))
         throw RosterError(
             "has no columns id and days_late, or id and handed_in, in its first line; there may also be "
             "extension_days");
