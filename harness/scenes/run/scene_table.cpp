@@ -64,14 +64,16 @@ std::string read_from_table(std::size_t first_cell, const SceneLiteral& literal)
     return all;
 }
 
-/// The value of what `spell` wrote; empty if its type can't hold it.
-std::optional<Cell> cell_of(std::string_view number) {
+/// The value of what `spell` wrote like the constant; empty if the constant's type can't hold it.
+std::optional<Cell> cell_of(std::string_view number, const Constant& like) {
     Cell cell;
-    const char* const end = number.data() + number.size();
-    if (std::from_chars(number.data(), end, cell.as_double).ec != std::errc()) return {};
-    if (std::from_chars(number.data(), end, cell.as_float).ec != std::errc()) cell.as_float = 0;
-    if (std::from_chars(number.data(), end, cell.as_int).ec != std::errc()) cell.as_int = 0;
-    return cell;
+    const auto reads = [&](auto& value) {
+        return std::from_chars(number.data(), number.data() + number.size(), value).ec == std::errc();
+    };
+    const bool fits = like.is_integer       ? reads(cell.as_int)
+                      : like.suffix.empty() ? reads(cell.as_double)
+                                            : reads(cell.as_float);
+    return fits ? std::optional(cell) : std::nullopt;
 }
 
 }  // namespace
@@ -109,7 +111,7 @@ std::optional<std::string> table_of(const SceneLiterals& found, const DecimalSce
         const auto numbers = numbers_in_place(literal, variant);
         if (!numbers) return {};
         for (const std::string& number : *numbers) {
-            const auto cell = cell_of(number);
+            const auto cell = cell_of(number, literal.constant);
             if (!cell) return {};
             table.append(reinterpret_cast<const char*>(&*cell), sizeof *cell);
         }

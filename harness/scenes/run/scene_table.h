@@ -16,7 +16,7 @@ namespace harness::scenes {
 std::optional<std::string> with_table(std::string_view source, const SceneLiterals& found);
 
 /// What the copy reads from its stdin on the scene `variant`: each number as with_scene writes it. Empty where
-/// with_scene is, and where with_table is.
+/// with_scene is, where with_table is, and where a number is out of its type's range.
 std::optional<std::string> table_of(const SceneLiterals& found, const DecimalScene& variant);
 
 }  // namespace harness::scenes

@@ -119,5 +119,13 @@ TEST(SceneTable, HasNoNumbersThatDoNotFitAWholeOne) {
     EXPECT_FALSE(table_of(found, halved));
 }
 
+TEST(SceneTable, HasNoNumbersThatDoNotFitTheirType) {
+    DecimalScene huge = own_scene();
+    huge.spheres.front().radius = decimal("1e40");
+    const auto table = [&](const std::string& source) { return table_of(find_scene(source, own_scene()), huge); };
+    EXPECT_FALSE(table("float R = 2.0f;")) << "a compiler makes it infinite";
+    EXPECT_TRUE(table("double R = 2.0;"));
+}
+
 }  // namespace
 }  // namespace harness::scenes
