@@ -149,10 +149,10 @@ class ClassOnHardScenes {
 
 Trial on_hard_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking) {
     const auto all = std::make_shared<ClassOnHardScenes>(graded, sources, marking);
-    return {[all](std::size_t index, const PartSet& located) -> const auto& {return all->scenes_for(index, located);
-}
-, [all](const Rewritten& one) { all->conclude(one); }
-};  // namespace harness::scenes
+    const auto scenes_for = [all](std::size_t index, const PartSet& located) -> const auto& {
+        return all->scenes_for(index, located);
+    };
+    return {scenes_for, [all](const Rewritten& one) { all->conclude(one); }};
 }
 
 }  // namespace harness::scenes

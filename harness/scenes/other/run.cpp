@@ -97,10 +97,10 @@ class ClassOnOtherScenes {
 Trial on_other_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
                       const OtherScenesOptions& options) {
     const auto all = std::make_shared<ClassOnOtherScenes>(graded, sources, marking, options);
-    return {[all](std::size_t /*index*/, const PartSet& located) -> const auto& {return all->scenes_for(located);
-}
-, [all](Rewritten one) { all->conclude(std::move(one)); }
-};  // namespace harness::scenes
+    const auto scenes_for = [all](std::size_t /*index*/, const PartSet& located) -> const auto& {
+        return all->scenes_for(located);
+    };
+    return {scenes_for, [all](Rewritten one) { all->conclude(std::move(one)); }};
 }
 
 }  // namespace harness::scenes

@@ -47,17 +47,17 @@ std::vector<std::size_t> concluded(std::vector<Graded>& graded, ForOne for_one, 
     const std::vector<MarkedScene> none;
     std::vector<std::size_t> indices;
     Timeline timeline;
-    const Trial trial{[&](std::size_t index, const PartSet&) -> const auto& {for_one(index);
-    return none;
+    const auto scenes_for = [&](std::size_t index, const PartSet&) -> const auto& {
+        for_one(index);
+        return none;
+    };
+    const auto note = [&](const Rewritten& one) {
+        conclude(one.index);
+        indices.push_back(one.index);
+    };
+    run_rewritten(graded, sources, scene(), Runner{}, 1, timeline, {{scenes_for, note}});
+    return indices;
 }
-, [&](const Rewritten& one) {
-    conclude(one.index);
-    indices.push_back(one.index);
-}
-};  // namespace
-run_rewritten(graded, sources, scene(), Runner{}, 1, timeline, {trial});
-return indices;
-}  // namespace harness::scenes
 
 void nothing(std::size_t /*index*/) {}
 
@@ -121,21 +121,20 @@ struct OnThreeScenes {
         // Whatever it printed, there is something to try.
         graded[0].score.questions = four()[0].score.questions;
         Timeline timeline;
-        const Trial trial{[&](std::size_t, const PartSet&) -> const auto& {return scenes;
+        const auto scenes_for = [&](std::size_t, const PartSet&) -> const auto& {
+            return scenes;
+        };
+        const auto note = [&](const Rewritten& one) {
+            for (const SceneRun& run : one.runs) printed.push_back(run.graded.value().printout);
+        };
+        run_rewritten(graded, {source}, scene(), runner, 1, timeline, {{scenes_for, note}});
+        const std::string trace = timeline.chrome_trace();
+        for (std::size_t at = 0; (at = trace.find("\"build\"", at)) != std::string::npos; ++at) ++compiled;
     }
-    , [&](const Rewritten& one) {
-        for (const SceneRun& run : one.runs) printed.push_back(run.graded.value().printout);
-    }
-};
-run_rewritten(graded, {source}, scene(), runner, 1, timeline, {trial});
-const std::string trace = timeline.chrome_trace();
-for (std::size_t at = 0; (at = trace.find("\"build\"", at)) != std::string::npos; ++at) ++compiled;
-}
 
-std::vector<std::string> printed;  ///< on the two other scenes
-int compiled = 0;                  ///< how often something was compiled for them
-}
-;
+    std::vector<std::string> printed;  ///< on the two other scenes
+    int compiled = 0;                  ///< how often something was compiled for them
+};
 
 TEST(RunRewritten, CompilesAProgramOnceForAllScenes) {
     const OnThreeScenes run("#include <cstdio>\nint main() { float R = 2; printf(\"R %g\\n\", R); }\n");
