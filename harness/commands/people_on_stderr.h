@@ -1,6 +1,7 @@
 // Keeps stdout for programs.
 #pragma once
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -13,7 +14,7 @@ namespace harness {
 /// If wanted, what is printed to stdout goes to stderr until the end.
 class PeopleOnStderr {
   public:
-    explicit PeopleOnStderr(bool wanted) : stdout_(wanted ? dup(STDOUT_FILENO) : -1) {
+    explicit PeopleOnStderr(bool wanted) : stdout_(wanted ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0) : -1) {
         if (!wanted) return;
         std::fflush(stdout);
         if (!stdout_ || dup2(STDERR_FILENO, STDOUT_FILENO) < 0)
