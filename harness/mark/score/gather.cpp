@@ -132,8 +132,8 @@ Finding Gatherer::compare_with_key(const KeyItem& item, const MatchedItem& print
     return finding;
 }
 
-/// Whether the key's values, rounded as they are printed, are these. A number with fewer digits
-/// than `least_digits` is taken as it is; if that is 0, so is a whole number and one with the rubric's decimals.
+/// Whether the key's values, rounded as they are printed, are these. A number with fewer digits than `least_digits` is
+/// taken as it is; if that is 0, so is a whole number and one with the rubric's decimals.
 bool Gatherer::is_right_but_coarse(const KeyItem& item, const MatchedItem& printed, int least_digits) const {
     const std::vector<PrintedNumber> numbers = by_columns(printed);
     return std::any_of(item.answers.begin(), item.answers.end(), [&](const reference::Answer& answer) {

@@ -54,9 +54,9 @@ Pipe make_pipe() {
 /// A pipe that holds `input` and ends behind it; the descriptor of /dev/null for none.
 FileDescriptor open_input(const std::string& input) {
     if (input.empty()) return FileDescriptor(open("/dev/null", O_RDONLY | O_CLOEXEC));
+    if (input.size() > longest_input) throw HarnessError("A program's input is longer than every pipe holds.");
     Pipe pipe = make_pipe();
-    const bool fits = input.size() <= longest_input;
-    if (fits && write(pipe.write_end.get(), input.data(), input.size()) == static_cast<ssize_t>(input.size()))
+    if (write(pipe.write_end.get(), input.data(), input.size()) == static_cast<ssize_t>(input.size()))
         return std::move(pipe.read_end);
     throw HarnessError("Could not fill a pipe for a program's input: " + std::generic_category().message(errno) +
                        ". Grade fewer submissions at a time (-j).");
