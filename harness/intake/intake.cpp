@@ -72,9 +72,10 @@ Submission from_packed(const FileTree& tree, const path& archive) {
     return take(tree, hand_in, printable(archive.stem().native()), in_quotes(archive));
 }
 
-/// Whether a hand-in may lie in the folder or, down to some depth, in folders in it.
+/// Whether a hand-in may lie in the folder or, down to some depth, in folders in it. It may where nobody can look.
 bool may_hold_hand_ins(const FileTree& tree, const path& folder, int deepest = 8) {
     const Contents contents = tree.list(folder);
+    if (contents.error || !tree.refusal(folder).empty()) return true;
     return !contents.sources.empty() || !contents.archives.empty() ||
            (deepest > 0 && std::any_of(contents.folders.begin(), contents.folders.end(),
                                        [&](const path& inner) { return may_hold_hand_ins(tree, inner, deepest - 1); }));

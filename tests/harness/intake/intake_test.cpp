@@ -240,6 +240,18 @@ TEST(TakeIn, SaysHowToMakeAnUnreadableSourceReadable) {
     EXPECT_THAT(submissions.at(1).problem.value_or(""), HasSubstr("chmod u+rx"));
 }
 
+TEST(TakeIn, LosesNoFolderThatItCantLookInto) {
+    const TemporaryFolder folder;
+    std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
+    folder.write("monday/doejane_1001_5001_ray_cast.cpp", "j");
+    folder.write("monday/roe_1002_5002_ray_cast.cpp", "r");
+    std::filesystem::permissions(folder.make_folder("friday"), std::filesystem::perms::none);
+    const AsNobody somebody_else;
+    const auto submissions = take_in(folder.path());
+    ASSERT_THAT(ids(submissions), ElementsAre("doejane", "friday", "roe"));
+    EXPECT_THAT(submissions[1].problem.value_or(""), HasSubstr("nobody knows whose it is"));
+}
+
 TEST(TakeIn, KeepsStrangeNamesAndMakesTheIdPrintable) {
     const TemporaryFolder folder;
     for (const char* name : {"O'Neil \"Jo\"", "Zoë 名", "new\nline", "bad\xFF"}) {
