@@ -15,7 +15,7 @@ void require_other_scenes(const reference::Assignment& assignment, int count);
 /// scene that was not tried counts with the share on the assignment's own scene, because it is no fault of the
 /// student's if a scene was not located in the source. If that share is above 0, the flag "variants_not_tried" asks a
 /// person to decide about a program that was not tried on every scene, or whose eye, center, triangle or cylinder's
-/// center stayed the same. Call it after run_other_scenes.
+/// center stayed the same. Call it after the trial of on_other_scenes.
 void award_other_scene_points(std::vector<Graded>& graded, const reference::Rubric& rubric);
 
 }  // namespace harness::scenes
