@@ -8,7 +8,7 @@
 
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
-#include "harness/text/ink.h"
+#include "harness/text/color.h"
 #include "reference/kernel/self_test.h"
 
 namespace harness {
@@ -23,13 +23,13 @@ std::string_view mark(Finding::Level level) {
     return "";
 }
 
-Colour colour_of(Finding::Level level) {
+Color color_of(Finding::Level level) {
     switch (level) {
-        case Finding::Level::good: return Colour::green;
-        case Finding::Level::warning: return Colour::yellow;
-        case Finding::Level::bad: return Colour::red;
+        case Finding::Level::good: return Color::green;
+        case Finding::Level::warning: return Color::yellow;
+        case Finding::Level::bad: return Color::red;
     }
-    return Colour::red;
+    return Color::red;
 }
 
 /// Indents the lines after the first, so that they align with it.
@@ -51,10 +51,11 @@ struct DoctorOptions {
 };
 
 void print_for_people(const std::vector<Finding>& findings, bool bad) {
-    const Ink ink = ink_of_stdout();
+    const Colors colors = colors_of_stdout();
     for (const Finding& finding : findings) {
         const std::string level = fmt::format("{:<8}", mark(finding.level));
-        fmt::print("{} {}: {}\n", inked(level, colour_of(finding.level), ink), finding.what, indented(finding.detail));
+        fmt::print("{} {}: {}\n", colored(level, color_of(finding.level), colors), finding.what,
+                   indented(finding.detail));
         if (!finding.way_out.empty()) fmt::print("{:<8} -> {}\n", "", finding.way_out);
     }
     fmt::print("{}\n", bad ? "This machine can't grade yet." : "This machine is ready to grade.");

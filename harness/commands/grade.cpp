@@ -29,7 +29,7 @@
 #include "harness/results/reports.h"
 #include "harness/run/timeline.h"
 #include "harness/scenes/other/points.h"
-#include "harness/text/ink.h"
+#include "harness/text/color.h"
 #include "reference/toml/assignment.h"
 #include "reference/toml/near_names.h"
 
@@ -148,9 +148,9 @@ struct Grading {
 
 void show(const Grading& grading, const ResultsSession& session, const Inputs& inputs, const GradeOptions& options) {
     if (session.writes || session.of_an_older_raygrade) {
-        const Ink ink = ink_of_stdout();
-        if (!options.quiet) fmt::print("{}", report::class_table(grading.graded, ink));
-        fmt::print("{}", report::needs_a_person(grading.graded, "raygrade review " + options.out.string(), ink));
+        const Colors colors = colors_of_stdout();
+        if (!options.quiet) fmt::print("{}", report::class_table(grading.graded, colors));
+        fmt::print("{}", report::needs_a_person(grading.graded, "raygrade review " + options.out.string(), colors));
     }
     tell_changes(session, grading.comparison, inputs.file, grading.results.marking, options.out);
     std::fflush(stdout);  // the marks are shown before anything can go wrong with the files

@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <memory>
 #include <sstream>
@@ -16,6 +15,7 @@
 #include "harness/machine/parts.h"
 #include "harness/mark/diagnose/mistakes.h"
 #include "harness/run/limits.h"
+#include "harness/text/lower_case.h"
 #include "reference/toml/near_names.h"
 
 namespace harness {
@@ -97,16 +97,11 @@ struct Heading {
     std::string text;
 };
 
-std::string in_lower_case(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
-
 /// The headings that have the words, at the beginning of their own words: "late" is in "Late hand-ins" and not in
 /// "Translate".
 std::vector<Heading> headings_with(const std::string& words) {
     std::vector<Heading> found;
-    const std::string wanted = " " + in_lower_case(words);
+    const std::string wanted = " " + lower_case(words);
     for (const std::string& page : manual_pages()) {
         std::istringstream lines(manual_page(page));
         bool is_code = false;
@@ -114,7 +109,7 @@ std::vector<Heading> headings_with(const std::string& words) {
             if (line.starts_with("```")) is_code = !is_code;
             const std::size_t text = line.find_first_not_of('#');
             if (is_code || text == 0 || text == std::string::npos) continue;
-            if (in_lower_case(line.substr(text)).find(wanted) != std::string::npos)
+            if (lower_case(line.substr(text)).find(wanted) != std::string::npos)
                 found.push_back({page, line.substr(text + 1)});
         }
     }

@@ -12,6 +12,7 @@
 #include "harness/intake/archive_entries.h"
 #include "harness/intake/member_pipe.h"
 #include "harness/machine/file_descriptor.h"
+#include "harness/text/lower_case.h"
 #include "harness/text/printable.h"
 
 namespace harness {
@@ -50,10 +51,9 @@ std::vector<ArchiveFile> read(const OpenArchive& opened, const Wanted& wanted, c
 }  // namespace
 
 bool is_archive_name(std::string_view name) {
-    std::string lower(name);
-    std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string small = lower_case(name);
     const std::array endings = {".zip", ".tar", ".tar.gz", ".tgz"};
-    return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return lower.ends_with(ending); });
+    return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return small.ends_with(ending); });
 }
 
 std::vector<ArchiveFile> read_archive(const std::filesystem::path& file, Links links, const Wanted& wanted,

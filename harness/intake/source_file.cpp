@@ -2,15 +2,14 @@
 
 #include <sodium.h>
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <system_error>
 
 #include "harness/intake/intake.h"
 #include "harness/intake/not_a_source.h"
 #include "harness/machine/errors.h"
+#include "harness/text/lower_case.h"
 #include "harness/text/printable.h"
 
 namespace harness {
@@ -41,8 +40,7 @@ std::string too_large(const std::filesystem::path& file) {
 }  // namespace
 
 bool is_source_name(const std::filesystem::path& file) {
-    std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string ending = lower_case(file.extension().string());
     return ending == ".cpp" || ending == ".cc" || ending == ".cxx";
 }
 

@@ -1,6 +1,5 @@
 #include "harness/report/data/grades_json.h"
 
-#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -12,17 +11,13 @@
 #include "harness/grade/final_mark.h"
 #include "harness/grade/hard_scenes_json.h"
 #include "harness/text/escape.h"
+#include "harness/text/points.h"
 #include "reference/key/key_formats.h"
 
 namespace harness::report {
 namespace {
 
 using nlohmann::ordered_json;
-
-/// Marks are sums of shares; rounding to a millionth of a point removes what adding them up got wrong.
-double tidy(double points) {
-    return std::round(points * 1e6) / 1e6;
-}
 
 double seconds(std::chrono::milliseconds time) {
     return static_cast<double>(time.count()) / 1000.0;

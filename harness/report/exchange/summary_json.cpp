@@ -1,6 +1,5 @@
 #include "harness/report/exchange/summary_json.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "harness/grade/concerns.h"
@@ -9,6 +8,7 @@
 #include "harness/report/text/look_first.h"
 #include "harness/report/text/sentences.h"
 #include "harness/text/escape.h"
+#include "harness/text/points.h"
 
 namespace harness::report {
 namespace {
@@ -20,7 +20,7 @@ Json text_or_null(const std::string& text) {
 }
 
 Json points_or_null(const std::optional<double>& points) {
-    return points ? Json(std::round(*points * 1e6) / 1e6) : Json();
+    return points ? Json(tidy(*points)) : Json();
 }
 
 Json flags_json(const Graded& graded, const std::vector<Flag>& flags, Audience audience) {

@@ -52,17 +52,17 @@ std::string flags_of(const Graded& graded) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::string row_of(const Graded& graded, std::size_t id_width, Ink ink) {
+std::string row_of(const Graded& graded, std::size_t id_width, Colors colors) {
     const std::string outcome = fmt::format("{:<13}", to_string(graded.outcome));
     std::string row = padded(one_line(label_of(graded.submission)), id_width) + "  " +
-                      (graded.outcome == Outcome::graded ? outcome : inked(outcome, Colour::red, ink));
+                      (graded.outcome == Outcome::graded ? outcome : colored(outcome, Color::red, colors));
     const bool marked = graded.outcome != Outcome::not_graded;
     for (const QuestionScore& question : graded.score.questions)
         row += fmt::format(" {:>5}", marked ? points_text(final_points(graded, question)) : "-");
     const auto points = points_that_count(graded);
     row += fmt::format("  {:>6}{}", points ? points_text(*points) : "-", graded.overrides.empty() ? "" : "*");
     const std::string flags = flags_of(graded);
-    if (!flags.empty()) row += (graded.overrides.empty() ? "   " : "  ") + inked(flags, Colour::yellow, ink);
+    if (!flags.empty()) row += (graded.overrides.empty() ? "   " : "  ") + colored(flags, Color::yellow, colors);
     return row + "\n";
 }
 
@@ -138,7 +138,7 @@ std::string summary(const std::vector<Graded>& graded) {
 
 }  // namespace
 
-std::string class_table(const std::vector<Graded>& graded, Ink ink) {
+std::string class_table(const std::vector<Graded>& graded, Colors colors) {
     if (graded.empty()) return "";
     std::size_t id_width = narrowest_id;
     for (const Graded& one : graded)
@@ -151,7 +151,7 @@ std::string class_table(const std::vector<Graded>& graded, Ink ink) {
     double sum = 0;
     std::size_t marked = 0, by_hand = 0;
     for (const Graded& one : graded) {
-        text += row_of(one, id_width, ink);
+        text += row_of(one, id_width, colors);
         const auto points = points_that_count(one);
         if (!points) continue;
         sum += *points;
@@ -172,7 +172,7 @@ std::string class_table(const std::vector<Graded>& graded, Ink ink) {
     return text;
 }
 
-std::string needs_a_person(const std::vector<Graded>& graded, const std::string& way, Ink ink) {
+std::string needs_a_person(const std::vector<Graded>& graded, const std::string& way, Colors colors) {
     std::string flagged, ungraded;
     int count = 0;
     for (const Graded& one : graded) {
@@ -182,12 +182,12 @@ std::string needs_a_person(const std::vector<Graded>& graded, const std::string&
             flagged += fmt::format("  {}: {}: {}\n", called(one.submission), short_title(flag),
                                    shortened(evidence_text(one, flag, Audience::instructor)));
         if (one.outcome == Outcome::not_graded)
-            ungraded += fmt::format("{} {}: {}\n", inked("not graded:", Colour::red, ink), called(one.submission),
+            ungraded += fmt::format("{} {}: {}\n", colored("not graded:", Color::red, colors), called(one.submission),
                                     one_line(one.explanation));
     }
     if (count == 0) return ungraded;
     const std::string head = fmt::format("{} of {} to look at; `{}` goes through them:", count, graded.size(), way);
-    return fmt::format("\n{}\n{}{}", inked(head, Colour::yellow, ink), flagged, ungraded);
+    return fmt::format("\n{}\n{}{}", colored(head, Color::yellow, colors), flagged, ungraded);
 }
 
 }  // namespace harness::report

@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "harness/grade/graded.h"
-#include "harness/text/ink.h"
+#include "harness/text/color.h"
 
 namespace harness::report {
 
 /// The class table, with the flags that nobody has accepted, and the summary by question. Ends in a newline; empty for
 /// an empty class.
-std::string class_table(const std::vector<Graded>& graded, Ink ink = Ink::none);
+std::string class_table(const std::vector<Graded>& graded, Colors colors = Colors::none);
 
 /// Whose answers a person should look at and why, and who was not graded. `way` is the command that goes through them.
 /// Ends in a newline; empty if nothing needs a person.
-std::string needs_a_person(const std::vector<Graded>& graded, const std::string& way, Ink ink = Ink::none);
+std::string needs_a_person(const std::vector<Graded>& graded, const std::string& way, Colors colors = Colors::none);
 
 }  // namespace harness::report

@@ -9,6 +9,7 @@
 #include "harness/report/text/compiler_messages.h"
 #include "harness/report/text/known_headers.h"
 #include "harness/text/lines.h"
+#include "harness/text/lower_case.h"
 
 namespace harness::report {
 namespace {
@@ -94,7 +95,7 @@ std::string about_a_header(const CompilerMessage& message, std::string_view sour
             message.line, header, system);
     }
     if (const std::string_view known = header_meant(header); !known.empty()) {
-        const bool is_case = in_lower_case(known) == in_lower_case(header);
+        const bool is_case = lower_case(known) == lower_case(header);
         return fmt::format("Line {}: write #include <{}>{}.", message.line, known,
                            is_case ? "; on Linux, upper and lower case make different file names" : "");
     }
@@ -139,7 +140,7 @@ std::string_view function_begun_in(std::string_view line) {
 }
 
 bool is_like_main(std::string_view name) {
-    std::string small = in_lower_case(name);
+    std::string small = lower_case(name);
     if (small.find("main") != std::string::npos) return true;
     std::sort(small.begin(), small.end());
     return small == "aimn";  // "mian"

@@ -145,15 +145,15 @@ std::vector<std::string> hard_scenes_of(const Graded& graded) {
     return graded.hard_scenes ? scenes::hard_scenes_sentences(*graded.hard_scenes) : std::vector<std::string>();
 }
 
-Colour colour_of(ItemVerdict verdict) {
+Color color_of(ItemVerdict verdict) {
     switch (verdict) {
-        case ItemVerdict::right: return Colour::green;
-        case ItemVerdict::follow: return Colour::cyan;
-        case ItemVerdict::wrong: return Colour::red;
+        case ItemVerdict::right: return Color::green;
+        case ItemVerdict::follow: return Color::cyan;
+        case ItemVerdict::wrong: return Color::red;
         case ItemVerdict::missing:
-        case ItemVerdict::unreadable: return Colour::yellow;
+        case ItemVerdict::unreadable: return Color::yellow;
     }
-    return Colour::yellow;
+    return Color::yellow;
 }
 
 }  // namespace
@@ -219,7 +219,7 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     return text;
 }
 
-std::string check_text(const Graded& graded, reference::Feedback feedback, Ink ink) {
+std::string check_text(const Graded& graded, reference::Feedback feedback, Colors colors) {
     std::string text;
     if (const std::string warning = sandbox_warning(graded.tier); !warning.empty())
         text += "Warning: " + warning + "\n";
@@ -242,7 +242,7 @@ std::string check_text(const Graded& graded, reference::Feedback feedback, Ink i
         for (const ItemScore& item : question.items) {
             const std::string verdict = fmt::format("{:<10}", to_string(item.verdict));
             text += fmt::format("  {:<13} {}{}\n", name_in_question(item.spec),
-                                inked(verdict, colour_of(item.verdict), ink), where(item));
+                                colored(verdict, color_of(item.verdict), colors), where(item));
             if (item.verdict == ItemVerdict::right || item.verdict == ItemVerdict::missing) continue;
             if (!item.printed.empty()) text += fmt::format("      you printed {}\n", escape_control(item.printed));
             const std::string name = told_diagnosis(item, feedback);

@@ -7,7 +7,7 @@
 
 #include "harness/grade/graded.h"
 #include "harness/grade/marking.h"
-#include "harness/text/ink.h"
+#include "harness/text/color.h"
 
 namespace harness::report {
 
@@ -18,6 +18,6 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking);
 /// The same marking for a student's own check, on a terminal: a verdict for every item, with the reason as far as
 /// `feedback` lets it be told. Never an expected value.
 std::string check_text(const Graded& graded, reference::Feedback feedback = reference::Feedback::mistake,
-                       Ink ink = Ink::none);
+                       Colors colors = Colors::none);
 
 }  // namespace harness::report

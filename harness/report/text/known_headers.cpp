@@ -1,8 +1,9 @@
 #include "harness/report/text/known_headers.h"
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
+
+#include "harness/text/lower_case.h"
 
 namespace harness::report {
 namespace {
@@ -115,14 +116,8 @@ constexpr Declared declared_in[] = {
 
 }  // namespace
 
-std::string in_lower_case(std::string_view text) {
-    std::string small;
-    for (const char c : text) small += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return small;
-}
-
 std::string_view header_meant(std::string_view header) {
-    std::string small = in_lower_case(header);
+    std::string small = lower_case(header);
     std::replace(small.begin(), small.end(), '\\', '/');
     for (const std::string& candidate : {small, small + ".hpp", small + ".h"}) {
         for (const std::string_view known : known_headers) {
@@ -135,7 +130,7 @@ std::string_view header_meant(std::string_view header) {
 }
 
 std::string_view system_of_header(std::string_view header) {
-    const std::string small = in_lower_case(header);
+    const std::string small = lower_case(header);
     const auto* found = std::find_if(std::begin(of_other_systems), std::end(of_other_systems),
                                      [&](const Elsewhere& one) { return one.header == small; });
     return found == std::end(of_other_systems) ? "" : found->system;

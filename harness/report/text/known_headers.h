@@ -6,9 +6,6 @@
 
 namespace harness::report {
 
-/// In ASCII.
-std::string in_lower_case(std::string_view text);
-
 /// The header that was probably meant by one that is not there: the same letters, perhaps in another case or without
 /// its folder, its ending or its slashes. Empty if there is none.
 std::string_view header_meant(std::string_view header);

@@ -11,6 +11,7 @@
 #include "harness/scenes/source/stated_numbers.h"
 #include "harness/scenes/source/window_numbers.h"
 #include "harness/text/listed.h"
+#include "harness/text/lower_case.h"
 
 namespace harness::scenes {
 namespace {
@@ -32,16 +33,8 @@ std::string numbers_text(const Numbers& numbers, std::size_t size) {
     }
 }
 
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return result;
-}
-
 bool holds(std::string_view name, std::initializer_list<std::string_view> words) {
-    const std::string plain = lower(name);
+    const std::string plain = lower_case(name);
     return std::any_of(words.begin(), words.end(),
                        [&](std::string_view word) { return plain.find(word) != std::string::npos; });
 }
@@ -172,7 +165,7 @@ class Searcher {
     }
 
     static const WindowNumber* window_number_called(std::string_view name) {
-        const std::string plain = lower(name.substr(name.find_last_of('.') + 1));
+        const std::string plain = lower_case(name.substr(name.find_last_of('.') + 1));
         const auto found =
             std::ranges::find_if(window_numbers(), [&](const WindowNumber& number) { return number.is_called(plain); });
         return found == window_numbers().end() ? nullptr : &*found;

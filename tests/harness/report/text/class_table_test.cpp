@@ -77,9 +77,9 @@ TEST(ClassTable, HasColourOnATerminalOnly) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     zoe.flags = {{"hard_coded", "6.t"}};
     const std::vector<Graded> all = {zoe, not_graded("bob")};
-    EXPECT_THAT(class_table(all, Ink::terminal), HasSubstr("\x1b[33mhard coded\x1b[0m\n"));
-    EXPECT_THAT(class_table(all, Ink::terminal), HasSubstr("\x1b[31mnot_graded   \x1b[0m "));
-    EXPECT_THAT(needs_a_person(all, "", Ink::terminal), HasSubstr("\x1b[31mnot graded:\x1b[0m bob"));
+    EXPECT_THAT(class_table(all, Colors::terminal), HasSubstr("\x1b[33mhard coded\x1b[0m\n"));
+    EXPECT_THAT(class_table(all, Colors::terminal), HasSubstr("\x1b[31mnot_graded   \x1b[0m "));
+    EXPECT_THAT(needs_a_person(all, "", Colors::terminal), HasSubstr("\x1b[31mnot graded:\x1b[0m bob"));
     EXPECT_THAT(class_table(all) + needs_a_person(all, ""), Not(HasSubstr("\x1b")));
 }
 

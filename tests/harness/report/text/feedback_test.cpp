@@ -186,7 +186,7 @@ TEST(CheckText, HasAVerdictForEveryItem) {
 
 TEST(CheckText, HasColourOnATerminalOnly) {
     const Graded one = graded("s01", output_with_a_mistake());
-    const std::string text = check_text(one, reference::Feedback::mistake, Ink::terminal);
+    const std::string text = check_text(one, reference::Feedback::mistake, Colors::terminal);
     EXPECT_THAT(text, HasSubstr("P_VCS         \x1b[32mright     \x1b[0m"));
     EXPECT_THAT(text, HasSubstr("\x1b[31mwrong     \x1b[0m"));
     EXPECT_THAT(check_text(one), Not(HasSubstr("\x1b")));

@@ -1,4 +1,4 @@
-#include "harness/text/ink.h"
+#include "harness/text/color.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -7,18 +7,18 @@
 
 namespace harness {
 
-std::string inked(std::string_view text, Colour colour, Ink ink) {
-    if (ink == Ink::none || text.empty()) return std::string(text);
-    return fmt::format("\x1b[{}m{}\x1b[0m", static_cast<int>(colour), text);
+std::string colored(std::string_view text, Color color, Colors colors) {
+    if (colors == Colors::none || text.empty()) return std::string(text);
+    return fmt::format("\x1b[{}m{}\x1b[0m", static_cast<int>(color), text);
 }
 
-Ink ink_of_stdout() {
+Colors colors_of_stdout() {
     const auto is_set = [](const char* name) {
         const char* value = std::getenv(name);
         return value != nullptr && *value != '\0';
     };
     const bool wanted = !is_set("NO_COLOR") && is_set("TERM") && std::string_view(std::getenv("TERM")) != "dumb";
-    return wanted && isatty(STDOUT_FILENO) == 1 ? Ink::terminal : Ink::none;
+    return wanted && isatty(STDOUT_FILENO) == 1 ? Colors::terminal : Colors::none;
 }
 
 }  // namespace harness
