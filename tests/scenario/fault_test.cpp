@@ -17,6 +17,7 @@
 #include <string>
 #include <thread>
 
+#include "tests/given/cases.h"
 #include "tests/scenario/scenario.h"
 
 namespace scenario {
@@ -130,7 +131,7 @@ TEST_P(Killed, LeavesNoProcessAndTheNextRunRemovesItsFolder) {
     const std::vector<std::string> words = command({"-j", "2", "--limit", "run.cpu_seconds=0.3"});
     std::mt19937 random(GetParam());
     std::uniform_int_distribution<int> moments(0, 1500);
-    const int kills = getenv("RAYGRADE_NIGHTLY") == nullptr ? 20 : 100;
+    const int kills = is_nightly() ? 100 : 20;
     for (int i = 0; i < kills; ++i) {
         const auto moment = std::chrono::milliseconds(moments(random));
         const pid_t raygrade = start(words);

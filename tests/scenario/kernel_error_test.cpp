@@ -12,6 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "tests/given/cases.h"
+
 namespace scenario {
 namespace {
 
@@ -174,8 +176,7 @@ class MachineInTrouble : public testing::Test {
 };
 
 TEST_F(MachineInTrouble, NeverCostsAnHonestProgramItsMark) {
-    const bool is_long = std::getenv("RAYGRADE_NIGHTLY") != nullptr;
-    const int trials = is_long ? 1500 : 16;
+    const int trials = is_nightly() ? 1500 : 16;
     const char* given = std::getenv("RAYGRADE_SEED");
     const unsigned seed = given != nullptr ? static_cast<unsigned>(std::atoi(given)) : 1;
     std::mt19937 random(seed);

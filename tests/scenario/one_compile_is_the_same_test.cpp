@@ -5,16 +5,16 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include <fstream>
 #include <iostream>
 #include <map>
-#include <sstream>
 
 #include "harness/batch/batch.h"
 #include "harness/run/limits.h"
 #include "harness/scenes/hard/run.h"
 #include "harness/scenes/other/run.h"
 #include "reference/toml/assignment.h"
+#include "tests/given/bytes_of.h"
+#include "tests/given/cases.h"
 #include "tests/given/strongest_tier.h"
 
 namespace {
@@ -25,16 +25,6 @@ using harness::Marking;
 using harness::Runner;
 using harness::Submission;
 using harness::Timeline;
-
-std::string bytes_of(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
-
-bool is_nightly() {
-    return getenv("RAYGRADE_NIGHTLY") != nullptr;
-}
 
 struct Class {
     std::string name;

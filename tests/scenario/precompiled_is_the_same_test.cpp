@@ -4,14 +4,14 @@
 // differences, the same bundle of headers is also forced into each of them, which must change most.
 #include <gmock/gmock.h>
 
-#include <fstream>
 #include <iostream>
-#include <sstream>
 
 #include "harness/build/header_cache.h"
 #include "harness/build/include_block.h"
 #include "harness/run/limits.h"
 #include "harness/run/run.h"
+#include "tests/given/bytes_of.h"
+#include "tests/given/cases.h"
 #include "tests/given/strongest_tier.h"
 #include "tests/given/temporary_folder.h"
 
@@ -22,16 +22,6 @@ using harness::Build;
 using harness::BuildSettings;
 using harness::HeaderLines;
 using harness::PrecompiledHeader;
-
-std::string bytes_of(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
-
-bool is_nightly() {
-    return getenv("RAYGRADE_NIGHTLY") != nullptr;
-}
 
 std::vector<fs::path> samples() {
     std::vector<fs::path> files;

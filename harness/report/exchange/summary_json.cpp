@@ -97,9 +97,9 @@ std::string check_json(const Graded& graded, const Marking& marking) {
     const bool marked = graded.outcome != Outcome::not_graded;
     Json questions = Json::array();
     for (const QuestionScore& question : graded.score.questions) {
+        if (!marked) break;
         Json items = Json::array();
         for (const ItemScore& item : question.items) items.push_back(checked_item(graded, item, feedback));
-        if (!marked) continue;
         questions.push_back({{"number", question.number},
                              {"title", escape_control(question.title)},
                              {"verdict", to_string(question.verdict)},

@@ -2,8 +2,7 @@
 // under, and whatever the scene.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
+#include "tests/given/cases.h"
 #include "tests/given/printed_values.h"
 #include "tests/harness/mark/correct_programs/graded.h"
 #include "tests/harness/mark/correct_programs/scenes.h"
@@ -15,7 +14,7 @@ using namespace correct;
 class CorrectPrograms : public testing::TestWithParam<std::string_view> {};
 
 TEST_P(CorrectPrograms, LoseNoMark) {
-    const std::uint64_t scenes = std::getenv("RAYGRADE_NIGHTLY") != nullptr ? 200 : 3;
+    const std::uint64_t scenes = is_nightly() ? 200 : 3;
     std::vector<student::Marking> markings;
     for (std::uint64_t seed = 0; seed < scenes; ++seed) {
         const reference::Assignment assignment = scene_of(GetParam(), seed);
