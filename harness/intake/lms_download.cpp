@@ -7,9 +7,9 @@
 #include <map>
 
 #include "harness/intake/archive.h"
-#include "harness/intake/gradescope_metadata.h"
 #include "harness/intake/hand_in.h"
-#include "harness/intake/lms_name.h"
+#include "harness/intake/lms/gradescope_metadata.h"
+#include "harness/intake/lms/lms_name.h"
 #include "harness/text/printable.h"
 
 namespace harness {

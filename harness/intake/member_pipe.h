@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/intake/archive.h"
-#include "harness/intake/lms_owner.h"
+#include "harness/intake/lms/lms_owner.h"
 
 namespace harness {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/intake/lms_name.h"
+#include "harness/intake/lms/lms_name.h"
 
 namespace harness {
 

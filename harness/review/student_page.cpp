@@ -7,9 +7,9 @@
 
 #include "harness/class_run/corrections.h"
 #include "harness/grade/concerns.h"
+#include "harness/report/compile_error/compiler_messages.h"
 #include "harness/report/page/evidence.h"
 #include "harness/report/page/listing.h"
-#include "harness/report/text/compiler_messages.h"
 #include "harness/report/text/expected_text.h"
 #include "harness/report/text/sentences.h"
 #include "harness/report/text/verdict_words.h"

@@ -1,4 +1,4 @@
-#include "harness/intake/lms_name.h"
+#include "harness/intake/lms/lms_name.h"
 
 #include <algorithm>
 #include <set>

@@ -2,7 +2,7 @@
 #include <set>
 #include <vector>
 
-#include "harness/intake/gradescope_metadata.h"
+#include "harness/intake/lms/gradescope_metadata.h"
 #include "harness/text/printable.h"
 #include "tests/fuzz/properties.h"
 

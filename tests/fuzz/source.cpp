@@ -2,11 +2,11 @@
 #include <string>
 #include <vector>
 
-#include "harness/scenes/source/constant.h"
-#include "harness/scenes/source/cpp_lexer.h"
+#include "harness/scenes/code/constant.h"
+#include "harness/scenes/code/cpp_lexer.h"
+#include "harness/scenes/code/words.h"
 #include "harness/scenes/source/scene_literals.h"
 #include "harness/scenes/source/stated_scene.h"
-#include "harness/scenes/source/words.h"
 #include "reference/toml/assignment.h"
 #include "reference/toml/scene_toml.h"
 #include "tests/fuzz/properties.h"

@@ -4,7 +4,7 @@
 
 #include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
-#include "harness/report/text/compiler_hints.h"
+#include "harness/report/compile_error/compiler_hints.h"
 #include "harness/report/text/look_first.h"
 #include "harness/report/text/sentences.h"
 #include "harness/text/escape.h"

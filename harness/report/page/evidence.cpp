@@ -5,9 +5,9 @@
 #include "harness/grade/concerns.h"
 #include "harness/grade/hard_scenes_sentences.h"
 #include "harness/grade/other_scenes_sentences.h"
+#include "harness/report/compile_error/compiler_hints.h"
+#include "harness/report/compile_error/compiler_messages.h"
 #include "harness/report/page/templates.h"
-#include "harness/report/text/compiler_hints.h"
-#include "harness/report/text/compiler_messages.h"
 #include "harness/report/text/sentences.h"
 
 namespace harness::report {

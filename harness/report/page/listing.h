@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "harness/grade/graded.h"
-#include "harness/report/text/compiler_messages.h"
+#include "harness/report/compile_error/compiler_messages.h"
 
 namespace harness::report {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "harness/report/picture/sketch.h"
 #include "harness/report/plot/label_placement.h"
+#include "harness/report/sketch/sketch.h"
 #include "reference/stages/items.h"
 
 namespace harness::report::picture {

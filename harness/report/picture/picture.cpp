@@ -11,9 +11,9 @@
 #include "harness/report/picture/layout.h"
 #include "harness/report/picture/legend.h"
 #include "harness/report/picture/panel.h"
-#include "harness/report/picture/printed_sketch.h"
 #include "harness/report/picture/tube.h"
 #include "harness/report/plot/scatter.h"
+#include "harness/report/sketch/printed_sketch.h"
 #include "harness/text/markup.h"
 
 namespace harness::report {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "harness/report/picture/clip.h"
-#include "harness/report/picture/sketch.h"
 #include "harness/report/picture/view.h"
+#include "harness/report/sketch/sketch.h"
 
 namespace harness::report::picture {
 

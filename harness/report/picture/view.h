@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/report/picture/frame.h"
 #include "harness/report/plot/label_placement.h"
+#include "harness/report/sketch/frame.h"
 
 namespace harness::report::picture {
 

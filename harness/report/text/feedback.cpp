@@ -10,7 +10,7 @@
 #include "harness/grade/hard_scenes_sentences.h"
 #include "harness/grade/other_scenes_sentences.h"
 #include "harness/grade/override_place.h"
-#include "harness/report/text/compiler_hints.h"
+#include "harness/report/compile_error/compiler_hints.h"
 #include "harness/report/text/look_first.h"
 #include "harness/report/text/sentences.h"
 #include "harness/text/escape.h"

@@ -8,7 +8,7 @@
 #include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
 #include "harness/grade/other_scenes_sentences.h"
-#include "harness/report/text/compiler_hints.h"
+#include "harness/report/compile_error/compiler_hints.h"
 #include "harness/report/text/sentences.h"
 #include "harness/text/escape.h"
 #include "harness/text/points.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/scenes/source/constant.h"
+#include "harness/scenes/code/constant.h"
 #include "harness/scenes/source/part_name.h"
 #include "harness/scenes/source/scene_part.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "harness/scenes/source/source_names.h"
+#include "harness/scenes/code/source_names.h"
 
 namespace harness::scenes {
 namespace {

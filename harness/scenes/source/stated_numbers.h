@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/scenes/source/constant.h"
-#include "harness/scenes/source/words.h"
+#include "harness/scenes/code/constant.h"
+#include "harness/scenes/code/words.h"
 
 namespace harness::scenes {
 

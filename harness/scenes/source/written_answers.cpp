@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "harness/scenes/source/cpp_lexer.h"
+#include "harness/scenes/code/cpp_lexer.h"
 
 namespace harness::scenes {
 namespace {

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "harness/intake/intake.h"
-#include "harness/intake/lms_name.h"
+#include "harness/intake/lms/lms_name.h"
 #include "harness/intake/source_file.h"
 #include "harness/machine/errors.h"
 #include "tests/given/packed.h"

@@ -1,5 +1,5 @@
 // Which of a student's answers an explaining picture shows, and that it reveals nothing of the key.
-#include "harness/report/picture/printed_sketch.h"
+#include "harness/report/sketch/printed_sketch.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,0 +1,85 @@
+#include "harness/intake/lms/lms_name.h"
+
+#include <re2/re2.h>
+
+namespace harness {
+namespace {
+
+re2::StringPiece piece(std::string_view text) {
+    return {text.data(), text.size()};
+}
+
+}  // namespace
+
+std::vector<LmsName> canvas_readings(std::string_view file) {
+    static const RE2 after_name(R"((?s)(LATE_)?(?:(\d+)|anon_([^_]+))_(?:(\d+)_(.+)|(text|link)\.html))");
+    std::vector<LmsName> readings;
+    for (std::size_t begin = 0; begin < file.size(); ++begin) {  // of what follows the student's name
+        if (begin > 0 && file[begin - 1] != '_') continue;
+        LmsName name;
+        std::string late, user, anonymous, kind;
+        if (!RE2::FullMatch(piece(file.substr(begin)), after_name, &late, &user, &anonymous, &name.attachment,
+                            &name.file, &kind)) {
+            continue;
+        }
+        name.student = file.substr(0, begin == 0 ? 0 : begin - 1);
+        // A LATE before the number is Canvas's, as it writes students' names in lower case, and so is "anon".
+        const auto ends_with = [&](std::string_view word) {
+            return name.student == word || name.student.ends_with("_" + std::string(word));
+        };
+        if (ends_with("LATE") || ends_with("anon")) continue;
+        name.is_file = kind.empty();
+        if (!name.is_file) name.file = kind + ".html";
+        name.late = !late.empty();
+        name.id = user.empty() ? "anon_" + anonymous : user;
+        readings.push_back(std::move(name));
+        if (readings.size() == most_readings) break;
+    }
+    return readings;
+}
+
+std::vector<LmsName> moodle_readings(std::string_view text) {
+    static const RE2 after_name(R"((?s)_(\d+)_assignsubmission_(file|onlinetext)(?:_(.*))?)");
+    std::vector<LmsName> readings;
+    for (std::size_t begin = text.size(); begin-- > 0;) {
+        if (text[begin] != '_') continue;
+        LmsName name;
+        name.system = Lms::moodle;
+        std::string kind;
+        if (!RE2::FullMatch(piece(text.substr(begin)), after_name, &name.id, &kind, &name.file)) continue;
+        name.student = text.substr(0, begin);
+        name.is_file = kind == "file";
+        readings.push_back(std::move(name));
+        if (readings.size() == most_readings) break;
+    }
+    return readings;
+}
+
+std::optional<LmsName> read_canvas_name(std::string_view file) {
+    const auto readings = canvas_readings(file);
+    return readings.empty() ? std::nullopt : std::optional(readings.front());
+}
+
+std::optional<LmsName> read_moodle_name(std::string_view name) {
+    const auto readings = moodle_readings(name);
+    return readings.empty() ? std::nullopt : std::optional(readings.front());
+}
+
+std::optional<LmsName> read_gradescope_name(std::string_view folder) {
+    static const RE2 pattern(R"(submission_(\d+))");
+    LmsName name;
+    name.system = Lms::gradescope;
+    if (!RE2::FullMatch(piece(folder), pattern, &name.id)) return std::nullopt;
+    return name;
+}
+
+BaseName read_base_name(std::string_view file) {
+    static const RE2 pattern(R"((?s)(.*?)(?:-(\d{1,9})| ?\((\d{1,9})\))(\.[^.]*))");
+    std::string stem, resubmission, download, ending;
+    if (!RE2::FullMatch(piece(file), pattern, &stem, &resubmission, &download, &ending) || stem.empty()) {
+        return {std::string(file), 0};
+    }
+    return {stem + ending, std::stol(resubmission.empty() ? download : resubmission)};
+}
+
+}  // namespace harness

@@ -1,0 +1,212 @@
+#include "harness/report/compile_error/compiler_hints.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+
+#include "harness/report/compile_error/compiler_messages.h"
+#include "harness/report/compile_error/known_headers.h"
+#include "harness/text/lines.h"
+#include "harness/text/lower_case.h"
+
+namespace harness::report {
+namespace {
+
+/// The texts in quotes, 'like this'.
+std::vector<std::string> quoted_texts(std::string_view message) {
+    std::vector<std::string> all;
+    for (std::size_t begin = message.find('\''); begin != std::string_view::npos; begin = message.find('\'', begin)) {
+        const std::size_t end = message.find('\'', begin + 1);
+        if (end == std::string_view::npos) break;
+        all.emplace_back(message.substr(begin + 1, end - begin - 1));
+        begin = end + 1;
+    }
+    return all;
+}
+
+bool is_number(std::string_view type) {
+    if (type.starts_with("const ")) type.remove_prefix(6);
+    constexpr std::string_view numbers[] = {"double", "int", "long", "long double", "unsigned int", "size_t", "float"};
+    return std::find(std::begin(numbers), std::end(numbers), type) != std::end(numbers);
+}
+
+bool is_of_glm(std::string_view type) {
+    return type.find("glm::") != std::string_view::npos || type.find("vec") == 0 || type.find("mat") == 0;
+}
+
+/// "no match for 'operator*' (operand types are 'double' and 'glm::vec3' {aka …})".
+std::string about_operands(const CompilerMessage& message) {
+    constexpr std::string_view begin = "no match for 'operator", middle = "(operand types are '";
+    const std::size_t operands = message.text.find(middle);
+    if (!message.text.starts_with(begin) || operands == std::string::npos) return "";
+    const std::string sign = quoted_texts(message.text).front().substr(std::string_view("operator").size());
+    // "'glm::vec3' {aka 'glm::vec<3, float, …>'}": the first name is the one that people write.
+    const std::string types = message.text.substr(operands + middle.size() - 1);
+    const std::size_t second = types.find(" and '");
+    if (second == std::string::npos) return "";
+    const std::string left = quoted_texts(types).front(), right = quoted_texts(types.substr(second)).front();
+    if (sign != "*" && sign != "/" && sign != "+" && sign != "-") return "";
+    const std::string none = fmt::format("Line {}: GLM has no {} for {} and {}", message.line, sign, left, right);
+    const bool one_number = is_number(left) != is_number(right);
+    if (one_number && (is_of_glm(left) || is_of_glm(right))) {
+        const std::string& number = is_number(left) ? left : right;
+        if (number != "float" && number != "const float") {
+            return fmt::format(
+                "{}. Make the number a float: declare it as float, or write float(x) for x and 2.0f for 2.0.", none);
+        }
+    }
+    const bool is_double = (left.find("glm::d") != std::string::npos) != (right.find("glm::d") != std::string::npos);
+    if (is_of_glm(left) && is_of_glm(right) && is_double)
+        return none + ". Use the same kind on both sides: vec3 and mat4, or dvec3 and dmat4.";
+    const auto are = [&](std::string_view one, std::string_view other) {
+        return (left.ends_with(one) && right.ends_with(other)) || (left.ends_with(other) && right.ends_with(one));
+    };
+    if (sign == "*" && are("mat4", "vec3"))
+        return none + ". A mat4 multiplies a vec4: give the vec3 a fourth component.";
+    return "";
+}
+
+/// "'setprecision' is not a member of 'std'", "'sqrt' was not declared in this scope", "'glm' has not been declared".
+std::string about_a_name(const CompilerMessage& message) {
+    const auto names = quoted_texts(message.text);
+    if (names.empty()) return "";
+    std::string name = names.front();
+    if (message.text.find("is not a member of") != std::string::npos && names.size() > 1) {
+        name = names[1] + "::" + name;
+    } else if (message.text.find("declared") == std::string::npos &&
+               message.text.find("is not a namespace-name") == std::string::npos) {
+        return "";
+    }
+    const std::string_view header = header_of_name(name);
+    if (header.empty()) return "";
+    return fmt::format("Line {}: {} needs #include <{}> at the top of the source.", message.line, name, header);
+}
+
+/// "windows.h: No such file or directory".
+std::string about_a_header(const CompilerMessage& message, std::string_view source) {
+    constexpr std::string_view missing = ": No such file or directory";
+    if (!message.text.ends_with(missing)) return "";
+    const std::string header = message.text.substr(0, message.text.size() - missing.size());
+    if (const std::string_view system = system_of_header(header); !system.empty()) {
+        return fmt::format(
+            "Line {}: {} is a header of {}, and the programs are compiled on Linux. Leave it out, with what needs it.",
+            message.line, header, system);
+    }
+    if (const std::string_view known = header_meant(header); !known.empty()) {
+        const bool is_case = lower_case(known) == lower_case(header);
+        return fmt::format("Line {}: write #include <{}>{}.", message.line, known,
+                           is_case ? "; on Linux, upper and lower case make different file names" : "");
+    }
+    const bool is_own = source.find("\"" + header + "\"") != std::string_view::npos;
+    return fmt::format("Line {}: there is no {} where the programs are compiled{}", message.line, header,
+                       is_own ? ", as only one source file is handed in. Put what you need of it into that file."
+                              : ". Use the standard library and GLM, or put what you need of it into your source.");
+}
+
+/// "note: 'std::cout' is defined in header '<iostream>'; did you forget to '#include <iostream>'?"
+std::string about_a_note(std::string_view line) {
+    constexpr std::string_view defined = "is defined in header '";
+    if (line.find(": note: ") == std::string_view::npos || line.find(defined) == std::string_view::npos) return "";
+    const auto names = quoted_texts(line);
+    if (names.size() < 2 || names[1].size() < 2 || names[1].front() != '<') return "";
+    return fmt::format("{} needs #include {} at the top of the source.", names[0], names[1]);
+}
+
+/// "undefined reference to `main'", "undefined symbol: main".
+bool says_no_main(std::string_view line) {
+    for (const std::string_view begin :
+         {"undefined reference to `", "undefined reference to '", "undefined symbol: "}) {
+        const std::size_t at = line.find(begin);
+        if (at == std::string_view::npos) continue;
+        const std::string_view name = line.substr(at + begin.size());
+        if (name == "main" || name.starts_with("main'")) return true;
+    }
+    return false;
+}
+
+/// The name before the first "(" of a line such as "int Main() {".
+std::string_view function_begun_in(std::string_view line) {
+    const std::size_t open = line.find('(');
+    if (open == std::string_view::npos || line.empty() || std::isspace(static_cast<unsigned char>(line.front())) != 0)
+        return "";
+    const auto is_of_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    std::size_t end = open;
+    while (end > 0 && line[end - 1] == ' ') --end;
+    std::size_t begin = end;
+    while (begin > 0 && is_of_name(line[begin - 1])) --begin;
+    return line.substr(begin, end - begin);
+}
+
+bool is_like_main(std::string_view name) {
+    std::string small = lower_case(name);
+    if (small.find("main") != std::string::npos) return true;
+    std::sort(small.begin(), small.end());
+    return small == "aimn";  // "mian"
+}
+
+std::string about_main(std::string_view source) {
+    int number = 0;
+    for (const std::string_view line : lines_of(source)) {
+        ++number;
+        const std::string_view name = function_begun_in(line);
+        if (name != "main" && is_like_main(name)) {
+            return fmt::format("The source has no main, in which a program begins. Line {}: is {} meant to be main?",
+                               number, name);
+        }
+    }
+    return "The source has no main, in which a program begins: write int main() { … }.";
+}
+
+/// GLM's own message, which stands in its headers.
+bool wants_experimental(std::string_view line) {
+    return line.find(" error: ") != std::string_view::npos &&
+           line.find("GLM_ENABLE_EXPERIMENTAL") != std::string_view::npos;
+}
+
+/// g++'s quotation marks in a locale other than C.
+std::string with_plain_quotes(std::string_view text) {
+    std::string plain;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const std::string_view next = text.substr(i, 3);
+        const bool is_quote = next == "\xE2\x80\x98" || next == "\xE2\x80\x99";
+        plain += is_quote ? '\'' : text[i];
+        if (is_quote) i += 2;
+    }
+    return plain;
+}
+
+std::string hint_of(std::string_view line, std::string_view source) {
+    if (says_no_main(line)) return about_main(source);
+    if (wants_experimental(line))
+        return "Write #define GLM_ENABLE_EXPERIMENTAL above the first #include: GLM wants it for its headers in gtx.";
+    if (std::string hint = about_a_note(line); !hint.empty()) return hint;
+    const auto messages = compiler_messages(line, 1);
+    if (messages.empty() || messages.front().kind != "error") return "";
+    for (const std::string& hint :
+         {about_operands(messages.front()), about_a_name(messages.front()), about_a_header(messages.front(), source)}) {
+        if (!hint.empty()) return hint;
+    }
+    return "";
+}
+
+}  // namespace
+
+std::vector<std::string> compiler_hints(std::string_view diagnostics, std::string_view source, std::size_t most) {
+    std::vector<std::string> hints;
+    const std::string plain = with_plain_quotes(diagnostics);
+    for (const std::string_view line : lines_of(plain)) {
+        if (hints.size() == most) break;
+        const std::string hint = hint_of(line, source);
+        if (!hint.empty() && std::find(hints.begin(), hints.end(), hint) == hints.end()) hints.push_back(hint);
+    }
+    return hints;
+}
+
+std::vector<std::string> compiler_hints(const Graded& graded) {
+    if (graded.outcome != Outcome::compile_error) return {};
+    return compiler_hints(graded.build.diagnostics, graded.submission.source);
+}
+
+}  // namespace harness::report

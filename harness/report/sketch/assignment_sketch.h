@@ -1,0 +1,52 @@
+// Turns what the handout gives of a scene, and what the key tells of it, into things to draw.
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "harness/report/sketch/frame.h"
+#include "reference/key/answer_key.h"
+
+namespace harness::report::picture {
+
+/// What the key tells of a kind of object, by the object that the questions are about.
+struct RightHit {
+    std::optional<Point> hit, normal;
+    std::size_t index = 0;  ///< of that object
+};
+
+/// The key's values as pictures need them. A value is empty if the scene does not ask for it or the ray misses.
+struct RightValues {
+    std::optional<Point> P_VCS, X_vcs, Y_vcs, Z_vcs, P_WCS, V;
+    std::map<reference::Subject, RightHit> objects = {};
+
+    RightHit of(reference::Subject kind) const {
+        const auto found = objects.find(kind);
+        return found == objects.end() ? RightHit() : found->second;
+    }
+};
+
+/// The certified key makes every decision; doubles only find out which objects the key is about.
+RightValues right_values(const reference::AnswerKey& key, const DoubleScene& scene);
+
+DoubleScene double_scene(const reference::Assignment& assignment);
+
+/// Eye, lookat, vup, the objects and their names. Computes nothing that a question asks for. If there are too many
+/// objects to draw them all, it always draws those that the questions are about.
+Sketch given_sketch(const DoubleScene& scene, const RightValues& right);
+
+/// The camera's axes, image plane, ray, hit points and normals; `notes` says what the ray meets.
+Sketch right_sketch(const RightValues& right, const reference::AnswerKey& key, const DoubleScene& scene,
+                    const Frame& frame);
+
+/// The image plane's corners in the world, in order around it from the bottom left.
+std::vector<Point> window_corners(const DoubleScene& scene, const Point& X_vcs, const Point& Y_vcs, const Point& Z_vcs);
+
+Point middle_of(const reference::Sphere<double>& sphere);
+Point middle_of(const reference::Triangle<double>& triangle);
+Point middle_of(const reference::Cylinder<double>& cylinder);
+
+/// A line from `start` along `V`, long enough to leave the frame.
+Line ray_from(const Point& start, const Point& V, const Frame& frame);
+
+}  // namespace harness::report::picture

@@ -1,0 +1,169 @@
+// The submitters in a Gradescope export: as Gradescope writes them, and in damaged or hostile files.
+#include "harness/intake/lms/gradescope_metadata.h"
+
+#include <gmock/gmock.h>
+
+#include <string>
+
+namespace harness {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Pair;
+
+/// "name/sid/email" of each submitter.
+std::vector<std::string> told(const std::vector<Submitter>& submitters) {
+    std::vector<std::string> texts;
+    for (const Submitter& one : submitters) texts.push_back(one.name + '/' + one.sid + '/' + one.email);
+    return texts;
+}
+
+/// Why submission_1 has no submitters, although the valid submission_2 in the same file has.
+std::string problem_with(const std::string& of_the_first) {
+    const auto read = read_gradescope_metadata("submission_1:" + of_the_first +
+                                               "\nsubmission_2:\n  :submitters:\n  - :name: Jane Doe\n");
+    EXPECT_EQ(read.problem, std::nullopt);
+    EXPECT_FALSE(read.submitters.contains("submission_1"));
+    EXPECT_TRUE(read.submitters.contains("submission_2")) << of_the_first;
+    const auto problem = read.problems.find("submission_1");
+    return problem == read.problems.end() ? "none" : problem->second;
+}
+
+/// Why the whole file is unusable.
+std::string problem_of(const std::string& yaml) {
+    const auto read = read_gradescope_metadata(yaml);
+    EXPECT_THAT(read.submitters, IsEmpty());
+    return read.problem.value_or("none");
+}
+
+std::string times(std::size_t count, const std::string& text) {
+    std::string all;
+    for (std::size_t i = 0; i < count; ++i) all += text;
+    return all;
+}
+
+constexpr const char* exported = R"(---
+submission_901:
+  :submitters:
+  - :name: Jane Doe
+    :sid: '0123'
+    :email: jane@example.edu
+  :created_at: 2018-10-09 15:20:41.207012000 Z
+  :score: 30.0
+  :status: processed
+  :results:
+    score: 30.0
+    tests:
+    - name: 'Question 1: {P_VCS}'
+      output: "submitters:\n  - :name: Mallory\n"
+    - [1, {name: Mallory}]
+  :history:
+  - :id: 17
+    :submitters:
+    - :name: Mallory
+submission_902:
+  :submitters:
+  - :name: "Ży \"Ann\" Łukasz"
+    :sid:
+    :email: zy@example.edu
+  - :name: ' John Roe '
+    :sid: 77
+)";
+
+TEST(GradescopeMetadata, NamesTheSubmitters) {
+    const auto read = read_gradescope_metadata(exported);
+    EXPECT_EQ(read.problem, std::nullopt);
+    EXPECT_THAT(read.problems, IsEmpty());
+    ASSERT_EQ(read.submitters.size(), 2U);
+    EXPECT_THAT(told(read.submitters.at("submission_901")), ElementsAre("Jane Doe/0123/jane@example.edu"));
+    EXPECT_THAT(told(read.submitters.at("submission_902")),
+                ElementsAre("Ży \"Ann\" Łukasz//zy@example.edu", "John Roe/77/"));
+    EXPECT_EQ(names_of(read.submitters.at("submission_902")), "Ży \"Ann\" Łukasz, John Roe");
+}
+
+TEST(GradescopeMetadata, ReadsADifferentYamlStyle) {
+    const auto read = read_gradescope_metadata(
+        "{submission_1: {score: 1, submitters: [{name: Jane, odd: {name: x}, sid: &s '1'}, {name: Max, sid: *s}]}}");
+    EXPECT_THAT(told(read.submitters.at("submission_1")), ElementsAre("Jane/1/", "Max/1/"));
+}
+
+TEST(GradescopeMetadata, SaysWhichSubmissionsHaveNoUsableName) {
+    EXPECT_THAT(problem_with("\n  :score: 3"), HasSubstr("does not say who"));
+    EXPECT_THAT(problem_with("\n  :submitters: []"), HasSubstr("does not say who"));
+    EXPECT_THAT(problem_with("\n  :submitters:\n  - :sid: '1'"), HasSubstr("does not say who"));
+    EXPECT_THAT(problem_with("\n  :submitters:\n  - :name: Jane\n  - :name: ' '"), HasSubstr("does not say who"));
+    EXPECT_THAT(problem_with(" Jane Doe"), HasSubstr("nothing of it but a text"));
+    EXPECT_THAT(problem_with("\n- Jane Doe"), HasSubstr("nothing of it but a list"));
+    EXPECT_THAT(problem_with("\n  :submitters: Jane Doe"), HasSubstr("a text where its submitters"));
+    EXPECT_THAT(problem_with("\n  :submitters:\n    :name: Jane"), HasSubstr("no list of its submitters"));
+    EXPECT_THAT(problem_with("\n  :submitters:\n  - Jane"), HasSubstr("a text where its submitters"));
+    EXPECT_THAT(problem_with("\n  :submitters:\n  - [Jane]"), HasSubstr("a list where a submitter"));
+    EXPECT_THAT(problem_with("\n  :submitters:\n  - :name: [Jane]"), HasSubstr("something else where a name"));
+    EXPECT_THAT(problem_with("\n  :submitters:\n  - :name: {first: Jane}"), HasSubstr("something else where a name"));
+}
+
+TEST(GradescopeMetadata, RejectsContradictingEntries) {
+    const std::string jane = "\n  :submitters:\n  - :name: Jane";
+    EXPECT_THAT(problem_with(jane + "\n  :submitters:\n  - :name: Max"), HasSubstr("twice who handed it in"));
+    EXPECT_THAT(problem_with(jane + "\n    :name: Max"), HasSubstr("twice what a submitter is called"));
+    EXPECT_THAT(problem_with(jane + "\nsubmission_1:" + jane), HasSubstr("tells of it twice"));
+}
+
+TEST(GradescopeMetadata, RejectsANameThatIsNoText) {
+    const std::string begin = "\n  :submitters:\n  - :name: ";
+    EXPECT_THAT(problem_with(begin + "Jane \xff\xfe"), HasSubstr("no text"));
+    EXPECT_THAT(problem_with(begin + "\"Jane \\e[31m\""), HasSubstr("no text"));
+    EXPECT_THAT(problem_with(begin + "\"Jane \\u202eeoD\""), HasSubstr("no text"));
+    EXPECT_THAT(problem_with(begin + std::string(201, 'x')), HasSubstr("more than 200 bytes"));
+    EXPECT_THAT(read_gradescope_metadata("submission_1:" + begin + std::string(200, 'x')).problems, IsEmpty());
+    EXPECT_THAT(problem_with("\n  :submitters:" + times(51, "\n  - :name: Jane")), HasSubstr("more than 50"));
+}
+
+TEST(GradescopeMetadata, FollowsOnlyAliasesOfTexts) {
+    std::string bomb = "a: &a [x, x]\n";
+    for (char c = 'b'; c <= 'z'; ++c) {
+        const char before = static_cast<char>(c - 1);
+        bomb += std::string(1, c) + ": &" + c + " [" + times(9, std::string("*") + before + ", ") + "x]\n";
+    }
+    const auto read = read_gradescope_metadata(bomb + "submission_1:\n  :submitters: *z\n");
+    EXPECT_THAT(read.submitters, IsEmpty());
+    EXPECT_THAT(read.problems, testing::Contains(Pair("submission_1", HasSubstr("an alias"))));
+    EXPECT_THAT(problem_of("submission_1: &x\n  :submitters: *y\n"), HasSubstr("no YAML from line 2 on"));
+}
+
+TEST(GradescopeMetadata, SaysWhyTheFileIsUnusable) {
+    EXPECT_THAT(problem_of(""), HasSubstr("empty"));
+    EXPECT_THAT(problem_of("- submission_1\n"), HasSubstr("holds no submissions"));
+    EXPECT_THAT(problem_of("Jane Doe"), HasSubstr("holds no submissions"));
+    EXPECT_THAT(problem_of("submission_1:\n  :submitters:\n\t- :name: x\n"), HasSubstr("no YAML from line 3 on"));
+    EXPECT_THAT(problem_of(std::string("submission_1: \0\x01\xff%", 18)), testing::Not(HasSubstr("Jane")));
+}
+
+TEST(GradescopeMetadata, IsReadWithinBounds) {
+    EXPECT_THAT(problem_of(times(4'000'000, "[")), HasSubstr("more than 1 MiB"));
+    EXPECT_THAT(problem_of(times(1'000'000, "{a: ")), HasSubstr("more than 1 MiB"));
+    EXPECT_THAT(problem_of("a: \"" + std::string(4'000'000, 'x') + "\"\n"), HasSubstr("more than 1 MiB"));
+    EXPECT_THAT(problem_of("a: " + times(600, "[") + times(600, "]") + "\n"), HasSubstr("no YAML from line 1"));
+    EXPECT_THAT(problem_of("a:\n" + times(600, "- ") + "x\n"), HasSubstr("no YAML"));
+    std::string anchors, submissions;
+    for (int i = 0; i < 100'001; ++i) anchors += "- &a" + std::to_string(i) + " x\n";
+    EXPECT_THAT(problem_of("a:\n" + anchors), HasSubstr("more than 100,000"));
+    for (int i = 0; i < 20'001; ++i) submissions += "submission_" + std::to_string(i) + ": x\n";
+    EXPECT_THAT(problem_of(submissions), HasSubstr("more than 20,000"));
+}
+
+TEST(GradescopeMetadata, ReadsAFileWithManyResults) {
+    std::string yaml;
+    const std::string results = "  :results:\n    output: \"" + times(10'000, "abc ") + "\"\n";
+    for (int i = 0; yaml.size() < std::size_t{8} << 20U; ++i)
+        yaml += "submission_" + std::to_string(i) + ":\n  :submitters:\n  - :name: Jane\n" + results;
+    const auto read = read_gradescope_metadata(yaml);
+    EXPECT_EQ(read.problem, std::nullopt);
+    EXPECT_GT(read.submitters.size(), 190U);
+    EXPECT_THAT(read.problems, IsEmpty());
+}
+
+}  // namespace
+}  // namespace harness

@@ -1,0 +1,170 @@
+#include "harness/report/compile_error/compiler_hints.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace harness::report {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// The messages are those of g++ 12.2 and Debian 12's linkers.
+
+std::vector<std::string> missing_header(const std::string& header, const std::string& source = "") {
+    return compiler_hints("ray_cast.cpp:1:10: fatal error: " + header +
+                              ": No such file or directory\n    1 | #include <" + header +
+                              ">\n      |          ^~~~\ncompilation terminated.\n",
+                          source);
+}
+
+TEST(CompilerHints, TellThatGlmWantsAFloat) {
+    const std::string message =
+        "ray_cast.cpp: In function 'int main()':\nray_cast.cpp:3:56: error: no match for 'operator*' (operand types "
+        "are "
+        "'double' and 'glm::vec3' {aka 'glm::vec<3, float, glm::packed_highp>'})\n"
+        "ray_cast.cpp:3:57: note:   mismatched types 'const glm::vec<2, T, Q>' and 'double'\n";
+    EXPECT_THAT(compiler_hints(message, ""),
+                ElementsAre("Line 3: GLM has no * for double and glm::vec3. Make the number a float: declare it as "
+                            "float, or write float(x) for x and 2.0f for 2.0."));
+    EXPECT_THAT(compiler_hints("ray_cast.cpp:9:1: error: no match for 'operator/' (operand types are 'glm::vec3' {aka "
+                               "'glm::vec<3, float, glm::packed_highp>'} and 'int')\n",
+                               ""),
+                ElementsAre(HasSubstr("no / for glm::vec3 and int. Make the number a float")));
+    EXPECT_THAT(compiler_hints("ray_cast.cpp:9:1: error: no match for 'operator*' (operand types are 'glm::dmat4' {aka "
+                               "'x'} and 'glm::vec4' {aka 'y'})\n",
+                               ""),
+                ElementsAre(HasSubstr("Use the same kind on both sides")));
+    EXPECT_THAT(compiler_hints("ray_cast.cpp:9:1: error: no match for 'operator*' (operand types are 'glm::mat4' {aka "
+                               "'x'} and 'glm::vec3' {aka 'y'})\n",
+                               ""),
+                ElementsAre(HasSubstr("A mat4 multiplies a vec4")));
+}
+
+TEST(CompilerHints, SayNothingOfOperandsThatTheyDoNotKnow) {
+    for (const char* operands :
+         {"'std::string' {aka 'x'} and 'int'", "'Ray' and 'double'", "'float' and 'glm::vec3'", "'a"}) {
+        EXPECT_THAT(
+            compiler_hints(
+                std::string("ray_cast.cpp:9:1: error: no match for 'operator*' (operand types are ") + operands + ")\n",
+                ""),
+            IsEmpty())
+            << operands;
+    }
+    EXPECT_THAT(compiler_hints("ray_cast.cpp:9:1: error: no match for 'operator<<' (operand types are 'double' and "
+                               "'glm::vec3')\n",
+                               ""),
+                IsEmpty());
+}
+
+TEST(CompilerHints, NameTheHeaderThatANameNeeds) {
+    EXPECT_THAT(
+        compiler_hints("ray_cast.cpp:2:40: error: 'cout' is not a member of 'std'\n"
+                       "ray_cast.cpp:2:1: note: 'std::cout' is defined in header '<iostream>'; did you forget to "
+                       "'#include <iostream>'?\n"
+                       "ray_cast.cpp:7:40: error: 'cout' is not a member of 'std'\n"
+                       "ray_cast.cpp:7:1: note: 'std::cout' is defined in header '<iostream>'; did you forget to "
+                       "'#include <iostream>'?\n",
+                       ""),
+        ElementsAre("std::cout needs #include <iostream> at the top of the source."));
+    EXPECT_THAT(compiler_hints("ray_cast.cpp:2:102: error: 'setprecision' is not a member of 'std'\n"
+                               "ray_cast.cpp:2:130: error: 'to_string' is not a member of 'glm'\n"
+                               "ray_cast.cpp:2:9: error: 'sqrt' was not declared in this scope\n"
+                               "ray_cast.cpp:1:9: error: 'glm' has not been declared\n"
+                               "ray_cast.cpp:9:9: error: 'vup' was not declared in this scope\n",
+                               ""),
+                ElementsAre("Line 2: std::setprecision needs #include <iomanip> at the top of the source.",
+                            "Line 2: glm::to_string needs #include <glm/gtx/string_cast.hpp> at the top of the source.",
+                            "Line 2: sqrt needs #include <cmath> at the top of the source.",
+                            "Line 1: glm needs #include <glm/glm.hpp> at the top of the source."));
+    EXPECT_THAT(
+        compiler_hints("In file included from ray_cast.cpp:2:\n/usr/include/glm/gtx/string_cast.hpp:24:3: error: "
+                       "#error \"GLM: GLM_GTX_string_cast is an experimental extension and may change in the "
+                       "future. Use #define GLM_ENABLE_EXPERIMENTAL before including it, if you really want to "
+                       "use it.\"\n",
+                       ""),
+        ElementsAre(HasSubstr("Write #define GLM_ENABLE_EXPERIMENTAL above the first #include")));
+}
+
+TEST(CompilerHints, ReadOtherQuotationMarksToo) {
+    EXPECT_THAT(compiler_hints("ray_cast.cpp:2:9: error: ‘sqrt’ was not declared in this scope\n", ""),
+                ElementsAre(HasSubstr("#include <cmath>")));
+}
+
+TEST(CompilerHints, NameTheSystemOfAHeader) {
+    EXPECT_THAT(
+        missing_header("windows.h"),
+        ElementsAre("Line 1: windows.h is a header of Windows, and the programs are compiled on Linux. Leave it "
+                    "out, with what needs it."));
+    EXPECT_THAT(missing_header("Windows.h"), ElementsAre(HasSubstr("of Windows")));
+    EXPECT_THAT(missing_header("OpenGL/gl.h"), ElementsAre(HasSubstr("of macOS")));
+    EXPECT_THAT(missing_header("stdafx.h"), ElementsAre(HasSubstr("of Visual Studio")));
+}
+
+TEST(CompilerHints, FindTheHeaderThatWasMeant) {
+    const std::string other_case = "; on Linux, upper and lower case make different file names.";
+    EXPECT_THAT(missing_header("Glm/glm.hpp"), ElementsAre("Line 1: write #include <glm/glm.hpp>" + other_case));
+    EXPECT_THAT(missing_header("Iostream"), ElementsAre("Line 1: write #include <iostream>" + other_case));
+    EXPECT_THAT(missing_header("glm.hpp"), ElementsAre("Line 1: write #include <glm/glm.hpp>."));
+    EXPECT_THAT(missing_header("glm\\gtx\\string_cast.hpp"),
+                ElementsAre("Line 1: write #include <glm/gtx/string_cast.hpp>."));
+    EXPECT_THAT(missing_header("glm/glm"), ElementsAre("Line 1: write #include <glm/glm.hpp>."));
+    EXPECT_THAT(missing_header("string_cast.hpp"), ElementsAre("Line 1: write #include <glm/gtx/string_cast.hpp>."));
+    EXPECT_THAT(
+        missing_header("vec.h", "#include \"vec.h\"\n"),
+        ElementsAre("Line 1: there is no vec.h where the programs are compiled, as only one source file is handed "
+                    "in. Put what you need of it into that file."));
+    EXPECT_THAT(missing_header("eigen3/Eigen/Dense"), ElementsAre(HasSubstr("Use the standard library and GLM")));
+}
+
+TEST(CompilerHints, FindTheFunctionThatIsMeantToBeMain) {
+    const std::string of_ld =
+        "/usr/bin/ld: /usr/lib/gcc/x86_64-linux-gnu/12/../../../x86_64-linux-gnu/Scrt1.o: in function `_start':\n"
+        "(.text+0x17): undefined reference to `main'\ncollect2: error: ld returned 1 exit status\n";
+    const std::string of_gold =
+        "/usr/lib/gcc/x86_64-linux-gnu/12/../../../x86_64-linux-gnu/Scrt1.o:function _start: error: undefined "
+        "reference to "
+        "'main'\ncollect2: error: ld returned 1 exit status\n";
+    const std::string of_mold = "mold: error: undefined symbol: main\n>>> referenced by <artificial>\n";
+    for (const std::string& message : {of_ld, of_gold, of_mold}) {
+        EXPECT_THAT(
+            compiler_hints(message, "float x;\nint Main() {\n}\n"),
+            ElementsAre("The source has no main, in which a program begins. Line 2: is Main meant to be main?"));
+    }
+    EXPECT_THAT(compiler_hints(of_gold, "int mian (int, char**) {}\n"), ElementsAre(HasSubstr("is mian meant")));
+    EXPECT_THAT(compiler_hints(of_gold, "int WINAPI WinMain(HINSTANCE) {}\n"),
+                ElementsAre(HasSubstr("is WinMain meant")));
+    EXPECT_THAT(compiler_hints(of_gold, "glm::vec3 cross(glm::vec3);\n"),
+                ElementsAre("The source has no main, in which a program begins: write int main() { … }."));
+    EXPECT_THAT(compiler_hints(
+                    "x.o: in function `main':\nray_cast.cpp:(.text+0x5): undefined reference to `main_loop()'\n", ""),
+                IsEmpty());
+}
+
+TEST(CompilerHints, AreFewAndStandHostileBytes) {
+    std::string many;
+    for (int i = 1; i <= 40; ++i)
+        many += "ray_cast.cpp:" + std::to_string(i) + ":1: error: 'sqrt' was not declared in this scope\n";
+    EXPECT_EQ(compiler_hints(many, "").size(), 5U);
+    EXPECT_EQ(compiler_hints(many, "", 2).size(), 2U);
+    for (const char* text :
+         {"ray_cast.cpp:1:1: error: no match for 'operator", "ray_cast.cpp:1:1: error: '", "''''\n'",
+          "ray_cast.cpp:1:1: error: : No such file or directory", "x: note: '' is defined in header ''", "\xE2\x80",
+          "undefined reference to `", "\xff\x1b'\n"})
+        compiler_hints(text, text);
+    EXPECT_THAT(compiler_hints("", ""), IsEmpty());
+}
+
+TEST(CompilerHints, AreOnlyForASourceThatDoesNotCompile) {
+    Graded graded;
+    graded.build.diagnostics = "ray_cast.cpp:2:9: error: 'sqrt' was not declared in this scope\n";
+    graded.outcome = Outcome::graded;
+    EXPECT_THAT(compiler_hints(graded), IsEmpty());
+    graded.outcome = Outcome::compile_error;
+    EXPECT_THAT(compiler_hints(graded), ElementsAre(HasSubstr("cmath")));
+}
+
+}  // namespace
+}  // namespace harness::report

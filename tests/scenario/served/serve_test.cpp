@@ -1,0 +1,206 @@
+// The self-check page in service: stopped, killed and started again, with hostile programs among honest ones.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <array>
+#include <map>
+#include <string>
+
+#include "tests/scenario/served/serving.h"
+
+namespace scenario {
+namespace {
+
+namespace fs = std::filesystem;
+using harness::serve::HttpAnswer;
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr std::string_view honest =
+    "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n";
+/// Takes a while, then prints the same right answer as the honest program.
+constexpr std::string_view slow =
+    "#include <cstdio>\n#include <unistd.h>\nint main() { sleep(3); puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, "
+    "-1.000000)\"); }\n";
+
+TEST_F(Serving, GradesAnHonestProgramAmongHostileOnes) {
+    start({"--limit", "run.cpu_seconds=0.5", "--limit", "run.wall_seconds=5"});
+    std::map<std::string, std::string> results;
+    for (const char* hostile : {"endless_loop", "fork_bomb", "kill_all", "markup_injection", "ansi_sequences"}) {
+        results[hostile] = hand_in(read(project_folder() / "submissions/hostile" / hostile / "ray_cast.cpp"));
+    }
+    results["honest"] = hand_in(honest);
+    for (const auto& [who, result] : results) EXPECT_EQ(outcome(result).at("standing"), "done") << who;
+    EXPECT_EQ(standing(results["honest"]).at("points"), 10);
+    const HttpAnswer page = ask(harness::serve::get(results["markup_injection"]));
+    EXPECT_EQ(page.status, 200);
+    EXPECT_THAT(page.body, AllOf(Not(HasSubstr("<script")), Not(HasSubstr("<img")), Not(HasSubstr("\x1b"))));
+    EXPECT_THAT(page.fields.at("content-security-policy"), Not(HasSubstr("script-src")));
+    EXPECT_THAT(page.body, HasSubstr("Check another program"));
+    EXPECT_THAT(page.body, ContainsRegex("Checked on 20[0-9-]+ at [0-9:]+ [^,<]+, ray_cast.cpp<"));
+    const std::string pasted =
+        ask("POST /check HTTP/1.1\r\nHost: localhost\r\nContent-Type: multipart/form-data; boundary=cut\r\n"
+            "Content-Length: 83\r\n\r\n--cut\r\nContent-Disposition: form-data; name=\"source\"\r\n\r\nint main() { }  "
+            "\r\n--cut--\r\n")
+            .fields.at("location");
+    EXPECT_EQ(outcome("/" + pasted).at("standing"), "done");
+    EXPECT_THAT(ask(harness::serve::get("/" + pasted)).body, HasSubstr(", pasted text<"));
+    EXPECT_THAT(ask(harness::serve::get(results["endless_loop"])).body,
+                AllOf(HasSubstr("Time limit"), HasSubstr("It had not printed a whole line by then."),
+                      Not(HasSubstr("No answer was found")), Not(HasSubstr("Look at question"))));
+    const std::string told = read(voice()) + read(output());
+    EXPECT_THAT(told, HasSubstr("program 6"));
+    for (const auto& [who, result] : results)
+        EXPECT_THAT(told, Not(HasSubstr(result.substr(result.rfind('/') + 1))))
+            << "whoever reads the log reads results";
+}
+
+TEST_F(Serving, FinishesTheQueueWhenStoppedAndKeepsTheResults) {
+    start({"--grace", "100"});
+    std::vector<std::string> results;
+    for (int i = 0; i < 3; ++i) results.push_back(hand_in(std::string(honest) + "// " + std::to_string(i) + "\n"));
+    EXPECT_EQ(end(SIGTERM), 0);
+    EXPECT_THAT(read(voice()), HasSubstr("nothing waits"));
+    EXPECT_THAT(read(voice()),
+                ContainsRegex("stopping: [123] programs? still to check, for up to 100 s; press Ctrl-C again"));
+    start();
+    for (const std::string& result : results) {
+        EXPECT_EQ(standing(result).at("standing"), "done");
+        EXPECT_EQ(standing(result).at("points"), 10);
+    }
+    EXPECT_EQ(end(SIGINT), 0);
+}
+
+TEST_F(Serving, GradesAfterTheNextStartWhatItsGraceWasTooShortFor) {
+    start({"--grace", "0", "-j", "1"});
+    std::vector<std::string> results = {hand_in(slow), hand_in(honest), hand_in(std::string(honest) + "// other\n")};
+    EXPECT_EQ(end(SIGTERM), 0);
+    EXPECT_THAT(read(voice()), HasSubstr("kept for the next start"));
+    start();
+    EXPECT_THAT(read(voice()), HasSubstr("from before: "));
+    for (const std::string& result : results) EXPECT_EQ(outcome(result).at("points"), 10) << standing(result);
+}
+
+TEST_F(Serving, LosesNothingWhenKilled) {
+    start({"-j", "1"});
+    const std::string done = hand_in(honest);
+    EXPECT_EQ(outcome(done).at("points"), 10);
+    const std::vector<std::string> results = {hand_in(slow), hand_in(std::string(honest) + "// other\n")};
+    EXPECT_EQ(end(SIGKILL), 128 + SIGKILL);
+    start();
+    EXPECT_EQ(standing(done).at("points"), 10);
+    for (const std::string& result : results) EXPECT_EQ(outcome(result).at("points"), 10) << standing(result);
+}
+
+TEST_F(Serving, NeverGradesAQueuedProgramByADifferentAssignment) {
+    const std::string state = (folder / "kept").string();
+    start({"--state", state, "--grace", "0", "-j", "1"});
+    const std::vector<std::string> results = {hand_in(slow), hand_in(honest)};
+    EXPECT_EQ(end(SIGTERM), 0);
+    const std::string other = (folder / "other.toml").string();
+    write(other, read(project_folder() / "reference/assignments/a6-2021.toml") + "\nlate_deduction = 0.5\n");
+    const Result refused = raygrade({"serve", "--assignment", other, "--port", "0", "--state", state}, prepare());
+    EXPECT_EQ(refused.status, usage) << refused.both();
+    EXPECT_THAT(refused.voice, AllOf(HasSubstr("there for the assignment a6-2021."), HasSubstr("--state")));
+    start({"--state", state});
+    for (const std::string& result : results) EXPECT_EQ(outcome(result).at("points"), 10) << standing(result);
+    EXPECT_EQ(end(SIGTERM), 0);
+    assignment = other;
+    start({"--state", state});
+    EXPECT_EQ(standing(results.front()).at("points"), 10);
+}
+
+TEST_F(Serving, LeavesAForeignFolderUnchanged) {
+    const fs::path results = folder / "results";
+    write(results / "grades.csv", "id,points\n");
+    fs::permissions(results, static_cast<fs::perms>(0755));
+    const Result refused = raygrade({"serve", "--port", "0", "--state", results.string()}, prepare());
+    EXPECT_EQ(refused.status, usage) << refused.both();
+    EXPECT_THAT(refused.voice, AllOf(HasSubstr("is not empty"), HasSubstr("--state")));
+    EXPECT_FALSE(fs::exists(results / "lock"));
+    EXPECT_EQ(fs::status(results).permissions(), static_cast<fs::perms>(0755));
+}
+
+TEST_F(Serving, SaysThatPointsForOtherScenesAreNotShown) {
+    constexpr std::string_view sentence =
+        "The points shown here do not include the points for other scenes (up to 2.5).";
+    assignment = (folder / "a.toml").string();
+    write(assignment, read(project_folder() / "reference/assignments/a6-2021.toml") + "\nvariant_points = 2.5\n");
+    start();
+    EXPECT_THAT(read(output()), AllOf(HasSubstr(sentence), HasSubstr("--variants")));
+    EXPECT_THAT(ask(harness::serve::get("/")).body, HasSubstr(sentence));
+    const std::string result = hand_in(honest);
+    EXPECT_EQ(outcome(result).at("max_points"), 100);
+    EXPECT_THAT(ask(harness::serve::get(result)).body, HasSubstr(sentence));
+    EXPECT_EQ(end(SIGINT), 0);
+    assignment = "a6-2021";
+    start();
+    EXPECT_THAT(read(output()), Not(HasSubstr("other scenes")));
+}
+
+TEST_F(Serving, NamesTheAddressesToOpenWhenServingAllAddresses) {
+    start({"--host", "0.0.0.0"});
+    EXPECT_THAT(read(output()), Not(HasSubstr("0.0.0.0")));
+    std::array<char, 256> name{};
+    ASSERT_EQ(gethostname(name.data(), name.size() - 1), 0);
+    const auto asked_by_name = [&] {
+        return ask("GET / HTTP/1.1\r\nHost: " + std::string(name.data()) + "\r\n\r\n").status;
+    };
+    EXPECT_THAT(read(output()), HasSubstr("--name "));
+    EXPECT_EQ(asked_by_name(), 421);
+    EXPECT_EQ(end(SIGINT), 0);
+    start({"--host", "0.0.0.0", "--name", name.data()});
+    EXPECT_EQ(asked_by_name(), 200);
+    EXPECT_THAT(read(output()), AllOf(ContainsRegex("  or http://[^/]*/"), Not(HasSubstr("--name "))));
+}
+
+TEST_F(Serving, ServesOtherMachinesOnlyWithASandbox) {
+    for (const std::vector<std::string>& reach :
+         {std::vector<std::string>{"--host", "0.0.0.0"}, {"--behind-proxy", "--name", "check.example.edu"}}) {
+        std::vector<std::string> words = {"serve", "--port", "0", "--unsafe"};
+        words.insert(words.end(), reach.begin(), reach.end());
+        const Result result = raygrade(words, prepare());
+        EXPECT_EQ(result.status, usage) << result.both();
+        EXPECT_THAT(result.voice, HasSubstr("leave out --unsafe"));
+        EXPECT_EQ(result.output, "");
+    }
+}
+
+TEST_F(Serving, DoesNotStartWithoutAWorkingSandbox) {
+    const Result result = raygrade({"serve", "--port", "0", "--sandbox", "bwrap"}, [this] {
+        const fs::path bin = folder / "bin";
+        fs::create_directories(bin);
+        fs::create_symlink("/usr/bin/g++", bin / "g++");
+        return prepare()() && setenv("PATH", bin.c_str(), 1) == 0;
+    });
+    EXPECT_EQ(result.status, 1) << result.both();
+    EXPECT_THAT(result.voice, HasSubstr("raygrade doctor"));
+    EXPECT_EQ(result.output, "");
+}
+
+TEST_F(Serving, SaysWhatIsWrongBeforeItStarts) {
+    start();
+    const auto voice_of = [&](std::vector<std::string> words, int status) {
+        words.insert(words.begin(), "serve");
+        const Result result = raygrade(words, prepare());
+        EXPECT_EQ(result.status, status) << result.both();
+        EXPECT_EQ(result.output, "");
+        return result.voice;
+    };
+    const std::string other = (folder / "other").string();
+    EXPECT_THAT(voice_of({"--port", "0"}, 1), AllOf(HasSubstr("--state"), HasSubstr("--port")));
+    EXPECT_THAT(voice_of({"--port", "80000", "--state", other}, usage), HasSubstr("65535"));
+    EXPECT_THAT(voice_of({"--host", "192.0.2.1", "--state", other}, usage), HasSubstr("0.0.0.0 (all addresses)"));
+    EXPECT_THAT(voice_of({"--port", std::to_string(port), "--state", other}, usage), HasSubstr("--port 0"));
+    EXPECT_THAT(voice_of({"--host", "example.edu", "--state", other}, usage), HasSubstr("IP address"));
+    EXPECT_THAT(voice_of({"--behind-proxy", "--state", other}, usage), HasSubstr("--name"));
+    EXPECT_THAT(voice_of({"--name", "http://x/", "--state", other}, usage), HasSubstr("the name alone"));
+    EXPECT_THAT(voice_of({"--assignment", "no-such", "--state", other}, usage), HasSubstr("no-such"));
+}
+
+}  // namespace
+}  // namespace scenario
