@@ -246,7 +246,8 @@ TEST(Grade, QuietlySaysOnlyWhereTheResultsAre) {
     const Result result = raygrade({"grade", sample("ada").string(), "--quiet", "--out", out});
     EXPECT_EQ(result.status, 0) << result.both();
     EXPECT_THAT(result.output, testing::StartsWith("\nresults: " + out));
-    EXPECT_EQ(result.voice, "");
+    EXPECT_THAT(result.voice, testing::MatchesRegex("(note: programs run in [^\n]*\n)?"))
+        << "at most that the strongest sandbox does not hold here";
     write(folder / "class/bob/notes.cpp.txt", "");
     const Result ungraded = raygrade({"grade", (folder / "class").string(), "--quiet", "--out", out + "2"});
     EXPECT_THAT(ungraded.output, testing::StartsWith("not graded: bob: ")) << "this needs a person";
