@@ -19,21 +19,21 @@ AlongAxis along_axis(const AffineVec3& start, const AffineVec3& V, const Cylinde
 /// The tube's a, b, c and d: c from S - C, from its length, or from S and C each by itself.
 std::vector<Quadratic<Affine>> tube_quadratics(const AffineVec3& start, const AffineVec3& V,
                                                const Cylinder<Affine>& cylinder, Roundings& roundings) {
-    const auto [x, z, V_x, V_z] = along_axis(start, V, cylinder);
-    const Affine a = V_x * V_x + V_z * V_z;
-    const Affine b = Affine(2) * (x * V_x + z * V_z);
+    const AlongAxis ray = along_axis(start, V, cylinder);
+    const Affine a = ray.V_x * ray.V_x + ray.V_z * ray.V_z;
+    const Affine b = Affine(2) * (ray.x * ray.V_x + ray.z * ray.V_z);
     const AffineVec3& center = cylinder.center;
     const Affine square = cylinder.radius * cylinder.radius;
     const auto expanded = [](const Affine& p, const Affine& q) { return sum(p * p, -(Affine(2) * p * q), q * q); };
     const std::function<Affine()> ways_to_c[] = {
-        [&] { return sum(x * x, z * z, -square); },
+        [&] { return sum(ray.x * ray.x, ray.z * ray.z, -square); },
         [&] {
             return sum(start.x * start.x + start.z * start.z, -(Affine(2) * (start.x * center.x + start.z * center.z)),
                        center.x * center.x + center.z * center.z, -square);
         },
         [&] { return sum(expanded(start.x, center.x), expanded(start.z, center.z), -square); },
         [&] {
-            const Affine length = sqrt(x * x + z * z);
+            const Affine length = sqrt(ray.x * ray.x + ray.z * ray.z);
             return either(length * length - square, (length - cylinder.radius) * (length + cylinder.radius));
         }};
     std::vector<Quadratic<Affine>> result;
