@@ -20,15 +20,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Throws UsageError before anything is graded rather than after.
+/// Makes the part's folder. Throws UsageError before anything is graded rather than after.
 void require_place_for_part(const fs::path& part) {
     const fs::path folder = fs::absolute(part).parent_path();
     std::error_code error;
+    fs::create_directories(folder, error);
     if (fs::exists(part, error) && !fs::is_regular_file(part, error))
         throw UsageError(fmt::format("{}: is no file; name a file for the part with --out", part.string()));
     if (access(folder.c_str(), W_OK | X_OK) != 0) {
-        throw UsageError(fmt::format("{}: can't be written in that folder; make it, or name another file with --out",
-                                     part.string()));
+        throw UsageError(fmt::format("{}: can't be written; name another file with --out", part.string()));
     }
 }
 

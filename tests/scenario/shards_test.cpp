@@ -72,7 +72,6 @@ class Shards : public testing::Test {
     Shards() {
         // If root runs the tests, the programs' accounts need access to this folder.
         fs::permissions(folder.path(), static_cast<fs::perms>(0755));
-        fs::create_directory(folder / "parts");
     }
 
     Result run(const std::vector<std::string>& words) const {
@@ -347,9 +346,12 @@ TEST_F(Shards, RefuseWhatCannotBeMeantOfOne) {
     for (const char* wrong : {"--apply", "--json"})
         EXPECT_EQ(run({"grade", place("class"), "--out", place("p"), "--shard", "1/2", wrong}).status, usage) << wrong;
     EXPECT_EQ(run({"grade", place("class"), "--shard", "1/2"}).status, usage) << "without --out";
-    const Result over = run({"grade", place("class"), "--out", place("parts"), "--shard", "1/2"});
+    const Result over = run({"grade", place("class"), "--out", place("class"), "--shard", "1/2"});
     EXPECT_EQ(over.status, usage);
-    EXPECT_THAT(over.voice, HasSubstr("parts: is no file; name a file for the part with --out"));
+    EXPECT_THAT(over.voice, HasSubstr("class: is no file; name a file for the part with --out"));
+    const Result below = run({"grade", place("class"), "--out", place("class/ada/ray_cast.cpp/p"), "--shard", "1/2"});
+    EXPECT_EQ(below.status, usage);
+    EXPECT_THAT(below.voice, HasSubstr("ray_cast.cpp/p: can't be written; name another file with --out"));
 }
 
 }  // namespace
