@@ -41,7 +41,7 @@ int merge(const MergeOptions& options) {
         take_lists(merged.inputs, inputs.rosters);
         inputs.file = merged.file;
         inputs.assignment = reference::parse_assignment(inputs.file.toml, inputs.file.path);
-        for (PlacedGraded& each : merged.graded) inputs.submissions.push_back(each.graded.submission);
+        inputs.submissions = submissions_of(merged);
         return inputs;
     };
     const auto grade = [&](std::vector<Submission> submissions, Marking marking) {

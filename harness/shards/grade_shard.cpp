@@ -109,11 +109,11 @@ int grade_shard(ClassInputs inputs, const ShardOptions& options) {
     part.tier = run.runner.sandbox->tier();
     part.inputs = inputs.rosters.given();
 
-    const std::vector<Graded> graded =
+    std::vector<Graded> graded =
         grade_submissions(share_of(std::move(inputs.submissions), options.shard), run, options.grading);
     const int status = status_of(graded);
-    for (const Graded& each : graded) {
-        PlacedGraded& placed = part.graded.emplace_back(PlacedGraded{place_of.at(each.submission.id), each});
+    for (Graded& each : graded) {
+        PlacedGraded& placed = part.graded.emplace_back(PlacedGraded{place_of.at(each.submission.id), std::move(each)});
         placed.graded.submission.name.clear();
     }
     part.head.submissions = part.graded.size();

@@ -54,16 +54,18 @@ std::vector<GivenPart> read_heads(const std::vector<fs::path>& files, Complaints
     return given;
 }
 
-bool is_alike(const PartHead& one, const PartHead& other) {
-    return one.alike == other.alike && one.shard.count == other.shard.count && one.class_size == other.class_size;
+/// Everything that is the same in the parts of one grading.
+std::string common(const PartHead& head) {
+    std::string text = fmt::format("{} {}", head.shard.count, head.class_size);
+    for (const Condition& each : head.alike) text += fmt::format("\n{}\n{}", each.what, each.value);
+    return text;
 }
 
 /// The part that most others are like, so that the one that was made elsewhere is named and not all others.
 const GivenPart& most_common(const std::vector<GivenPart>& given) {
-    const auto like = [&](const GivenPart& one) {
-        return std::ranges::count_if(given, [&](const GivenPart& each) { return is_alike(each.head, one.head); });
-    };
-    return *std::ranges::max_element(given, {}, like);
+    std::map<std::string, int> counts;
+    for (const GivenPart& each : given) ++counts[common(each.head)];
+    return *std::ranges::max_element(given, {}, [&](const GivenPart& each) { return counts[common(each.head)]; });
 }
 
 /// A clause about the first thing that is not alike.
@@ -109,7 +111,7 @@ void require_that_fit(std::vector<GivenPart>& given, Complaints& complaints) {
         return;
     }
     std::erase_if(given, [&](const GivenPart& each) {
-        if (is_alike(each.head, most.head)) return false;
+        if (common(each.head) == common(most.head)) return false;
         complaints.add(each.file, difference(each.head, most));
         return true;
     });
@@ -158,6 +160,8 @@ Part merge_parts(const std::vector<fs::path>& files) {
     for (const GivenPart& each : given) {
         try {
             Part part = read_part(each.file);
+            if (common(part.head) != common(each.head) || part.head.shard.number != each.head.shard.number)
+                throw DamagedFile("was replaced meanwhile");
             place(part, each.file, places, ids, complaints);
             part.graded.clear();
             if (&each == &given.front()) merged = std::move(part);
@@ -173,13 +177,25 @@ Part merge_parts(const std::vector<fs::path>& files) {
     return merged;
 }
 
+std::vector<Submission> submissions_of(const Part& merged) {
+    std::vector<Submission> submissions;
+    for (const PlacedGraded& each : merged.graded) {
+        const Submission& from = each.graded.submission;
+        Submission& one = submissions.emplace_back();
+        one.id = from.id;
+        one.lms = from.lms;
+    }
+    return submissions;
+}
+
 std::vector<Graded> results_of(std::vector<Submission> submissions, Part& merged, const Marking& marking) {
     std::unordered_map<std::string, Graded*> by_id;
     for (PlacedGraded& each : merged.graded) by_id.emplace(each.graded.submission.id, &each.graded);
     std::vector<Graded> results;
     for (Submission& submission : submissions) {
         Graded& graded = results.emplace_back(std::move(*by_id.at(submission.id)));
-        graded.submission = std::move(submission);
+        graded.submission.name = std::move(submission.name);
+        graded.submission.rereads = std::move(submission.rereads);
         if (!graded.printout.empty() && !is_marked_with(graded, graded.submission.rereads)) mark_again(graded, marking);
     }
     merged.graded.clear();

@@ -209,6 +209,7 @@ TEST_F(Shards, KeepWhatAPersonDecidedThroughARegrade) {
     EXPECT_EQ(merge(2, {"--apply"}).status, 0);
     ASSERT_EQ(grade({"--apply"}).status, 0);
     expect_same(folder / "one", folder / "merged");
+    EXPECT_THAT(read(folder / "merged/grades.json"), AllOf(HasSubstr("\"why\":\"so\""), HasSubstr("it is V")));
 
     EXPECT_THAT(merge(2, {"--apply"}).output, HasSubstr("Nothing has changed"));
     expect_same(folder / "one", folder / "merged");
@@ -335,6 +336,18 @@ TEST_F(Shards, MoreThanThereAreSubmissionsAreEmpty) {
     ASSERT_EQ(grade().status, 0);
     expect_alike(7);
     EXPECT_THAT(grade_shard(1, 7).output, HasSubstr(" of 3 submissions"));
+}
+
+TEST_F(Shards, UseTheResultsThatADifferentMachineHasKept) {
+    hand_in_three();
+    ASSERT_EQ(grade().status, 0);
+    fs::rename(folder / "cache", folder / "theirs");
+    options = {"--cache-from", place("theirs/raygrade")};
+    EXPECT_THAT(grade_shard(1, 1).voice, HasSubstr("3 of 3 from earlier runs"));
+    options = {"--cache-from", place("nowhere")};
+    const Result without = grade_shard(1, 1);
+    EXPECT_EQ(without.status, 0);
+    EXPECT_THAT(without.voice, AllOf(HasSubstr("nowhere\" are not used"), HasSubstr("0 of 3 from earlier runs")));
 }
 
 TEST_F(Shards, RefuseWhatCannotBeMeantOfOne) {
