@@ -192,13 +192,14 @@ std::vector<Graded> results_of(std::vector<Submission> submissions, Part& merged
     std::unordered_map<std::string, Graded*> by_id;
     for (PlacedGraded& each : merged.graded) by_id.emplace(each.graded.submission.id, &each.graded);
     std::vector<Graded> results;
+    results.reserve(submissions.size());
     for (Submission& submission : submissions) {
         Graded& graded = results.emplace_back(std::move(*by_id.at(submission.id)));
         graded.submission.name = std::move(submission.name);
         graded.submission.rereads = std::move(submission.rereads);
         if (!graded.printout.empty() && !is_marked_with(graded, graded.submission.rereads)) mark_again(graded, marking);
     }
-    merged.graded.clear();
+    merged.graded = {};  // frees the memory, which clear() does not
     return results;
 }
 

@@ -101,17 +101,19 @@ void add(Part& part, Frame frame) {
 
 /// A part that is opened; the reader refers to the stream.
 struct OpenPart {
-    explicit OpenPart(const fs::path& file) : stream(file, std::ios::binary), reader(stream, size_of(file)) {}
+    explicit OpenPart(const fs::path& file)
+        : size(size_of(file)), stream(file, std::ios::binary), reader(stream, size) {}
 
+    /// Looks before anything is opened, because opening a pipe would wait for its writer.
     static std::uintmax_t size_of(const fs::path& file) {
         std::error_code error;
         if (!fs::exists(file, error)) throw DamagedFile("is not there");
-        if (!fs::is_regular_file(file, error)) throw DamagedFile("is no file");
-        const std::uintmax_t size = fs::file_size(file, error);
-        if (error) throw DamagedFile("can't be read");
-        return size;
+        const std::uintmax_t bytes = fs::file_size(file, error);
+        if (error) throw DamagedFile("is no file that can be read");
+        return bytes;
     }
 
+    std::uintmax_t size;
     std::ifstream stream;
     FrameReader reader;
 };

@@ -349,6 +349,7 @@ TEST(ResultCacheFrom, FindsWhatADifferentMachineHasKeptAndWritesNothingThere) {
         EXPECT_EQ(output_of(cache, "both"), "ours");
         EXPECT_EQ(output_of(cache, "neither"), "(nothing)");
         EXPECT_THAT(cache.problems(), IsEmpty());
+        EXPECT_EQ(files_in(from), before) << "not even a lock or a log";
     }
     EXPECT_EQ(files_in(from), before);
     ResultCache alone(own.path());

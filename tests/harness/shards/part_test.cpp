@@ -2,6 +2,7 @@
 #include "harness/shards/part.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -120,9 +121,10 @@ TEST_F(PartFile, ThatIsMissingOrNoFileIsRefused) {
     EXPECT_EQ(damage(), "is not there");
     EXPECT_THROW(read_part_head(fs::temp_directory_path()), DamagedFile);
     EXPECT_THROW(read_part_head("/dev/zero"), DamagedFile);
+    ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
+    EXPECT_EQ(damage(), "is no file that can be read") << "and not waited for";
 }
 
-/// A head that promises gigabytes takes no memory.
 TEST(FrameReader, BelievesNoSizeThatTheFileHasNot) {
     for (const char* line : {"a 99999999999 x\n", "a 60000000 x\n", "a 18446744073709551616 x\n", "a -1 x\n", "a\n",
                              "a 1 1 1 1 1 1 1 1 1 1 x\n", "\n"}) {
