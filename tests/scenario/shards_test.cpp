@@ -331,6 +331,17 @@ TEST_F(Shards, AreWholeOrNotThereHoweverOftenTheyAreKilled) {
     expect_alike(2);
 }
 
+TEST_F(Shards, AreNotThereIfTheDiskIsFull) {
+    hand_in("ada", std::string(small_program) + "//" + std::string(20'000, '.') + "\n");
+    fs::create_directory(folder / "parts");
+    const Result result = raygrade(on_class("grade", {"--shard", "1/1", "--out", part(1, 1)}), [this] {
+        return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0 && mount_tiny_disk(folder / "parts");
+    });
+    EXPECT_EQ(result.status, some_not_graded) << result.both();
+    EXPECT_THAT(result.voice, HasSubstr("1-of-1.part: can't be written: No space left on device"));
+    EXPECT_THAT(result.output, Not(HasSubstr("part:")));
+}
+
 TEST_F(Shards, MoreThanThereAreSubmissionsAreEmpty) {
     hand_in_three();
     ASSERT_EQ(grade().status, 0);
