@@ -84,12 +84,10 @@ TEST_F(PartFile, CutOffAnywhereIsRefused) {
 TEST_F(PartFile, WithAnyByteChangedIsRefused) {
     const std::string whole = content(file);
     for (std::size_t at = 0; at < whole.size(); ++at) {
-        for (const char flip : {'\x01', '\x80'}) {
-            std::string changed = whole;
-            changed[at] = static_cast<char>(changed[at] ^ flip);
-            put(changed);
-            EXPECT_NE(damage(), "") << "at byte " << at;
-        }
+        std::string changed = whole;
+        changed[at] = static_cast<char>(changed[at] ^ (at % 2 == 0 ? '\x01' : '\x80'));
+        put(changed);
+        EXPECT_NE(damage(), "") << "at byte " << at;
     }
     put(whole + "x");
     EXPECT_NE(damage(), "");
