@@ -6,15 +6,18 @@
 #include <optional>
 #include <utility>
 
+#include "harness/batch/batch.h"
 #include "harness/class_run/exit_status.h"
 #include "harness/class_run/progress.h"
 #include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
 #include "harness/machine/say.h"
 #include "harness/run/timeline.h"
 #include "harness/scenes/hard/generate.h"
 #include "harness/scenes/hard/run.h"
 #include "harness/scenes/other/points.h"
+#include "reference/toml/near_names.h"
 
 namespace harness {
 namespace {
@@ -29,6 +32,21 @@ void with_progress(const char* what, std::size_t count, const Runner& runner, bo
         work(timeline);
     }
     if (shows_progress) say("{}: {}\n", what, closing_line(timeline));
+}
+
+/// Where scenes are dealt, a submission whose student has none can't be graded.
+void require_scenes(std::vector<Submission>& submissions, const Marking& marking) {
+    if (marking.of_student.empty()) return;
+    std::vector<std::string> students;
+    for (const auto& [student, own] : marking.of_student) students.push_back(student);
+    for (Submission& submission : submissions) {
+        if (submission.problem || marking.of_student.contains(id_in(marking.of_student, submission))) continue;
+        submission.problem = fmt::format(
+            "No scene was dealt to \"{}\"; name the submission as the student is named in the assignment, or add the "
+            "student with `raygrade assignment deal`.",
+            submission.id);
+        say("note: {}: {}\n", submission.id, reference::did_you_mean(submission.id, students));
+    }
 }
 
 }  // namespace
@@ -78,6 +96,28 @@ void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::stri
         scenes::run_rewritten(graded, sources, run.marking.assignment.scene, run.runner, wanted.jobs, timeline, trials);
     });
     if (other) scenes::award_other_scene_points(graded, run.marking.assignment.rubric);
+}
+
+std::vector<Graded> grade_submissions(std::vector<Submission> submissions, ClassRun& run,
+                                      const GradingOptions& options) {
+    require_scenes(submissions, run.marking);
+    std::vector<std::string> sources;  // for other and hard scenes, because grading frees them
+    if (options.other_scenes.count > 0 || options.stress) {
+        for (const Submission& submission : submissions) sources.push_back(submission.source);
+    }
+    Timeline timeline;
+    std::vector<Graded> graded;
+    {
+        std::optional<Progress> progress;
+        if (!options.quiet) progress.emplace(timeline, submissions.size(), after_interrupt(run.runner));
+        graded = grade_all(std::move(submissions), run.marking, run.runner, options.jobs, timeline);
+    }
+    if (!options.quiet) say("{}\n", closing_line(timeline));
+    tell_problems(run.runner);
+    if (!options.trace.empty()) write_file(options.trace, timeline.chrome_trace());
+    run_on_more_scenes(graded, sources, run,
+                       {options.other_scenes, options.stress, options.jobs, /*shows_progress=*/!options.quiet});
+    return graded;
 }
 
 int status_of(const std::vector<Graded>& graded) {

@@ -43,6 +43,21 @@ struct MoreScenes {
 void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, ClassRun& run,
                         const MoreScenes& wanted);
 
+/// How the programs of a class are run.
+struct GradingOptions {
+    int jobs = 1;
+    RunnerOptions runner{};
+    scenes::OtherScenesOptions other_scenes{};
+    bool stress = false;            ///< also run on the hard scenes
+    bool quiet = false;             ///< no progress
+    std::filesystem::path trace{};  ///< where to write a trace of the run; empty for nowhere
+};
+
+/// Grades submissions, on the other and hard scenes too. Says on stderr how far it is and what it took. Where scenes
+/// are dealt, a submission whose student has none is not graded, and a note says so.
+std::vector<Graded> grade_submissions(std::vector<Submission> submissions, ClassRun& run,
+                                      const GradingOptions& options);
+
 /// The exit status: our_fault, some_not_graded or all_graded.
 int status_of(const std::vector<Graded>& graded);
 

@@ -7,6 +7,40 @@
 #include <thread>
 
 namespace harness {
+namespace {
+
+/// Adds the options for student lists of other systems, and for the files that go back to them.
+void add_rosters(CLI::App& command, RosterOptions& options) {
+    command
+        .add_option("--late-days", options.late_days,
+                    "Who handed in how late: a CSV file with the columns id (or the student's name in the reports), "
+                    "days_late or handed_in (a date with a time) and, for extensions, extension_days; the rubric's "
+                    "schedule says what that costs. Kept for later runs")
+        ->type_name("FILE");
+    command
+        .add_option("--canvas-roster", options.canvas_roster,
+                    "A gradebook exported from Canvas: also write grades-canvas.csv, which Canvas imports, and say who "
+                    "could not be matched")
+        ->type_name("FILE");
+    command
+        .add_option("--canvas-column", options.canvas_column,
+                    "The assignment's column in it, with its number or without; needed where there are several")
+        ->type_name("TITLE");
+    command
+        .add_option(
+            "--moodle-worksheet", options.moodle_worksheet,
+            "A grading worksheet downloaded from Moodle: also write grades-moodle.csv, the same with the grades "
+            "filled in, and say who could not be matched")
+        ->type_name("FILE");
+    command
+        .add_option("--moodle-column", options.moodle_columns,
+                    "What a column of it is for, where raygrade can't tell: identifier, name, grade, maximum or "
+                    "changeable, as in --moodle-column grade=Bewertung")
+        ->allow_extra_args(false)
+        ->type_name("WHAT=HEADING");
+}
+
+}  // namespace
 
 CLI::Option* add_assignment(CLI::App& command, std::string& assignment) {
     assignment = "default";
@@ -34,6 +68,25 @@ void add_junit(CLI::App& command, std::filesystem::path& junit) {
         ->type_name("FILE.xml");
 }
 
+void add_results(CLI::App& command, ResultsOptions& options) {
+    command
+        .add_option(
+            "-o,--out,--results", options.out,
+            "The folder for report.html, gradebook.sqlite, grades.json, grades.csv and feedback/<id>.html and .md")
+        ->type_name("DIR")
+        ->capture_default_str();
+    command.add_flag("--apply", options.apply,
+                     "Write the new marks over those of an earlier run in the output folder; without it a regrade "
+                     "only shows who rises, who falls and why, and whose feedback changes");
+    add_rosters(command, options.rosters);
+    add_junit(command, options.junit);
+    command.add_flag("-q,--quiet", options.quiet,
+                     "Print no progress and no table: only what needs a person, what a regrade changes, and where the "
+                     "results are");
+    command.add_flag("--json", options.json,
+                     "Print raygrade/summary/1 to stdout, for programs, and what is for people to stderr");
+}
+
 void add_runner(CLI::App& command, RunnerOptions& runner) {
     command
         .add_option("--limit", runner.limits,
@@ -58,6 +111,11 @@ void add_runner(CLI::App& command, RunnerOptions& runner) {
         "Also build and run under AddressSanitizer and UndefinedBehaviorSanitizer, and say what they find; "
         "costs no points and takes ten times as long");
     runner.cache = cache_folder();
+    command
+        .add_option("--cache-from", runner.cache_from,
+                    "Also use the results that a different machine has kept, from a copy of its cache folder or over a "
+                    "network; nothing is written there")
+        ->type_name("DIR");
     command.add_flag("--fresh", runner.fresh,
                      "Ignore cached results: compile and run everything again; see manual/how-it-works.md");
     command.add_flag("--unsafe", runner.unsafe,

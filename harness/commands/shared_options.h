@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "harness/class_run/into_results.h"
 #include "harness/commands/subcommand.h"
 #include "harness/run/runner.h"
 #include "harness/scenes/other/run.h"
@@ -29,6 +30,9 @@ CLI::Option* add_assignment(CLI::App& command, std::string& assignment);
 void add_jobs(CLI::App& command, int& jobs, const char* meaning);
 
 void add_junit(CLI::App& command, std::filesystem::path& junit);
+
+/// Adds what is done with a class's results: where they go, the lists of students, what is printed.
+void add_results(CLI::App& command, ResultsOptions& options);
 
 void add_runner(CLI::App& command, RunnerOptions& runner);
 

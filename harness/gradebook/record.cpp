@@ -329,6 +329,7 @@ struct Reader {
         } else if constexpr (Nullable<Value>) {
             if (!from.is_null()) read(from, value.emplace());
         } else if constexpr (List<Value>) {
+            value.reserve(from.size());  // room to grow would be a tenth of a class's memory
             for (const json& each : from) read(each, value.emplace_back());
         } else if constexpr (Row<Value>) {
             // An older raygrade's row may be shorter.

@@ -41,6 +41,30 @@ constexpr const char* table = R"(
     CREATE INDEX IF NOT EXISTS by_use ON results (used, bytes);
 )";
 
+void require_version(SQLite::Database& database, int expected) {
+    const int found = database.execAndGet("PRAGMA user_version").getInt();
+    if (found != expected) throw OfAnotherVersion(fmt::format("is of version {}", found));
+}
+
+/// Checks that the table has the columns that are read.
+void require_columns(SQLite::Database& database) {
+    SQLite::Statement(database, "SELECT seal, used, bytes, output, errors_truncated FROM results LIMIT 1")
+        .executeStep();
+}
+
+/// Bytes that mean something in an address as %XX.
+std::string in_address(const fs::path& file) {
+    std::string text;
+    for (const char c : fs::absolute(file).string()) {
+        if (c == '%' || c == '?' || c == '#') {
+            text += fmt::format("%{:02X}", c);
+        } else {
+            text += c;
+        }
+    }
+    return text;
+}
+
 }  // namespace
 
 ResultsLock::ResultsLock(const fs::path& folder)
@@ -54,8 +78,7 @@ std::unique_ptr<SQLite::Database> open_results(const fs::path& file) {
     auto database = std::make_unique<SQLite::Database>(
         file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX, patience_ms);
     const bool is_new = !database->tableExists("results");
-    const int found = database->execAndGet("PRAGMA user_version").getInt();
-    if (found != (is_new ? 0 : version)) throw OfAnotherVersion(fmt::format("is of version {}", found));
+    require_version(*database, is_new ? 0 : version);
     database->exec("PRAGMA journal_mode = WAL");
     database->exec("PRAGMA synchronous = NORMAL");
     database->exec("PRAGMA trusted_schema = OFF");
@@ -63,9 +86,17 @@ std::unique_ptr<SQLite::Database> open_results(const fs::path& file) {
         database->exec(table);
         database->exec(fmt::format("PRAGMA user_version = {}", version));
     }
-    // Also checks that the table has these columns.
-    SQLite::Statement(*database, "SELECT seal, used, bytes, output, errors_truncated FROM results LIMIT 1")
-        .executeStep();
+    require_columns(*database);
+    return database;
+}
+
+std::unique_ptr<SQLite::Database> open_results_to_read(const fs::path& file) {
+    // Immutable: SQLite takes no locks, and does not look for a log.
+    auto database = std::make_unique<SQLite::Database>("file:" + in_address(file) + "?immutable=1",
+                                                       SQLite::OPEN_READONLY | SQLite::OPEN_URI | SQLite::OPEN_NOMUTEX);
+    require_version(*database, version);
+    database->exec("PRAGMA trusted_schema = OFF");
+    require_columns(*database);
     return database;
 }
 

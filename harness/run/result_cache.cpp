@@ -69,9 +69,45 @@ struct ResultCache::Opened {
                "SELECT seal, reached_limit, compiled, build_ms, ended, exit_code, signal, cpu_ms, wall_ms, "
                "peak_memory_bytes, errors_truncated, diagnostics, output, errors, error FROM results WHERE key = ?") {}
 
+    bool has(const std::string& key) {
+        const InUse in_use(contains);
+        contains.bind(1, key);
+        return contains.executeStep();
+    }
+    std::optional<Execution> read(const std::string& key);
+
     std::unique_ptr<SQLite::Database> database;
     SQLite::Statement contains, find;
 };
+
+/// Empty if there is none, or if the disk garbled it.
+std::optional<Execution> ResultCache::Opened::read(const std::string& key) {
+    const InUse in_use(find);
+    find.bind(1, key);
+    if (!find.executeStep()) return {};
+    const auto ended = ended_from(find.getColumn(4).getString());
+    if (!ended) return {};
+    Execution execution;
+    Build& build = execution.build;
+    build.tried = true;
+    build.reached_limit = find.getColumn(1).getInt() != 0;
+    build.compiled = find.getColumn(2).getInt() != 0;
+    build.wall = std::chrono::milliseconds(find.getColumn(3).getInt64());
+    build.diagnostics = bytes(find.getColumn(11));
+    ProcessResult& run = execution.run;
+    run.ended = *ended;
+    run.exit_code = find.getColumn(5).getInt();
+    run.signal = find.getColumn(6).getInt();
+    run.error = find.getColumn(14).getInt();
+    run.cpu = std::chrono::milliseconds(find.getColumn(7).getInt64());
+    run.wall = std::chrono::milliseconds(find.getColumn(8).getInt64());
+    run.peak_memory_bytes = static_cast<std::uint64_t>(find.getColumn(9).getInt64());
+    run.errors_truncated = find.getColumn(10).getInt() != 0;
+    run.output = bytes(find.getColumn(12));
+    run.errors = bytes(find.getColumn(13));
+    if (find.getColumn(0).getString() != seal(key, execution)) return {};
+    return execution;
+}
 
 std::optional<fs::path> cache_folder() {
     for (const auto& [variable, below] : {std::pair("XDG_CACHE_HOME", "raygrade"), {"HOME", ".cache/raygrade"}}) {
@@ -91,8 +127,8 @@ bool is_worth_keeping(const Execution& execution) {
            run.ended != Ended::process_limit && !killed_from_outside;
 }
 
-ResultCache::ResultCache(fs::path folder, const ResultCacheBounds& bounds)
-    : folder_(std::move(folder)), file_(folder_ / "results.sqlite"), bounds_(bounds) {
+ResultCache::ResultCache(fs::path folder, const ResultCacheBounds& bounds, fs::path from)
+    : folder_(std::move(folder)), file_(folder_ / "results.sqlite"), from_(std::move(from)), bounds_(bounds) {
     try {
         fs::create_directories(folder_);
         ::chmod(folder_.c_str(), S_IRWXU);
@@ -100,6 +136,7 @@ ResultCache::ResultCache(fs::path folder, const ResultCacheBounds& bounds)
     } catch (const std::exception& error) {
         give_up(printable(error.what()));
     }
+    if (!from_.empty()) open_from();
 }
 
 ResultCache::~ResultCache() {
@@ -123,6 +160,13 @@ void ResultCache::open() {
         if (!is_corrupt(error) && error.getErrorCode() != SQLITE_ERROR) throw;
         rebuild(fmt::format("can't be read ({})", printable(error.what())));
     }
+}
+
+void ResultCache::open_from() {
+    attempt_from<bool>([&] {
+        shared_ = std::make_unique<Opened>(open_results_to_read(from_ / "results.sqlite"));
+        return true;
+    });
 }
 
 /// Requires the folder's lock.
@@ -166,45 +210,34 @@ Result ResultCache::attempt(Work work) {
     return Result();
 }
 
+/// The same for the cache that is only read. Whatever goes wrong there, it is not used any more. It may be written by
+/// others meanwhile, so it may seem damaged without being so.
+template <class Result, class Work>
+Result ResultCache::attempt_from(Work work) {
+    const std::lock_guard guard(mutex_);
+    if (from_.empty()) return Result();
+    try {
+        return work();
+    } catch (const std::exception& error) {
+        problems_.push_back(
+            fmt::format("The results kept in {} are not used: {}.", in_quotes(from_), printable(error.what())));
+        from_.clear();
+        shared_.reset();
+        return Result();
+    }
+}
+
 bool ResultCache::contains(const std::string& key) {
-    return attempt<bool>([&] {
-        SQLite::Statement& query = opened_->contains;
-        const InUse in_use(query);
-        query.bind(1, key);
-        return query.executeStep();
-    });
+    return attempt<bool>([&] { return opened_->has(key); }) || attempt_from<bool>([&] { return shared_->has(key); });
 }
 
 std::optional<Execution> ResultCache::find(const std::string& key) {
-    return attempt<std::optional<Execution>>([&]() -> std::optional<Execution> {
-        SQLite::Statement& query = opened_->find;
-        const InUse in_use(query);
-        query.bind(1, key);
-        if (!query.executeStep()) return {};
-        const auto ended = ended_from(query.getColumn(4).getString());
-        if (!ended) return {};
-        Execution execution;
-        Build& build = execution.build;
-        build.tried = true;
-        build.reached_limit = query.getColumn(1).getInt() != 0;
-        build.compiled = query.getColumn(2).getInt() != 0;
-        build.wall = std::chrono::milliseconds(query.getColumn(3).getInt64());
-        build.diagnostics = bytes(query.getColumn(11));
-        ProcessResult& run = execution.run;
-        run.ended = *ended;
-        run.exit_code = query.getColumn(5).getInt();
-        run.signal = query.getColumn(6).getInt();
-        run.error = query.getColumn(14).getInt();
-        run.cpu = std::chrono::milliseconds(query.getColumn(7).getInt64());
-        run.wall = std::chrono::milliseconds(query.getColumn(8).getInt64());
-        run.peak_memory_bytes = static_cast<std::uint64_t>(query.getColumn(9).getInt64());
-        run.errors_truncated = query.getColumn(10).getInt() != 0;
-        run.output = bytes(query.getColumn(12));
-        run.errors = bytes(query.getColumn(13));
-        if (query.getColumn(0).getString() != seal(key, execution)) return {};
-        used_.push_back(key);
-        return execution;
+    auto own = attempt<std::optional<Execution>>([&] {
+        auto found = opened_->read(key);
+        if (found) used_.push_back(key);
+        return found;
     });
+    return own ? own : attempt_from<std::optional<Execution>>([&] { return shared_->read(key); });
 }
 
 void ResultCache::keep(const std::string& key, const Execution& execution) {

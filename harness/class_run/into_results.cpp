@@ -1,0 +1,147 @@
+#include "harness/class_run/into_results.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include "harness/batch/own_scene_score.h"
+#include "harness/batch/reread.h"
+#include "harness/class_run/class_run.h"
+#include "harness/class_run/notes.h"
+#include "harness/class_run/people_on_stderr.h"
+#include "harness/class_run/regrade.h"
+#include "harness/class_run/requested_files.h"
+#include "harness/grade/concerns.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
+#include "harness/report/exchange/junit.h"
+#include "harness/report/exchange/summary_json.h"
+#include "harness/report/text/class_table.h"
+#include "harness/results/reports.h"
+#include "harness/text/color.h"
+
+namespace harness {
+namespace {
+
+void tell_where_results_are(const std::filesystem::path& out) {
+    fmt::print("\nresults: {}\nreport: {}\nfeedback: {}\n", (out / "grades.json").string(),
+               (out / "report.html").string(), (out / "feedback").string());
+}
+
+/// What a run reports and writes, and what it is compared with.
+struct Grading {
+    const std::vector<Graded>& graded;
+    Gradebook::Comparison comparison;
+    std::vector<KeptOverride> without_place;  ///< overrides of submissions or items that are not in this class
+    Run run;
+    ClassResults results;
+};
+
+void show_grading(const Grading& grading, const ResultsSession& session, const ClassInputs& inputs,
+                  const ResultsOptions& options) {
+    if (session.writes || session.of_an_older_raygrade) {
+        const Colors colors = colors_of_stdout();
+        if (!options.quiet) fmt::print("{}", report::class_table(grading.graded, colors));
+        fmt::print("{}", report::needs_a_person(grading.graded, "raygrade review " + options.out.string(), colors));
+    }
+    tell_changes(session, grading.comparison, inputs.file, grading.results.marking, options.out);
+    std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
+    tell_notes(grading.graded);
+    tell_without_place(grading.without_place);
+    tell_open_lateness(inputs.rosters.late_days, grading.graded);
+    if (session.writes) return;
+    tell_what_apply_writes(session, grading.comparison, grading.run, grading.results, inputs.rosters.given(),
+                           options.out);
+    if (!options.junit.empty()) fmt::print("{} was not written either and is as it was.\n", options.junit.string());
+}
+
+void write_grading(const Grading& grading, ResultsSession& session, const ClassInputs& inputs,
+                   const ResultsOptions& options) {
+    if (!options.junit.empty()) {
+        write_file(options.junit,
+                   [&](std::ostream& stream) { report::write_junit(stream, grading.graded, grading.results.marking); });
+    }
+    if (is_all_there(session, grading.comparison, grading.run, grading.results, options.out)) {
+        fmt::print("Nothing has changed, and nothing was written to the results.\n");
+        tell_where_results_are(options.out);
+        return;
+    }
+    session.gradebook.save(grading.run, grading.graded, grading.comparison, inputs.rosters.given());
+    const HandedBack handed_back = write_reports(grading.results, options.out);
+    session.gradebook.note_reports_written();
+    tell_handed_back(handed_back, options.out);
+    tell_where_results_are(options.out);
+}
+
+/// Throws UsageError if a file that is asked for can't be written.
+void check_junit(const std::filesystem::path& junit, bool writes) {
+    if (writes) {
+        prepare_report_file(junit, "--junit", ".xml");
+    } else {
+        require_place_for_report_file(junit, "--junit", ".xml");
+    }
+}
+
+}  // namespace
+
+StudentNames name_submissions(ClassInputs& inputs, const RosterOptions& options, const Gradebook& gradebook,
+                              const std::filesystem::path& results) {
+    read_kept_rosters(inputs.rosters, options, inputs.assignment.rubric, gradebook, results);
+    require_matches(inputs.rosters, options, inputs.submissions);
+    name_by_rosters(inputs.rosters, inputs.submissions);
+    StudentNames names;
+    for (const Submission& submission : inputs.submissions) names.add(submission);
+    names.go_by_ids(inputs.rosters.late_days);
+    return names;
+}
+
+std::vector<KeptReread> attach_rereads(std::vector<Submission>& submissions, Gradebook& gradebook) {
+    gradebook.go_by_number(submissions);
+    std::vector<KeptReread> rereads = gradebook.rereads();
+    attach(rereads, submissions);
+    return rereads;
+}
+
+Marking marking_for(const reference::Assignment& assignment, const StudentNames& names) {
+    Marking marking = make_class_marking(assignment);
+    names.go_by_ids(marking.of_student);
+    return marking;
+}
+
+int into_results(const ResultsOptions& options, const std::function<ClassInputs()>& read, const GradeClass& grade) {
+    PeopleOnStderr people(options.json);
+    ClassInputs inputs = read();
+    const Holds holds = look_into(options.out, marks_of_results(), "feedback");
+    std::optional<ResultsFolder> folder;
+    if (holds == Holds::nothing || options.apply) folder.emplace(options.out, "feedback");
+    const FolderLock lock(options.out);
+    ResultsSession session = open_session(options.out, holds, options.apply);
+    const StudentNames names = name_submissions(inputs, options.rosters, session.gradebook, options.out);
+    check_junit(options.junit, session.writes);
+
+    const std::vector<KeptReread> rereads = attach_rereads(inputs.submissions, session.gradebook);
+    auto [marking, graded, tier] = grade(std::move(inputs.submissions), marking_for(inputs.assignment, names));
+    tell_not_handed_in(marking, graded);
+    tell_answers_of_others(flag_answers_of_others(graded, marking));
+    report::apply_late_schedule(graded, inputs.assignment.rubric, inputs.rosters.late_days);
+    const auto without_place = attach(session.gradebook.overrides(), graded);
+    attach(session.gradebook.decisions(), graded);
+
+    const Grading grading{
+        graded, session.gradebook.compare(graded), without_place,
+        Run{0, author_now(), RAYGRADE_VERSION, inputs.assignment.name, inputs.file.path, inputs.file.toml, tier},
+        ClassResults{graded, marking, tier, inputs.rosters.canvas, inputs.rosters.moodle}};
+    show_grading(grading, session, inputs, options);
+    tell_that_count_not(rereads, graded);
+    if (session.writes) write_grading(grading, session, inputs, options);
+    if (options.json) {
+        people.end();
+        const ClassChanges* changes = session.last_run ? &grading.comparison.changes : nullptr;
+        fmt::print("{}", report::class_summary_json(graded, marking, {options.out.string(), session.writes, changes}));
+    }
+    return status_of(graded);
+}
+
+}  // namespace harness

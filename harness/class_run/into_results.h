@@ -1,0 +1,58 @@
+// The way of a class to its results folder: everything that is the same whether its programs run now, as `grade` does,
+// or ran on several machines, as `merge` has them.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "harness/class_run/rosters.h"
+#include "harness/class_run/student_names.h"
+#include "harness/grade/graded.h"
+#include "harness/grade/marking.h"
+#include "reference/toml/assignment.h"
+
+namespace harness {
+
+struct ResultsOptions {
+    std::filesystem::path out = "results";
+    bool apply = false;             ///< write over the results of an earlier run; else only show what would change
+    std::filesystem::path junit{};  ///< where to write JUnit XML; empty for nowhere
+    RosterOptions rosters{};
+    bool quiet = false;  ///< no progress, no table
+    bool json = false;   ///< a summary for programs on stdout, and what is for people on stderr
+};
+
+/// A class before it is graded: everything that is read first, so that mistakes in it are told at once.
+struct ClassInputs {
+    reference::AssignmentFile file;
+    reference::Assignment assignment;
+    std::vector<Submission> submissions;
+    Rosters rosters;
+};
+
+struct GradedClass {
+    Marking marking;
+    std::vector<Graded> graded;  ///< in the order of the submissions
+    Tier tier;
+};
+
+/// Grades the submissions, which by now have the names and the order of the rosters, and their rereads.
+using GradeClass = std::function<GradedClass(std::vector<Submission> submissions, Marking marking)>;
+
+/// Fills in the rosters that the results folder's gradebook keeps, and gives the submissions their names and order.
+/// Throws UsageError.
+StudentNames name_submissions(ClassInputs& inputs, const RosterOptions& options, const Gradebook& gradebook,
+                              const std::filesystem::path& results);
+
+/// Gives the submissions the rereads that the gradebook keeps for them, and returns all it has.
+std::vector<KeptReread> attach_rereads(std::vector<Submission>& submissions, Gradebook& gradebook);
+
+/// The marking of the class, in which students with a scene of their own go by their submissions' ids.
+Marking marking_for(const reference::Assignment& assignment, const StudentNames& names);
+
+/// Grades the class, shows its marks and what changed, and writes the results folder. `read` is called first. Returns
+/// the exit status.
+int into_results(const ResultsOptions& options, const std::function<ClassInputs()>& read, const GradeClass& grade);
+
+}  // namespace harness

@@ -1,0 +1,70 @@
+#include "harness/shards/merge.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "harness/class_run/class_run.h"
+#include "harness/class_run/into_results.h"
+#include "harness/commands/shared_options.h"
+#include "harness/commands/subcommand.h"
+
+namespace harness {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MergeOptions {
+    std::vector<fs::path> parts;
+    ResultsOptions results;
+};
+
+/// The lists that the parts were graded with, where none are given now.
+void take_lists(const std::vector<KeptInput>& inputs, Rosters& rosters) {
+    const auto take = [&](const char* name, std::optional<KeptInput>& given) {
+        for (const KeptInput& each : inputs) {
+            if (!given && each.name == name) given = each;
+        }
+    };
+    take(canvas_roster_input, rosters.canvas_given);
+    take(moodle_worksheet_input, rosters.moodle_given);
+    take(late_days_input, rosters.late_given);
+}
+
+int merge(const MergeOptions& options) {
+    Part merged;
+    const auto read = [&] {
+        ClassInputs inputs;
+        inputs.rosters = read_given_rosters(options.results.rosters);
+        merged = merge_parts(options.parts);
+        take_lists(merged.inputs, inputs.rosters);
+        inputs.file = merged.file;
+        inputs.assignment = reference::parse_assignment(inputs.file.toml, inputs.file.path);
+        inputs.submissions = submissions_of(merged);
+        return inputs;
+    };
+    const auto grade = [&](std::vector<Submission> submissions, Marking marking) {
+        tell_key_notes(marking);
+        std::vector<Graded> graded = results_of(std::move(submissions), merged, marking);
+        return GradedClass{std::move(marking), std::move(graded), merged.tier};
+    };
+    return into_results(options.results, read, grade);
+}
+
+void add_options(CLI::App& command, MergeOptions& options) {
+    command.add_option("parts", options.parts, "All parts of one class, in any order, as `grade --shard` wrote them")
+        ->required()
+        ->type_name("PART...");
+    add_results(command, options.results);
+    command.footer("Example: raygrade merge parts/*.part --out results");
+}
+
+}  // namespace
+
+Subcommand merge_command(CLI::App& app) {
+    return subcommand(app, "merge", "Put a class together that several machines have graded, and write its results",
+                      add_options, merge);
+}
+
+}  // namespace harness

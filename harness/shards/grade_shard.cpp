@@ -1,0 +1,125 @@
+#include "harness/shards/grade_shard.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "harness/build/toolchain.h"
+#include "harness/gradebook/record.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/fingerprint.h"
+#include "harness/run/runner.h"
+#include "harness/shards/part.h"
+
+namespace harness {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Makes the part's folder. Throws UsageError before anything is graded rather than after.
+void require_place_for_part(const fs::path& part) {
+    const fs::path folder = fs::absolute(part).parent_path();
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (fs::exists(part, error) && !fs::is_regular_file(part, error))
+        throw UsageError(fmt::format("{}: is no file; name a file for the part with --out", part.string()));
+    if (access(folder.c_str(), W_OK | X_OK) != 0) {
+        throw UsageError(fmt::format("{}: can't be written; name another file with --out", part.string()));
+    }
+}
+
+/// Of what intake found. The folder in which a machine has the class does not matter.
+std::string fingerprint_of(const std::vector<Submission>& submissions) {
+    Fingerprint fingerprint("raygrade/class/1");
+    for (const Submission& each : submissions) {
+        Graded one;
+        one.submission = each;
+        one.submission.file = each.file.filename();
+        const auto record = to_record(one);
+        fingerprint.add(std::string_view(reinterpret_cast<const char*>(record.data()), record.size()));
+    }
+    return fingerprint.hex();
+}
+
+/// Of the lists of students, given now or kept in the results: names decide which scene was dealt to whom.
+std::string fingerprint_of(const Rosters& rosters, const Gradebook& gradebook) {
+    Fingerprint fingerprint("raygrade/student-lists/1");
+    const auto add = [&](const std::optional<KeptInput>& given, const char* name) {
+        const auto used = given ? given : gradebook.input(name);
+        fingerprint.add(used ? used->choice : "").add(used ? used->content : "");
+    };
+    add(rosters.canvas_given, canvas_roster_input);
+    add(rosters.moodle_given, moodle_worksheet_input);
+    add(rosters.late_given, late_days_input);
+    return fingerprint.hex();
+}
+
+/// What must be the same on all machines. Those that explain most stand first, because the first that differs is told.
+std::vector<Condition> conditions(const ClassRun& run, const ClassInputs& inputs, const std::string& class_fingerprint,
+                                  const Gradebook& gradebook, const GradingOptions& options) {
+    const Runner& runner = run.runner;
+    const auto yes_or_no = [](bool is_so) { return is_so ? "yes" : "no"; };
+    const auto& scenes = options.other_scenes;
+    return {{"raygrade", RAYGRADE_VERSION},
+            {"assignment", fmt::format("{} {}", run.marking.assignment.name,
+                                       Fingerprint("raygrade/assignment/1").add(inputs.file.toml).hex())},
+            {"class", class_fingerprint},
+            {"set of student lists", fingerprint_of(inputs.rosters, gradebook)},
+            {"compiler", toolchain_fingerprint(runner.build.compiler)},
+            {"sandbox", std::string(to_string(runner.sandbox->tier()))},
+            {"set of limits and compiler flags", execution_key("", runner, "")},
+            {"--repeat", std::to_string(options.runner.repetitions)},
+            {"--sanitize", yes_or_no(options.runner.sanitize)},
+            {"--variants", scenes.count == 0 ? "none" : fmt::format("{} from seed {}", scenes.count, scenes.seed)},
+            {"--stress", yes_or_no(options.stress)}};
+}
+
+/// Takes the shard's submissions out of the class.
+std::vector<Submission> share_of(std::vector<Submission> submissions, const Shard& shard) {
+    const std::vector<int> shards = split(submissions, shard.count);
+    std::vector<Submission> share;
+    for (std::size_t i = 0; i < submissions.size(); ++i) {
+        if (shards[i] == shard.number) share.push_back(std::move(submissions[i]));
+    }
+    return share;
+}
+
+}  // namespace
+
+int grade_shard(ClassInputs inputs, const ShardOptions& options) {
+    require_place_for_part(options.part);
+    Part part;
+    part.head.shard = options.shard;
+    part.head.class_size = inputs.submissions.size();
+    const std::string class_fingerprint = fingerprint_of(inputs.submissions);
+    std::map<std::string, std::size_t> place_of;
+    for (std::size_t i = 0; i < inputs.submissions.size(); ++i) place_of.emplace(inputs.submissions[i].id, i);
+
+    Gradebook gradebook(options.results);
+    const StudentNames names = name_submissions(inputs, options.rosters, gradebook, options.results);
+    attach_rereads(inputs.submissions, gradebook);
+    ClassRun run = open_class_run(marking_for(inputs.assignment, names), options.grading.runner);
+    tell_key_notes(run.marking);
+    part.head.alike = conditions(run, inputs, class_fingerprint, gradebook, options.grading);
+    part.file = inputs.file;
+    part.tier = run.runner.sandbox->tier();
+    part.inputs = inputs.rosters.given();
+
+    std::vector<Graded> graded =
+        grade_submissions(share_of(std::move(inputs.submissions), options.shard), run, options.grading);
+    const int status = status_of(graded);
+    for (Graded& each : graded) {
+        PlacedGraded& placed = part.graded.emplace_back(PlacedGraded{place_of.at(each.submission.id), std::move(each)});
+        placed.graded.submission.name.clear();
+    }
+    part.head.submissions = part.graded.size();
+    write_part(part, options.part);
+    fmt::print("part: {}, {} of {} submissions\n", options.part.string(), part.head.submissions, part.head.class_size);
+    return status;
+}
+
+}  // namespace harness

@@ -1,0 +1,206 @@
+#include "harness/shards/merge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "harness/batch/reread.h"
+#include "harness/machine/errors.h"
+#include "harness/text/listed.h"
+#include "harness/text/printable.h"
+
+namespace harness {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct GivenPart {
+    fs::path file;
+    PartHead head;
+};
+
+/// What is wrong with the parts, a line each.
+class Complaints {
+  public:
+    void add(const fs::path& file, const std::string& what) {
+        lines_ += fmt::format("\n  {}: {}", file.string(), what);
+    }
+    void add(const std::string& what) { lines_ += "\n  " + what; }
+
+    /// Throws UsageError if there are any.
+    void raise() const {
+        if (!lines_.empty()) throw UsageError("the parts can't be merged, and nothing was written:" + lines_);
+    }
+
+  private:
+    std::string lines_;
+};
+
+std::vector<GivenPart> read_heads(const std::vector<fs::path>& files, Complaints& complaints) {
+    std::vector<GivenPart> given;
+    for (const fs::path& file : files) {
+        try {
+            given.push_back({file, read_part_head(file)});
+        } catch (const DamagedFile& damage) {
+            complaints.add(file, damage.what());
+        }
+    }
+    return given;
+}
+
+/// Everything that is the same in the parts of one grading.
+std::string common(const PartHead& head) {
+    std::string text = fmt::format("{} {}", head.shard.count, head.class_size);
+    for (const Condition& each : head.alike) text += fmt::format("\n{}\n{}", each.what, each.value);
+    return text;
+}
+
+/// The part that most others are like, so that the one that was made elsewhere is named and not all others.
+const GivenPart& most_common(const std::vector<GivenPart>& given) {
+    std::map<std::string, int> counts;
+    for (const GivenPart& each : given) ++counts[common(each.head)];
+    return *std::ranges::max_element(given, {}, [&](const GivenPart& each) { return counts[common(each.head)]; });
+}
+
+/// A clause about the first thing that is not alike.
+std::string difference(const PartHead& one, const GivenPart& most) {
+    for (std::size_t i = 0; i < std::min(one.alike.size(), most.head.alike.size()); ++i) {
+        const Condition &here = one.alike[i], &there = most.head.alike[i];
+        if (here == there) continue;
+        constexpr std::size_t longest_shown = 40;  // shorter than a fingerprint
+        const bool is_shown =
+            here.what == there.what && std::max(here.value.size(), there.value.size()) < longest_shown;
+        const std::string values = is_shown ? fmt::format(" ({}, not {})", here.value, there.value) : "";
+        return fmt::format("was graded with another {} than {}{}", here.what, most.file.string(), values);
+    }
+    if (one.shard.count != most.head.shard.count) {
+        return fmt::format("is one of {} parts, and {} is one of {}", one.shard.count, most.file.string(),
+                           most.head.shard.count);
+    }
+    return fmt::format("belongs to another class than {}", most.file.string());
+}
+
+void require_all_once(const std::vector<GivenPart>& given, int count, Complaints& complaints) {
+    std::map<int, fs::path> found;
+    for (const GivenPart& each : given) {
+        const auto [at, is_new] = found.emplace(each.head.shard.number, each.file);
+        if (is_new) continue;
+        complaints.add(each.file, fmt::format("is part {} of {}, and so is {}; give one of them",
+                                              each.head.shard.number, count, at->second.string()));
+    }
+    std::vector<std::string> missing;
+    for (int number = 1; number <= count; ++number) {
+        if (!found.contains(number)) missing.push_back(std::to_string(number));
+    }
+    if (missing.empty()) return;
+    complaints.add(fmt::format("missing: {} {} of {}; grade {} with --shard", missing.size() == 1 ? "part" : "parts",
+                               listed(missing), count, missing.size() == 1 ? "it" : "them"));
+}
+
+void require_that_fit(std::vector<GivenPart>& given, Complaints& complaints) {
+    const GivenPart most = most_common(given);
+    if (const Condition own{"raygrade", RAYGRADE_VERSION}; most.head.alike.empty() || most.head.alike.front() != own) {
+        complaints.add(most.file,
+                       fmt::format("was graded by another raygrade than this one, which is {}", RAYGRADE_VERSION));
+        return;
+    }
+    std::erase_if(given, [&](const GivenPart& each) {
+        if (common(each.head) == common(most.head)) return false;
+        complaints.add(each.file, difference(each.head, most));
+        return true;
+    });
+    require_all_once(given, most.head.shard.count, complaints);
+}
+
+/// Moves a part's submissions to their places.
+void place(Part& part, const fs::path& file, std::vector<PlacedGraded>& places, std::set<std::string>& ids,
+           Complaints& complaints) {
+    for (PlacedGraded& each : part.graded) {
+        PlacedGraded& there = places[each.place];
+        if (!there.graded.submission.id.empty() || !ids.insert(each.graded.submission.id).second) {
+            complaints.add(file,
+                           fmt::format("holds {}, which another part holds too", in_quotes(each.graded.submission.id)));
+            return;
+        }
+        there = std::move(each);
+    }
+}
+
+/// Whether the result was marked with just these rereads.
+bool is_marked_with(const Graded& graded, const std::vector<Reread>& rereads) {
+    std::ptrdiff_t marked = 0, count = 0;
+    for (const QuestionScore& question : graded.score.questions)
+        marked += std::ranges::count_if(question.items, [](const ItemScore& item) { return !item.reread.empty(); });
+    const std::string layout = rereads.empty() ? "" : layout_of(graded.printout);
+    for (const Reread& each : rereads) {
+        if (each.layout != layout) continue;
+        if (!counts(graded, each)) return false;
+        ++count;
+    }
+    return marked == count;
+}
+
+}  // namespace
+
+Part merge_parts(const std::vector<fs::path>& files) {
+    Complaints complaints;
+    std::vector<GivenPart> given = read_heads(files, complaints);
+    if (!given.empty()) require_that_fit(given, complaints);
+    complaints.raise();
+
+    Part merged;
+    std::vector<PlacedGraded> places(given.front().head.class_size);
+    std::set<std::string> ids;
+    for (const GivenPart& each : given) {
+        try {
+            Part part = read_part(each.file);
+            if (common(part.head) != common(each.head) || part.head.shard.number != each.head.shard.number)
+                throw DamagedFile("was replaced meanwhile");
+            place(part, each.file, places, ids, complaints);
+            part.graded.clear();
+            if (&each == &given.front()) merged = std::move(part);
+        } catch (const DamagedFile& damage) {
+            complaints.add(each.file, fmt::format("{}; grade it again with --shard {}/{}", damage.what(),
+                                                  each.head.shard.number, each.head.shard.count));
+        }
+    }
+    complaints.raise();
+    if (ids.size() != places.size()) complaints.add("some submissions of the class are in no part");
+    complaints.raise();
+    merged.graded = std::move(places);
+    return merged;
+}
+
+std::vector<Submission> submissions_of(const Part& merged) {
+    std::vector<Submission> submissions;
+    for (const PlacedGraded& each : merged.graded) {
+        const Submission& from = each.graded.submission;
+        Submission& one = submissions.emplace_back();
+        one.id = from.id;
+        one.lms = from.lms;
+    }
+    return submissions;
+}
+
+std::vector<Graded> results_of(std::vector<Submission> submissions, Part& merged, const Marking& marking) {
+    std::unordered_map<std::string, Graded*> by_id;
+    for (PlacedGraded& each : merged.graded) by_id.emplace(each.graded.submission.id, &each.graded);
+    std::vector<Graded> results;
+    results.reserve(submissions.size());
+    for (Submission& submission : submissions) {
+        Graded& graded = results.emplace_back(std::move(*by_id.at(submission.id)));
+        graded.submission.name = std::move(submission.name);
+        graded.submission.rereads = std::move(submission.rereads);
+        if (!graded.printout.empty() && !is_marked_with(graded, graded.submission.rereads)) mark_again(graded, marking);
+    }
+    merged.graded = {};  // frees the memory, which clear() does not
+    return results;
+}
+
+}  // namespace harness

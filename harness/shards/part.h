@@ -1,0 +1,55 @@
+// A part: the graded submissions of one shard in a file, with everything that merging them with the others takes.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "harness/execution/tier.h"
+#include "harness/grade/graded.h"
+#include "harness/gradebook/gradebook.h"
+#include "harness/shards/frames.h"
+#include "harness/shards/shard.h"
+#include "reference/toml/assignment.h"
+
+namespace harness {
+
+/// Something that must be the same in all parts, or they are not of one grading.
+struct Condition {
+    std::string what;   ///< a noun: "compiler"
+    std::string value;  ///< a fingerprint, or a few words
+
+    bool operator==(const Condition&) const = default;
+};
+
+/// What the first line of the file tells.
+struct PartHead {
+    Shard shard{};
+    std::size_t class_size = 0;   ///< submissions of the whole class
+    std::size_t submissions = 0;  ///< of this part
+    std::vector<Condition> alike{};
+};
+
+/// A submission, without its overrides and the name that a roster gives it, and its place in the class as taken in.
+struct PlacedGraded {
+    std::size_t place = 0;
+    Graded graded;
+};
+
+struct Part {
+    PartHead head{};
+    reference::AssignmentFile file{};
+    Tier tier = Tier::bwrap;
+    std::vector<KeptInput> inputs{};  ///< the lists of students that it was given
+    std::vector<PlacedGraded> graded{};
+};
+
+/// Writes the file atomically. Throws HarnessError.
+void write_part(const Part& part, const std::filesystem::path& file);
+
+/// Throw DamagedFile, also for a file that is no part.
+PartHead read_part_head(const std::filesystem::path& file);
+Part read_part(const std::filesystem::path& file);
+
+}  // namespace harness

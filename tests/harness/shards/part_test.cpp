@@ -1,0 +1,138 @@
+// The file that goes from one machine to another.
+#include "harness/shards/part.h"
+
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "harness/gradebook/record.h"
+
+namespace harness {
+namespace {
+
+namespace fs = std::filesystem;
+
+class PartFile : public testing::Test {
+  protected:
+    PartFile() {
+        part.head = {{2, 5}, 10, 2, {{"raygrade", "1.2"}, {"sandbox", "bwrap+shim"}}};
+        part.file = {"/a/b.toml", "title = \"x\"\n"};
+        part.inputs = {{"canvas-roster", "Six", std::string("Student\xff\0,", 10)}};
+        for (const std::size_t place : {std::size_t{3}, std::size_t{7}}) {
+            PlacedGraded& one = part.graded.emplace_back();
+            one.place = place;
+            one.graded.submission.id = "s" + std::to_string(place);
+            one.graded.submission.source = "int main() {}\n";
+            one.graded.printout = "Question 1:\n" + std::string(place, '\0');
+        }
+        write_part(part, file);
+    }
+    ~PartFile() override { fs::remove(file); }
+
+    static std::string content(const fs::path& of) {
+        std::stringstream bytes;
+        bytes << std::ifstream(of, std::ios::binary).rdbuf();
+        return bytes.str();
+    }
+    void put(const std::string& bytes) const { std::ofstream(file, std::ios::binary) << bytes; }
+    /// What reading it throws; empty if nothing.
+    std::string damage() const {
+        try {
+            read_part_head(file);
+            read_part(file);
+            return "";
+        } catch (const DamagedFile& error) {
+            return error.what();
+        }
+    }
+
+    const fs::path file = fs::temp_directory_path() / ("part-test." + std::to_string(getpid()));
+    Part part;
+};
+
+TEST_F(PartFile, HoldsEverything) {
+    const PartHead head = read_part_head(file);
+    const Part read = read_part(file);
+    EXPECT_EQ(head.shard.number, 2);
+    EXPECT_EQ(head.shard.count, 5);
+    EXPECT_EQ(head.class_size, 10U);
+    EXPECT_EQ(head.alike, part.head.alike);
+    EXPECT_EQ(read.file.path, part.file.path);
+    EXPECT_EQ(read.file.toml, part.file.toml);
+    ASSERT_EQ(read.inputs.size(), 1U);
+    EXPECT_EQ(read.inputs[0].name, "canvas-roster");
+    EXPECT_EQ(read.inputs[0].choice, "Six");
+    EXPECT_EQ(read.inputs[0].content, part.inputs[0].content);
+    ASSERT_EQ(read.graded.size(), 2U);
+    EXPECT_EQ(read.graded[1].place, 7U);
+    EXPECT_EQ(to_record(read.graded[1].graded), to_record(part.graded[1].graded));
+    EXPECT_EQ(read.graded[1].graded.printout, part.graded[1].graded.printout);
+    EXPECT_EQ(read.graded[1].graded.submission.source, "int main() {}\n");
+}
+
+TEST_F(PartFile, CutOffAnywhereIsRefused) {
+    const std::string whole = content(file);
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        put(whole.substr(0, size));
+        EXPECT_NE(damage(), "") << size << " bytes";
+    }
+}
+
+TEST_F(PartFile, WithAnyByteChangedIsRefused) {
+    const std::string whole = content(file);
+    for (std::size_t at = 0; at < whole.size(); ++at) {
+        std::string changed = whole;
+        changed[at] = static_cast<char>(changed[at] ^ (at % 2 == 0 ? '\x01' : '\x80'));
+        put(changed);
+        EXPECT_NE(damage(), "") << "at byte " << at;
+    }
+    put(whole + "x");
+    EXPECT_NE(damage(), "");
+    put(whole);
+    EXPECT_EQ(damage(), "");
+}
+
+TEST_F(PartFile, WithASubmissionLeftOutOrMovedIsRefused) {
+    const std::string whole = content(file);
+    const std::size_t first = whole.find("submission "), second = whole.find("submission ", first + 1);
+    const std::size_t end = whole.rfind("end ");
+    ASSERT_LT(first, second);
+    ASSERT_LT(second, end);
+    put(whole.substr(0, first) + whole.substr(second));
+    EXPECT_EQ(damage(), "is damaged");
+    put(whole.substr(0, first) + whole.substr(second, end - second) + whole.substr(first, second - first) +
+        whole.substr(end));
+    EXPECT_EQ(damage(), "is damaged");
+}
+
+TEST_F(PartFile, OfAPlaceOutsideTheClassIsRefused) {
+    part.graded[0].place = 10;
+    write_part(part, file);
+    EXPECT_EQ(damage(), "is no part of a class, or damaged");
+}
+
+TEST_F(PartFile, ThatIsMissingOrNoFileIsRefused) {
+    fs::remove(file);
+    EXPECT_EQ(damage(), "is not there");
+    EXPECT_THROW(read_part_head(fs::temp_directory_path()), DamagedFile);
+    EXPECT_THROW(read_part_head("/dev/zero"), DamagedFile);
+    ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
+    EXPECT_EQ(damage(), "is no file that can be read") << "and not waited for";
+}
+
+TEST(FrameReader, BelievesNoSizeThatTheFileHasNot) {
+    for (const char* line : {"a 99999999999 x\n", "a 60000000 x\n", "a 18446744073709551616 x\n", "a -1 x\n", "a\n",
+                             "a 1 1 1 1 1 1 1 1 1 1 x\n", "\n"}) {
+        std::istringstream stream(std::string("{}\n") + line);
+        FrameReader reader(stream, stream.str().size());
+        EXPECT_THROW(reader.next(), DamagedFile) << line;
+    }
+    std::istringstream endless(std::string(2 << 20, 'x'));
+    EXPECT_THROW(FrameReader(endless, endless.str().size()), DamagedFile);
+}
+
+}  // namespace
+}  // namespace harness
