@@ -19,9 +19,10 @@ namespace {
 struct RenderOptions {
     std::string assignment;
     std::filesystem::path scene;              ///< a scene file in place of the assignment; empty for none
-    std::filesystem::path out = "image.png";  ///< the PNG file; an earlier picture there is replaced
+    std::filesystem::path out = "image.png";  ///< the PNG file
     std::string size;                         ///< in pixels, "640x480"; empty for the window's size
     int jobs = 1;
+    bool force = false;        ///< replace an earlier picture
     bool srgb = false;         ///< colors are amounts of light
     bool explain = false;      ///< also print effects, rays and times
     bool all_effects = false;  ///< also simulate effects that the scene does not call for
@@ -51,19 +52,23 @@ std::optional<render::PictureSize> size_of(const std::string& text) {
                                  most_pixels_per_side));
 }
 
-/// Throws unless `out` is missing or a picture, because a slip such as -o ray_cast.cpp must not destroy a source.
-void refuse_to_replace(const fs::path& out) {
+/// Throws unless `out` is missing or an earlier picture that may be replaced: a slip such as -o ray_cast.cpp must not
+/// destroy a source.
+void check_png(const fs::path& out, bool may_replace) {
     std::error_code error;
     if (!fs::exists(fs::symlink_status(out, error))) return;
     constexpr std::string_view beginning_of_png = "\x89PNG\r\n\x1a\n";
-    if (read_bounded(out, beginning_of_png.size(), Links::follow).bytes == beginning_of_png) return;
-    throw UsageError(
-        fmt::format("{}: is there and is no PNG picture; name another file with --out, or remove it", out.string()));
+    if (read_bounded(out, beginning_of_png.size(), Links::follow).bytes != beginning_of_png)
+        throw UsageError(
+            fmt::format("{}: is there already and is no PNG picture; name another file with -o", out.string()));
+    if (!may_replace)
+        throw UsageError(fmt::format(
+            "{}: holds an earlier picture; replace it with --force, or name another file with -o", out.string()));
 }
 
 int render_scene(const RenderOptions& options) {
     const std::optional<render::PictureSize> size = size_of(options.size);
-    refuse_to_replace(options.out);
+    check_png(options.out, options.force);
     const reference::Assignment assignment = options.scene.empty()
                                                  ? reference::load_assignment(options.assignment, assignments_folder())
                                                  : reference::load_scene(options.scene);
@@ -92,9 +97,8 @@ void add_options(CLI::App& command, RenderOptions& options) {
                     "A scene file instead: an assignment without questions, see manual/pictures.md")
         ->type_name("FILE")
         ->excludes("--assignment");
-    command.add_option("-o,--out", options.out, "The PNG file to write; an earlier picture there is replaced")
-        ->type_name("FILE")
-        ->capture_default_str();
+    command.add_option("-o,--out", options.out, "The PNG file to write")->type_name("FILE")->capture_default_str();
+    command.add_flag("--force", options.force, "Replace an earlier picture");
     command.add_option("--size", options.size, "Pixels across and up; default: the window's")->type_name("WxH");
     add_jobs(command, options.jobs, "How many threads to use; changes nothing but the time");
     command.add_flag(

@@ -68,7 +68,8 @@ TEST(Render, DrawsAMeshInTheScenesFolder) {
     EXPECT_EQ(result.status, 0) << result.both();
     EXPECT_THAT(result.voice, HasSubstr("1 of 2 triangles of flat.obj left out: they have no area."));
     fs::remove(folder / "scenes/flat.obj");
-    const Result missing = raygrade({"render", "--scene", (folder / "scenes/mesh.toml").string(), "-o", out});
+    const Result missing =
+        raygrade({"render", "--scene", (folder / "scenes/mesh.toml").string(), "-o", out, "--force"});
     EXPECT_EQ(missing.status, usage);
     EXPECT_THAT(missing.voice, HasSubstr("mesh[1].file"));
     EXPECT_THAT(missing.voice, HasSubstr("flat.obj: no such file"));
@@ -82,7 +83,14 @@ TEST(Render, ReplacesOnlyAPicture) {
     EXPECT_THAT(refused.voice, HasSubstr("is no PNG picture"));
     EXPECT_EQ(read(folder / "ray_cast.cpp"), "int main() {}\n");
     write(folder / "old.png", std::string(png) + "an earlier one");
-    EXPECT_EQ(raygrade({"render", "-o", (folder / "old.png").string(), "--size", "4x3"}).status, 0);
+    const std::vector<std::string> again{"render", "-o", (folder / "old.png").string(), "--size", "4x3"};
+    const Result kept = raygrade(again);
+    EXPECT_EQ(kept.status, usage);
+    EXPECT_THAT(kept.voice, HasSubstr("holds an earlier picture; replace it with --force"));
+    EXPECT_EQ(read(folder / "old.png"), std::string(png) + "an earlier one");
+    std::vector<std::string> forced = again;
+    forced.emplace_back("--force");
+    EXPECT_EQ(raygrade(forced).status, 0);
     EXPECT_EQ(read(folder / "old.png").find("an earlier one"), std::string::npos);
 }
 
@@ -105,12 +113,13 @@ TEST(Render, AcceptsASceneWithoutAPixelOnlyForRendering) {
     const TemporaryFolder folder;
     const std::string out = (folder / "a.png").string();
     EXPECT_EQ(raygrade({"render", "--scene", scene_file("lit.toml"), "--size", "4x3", "-o", out}).status, 0);
-    const Result result = raygrade({"render", "--assignment", scene_file("lit.toml"), "--size", "4x3", "-o", out});
+    const Result result =
+        raygrade({"render", "--assignment", scene_file("lit.toml"), "--size", "4x3", "-o", out, "--force"});
     EXPECT_EQ(result.status, usage);
     EXPECT_THAT(result.voice, HasSubstr("window.pixel"));
     EXPECT_EQ(raygrade({"render", "--scene", scene_file("lit.toml"), "--assignment", "a6-2021", "-o", out}).status,
               usage);
-    EXPECT_THAT(raygrade({"render", "--scene", "nowhere.toml", "-o", out}).voice,
+    EXPECT_THAT(raygrade({"render", "--scene", "nowhere.toml", "-o", out, "--force"}).voice,
                 HasSubstr("nowhere.toml: no such file"));
 }
 
