@@ -80,11 +80,6 @@ void tell_open_lateness(const report::LateDays& days, const std::vector<Graded>&
     for (const Graded& one : graded) {
         ids.push_back(id_in(days, one.submission));
         names.add(one.submission);
-        for (const Flag& flag : one.flags) {
-            if (flag.kind == report::late_without_date)
-                say("note: {}: {} Say it in a file for --late-days, or override the mark.\n", one.submission.id,
-                    flag.evidence);
-        }
     }
     for (const auto& [id, late] : days) {
         if (std::ranges::find(ids, id) != ids.end()) continue;

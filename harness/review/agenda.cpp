@@ -88,16 +88,4 @@ std::optional<std::size_t> next_open(const Agenda& agenda, std::size_t place) {
     return earlier == here ? std::nullopt : std::optional(*earlier);
 }
 
-std::string title_of_kind(const std::string& kind) {
-    if (kind == "reading_doubtful") return "Doubtful readings";
-    if (kind == "hard_coded") return "Answers that may be written into the program";
-    if (kind == "other_scene") return "A different scene";
-    if (kind == "scene_of_another") return "The scene of a different student";
-    if (kind == "nondeterministic") return "Answers that differ between runs";
-    if (kind == "variants_not_tried") return "Not tried on other scenes";
-    if (kind == not_graded_concern) return "Not graded";
-    if (kind == "late_without_date") return "Late, without a date";
-    return kind;
-}
-
 }  // namespace harness::review

@@ -37,7 +37,4 @@ std::optional<std::size_t> next(const Agenda& agenda, std::size_t place);
 /// The next place with an open concern, from the beginning again after the end; empty if there is no other.
 std::optional<std::size_t> next_open(const Agenda& agenda, std::size_t place);
 
-/// "Doubtful readings"
-std::string title_of_kind(const std::string& kind);
-
 }  // namespace harness::review

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "harness/grade/concern_titles.h"
 #include "harness/grade/concerns.h"
 #include "harness/report/text/sentences.h"
 #include "harness/report/text/verdict_words.h"
@@ -20,7 +21,7 @@ using report::PageTemplate;
 
 std::string wish_in_words(const Wish& wish) {
     switch (wish.kind) {
-        case Kind::accepted: return fmt::format("Accept: {}.", title_of_kind(wish.about));
+        case Kind::accepted: return fmt::format("Accept: {}.", title_of(wish.about).of_many);
         case Kind::points: return fmt::format("Give {} points for {}: {}", wish.points, wish.about, wish.text);
         case Kind::reading:
             return wish.lines.empty() ? fmt::format("{} was not printed: {}", wish.about, wish.text)
@@ -117,7 +118,7 @@ std::string Pages::list(const std::optional<Notice>& notice) {
     PageData chapters(PageData::type::list);
     for (const Chapter& each : agenda.chapters) {
         PageData chapter;
-        chapter["chapter"] = title_of_kind(each.kind);
+        chapter["chapter"] = title_of(each.kind).of_many;
         std::size_t count = 0;
         PageData cases(PageData::type::list);
         for (const Case& one : each.cases) {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "harness/class_run/corrections.h"
+#include "harness/grade/concern_titles.h"
 #include "harness/grade/concerns.h"
 #include "harness/report/compile_error/compiler_messages.h"
 #include "harness/report/page/evidence.h"
@@ -229,7 +230,7 @@ PageData decided_of(const Graded& one) {
         if (each.kind != Kind::accepted && each.kind != Kind::comment) continue;
         const std::string about = each.about.empty() ? "" : " on " + each.about;
         const std::string what =
-            each.kind == Kind::comment ? "Comment" + about : fmt::format("Accepted: {}", title_of_kind(each.about));
+            each.kind == Kind::comment ? "Comment" + about : fmt::format("Accepted: {}", title_of(each.about).of_many);
         add(fmt::format("{}, by {}, {}: {}", what, each.by, each.when, each.text), "decision",
             std::to_string(each.number));
     }
@@ -245,7 +246,7 @@ void Pages::add_concerns(PageData& data, std::size_t place, const std::optional<
     PageData concerns(PageData::type::list);
     for (const Flag& each : open) {
         PageData concern;
-        concern["concern_title"] = title_of_kind(each.kind);
+        concern["concern_title"] = title_of(each.kind).of_many;
         concern["concern_kind"] = each.kind;
         concern["evidence"] = report::evidence_text(one, each, Audience::instructor);
         concern["concern_text"] = tried && tried->kind == Kind::accepted ? tried->text : std::string();

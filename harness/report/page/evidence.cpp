@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "harness/grade/concern_titles.h"
 #include "harness/grade/concerns.h"
 #include "harness/grade/hard_scenes_sentences.h"
 #include "harness/grade/other_scenes_sentences.h"
@@ -63,7 +64,7 @@ std::string Evidence::others(const Graded& graded, const Listing& printout, cons
     PageData flags(PageData::type::list);
     for (const Flag& flag : open) {
         PageData one;
-        one["flag"] = flag_title(flag);
+        one["flag"] = title_of(flag.kind).sentence;
         const Listing& named = flag.kind == "hard_coded" ? source : printout;
         one["proof"] = named.with_links(beginning_of(evidence_text(graded, flag, audience_), most_bytes_));
         flags.push_back(one);

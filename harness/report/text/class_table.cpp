@@ -7,6 +7,7 @@
 #include <map>
 
 #include "harness/execution/tier.h"
+#include "harness/grade/concern_titles.h"
 #include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
 #include "harness/grade/override_place.h"
@@ -21,16 +22,6 @@ namespace {
 std::string called(const Submission& submission) {
     const std::string label = one_line(label_of(submission)), id = one_line(submission.id);
     return label == id ? id : fmt::format("{} ({})", label, id);
-}
-
-std::string short_title(const Flag& flag) {
-    if (flag.kind == "reading_doubtful") return "an answer may have been misread";
-    if (flag.kind == "hard_coded") return "printed numbers may not depend on the scene";
-    if (flag.kind == "other_scene") return "the source states another scene";
-    if (flag.kind == "nondeterministic") return "answers differ from run to run";
-    std::string words = one_line(flag.kind);
-    std::ranges::replace(words, '_', ' ');
-    return words;
 }
 
 /// A line of a terminal's length; the report has the rest.
@@ -178,9 +169,11 @@ std::string needs_a_person(const std::vector<Graded>& graded, const std::string&
     for (const Graded& one : graded) {
         const std::vector<Flag> open = open_flags(one);
         if (!open.empty()) ++count;
-        for (const Flag& flag : open)
-            flagged += fmt::format("  {}: {}: {}\n", called(one.submission), short_title(flag),
-                                   shortened(evidence_text(one, flag, Audience::instructor)));
+        for (const Flag& flag : open) {
+            const ConcernTitle title = title_of(flag.kind);
+            flagged += fmt::format("  {}: {}: {}{}\n", called(one.submission), one_line(title.in_a_line),
+                                   shortened(evidence_text(one, flag, Audience::instructor)), title.way_out);
+        }
         if (one.outcome == Outcome::not_graded)
             ungraded += fmt::format("{} {}: {}\n", colored("not graded:", Color::red, colors), called(one.submission),
                                     one_line(one.explanation));

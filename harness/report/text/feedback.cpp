@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "harness/execution/tier.h"
+#include "harness/grade/concern_titles.h"
 #include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
 #include "harness/grade/hard_scenes_sentences.h"
@@ -191,7 +192,7 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     if (const std::vector<Flag> open = open_flags(graded); !open.empty()) {
         text += "\n## To look at\n\n";
         for (const Flag& flag : open) {
-            text += fmt::format("- {}: {}\n", plain(flag_title(flag)), code(flag.evidence));
+            text += fmt::format("- {}: {}\n", plain(title_of(flag.kind).sentence), code(flag.evidence));
         }
     }
     if (const std::string other_scenes = list_of(other_scenes_of(graded)); !other_scenes.empty())
@@ -228,7 +229,8 @@ std::string check_text(const Graded& graded, reference::Feedback feedback, Color
     for (const std::string& hint : compiler_hints(graded)) text += escape_control(hint) + "\n";
     if (!graded.build.diagnostics.empty())
         text += "\nThe compiler's messages:\n" + escape_control(graded.build.diagnostics) + "\n";
-    for (const Flag& flag : graded.flags) text += flag_title(flag) + ": " + escape_control(flag.evidence) + "\n";
+    for (const Flag& flag : graded.flags)
+        text += title_of(flag.kind).sentence + ": " + escape_control(flag.evidence) + "\n";
     for (const std::string& sentence : other_scenes_of(graded)) text += escape_control(sentence) + "\n";
     for (const std::string& finding : graded.sanitizer)
         text += "Found by the sanitizers: " + escape_control(finding) + "\n";

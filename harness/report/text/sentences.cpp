@@ -156,18 +156,6 @@ std::vector<std::string> reread_sentences(const Score& score) {
     return sentences;
 }
 
-std::string flag_title(const Flag& flag) {
-    if (flag.kind == "nondeterministic") return "The program's answers differ from run to run";
-    if (flag.kind == "hard_coded") return "Printed numbers may not depend on the scene in the source";
-    if (flag.kind == "other_scene") return "The source states another scene than the assignment";
-    if (flag.kind == "scene_of_another") return "The answers are those of another scene than this student's";
-    if (flag.kind == "variants_not_tried") return "The program could not be tried in full on other scenes";
-    if (flag.kind == "reading_doubtful")
-        return "Some answers may not have been read as they were meant; each is best on a line of its own, as in t: "
-               "1.25";
-    return flag.kind;
-}
-
 std::string name_in_question(const reference::ItemSpec& spec) {
     return spec.part == 0 ? std::string(spec.name) : fmt::format("{}) {}", spec.part, spec.name);
 }

@@ -60,7 +60,4 @@ std::string doubtful_reading(const Graded& graded);
 /// What a flag of the submission rests on. Students are told less than instructors where it gives an answer away.
 std::string evidence_text(const Graded& graded, const Flag& flag, Audience audience);
 
-/// What a flag means, as a sentence.
-std::string flag_title(const Flag& flag);
-
 }  // namespace harness::report

@@ -67,6 +67,13 @@ TEST(ClassTable, TellsTheInstructorWhyAReadingIsDoubtful) {
     EXPECT_THAT(needs_a_person({zoe}, ""), HasSubstr("line 400 has numbers that were used for no answer"));
 }
 
+TEST(ClassTable, TellsWhatToDoAboutALatenessWithoutADate) {
+    Graded zoe = graded("zoe", output_with_a_mistake());
+    zoe.flags = {{"late_without_date", "Handed in late."}};
+    EXPECT_THAT(needs_a_person({zoe}, ""), EndsWith("  zoe: late, by an unknown time: Handed in late. List it in a "
+                                                    "file for --late-days, or override the mark.\n"));
+}
+
 TEST(ClassTable, CutsALongReason) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     zoe.flags = {{"hard_coded", std::string(100, 'x') + " " + std::string(100, 'y')}};

@@ -1,0 +1,34 @@
+#include "harness/grade/concern_titles.h"
+
+#include <algorithm>
+#include <array>
+
+namespace harness {
+
+ConcernTitle title_of(const std::string& kind) {
+    static const std::array<ConcernTitle, 8> titles{{
+        {"reading_doubtful",
+         "Some answers may not have been read as they were meant; each is best on a line of its own, as in t: 1.25",
+         "an answer may have been misread", "Doubtful readings"},
+        {"hard_coded", "Printed numbers may not depend on the scene in the source",
+         "printed numbers may not depend on the scene", "Answers that may be written into the program"},
+        {"other_scene", "The source states another scene than the assignment", "the source states another scene",
+         "A different scene"},
+        {"scene_of_another", "The answers are those of another scene than this student's",
+         "the answers are those of another student's scene", "The scene of a different student"},
+        {"nondeterministic", "The program's answers differ from run to run", "answers differ from run to run",
+         "Answers that differ between runs"},
+        {"variants_not_tried", "The program could not be tried in full on other scenes",
+         "not tried in full on other scenes", "Not tried on other scenes"},
+        {"not_graded", "Not graded", "not graded", "Not graded"},
+        {"late_without_date", "Late, by an unknown time", "late, by an unknown time", "Late, without a date",
+         " List it in a file for --late-days, or override the mark."},
+    }};
+    const auto found = std::find_if(titles.begin(), titles.end(), [&](const auto& each) { return each.kind == kind; });
+    if (found != titles.end()) return *found;
+    std::string words = kind;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return {kind, words, words, words, ""};
+}
+
+}  // namespace harness
