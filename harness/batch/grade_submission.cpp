@@ -139,7 +139,10 @@ std::shared_ptr<const Score> read_and_score(const std::string& output, const Sub
 void judge_by_source(Graded& graded, const std::string& source, const std::string& output, const Marking& marking,
                      ScoreMemo* memo) {
     const auto places = places_in(graded.submission.rereads, output);
-    if (auto own = score_on_own_scene(graded.score, output, source, marking, places, memo)) {
+    auto own = graded.submission.may_set_own_scene
+                   ? score_on_own_scene(graded.score, output, source, marking, places, memo)
+                   : std::nullopt;
+    if (own) {
         graded.score = std::move(own->score);
         graded.flags.push_back({"other_scene", own->scene.cause + "; answers belong to that scene."});
         graded.own_scene = std::move(own->scene);

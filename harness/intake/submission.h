@@ -41,6 +41,9 @@ struct Submission {
     /// Of a source that raygrade itself wrote: what its runs get as stdin, one run each. That it does not compile then
     /// says nothing of the submission. Empty for what students hand in, which runs without an input.
     std::vector<std::string> inputs;
+    /// False for a copy on another scene whose original's answers belong to the assignment's scene. Its numbers are no
+    /// guess at a scene then, and a guess costs a certified key.
+    bool may_set_own_scene = true;
     std::optional<std::string> problem;  ///< why it can't be graded and what to do; empty if it can
 };
 

@@ -67,6 +67,7 @@ class RewrittenPart {
         submission.file = base.file;
         submission.source = one.source;
         submission.rereads = base.rereads;
+        submission.may_set_own_scene = graded_[one.index].own_scene.has_value();
         return submission;
     }
 

@@ -103,7 +103,8 @@ TEST(RunRewritten, DistinguishesTheMachinesFailureFromItsOwnFault) {
 
 /// Runs a program on the assignment's scene, and then on two other scenes, in which the sphere's radius is 3 and 5.
 struct OnThreeScenes {
-    explicit OnThreeScenes(const std::string& source) {
+    /// `forget` takes from the first run whatever scene of its own was found.
+    explicit OnThreeScenes(const std::string& source, bool forget = false) {
         const StageLimits limits = read_limits({}, {});
         const Runner runner = make_runner(std::make_unique<const Sandbox>(strongest_tier()),
                                           default_build_settings(limits.compile), limits.run);
@@ -120,20 +121,26 @@ struct OnThreeScenes {
         std::vector<Graded> graded{grade(submission, marking, runner)};
         // Whatever it printed, there is something to try.
         graded[0].score.questions = four()[0].score.questions;
+        if (forget) graded[0].own_scene.reset();
         Timeline timeline;
         const auto scenes_for = [&](std::size_t, const PartSet&) -> const auto& {
             return scenes;
         };
         const auto note = [&](const Rewritten& one) {
-            for (const SceneRun& run : one.runs) printed.push_back(run.graded.value().printout);
+            for (const SceneRun& run : one.runs) {
+                printed.push_back(run.graded.value().printout);
+                sets_own_scene.push_back(run.graded->own_scene.has_value());
+            }
         };
         run_rewritten(graded, {source}, scene(), runner, 1, timeline, {{scenes_for, note}});
         const std::string trace = timeline.chrome_trace();
         for (std::size_t at = 0; (at = trace.find("\"build\"", at)) != std::string::npos; ++at) ++compiled;
     }
 
-    std::vector<std::string> printed;  ///< on the two other scenes
-    int compiled = 0;                  ///< how often something was compiled for them
+    // on the two other scenes
+    std::vector<std::string> printed;
+    std::vector<bool> sets_own_scene;
+    int compiled = 0;  ///< how often something was compiled for them
 };
 
 TEST(RunRewritten, CompilesAProgramOnceForAllScenes) {
@@ -166,6 +173,17 @@ TEST(RunRewritten, CompilesEachSceneOfAProgramWhoseCopyPrintsSomethingElse) {
         EXPECT_THAT(run.printed, ElementsAre("R 3\n", "R 5\n")) << odd;
         EXPECT_EQ(run.compiled, 3) << odd;
     }
+}
+
+TEST(RunRewritten, SeeksASceneInTheSourceOnlyWhereTheFirstRunBelongedToOne) {
+    // Right for the pixel (10, 20).
+    const std::string source =
+        "#include <cstdio>\nint pixel[] = {10, 20};\nint main() { float R = 2; printf(\"R %g\\n\", R);\n"
+        "puts(\"Question 1: Pixel in VCS: vec3(-1.860465, -0.796020, -2.000000)\");\n"
+        "puts(\"Question 4: Pixel in WCS: vec3(-1.860465, -0.796020, 2.000000)\");\n"
+        "puts(\"Question 5: V: vec3(-0.653904, -0.279780, -0.702946)\"); }\n";
+    EXPECT_THAT(OnThreeScenes(source).sets_own_scene, ElementsAre(true, true));
+    EXPECT_THAT(OnThreeScenes(source, true).sets_own_scene, ElementsAre(false, false));
 }
 
 }  // namespace
