@@ -32,6 +32,7 @@ constexpr const char* about =
     "answers and marks them against a certified key.\n\n"
     "  raygrade grade class/ --out results     a class: marks, reports, grades.json\n"
     "  raygrade merge parts/* --out results    the same, of what several machines have graded\n"
+    "  raygrade cluster slurm class/           the scripts that grade on a Slurm cluster, or over ssh\n"
     "  raygrade review results                 what needs a person, side by side in a browser\n"
     "  raygrade override s05 6.t 2 --why ...   an instructor's mark in place of the automatic one\n"
     "  raygrade reread s05 6.t 12 --why ...    where an answer stands that was misread; marks follow from it\n"
@@ -105,11 +106,11 @@ int run(int argc, char** argv) {
     app.get_formatter()->column_width(36);
 
     const std::array commands{
-        grade_command(app),      merge_command(app),  review_command(app),   override_command(app),
-        reread_command(app),     check_command(app),  serve_command(app),    stress_command(app),
-        reference_command(app),  cast_command(app),   accuracy_command(app), read_command(app),
-        explain_command(app),    render_command(app), doctor_command(app),   assignment_command(app),
-        autograder_command(app), help_command(app),   generate_command(app),
+        grade_command(app),      merge_command(app),      cluster_command(app), review_command(app),
+        override_command(app),   reread_command(app),     check_command(app),   serve_command(app),
+        stress_command(app),     reference_command(app),  cast_command(app),    accuracy_command(app),
+        read_command(app),       explain_command(app),    render_command(app),  doctor_command(app),
+        assignment_command(app), autograder_command(app), help_command(app),    generate_command(app),
     };
     if (argc < 2) {
         fmt::print("{}", app.help());

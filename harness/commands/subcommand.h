@@ -20,6 +20,7 @@ struct Subcommand {
 // Each adds its subcommand, with its options, to `app`.
 Subcommand grade_command(CLI::App& app);
 Subcommand merge_command(CLI::App& app);
+Subcommand cluster_command(CLI::App& app);
 Subcommand override_command(CLI::App& app);
 Subcommand reread_command(CLI::App& app);
 Subcommand check_command(CLI::App& app);

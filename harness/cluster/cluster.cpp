@@ -1,0 +1,113 @@
+#include "harness/cluster/cluster.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <system_error>
+
+#include "harness/cluster/scripts.h"
+#include "harness/machine/bounded_file.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
+#include "harness/text/escape.h"
+
+namespace harness::cluster {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string list(std::string_view name, const std::vector<std::string>& words) {
+    std::string text = fmt::format("{}=(", name);
+    for (const std::string& word : words) text += (text.back() == '(' ? "" : " ") + quoted(word);
+    return text + ")\n";
+}
+
+std::string setting(std::string_view name, const std::string& value) {
+    return fmt::format("{}={}\n", name, quoted(value));
+}
+
+/// The first words of every script: what the plan says.
+std::string settings(const Plan& plan) {
+    return "#!/usr/bin/env bash\n# Written by `raygrade cluster`. Write it anew rather than change it.\nset -u\n" +
+           setting("work", plan.work.string()) + setting("raygrade", plan.raygrade.string()) +
+           setting("folder", plan.folder.string()) + setting("results", plan.results.string()) +
+           fmt::format("shards={}\n", plan.shards);
+}
+
+std::string shard_script(const Plan& plan, const std::string& jobs) {
+    std::vector<std::string> options = plan.options;
+    if (!jobs.empty()) options.push_back(jobs);
+    return settings(plan) + list("class", plan.classes) + list("options", options) + list("sandbox", plan.sandbox) +
+           std::string(scripts::shard);
+}
+
+std::vector<Script> common_scripts(const Plan& plan, const std::string& jobs) {
+    return {{"shard", shard_script(plan, jobs)},
+            {"merge", settings(plan) + list("merge_options", plan.merge_options) + std::string(scripts::merge)},
+            {"status", settings(plan) + std::string(scripts::status)}};
+}
+
+/// What `fingerprint` of the folder says; empty if there is none.
+std::string kept_fingerprint(const fs::path& file) {
+    std::error_code error;
+    return fs::exists(file, error) ? read_bounded(file, 1024, Links::refuse).bytes : "";
+}
+
+void give_up_parts(const fs::path& folder) {
+    // Not iterated while entries go.
+    std::vector<fs::path> old;
+    for (const auto& entry : fs::directory_iterator(folder / "parts")) old.push_back(entry.path());
+    for (const fs::path& part : old) fs::remove(part);
+    fs::remove(folder / "node.json");
+}
+
+}  // namespace
+
+std::string quoted(const std::string& word) {
+    if (word.find_first_of("\n\r") != std::string::npos || word.find('\0') != std::string::npos) {
+        throw UsageError(escape_control(word) + ": has a line break, and no script is written with one; rename it");
+    }
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
+std::vector<Script> slurm_scripts(const Plan& plan, const SlurmLimits& limits) {
+    std::vector<std::string> partition;
+    if (!limits.partition.empty()) partition.push_back("--partition=" + limits.partition);
+    std::vector<std::string> asked = partition;
+    asked.push_back(fmt::format("--time={}", limits.minutes));
+    asked.push_back(fmt::format("--mem={}M", limits.memory_mib));
+    asked.push_back(fmt::format("--cpus-per-task={}", limits.cpus));
+    std::vector<Script> all = common_scripts(plan, fmt::format("--jobs={}", limits.cpus));
+    all.push_back({"submit", settings(plan) + list("limits", asked) + list("merge_limits", partition) +
+                                 std::string(scripts::submit)});
+    return all;
+}
+
+std::vector<Script> parallel_scripts(const Plan& plan, const fs::path& hosts) {
+    std::vector<Script> all = common_scripts(plan, "");
+    all.push_back({"run", settings(plan) + setting("hosts", hosts.string()) + std::string(scripts::run)});
+    return all;
+}
+
+void write_scripts(const Plan& plan, const std::vector<Script>& scripts, OldParts old_parts) {
+    const fs::path kept = plan.folder / "fingerprint";
+    const FolderUse use{"the scripts of a cluster", "--scripts"};
+    if (look_into(plan.folder, {"fingerprint"}, "parts", use) == Holds::earlier_results) {
+        if (old_parts == OldParts::give_up) {
+            give_up_parts(plan.folder);
+        } else if (kept_fingerprint(kept) != plan.fingerprint) {
+            throw UsageError(fmt::format(
+                "{}: holds parts of a different class, assignment or options; grade all again with --again, or name "
+                "another folder with --scripts",
+                plan.folder.string()));
+        }
+    }
+    make_results_folder(plan.folder, "parts");
+    make_results_folder(plan.folder, "logs");
+    write_file(kept, plan.fingerprint);
+    for (const Script& script : scripts) write_file(plan.folder / script.name, script.text);
+}
+
+}  // namespace harness::cluster

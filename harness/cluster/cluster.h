@@ -1,0 +1,51 @@
+// The scripts by which Slurm, or GNU parallel over ssh, grades a class in shards on several machines.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace harness::cluster {
+
+/// What to grade. All paths are seen alike by all machines.
+struct Plan {
+    std::filesystem::path work;      ///< where relative paths start; absolute
+    std::filesystem::path raygrade;  ///< the program; absolute
+    std::filesystem::path folder;    ///< of scripts, parts and logs; absolute
+    std::filesystem::path results;
+    std::vector<std::string> classes;  ///< the paths of the class
+    std::vector<std::string> options;  ///< more words for `raygrade grade`
+    std::vector<std::string> sandbox;  ///< those of them that say which sandbox
+    std::vector<std::string> merge_options;
+    std::string fingerprint;  ///< of all that the parts are made from
+    int shards = 1;
+};
+
+/// What Slurm is asked for.
+struct SlurmLimits {
+    std::string partition;  ///< empty for Slurm's default
+    int minutes = 60;       ///< of a shard
+    std::uint64_t memory_mib = 4096;
+    int cpus = 1;
+};
+
+struct Script {
+    std::string name;  ///< "submit"
+    std::string text;
+};
+
+/// One word for a shell, whatever is in it. Throws UsageError for a line break, which no script could show readably.
+std::string quoted(const std::string& word);
+
+std::vector<Script> slurm_scripts(const Plan& plan, const SlurmLimits& limits);
+
+/// `hosts` is GNU parallel's file of hosts, one a line.
+std::vector<Script> parallel_scripts(const Plan& plan, const std::filesystem::path& hosts);
+
+/// Writes the scripts, and removes parts that `again` gives up. Throws UsageError if the folder holds something else,
+/// or parts that were made from something else and are not given up.
+enum class OldParts { keep, give_up };
+void write_scripts(const Plan& plan, const std::vector<Script>& scripts, OldParts old_parts);
+
+}  // namespace harness::cluster

@@ -1,0 +1,231 @@
+#include "harness/cluster/cluster.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+#include "harness/build/toolchain.h"
+#include "harness/class_run/class_run.h"
+#include "harness/class_run/into_results.h"
+#include "harness/class_run/regrade.h"
+#include "harness/cluster/preflight.h"
+#include "harness/commands/shared_options.h"
+#include "harness/commands/subcommand.h"
+#include "harness/intake/intake.h"
+#include "harness/machine/errors.h"
+#include "harness/machine/fingerprint.h"
+#include "harness/machine/say.h"
+#include "harness/run/limits.h"
+#include "harness/scenes/other/points.h"
+#include "harness/shards/shard.h"
+#include "reference/toml/assignment.h"
+
+namespace harness {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ClusterOptions {
+    std::vector<fs::path> paths;
+    std::string assignment;
+    fs::path out = "results";
+    fs::path scripts = "cluster";
+    int shards = 16;
+    bool apply = false;
+    bool again = false;
+    GradingOptions grading{};                   ///< read only to be checked; every machine is given the words
+    std::vector<const CLI::Option*> for_grade;  ///< those of the options that are `grade`'s
+    // of slurm
+    cluster::SlurmLimits limits{"", 0, 0, 4};  ///< 0 for what the assignment's limits come to
+    bool submit = false;
+    // of parallel
+    fs::path hosts;
+    // of preflight
+    fs::path node;
+};
+
+/// "--repeat=2" for each option of `grade` that was given.
+std::vector<std::string> given_words(const ClusterOptions& options) {
+    std::vector<std::string> words;
+    for (const CLI::Option* option : options.for_grade) {
+        const std::string name = "--" + option->get_lnames().front();
+        if (option->get_expected_max() == 0) {
+            if (option->count() > 0) words.push_back(name);
+            continue;
+        }
+        for (const std::string& value : option->results()) words.push_back(name + "=" + value);
+    }
+    return words;
+}
+
+cluster::Plan plan_of(const ClusterOptions& options, const reference::AssignmentFile& file,
+                      const std::vector<Submission>& submissions) {
+    cluster::Plan plan;
+    plan.work = fs::current_path();
+    plan.raygrade = fs::read_symlink("/proc/self/exe");
+    plan.folder = fs::absolute(options.scripts).lexically_normal();
+    plan.results = options.out;
+    for (const fs::path& path : options.paths) plan.classes.push_back(fs::absolute(path).string());
+    plan.options = given_words(options);
+    for (const std::string& word : plan.options) {
+        if (word.starts_with("--sandbox=") || word == "--unsafe") plan.sandbox.push_back(word);
+    }
+    if (!options.assignment.empty()) plan.options.push_back("--assignment=" + options.assignment);
+    if (options.apply) plan.merge_options = {"--apply"};
+    plan.shards = options.shards;
+    Fingerprint fingerprint("raygrade/cluster/1");
+    fingerprint.add(RAYGRADE_VERSION).add(file.toml).add(std::to_string(options.shards));
+    for (const std::string& word : plan.options) fingerprint.add(word);
+    for (const Submission& each : submissions) fingerprint.add(each.id).add(each.source);
+    plan.fingerprint = fingerprint.hex() + "\n";
+    return plan;
+}
+
+/// What a shard takes if every submission of it goes to its limits, compiled once and run as often as is asked for.
+cluster::SlurmLimits limits_of(const ClusterOptions& options, const StageLimits& stages, std::size_t class_size) {
+    using std::chrono::milliseconds;
+    cluster::SlurmLimits limits = options.limits;
+    const auto shards = static_cast<std::size_t>(options.shards);
+    const auto share = static_cast<std::int64_t>((class_size + shards - 1) / shards);
+    const std::int64_t scenes = 1 + options.grading.other_scenes.count + (options.grading.stress ? 25 : 0);
+    const milliseconds each = scenes * (stages.compile.wall + options.grading.runner.repetitions * stages.run.wall);
+    const std::int64_t rounds = (share + limits.cpus - 1) / limits.cpus;
+    constexpr int to_start = 10;  // reading the class, the sandbox's check, headers
+    if (limits.minutes == 0)
+        limits.minutes = static_cast<int>(std::chrono::ceil<std::chrono::minutes>(rounds * each).count()) + to_start;
+    constexpr std::uint64_t mib = 1024 * 1024;
+    const std::uint64_t most = std::max(stages.compile.memory_bytes, stages.run.memory_bytes);
+    if (limits.memory_mib == 0) limits.memory_mib = 1024 + static_cast<std::uint64_t>(limits.cpus) * (most / mib);
+    return limits;
+}
+
+/// Becomes `bash SCRIPT`.
+int become(const fs::path& script) {
+    std::fflush(nullptr);
+    execlp("bash", "bash", script.c_str(), static_cast<char*>(nullptr));
+    throw HarnessError("bash can't be started.");
+}
+
+int write_cluster(const ClusterOptions& options, bool for_slurm) {
+    const auto file = read_assignment(options.assignment, options.out);
+    const reference::Assignment assignment = reference::parse_assignment(file.toml, file.path);
+    const StageLimits stages = read_limits(assignment.limits, options.grading.runner.limits);
+    scenes::require_other_scenes(assignment, options.grading.other_scenes.count);
+    const std::vector<Submission> submissions = take_in_all(options.paths).submissions;
+    const cluster::Plan plan = plan_of(options, file, submissions);
+    const auto scripts = for_slurm ? cluster::slurm_scripts(plan, limits_of(options, stages, submissions.size()))
+                                   : cluster::parallel_scripts(plan, fs::absolute(options.hosts));
+    cluster::write_scripts(plan, scripts, options.again ? cluster::OldParts::give_up : cluster::OldParts::keep);
+    const fs::path start = plan.folder / (for_slurm ? "submit" : "run");
+    if (options.submit) return become(start);
+    fmt::print("cluster: {}\n", plan.folder.string());
+    say("Start with: bash {}\nWatch with: bash {}\n", cluster::quoted(start.string()),
+        cluster::quoted((plan.folder / "status").string()));
+    return all_graded;
+}
+
+int preflight(const ClusterOptions& options) {
+    RunnerOptions runner_options = options.grading.runner;
+    runner_options.cache.reset();
+    const Runner runner = open_runner(runner_options, {});
+    std::array<char, 256> name{};
+    gethostname(name.data(), name.size() - 1);
+    const char* slurm_name = std::getenv("SLURMD_NODENAME");
+    const std::string differs =
+        cluster::difference_from_first({slurm_name != nullptr ? slurm_name : name.data(),
+                                        {{"raygrade", RAYGRADE_VERSION},
+                                         {"compiler", toolchain_fingerprint(runner.build.compiler)},
+                                         {"sandbox", std::string(to_string(runner.sandbox->tier()))}}},
+                                       options.node);
+    if (!differs.empty()) throw UsageError(differs);
+    return all_graded;
+}
+
+CLI::App* add_kind(CLI::App& command, const char* name, const char* about, ClusterOptions& options) {
+    CLI::App* kind = command.add_subcommand(name, about);
+    kind->add_option("paths", options.paths, "What to grade, where all machines see it")
+        ->required()
+        ->type_name("PATH...");
+    add_assignment(*kind, options.assignment)->default_str("that of the results in --out, else default");
+    options.assignment.clear();
+    kind->add_option("-o,--out", options.out, "The folder of results that the parts are merged into")
+        ->type_name("DIR")
+        ->capture_default_str();
+    kind->add_option("--scripts", options.scripts, "The folder for the scripts, the parts and the logs")
+        ->type_name("DIR")
+        ->capture_default_str();
+    kind->add_option("--shards", options.shards, "How many shards to split the class into")
+        ->check(CLI::Range(1, Shard::most))
+        ->type_name("N")
+        ->capture_default_str();
+    kind->add_flag("--apply", options.apply, "Let the merge write over the marks of an earlier run");
+    kind->add_flag("--again", options.again, "Grade all shards again, also those that are done");
+    return kind;
+}
+
+/// Those that every shard is given. `slurm` and `parallel` have their own, so only those of the one that was given
+/// count.
+void add_for_grade(CLI::App& kind, ClusterOptions& options) {
+    const auto before = kind.get_options();
+    add_other_scenes(kind, options.grading.other_scenes);
+    kind.add_flag("--stress", options.grading.stress, "Also run each program on the hard scenes of `raygrade stress`");
+    add_runner(kind, options.grading.runner);
+    for (const CLI::Option* option : kind.get_options()) {
+        if (std::find(before.begin(), before.end(), option) == before.end()) options.for_grade.push_back(option);
+    }
+}
+
+void add_slurm(CLI::App& slurm, ClusterOptions& options) {
+    slurm.add_option("--partition", options.limits.partition, "Slurm's partition")
+        ->type_name("NAME")
+        ->default_str("Slurm's default");
+    slurm.add_option("--cpus", options.limits.cpus, "Processors of a shard")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N")
+        ->capture_default_str();
+    const char* from_limits = "what the limits of the assignment come to";
+    slurm.add_option("--minutes", options.limits.minutes, "How long a shard may take")
+        ->check(CLI::Range(1, 1000000))
+        ->type_name("N")
+        ->default_str(from_limits);
+    slurm.add_option("--memory-mib", options.limits.memory_mib, "The memory of a shard")
+        ->check(CLI::Range(1, 100000000))
+        ->type_name("N")
+        ->default_str(from_limits);
+    slurm.add_flag("--submit", options.submit, "Submit it at once, or what of it failed");
+    slurm.footer("Example: raygrade cluster slurm class/ --assignment a6-2021 --out results --shards 32 --submit");
+}
+
+}  // namespace
+
+Subcommand cluster_command(CLI::App& app) {
+    CLI::App& command =
+        *app.add_subcommand("cluster", "Write the scripts that grade a class on several machines, by Slurm or by ssh");
+    command.require_subcommand(1);
+    const auto options = std::make_shared<ClusterOptions>();
+    CLI::App* slurm = add_kind(command, "slurm", "A Slurm array job of shards, and a job that merges them", *options);
+    add_for_grade(*slurm, *options);
+    add_slurm(*slurm, *options);
+    CLI::App* parallel = add_kind(command, "parallel", "GNU parallel over ssh: a shard a host at a time", *options);
+    add_for_grade(*parallel, *options);
+    parallel
+        ->add_option("--hosts", options->hosts, "A file of hosts, one a line, as `parallel --sshloginfile` reads it")
+        ->type_name("FILE")
+        ->required();
+    parallel->footer("Example: raygrade cluster parallel class/ --hosts hosts.txt --out results");
+    CLI::App* node = command.add_subcommand(
+        "preflight",
+        "Refuse a machine that differs from the first that started; the scripts call it before they grade");
+    node->add_option("file", options->node, "What the first machine had; it writes it")->type_name("FILE")->required();
+    add_runner(*node, options->grading.runner);
+    return {&command, [=] { return node->parsed() ? preflight(*options) : write_cluster(*options, slurm->parsed()); }};
+}
+
+}  // namespace harness
