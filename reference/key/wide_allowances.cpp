@@ -82,7 +82,10 @@ std::vector<std::string> tell_wide_allowances(const std::vector<KeyQuestion>& qu
         std::string text = fmt::format("Float is coarse for {} of this scene.", name_of(subject));
         if (!off.empty()) text += fmt::format(" A correct program may be off by so much of the value: {}.", off);
         if (!any.empty())
-            text += fmt::format(" A correct program may print any number, and every number counts as right: {}.", any);
+            text += fmt::format(
+                " A correct program may print any number, which counts unless the student's other answers "
+                "rule it out: {}.",
+                any);
         paragraphs.push_back(text + " " + reason_for(subject, numbers, answers));
     }
     return paragraphs;

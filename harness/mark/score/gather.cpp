@@ -5,6 +5,7 @@
 
 #include "harness/mark/compare/key_targets.h"
 #include "harness/mark/diagnose/close_call.h"
+#include "harness/mark/diagnose/residual.h"
 #include "reference/key/graded_allowance.h"
 
 namespace harness {
@@ -23,16 +24,6 @@ bool swallows_scene(const PrintedValue& value, const IntervalScene& scene) {
                        [&](const PrintedNumber& number) { return std::abs(number.value) > largest; });
 }
 
-/// An axis, a direction and a triangle's normal have length 1 whatever they are made of.
-bool has_its_length(const ItemId& id, const MatchedItem& printed) {
-    const ItemId unit_vectors[] = {item::X_vcs, item::Y_vcs, item::Z_vcs, item::V, item::triangle::normal};
-    if (std::find(std::begin(unit_vectors), std::end(unit_vectors), id) == std::end(unit_vectors)) return true;
-    double square = 0;
-    for (std::size_t i = 0; i < 3 && i < printed.value->numbers.size(); ++i)
-        square += printed.value->numbers[i].value * printed.value->numbers[i].value;
-    return std::abs(std::sqrt(square) - 1) < 0.01;
-}
-
 class Gatherer {
   public:
     Gatherer(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
@@ -41,6 +32,7 @@ class Gatherer {
 
   private:
     Finding compare_with_key(const KeyItem& item, const MatchedItem& printed);
+    Finding judge_residual(const MatchedItem& printed) const;
     bool is_right_but_coarse(const KeyItem& item, const MatchedItem& printed, int least_digits) const;
     bool is_right_quadratic(const KeyItem& item, const MatchedItem& printed, Finding& finding) const;
     bool is_right_matrix(const KeyItem& item, const MatchedItem& printed, Finding& finding);
@@ -51,6 +43,7 @@ class Gatherer {
     const reference::AnswerKey& key_;
     const reference::Rubric& rubric_;
     Evidence evidence_;
+    ItemTargets own_;  ///< all that was printed readably, for residuals
     bool system_is_negated_ = false;
 };
 
@@ -62,6 +55,9 @@ Gatherer::Gatherer(const std::vector<MatchedItem>& matched, const reference::Ans
     for (auto [id, target] : evidence_.conventions.front().targets()) {
         target.allowance.clear();  // values that follow from it have their own allowances
         evidence_.key.set(id, std::move(target));
+    }
+    for (const MatchedItem& item : matched) {
+        if (readable(matched, item.spec.id) != nullptr) own_.set(item.spec.id, own_value(item));
     }
     evidence_.scene = real_scene(assignment, key.canonical);
     evidence_.min_decimals = rubric_.min_decimals;
@@ -107,12 +103,10 @@ Finding Gatherer::compare_with_key(const KeyItem& item, const MatchedItem& print
                                             allowance_of(item, rubric_), rubric_.min_decimals);
         if (!finding.error) finding.error = closeness.error;
         if (!closeness.within) continue;
-        const bool is_judged_by_number = reference::float_can_answer(answer);
-        if (!is_judged_by_number && !has_its_length(id, printed)) continue;
+        if (!reference::float_can_answer(answer)) return judge_residual(printed);
         finding.right = true;
         finding.accepted_as =
             is_of_negated_system ? negated_form().describe() : std::string(reference::reason(answer, key_));
-        if (!is_judged_by_number) finding.accepted_as = "float has too few digits for this answer here";
         finding.error = closeness.error;
         if (id == matrix) evidence_.system = SystemForm{};
         return finding;
@@ -129,6 +123,27 @@ Finding Gatherer::compare_with_key(const KeyItem& item, const MatchedItem& print
     constexpr int digits_that_tell = 3;  // too many values round to 0.6 to tell which was meant
     finding.coarse = !finding.right && is_right_but_coarse(item, printed, digits_that_tell);
     finding.too_short = !finding.right && is_right_but_coarse(item, printed, 0);
+    return finding;
+}
+
+Finding Gatherer::judge_residual(const MatchedItem& printed) const {
+    ItemTargets own = own_;
+    for (const ItemId& id : {matrix, rhs}) {  // brought to the handout's form
+        const auto& known = evidence_.own_values(Digits::as_printed);
+        if (const auto found = known.find(id); found != known.end()) own.set(id, found->second);
+    }
+    Finding finding;
+    switch (residual_of(printed, own, evidence_.scene)) {
+        case Residual::small:
+            finding.right = true;
+            finding.accepted_as = "float has too few digits for this answer here; it agrees with your other answers";
+            break;
+        case Residual::unknown:
+            finding.right = true;
+            finding.accepted_as = "float has too few digits for this answer here; it counts unchecked";
+            break;
+        case Residual::impossible: finding.advice = residual_advice(printed.spec.id); break;
+    }
     return finding;
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "harness/mark/diagnose/evidence.h"
@@ -14,11 +15,12 @@ namespace harness {
 
 /// How a printed value compares with the key, without regard to the student's other values.
 struct Finding {
-    bool right = false;           ///< in some accepted form or reading
-    bool too_short = false;       ///< the key's as far as it is printed, which is too short to tell
-    bool coarse = false;          ///< the key's, rounded to fewer decimals than the rubric's min_decimals
-    std::string accepted_as;      ///< why another form or reading is right; empty for the canonical one
-    std::optional<double> error;  ///< as in ItemScore
+    bool right = false;            ///< in some accepted form or reading
+    bool too_short = false;        ///< the key's as far as it is printed, which is too short to tell
+    bool coarse = false;           ///< the key's, rounded to fewer decimals than the rubric's min_decimals
+    std::string accepted_as;       ///< why another form or reading is right; empty for the canonical one
+    std::optional<double> error;   ///< as in ItemScore
+    std::string_view advice = {};  ///< what is wrong with an answer that float can't give, if something is
 };
 
 struct Gathered {

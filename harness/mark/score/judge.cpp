@@ -129,6 +129,7 @@ void Judge::judge_value(const KeyItem& item, const MatchedItem& printed, const E
     }
     const auto found = find_mistake(printed, known, allowance);
     if (!found) {
+        score.advice = finding.advice;
         if (finding.too_short) {
             score.advice =
                 fmt::format("This has too few digits to tell whether it is right: print {} decimals or more.",

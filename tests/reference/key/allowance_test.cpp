@@ -185,7 +185,7 @@ TEST(WideAllowances, AreNamedWithTheReason) {
     ASSERT_EQ(narrow.notes.size(), 1U);
     EXPECT_THAT(narrow.notes.front(),
                 testing::AllOf(testing::StartsWith("Float is coarse for the triangle of this scene."),
-                               testing::HasSubstr("every number counts as right: t of question 8, u of question 8"),
+                               testing::HasSubstr("other answers rule it out: t of question 8, u of question 8"),
                                testing::HasSubstr("the triangle is narrow. Move a vertex")));
     EXPECT_THAT(key_with_triangle("[[-1, -1, 0], [2, 1, 0], [-1, 2, 0]]").notes, testing::IsEmpty());
 }

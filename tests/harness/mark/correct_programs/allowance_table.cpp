@@ -1,5 +1,5 @@
-// allowance_table [SCENES]: by kind of scene, how many correct programs lose marks and why, how large the allowance is
-// beside what the programs are off by, and how often it lets an error of a thousandth pass.
+// allowance_table [SCENES [v [KIND]]]: by kind of scene, how many correct programs lose marks and why, how large the
+// allowance is beside what the programs are off by, and how often it lets an error of a thousandth pass.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -119,32 +119,43 @@ Row row_of(std::string_view kind, std::uint64_t scenes, bool verbose) {
     return row;
 }
 
+void add(Row& all, const Row& row) {
+    all.programs += row.programs, all.losing += row.losing, all.not_finite += row.not_finite;
+    all.items += row.items, all.thousandth += row.thousandth;
+    all.well_posed += row.well_posed, all.thousandth_of_those += row.thousandth_of_those;
+    all.above_percent += row.above_percent, all.without_bound += row.without_bound;
+    all.ratios.insert(all.ratios.end(), row.ratios.begin(), row.ratios.end());
+}
+
+void print(std::string_view kind, const Row& row) {
+    std::cout << fmt::format("{:15}{:9}{:8}{:6}{:8}{:8}{:9}{:8}{:8}{:10}{:8.1f}\n", kind, row.programs, row.losing,
+                             row.not_finite, row.items, row.thousandth, row.well_posed, row.thousandth_of_those,
+                             row.above_percent, row.without_bound, median(row.ratios))
+              << std::flush;
+    for (const auto& [reason, n] : row.reasons) std::cout << "    " << reason << ": " << n << "\n";
+}
+
+void print_items(const Row& row) {
+    for (const auto& [id, ratios] : row.by_item)
+        std::cout << fmt::format("    {} {}: ratio {:.1f}\n", to_string(id.subject), id.name, median(ratios));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     const std::uint64_t scenes = argc > 1 ? std::stoull(argv[1]) : 10;
     const bool verbose = argc > 2;
-    std::cout << fmt::format("{:10}{:>9}{:>8}{:>6}{:>8}{:>8}{:>9}{:>8}{:>8}{:>10}{:>8}\n", "scenes", "programs",
+    std::cout << fmt::format("{:15}{:>9}{:>8}{:>6}{:>8}{:>8}{:>9}{:>8}{:>8}{:>10}{:>8}\n", "scenes", "programs",
                              "losing", "nan", "items", "1e-3", "posed", "1e-3", "> 1 %", "unbounded", "ratio");
-    std::vector<double> ratios;
-    Row all;
-    for (const std::string_view kind : kinds) {
-        if (argc > 3 && kind != argv[3]) continue;
+    const auto print_kind = [&](std::string_view kind) {
+        if (argc > 3 && kind != argv[3]) return Row();
         const Row row = row_of(kind, scenes, verbose);
-        std::cout << fmt::format("{:10}{:9}{:8}{:6}{:8}{:8}{:9}{:8}{:8}{:10}{:8.1f}\n", kind, row.programs, row.losing,
-                                 row.not_finite, row.items, row.thousandth, row.well_posed, row.thousandth_of_those,
-                                 row.above_percent, row.without_bound, median(row.ratios))
-                  << std::flush;
-        for (const auto& [reason, n] : row.reasons) std::cout << "    " << reason << ": " << n << "\n";
-        if (verbose)
-            for (const auto& [id, r] : row.by_item)
-                std::cout << fmt::format("    {} {}: ratio {:.1f}\n", to_string(id.subject), id.name, median(r));
-        ratios.insert(ratios.end(), row.ratios.begin(), row.ratios.end());
-        all.programs += row.programs, all.losing += row.losing, all.not_finite += row.not_finite;
-        all.items += row.items, all.thousandth += row.thousandth, all.above_percent += row.above_percent;
-        all.without_bound += row.without_bound;
-    }
-    std::cout << fmt::format("{:10}{:9}{:8}{:6}{:8}{:8}{:9}{:8}{:8}{:10}{:8.1f}\n", "all", all.programs, all.losing,
-                             all.not_finite, all.items, all.thousandth, all.well_posed, all.thousandth_of_those,
-                             all.above_percent, all.without_bound, median(ratios));
+        print(kind, row);
+        if (verbose) print_items(row);
+        return row;
+    };
+    Row all;
+    for (const std::string_view kind : kinds) add(all, print_kind(kind));
+    print("all", all);
+    for (const std::string_view kind : kinds_beyond_float) print_kind(kind);
 }

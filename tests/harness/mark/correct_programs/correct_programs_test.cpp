@@ -40,5 +40,7 @@ TEST_P(CorrectPrograms, LoseNoMark) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, CorrectPrograms, testing::ValuesIn(kinds),
                          [](const auto& kind) { return std::string(kind.param); });
+INSTANTIATE_TEST_SUITE_P(ScenesBeyondFloat, CorrectPrograms, testing::ValuesIn(kinds_beyond_float),
+                         [](const auto& kind) { return std::string(kind.param); });
 
 }  // namespace

@@ -42,11 +42,15 @@ P along(double x, const P& p, double y, const P& q) {
 
 reference::Assignment scene_of(std::string_view kind, std::uint64_t seed) {
     Random random(seed * kinds.size() + static_cast<std::uint64_t>(kind.front()) * 7919 + kind.size());
-    const auto is = [&](std::string_view name) { return kind == name; };
-    const double hardness = std::pow(10.0, random.between(1, 5));
+    const bool is_beyond_float = kind.starts_with(beyond);
+    const auto is = [&, name_of = kind.substr(is_beyond_float ? beyond.size() : 0)](std::string_view name) {
+        return name_of == name;
+    };
+    const double hardness = std::pow(10.0, is_beyond_float ? random.between(5, 9) : random.between(1, 5));
     const double scale = is("small") ? 1e-3 : is("large") ? 1e4 : 1;
     const P moved = is("offset") ? random.point(hardness) : P(0);
-    const int digits = is("offset") || is("far")                                          ? 9
+    const int digits = is_beyond_float                                                    ? 14
+                       : is("offset") || is("far")                                        ? 9
                        : is("grazing") || is("sliver") || is("parallel") || is("upright") ? 7
                                                                                           : 4;
 

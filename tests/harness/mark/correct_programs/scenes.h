@@ -15,8 +15,13 @@ namespace correct {
 inline constexpr std::array<std::string_view, 10> kinds = {"benign", "wide",   "offset",   "far",     "small",
                                                            "large",  "sliver", "parallel", "grazing", "upright"};
 
+/// The same, but so hard that float has no digits left for some answers.
+inline constexpr std::string_view beyond = "beyond_";
+inline constexpr std::array<std::string_view, 5> kinds_beyond_float = {"beyond_offset", "beyond_far", "beyond_sliver",
+                                                                       "beyond_parallel", "beyond_upright"};
+
 /// A scene whose ray hits the sphere and the triangle, in decimals of few digits. How hard it is, is drawn too: by a
-/// factor of 10 to 100,000.
+/// factor of 10 to 100,000; beyond float, of up to 10^9.
 reference::Assignment scene_of(std::string_view kind, std::uint64_t seed);
 
 }  // namespace correct
