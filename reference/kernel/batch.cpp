@@ -7,7 +7,7 @@
 
 // The clone for the machine's vector length is chosen when the program starts. No clone may fuse a * b + c (the build
 // says -ffp-contract=off), so that all give the same bits.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__x86_64__) && __has_attribute(target_clones) && !defined(__SANITIZE_ADDRESS__)
 #define EVERY_VECTOR_LENGTH __attribute__((target_clones("avx2", "default")))
 #else
 #define EVERY_VECTOR_LENGTH

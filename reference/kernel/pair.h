@@ -13,7 +13,7 @@ using Pair [[gnu::vector_size(16)]] = double;
 using PairBits [[gnu::vector_size(16)]] = std::uint64_t;
 
 KERNEL_INLINE Pair swapped(Pair pair) {
-    return __builtin_shufflevector(pair, pair, 1, 0);
+    return Pair{pair[1], pair[0]};
 }
 KERNEL_INLINE Pair absolute(Pair pair) {
     constexpr PairBits all_but_sign{~(std::uint64_t{1} << 63U), ~(std::uint64_t{1} << 63U)};
@@ -22,7 +22,7 @@ KERNEL_INLINE Pair absolute(Pair pair) {
 /// The sign bit of the second number, twice.
 KERNEL_INLINE PairBits sign_of_second(Pair pair) {
     constexpr PairBits sign{std::uint64_t{1} << 63U, std::uint64_t{1} << 63U};
-    return std::bit_cast<PairBits>(__builtin_shufflevector(pair, pair, 1, 1)) & sign;
+    return std::bit_cast<PairBits>(Pair{pair[1], pair[1]}) & sign;
 }
 /// Both numbers negated if that sign is set.
 KERNEL_INLINE Pair turned(Pair pair, PairBits sign) {
