@@ -9,6 +9,7 @@
 #include "harness/batch/own_scene_score.h"
 #include "harness/batch/reread.h"
 #include "harness/class_run/class_run.h"
+#include "harness/class_run/kept_class.h"
 #include "harness/class_run/notes.h"
 #include "harness/class_run/people_on_stderr.h"
 #include "harness/class_run/regrade.h"
@@ -69,8 +70,7 @@ void write_grading(const Grading& grading, ResultsSession& session, const ClassI
         return;
     }
     session.gradebook.save(grading.run, grading.graded, grading.comparison, inputs.rosters.given());
-    const HandedBack handed_back = write_reports(grading.results, options.out);
-    session.gradebook.note_reports_written();
+    const HandedBack handed_back = write_all_reports(session.gradebook, grading.results, options.out);
     tell_handed_back(handed_back, options.out);
     tell_where_results_are(options.out);
 }
