@@ -22,6 +22,7 @@
 #include "harness/report/text/class_table.h"
 #include "harness/results/reports.h"
 #include "harness/text/color.h"
+#include "harness/text/shell_word.h"
 
 namespace harness {
 namespace {
@@ -45,7 +46,8 @@ void show_grading(const Grading& grading, const ResultsSession& session, const C
     if (session.writes || session.of_an_older_raygrade) {
         const Colors colors = colors_of_stdout();
         if (!options.quiet) fmt::print("{}", report::class_table(grading.graded, colors));
-        fmt::print("{}", report::needs_a_person(grading.graded, "raygrade review " + options.out.string(), colors));
+        fmt::print("{}", report::needs_a_person(grading.graded, "raygrade review " + shell_word(options.out.string()),
+                                                colors));
     }
     tell_changes(session, grading.comparison, inputs.file, grading.results.marking, options.out);
     std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
