@@ -9,6 +9,7 @@
 #include "harness/batch/own_scene_score.h"
 #include "harness/batch/reread.h"
 #include "harness/class_run/class_run.h"
+#include "harness/class_run/kept_class.h"
 #include "harness/class_run/notes.h"
 #include "harness/class_run/people_on_stderr.h"
 #include "harness/class_run/regrade.h"
@@ -21,6 +22,7 @@
 #include "harness/report/text/class_table.h"
 #include "harness/results/reports.h"
 #include "harness/text/color.h"
+#include "harness/text/shell_word.h"
 
 namespace harness {
 namespace {
@@ -44,7 +46,8 @@ void show_grading(const Grading& grading, const ResultsSession& session, const C
     if (session.writes || session.of_an_older_raygrade) {
         const Colors colors = colors_of_stdout();
         if (!options.quiet) fmt::print("{}", report::class_table(grading.graded, colors));
-        fmt::print("{}", report::needs_a_person(grading.graded, "raygrade review " + options.out.string(), colors));
+        fmt::print("{}", report::needs_a_person(grading.graded, "raygrade review " + shell_word(options.out.string()),
+                                                colors));
     }
     tell_changes(session, grading.comparison, inputs.file, grading.results.marking, options.out);
     std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
@@ -69,8 +72,7 @@ void write_grading(const Grading& grading, ResultsSession& session, const ClassI
         return;
     }
     session.gradebook.save(grading.run, grading.graded, grading.comparison, inputs.rosters.given());
-    const HandedBack handed_back = write_reports(grading.results, options.out);
-    session.gradebook.note_reports_written();
+    const HandedBack handed_back = write_all_reports(session.gradebook, grading.results, options.out);
     tell_handed_back(handed_back, options.out);
     tell_where_results_are(options.out);
 }

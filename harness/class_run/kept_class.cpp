@@ -67,8 +67,24 @@ Author author_of(const std::string& by) {
     return author_now(by.empty() ? "" : read_line(by, "--by"));
 }
 
-bool must_rewrite_all(const Gradebook& gradebook, const KeptClass& kept, const fs::path& folder) {
-    return !gradebook.reports_are_written() || !class_reports_are_as_left(kept.graded, folder);
+bool pages_tell_as_now(const Gradebook& gradebook, const Marking& marking) {
+    const std::string written = gradebook.feedback_of_pages();
+    return written.empty() || written == to_string(feedback_now(marking.assignment.rubric));
+}
+
+bool must_rewrite_all(const Gradebook& gradebook, const KeptClass& kept, const Marking& marking,
+                      const fs::path& folder) {
+    return !gradebook.reports_are_written() || !pages_tell_as_now(gradebook, marking) ||
+           !class_reports_are_as_left(kept.graded, folder);
+}
+
+HandedBack write_all_reports(Gradebook& gradebook, const ClassResults& results, const fs::path& folder) {
+    // Asked for before the pages are written: if the deadline passes meanwhile, the next command writes them again.
+    const std::string_view told = to_string(feedback_now(results.marking.assignment.rubric));
+    HandedBack handed_back = write_reports(results, folder);
+    gradebook.note_feedback_of_pages(told);
+    gradebook.note_reports_written();
+    return handed_back;
 }
 
 void rewrite_reports(Gradebook& gradebook, const KeptClass& kept, const Marking& marking, bool all,
@@ -85,10 +101,10 @@ void rewrite_reports(Gradebook& gradebook, const KeptClass& kept, const Marking&
     make_results_folder(folder, "feedback");
     const ClassResults results{kept.graded, marking, kept.run.tier, roster, worksheet};
     if (all || changed.size() > 1) {
-        write_reports(results, folder);
-    } else if (!changed.empty()) {
-        write_reports(results, folder, changed.front());
+        write_all_reports(gradebook, results, folder);
+        return;
     }
+    if (!changed.empty()) write_reports(results, folder, changed.front());
     gradebook.note_reports_written();
 }
 

@@ -7,6 +7,7 @@
 
 #include "harness/grade/marking.h"
 #include "harness/gradebook/gradebook.h"
+#include "harness/results/reports.h"
 
 namespace harness {
 
@@ -33,9 +34,17 @@ Marking marking_of(const KeptClass& kept);
 /// Who changes something: as --by says, or if it is empty, the account that runs raygrade. Throws UsageError.
 Author author_of(const std::string& by);
 
-/// Whether all reports are to be written again, because an interrupted command left some unwritten or somebody changed
-/// one. Ask before the gradebook is saved: afterwards, a changed report looks unchanged.
-bool must_rewrite_all(const Gradebook& gradebook, const KeptClass& kept, const std::filesystem::path& folder);
+/// Whether the students' pages were written when they told as much as they do now: not if the deadline has passed since
+/// and they then tell more.
+bool pages_tell_as_now(const Gradebook& gradebook, const Marking& marking);
+
+/// Whether all reports are to be written again, because an interrupted command left some unwritten, somebody changed
+/// one or the pages tell more now. Ask before the gradebook is saved: afterwards, a changed report looks unchanged.
+bool must_rewrite_all(const Gradebook& gradebook, const KeptClass& kept, const Marking& marking,
+                      const std::filesystem::path& folder);
+
+/// Writes all reports and notes in the gradebook that they are written.
+HandedBack write_all_reports(Gradebook& gradebook, const ClassResults& results, const std::filesystem::path& folder);
 
 /// Writes all reports, because the last command may have left some unwritten, or only those that a change of these
 /// submissions changes.

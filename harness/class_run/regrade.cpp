@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "harness/class_run/installation.h"
+#include "harness/class_run/kept_class.h"
 #include "harness/machine/errors.h"
 #include "harness/report/text/changed_feedback.h"
 #include "harness/report/text/changed_marks.h"
@@ -15,8 +16,11 @@ namespace harness {
 namespace {
 
 /// Whether the gradebook would be the same but for the number of runs.
-bool is_as_saved(const ResultsSession& session, const Gradebook::Comparison& comparison, const Run& run) {
-    if (!session.last_run || !comparison.is_as_saved() || !session.gradebook.reports_are_written()) return false;
+bool is_as_saved(const ResultsSession& session, const Gradebook::Comparison& comparison, const Run& run,
+                 const Marking& marking) {
+    if (!session.last_run || !comparison.is_as_saved() || !session.gradebook.reports_are_written() ||
+        !pages_tell_as_now(session.gradebook, marking))
+        return false;
     const Run& last = *session.last_run;
     return last.toml == run.toml && last.raygrade == run.raygrade && last.assignment == run.assignment &&
            last.assignment_file == run.assignment_file && last.tier == run.tier;
@@ -59,7 +63,7 @@ reference::AssignmentFile read_assignment(const std::string& named, const std::f
 
 bool is_all_there(const ResultsSession& session, const Gradebook::Comparison& comparison, const Run& run,
                   const ClassResults& results, const std::filesystem::path& out) {
-    return !goes_back(results) && is_as_saved(session, comparison, run) &&
+    return !goes_back(results) && is_as_saved(session, comparison, run, results.marking) &&
            class_reports_are_as_left(results.graded, out);
 }
 
@@ -79,6 +83,10 @@ void tell_changes(const ResultsSession& session, const Gradebook::Comparison& co
         fmt::print("raygrade is {} now, {} before.\n", RAYGRADE_VERSION, last.raygrade);
     fmt::print("{}{}\n", report::changes_text(comparison.changes), report::changes_summary(comparison.changes));
     fmt::print("{}", report::feedback_changes_text(comparison.feedback));
+    if (last.toml == file.toml && !pages_tell_as_now(session.gradebook, marking)) {
+        fmt::print("The deadline has passed: the students' pages tell \"{}\" now, \"{}\" before.\n",
+                   to_string(feedback_now(marking.assignment.rubric)), session.gradebook.feedback_of_pages());
+    }
     if (!session.gradebook.reports_are_written()) {
         fmt::print(
             "The files beside the gradebook are older than it: a command was ended before it had written them.\n");
@@ -91,7 +99,7 @@ void tell_what_apply_writes(const ResultsSession& session, const Gradebook::Comp
     const bool knows_inputs = std::all_of(inputs.begin(), inputs.end(),
                                           [&](const KeptInput& each) { return is_kept(each, session.gradebook); });
     const std::size_t differing = comparison.feedback.differing;
-    if (is_as_saved(session, comparison, run) && knows_inputs) {
+    if (is_as_saved(session, comparison, run, results.marking) && knows_inputs) {
         if (class_reports_are_as_left(results.graded, out)) {
             fmt::print("Nothing has changed, and nothing was written to the results.\n");
         } else {

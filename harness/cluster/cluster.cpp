@@ -10,6 +10,7 @@
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/text/escape.h"
+#include "harness/text/shell_word.h"
 
 namespace harness::cluster {
 namespace {
@@ -67,9 +68,7 @@ std::string quoted(const std::string& word) {
     if (word.find_first_of("\n\r") != std::string::npos || word.find('\0') != std::string::npos) {
         throw UsageError(escape_control(word) + ": has a line break, and no script is written with one; rename it");
     }
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
+    return in_shell_quotes(word);
 }
 
 std::vector<Script> slurm_scripts(const Plan& plan, const SlurmLimits& limits) {

@@ -127,7 +127,7 @@ int check_submission(const Submission& submission, const reference::Assignment& 
         fmt::print("{}", report::check_json(graded, run.marking));
     } else {
         fmt::print("{}\n\n{}", assignment.title,
-                   report::check_text(graded, assignment.rubric.feedback, colors_of_stdout()));
+                   report::check_text(graded, feedback_now(assignment.rubric), colors_of_stdout()));
     }
     files.write(graded, run.marking);
     if (!options.html.empty()) write_page(options.html, report::student_page(graded, run.marking), "--html");

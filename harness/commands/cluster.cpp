@@ -25,6 +25,7 @@
 #include "harness/run/limits.h"
 #include "harness/scenes/other/points.h"
 #include "harness/shards/shard.h"
+#include "harness/text/shell_word.h"
 #include "reference/toml/assignment.h"
 
 namespace harness {
@@ -126,8 +127,8 @@ int write_cluster(const ClusterOptions& options, bool for_slurm) {
     const fs::path start = plan.folder / (for_slurm ? "submit" : "run");
     if (options.submit) return become(start);
     fmt::print("cluster: {}\n", plan.folder.string());
-    say("Start with: bash {}\nWatch with: bash {}\n", cluster::quoted(start.string()),
-        cluster::quoted((plan.folder / "status").string()));
+    say("Start with: bash {}\nWatch with: bash {}\n", shell_word(start.string()),
+        shell_word((plan.folder / "status").string()));
     return all_graded;
 }
 

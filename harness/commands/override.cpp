@@ -111,7 +111,8 @@ int override_points(const OverrideOptions& given) {
         list(kept);
         return all_graded;
     }
-    const bool all = must_rewrite_all(gradebook, kept, options.results);
+    const Marking marking = marking_of(kept);
+    const bool all = must_rewrite_all(gradebook, kept, marking, options.results);
     std::vector<std::size_t> changed;
     if (options.remove) {
         if (const auto place = remove(gradebook, kept, options)) changed.push_back(*place);
@@ -119,7 +120,7 @@ int override_points(const OverrideOptions& given) {
         changed.push_back(find_submission(kept.graded, options.id));
         put(gradebook, kept, changed.front(), options);
     }
-    rewrite_reports(gradebook, kept, marking_of(kept), all, changed, options.results);
+    rewrite_reports(gradebook, kept, marking, all, changed, options.results);
     return all_graded;
 }
 

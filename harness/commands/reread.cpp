@@ -173,8 +173,8 @@ int reread(const RereadOptions& given) {
         list_rereads(kept);
         return all_graded;
     }
-    const bool all = must_rewrite_all(gradebook, kept, options.results);
     const Marking marking = marking_of(kept);
+    const bool all = must_rewrite_all(gradebook, kept, marking, options.results);
     Rereading rereading(options, gradebook, kept, marking);
     const std::vector<std::size_t> changed = options.remove ? rereading.remove() : rereading.put();
     rewrite_reports(gradebook, kept, marking, all, changed, options.results);

@@ -27,6 +27,9 @@ Marking make_marking(reference::Assignment assignment);
 /// The same for a class, in which each student may have a scene of their own.
 Marking make_class_marking(reference::Assignment assignment);
 
+/// How much students are told now: pages that are made after the deadline may tell more.
+reference::Feedback feedback_now(const reference::Rubric& rubric);
+
 /// What this submission is held to. Where scenes are dealt and it has none, the marking of the class; then it can't be
 /// graded.
 const Marking& own_marking(const Marking& marking, const Submission& submission);

@@ -109,6 +109,8 @@ constexpr const char* later_tables = R"(
     CREATE TABLE IF NOT EXISTS numbers (    -- of submissions that are gone: the learning management system's
         submission TEXT PRIMARY KEY,
         lms_id TEXT NOT NULL);
+    CREATE TABLE IF NOT EXISTS pages (      -- at most one row
+        feedback TEXT NOT NULL);            -- how much all students' pages tell: "hint"
     CREATE TABLE IF NOT EXISTS decisions (  -- of reviews; nothing is ever removed from it
         decision INTEGER NOT NULL,          -- 1, 2, ...; one number for all submissions that were decided together
         submission TEXT NOT NULL,
@@ -139,6 +141,7 @@ constexpr const char* probes[] = {
     "SELECT submission, source FROM sources",
     "SELECT submission, question, item, lines, layout, why, who, at FROM rereads",
     "SELECT submission, lms_id FROM numbers",
+    "SELECT feedback FROM pages",
     "SELECT decision, submission, kind, about, seen, text, who, at, before, undone_at, undone_by FROM decisions",
 };
 

@@ -108,6 +108,24 @@ void Gradebook::note_reports_written() {
                 [&] { database_->exec("UPDATE reports SET entry = (SELECT COALESCE(MAX(entry), 0) FROM audit)"); });
 }
 
+std::string Gradebook::feedback_of_pages() const {
+    if (!database_) return "";
+    return in_database(file_, [&]() -> std::string {
+        Statement query(*database_, "SELECT feedback FROM pages");
+        return query.executeStep() ? query.getColumn(0).getString() : "";
+    });
+}
+
+void Gradebook::note_feedback_of_pages(std::string_view feedback) {
+    if (!database_) return;
+    write([&] {
+        database_->exec("DELETE FROM pages");
+        Statement insert(*database_, "INSERT INTO pages VALUES (?)");
+        insert.bind(1, std::string(feedback));
+        insert.exec();
+    });
+}
+
 void Gradebook::go_by_number(const std::vector<Submission>& submissions) {
     new_ids_.clear();
     if (!database_) return;

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "harness/grade/final_mark.h"
@@ -71,6 +72,9 @@ class Gradebook {
     /// Whether all reports were written after the last change to the gradebook. False if a command was interrupted.
     bool reports_are_written() const;
     void note_reports_written();
+    /// How much the students' pages told when all of them were last written: "hint". Empty if that is not known.
+    std::string feedback_of_pages() const;
+    void note_feedback_of_pages(std::string_view feedback);
 
     /// From now on what is kept of a student goes by the learning management system's number, where these submissions
     /// have one: a namesake changes ids ("doejane" becomes "doejane_1001"), and may get an id that was another's. All

@@ -95,7 +95,7 @@ void Session::change(const Work& work) {
     const FolderLock lock(folder_);
     Gradebook gradebook(folder_);
     load_if_changed(gradebook);
-    const bool all = must_rewrite_all(gradebook, *kept_, folder_);
+    const bool all = must_rewrite_all(gradebook, *kept_, *marking_, folder_);
     std::vector<std::size_t> changed;
     try {
         gradebook.together([&] { changed = work(gradebook, *kept_); });

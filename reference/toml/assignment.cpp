@@ -104,6 +104,22 @@ std::optional<double> Rubric::tolerance_of(int question, const std::string& item
     return tolerance;
 }
 
+std::string_view to_string(Feedback feedback) {
+    switch (feedback) {
+        case Feedback::verdict: return "verdict";
+        case Feedback::hint: return "hint";
+        case Feedback::mistake: return "mistake";
+        case Feedback::expected: return "expected";
+    }
+    return "";
+}
+
+Feedback feedback_at(const Rubric& rubric, std::chrono::system_clock::time_point clock) {
+    if (!rubric.due || !rubric.feedback_after_due) return rubric.feedback;
+    const bool is_after = is_over(*rubric.due, clock - std::chrono::minutes(rubric.grace_minutes));
+    return is_after ? *rubric.feedback_after_due : rubric.feedback;
+}
+
 Assignment parse_assignment(std::string_view toml, const std::filesystem::path& path) {
     return parse(toml, path, PixelKey::required);
 }

@@ -1,6 +1,7 @@
 // One year's assignment: its scene and how it is marked. Read from a TOML file; the numbers stay exactly as written.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -64,8 +65,10 @@ struct Rubric {
     int grace_minutes = 0;
     /// Points for answers on other scenes (`grade --variants`), in addition to those of the questions; 0 for none.
     double other_scene_points = 0;
-    /// How much a student is told of an answer.
+    /// How much a student is told of an answer until the assignment is due; see feedback_at.
     Feedback feedback = Feedback::mistake;
+    /// How much from then on; empty for the same. Only with `due`.
+    std::optional<Feedback> feedback_after_due;
     /// Half a unit of an answer's last printed decimal is forgiven. An answer with fewer decimals than this counts as
     /// if it had this many. 0 to 9.
     int min_decimals = 2;
@@ -88,6 +91,13 @@ struct Rubric {
     /// The most specific tolerance given: the item's, else the question's, else `tolerance`; empty for none.
     std::optional<double> tolerance_of(int question, const std::string& item) const;
 };
+
+/// "verdict"
+std::string_view to_string(Feedback feedback);
+
+/// How much a student is told at this time. Within the grace minutes a hand-in is still on time, so that
+/// `feedback_after_due` begins after them.
+Feedback feedback_at(const Rubric& rubric, std::chrono::system_clock::time_point clock);
 
 /// A limit of [limits] as it was read. The code that enforces the limits checks their names.
 struct LimitEntry {

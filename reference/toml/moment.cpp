@@ -1,6 +1,7 @@
 #include "reference/toml/moment.h"
 
 #include <chrono>
+#include <ctime>
 
 namespace reference {
 namespace {
@@ -80,6 +81,17 @@ std::optional<Moment> parse_moment(std::string_view text) {
         }
     }
     return scanner.is_at_end() ? std::optional(moment) : std::nullopt;
+}
+
+bool is_over(const Moment& moment, std::chrono::system_clock::time_point clock) {
+    std::int64_t seconds = std::chrono::floor<std::chrono::seconds>(clock).time_since_epoch().count();
+    if (!moment.has_zone) {
+        const std::time_t time = seconds;
+        std::tm local{};
+        localtime_r(&time, &local);
+        seconds += local.tm_gmtoff;
+    }
+    return seconds >= (moment.minutes + 1) * 60;
 }
 
 }  // namespace reference

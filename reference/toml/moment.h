@@ -1,6 +1,7 @@
 // A date with its time, as an assignment's `due` and a table of hand-ins state it.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -15,5 +16,8 @@ struct Moment {
 /// Reads "2026-11-05 23:59", also with T for the blank, with seconds, which are left out, and with a time zone: Z or
 /// +01:00. Empty for anything else and for a day or time that does not exist.
 std::optional<Moment> parse_moment(std::string_view text);
+
+/// Whether the clock is past the minute of `moment`; one without a zone is by the clock of this machine.
+bool is_over(const Moment& moment, std::chrono::system_clock::time_point clock);
 
 }  // namespace reference

@@ -102,6 +102,27 @@ Moment read_due(const TomlTable& table) {
     return *due;
 }
 
+Feedback read_level(const TomlTable& table, std::string_view key) {
+    return table.choice<Feedback>(key, table.string(key),
+                                  {{"verdict", Feedback::verdict},
+                                   {"hint", Feedback::hint},
+                                   {"mistake", Feedback::mistake},
+                                   {"expected", Feedback::expected}});
+}
+
+void read_feedback(const TomlTable& table, Rubric& rubric) {
+    if (table.has("feedback")) rubric.feedback = read_level(table, "feedback");
+    if (table.has("feedback_after_due")) {
+        rubric.feedback_after_due = read_level(table, "feedback_after_due");
+        if (!rubric.due) table.fail("feedback_after_due", "needs due, the moment from which it counts; add due");
+    }
+    if (table.has("show_expected") && table.boolean("show_expected")) {
+        if (table.has("feedback") && rubric.feedback != Feedback::expected)
+            table.fail("show_expected", "contradicts feedback; leave it out, feedback = \"expected\" says the same");
+        rubric.feedback = Feedback::expected;
+    }
+}
+
 std::vector<LateStep> read_late(const TomlTable& table) {
     if (table.has("late_deduction")) {
         if (table.has("late")) table.fail("late_deduction", "is there beside late; keep one of the two");
@@ -140,9 +161,9 @@ Rubric read_rubric(const TomlTable& root, const ReadQuestions& asked) {
     rubric.item_points = asked.item_points;
     if (!root.has("rubric")) return rubric;
     const TomlTable table = root.table("rubric");
-    table.allow_only({"pixel_conventions", "boundary", "due", "feedback", "follow_through", "follow_through_cap",
-                      "grace_minutes", "late", "late_deduction", "min_decimals", "mistakes", "points", "show_expected",
-                      "tolerance", "variant_points", "wrong_scene_credit"});
+    table.allow_only({"pixel_conventions", "boundary", "due", "feedback", "feedback_after_due", "follow_through",
+                      "follow_through_cap", "grace_minutes", "late", "late_deduction", "min_decimals", "mistakes",
+                      "points", "show_expected", "tolerance", "variant_points", "wrong_scene_credit"});
     if (table.has("pixel_conventions")) {
         rubric.pixel_conventions.clear();
         for (const std::string& name : table.strings("pixel_conventions")) {
@@ -168,18 +189,7 @@ Rubric read_rubric(const TomlTable& root, const ReadQuestions& asked) {
     if (table.has("grace_minutes")) rubric.grace_minutes = table.integer("grace_minutes", 0, 7 * 24 * 60);
     if (table.has("variant_points")) rubric.other_scene_points = read_amount(table, "variant_points", 0, most_points);
     if (table.has("min_decimals")) rubric.min_decimals = table.integer("min_decimals", 0, 9);
-    if (table.has("feedback")) {
-        rubric.feedback = table.choice<Feedback>("feedback", table.string("feedback"),
-                                                 {{"verdict", Feedback::verdict},
-                                                  {"hint", Feedback::hint},
-                                                  {"mistake", Feedback::mistake},
-                                                  {"expected", Feedback::expected}});
-    }
-    if (table.has("show_expected") && table.boolean("show_expected")) {
-        if (table.has("feedback") && rubric.feedback != Feedback::expected)
-            table.fail("show_expected", "contradicts feedback; leave it out, feedback = \"expected\" says the same");
-        rubric.feedback = Feedback::expected;
-    }
+    read_feedback(table, rubric);
     if (table.has("points")) read_points(table.table("points"), asked.questions, rubric);
     if (table.has("mistakes")) read_mistakes(table.table("mistakes"), rubric);
     if (table.has("tolerance")) read_tolerance(table.table("tolerance"), asked.questions, rubric);

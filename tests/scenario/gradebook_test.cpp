@@ -2,11 +2,13 @@
 // silently.
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fcntl.h>
+#include <fmt/chrono.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <ctime>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -198,6 +200,35 @@ TEST_F(RealDay, ANewAssignmentOrRosterCountsAsAChange) {
     EXPECT_THAT(grade(with_roster).output, HasSubstr(unwritten));
     ASSERT_EQ(grade({"--assignment", rubric(""), "--canvas-roster", roster.string(), "--apply"}).status, 0);
     EXPECT_THAT(grade(with_roster).output, HasSubstr("Nothing has changed"));
+}
+
+TEST_F(RealDay, PagesTellMoreOnceTheDeadlineHasPassedAndNoMarkChanges) {
+    // By the clock of one time zone the deadline is ten hours off, by that of the other it is ten hours ago.
+    const std::string now = fmt::format("{:%Y-%m-%d %H:%M}", fmt::gmtime(std::time(nullptr)));
+    const std::string assignment =
+        rubric("due = \"" + now + "\"\nfeedback = \"hint\"\nfeedback_after_due = \"expected\"\n");
+    const auto in_zone = [&](const char* zone, const std::vector<std::string>& words) {
+        return raygrade(words, [&] {
+            return setenv("TZ", zone, 1) == 0 && setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0;
+        });
+    };
+    constexpr auto before = "WEST+10", after = "EAST-10";
+    const std::vector<std::string> regrade{"grade",        students().string(), "--out",
+                                           out().string(), "--assignment",      assignment};
+    const auto page = [&] { return read(out() / "feedback/ben.html"); };
+    ASSERT_EQ(in_zone(before, regrade).status, 0);
+    EXPECT_THAT(page(), Not(HasSubstr("Right value")));
+    EXPECT_THAT(in_zone(before, regrade).output, HasSubstr("Nothing has changed"));
+
+    EXPECT_THAT(in_zone(after, regrade).output,
+                AllOf(HasSubstr("The deadline has passed: the students' pages tell \"expected\" now, \"hint\" before."),
+                      HasSubstr("--apply writes it")));
+    const double mark = points("ben");
+    ASSERT_EQ(in_zone(after, {"override", "ada", "6.t", "1", "--why", "by hand", "--results", out().string()}).status,
+              0);
+    EXPECT_THAT(page(), HasSubstr("Right value")) << "all pages are written, not only ada's";
+    EXPECT_EQ(points("ben"), mark);
+    EXPECT_THAT(in_zone(after, regrade).output, HasSubstr("Nothing has changed"));
 }
 
 TEST_F(RealDay, ARosterOfAnotherClassIsRefusedBeforeAnythingIsGraded) {

@@ -55,7 +55,7 @@ Case answer_case(const Graded& graded, const QuestionScore& question, const Item
         one.text.clear();
     } else if (!passed) {
         one.result = Result::failed;
-        one.message = or_else(item_sentence(item, graded.outcome, marking.assignment.rubric.feedback),
+        one.message = or_else(item_sentence(item, graded.outcome, feedback_now(marking.assignment.rubric)),
                               "This answer does not have all its points.");
     } else if (item.verdict == ItemVerdict::right && item.accepted_as.empty()) {
         one.text.clear();

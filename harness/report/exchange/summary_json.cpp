@@ -93,7 +93,7 @@ std::string class_summary_json(const std::vector<Graded>& graded, const Marking&
 }
 
 std::string check_json(const Graded& graded, const Marking& marking) {
-    const reference::Feedback feedback = marking.assignment.rubric.feedback;
+    const reference::Feedback feedback = feedback_now(marking.assignment.rubric);
     const bool marked = graded.outcome != Outcome::not_graded;
     Json questions = Json::array();
     for (const QuestionScore& question : graded.score.questions) {

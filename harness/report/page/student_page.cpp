@@ -29,10 +29,6 @@ bool all_have(const QuestionScore& question, ItemVerdict verdict) {
                        [&](const ItemScore& item) { return item.verdict == verdict; });
 }
 
-bool shows_expected(const Marking& marking) {
-    return marking.assignment.rubric.feedback == reference::Feedback::expected;
-}
-
 /// Whether all its answers are missing, so that one sentence on all such questions serves.
 bool is_missing(const QuestionScore& question) {
     return all_have(question, ItemVerdict::missing);
@@ -109,13 +105,14 @@ std::string note_of(const QuestionScore& question, const std::optional<LookFirst
 
 StudentPages::StudentPages(const Marking& marking)
     : marking_(marking),
-      asked_(shows_expected(marking) ? expected_texts(marking.key) : ExpectedTexts()),
+      feedback_(feedback_now(marking.assignment.rubric)),
+      asked_(feedback_ == reference::Feedback::expected ? expected_texts(marking.key) : ExpectedTexts()),
       style_(templates::page_css),
       policy_(security_policy({style_})),
       page_(templates::student_mustache),
       question_(templates::question_mustache),
       evidence_("h2", most_bytes, Audience::student),
-      pictures_(marking, shows_expected(marking), "scene-") {}
+      pictures_(marking, feedback_ == reference::Feedback::expected, "scene-") {}
 
 PageData StudentPages::item(const Graded& graded, const QuestionScore& question, const ItemScore& item, bool said,
                             const Listing& printout) const {
@@ -132,9 +129,8 @@ PageData StudentPages::item(const Graded& graded, const QuestionScore& question,
     if (item.line != 0) data["line"] = printout.with_links(fmt::format("line {}", item.line));
     const auto asked = asked_.find(item.spec.id);
     if (asked != asked_.end() && item.verdict != ItemVerdict::right) data["asked"] = asked->second.beside(item);
-    const reference::Feedback feedback = marking_.assignment.rubric.feedback;
-    if (!said) set_text(data, "sentence", item_sentence(item, graded.outcome, feedback));
-    set_text(data, "diagnosis", told_diagnosis(item, feedback));
+    if (!said) set_text(data, "sentence", item_sentence(item, graded.outcome, feedback_));
+    set_text(data, "diagnosis", told_diagnosis(item, feedback_));
     return data;
 }
 

@@ -18,7 +18,7 @@ namespace harness::report {
 /// (Feedback::expected).
 class StudentPages {
   public:
-    /// `marking` must outlive it.
+    /// `marking` must outlive it. The pages tell as much as the rubric lets be told now.
     explicit StudentPages(const Marking& marking);
 
     std::string page(const Graded& graded);
@@ -30,6 +30,7 @@ class StudentPages {
                   const Listing& printout) const;
 
     const Marking& marking_;
+    reference::Feedback feedback_;
     ExpectedTexts asked_;  ///< expected values; empty if the rubric does not show them
     std::string style_;
     std::string policy_;

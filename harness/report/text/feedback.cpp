@@ -186,8 +186,9 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     const bool has_follow = std::any_of(score.questions.begin(), score.questions.end(),
                                         [](const QuestionScore& q) { return q.verdict == ItemVerdict::follow; });
     if (has_follow) text += "\n`follow`: wrong, but computed correctly from your own earlier answers.\n";
-    const std::string items =
-        graded.outcome == Outcome::compile_error ? "" : items_worth_saying(graded, marking.assignment.rubric.feedback);
+    const std::string items = graded.outcome == Outcome::compile_error
+                                  ? ""
+                                  : items_worth_saying(graded, feedback_now(marking.assignment.rubric));
     if (!items.empty()) text += "\n## Answers to look at\n\n" + items;
     if (const std::vector<Flag> open = open_flags(graded); !open.empty()) {
         text += "\n## To look at\n\n";

@@ -41,7 +41,7 @@ std::string item_text(const Graded& graded, const QuestionScore& question, const
     std::string text = fmt::format("{}: {}, {} of {} points{}\n", name_in_question(item.spec), to_string(item.verdict),
                                    points_text(final_points(graded, question, item)), points_text(item.max_points),
                                    item.line == 0 ? "" : fmt::format(" (line {} of the output)", item.line));
-    const reference::Feedback feedback = marking.assignment.rubric.feedback;
+    const reference::Feedback feedback = feedback_now(marking.assignment.rubric);
     const std::string sentence = item_sentence(item, graded.outcome, feedback), name = told_diagnosis(item, feedback);
     if (!sentence.empty()) {
         if (!item.printed.empty()) text += "  You printed " + escape_control(item.printed) + "\n";

@@ -241,6 +241,16 @@ TEST(Gradebook, KnowsWhetherTheReportsAreUpToDate) {
     EXPECT_FALSE(Gradebook(folder.path()).reports_are_written());
 }
 
+TEST(Gradebook, KnowsHowMuchTheStudentsPagesTell) {
+    const TemporaryFolder folder;
+    save(folder.path(), three());
+    Gradebook gradebook(folder.path());
+    EXPECT_EQ(gradebook.feedback_of_pages(), "");
+    gradebook.note_feedback_of_pages("hint");
+    gradebook.note_feedback_of_pages("expected");
+    EXPECT_EQ(Gradebook(folder.path()).feedback_of_pages(), "expected");
+}
+
 TEST(Gradebook, KeepsTheInputsOfReports) {
     const TemporaryFolder folder;
     const std::string content("\xef\xbb\xbfStudent,ID\0\xff", 15);

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <ctime>
+
 namespace reference {
 namespace {
 
@@ -26,6 +29,24 @@ TEST(Moment, IsNothingElse) {
                              "2026-11-05 23:59:61", "2026-11-05  3:59", "2026-11-05 23:59Zulu"}) {
         EXPECT_FALSE(parse_moment(text)) << text;
     }
+}
+
+TEST(Moment, IsOverOnceItsMinuteHasPassed) {
+    using namespace std::chrono_literals;
+    const std::chrono::system_clock::time_point begin{};
+    const Moment hour = parse_moment("1970-01-01 01:00Z").value();
+    EXPECT_FALSE(is_over(hour, begin + 1h + 59s));
+    EXPECT_TRUE(is_over(hour, begin + 1h + 1min));
+    EXPECT_TRUE(is_over(parse_moment("1970-01-01 02:00+01:00").value(), begin + 1h + 1min));
+    const auto by_clock_of_this_machine = [&] {
+        const std::time_t time = 100 * 24 * 3600;
+        std::tm local{};
+        localtime_r(&time, &local);
+        return begin + 100 * 24h - std::chrono::seconds(local.tm_gmtoff);
+    }();
+    const Moment day = parse_moment("1970-04-11 00:00").value();
+    EXPECT_FALSE(is_over(day, by_clock_of_this_machine + 59s));
+    EXPECT_TRUE(is_over(day, by_clock_of_this_machine + 1min));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 #include "reference/key/answer_key.h"
 
 namespace {
@@ -133,6 +135,22 @@ TEST(RubricReader, ReadsWhenTheAssignmentIsDue) {
     EXPECT_THAT(complaint("[rubric]\n", "[rubric]\ndue = \"tomorrow\"\n"),
                 AllOf(HasSubstr("rubric.due"), HasSubstr("is no date with a time; write")));
     EXPECT_THAT(complaint("[rubric]\n", "[rubric]\ndue = 5\n"), HasSubstr("rubric.due"));
+}
+
+TEST(Rubric, TellsAfterTheDeadlineWhatFeedbackAfterDueSays) {
+    using namespace std::chrono_literals;
+    const auto day = [](int days) { return std::chrono::system_clock::time_point{} + days * 24h; };
+    const std::string due = "due = \"1970-01-11 00:00Z\"\n", after = "feedback_after_due = \"expected\"\n";
+    const Rubric rubric = read(scene + due + "feedback = \"hint\"\n" + after).rubric;
+    EXPECT_EQ(feedback_at(rubric, day(10)), Feedback::hint);
+    EXPECT_EQ(feedback_at(rubric, day(10) + 1min), Feedback::expected);
+    EXPECT_EQ(feedback_at(read(scene + due).rubric, day(20)), Feedback::mistake);
+    const Rubric lenient = read(scene + due + after + "grace_minutes = 30\n").rubric;
+    EXPECT_EQ(feedback_at(lenient, day(10) + 30min), Feedback::mistake) << "a hand-in is still on time";
+    EXPECT_EQ(feedback_at(lenient, day(10) + 31min), Feedback::expected);
+    EXPECT_THAT(complaint("[rubric]\n", "[rubric]\n" + after), says("20: rubric.feedback_after_due", "needs due"));
+    EXPECT_THAT(complaint("[rubric]\n", "[rubric]\n" + due + "feedback_after_due = \"all\"\n"),
+                says("21: rubric.feedback_after_due", "is not one of \"verdict\""));
 }
 
 TEST(SceneReader, NamesTheKeyThatAMisspeltOneResembles) {
