@@ -8,6 +8,7 @@
 #include "harness/grade/concerns.h"
 #include "harness/report/text/sentences.h"
 #include "harness/report/text/verdict_words.h"
+#include "harness/review/past.h"
 #include "harness/review/templates.h"
 #include "harness/text/markup.h"
 #include "harness/text/points.h"
@@ -101,6 +102,32 @@ std::string Pages::message(const std::string& heading, const std::string& senten
                                        escape_markup(heading), escape_markup(sentence), home));
 }
 
+PageData Pages::past() const {
+    std::map<std::string, std::size_t> places;
+    for (std::size_t i = 0; i < session_.graded().size(); ++i) places[session_.graded()[i].submission.id] = i;
+    PageData list(PageData::type::list);
+    for (const PastDecision& each : past_decisions(session_.kept())) {
+        PageData past;
+        past["past_number"] = std::to_string(each.number);
+        past["past_what"] = each.what;
+        past["past_by"] = each.by;
+        past["past_when"] = each.when;
+        if (!each.why.empty()) past["past_why"] = each.why;
+        PageData who(PageData::type::list);
+        for (const std::string& id : each.submissions) {
+            PageData student;
+            const auto found = places.find(id);
+            student["past_name"] = found == places.end() ? id : name_of(session_.graded()[found->second].submission);
+            if (found != places.end()) student["past_path"] = path_of(found->second);
+            student["past_last"] = &id == &each.submissions.back();
+            who.push_back(student);
+        }
+        past["past_who"] = std::move(who);
+        list.push_back(past);
+    }
+    return list;
+}
+
 std::string Pages::list(const std::optional<Notice>& notice) {
     const std::vector<Graded>& graded = session_.graded();
     const Agenda agenda = agenda_of(session_);
@@ -147,6 +174,9 @@ std::string Pages::list(const std::optional<Notice>& notice) {
         chapters.push_back(chapter);
     }
     data["chapters"] = std::move(chapters);
+    PageData decisions = past();
+    data["has_past"] = decisions.is_non_empty_list();
+    data["past"] = std::move(decisions);
     PageData students(PageData::type::list);
     for (std::size_t i = 0; i < graded.size(); ++i) {
         const Graded& one = graded[i];

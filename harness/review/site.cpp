@@ -11,6 +11,7 @@
 #include "harness/class_run/corrections.h"
 #include "harness/grade/concerns.h"
 #include "harness/report/page/templates.h"
+#include "harness/review/past.h"
 #include "harness/review/templates.h"
 #include "harness/serve/request/host_names.h"
 
@@ -82,32 +83,6 @@ Wish wish_in(const FormFields& form) {
         if (lines.empty()) throw UsageError("Name the lines where it stands, or say that it was not printed.");
     }
     return wish;
-}
-
-/// What a decision did, in a sentence: "Accepted for ann, ben."
-std::string sentence_of(const KeptClass& kept, std::int64_t number) {
-    std::vector<std::string> who;
-    const Decision* decision = nullptr;
-    for (const KeptDecision& each : kept.decisions) {
-        if (each.given.number != number) continue;
-        if (decision == nullptr || each.given.kind != Kind::accepted) decision = &each.given;
-        if (std::find(who.begin(), who.end(), each.submission) == who.end()) who.push_back(each.submission);
-    }
-    if (decision == nullptr) return "";
-    const auto what = [&]() -> std::string {
-        switch (decision->kind) {
-            case Kind::accepted: return "Accepted";
-            case Kind::comment: return "Comment added";
-            case Kind::points: return fmt::format("Points for {} given", decision->about);
-            case Kind::reading: return fmt::format("{} read again", decision->about);
-        }
-        return "";
-    };
-    constexpr std::size_t most = 10;
-    std::string names = fmt::format(
-        "{}", fmt::join(who.begin(), who.begin() + static_cast<std::ptrdiff_t>(std::min(who.size(), most)), ", "));
-    if (who.size() > most) names += fmt::format(" and {} more", who.size() - most);
-    return fmt::format("Decision {}: {} for {}.", number, what(), names);
 }
 
 }  // namespace

@@ -74,11 +74,7 @@ struct TomlTable::Impl {
 
     const toml::node& required(std::string_view key) const {
         const toml::node* node = table->get(key);
-        if (node == nullptr) {
-            const std::size_t line = table->source().begin.line;
-            const std::string name(key);
-            fail_at(line, key, fmt::format("is missing; add `{} = ...`", name));
-        }
+        if (node == nullptr) fail_at(table->source().begin.line, key, fmt::format("is missing; add `{} = ...`", key));
         return *node;
     }
 
@@ -142,10 +138,13 @@ std::vector<std::string> TomlTable::keys() const {
 }
 
 TomlTable TomlTable::table(std::string_view key) const {
-    const toml::node& node = impl_->required(key);
-    if (!node.is_table()) impl_->fail_at(node.source().begin.line, key, fmt::format("must be a table [{}]", key));
+    const toml::node* node = impl_->table->get(key);
+    if (node == nullptr)
+        impl_->fail_at(impl_->table->source().begin.line, key,
+                       fmt::format("is missing; add a table [{}{}]", impl_->way, key));
+    if (!node->is_table()) impl_->fail_at(node->source().begin.line, key, fmt::format("must be a table [{}]", key));
     return TomlTable(
-        std::make_shared<Impl>(Impl{impl_->document, node.as_table(), fmt::format("{}{}.", impl_->way, key)}));
+        std::make_shared<Impl>(Impl{impl_->document, node->as_table(), fmt::format("{}{}.", impl_->way, key)}));
 }
 
 std::vector<TomlTable> TomlTable::tables(std::string_view key) const {

@@ -153,6 +153,10 @@ TEST(Rubric, TellsAfterTheDeadlineWhatFeedbackAfterDueSays) {
                 says("21: rubric.feedback_after_due", "is not one of \"verdict\""));
 }
 
+TEST(SceneReader, SaysThatAMissingTableIsATable) {
+    EXPECT_THAT(complaint(scene, ""), says("1: window", "add a table [window]"));
+}
+
 TEST(SceneReader, NamesTheKeyThatAMisspeltOneResembles) {
     EXPECT_THAT(complaint("radius = 2", "radios = 2"), says("16: sphere[1].radios", "did you mean radius?"));
     EXPECT_THAT(complaint("center = [1, 1, 0]", "centre = [1, 1, 0]"),

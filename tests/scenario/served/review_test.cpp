@@ -307,6 +307,21 @@ TEST_F(Review, ACommentIsInTheFeedbackUntilItIsTakenBack) {
     EXPECT_EQ(post("/take-back", back).status, 409);
 }
 
+TEST_F(Review, ListsTheDecisionsInForceNewestFirstEachWithItsUndo) {
+    EXPECT_THAT(list(), Not(HasSubstr("<h2 id=\"past\">")));
+    const std::string first = decision(accept(1));
+    const std::string second = decision(give(page(2), "5.V", "3"));
+    const std::string both = list();
+    const std::size_t newer = both.find("Points for 5.V given"), older = both.find("Accepted for");
+    ASSERT_NE(older, std::string::npos);
+    EXPECT_LT(newer, older);
+    EXPECT_THAT(both, AllOf(HasSubstr("Prof. X, 20"), HasSubstr("a &lt;slip&gt;"), Not(HasSubstr("a <slip>"))));
+    for (const std::string& number : {first, second})
+        EXPECT_THAT(both, HasSubstr("name=\"number\" value=\"" + number + "\""));
+    EXPECT_EQ(post("/undo", {{"number", first}, {"back", ""}}).status, 200);
+    EXPECT_THAT(list(), AllOf(Not(HasSubstr("Accepted for")), HasSubstr("Points for 5.V given")));
+}
+
 TEST_F(Review, WhatACommandDidCanBeTakenBack) {
     run({"override", "ada", "total", "50", "--why", "x", "--results", out().string()});
     run({"reread", "ben", "5.V", "6", "--why", "x", "--results", out().string()});

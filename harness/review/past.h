@@ -1,0 +1,29 @@
+// The decisions of reviews that are in force, as a person reads them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/class_run/kept_class.h"
+
+namespace harness::review {
+
+/// What was decided at one time, for one submission or for several.
+struct PastDecision {
+    std::int64_t number = 0;
+    std::string what;                      ///< "Points for 5.V given"
+    std::vector<std::string> submissions;  ///< ids, in the order in which they were decided
+    std::string by;
+    std::string when;  ///< in UTC, ISO 8601
+    std::string why;   ///< the reason or the comment; may be empty
+};
+
+/// The newest first.
+std::vector<PastDecision> past_decisions(const KeptClass& kept);
+
+/// "Decision 3: Accepted for ann, ben."; empty if there is none of this number in force.
+std::string sentence_of(const KeptClass& kept, std::int64_t number);
+
+}  // namespace harness::review
