@@ -71,6 +71,23 @@ std::string quoted(const std::string& word) {
     return in_shell_quotes(word);
 }
 
+SlurmLimits limits_for(const Work& work, SlurmLimits asked) {
+    const auto shards = static_cast<std::size_t>(work.shards);
+    const auto share = static_cast<std::int64_t>((work.submissions + shards - 1) / shards);
+    const std::int64_t rounds = (share + asked.cpus - 1) / asked.cpus;
+    const std::chrono::milliseconds each = work.scenes * (work.compile + work.runs * work.run);
+    constexpr int to_start = 10;  // reading the class, the sandbox's check, headers
+    if (asked.minutes == 0) {
+        asked.minutes = static_cast<int>(std::chrono::ceil<std::chrono::minutes>(rounds * each).count()) + to_start;
+    }
+    constexpr std::uint64_t mib = 1024 * 1024;
+    constexpr std::uint64_t of_raygrade = 1024;
+    if (asked.memory_mib == 0) {
+        asked.memory_mib = of_raygrade + static_cast<std::uint64_t>(asked.cpus) * (work.memory_bytes / mib);
+    }
+    return asked;
+}
+
 std::vector<Script> slurm_scripts(const Plan& plan, const SlurmLimits& limits) {
     std::vector<std::string> partition;
     if (!limits.partition.empty()) partition.push_back("--partition=" + limits.partition);

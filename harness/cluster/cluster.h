@@ -1,6 +1,8 @@
 // The scripts by which Slurm, or GNU parallel over ssh, grades a class in shards on several machines.
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -24,10 +26,20 @@ struct Plan {
 
 /// What Slurm is asked for.
 struct SlurmLimits {
-    std::string partition;  ///< empty for Slurm's default
-    int minutes = 60;       ///< of a shard
-    std::uint64_t memory_mib = 4096;
+    std::string partition;            ///< empty for Slurm's default
+    int minutes = 60;                 ///< of a shard; 0 for what the work takes at most
+    std::uint64_t memory_mib = 4096;  ///< likewise
     int cpus = 1;
+};
+
+/// What is done for each submission, and the limits of its parts.
+struct Work {
+    std::size_t submissions = 0;  ///< of all shards together
+    int shards = 1;
+    int scenes = 1;  ///< a submission is compiled once for each
+    int runs = 1;    ///< of each scene
+    std::chrono::milliseconds compile{}, run{};
+    std::uint64_t memory_bytes = 0;  ///< the most that compiler or program may take
 };
 
 struct Script {
@@ -37,6 +49,9 @@ struct Script {
 
 /// One word for a shell, whatever is in it. Throws UsageError for a line break, which no script could show readably.
 std::string quoted(const std::string& word);
+
+/// In place of a 0, what a shard takes if every submission of it goes to its limits.
+SlurmLimits limits_for(const Work& work, SlurmLimits asked);
 
 std::vector<Script> slurm_scripts(const Plan& plan, const SlurmLimits& limits);
 

@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -89,22 +88,16 @@ cluster::Plan plan_of(const ClusterOptions& options, const reference::Assignment
     return plan;
 }
 
-/// What a shard takes if every submission of it goes to its limits, compiled once and run as often as is asked for.
-cluster::SlurmLimits limits_of(const ClusterOptions& options, const StageLimits& stages, std::size_t class_size) {
-    using std::chrono::milliseconds;
-    cluster::SlurmLimits limits = options.limits;
-    const auto shards = static_cast<std::size_t>(options.shards);
-    const auto share = static_cast<std::int64_t>((class_size + shards - 1) / shards);
-    const std::int64_t scenes = 1 + options.grading.other_scenes.count + (options.grading.stress ? 25 : 0);
-    const milliseconds each = scenes * (stages.compile.wall + options.grading.runner.repetitions * stages.run.wall);
-    const std::int64_t rounds = (share + limits.cpus - 1) / limits.cpus;
-    constexpr int to_start = 10;  // reading the class, the sandbox's check, headers
-    if (limits.minutes == 0)
-        limits.minutes = static_cast<int>(std::chrono::ceil<std::chrono::minutes>(rounds * each).count()) + to_start;
-    constexpr std::uint64_t mib = 1024 * 1024;
-    const std::uint64_t most = std::max(stages.compile.memory_bytes, stages.run.memory_bytes);
-    if (limits.memory_mib == 0) limits.memory_mib = 1024 + static_cast<std::uint64_t>(limits.cpus) * (most / mib);
-    return limits;
+cluster::Work work_of(const ClusterOptions& options, const StageLimits& stages, std::size_t submissions) {
+    cluster::Work work;
+    work.submissions = submissions;
+    work.shards = options.shards;
+    work.scenes = 1 + options.grading.other_scenes.count + (options.grading.stress ? 25 : 0);
+    work.runs = options.grading.runner.repetitions;
+    work.compile = stages.compile.wall;
+    work.run = stages.run.wall;
+    work.memory_bytes = std::max(stages.compile.memory_bytes, stages.run.memory_bytes);
+    return work;
 }
 
 /// Becomes `bash SCRIPT`.
@@ -121,7 +114,8 @@ int write_cluster(const ClusterOptions& options, bool for_slurm) {
     scenes::require_other_scenes(assignment, options.grading.other_scenes.count);
     const std::vector<Submission> submissions = take_in_all(options.paths).submissions;
     const cluster::Plan plan = plan_of(options, file, submissions);
-    const auto scripts = for_slurm ? cluster::slurm_scripts(plan, limits_of(options, stages, submissions.size()))
+    const cluster::Work work = work_of(options, stages, submissions.size());
+    const auto scripts = for_slurm ? cluster::slurm_scripts(plan, cluster::limits_for(work, options.limits))
                                    : cluster::parallel_scripts(plan, fs::absolute(options.hosts));
     cluster::write_scripts(plan, scripts, options.again ? cluster::OldParts::give_up : cluster::OldParts::keep);
     const fs::path start = plan.folder / (for_slurm ? "submit" : "run");

@@ -4,8 +4,14 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "harness/cluster/preflight.h"
 #include "harness/machine/errors.h"
@@ -27,6 +33,28 @@ class Cluster : public testing::Test {
     Cluster(const Cluster&) = delete;
     Cluster& operator=(const Cluster&) = delete;
 
+    /// A program that writes its words to the file `words` beside it, one a line, and then does `more`.
+    fs::path stub(std::string_view name, std::string_view more = "") const {
+        const fs::path path = folder / name;
+        std::ofstream(path) << "#!/bin/bash\nprintf '%s\\n' \"$@\" >>\"$(dirname \"$0\")/words\"\n" << more << '\n';
+        fs::permissions(path, fs::perms::owner_all);
+        return path;
+    }
+
+    std::string words() const { return text_of(folder / "words"); }
+
+    static std::string text_of(const fs::path& file) {
+        std::ifstream stream(file);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+
+    /// What `bash SCRIPT K` ends with. The programs of this folder come before those of the machine.
+    int start(std::string_view script, std::string_view k = "") const {
+        const std::string command = "PATH=" + quoted(folder.string()) + ":\"$PATH\" bash " +
+                                    quoted((plan.folder / script).string()) + " " + std::string(k) + " >/dev/null 2>&1";
+        return std::system(command.c_str());
+    }
+
     fs::path folder = fs::temp_directory_path() / ("cluster_test_" + std::to_string(getpid()));
     Plan plan;
 };
@@ -41,6 +69,84 @@ TEST(Quoted, IsOneWordForTheShellWhateverIsInIt) {
 TEST(Quoted, RefusesALineBreak) {
     EXPECT_THROW(quoted("a\nb"), UsageError);
     EXPECT_THROW(quoted("a\rb"), UsageError);
+}
+
+TEST(SlurmLimits, AreThoseOfAShardWhoseSubmissionsGoToTheirs) {
+    using std::chrono::seconds;
+    // 3 of the 10 come to a shard, 2 at a time: 2 rounds of 3 scenes, each 20 s + 2 * 10 s, and 10 minutes to start.
+    const Work work{10, 4, 3, 2, seconds(20), seconds(10), 512u << 20};
+    const SlurmLimits limits = limits_for(work, {"", 0, 0, 2});
+    EXPECT_EQ(limits.minutes, 14);
+    EXPECT_EQ(limits.memory_mib, 1024 + 2 * 512);
+    EXPECT_EQ(limits_for({1, 1, 1, 1, seconds(20), seconds(10), 0}, {"", 0, 0, 1}).minutes, 11) << "rounded up";
+}
+
+TEST(SlurmLimits, ThatWereAskedForStay) {
+    const SlurmLimits limits = limits_for({10, 4, 3, 2, std::chrono::seconds(20), {}, 1u << 30}, {"fast", 5, 77, 2});
+    EXPECT_EQ(limits.minutes, 5);
+    EXPECT_EQ(limits.memory_mib, 77u);
+    EXPECT_EQ(limits.partition, "fast");
+}
+
+TEST_F(Cluster, AShardGetsEveryWordAsItWasGiven) {
+    const fs::path strange = folder / "it's \"a\" $HOME * %j";
+    fs::create_directories(strange);
+    fs::rename(stub("raygrade", "[ \"$1\" = cluster ] || touch \"${7}\""), strange / "raygrade");
+    plan.work = folder;
+    plan.folder = strange / "cluster";
+    plan.raygrade = strange / "raygrade";
+    plan.results = "re'sults";
+    plan.classes = {"/a b/c'd", "--odd"};
+    plan.options = {"--limit=x y", "--assignment=\"$(rm)`;"};
+    plan.sandbox = {"--sandbox=a b"};
+    plan.shards = 3;
+    write_scripts(plan, slurm_scripts(plan, {"", 1, 1, 5}), OldParts::keep);
+    EXPECT_EQ(start("shard", "2"), 0);
+    const std::string at = plan.folder.string();
+    EXPECT_EQ(
+        text_of(strange / "words"),
+        "cluster\npreflight\n" + at + "/node.json\n--sandbox=a b\n" + "grade\n/a b/c'd\n--odd\n--shard\n2/3\n--out\n" +
+            at +
+            "/parts/2-of-3.part\n--merge-into\nre'sults\n--quiet\n--limit=x y\n--assignment=\"$(rm)`;\n--jobs=5\n");
+}
+
+TEST_F(Cluster, AMachineThatDiffersGradesNothing) {
+    plan.work = folder;
+    plan.raygrade = stub("raygrade", "exit 2");
+    write_scripts(plan, slurm_scripts(plan, {}), OldParts::keep);
+    EXPECT_NE(start("shard", "1"), 0);
+    EXPECT_THAT(words(), testing::Not(testing::HasSubstr("grade\n")));
+}
+
+TEST_F(Cluster, TheMissingShardsAreSubmittedAndThenTheMerge) {
+    stub("sbatch", "echo '7;cluster'");
+    plan.work = folder;
+    plan.shards = 3;
+    write_scripts(plan, slurm_scripts(plan, {"a b", 6, 77, 5}), OldParts::keep);
+    std::ofstream(plan.folder / "parts/2-of-3.part") << "part";
+    EXPECT_EQ(start("submit"), 0);
+    const std::string at = plan.folder.string();
+    EXPECT_EQ(words(),
+              "--parsable\n--requeue\n--array=1,3\n--job-name=raygrade\n--output=/dev/null\n--partition=a b\n--time=6\n"
+              "--mem=77M\n--cpus-per-task=5\n" +
+                  at +
+                  "/shard\n--parsable\n--requeue\n--job-name=raygrade-merge\n--output=/dev/null\n--partition=a b\n"
+                  "--dependency=afterany:7\n" +
+                  at + "/merge\n");
+    EXPECT_EQ(text_of(plan.folder / "jobs"), "7\n");
+}
+
+TEST_F(Cluster, AShardThatStillRunsIsNotSubmittedAgainAndTheMergeWaitsForIt) {
+    stub("sbatch", "echo 8");
+    stub("squeue", "echo '5 1'; echo '5 3'");
+    plan.work = folder;
+    plan.shards = 3;
+    write_scripts(plan, slurm_scripts(plan, {}), OldParts::keep);
+    std::ofstream(plan.folder / "jobs") << "5\n";
+    EXPECT_EQ(start("submit"), 0);
+    EXPECT_THAT(words(), testing::HasSubstr("--array=2\n"));
+    EXPECT_THAT(words(), testing::HasSubstr("--dependency=afterany:8:5\n"));
+    EXPECT_THAT(words(), testing::Not(testing::HasSubstr("--partition")));
 }
 
 TEST_F(Cluster, PartsOfADifferentGradingStayUnlessTheyAreGivenUp) {
