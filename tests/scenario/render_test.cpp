@@ -44,8 +44,8 @@ TEST(Render, GivesTheSameFileForAnyNumberOfJobsAndWithAllEffects) {
     const TemporaryFolder folder;
     const auto file_of = [&](const std::vector<std::string>& more) {
         const std::string out = (folder / "picture.png").string();
-        std::vector<std::string> arguments{"render", "--scene", scene_file("mirrors.toml"), "--size", "80x45",
-                                           "-o",     out};
+        std::vector<std::string> arguments{"render", "--scene", scene_file("mirrors.toml"), "--size", "80x45", "-o",
+                                           out,      "--force"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         const Result result = raygrade(arguments);
         EXPECT_EQ(result.status, 0) << result.both();
