@@ -53,7 +53,7 @@ void show_grading(const Grading& grading, const ResultsSession& session, const C
     std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
     tell_notes(grading.graded);
     tell_without_place(grading.without_place);
-    tell_open_lateness(inputs.rosters.late_days, grading.graded);
+    tell_days_of_nobody(inputs.rosters.late_days, grading.graded);
     if (session.writes) return;
     tell_what_apply_writes(session, grading.comparison, grading.run, grading.results, inputs.rosters.given(),
                            options.out);

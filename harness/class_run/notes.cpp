@@ -74,7 +74,7 @@ void tell_that_count_not(const std::vector<KeptReread>& rereads, const std::vect
     }
 }
 
-void tell_open_lateness(const report::LateDays& days, const std::vector<Graded>& graded) {
+void tell_days_of_nobody(const report::LateDays& days, const std::vector<Graded>& graded) {
     std::vector<std::string> ids;
     StudentNames names;
     for (const Graded& one : graded) {

@@ -22,9 +22,8 @@ void tell_answers_of_others(const std::vector<AnswersOfAnother>& found);
 /// Students whom a scene was dealt to and who handed nothing in.
 void tell_not_handed_in(const Marking& marking, const std::vector<Graded>& graded);
 
-/// A row of --late-days that names no submission, because it may be misspelt, and a submission that is late without a
-/// date, because it keeps its points until somebody says how late.
-void tell_open_lateness(const report::LateDays& days, const std::vector<Graded>& graded);
+/// Rows of --late-days that name no submission, because they may be misspelt.
+void tell_days_of_nobody(const report::LateDays& days, const std::vector<Graded>& graded);
 
 /// Overrides of submissions or items that are not in the class.
 void tell_without_place(const std::vector<KeptOverride>& overrides);

@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <array>
 
+#include "harness/grade/concerns.h"
+
 namespace harness {
 
-ConcernTitle title_of(const std::string& kind) {
-    static const std::array<ConcernTitle, 8> titles{{
+namespace {
+
+/// By urgency.
+const std::array<ConcernTitle, 8>& titles() {
+    static const std::array<ConcernTitle, 8> table{{
         {"reading_doubtful",
          "Some answers may not have been read as they were meant; each is best on a line of its own, as in t: 1.25",
          "an answer may have been misread", "Doubtful readings"},
@@ -20,15 +25,30 @@ ConcernTitle title_of(const std::string& kind) {
          "Answers that differ between runs"},
         {"variants_not_tried", "The program could not be tried in full on other scenes",
          "not tried in full on other scenes", "Not tried on other scenes"},
-        {"not_graded", "Not graded", "not graded", "Not graded"},
+        {std::string(not_graded_concern), "Not graded", "not graded", "Not graded"},
         {"late_without_date", "Late, by an unknown time", "late, by an unknown time", "Late, without a date",
          " List it in a file for --late-days, or override the mark."},
     }};
-    const auto found = std::find_if(titles.begin(), titles.end(), [&](const auto& each) { return each.kind == kind; });
-    if (found != titles.end()) return *found;
+    return table;
+}
+
+std::size_t place_of(const std::string& kind) {
+    return static_cast<std::size_t>(std::ranges::find(titles(), kind, &ConcernTitle::kind) - titles().begin());
+}
+
+}  // namespace
+
+ConcernTitle title_of(const std::string& kind) {
+    if (const std::size_t place = place_of(kind); place < titles().size()) return titles()[place];
     std::string words = kind;
     std::replace(words.begin(), words.end(), '_', ' ');
     return {kind, words, words, words, ""};
+}
+
+std::size_t urgency_of(const std::string& kind) {
+    const std::size_t place = place_of(kind), first_after_unknown = place_of(std::string(not_graded_concern));
+    if (place == titles().size()) return first_after_unknown;
+    return place < first_after_unknown ? place : place + 1;
 }
 
 }  // namespace harness

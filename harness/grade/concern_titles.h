@@ -1,6 +1,7 @@
-// What each kind of concern is called: one table for the terminal, the pages and the review.
+// The kinds of concern in one table: what each is called on the terminal, the pages and the review, and its urgency.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace harness {
@@ -15,5 +16,9 @@ struct ConcernTitle {
 
 /// A kind that this raygrade does not know, as from a newer one's gradebook, is called by its words.
 ConcernTitle title_of(const std::string& kind);
+
+/// From 0 for what a review goes through first. A kind that this raygrade does not know comes just before what was not
+/// graded.
+std::size_t urgency_of(const std::string& kind);
 
 }  // namespace harness

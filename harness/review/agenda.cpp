@@ -1,30 +1,19 @@
 #include "harness/review/agenda.h"
 
 #include <algorithm>
-#include <array>
+#include <limits>
 
+#include "harness/grade/concern_titles.h"
 #include "harness/grade/concerns.h"
 #include "harness/review/decide.h"
 
 namespace harness::review {
 namespace {
 
-/// By urgency; a kind that is not here comes before `not_graded`.
-constexpr std::array<std::string_view, 6> early_kinds{"reading_doubtful", "hard_coded",       "other_scene",
-                                                      "scene_of_another", "nondeterministic", "variants_not_tried"};
-constexpr std::array<std::string_view, 2> late_kinds{not_graded_concern, "late_without_date"};
-
-std::size_t urgency(const std::string& kind) {
-    const auto early = std::find(early_kinds.begin(), early_kinds.end(), kind);
-    const auto late = std::find(late_kinds.begin(), late_kinds.end(), kind);
-    if (late != late_kinds.end()) return early_kinds.size() + 1 + static_cast<std::size_t>(late - late_kinds.begin());
-    return static_cast<std::size_t>(early - early_kinds.begin());
-}
-
 /// That of the most urgent concern, open or accepted; after all others if there is none.
 std::size_t urgency(const Graded& graded) {
-    std::size_t least = early_kinds.size() + late_kinds.size() + 1;
-    for (const Flag& concern : concerns_of(graded)) least = std::min(least, urgency(concern.kind));
+    std::size_t least = std::numeric_limits<std::size_t>::max();
+    for (const Flag& concern : concerns_of(graded)) least = std::min(least, urgency_of(concern.kind));
     return least;
 }
 
@@ -57,7 +46,7 @@ Agenda agenda_of(const Session& session) {
         }
     }
     std::stable_sort(agenda.chapters.begin(), agenda.chapters.end(),
-                     [](const Chapter& a, const Chapter& b) { return urgency(a.kind) < urgency(b.kind); });
+                     [](const Chapter& a, const Chapter& b) { return urgency_of(a.kind) < urgency_of(b.kind); });
     std::stable_sort(agenda.order.begin(), agenda.order.end(),
                      [&](std::size_t a, std::size_t b) { return urgency(graded[a]) < urgency(graded[b]); });
     std::copy_if(agenda.order.begin(), agenda.order.end(), std::back_inserter(agenda.open),

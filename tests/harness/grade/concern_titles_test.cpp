@@ -33,5 +33,12 @@ TEST(ConcernTitles, CallAnUnknownKindByItsWords) {
     EXPECT_EQ(title_of("of_a_newer_raygrade").sentence, "of a newer raygrade");
 }
 
+TEST(ConcernTitles, PutUnknownKindsBeforeWhatWasNotGraded) {
+    EXPECT_EQ(urgency_of("reading_doubtful"), 0U);
+    EXPECT_LT(urgency_of("variants_not_tried"), urgency_of("of_a_newer_raygrade"));
+    EXPECT_LT(urgency_of("of_a_newer_raygrade"), urgency_of("not_graded"));
+    EXPECT_LT(urgency_of("not_graded"), urgency_of("late_without_date"));
+}
+
 }  // namespace
 }  // namespace harness
