@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "reference/toml/near_names.h"
+
 namespace harness {
 namespace {
 
@@ -128,16 +130,12 @@ void set(StageLimits& limits, std::string_view name, double value) {
             return;
         }
     }
-    // The likeliest mistake is a name without its stage, or with the wrong stage.
-    const std::string_view without_stage = name.substr(name.find('.') + 1);
-    std::string meant, names;
-    for (const LimitDescription& limit : describe_limits()) {
-        names += (names.empty() ? "" : ", ") + limit.name;
-        if (limit.name.ends_with(fmt::format(".{}", without_stage)))
-            meant += (meant.empty() ? "" : " or ") + limit.name;
-    }
-    throw LimitError(meant.empty() ? fmt::format("is not a limit; there are {}", names)
-                                   : fmt::format("is not a limit; did you mean {}?", meant));
+    std::vector<std::string> names;
+    for (const LimitDescription& limit : describe_limits()) names.push_back(limit.name);
+    const std::size_t dot = name.find('.');
+    const bool has_stage =
+        std::ranges::any_of(stages, [&](const LimitedStage& stage) { return stage.name == name.substr(0, dot); });
+    throw LimitError("is not a limit; " + reference::did_you_mean(has_stage ? name : name.substr(dot + 1), names));
 }
 
 double read_value(std::string_view text) {

@@ -102,6 +102,8 @@ std::vector<OtherScene> read_other_scenes(const TomlTable& root, const Scene<Dec
     for (const TomlTable& table : root.tables("variant")) {
         const std::string name =
             table.has("name") ? table.string("name") : fmt::format("variant {}", variants.size() + 1);
+        if (std::ranges::find(variants, name, &OtherScene::name) != variants.end())
+            table.fail("name", fmt::format("\"{}\" stands twice; give each variant its own name", name));
         variants.push_back({name, changed_scene(table, "name", name, scene, path)});
         if (scene_toml(variants.back().scene) == scene_toml(scene)) {
             table.fail("name", fmt::format("\"{}\" changes nothing of the scene; state a camera.eye, sphere.center, "

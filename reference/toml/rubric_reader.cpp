@@ -139,6 +139,10 @@ std::vector<LateStep> read_late(const TomlTable& table) {
                                            row[0].text(), last));
         if (!(0 <= share && share <= 1))
             table.fail("late", fmt::format("{} is no share of the points; write a number from 0 to 1", row[1].text()));
+        if (!steps.empty() && share < steps.back().share)
+            table.fail("late",
+                       fmt::format("takes {} off from day {} on, and only {} from day {}; later never costs less",
+                                   steps.back().share, last, share, days));
         steps.push_back({static_cast<int>(days), share});
     }
     return steps;

@@ -99,6 +99,13 @@ TEST(ReadLimits, SuggestsTheStageForALimitWithoutItOrWithAWrongOne) {
     EXPECT_EQ(why_not({}, {"build.cpu_seconds=3"}), "--limit build.cpu_seconds: " + meant);
 }
 
+TEST(ReadLimits, SuggestsTheNearestNameOfAStage) {
+    EXPECT_EQ(why_not({entry("run.cpu_second", 3)}, {}),
+              "a.toml:7: limits.run.cpu_second: is not a limit; did you mean run.cpu_seconds?");
+    EXPECT_THAT(why_not({}, {"compile.colour=3"}),
+                AllOf(HasSubstr("is not a limit; there are run.cpu_seconds, "), HasSubstr("compile.memory_mib")));
+}
+
 TEST(DescribeLimits, MatchesTheManual) {
     const std::string page = bytes_of(RAYGRADE_PROJECT "/harness/manual/sandbox-and-limits.md");
     for (const LimitDescription& limit : describe_limits()) {

@@ -86,6 +86,9 @@ TEST(OtherScenesReader, RefusesOverridesThatDoNotFitTheScene) {
     EXPECT_THAT(error_of("[[variant]]\nwindow.pixel = [1.5, 0]\n"), HasSubstr("1.5 is not a pixel"));
     EXPECT_THAT(error_of("[[variant]]\nname = \"same\"\nsphere.radius = 2.50\n"),
                 HasSubstr("\"same\" changes nothing"));
+    EXPECT_THAT(error_of("[[variant]]\nname = \"near\"\nsphere.radius = 2\n"
+                         "[[variant]]\nname = \"near\"\nsphere.radius = 3\n"),
+                AllOf(HasSubstr("variant[2].name"), HasSubstr("\"near\" stands twice")));
     EXPECT_THAT(error_of("[[variant]]\ntriangle.vertices = [[0,0,0],[1,0,0],[0,1,0]]\n"), HasSubstr("no triangle"));
 }
 

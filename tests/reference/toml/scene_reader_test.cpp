@@ -121,6 +121,7 @@ TEST(SceneReader, ReadsALateSchedule) {
     EXPECT_THAT(refused("[[2, 0.1], [1, 0.2]]"), says("20: rubric.late", "go up"));
     EXPECT_THAT(refused("[[0, 0.1]]"), says("20: rubric.late", "go up"));
     EXPECT_THAT(refused("[[1, 1.5]]"), says("20: rubric.late", "1.5 is no share"));
+    EXPECT_THAT(refused("[[1, 0.5], [2, 0.1]]"), says("20: rubric.late", "only 0.1 from day 2"));
     EXPECT_THAT(refused("0.5"), says("20: rubric.late", "array"));
     EXPECT_THAT(refused("[[1, 0.1]]\nlate_deduction = 0.1"), testing::HasSubstr("keep one of the two"));
 }
