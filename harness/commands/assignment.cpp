@@ -24,7 +24,6 @@
 #include "harness/report/accuracy/sentences.h"
 #include "harness/report/exchange/roster.h"
 #include "harness/results/reports.h"
-#include "harness/run/limits.h"
 #include "reference/toml/scene_toml.h"
 
 namespace harness {
@@ -39,17 +38,6 @@ struct AssignmentOptions {
     fs::path roster;         ///< of deal
     fs::path out = "dealt";  ///< of deal
 };
-
-/// Refuses names that are no limit or no mistake, as grading does.
-reference::Assignment checked(reference::Assignment assignment) {
-    read_limits(assignment.limits, {});
-    require_mistakes(assignment.rubric);
-    return assignment;
-}
-
-reference::Assignment load(const AssignmentOptions& options) {
-    return checked(reference::load_assignment(options.file, assignments_folder()));
-}
 
 int list_assignments() {
     std::vector<fs::path> files;
@@ -120,7 +108,7 @@ int rehearse(const reference::Assignment& assignment, const fs::path& samples) {
 }
 
 int check_assignment(const AssignmentOptions& options) {
-    const reference::Assignment assignment = load(options);
+    const reference::Assignment assignment = load_as_graded(options.file);
     const reference::AnswerKey key = reference::make_key(assignment, reference::Precision::certified);
     double points = 0;
     for (const reference::Question& question : assignment.questions)
@@ -136,7 +124,7 @@ int check_assignment(const AssignmentOptions& options) {
 }
 
 int propose_scene(const AssignmentOptions& options) {
-    const reference::Assignment assignment = load(options);
+    const reference::Assignment assignment = load_as_graded(options.file);
     prepare::Search search = options.search;
     ShareProgress progress;
     search.progress = [&](double done) { progress.tell(done); };
@@ -158,7 +146,7 @@ std::string with_students(const reference::AssignmentFile& file, const reference
 
 int deal_scenes(const AssignmentOptions& options) {
     const reference::AssignmentFile file = reference::read_assignment_file(options.file, assignments_folder());
-    const reference::Assignment assignment = checked(reference::parse_assignment(file.toml, file.path));
+    const reference::Assignment assignment = as_graded(reference::parse_assignment(file.toml, file.path));
     std::vector<std::string> students;
     try {
         students = report::students_in(read_roster_text(options.roster));
@@ -193,7 +181,7 @@ int deal_scenes(const AssignmentOptions& options) {
 }
 
 int print_handout(const AssignmentOptions& options) {
-    const reference::Assignment assignment = load(options);
+    const reference::Assignment assignment = load_as_graded(options.file);
     if (!assignment.dealt.empty())
         say("note: this is the scene that nobody was dealt; {}.toml@ID is a student's\n", assignment.name);
     fmt::print("{}", prepare::handout_text(assignment));

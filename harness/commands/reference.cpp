@@ -3,11 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
-#include "harness/class_run/installation.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/machine/say.h"
-#include "harness/run/limits.h"
 
 namespace harness {
 
@@ -28,8 +26,7 @@ reference::Precision precision_of(const std::string& name) {
 }
 
 int print_reference(const ReferenceOptions& options) {
-    const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
-    read_limits(assignment.limits, {});  // refuses a name that is no limit, as grading does
+    const reference::Assignment assignment = load_as_graded(options.assignment);
     const reference::AnswerKey key = reference::make_key(assignment, precision_of(options.precision));
     fmt::print("{}", options.format == "json" ? reference::to_json(key) : reference::to_text(key));
     for (const std::string& note : key.notes) say("note: {}\n", note);

@@ -6,6 +6,10 @@
 #include <algorithm>
 #include <thread>
 
+#include "harness/class_run/installation.h"
+#include "harness/grade/marking.h"
+#include "harness/run/limits.h"
+
 namespace harness {
 namespace {
 
@@ -41,6 +45,16 @@ void add_rosters(CLI::App& command, RosterOptions& options) {
 }
 
 }  // namespace
+
+reference::Assignment as_graded(reference::Assignment assignment) {
+    read_limits(assignment.limits, {});
+    require_mistakes(assignment.rubric);
+    return assignment;
+}
+
+reference::Assignment load_as_graded(const std::string& name) {
+    return as_graded(reference::load_assignment(name, assignments_folder()));
+}
 
 CLI::Option* add_assignment(CLI::App& command, std::string& assignment) {
     assignment = "default";

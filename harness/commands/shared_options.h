@@ -26,6 +26,13 @@ Subcommand subcommand(CLI::App& app, const char* name, const char* about, void (
 
 CLI::Option* add_assignment(CLI::App& command, std::string& assignment);
 
+/// The assignment itself. Throws AssignmentError or LimitError for what only grading would look at: the names of limits
+/// and of mistakes.
+reference::Assignment as_graded(reference::Assignment assignment);
+
+/// The same of the assignment called `name`, a file or one that comes with raygrade.
+reference::Assignment load_as_graded(const std::string& name);
+
 /// Adds --jobs, by default the number of cores. `meaning` is its help text.
 void add_jobs(CLI::App& command, int& jobs, const char* meaning);
 

@@ -264,6 +264,24 @@ TEST_F(BadInput, AnAssignmentFileWithAMistakeIsRefused) {
     EXPECT_FALSE(fs::exists(out())) << "nothing is graded by a bad assignment";
 }
 
+TEST_F(BadInput, ANameThatOnlyGradingLooksAtIsRefusedByTheReferenceRunToo) {
+    const fs::path file = folder / "mine.toml";
+    const std::string text = read(project_folder() / "reference/assignments/a6-2021.toml");
+    for (const auto& [lines, complaint] :
+         {std::pair{"[limits.run]\ncpu_second = 2\n", "limits.run.cpu_second: is not a limit; did you mean"},
+          std::pair{"[rubric.mistakes]\n\"center forgoten\" = 1\n", "did you mean center forgotten"}}) {
+        write(file, text + lines);
+        for (const std::vector<std::string>& command :
+             {std::vector<std::string>{"reference", "--assignment"}, {"assignment", "check"}}) {
+            std::vector<std::string> words = command;
+            words.push_back(file.string());
+            const Result result = raygrade(words);
+            EXPECT_EQ(result.status, usage) << result.both();
+            EXPECT_THAT(result.voice, HasSubstr(complaint));
+        }
+    }
+}
+
 /// This mistake is found only while the key is computed, which runs in parallel to the compiler.
 TEST_F(BadInput, AToleranceBelowTheAllowanceIsRefused) {
     const fs::path file = folder / "mine.toml";
