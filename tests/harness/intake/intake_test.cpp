@@ -8,6 +8,7 @@
 #include "tests/given/as_nobody.h"
 #include "tests/given/packed.h"
 #include "tests/given/temporary_folder.h"
+#include "tests/harness/intake/taken.h"
 
 namespace {
 
@@ -18,12 +19,6 @@ using harness::UsageError;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-std::vector<std::string> ids(const std::vector<Submission>& submissions) {
-    std::vector<std::string> all;
-    for (const auto& submission : submissions) all.push_back(submission.id);
-    return all;
-}
 
 std::string problem_of_only(const std::vector<Submission>& submissions) {
     EXPECT_EQ(submissions.size(), 1U);

@@ -3,34 +3,17 @@
 
 #include <map>
 
-#include "harness/intake/intake.h"
-#include "harness/intake/lms/lms_name.h"
-#include "harness/intake/source_file.h"
-#include "harness/machine/errors.h"
 #include "tests/given/packed.h"
 #include "tests/given/temporary_folder.h"
+#include "tests/harness/intake/taken.h"
 
 namespace {
 
 using harness::Submission;
 using testing::AllOf;
-using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-/// By id.
-std::map<std::string, Submission> take(const std::filesystem::path& path) {
-    std::map<std::string, Submission> taken;
-    for (const Submission& submission : harness::take_in(path)) taken[submission.id] = submission;
-    return taken;
-}
-
-std::vector<std::string> ids(const std::map<std::string, Submission>& submissions) {
-    std::vector<std::string> all;
-    for (const auto& [id, submission] : submissions) all.push_back(id);
-    return all;
-}
 
 /// Takes in a zip with these entries and a folder with the same files. The results must be equal.
 class LmsDownload : public testing::TestWithParam<bool> {
@@ -320,90 +303,5 @@ TEST_P(LmsDownload, IsNotSeenInAClassWhereOneNameLooksLikeIt) {
 
 INSTANTIATE_TEST_SUITE_P(, LmsDownload, testing::Bool(),
                          [](const auto& tested) { return tested.param ? "packed" : "unpacked"; });
-
-TEST(PackedClass, GivesTheSameAsAFolder) {
-    const TemporaryFolder folder;
-    const auto wrapped =
-        take(pack(folder.path() / "wrapped.tgz", {{"class/zoe/ray_cast.cpp", "z"}, {"class/adam/a.cc", "a"}}));
-    EXPECT_THAT(ids(wrapped), ElementsAre("adam", "zoe"));
-    EXPECT_EQ(wrapped.at("zoe").file, folder.path() / "wrapped.tgz/class/zoe/ray_cast.cpp");
-    const auto exported = take(pack(folder.path() / "export.zip", {{"assignment_5_export/submission_7/a.cpp", "a"}}));
-    EXPECT_THAT(ids(exported), ElementsAre("submission_7"));
-    EXPECT_THAT(ids(take(pack(folder.path() / "flat.zip", {{"bob.cpp", "b"}, {"alice.cpp", "a"}}))),
-                ElementsAre("alice", "bob"));
-    EXPECT_THAT(ids(take(pack(folder.path() / "one.zip", {{"ray_cast.cpp", "r"}, {"ray.h", "h"}}))),
-                ElementsAre("one.zip"));
-}
-
-TEST(PackedClass, OfGradescopeIgnoresMetadataThatStudentsHandIn) {
-    const TemporaryFolder folder;
-    const std::string largest(std::size_t{64} << 20U, '#');
-    // Each file lies next to a folder with a name as in an export.
-    std::vector<PackedEntry> entries = {{"export/submission_901/ray_cast.cpp", "a"}};
-    for (int i = 0; i < 8; ++i) {
-        entries.push_back({"export/submission_901/" + std::to_string(i) + "/submission_metadata.yml", largest});
-        entries.push_back({"export/submission_901/" + std::to_string(i) + "/submission_1/a.txt", ""});
-    }
-    entries.push_back({"export/submission_metadata.yml", "submission_901:\n  :submitters:\n  - :name: Jane Doe\n"});
-    EXPECT_THAT(ids(take(pack(folder.path() / "export.zip", entries))), ElementsAre("Jane Doe"));
-}
-
-TEST(PackedClass, IsRefusedWithTheNameOfAHostileEntry) {
-    const TemporaryFolder folder;
-    try {
-        harness::take_in(pack(folder.path() / "class.zip", {{"a.cpp", "a"}, {"../../../etc/cron.d/evil.cpp", "e"}}));
-        FAIL();
-    } catch (const harness::UsageError& error) {
-        EXPECT_THAT(error.what(), AllOf(HasSubstr("class.zip"), HasSubstr("../../../etc/cron.d/evil.cpp")));
-    }
-}
-
-TEST(PackedClass, KeepsTwoEntriesOfTheSameName) {
-    const TemporaryFolder folder;
-    const auto taken =
-        take(pack(folder.path() / "class.zip", {{"bob.cpp", "first"}, {"bob.cpp", "second"}, {"eve.cpp", "e"}}));
-    EXPECT_EQ(taken.size(), 3U);
-    EXPECT_EQ(taken.at("bob").source, "first");
-    EXPECT_EQ(taken.at("bob.cpp (entry 2)").source, "second");
-}
-
-TEST(PackedClass, ReportsATooLargeSource) {
-    const TemporaryFolder folder;
-    const auto taken = take(pack(folder.path() / "class.zip",
-                                 {{"bob.cpp", std::string(harness::largest_source_bytes + 1, ' ')}, {"eve.cpp", "e"}}));
-    EXPECT_THAT(*taken.at("bob").problem, HasSubstr("larger than 1 MiB"));
-    EXPECT_EQ(taken.at("eve").source, "e");
-}
-
-TEST(CanvasName, IsReadInEightShapes) {
-    using harness::read_canvas_name;
-    const auto plain = read_canvas_name("doejane_123_456_ray_cast.cpp");
-    ASSERT_TRUE(plain);
-    EXPECT_EQ(plain->student, "doejane");
-    EXPECT_EQ(plain->id, "123");
-    EXPECT_EQ(plain->attachment, "456");
-    EXPECT_EQ(plain->file, "ray_cast.cpp");
-    EXPECT_EQ(plain->late, false);
-    EXPECT_EQ(read_canvas_name("doejane_LATE_123_456_ray_cast.cpp")->late, true);
-    EXPECT_EQ(read_canvas_name("doejane_123_456_1_2_3.cpp")->file, "1_2_3.cpp") << "digits in the file's name";
-    EXPECT_EQ(read_canvas_name("anon_9_456_ray_cast.cpp")->id, "anon_9");
-    EXPECT_EQ(read_canvas_name("LATE_anon_9_456_ray_cast.cpp")->late, true);
-    EXPECT_FALSE(read_canvas_name("doejane_123_text.html")->is_file);
-    EXPECT_FALSE(read_canvas_name("anon_9_link.html")->is_file);
-    EXPECT_EQ(read_canvas_name("группа_LATE_7_8_a b.cpp")->student, "группа");
-    for (const char* other : {"ray_cast.cpp", "doejane_ray_cast.cpp", "doejane_123_ray_cast.cpp", "s01.cpp"})
-        EXPECT_FALSE(read_canvas_name(other)) << other;
-}
-
-TEST(BaseName, OmitsTheNumberOfARepeatedHandIn) {
-    using harness::read_base_name;
-    EXPECT_EQ(read_base_name("ray_cast-12.cpp").name, "ray_cast.cpp");
-    EXPECT_EQ(read_base_name("ray_cast-12.cpp").turn, 12);
-    EXPECT_EQ(read_base_name("ray_cast (3).cpp").name, "ray_cast.cpp");
-    EXPECT_EQ(read_base_name("ray_cast(3).cpp").turn, 3);
-    EXPECT_EQ(read_base_name("ray_cast.cpp").turn, 0);
-    EXPECT_EQ(read_base_name("-1.cpp").name, "-1.cpp");
-    EXPECT_EQ(read_base_name("ray-99999999999999999999.cpp").turn, 0) << "no number of turns";
-}
 
 }  // namespace

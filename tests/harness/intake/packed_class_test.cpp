@@ -1,0 +1,70 @@
+// A class that is one archive.
+#include <gmock/gmock.h>
+
+#include "harness/intake/source_file.h"
+#include "harness/machine/errors.h"
+#include "tests/given/packed.h"
+#include "tests/given/temporary_folder.h"
+#include "tests/harness/intake/taken.h"
+
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(PackedClass, GivesTheSameAsAFolder) {
+    const TemporaryFolder folder;
+    const auto wrapped =
+        take(pack(folder.path() / "wrapped.tgz", {{"class/zoe/ray_cast.cpp", "z"}, {"class/adam/a.cc", "a"}}));
+    EXPECT_THAT(ids(wrapped), ElementsAre("adam", "zoe"));
+    EXPECT_EQ(wrapped.at("zoe").file, folder.path() / "wrapped.tgz/class/zoe/ray_cast.cpp");
+    const auto exported = take(pack(folder.path() / "export.zip", {{"assignment_5_export/submission_7/a.cpp", "a"}}));
+    EXPECT_THAT(ids(exported), ElementsAre("submission_7"));
+    EXPECT_THAT(ids(take(pack(folder.path() / "flat.zip", {{"bob.cpp", "b"}, {"alice.cpp", "a"}}))),
+                ElementsAre("alice", "bob"));
+    EXPECT_THAT(ids(take(pack(folder.path() / "one.zip", {{"ray_cast.cpp", "r"}, {"ray.h", "h"}}))),
+                ElementsAre("one.zip"));
+}
+
+TEST(PackedClass, OfGradescopeIgnoresMetadataThatStudentsHandIn) {
+    const TemporaryFolder folder;
+    const std::string largest(std::size_t{64} << 20U, '#');
+    // Each file lies next to a folder with a name as in an export.
+    std::vector<PackedEntry> entries = {{"export/submission_901/ray_cast.cpp", "a"}};
+    for (int i = 0; i < 8; ++i) {
+        entries.push_back({"export/submission_901/" + std::to_string(i) + "/submission_metadata.yml", largest});
+        entries.push_back({"export/submission_901/" + std::to_string(i) + "/submission_1/a.txt", ""});
+    }
+    entries.push_back({"export/submission_metadata.yml", "submission_901:\n  :submitters:\n  - :name: Jane Doe\n"});
+    EXPECT_THAT(ids(take(pack(folder.path() / "export.zip", entries))), ElementsAre("Jane Doe"));
+}
+
+TEST(PackedClass, IsRefusedWithTheNameOfAHostileEntry) {
+    const TemporaryFolder folder;
+    try {
+        harness::take_in(pack(folder.path() / "class.zip", {{"a.cpp", "a"}, {"../../../etc/cron.d/evil.cpp", "e"}}));
+        FAIL();
+    } catch (const harness::UsageError& error) {
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("class.zip"), HasSubstr("../../../etc/cron.d/evil.cpp")));
+    }
+}
+
+TEST(PackedClass, KeepsTwoEntriesOfTheSameName) {
+    const TemporaryFolder folder;
+    const auto taken =
+        take(pack(folder.path() / "class.zip", {{"bob.cpp", "first"}, {"bob.cpp", "second"}, {"eve.cpp", "e"}}));
+    EXPECT_EQ(taken.size(), 3U);
+    EXPECT_EQ(taken.at("bob").source, "first");
+    EXPECT_EQ(taken.at("bob.cpp (entry 2)").source, "second");
+}
+
+TEST(PackedClass, ReportsATooLargeSource) {
+    const TemporaryFolder folder;
+    const auto taken = take(pack(folder.path() / "class.zip",
+                                 {{"bob.cpp", std::string(harness::largest_source_bytes + 1, ' ')}, {"eve.cpp", "e"}}));
+    EXPECT_THAT(*taken.at("bob").problem, HasSubstr("larger than 1 MiB"));
+    EXPECT_EQ(taken.at("eve").source, "e");
+}
+
+}  // namespace
