@@ -1,106 +1,168 @@
 #include "harness/review/source_notes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <set>
 
 #include "harness/report/text/read_lines.h"
-#include "harness/text/lines.h"
+#include "harness/scenes/code/printed_texts.h"
 #include "harness/text/utf8.h"
 
 namespace harness::review {
 namespace {
 
-constexpr std::size_t most_lines = 5000;
-constexpr std::size_t widest = 400;
-constexpr std::size_t shortest_literal = 2;
+using scenes::PrintedText;
 
-std::string trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\n");
-    if (first == std::string_view::npos) return {};
-    return std::string(text.substr(first, text.find_last_not_of(" \t\n") - first + 1));
+constexpr std::size_t most_lines = 5000;
+constexpr std::size_t most_bytes_of_source = 64 << 10U;
+constexpr std::size_t most_bytes_of_line = 2000;
+constexpr std::size_t most_variables =
+    12;  ///< of one item; a matrix may be printed by its sixteen numbers, named alike
+
+bool is_letter(char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// The pieces of a line's string literals between escapes such as \n, without blanks around them.
-std::vector<std::string> literals_of(std::string_view line) {
-    std::vector<std::string> literals;
-    std::string literal;
-    bool inside = false;
-    const auto end_piece = [&] {
-        literal = trimmed(literal);
-        const bool has_letter = std::any_of(literal.begin(), literal.end(),
-                                            [](unsigned char c) { return std::isalpha(c) != 0 || c >= 0x80; });
-        if (literal.size() >= shortest_literal && has_letter) literals.push_back(literal);
-        literal.clear();
-    };
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const char c = line[i];
-        if (!inside) {
-            if (line.substr(i).starts_with("//")) break;
-            inside = c == '"';
-        } else if (c == '"' || c == '%') {
-            end_piece();
-            // A conversion of printf ends a piece; what follows its '%' is no text.
-            while (c == '%' && i + 1 < line.size() &&
-                   std::string_view(".0123456789+-lf").find(line[i + 1]) != std::string_view::npos)
-                ++i;
-            inside = c == '%';
-        } else if (c == '\\' && i + 1 < line.size()) {
-            end_piece();
-            ++i;
-        } else {
-            literal += c;
+/// Whether the text stands in the line as whole words.
+bool stands_in(std::string_view text, std::string_view line) {
+    for (std::size_t at = line.find(text); at != std::string_view::npos; at = line.find(text, at + 1)) {
+        const std::size_t end = at + text.size();
+        const bool begins = at == 0 || !is_letter(line[at - 1]) || !is_letter(text.front());
+        const bool ends = end == line.size() || !is_letter(line[end]) || !is_letter(text.back());
+        if (begins && ends) return true;
+    }
+    return false;
+}
+
+/// What is known of one source, to say which lines print a text.
+class Source {
+  public:
+    explicit Source(std::string_view source)
+        : words_(scenes::words_of(source)), variables_(words_), texts_(scenes::printed_texts(words_, variables_)) {
+        std::size_t begin = 0;
+        int line = 1;
+        for (const scenes::Word& word : words_) {
+            line += static_cast<int>(std::count(source.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                source.begin() + static_cast<std::ptrdiff_t>(word.begin), '\n'));
+            begin = word.begin;
+            lines_.push_back(line);
         }
     }
-    return literals;
-}
 
-struct Literal {
-    std::string text;
-    int line;  ///< from 1
+    /// The longest texts that stand in this part of a printout's line.
+    std::vector<const PrintedText*> texts_in(std::string_view printed) const {
+        std::vector<const PrintedText*> found;
+        for (const PrintedText& each : texts_) {
+            const std::size_t longest = found.empty() ? 0 : found.front()->text.size();
+            if (each.text.size() < longest || !stands_in(each.text, printed)) continue;
+            if (each.text.size() > longest) found.clear();
+            found.push_back(&each);
+        }
+        return found;
+    }
+
+    int line_of(std::size_t word) const { return lines_[word]; }
+    std::string name(std::size_t word) const { return std::string(words_[word].text); }
+    const scenes::Variables& variables() const { return variables_; }
+
+  private:
+    std::vector<scenes::Word> words_;
+    scenes::Variables variables_;
+    std::vector<PrintedText> texts_;
+    std::vector<int> lines_;  ///< of the words, from 1
 };
 
-std::vector<Literal> literals_in(std::string_view source) {
-    std::vector<Literal> literals;
-    int number = 0;
-    for (const std::string_view line : lines_of(source, most_lines)) {
-        ++number;
-        for (std::string& literal : literals_of(beginning_of_characters(line, widest)))
-            literals.push_back({std::move(literal), number});
+/// The texts that stand before the item: in its line between the answer before it and itself, else anywhere in its
+/// line, else in the line above it, unless that has an answer too.
+std::vector<const PrintedText*> texts_of(const ItemScore& item, std::size_t from, const Source& source,
+                                         const std::vector<std::string_view>& lines,
+                                         const std::map<int, std::vector<report::ReadAnswer>>& answers) {
+    const auto line_at = [&](int number) {
+        return beginning_of_characters(lines[static_cast<std::size_t>(number) - 1], most_bytes_of_line);
+    };
+    const std::string_view line = line_at(item.line);
+    const std::size_t value = line.find(item.printed, from);
+    if (value != std::string_view::npos) {
+        auto found = source.texts_in(line.substr(from, value - from));
+        if (!found.empty()) return found;
     }
-    return literals;
+    auto found = source.texts_in(line);
+    if (!found.empty()) return found;
+    int above = item.line - 1;
+    while (above > 0 && line_at(above).find_first_not_of(" \t") == std::string_view::npos) --above;
+    return above > 0 && !answers.contains(above) ? source.texts_in(line_at(above)) : found;
 }
 
-/// The lines of the longest literals that stand in the line of the printout.
-std::set<int> lines_that_print(std::string_view printed, const std::vector<Literal>& literals) {
-    std::size_t longest = 0;
-    std::set<int> lines;
-    for (const Literal& literal : literals) {
-        if (literal.text.size() < longest || printed.find(literal.text) == std::string_view::npos) continue;
-        if (literal.text.size() > longest) lines.clear();
-        longest = literal.text.size();
-        lines.insert(literal.line);
+/// The notes of one item.
+class ItemNotes {
+  public:
+    ItemNotes(Computing& computing, const Source& source, const ItemScore& item)
+        : computing_(computing),
+          source_(source),
+          item_(fmt::format("{}.{}", item.spec.question, item.spec.name)),
+          kind_(to_string(item.verdict)) {}
+
+    void add(const std::vector<const PrintedText*>& texts) {
+        std::set<int> lines;
+        for (const PrintedText* text : texts) lines.insert(source_.line_of(text->at));
+        if (lines.empty()) return;
+        const bool is_sure = lines.size() == 1;
+        computing_.first_printing[item_] = *lines.begin();
+        for (const PrintedText* text : texts) note(text->at, (is_sure ? "prints " : "may print ") + item_);
+        for (const PrintedText* text : texts) {
+            const std::size_t count = std::min(text->variables.size(), most_variables);
+            for (std::size_t i = 0; i < count; ++i) add_variable(text->variables[i], is_sure);
+        }
     }
-    return lines;
-}
+
+  private:
+    void add_variable(std::size_t variable, bool is_sure) {
+        const std::string name = source_.name(variable);
+        for (const scenes::Setting& each : source_.variables().settings_of(variable)) {
+            note(each.at, fmt::format("{} {}, {} {}", each.surely ? "sets" : "may set", name,
+                                      is_sure ? "printed as" : "may be printed as", item_));
+        }
+        for (const std::size_t call : source_.variables().calls_of_parameter(variable)) {
+            note(call,
+                 fmt::format("calls {}, which {} {}", source_.name(call), is_sure ? "prints" : "may print", item_));
+        }
+    }
+
+    void note(std::size_t word, std::string text) {
+        const int number = source_.line_of(word);
+        computing_.lines[item_].insert(number);
+        std::vector<report::LineNote>& line = computing_.notes[number];
+        const bool is_known =
+            std::any_of(line.begin(), line.end(), [&](const report::LineNote& each) { return each.text == text; });
+        if (!is_known) line.push_back({std::move(text), kind_});
+    }
+
+    Computing& computing_;
+    const Source& source_;
+    std::string item_;
+    std::string kind_;
+};
 
 }  // namespace
 
-report::LineNotes printing_lines(std::string_view source, std::string_view printout, const Score& score) {
-    report::LineNotes notes;
-    const std::vector<Literal> literals = literals_in(source);
+Computing computing_lines(std::string_view text, std::string_view printout, const Score& score) {
+    const Source source(beginning_of_characters(text, most_bytes_of_source));
     const std::vector<std::string_view> lines = report::printout_lines(printout, most_lines);
-    for (const auto& [number, answers] : report::answers_by_line(score)) {
-        if (number < 1 || static_cast<std::size_t>(number) > lines.size()) continue;
-        const std::set<int> printing = lines_that_print(lines[static_cast<std::size_t>(number) - 1], literals);
-        for (const report::ReadAnswer& answer : answers) {
-            if (!answer.begins) continue;
-            const std::string prints = printing.size() == 1 ? "prints " : "may print ";
-            for (const int line : printing)
-                notes[line].push_back({prints + answer.item, std::string(to_string(answer.verdict))});
+    const auto answers = report::answers_by_line(score);
+    std::map<int, std::size_t> read_up_to;  // by line: the end of the answer before
+    Computing computing;
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (item.line < 1 || static_cast<std::size_t>(item.line) > lines.size()) continue;
+            std::size_t& from = read_up_to[item.line];
+            ItemNotes(computing, source, item).add(texts_of(item, from, source, lines, answers));
+            const std::size_t value = lines[static_cast<std::size_t>(item.line) - 1].find(item.printed, from);
+            if (value != std::string_view::npos) from = value + item.printed.size();
         }
     }
-    return notes;
+    return computing;
 }
 
 }  // namespace harness::review

@@ -1,15 +1,27 @@
-// Which lines of a source print an answer, as far as the texts in them tell.
+// Which lines of a source print an answer, and which set what they print, as far as its texts and names tell.
 #pragma once
 
+#include <map>
+#include <set>
+#include <string>
 #include <string_view>
 
 #include "harness/report/page/listing.h"
 
 namespace harness::review {
 
-/// A line of the source prints an item if it has the longest string literal that stands in the line of the printout
-/// where the item begins: `puts("t = ")` prints what is read from "t = 1.5". An item in a line without such a literal
-/// is on no line of the source. Where several lines have that literal, each of them "may print" the item.
-report::LineNotes printing_lines(std::string_view source, std::string_view printout, const Score& score);
+struct Computing {
+    report::LineNotes notes;                     ///< "prints 6.t", "sets t, printed as 6.t"
+    std::map<std::string, std::set<int>> lines;  ///< by item, all lines with a note about it
+    std::map<std::string, int> first_printing;   ///< by item, the first line that prints it or may print it
+};
+
+/// A line of the source "prints" an item if it has the longest text that stands before the item in the line of the
+/// printout where the item begins, or alone in the line above: `puts("t = ")` prints what is read from "t = 1.5". Where
+/// several lines have that text, each "may print" the item. An item without such a text is on no line.
+///
+/// A line "sets" a variable that is printed behind this text if it assigns, initialises or may change it before, and
+/// "calls" the function whose parameter is printed. Everything is said of at most the first 64 KiB of the source.
+Computing computing_lines(std::string_view source, std::string_view printout, const Score& score);
 
 }  // namespace harness::review

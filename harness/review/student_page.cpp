@@ -123,7 +123,8 @@ std::string facts_of(const Graded& one) {
     return facts;
 }
 
-PageData items_of(const Graded& one, const QuestionScore& question, const report::ExpectedTexts& asked) {
+PageData items_of(const Graded& one, const QuestionScore& question, const report::ExpectedTexts& asked,
+                  const Computing& computing, const report::Listing& source) {
     PageData items(PageData::type::list);
     for (const ItemScore& each : question.items) {
         PageData item;
@@ -134,6 +135,11 @@ PageData items_of(const Graded& one, const QuestionScore& question, const report
         item["item_most"] = points_text(each.max_points);
         set_text(item, "item_printed", each.printed);
         if (each.line != 0) item["item_line"] = std::to_string(each.line);
+        const auto printing = computing.first_printing.find(item_name(each));
+        if (printing != computing.first_printing.end() && source.has_anchor(printing->second)) {
+            item["item_source"] = fmt::format("{}", fmt::join(computing.lines.at(item_name(each)), " "));
+            item["item_printing"] = std::to_string(printing->second);
+        }
         const auto right = asked.find(each.spec.id);
         if (each.verdict != ItemVerdict::right && right != asked.end()) item["item_asked"] = right->second.beside(each);
         // Of the other verdicts the word says all, and the student reads how to print what is missing.
@@ -145,7 +151,8 @@ PageData items_of(const Graded& one, const QuestionScore& question, const report
     return items;
 }
 
-PageData questions_of(const Graded& one, const report::ExpectedTexts& asked) {
+PageData questions_of(const Graded& one, const report::ExpectedTexts& asked, const Computing& computing,
+                      const report::Listing& source) {
     PageData questions(PageData::type::list);
     if (one.outcome == Outcome::not_graded) return questions;
     for (const QuestionScore& each : one.score.questions) {
@@ -154,7 +161,7 @@ PageData questions_of(const Graded& one, const report::ExpectedTexts& asked) {
         question["question_title"] = each.title;
         question["question_got"] = points_text(final_points(one, each));
         question["question_most"] = points_text(each.max_points);
-        question["items"] = items_of(one, each, asked);
+        question["items"] = items_of(one, each, asked, computing, source);
         questions.push_back(question);
     }
     return questions;
@@ -180,10 +187,9 @@ report::LineNotes notes_of_printout(const Graded& one) {
     return notes;
 }
 
-report::LineNotes notes_of_source(const Graded& one) {
+report::LineNotes notes_of_source(const Graded& one, const Computing& computing) {
     report::LineNotes notes = report::notes_of_compiler(report::compiler_messages(one.build.diagnostics));
-    for (auto& [line, more] : printing_lines(one.submission.source, one.printout, one.score))
-        notes[line].insert(notes[line].end(), more.begin(), more.end());
+    for (const auto& [line, more] : computing.notes) notes[line].insert(notes[line].end(), more.begin(), more.end());
     return notes;
 }
 
@@ -318,8 +324,10 @@ std::string Pages::student(std::size_t place, const std::optional<Notice>& notic
     data["has_decided"] = decided.is_non_empty_list();
     data["decided"] = std::move(decided);
 
+    const Computing computing = computing_lines(one.submission.source, one.printout, one.score);
     const report::Listing printout = report::Listing::of_printout(one.printout, notes_of_printout(one), "line-");
-    const report::Listing source = report::Listing::of_source(one.submission.source, notes_of_source(one), "source-");
+    const report::Listing source =
+        report::Listing::of_source(one.submission.source, notes_of_source(one, computing), "source-");
     if (!printout.empty()) data["printout"] = printout.html("Printout");
     data["no_printout"] =
         std::string(report::is_printout_too_long(one) ? "It printed more than is kept." : "It printed nothing.");
@@ -329,7 +337,7 @@ std::string Pages::student(std::size_t place, const std::optional<Notice>& notic
                                         : "The gradebook has no source: it is too long, or was graded by an older "
                                           "raygrade. Grading again with --apply keeps it.");
 
-    data["questions"] = questions_of(one, report::expected_texts(own.key));
+    data["questions"] = questions_of(one, report::expected_texts(own.key), computing, source);
     if (one.outcome != Outcome::not_graded && one.outcome != Outcome::compile_error)
         data["picture"] = report::explaining_picture(own, &one, true, "scene-");
     report::Evidence evidence("h2", most_bytes, Audience::instructor);

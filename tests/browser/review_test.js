@@ -51,9 +51,9 @@ after(async () => {
   if (scratch) await rm(scratch, { recursive: true });
 });
 
-/** raygrade review of the results; its address. */
-async function review() {
-  running = spawn(process.env.RAYGRADE_BINARY, ['review', results, '--by', 'Prof. X'], { stdio: ['ignore', 'pipe', 'ignore'] });
+/** raygrade review of the results in the folder; its address. */
+async function review(reviewed = results) {
+  running = spawn(process.env.RAYGRADE_BINARY, ['review', reviewed, '--by', 'Prof. X'], { stdio: ['ignore', 'pipe', 'ignore'] });
   for await (const line of createInterface({ input: running.stdout })) {
     const found = line.match(/http:\/\/127\.0\.0\.1:\d+\/[0-9a-f]{32}\//);
     if (found) return found[0];
@@ -214,6 +214,54 @@ test('of two windows the later is told what the other did', async () => {
   await second.getByRole('status').waitFor();
   assert.ok(Math.abs(await points('ada') - 4.67) < 0.01);
   await seen.close([/status of 409/]);
+});
+
+/** Computes V and prints it, and prints a number for t that is too many lines away to be in view with it. */
+const computing = `#include <cstdio>
+int main() {
+  float x = 0.5, z;
+  z = -1;
+  puts("Question 5:");
+  printf("V: %f %f %f\\n", x, 0.0, z);
+${'  // nothing\n'.repeat(120)}  float t = 1.5;
+  puts("Question 6:");
+  printf("t: %f\\n", t);
+}
+`;
+
+test('the source frames the lines that compute the chosen item, by mouse, by keys and without script', async () => {
+  const classFolder = path.join(scratch, 'computing');
+  await mkdir(path.join(classFolder, 'eva'), { recursive: true });
+  await writeFile(path.join(classFolder, 'eva', 'ray_cast.cpp'), computing);
+  const graded = path.join(scratch, 'results-computing');
+  const { status, stderr } = await raygrade('grade', classFolder, '--out', graded);
+  assert.equal(status, 0, stderr);
+  const site = await review(graded);
+  const seen = await open(browser, site, { site });
+  const { page } = seen;
+  const framed = () => page.locator('[id^="source-"].chosen i').allInnerTexts();
+  const isShown = (line) => page.locator(`#source-${line}`).evaluate((row) => {
+    const [inner, outer] = [row.getBoundingClientRect(), row.parentElement.getBoundingClientRect()];
+    return outer.top <= inner.top && inner.bottom <= outer.bottom;
+  });
+  await page.goto(`${site}student/1`);
+  await page.locator('[data-item="6.t"] th').click();
+  assert.deepEqual(await framed(), ['127', '129']);
+  assert.ok(await isShown(127) && await isShown(129));
+  await page.locator('#reading [name="about"]').selectOption('5.V');
+  assert.deepEqual(await framed(), ['3', '4', '6']);
+  assert.ok(await isShown(3) && await isShown(6));
+  await page.locator('#reading [name="about"]').selectOption('6.hit');
+  assert.deepEqual(await framed(), [], 'it was not printed');
+  assert.match(await page.locator('#source-4').innerText(), /sets z, printed as 5\.V/);
+  await expectAccessible(page, 'the source');
+  await seen.close();
+
+  const plain = await open(browser, site, { site, script: false });
+  await plain.page.goto(`${site}student/1`);
+  await plain.page.locator('[data-item="6.t"]').getByRole('link', { name: 'source line 129' }).click();
+  assert.equal(await plain.page.locator(':target').getAttribute('id'), 'source-129');
+  await plain.close();
 });
 
 test('without script it works too', async () => {

@@ -52,20 +52,30 @@ document.addEventListener('DOMContentLoaded', () => {
     }));
     show(true);
   }
-  // The source shows the line that prints the chosen item.
-  const about = document.querySelector('.decide select[name="about"]');
-  const printing = about && [...document.querySelectorAll('.listing .verdict')]
-    .find((note) => /^(may print|prints) /.test(note.textContent) && note.textContent.endsWith(' ' + about.value));
-  if (printing) {
-    const row = printing.parentElement;
-    row.parentElement.scrollTop = row.offsetTop - row.parentElement.clientHeight / 3;
-  }
+  // The source shows the lines that compute the chosen item.
+  const items = [...document.querySelectorAll('[data-item]')];
+  const abouts = [...document.querySelectorAll('.decide select[name="about"]')];
+  const showSource = (value) => {
+    const item = items.find((row) => row.dataset.item === value);
+    const computing = item && item.dataset.source
+      ? item.dataset.source.split(' ').map((line) => document.getElementById('source-' + line)).filter(Boolean) : [];
+    document.querySelectorAll('[id^="source-"].chosen').forEach((row) => row.classList.remove('chosen'));
+    computing.forEach((row) => row.classList.add('chosen'));
+    if (computing.length === 0) return;
+    const pane = computing[0].parentElement;
+    const printing = document.getElementById('source-' + item.dataset.printing);
+    const all = printing.offsetTop - computing[0].offsetTop + printing.offsetHeight;
+    const shown = 0 <= all && all < pane.clientHeight ? computing[0] : printing;
+    pane.scrollTop = shown.offsetTop - Math.max(0, pane.clientHeight - Math.abs(all)) / 3;
+  };
+  if (abouts.length > 0) showSource(abouts[0].value);
+  abouts.forEach((select) => select.addEventListener('change', () => showSource(select.value)));
   // An item of the table is the one that the forms are about.
-  document.querySelectorAll('[data-item]').forEach((row) => row.addEventListener('click', (event) => {
-    if (event.target.closest('a')) return;
-    document.querySelectorAll('.decide select[name="about"]').forEach((select) => {
-      if ([...select.options].some((option) => option.value === row.dataset.item)) select.value = row.dataset.item;
-    });
+  items.forEach((row) => row.addEventListener('click', () => {
+    const value = row.dataset.item;
+    abouts.filter((select) => [...select.options].some((option) => option.value === value))
+      .forEach((select) => { select.value = value; });
+    showSource(value);
   }));
   const fields = { o: '#points [name="points"]', r: '#reading [name="lines"]', c: '#comment [name="text"]' };
   document.addEventListener('keydown', (event) => {

@@ -20,7 +20,7 @@ std::map<int, std::vector<std::string>> texts(const report::LineNotes& notes) {
 }
 
 std::map<int, std::vector<std::string>> notes_of(const std::string& source, const std::string& output) {
-    return texts(printing_lines(source, output, report_samples::graded("ada", output).score));
+    return texts(computing_lines(source, output, report_samples::graded("ada", output).score).notes);
 }
 
 using Notes = std::map<int, std::vector<std::string>>;
@@ -53,11 +53,75 @@ TEST(PrintingLines, OfAMatrixAreThoseOfItsFirstLine) {
     score.questions.resize(1);
     score.questions[0].number = 3;
     ItemScore& item = score.questions[0].items.emplace_back();
+    item.spec.question = 3;
     item.spec.name = "M";
     item.line = 1;
     item.last_line = 2;
-    EXPECT_EQ(texts(printing_lines("puts(\"second row \");\nputs(\"first row \");\n", output, score)),
+    EXPECT_EQ(texts(computing_lines("puts(\"second row \");\nputs(\"first row \");\n", output, score).notes),
               (Notes{{2, {"prints 3.M"}}}));
+}
+
+TEST(PrintingLines, AreThoseOfTheTextBeforeTheAnswer) {
+    EXPECT_EQ(notes_of("puts(\"Question 6:\");\nprintf(\"a: %d \", 1);\nprintf(\"d: %d\\n\", 2);\n",
+                       "Question 6:\na: 1 d: 2\n"),
+              (Notes{{2, {"prints 6.a"}}, {3, {"prints 6.d"}}}));
+    EXPECT_EQ(notes_of("puts(\"Question 5:\");\nprintf(\"%f\", 1.0);\n", "Question 5:\n\n1, 2, 3\n"),
+              (Notes{{1, {"prints 5.V"}}}))
+        << "the text stands alone in the line above";
+    EXPECT_THAT(notes_of("puts(\"the\");\nputs(\"it\");\n", "Question 6:\nthen t with 1\n"), IsEmpty())
+        << "parts of words";
+}
+
+TEST(SettingLines, AreThoseOfTheVariablesBehindTheText) {
+    const std::string output = "Question 6:\nt: 1.5\nhit: 1 2 3\n";
+    EXPECT_EQ(notes_of("int main() {\n float t = 1;\n vec3 hit = S + t * V;\n puts(\"Question 6:\");\n"
+                       " cout << \"t: \" << t << endl;\n cout << \"hit: \" << hit << endl;\n}\n",
+                       output),
+              (Notes{{2, {"sets t, printed as 6.t"}},
+                     {3, {"sets hit, printed as 6.hit"}},
+                     {5, {"prints 6.t"}},
+                     {6, {"prints 6.hit"}}}));
+}
+
+TEST(SettingLines, AreUncertainWhereThePrintingIs) {
+    EXPECT_EQ(notes_of("int main() {\n float t = 1, s;\n solve(s);\n if (t > 0) cout << \"t: \" << t;\n else cout << "
+                       "\"t: \" << s;\n}",
+                       "Question 6:\nt: 1.5\n"),
+              (Notes{{2, {"sets t, may be printed as 6.t"}},
+                     {3, {"may set s, may be printed as 6.t"}},
+                     {4, {"may print 6.t"}},
+                     {5, {"may print 6.t"}}}));
+}
+
+TEST(SettingLines, AreTheCallsOfTheFunctionThatPrintsItsParameter) {
+    EXPECT_EQ(notes_of("void out(float t) {\n cout << \"t: \" << t;\n}\nint main() {\n out(1);\n}\n",
+                       "Question 6:\nt: 1.5\n"),
+              (Notes{{2, {"prints 6.t"}}, {5, {"calls out, which prints 6.t"}}}));
+}
+
+TEST(ComputingLines, NameTheLinesOfEachItem) {
+    const std::string output = "Question 6:\nt: 1.5\n";
+    const Computing computing = computing_lines("int main() {\n float t;\n t = 1;\n cout << \"t: \" << t;\n}\n", output,
+                                                report_samples::graded("ada", output).score);
+    EXPECT_EQ(computing.lines, (std::map<std::string, std::set<int>>{{"6.t", {3, 4}}}));
+    EXPECT_EQ(computing.first_printing, (std::map<std::string, int>{{"6.t", 4}}));
+}
+
+TEST(ComputingLines, OfASourceThatIsHardToReadAreFound) {
+    const std::string output = "Question 6:\na: 1\nb: 1\nc: 1\nd: 1\nt: 1\n";
+    const Score score = report_samples::graded("ada", output).score;
+    std::string names, calls, nested, texts_alone;
+    for (int i = 0; i < 8000; ++i) {
+        names += "a,";
+        calls += "f(a);";
+        nested += "(\"a\"";
+        texts_alone += "\"a:\"";
+    }
+    const std::string head = "void f(int& x) { }\nint main() { int a; ";
+    for (const std::string& middle : {"f(" + names + "a);", calls, nested, texts_alone})
+        EXPECT_EQ(computing_lines(head + middle + "cout << \"a:\" << " + names + "a; }", output, score)
+                      .first_printing.at("6.a"),
+                  2);
 }
 
 }  // namespace
