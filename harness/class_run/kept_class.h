@@ -17,6 +17,7 @@ struct KeptClass {
     std::vector<KeptOverride> overrides;
     std::vector<KeptReread> rereads;
     std::vector<KeptDecision> decisions;
+    std::vector<UndoneDecision> undone;
 };
 
 /// Throws UsageError if the folder holds no gradebook.

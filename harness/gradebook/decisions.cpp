@@ -58,6 +58,20 @@ std::string name_of(const KeptDecision& kept) {
     return fmt::format("decision {}: {}{} of {}", given.number, to_string(given.kind), about, kept.submission);
 }
 
+/// The decision in a row's columns from the second to the eighth, without what it replaced.
+Decision decision_in(Statement& row) {
+    const auto text = [&](int column) { return row.getColumn(column).getString(); };
+    return {row.getColumn(1).getInt64(),
+            kind_called(text(2)),
+            text(3),
+            text(4),
+            text(5),
+            text(6),
+            text(7),
+            std::nullopt,
+            std::nullopt};
+}
+
 /// Whether the audit trail does not tell this already, as it does of overrides and rereads.
 bool is_news(const Decision& decision) {
     return decision.kind == Kind::accepted || decision.kind == Kind::comment;
@@ -73,16 +87,28 @@ std::vector<KeptDecision> Gradebook::decisions() const {
                         "WHERE undone_at IS NULL ORDER BY decision, rowid");
         std::vector<KeptDecision> all;
         while (query.executeStep()) {
-            const auto text = [&](int column) { return query.getColumn(column).getString(); };
-            KeptDecision kept{new_id(text(0)),
-                              {query.getColumn(1).getInt64(), kind_called(text(2)), text(3), text(4), text(5), text(6),
-                               text(7), std::nullopt, std::nullopt}};
+            KeptDecision kept{new_id(query.getColumn(0).getString()), decision_in(query)};
             try {
-                if (!query.getColumn(8).isNull()) read_replaced(text(8), kept.given);
+                if (!query.getColumn(8).isNull()) read_replaced(query.getColumn(8).getString(), kept.given);
             } catch (const json::exception&) {
-                throw HarnessError(gradebook_damage(file_, "decision " + text(1)));
+                throw HarnessError(gradebook_damage(file_, fmt::format("decision {}", kept.given.number)));
             }
             all.push_back(std::move(kept));
+        }
+        return all;
+    });
+}
+
+std::vector<UndoneDecision> Gradebook::undone_decisions() const {
+    if (!database_) return {};
+    return in_database(file_, [&] {
+        Statement query(*database_,
+                        "SELECT submission, decision, kind, about, seen, text, who, at, undone_by, undone_at "
+                        "FROM decisions WHERE undone_at IS NOT NULL ORDER BY decision, rowid");
+        std::vector<UndoneDecision> all;
+        while (query.executeStep()) {
+            all.push_back({{new_id(query.getColumn(0).getString()), decision_in(query)},
+                           {query.getColumn(8).getString(), query.getColumn(9).getString()}});
         }
         return all;
     });

@@ -58,6 +58,12 @@ struct KeptInput {
     std::string content;
 };
 
+/// A decision that no longer counts, and who undid it.
+struct UndoneDecision {
+    KeptDecision made;
+    Author undone;
+};
+
 /// Only one thread at a time may use it.
 class Gradebook {
   public:
@@ -128,6 +134,8 @@ class Gradebook {
 
     /// The decisions of reviews that were not undone, the oldest first. Those made together have one number.
     std::vector<KeptDecision> decisions() const;
+    /// Those that were undone, the oldest decision first, without what they replaced.
+    std::vector<UndoneDecision> undone_decisions() const;
     /// The number for the next decision.
     std::int64_t next_decision() const;
     /// Saves a decision. An override or a reread that it is about is saved by itself.

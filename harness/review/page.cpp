@@ -113,21 +113,38 @@ PageData Pages::past() const {
         past["past_by"] = each.by;
         past["past_when"] = each.when;
         if (!each.why.empty()) past["past_why"] = each.why;
-        PageData who(PageData::type::list);
-        for (const std::string& id : each.submissions) {
-            PageData student;
-            const auto found = places.find(id);
-            student["past_name"] = found == places.end() ? id : name_of(session_.graded()[found->second].submission);
-            if (found != places.end()) student["past_path"] = path_of(found->second);
-            student["past_last"] = &id == &each.submissions.back();
-            who.push_back(student);
+        past["past_who"] = linked_names(each.submissions);
+        past["past_undo"] = !each.in_force.empty();
+        PageData undone(PageData::type::list);
+        for (const TakenBack& back : each.taken_back) {
+            PageData one;
+            one["undone_by"] = back.by;
+            one["undone_when"] = back.when;
+            // For whom is said unless it was undone for all.
+            if (back.submissions.size() < each.submissions.size()) {
+                one["undone_for_some"] = true;
+                one["undone_who"] = linked_names(back.submissions);
+            }
+            undone.push_back(one);
         }
-        past["past_who"] = std::move(who);
+        past["past_undone"] = std::move(undone);
         list.push_back(past);
     }
     return list;
 }
 
+    const auto linked_names = [&](const std::vector<std::string>& ids) {
+        PageData who(PageData::type::list);
+        for (const std::string& id : ids) {
+            PageData student;
+            const auto found = places.find(id);
+            student["past_name"] = found == places.end() ? id : name_of(session_.graded()[found->second].submission);
+            if (found != places.end()) student["past_path"] = path_of(found->second);
+            student["past_last"] = &id == &ids.back();
+            who.push_back(student);
+        }
+        return who;
+    };
 std::string Pages::list(const std::optional<Notice>& notice) {
     const std::vector<Graded>& graded = session_.graded();
     const Agenda agenda = agenda_of(session_);

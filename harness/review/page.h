@@ -42,7 +42,7 @@ class Pages {
   private:
     std::string framed(const std::string& title, const std::string& body) const;
     std::string notice_html(const std::optional<Notice>& notice, const std::string& back) const;
-    /// The decisions in force, the newest first.
+    /// The decisions, the newest first, also those that were undone.
     report::PageData past() const;
     void add_concerns(report::PageData& data, std::size_t place, const std::optional<Wish>& tried) const;
     void add_decision_forms(report::PageData& data, std::size_t place, const std::optional<Wish>& tried) const;

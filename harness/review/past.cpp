@@ -18,6 +18,19 @@ std::string what_of(const Decision& decision) {
     return "";
 }
 
+void add_once(std::vector<std::string>& list, const std::string& one) {
+    if (std::find(list.begin(), list.end(), one) == list.end()) list.push_back(one);
+}
+
+/// The decision with this one's number.
+PastDecision& find_in(std::vector<PastDecision>& all, const KeptDecision& kept) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const PastDecision& one) { return one.number == kept.given.number; });
+    if (found != all.end()) return *found;
+    all.emplace_back().number = kept.given.number;
+    return all.back();
+}
+
 /// A decision on points or a reading may also have accepted concerns: those are not what it is called by.
 void add_to(PastDecision& past, const KeptDecision& kept) {
     const bool names_it = past.what.empty() || kept.given.kind != Decision::Kind::accepted;
@@ -27,8 +40,19 @@ void add_to(PastDecision& past, const KeptDecision& kept) {
     }
     past.by = kept.given.by;
     past.when = kept.given.when;
-    if (std::find(past.submissions.begin(), past.submissions.end(), kept.submission) == past.submissions.end())
-        past.submissions.push_back(kept.submission);
+    add_once(past.submissions, kept.submission);
+}
+
+void add_to(PastDecision& past, const UndoneDecision& undone) {
+    add_to(past, undone.made);
+    auto same = std::find_if(past.taken_back.begin(), past.taken_back.end(), [&](const TakenBack& each) {
+        return each.by == undone.undone.name && each.when == undone.undone.when;
+    });
+    if (same == past.taken_back.end()) {
+        past.taken_back.push_back({{}, undone.undone.name, undone.undone.when});
+        same = past.taken_back.end() - 1;
+    }
+    add_once(same->submissions, undone.made.submission);
 }
 
 }  // namespace
@@ -36,13 +60,14 @@ void add_to(PastDecision& past, const KeptDecision& kept) {
 std::vector<PastDecision> past_decisions(const KeptClass& kept) {
     std::vector<PastDecision> all;
     for (const KeptDecision& each : kept.decisions) {
-        auto found = std::find_if(all.begin(), all.end(),
-                                  [&](const PastDecision& one) { return one.number == each.given.number; });
-        if (found == all.end()) {
-            all.emplace_back().number = each.given.number;
-            found = all.end() - 1;
-        }
-        add_to(*found, each);
+        PastDecision& past = find_in(all, each);
+        add_to(past, each);
+        add_once(past.in_force, each.submission);
+    }
+    for (const UndoneDecision& each : kept.undone) add_to(find_in(all, each.made), each);
+    for (PastDecision& each : all) {
+        std::sort(each.taken_back.begin(), each.taken_back.end(),
+                  [](const TakenBack& one, const TakenBack& other) { return one.when < other.when; });
     }
     std::sort(all.begin(), all.end(),
               [](const PastDecision& one, const PastDecision& other) { return one.number > other.number; });
@@ -51,12 +76,11 @@ std::vector<PastDecision> past_decisions(const KeptClass& kept) {
 
 std::string sentence_of(const KeptClass& kept, std::int64_t number) {
     for (const PastDecision& past : past_decisions(kept)) {
-        if (past.number != number) continue;
+        if (past.number != number || past.in_force.empty()) continue;
         constexpr std::size_t most = 10;
-        const auto shown = static_cast<std::ptrdiff_t>(std::min(past.submissions.size(), most));
-        std::string names =
-            fmt::format("{}", fmt::join(past.submissions.begin(), past.submissions.begin() + shown, ", "));
-        if (past.submissions.size() > most) names += fmt::format(" and {} more", past.submissions.size() - most);
+        const auto shown = static_cast<std::ptrdiff_t>(std::min(past.in_force.size(), most));
+        std::string names = fmt::format("{}", fmt::join(past.in_force.begin(), past.in_force.begin() + shown, ", "));
+        if (past.in_force.size() > most) names += fmt::format(" and {} more", past.in_force.size() - most);
         return fmt::format("Decision {}: {} for {}.", number, past.what, names);
     }
     return "";

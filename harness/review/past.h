@@ -1,4 +1,4 @@
-// The decisions of reviews that are in force, as a person reads them.
+// The decisions of reviews, as a person reads them.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,26 @@
 
 namespace harness::review {
 
+/// Who took a decision back, and for which submissions.
+struct TakenBack {
+    std::vector<std::string> submissions;
+    std::string by;
+    std::string when;  ///< in UTC, ISO 8601
+};
+
 /// What was decided at one time, for one submission or for several.
 struct PastDecision {
     std::int64_t number = 0;
     std::string what;                      ///< "Points for 5.V given"
-    std::vector<std::string> submissions;  ///< ids, in the order in which they were decided
+    std::vector<std::string> submissions;  ///< ids, in the order in which they were decided; also those taken back
+    std::vector<std::string> in_force;     ///< those for which it counts
+    std::vector<TakenBack> taken_back;     ///< the oldest first
     std::string by;
     std::string when;  ///< in UTC, ISO 8601
     std::string why;   ///< the reason or the comment; may be empty
 };
 
-/// The newest first.
+/// The newest first, with those that were undone.
 std::vector<PastDecision> past_decisions(const KeptClass& kept);
 
 /// "Decision 3: Accepted for ann, ben."; empty if there is none of this number in force.

@@ -105,6 +105,7 @@ void Session::change(const Work& work) {
         throw;
     }
     kept_->decisions = gradebook.decisions();
+    kept_->undone = gradebook.undone_decisions();
     attach(kept_->decisions, kept_->graded);
     version_ = gradebook.version();
     std::sort(changed.begin(), changed.end());

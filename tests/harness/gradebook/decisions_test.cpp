@@ -83,6 +83,13 @@ TEST(Decisions, AreNotRemovedWhenTheyAreUndone) {
     gradebook.undo_decision(a_decision(Decision::Kind::comment, ""), {"dee", "2026-11-24T10:00:00Z"});
     ASSERT_THAT(gradebook.decisions(), SizeIs(1));
     EXPECT_EQ(gradebook.decisions()[0].submission, "ben");
+    const auto undone = gradebook.undone_decisions();
+    ASSERT_THAT(undone, SizeIs(1));
+    EXPECT_EQ(undone[0].made.submission, "ada");
+    EXPECT_EQ(undone[0].made.given.number, 1);
+    EXPECT_EQ(undone[0].made.given.text, "the reading <stands>");
+    EXPECT_EQ(undone[0].undone.name, "dee");
+    EXPECT_EQ(undone[0].undone.when, "2026-11-24T10:00:00Z");
     EXPECT_EQ(rows(folder, "SELECT undone_at, undone_by FROM decisions ORDER BY submission"),
               json::parse(R"([["2026-11-24T10:00:00Z", "dee"], [null, null]])"));
     EXPECT_EQ(rows(folder, "SELECT who, what, before, after FROM audit WHERE what LIKE 'decision%' ORDER BY entry"),

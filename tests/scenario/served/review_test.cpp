@@ -307,7 +307,7 @@ TEST_F(Review, ACommentIsInTheFeedbackUntilItIsTakenBack) {
     EXPECT_EQ(post("/take-back", back).status, 409);
 }
 
-TEST_F(Review, ListsTheDecisionsInForceNewestFirstEachWithItsUndo) {
+TEST_F(Review, ListsTheDecisionsNewestFirstEachWithItsUndoOrWhoUndidIt) {
     EXPECT_THAT(list(), Not(HasSubstr("<h2 id=\"past\">")));
     const std::string first = decision(accept(1));
     const std::string second = decision(give(page(2), "5.V", "3"));
@@ -319,7 +319,12 @@ TEST_F(Review, ListsTheDecisionsInForceNewestFirstEachWithItsUndo) {
     for (const std::string& number : {first, second})
         EXPECT_THAT(both, HasSubstr("name=\"number\" value=\"" + number + "\""));
     EXPECT_EQ(post("/undo", {{"number", first}, {"back", ""}}).status, 200);
-    EXPECT_THAT(list(), AllOf(Not(HasSubstr("Accepted for")), HasSubstr("Points for 5.V given")));
+    const std::string one_undone = list();
+    EXPECT_THAT(one_undone,
+                AllOf(HasSubstr("Accepted for"), HasSubstr("Points for 5.V given"), HasSubstr("Undone by Prof. X, 20"),
+                      Not(HasSubstr("name=\"number\" value=\"" + first + "\""))))
+        << "it stays, but can't be undone again";
+    EXPECT_THAT(one_undone, HasSubstr("name=\"number\" value=\"" + second + "\""));
 }
 
 TEST_F(Review, WhatACommandDidCanBeTakenBack) {

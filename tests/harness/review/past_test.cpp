@@ -1,0 +1,77 @@
+// How past decisions are told: what was undone stays, with who undid it.
+#include "harness/review/past.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace harness::review {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+KeptDecision a_decision(std::int64_t number, const std::string& submission, const std::string& text,
+                        Decision::Kind kind = Decision::Kind::comment, const std::string& about = "") {
+    Decision given;
+    given.number = number;
+    given.kind = kind;
+    given.about = about;
+    given.text = text;
+    given.by = "bea";
+    given.when = "2026-11-24T09:00:00Z";
+    return {submission, given};
+}
+
+KeptClass kept_class(std::vector<KeptDecision> in_force, std::vector<UndoneDecision> undone) {
+    KeptClass kept;
+    kept.decisions = std::move(in_force);
+    kept.undone = std::move(undone);
+    return kept;
+}
+
+TEST(PastDecisions, ThatWereUndoneStayWithWhoUndidThem) {
+    const KeptClass kept = kept_class({a_decision(1, "ada", "one"), a_decision(3, "ada", "three")},
+                                      {{a_decision(2, "ada", "two"), {"dee", "2026-11-24T10:00:00Z"}},
+                                       {a_decision(2, "ben", "two"), {"dee", "2026-11-24T10:00:00Z"}}});
+    const std::vector<PastDecision> past = past_decisions(kept);
+    ASSERT_EQ(past.size(), 3);
+    EXPECT_EQ(past[0].number, 3);
+    EXPECT_THAT(past[0].taken_back, IsEmpty());
+    EXPECT_EQ(past[1].number, 2);
+    EXPECT_EQ(past[1].why, "two");
+    EXPECT_EQ(past[1].by, "bea");
+    EXPECT_THAT(past[1].submissions, ElementsAre("ada", "ben"));
+    EXPECT_THAT(past[1].in_force, IsEmpty());
+    ASSERT_EQ(past[1].taken_back.size(), 1);
+    EXPECT_EQ(past[1].taken_back[0].by, "dee");
+    EXPECT_EQ(past[1].taken_back[0].when, "2026-11-24T10:00:00Z");
+    EXPECT_THAT(past[1].taken_back[0].submissions, ElementsAre("ada", "ben"));
+    EXPECT_EQ(past[2].number, 1);
+}
+
+TEST(PastDecisions, MayBeTakenBackForOneAlone) {
+    const KeptClass kept = kept_class({a_decision(1, "ben", "one"), a_decision(1, "cleo", "one")},
+                                      {{a_decision(1, "ada", "one"), {"dee", "2026-11-24T10:00:00Z"}}});
+    const std::vector<PastDecision> past = past_decisions(kept);
+    ASSERT_EQ(past.size(), 1);
+    EXPECT_THAT(past[0].in_force, ElementsAre("ben", "cleo"));
+    EXPECT_THAT(past[0].submissions, testing::UnorderedElementsAre("ada", "ben", "cleo"));
+    ASSERT_EQ(past[0].taken_back.size(), 1);
+    EXPECT_THAT(past[0].taken_back[0].submissions, ElementsAre("ada"));
+    EXPECT_EQ(sentence_of(kept, 1), "Decision 1: Comment added for ben, cleo.");
+}
+
+TEST(PastDecisions, OnPointsThatWereUndoneAreCalledByThem) {
+    const Author dee{"dee", "2026-11-24T10:00:00Z"};
+    const KeptClass kept =
+        kept_class({}, {{a_decision(1, "ada", "half", Decision::Kind::points, "6.t"), dee},
+                        {a_decision(1, "ada", "half", Decision::Kind::accepted, "reading_doubtful"), dee}});
+    const std::vector<PastDecision> past = past_decisions(kept);
+    ASSERT_EQ(past.size(), 1);
+    EXPECT_EQ(past[0].what, "Points for 6.t given");
+    EXPECT_THAT(past[0].taken_back[0].submissions, ElementsAre("ada"));
+    EXPECT_EQ(sentence_of(kept, 1), "") << "nothing of it is in force";
+}
+
+}  // namespace
+}  // namespace harness::review
