@@ -12,7 +12,7 @@ namespace harness::review {
 
 /// Submissions that need a person for the same reason, and that one decision may serve.
 struct Case {
-    Flag concern;                     ///< of the first submission
+    Flag concern;                     ///< of the first submission; the others may have other evidence
     std::vector<std::size_t> places;  ///< where it is open, in the order of the class; not empty
 };
 

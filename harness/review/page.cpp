@@ -49,6 +49,29 @@ std::string what_is_there(const Graded& one, const Wish& wish) {
     return "";
 }
 
+/// The sentences of a case's concern, each with the students of whom it is true if there are several sentences.
+PageData reasons_of(const std::vector<Graded>& graded, const Case& one) {
+    std::vector<std::string> sentences;
+    std::map<std::string, std::string> students;  // by sentence
+    for (const std::size_t place : one.places) {
+        for (const Flag& concern : open_concerns(graded[place])) {
+            if (concern.kind != one.concern.kind) continue;
+            const std::string sentence = report::evidence_text(graded[place], concern, Audience::instructor);
+            const auto [found, is_new] = students.try_emplace(sentence);
+            if (is_new) sentences.push_back(sentence);
+            found->second += (found->second.empty() ? "" : ", ") + name_of(graded[place].submission);
+        }
+    }
+    PageData reasons(PageData::type::list);
+    for (const std::string& sentence : sentences) {
+        PageData reason;
+        reason["evidence"] = sentence;
+        if (sentences.size() > 1) reason["evidence_of"] = students.at(sentence);
+        reasons.push_back(reason);
+    }
+    return reasons;
+}
+
 }  // namespace
 
 std::string page_policy() {
@@ -105,6 +128,18 @@ std::string Pages::message(const std::string& heading, const std::string& senten
 PageData Pages::past() const {
     std::map<std::string, std::size_t> places;
     for (std::size_t i = 0; i < session_.graded().size(); ++i) places[session_.graded()[i].submission.id] = i;
+    const auto linked_names = [&](const std::vector<std::string>& ids) {
+        PageData who(PageData::type::list);
+        for (const std::string& id : ids) {
+            PageData student;
+            const auto found = places.find(id);
+            student["past_name"] = found == places.end() ? id : name_of(session_.graded()[found->second].submission);
+            if (found != places.end()) student["past_path"] = path_of(found->second);
+            student["past_last"] = &id == &ids.back();
+            who.push_back(student);
+        }
+        return who;
+    };
     PageData list(PageData::type::list);
     for (const PastDecision& each : past_decisions(session_.kept())) {
         PageData past;
@@ -133,18 +168,6 @@ PageData Pages::past() const {
     return list;
 }
 
-    const auto linked_names = [&](const std::vector<std::string>& ids) {
-        PageData who(PageData::type::list);
-        for (const std::string& id : ids) {
-            PageData student;
-            const auto found = places.find(id);
-            student["past_name"] = found == places.end() ? id : name_of(session_.graded()[found->second].submission);
-            if (found != places.end()) student["past_path"] = path_of(found->second);
-            student["past_last"] = &id == &ids.back();
-            who.push_back(student);
-        }
-        return who;
-    };
 std::string Pages::list(const std::optional<Notice>& notice) {
     const std::vector<Graded>& graded = session_.graded();
     const Agenda agenda = agenda_of(session_);
@@ -178,7 +201,7 @@ std::string Pages::list(const std::optional<Notice>& notice) {
             }
             count += one.places.size();
             entry["who"] = std::move(who);
-            entry["evidence"] = report::evidence_text(graded[one.places.front()], one.concern, Audience::instructor);
+            entry["reasons"] = reasons_of(graded, one);
             entry["accept_all"] = one.places.size() > 1;
             entry["accept_id"] = graded[one.places.front()].submission.id;
             entry["accept_state"] = session_.state_of(one.places.front());

@@ -187,6 +187,20 @@ TEST_F(Review, ListsWhatNeedsAPersonAndAllStudents) {
     EXPECT_EQ(end(), 0);
 }
 
+TEST_F(Review, ACaseOfSeveralShowsEachReasonWithItsStudents) {
+    write(student("fay"), twice("0.125, 0, -1", "Sphere of question 6"));
+    const auto constants = [](const std::string& t) {
+        return "#include <cstdio>\nint main() { puts(\"Question 6:\\na: 1.5432\\nb: 2.5432\\nt: " + t + "\"); }\n";
+    };
+    write(student("gus"), constants("1.2345"));
+    write(student("hal"), constants("2.3456"));
+    grade();
+    const std::string page = list();
+    EXPECT_THAT(page, AllOf(HasSubstr("1.2345"), HasSubstr("2.3456"), HasSubstr("<strong>gus:</strong>"),
+                            HasSubstr("<strong>hal:</strong>")));
+    EXPECT_THAT(page, Not(HasSubstr("<strong>cy"))) << "cy and fay have one reason";
+}
+
 TEST_F(Review, AnAcceptedDoubtStaysAcceptedWhileItIsTheSame) {
     ASSERT_THAT(graded("ada").at("flags"), SizeIs(1));
     const HttpAnswer accepted = accept(1);
