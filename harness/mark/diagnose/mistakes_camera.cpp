@@ -103,6 +103,13 @@ Targets y_is_vup(const ItemTargets&, const IntervalScene& scene) {
     return {target_of(scene.camera.vup), target_of(normalized(scene.camera.vup))};
 }
 
+/// One coordinate of each axis: a row of the table whose columns are the axes, and a column of the view matrix.
+template <int coordinate>
+Targets one_of_each_axis(const ItemTargets&, const IntervalScene& scene) {
+    const reference::Basis<Interval> axes = reference::view_basis(scene.camera);
+    return just(Vec(axes.X_vcs[coordinate], axes.Y_vcs[coordinate], axes.Z_vcs[coordinate]));
+}
+
 using Matrix = reference::Mat4<Interval>;
 
 Matrix view_matrix(const Matrix& m) {
@@ -181,6 +188,10 @@ Targets v_to_lookat(const ItemTargets&, const IntervalScene& scene) {
     return just(normalized(Vec(-view(scene))));
 }
 
+constexpr std::string_view one_coordinate =
+    "This is one coordinate of each of the axes. If you printed a table whose columns are the axes, print each axis by "
+    "itself; if you took them from GLM's view matrix, they are its rows, and view[i] is a column.";
+
 }  // namespace
 
 template <>
@@ -208,6 +219,9 @@ const std::vector<Mistake>& mistakes::of<Subject::camera>() {
         {"not normalized", "X_vcs must have length 1.", X, x_long},
         {"cross product order", "Y_vcs is Z x X; the cross product is the other way round.", Y, y_order},
         {"vup taken as Y", "Y_vcs is Z x X; vup only says roughly where up is.", Y, y_is_vup},
+        {"coordinates of different axes", one_coordinate, X, one_of_each_axis<0>},
+        {"coordinates of different axes", one_coordinate, Y, one_of_each_axis<1>},
+        {"coordinates of different axes", one_coordinate, Z, one_of_each_axis<2>},
         {"translation missing", "The fourth column must hold the eye; only the rotation is there.", M,
          matrix_with<without_translation>},
         {"matrix transposed", "The matrix is transposed: GLM's constructors take columns.", M, matrix_with<transposed>},

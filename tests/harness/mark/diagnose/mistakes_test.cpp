@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <set>
 
 #include "tests/given/cases.h"
@@ -143,6 +144,32 @@ TEST(Misconceptions, HaveShortNamesAndAdviceWithoutValues) {
         EXPECT_TRUE(mistake.advice.ends_with(".")) << mistake.advice;
         EXPECT_EQ(mistake.advice.find_first_of("35679"), std::string_view::npos)
             << "a number of the scene? " << mistake.advice;
+    }
+}
+
+/// The camera's part of a printout whose question 2 is a table.
+std::string with_table_of_axes(const glm::mat3& rows, const student::Marking& marking) {
+    std::string output = print(Program(marking.assignment, {}));
+    const std::size_t begin = output.find("Question 2"), end = output.find("Question 3");
+    const std::size_t first = output.find('\n', begin) + 1;
+    std::string table;
+    for (int i = 0; i < 3; ++i) table += fmt::format("{:f} {:f} {:f}\n", rows[i][0], rows[i][1], rows[i][2]);
+    return output.replace(first, end - first, table + "\n");
+}
+
+TEST(Misconceptions, OfATableWhoseColumnsAreTheAxesAreNamed) {
+    const student::Marking marking = student::off_axis_scene();
+    const Program program(marking.assignment, {});
+    const auto& camera = program.scene().camera;
+    // The view matrix has the axes in its rows, which are the columns of its transpose.
+    const glm::mat3 view(glm::lookAt(camera.eye, camera.lookat, camera.vup));
+    const Score across = mark(with_table_of_axes(view, marking), marking);
+    const Score along = mark(with_table_of_axes(glm::transpose(view), marking), marking);
+    for (const ItemId& axis : {reference::item::X_vcs, reference::item::Z_vcs}) {
+        EXPECT_EQ(verdict_on(across, axis), "wrong");
+        EXPECT_EQ(item_of(across, axis).diagnosis, "coordinates of different axes");
+        EXPECT_EQ(verdict_on(along, axis), "right") << "each row is an axis";
+        EXPECT_EQ(item_of(along, axis).diagnosis, "");
     }
 }
 
