@@ -15,6 +15,7 @@
 #include "harness/machine/parts.h"
 #include "harness/mark/diagnose/mistakes.h"
 #include "harness/run/limits.h"
+#include "harness/text/escape.h"
 #include "harness/text/lower_case.h"
 #include "reference/toml/near_names.h"
 
@@ -91,6 +92,19 @@ std::string mistakes_text() {
     return text;
 }
 
+/// The topic that the words mean: one blank between them, in small letters, as commands and pages are called. A page
+/// may be named by its file.
+std::vector<std::string> topic_of(const std::vector<std::string>& words) {
+    std::vector<std::string> topic;
+    for (const std::string& word : words) {
+        std::istringstream pieces(lower_case(word));
+        for (std::string piece; pieces >> piece;) topic.push_back(piece);
+    }
+    constexpr std::string_view of_files = ".md";
+    if (topic.size() == 1 && topic[0].ends_with(of_files)) topic[0].resize(topic[0].size() - of_files.size());
+    return topic;
+}
+
 /// A heading of the manual, and its page.
 struct Heading {
     std::string page;
@@ -101,6 +115,8 @@ struct Heading {
 /// "Translate".
 std::vector<Heading> headings_with(const std::string& words) {
     std::vector<Heading> found;
+    // A single letter is in nearly every heading, and says nothing.
+    if (words.size() < 2) return found;
     const std::string wanted = " " + lower_case(words);
     for (const std::string& page : manual_pages()) {
         std::istringstream lines(manual_page(page));
@@ -156,7 +172,8 @@ const CLI::App* find_command(const CLI::App& app, const std::vector<std::string>
     return found;
 }
 
-int help(const CLI::App& app, const std::vector<std::string>& words) {
+int help(const CLI::App& app, const std::vector<std::string>& given) {
+    const std::vector<std::string> words = topic_of(given);
     if (words.empty()) {
         list_topics(app);
         return all_graded;
@@ -182,7 +199,7 @@ int help(const CLI::App& app, const std::vector<std::string>& words) {
         for (const std::string& other : topics_beside_commands()) topics.push_back(other);
         const auto near = reference::near_names(topic, topics);
         throw UsageError(fmt::format(
-            "{}: is no topic{}", topic,
+            "{}: is no topic{}", escape_control(topic),
             near.empty() ? fmt::format(" and in no heading of the manual; there are {}", fmt::join(topics, ", "))
                          : fmt::format("; did you mean {}?", fmt::join(near, " or "))));
     }

@@ -103,6 +103,20 @@ TEST(CommandLine, HelpLeadsToThePageWhoseHeadingHasTheWord) {
     EXPECT_THAT(none.voice, Not(HasSubstr("more")));
 }
 
+TEST(CommandLine, HelpTakesOddWords) {
+    const std::string topics = raygrade({"help"}).output;
+    for (const char* nothing : {"", " ", "\t\n"}) EXPECT_EQ(raygrade({"help", nothing}).output, topics) << nothing;
+    EXPECT_EQ(raygrade({"help", "GRADE"}).output, raygrade({"grade", "--help"}).output);
+    EXPECT_EQ(raygrade({"help", "assignment deal"}).output, raygrade({"assignment", "deal", "--help"}).output);
+    EXPECT_EQ(raygrade({"help", "lms.md"}).output, raygrade({"help", "lms"}).output);
+    for (const std::string odd :
+         {"a", "?", ".", "..", "../README", "/etc/passwd", "%s%n", "{}", "`id`", ".md", "\x1b[31mred", "\xff\xfe"}) {
+        const Result result = raygrade({"help", odd});
+        EXPECT_EQ(result.status, usage) << odd;
+        EXPECT_THAT(result.voice, testing::AllOf(HasSubstr("is no topic"), Not(HasSubstr("\x1b")))) << odd;
+    }
+}
+
 TEST(CommandLine, HelpListsTheNamedMistakesByItem) {
     const std::string all = raygrade({"help", "mistakes"}).output;
     EXPECT_THAT(all, testing::AllOf(HasSubstr("\n6.t (sphere.t)\n"), HasSubstr("\n  far root "),
