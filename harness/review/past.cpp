@@ -74,12 +74,20 @@ std::vector<PastDecision> past_decisions(const KeptClass& kept) {
     return all;
 }
 
+std::string name_of(const KeptClass& kept, const std::string& id) {
+    const auto found = std::find_if(kept.graded.begin(), kept.graded.end(),
+                                    [&](const Graded& each) { return each.submission.id == id; });
+    return found == kept.graded.end() ? id : label_of(found->submission);
+}
+
 std::string sentence_of(const KeptClass& kept, std::int64_t number) {
     for (const PastDecision& past : past_decisions(kept)) {
         if (past.number != number || past.in_force.empty()) continue;
         constexpr std::size_t most = 10;
         const auto shown = static_cast<std::ptrdiff_t>(std::min(past.in_force.size(), most));
-        std::string names = fmt::format("{}", fmt::join(past.in_force.begin(), past.in_force.begin() + shown, ", "));
+        std::vector<std::string> first(past.in_force.begin(), past.in_force.begin() + shown);
+        for (std::string& each : first) each = name_of(kept, each);
+        std::string names = fmt::format("{}", fmt::join(first, "; "));
         if (past.in_force.size() > most) names += fmt::format(" and {} more", past.in_force.size() - most);
         return fmt::format("Decision {}: {} for {}.", number, past.what, names);
     }

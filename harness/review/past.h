@@ -32,7 +32,10 @@ struct PastDecision {
 /// The newest first, with those that were undone.
 std::vector<PastDecision> past_decisions(const KeptClass& kept);
 
-/// "Decision 3: Accepted for ann, ben."; empty if there is none of this number in force.
+/// The name by which the review speaks of a submission: "Doe, Jane"; its id if it is no longer in the class.
+std::string name_of(const KeptClass& kept, const std::string& id);
+
+/// "Decision 3: Accepted for ann; ben."; empty if there is none of this number in force.
 std::string sentence_of(const KeptClass& kept, std::int64_t number);
 
 }  // namespace harness::review

@@ -227,7 +227,9 @@ Response Site::undo_one(const FormFields& form) {
     const Undone undone = undo(session_, *number);
     std::string sentence = fmt::format("Undone: {}", what);
     if (!undone.left.empty()) {
-        sentence += fmt::format(" For {} somebody has changed it since; that stays.", fmt::join(undone.left, ", "));
+        std::vector<std::string> left;
+        for (const std::string& id : undone.left) left.push_back(name_of(session_.kept(), id));
+        sentence += fmt::format(" For {} somebody has changed it since; that stays.", fmt::join(left, "; "));
     }
     const std::string back = form.value("back");
     std::optional<std::size_t> place;

@@ -117,9 +117,10 @@ PageData comment_options(const Graded& one, const std::string& chosen) {
 }
 
 std::string facts_of(const Graded& one) {
-    std::string facts = one.submission.id;
-    if (!one.submission.file.empty()) facts += ", " + one.submission.file.string();
-    if (one.late_share > 0) facts += fmt::format(", late: {:g} % are taken off", one.late_share * 100);
+    std::string facts = one.submission.file.string();
+    if (one.late_share > 0) {
+        facts += fmt::format("{}late: {:g} % are taken off", facts.empty() ? "" : ", ", one.late_share * 100);
+    }
     return facts;
 }
 

@@ -58,7 +58,15 @@ TEST(PastDecisions, MayBeTakenBackForOneAlone) {
     EXPECT_THAT(past[0].submissions, testing::UnorderedElementsAre("ada", "ben", "cleo"));
     ASSERT_EQ(past[0].taken_back.size(), 1);
     EXPECT_THAT(past[0].taken_back[0].submissions, ElementsAre("ada"));
-    EXPECT_EQ(sentence_of(kept, 1), "Decision 1: Comment added for ben, cleo.");
+    EXPECT_EQ(sentence_of(kept, 1), "Decision 1: Comment added for ben; cleo.");
+}
+
+TEST(PastDecisions, SpeakOfStudentsByTheirNames) {
+    KeptClass kept = kept_class({a_decision(1, "doejane", "one"), a_decision(1, "ben", "one")}, {});
+    kept.graded.resize(1);
+    kept.graded[0].submission.id = "doejane";
+    kept.graded[0].submission.lms.emplace().student = "Doe, Jane";
+    EXPECT_EQ(sentence_of(kept, 1), "Decision 1: Comment added for Doe, Jane; ben.");
 }
 
 TEST(PastDecisions, OnPointsThatWereUndoneAreCalledByThem) {

@@ -269,7 +269,7 @@ TEST_F(Review, AGroupIsShownBeforeItIsReadAgain) {
     EXPECT_THAT(grade().both(), HasSubstr("Nothing has changed"));
 
     EXPECT_EQ(post("/apply", apply).status, 409) << "sent again from the old page";
-    EXPECT_THAT(undo(number).body, HasSubstr("Undone: Decision 1: 5.V read again for ada, ben."));
+    EXPECT_THAT(undo(number).body, HasSubstr("Undone: Decision 1: 5.V read again for ada; ben."));
     EXPECT_NEAR(points("ada"), 1.67, 0.01);
     EXPECT_NEAR(points("ben"), 1.67, 0.01);
     EXPECT_THAT(run({"reread", "--list", "--results", out().string()}).output, HasSubstr("no rereads"));
