@@ -27,8 +27,9 @@ struct Found {
     int line;
     bool in_answer = false;  ///< it belongs to what was read for an item
     bool in_right_answer = false;
-    bool is_aside = false;  ///< it is said to be no answer, or counts something
-    bool repeats = false;   ///< an answer has the same number
+    bool is_scalar = false;  ///< it is an answer of one number, which is right or follows
+    bool is_aside = false;   ///< it is said to be no answer, or counts something
+    bool repeats = false;    ///< an answer has the same number
 };
 
 /// The values of one question from a heading on.
@@ -100,7 +101,10 @@ class Doubter {
                 if (has_number(item, found) && !std::isnan(found.number.value)) answered_.push_back(found.number.value);
                 if (!was_read_from(item, found)) continue;
                 found.in_answer = true;
-                found.in_right_answer = found.in_right_answer || is_right(item.spec.id);
+                const ItemVerdict verdict = verdict_of(item.spec.id);
+                found.in_right_answer = found.in_right_answer || verdict == ItemVerdict::right;
+                const bool is_sure = verdict == ItemVerdict::right || verdict == ItemVerdict::follow;
+                found.is_scalar = found.is_scalar || (is_sure && item.spec.shape == Shape::scalar);
             }
         }
     }
@@ -143,6 +147,8 @@ class Doubter {
 
     std::optional<Doubt> doubt_of(const ItemScore& item, bool little_read) const {
         if (const int line = line_of_right_value(item); line != 0) return Doubt{Doubt::Why::right_elsewhere, line};
+        // What follows and has all its points could gain nothing: unless the right value is there, it was meant.
+        if (item.verdict == ItemVerdict::follow && item.points >= item.max_points) return std::nullopt;
         if (const int line = line_printed_again(item); line != 0) return Doubt{Doubt::Why::printed_again, line};
         // Where an item is missing, numbers that an answer has too may be it: a matrix repeats the axes.
         const bool is_wrong = item.verdict == ItemVerdict::wrong || item.verdict == ItemVerdict::follow;
@@ -167,13 +173,13 @@ class Doubter {
         return question == item.spec.question || !headings_.contains(item.spec.question);
     }
 
-    bool is_right(const ItemId& id) const {
+    ItemVerdict verdict_of(const ItemId& id) const {
         for (const QuestionScore& question : score_.questions) {
             for (const ItemScore& item : question.items) {
-                if (item.spec.id == id) return item.verdict == ItemVerdict::right;
+                if (item.spec.id == id) return item.verdict;
             }
         }
-        return false;
+        return ItemVerdict::missing;
     }
 
     const reference::KeyItem& key_item(const reference::ItemSpec& spec) const {
@@ -228,6 +234,9 @@ class Doubter {
         if (!is_one_value(first, numbers_in(item.spec.shape), stride)) return false;
         std::vector<const Found*> found;
         for (std::size_t k = 0; k < numbers_in(item.spec.shape); ++k) found.push_back(&numbers_[first + k * stride]);
+        // Lines such as "t = 2 u = 0.25 v = 0.25" are no rows of a block.
+        if (stride > 1 && std::any_of(found.begin(), found.end(), [](const Found* each) { return each->is_scalar; }))
+            return false;
         const bool is_own = may_be_of(found.front()->question, item);
         if (found.size() == 1 && (!is_own || found.front()->number.significant < 3)) return false;
         const auto is_free = [&](const Found* each) {

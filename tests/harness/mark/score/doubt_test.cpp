@@ -6,6 +6,8 @@
 
 #include "harness/mark/score/doubts_text.h"
 #include "tests/given/printed_values.h"
+#include "tests/given/student/printout.h"
+#include "tests/given/student/program.h"
 #include "tests/given/student/scenes.h"
 
 namespace harness {
@@ -57,6 +59,18 @@ TEST(Doubt, SeesTheColumnsOfABlock) {
     EXPECT_EQ(doubt->why, Doubt::Why::right_elsewhere);
 }
 
+TEST(Doubt, TakesNoAnswersOfOneNumberForAColumn) {
+    // rhs is (0, 2, 0). The first numbers of the last three lines are those, by chance.
+    const student::Marking marking = student::scene_named("handout");
+    const std::string output =
+        "Question 4\nS: (0, 0, 2)\nQuestion 5\nV: (0, 0, -1)\nQuestion 8\nA =\n-0.0 2.000 -2.000\n-0.0 4.000 4.000\n"
+        "1.000 0.000 0.000\nrhs = (0.000, 2.000, 2.000)\nt = 2.000 u = 0.250 v = 0.250\nP_t = (0.000, 0.000, 2.000)\n";
+    const Score score = harness::score(read_transcript(output, 10), marking.key, marking.assignment);
+    ASSERT_EQ(verdict_on(score, reference::item::triangle::t), "follow");
+    ASSERT_EQ(verdict_on(score, reference::item::triangle::rhs), "wrong");
+    EXPECT_FALSE(item_of(score, reference::item::triangle::rhs).doubt);
+}
+
 TEST(Doubt, IsNotRaisedByAValueThatWasReadForTheItemAndJudged) {
     // Transposed: right if it were printed by rows, but to_string prints columns.
     const reference::KeyItem& asked = *reference::asked_item(off_axis().key, reference::item::M_VCS_to_WCS);
@@ -89,6 +103,29 @@ TEST(Doubt, SaysWhichNumbersWereLeft) {
     ASSERT_TRUE(doubt);
     EXPECT_EQ(doubt->why, Doubt::Why::numbers_left);
     EXPECT_EQ(doubt->line, 2);
+}
+
+TEST(Doubt, IsNotRaisedByLeftNumbersWhereAFollowingAnswerHasItsPoints) {
+    // V points the other way, and b and c follow from it.
+    student::Marking marking = student::off_axis_scene();
+    std::string output = print(
+        student::Program(marking.assignment, {},
+                         student::Program::Mistake{reference::item::V, [](const student::Program&, const auto& right) {
+                                                       auto value = right;
+                                                       for (float& x : *value) x = -x;
+                                                       return value;
+                                                   }}));
+    output.insert(output.find("Question 7"), "roots 11.5 12.5\n\n");
+    const auto marked_with = [&](double follow_through) {
+        marking.assignment.rubric.follow_through = follow_through;
+        const Score score = harness::score(read_transcript(output, 10), marking.key, marking.assignment);
+        EXPECT_EQ(verdict_on(score, reference::item::sphere::b), "follow");
+        return item_of(score, reference::item::sphere::b).doubt;
+    };
+    EXPECT_FALSE(marked_with(1));
+    const auto doubt = marked_with(0.5);
+    ASSERT_TRUE(doubt) << "it lost points";
+    EXPECT_EQ(doubt->why, Doubt::Why::numbers_left);
 }
 
 TEST(Doubt, IsRaisedForWordsInPlaceOfAVerdict) {
