@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <memory>
 
-#include "harness/build/toolchain.h"
 #include "harness/class_run/class_run.h"
 #include "harness/class_run/into_results.h"
 #include "harness/class_run/regrade.h"
@@ -23,6 +22,7 @@
 #include "harness/machine/say.h"
 #include "harness/run/limits.h"
 #include "harness/scenes/other/points.h"
+#include "harness/shards/conditions.h"
 #include "harness/shards/shard.h"
 #include "harness/text/shell_word.h"
 #include "reference/toml/assignment.h"
@@ -133,12 +133,8 @@ int preflight(const ClusterOptions& options) {
     std::array<char, 256> name{};
     gethostname(name.data(), name.size() - 1);
     const char* slurm_name = std::getenv("SLURMD_NODENAME");
-    const std::string differs =
-        cluster::difference_from_first({slurm_name != nullptr ? slurm_name : name.data(),
-                                        {{"raygrade", RAYGRADE_VERSION},
-                                         {"compiler", toolchain_fingerprint(runner.build.compiler)},
-                                         {"sandbox", std::string(to_string(runner.sandbox->tier()))}}},
-                                       options.node);
+    const std::string differs = cluster::difference_from_first(
+        {slurm_name != nullptr ? slurm_name : name.data(), machine_conditions(runner)}, options.node);
     if (!differs.empty()) throw UsageError(differs);
     return all_graded;
 }

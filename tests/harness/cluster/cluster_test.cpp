@@ -172,14 +172,15 @@ TEST_F(Cluster, AMachineIsComparedWithTheFirst) {
     const fs::path file = folder / "node.json";
     const Node first{"n1", {{"compiler", "a"}, {"sandbox", "bwrap"}}};
     EXPECT_EQ(difference_from_first(first, file), "");
-    EXPECT_EQ(difference_from_first({"n2", first.traits}, file), "");
+    EXPECT_EQ(difference_from_first({"n2", first.conditions}, file), "");
     const std::string differs = difference_from_first({"n3", {{"compiler", "b"}, {"sandbox", "bwrap"}}}, file);
     EXPECT_EQ(differs, "this machine, n3, differs from \"n1\", which started first: compiler");
 }
 
 TEST_F(Cluster, ADamagedFileOfTheFirstMachineIsTold) {
     const fs::path file = folder / "node.json";
-    for (const char* damaged : {"", "{\"alike\":", "[]", "{\"alike\":1}"}) {
+    for (const char* damaged : {"", "{\"alike\":", "[]", "{\"alike\":1}", R"({"node":"n1","alike":{"compiler":1}})",
+                                R"({"node":1,"alike":{}})"}) {
         std::ofstream(file) << damaged;
         EXPECT_THROW(difference_from_first({"n1", {{"compiler", "a"}}}, file), HarnessError) << damaged;
     }
