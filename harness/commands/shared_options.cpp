@@ -7,9 +7,7 @@
 #include <thread>
 
 namespace harness {
-namespace {
 
-/// Adds the options for student lists of other systems, and for the files that go back to them.
 void add_rosters(CLI::App& command, RosterOptions& options) {
     command
         .add_option("--late-days", options.late_days,
@@ -39,8 +37,6 @@ void add_rosters(CLI::App& command, RosterOptions& options) {
         ->allow_extra_args(false)
         ->type_name("WHAT=HEADING");
 }
-
-}  // namespace
 
 CLI::Option* add_assignment(CLI::App& command, std::string& assignment) {
     assignment = "default";
