@@ -387,6 +387,27 @@ TEST_F(Shards, AreNotThereIfTheDiskIsFull) {
     EXPECT_THAT(result.output, Not(HasSubstr("part:")));
 }
 
+TEST_F(Shards, OfANodeWhoseDiskIsFullAreMissedByNameAndGradedAgain) {
+    const std::string long_comment = "//" + std::string(20'000, '.');
+    hand_in("ada", std::string(small_program) + long_comment + "\n");
+    hand_in("ben", std::string(small_program) + long_comment + "ben\n");
+    ASSERT_EQ(grade().status, 0);
+    ASSERT_EQ(write_scripts().status, 0);
+    ASSERT_EQ(script("shard 1"), 0);
+    const auto with_full_disk = [this] { return mount_tiny_disk(folder / "scripts/parts"); };
+    EXPECT_EQ(script("shard 2; echo $? >ended; ls -A parts >left", with_full_disk), 0);
+    EXPECT_EQ(read(folder / "scripts/ended"), "1\n");
+    EXPECT_EQ(read(folder / "scripts/left"), "") << "nothing unfinished either";
+    EXPECT_THAT(read(folder / "scripts/logs/2.log"),
+                HasSubstr("parts/2-of-2.part: can't be written: No space left on device"));
+    EXPECT_EQ(script("merge"), usage);
+    EXPECT_THAT(read(folder / "scripts/logs/merge.log"), HasSubstr("missing: part 2 of 2"));
+    EXPECT_FALSE(fs::exists(folder / "merged"));
+    EXPECT_EQ(script("shard 2"), 0);
+    EXPECT_EQ(script("merge"), 0);
+    expect_same(folder / "one", folder / "merged");
+}
+
 TEST_F(Shards, MoreThanThereAreSubmissionsAreEmpty) {
     hand_in_three();
     ASSERT_EQ(grade().status, 0);
