@@ -9,6 +9,8 @@
 
 #include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
+#include "harness/text/escape.h"
+#include "harness/text/printable.h"
 
 namespace harness::cluster {
 namespace {
@@ -16,25 +18,21 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-Json to_json(const Node& node) {
-    Json traits = Json::object();
-    for (const Trait& trait : node.traits) traits[trait.what] = trait.value;
-    return {{"schema", "raygrade/node/1"}, {"node", node.name}, {"alike", traits}};
-}
-
-Json read_first(const fs::path& file) {
+Node read_first(const fs::path& file) {
     constexpr std::uintmax_t most = 65536;
-    Json json = Json::parse(read_bounded(file, most, Links::refuse).bytes, nullptr, false);
-    if (!json.is_object() || !json.contains("alike") || !json["alike"].is_object()) {
+    try {
+        const Json json = Json::parse(read_bounded(file, most, Links::refuse).bytes);
+        return {json.at("node").get<std::string>(), conditions_in(json.at("alike"))};
+    } catch (const Json::exception&) {
         throw HarnessError(file.string() + ": is damaged; remove it and grade all shards again.");
     }
-    return json;
 }
 
 /// A link, unlike a rename, never replaces the file of another machine, also on NFS.
-void publish(const Json& json, const fs::path& file) {
+void publish(const Node& node, const fs::path& file) {
+    const Json json{{"schema", "raygrade/node/1"}, {"node", node.name}, {"alike", to_json(node.conditions)}};
     fs::path mine = file;
-    mine += fmt::format(".{}.{}", json["node"].get<std::string>(), getpid());
+    mine += fmt::format(".{}.{}", node.name, getpid());
     std::ofstream stream(mine, std::ios::binary);
     stream << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     stream.close();
@@ -49,16 +47,14 @@ void publish(const Json& json, const fs::path& file) {
 
 std::string difference_from_first(const Node& node, const fs::path& file) {
     std::error_code error;
-    if (!fs::exists(file, error)) publish(to_json(node), file);
-    const Json first = read_first(file);
+    if (!fs::exists(file, error)) publish(node, file);
+    const Node first = read_first(file);
     std::string differs;
-    for (const Trait& trait : node.traits) {
-        if (first["alike"].value(trait.what, Json()) == Json(trait.value)) continue;
-        differs += (differs.empty() ? "" : ", ") + trait.what;
-    }
+    for (const Difference& each : differences(node.conditions, first.conditions))
+        differs += (differs.empty() ? "" : ", ") + each.what;
     if (differs.empty()) return "";
-    return fmt::format("this machine, {}, differs from {}, which started first: {}", node.name,
-                       first.value("node", Json("?")).dump(-1, ' ', false, Json::error_handler_t::replace), differs);
+    return fmt::format("this machine, {}, differs from {}, which started first: {}", node.name, in_quotes(first.name),
+                       escape_control(differs));
 }
 
 }  // namespace harness::cluster

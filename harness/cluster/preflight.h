@@ -5,22 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "harness/shards/conditions.h"
+
 namespace harness::cluster {
-
-/// Something that all machines must have alike.
-struct Trait {
-    std::string what;   ///< "compiler"
-    std::string value;  ///< a fingerprint, or a word
-
-    bool operator==(const Trait&) const = default;
-};
 
 struct Node {
     std::string name;  ///< of the machine
-    std::vector<Trait> traits;
+    std::vector<Condition> conditions;
 };
 
-/// The first machine that comes writes `file`, of several at a time exactly one. Any other gets the traits in which it
+/// The first machine that comes writes `file`, of several at a time exactly one. Any other gets the conditions in which it
 /// differs, as a message; empty if in none. Throws HarnessError if the file can't be written or is damaged.
 std::string difference_from_first(const Node& node, const std::filesystem::path& file);
 

@@ -10,22 +10,19 @@
 #include <cstdlib>
 #include <memory>
 
-#include "harness/build/toolchain.h"
 #include "harness/class_run/class_run.h"
 #include "harness/class_run/into_results.h"
-#include "harness/class_run/regrade.h"
+#include "harness/class_run/read_class.h"
 #include "harness/cluster/preflight.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
-#include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fingerprint.h"
 #include "harness/machine/say.h"
 #include "harness/run/limits.h"
-#include "harness/scenes/other/points.h"
+#include "harness/shards/conditions.h"
 #include "harness/shards/shard.h"
 #include "harness/text/shell_word.h"
-#include "reference/toml/assignment.h"
 
 namespace harness {
 namespace {
@@ -40,6 +37,7 @@ struct ClusterOptions {
     int shards = 16;
     bool apply = false;
     bool again = false;
+    RosterOptions rosters{};
     GradingOptions grading{};                   ///< read only to be checked; every machine is given the words
     std::vector<const CLI::Option*> for_grade;  ///< those of the options that are `grade`'s
     // of slurm
@@ -65,8 +63,7 @@ std::vector<std::string> given_words(const ClusterOptions& options) {
     return words;
 }
 
-cluster::Plan plan_of(const ClusterOptions& options, const reference::AssignmentFile& file,
-                      const std::vector<Submission>& submissions) {
+cluster::Plan plan_of(const ClusterOptions& options, const ClassInputs& inputs) {
     cluster::Plan plan;
     plan.work = fs::current_path();
     plan.raygrade = fs::read_symlink("/proc/self/exe");
@@ -81,9 +78,10 @@ cluster::Plan plan_of(const ClusterOptions& options, const reference::Assignment
     if (options.apply) plan.merge_options = {"--apply"};
     plan.shards = options.shards;
     Fingerprint fingerprint("raygrade/cluster/1");
-    fingerprint.add(RAYGRADE_VERSION).add(file.toml).add(std::to_string(options.shards));
+    fingerprint.add(RAYGRADE_VERSION).add(inputs.file.toml).add(std::to_string(options.shards));
     for (const std::string& word : plan.options) fingerprint.add(word);
-    for (const Submission& each : submissions) fingerprint.add(each.id).add(each.source);
+    for (const KeptInput& each : inputs.rosters.given()) fingerprint.add(each.content);
+    for (const Submission& each : inputs.submissions) fingerprint.add(each.id).add(each.source);
     plan.fingerprint = fingerprint.hex() + "\n";
     return plan;
 }
@@ -108,13 +106,12 @@ int become(const fs::path& script) {
 }
 
 int write_cluster(const ClusterOptions& options, bool for_slurm) {
-    const auto file = read_assignment(options.assignment, options.out);
-    const reference::Assignment assignment = reference::parse_assignment(file.toml, file.path);
-    const StageLimits stages = read_limits(assignment.limits, options.grading.runner.limits);
-    scenes::require_other_scenes(assignment, options.grading.other_scenes.count);
-    const std::vector<Submission> submissions = take_in_all(options.paths).submissions;
-    const cluster::Plan plan = plan_of(options, file, submissions);
-    const cluster::Work work = work_of(options, stages, submissions.size());
+    ClassInputs inputs = read_class({options.paths, options.assignment, options.out, options.rosters}, options.grading);
+    const StageLimits stages = read_limits(inputs.assignment.limits, options.grading.runner.limits);
+    const cluster::Plan plan = plan_of(options, inputs);
+    // Before any machine does: what is wrong with the lists of students is told here.
+    name_submissions(inputs, options.rosters, Gradebook(options.out), options.out);
+    const cluster::Work work = work_of(options, stages, inputs.submissions.size());
     const auto scripts = for_slurm ? cluster::slurm_scripts(plan, cluster::limits_for(work, options.limits))
                                    : cluster::parallel_scripts(plan, fs::absolute(options.hosts));
     cluster::write_scripts(plan, scripts, options.again ? cluster::OldParts::give_up : cluster::OldParts::keep);
@@ -133,12 +130,8 @@ int preflight(const ClusterOptions& options) {
     std::array<char, 256> name{};
     gethostname(name.data(), name.size() - 1);
     const char* slurm_name = std::getenv("SLURMD_NODENAME");
-    const std::string differs =
-        cluster::difference_from_first({slurm_name != nullptr ? slurm_name : name.data(),
-                                        {{"raygrade", RAYGRADE_VERSION},
-                                         {"compiler", toolchain_fingerprint(runner.build.compiler)},
-                                         {"sandbox", std::string(to_string(runner.sandbox->tier()))}}},
-                                       options.node);
+    const std::string differs = cluster::difference_from_first(
+        {slurm_name != nullptr ? slurm_name : name.data(), machine_conditions(runner)}, options.node);
     if (!differs.empty()) throw UsageError(differs);
     return all_graded;
 }
@@ -169,6 +162,7 @@ CLI::App* add_kind(CLI::App& command, const char* name, const char* about, Clust
 /// count.
 void add_for_grade(CLI::App& kind, ClusterOptions& options) {
     const auto before = kind.get_options();
+    add_rosters(kind, options.rosters);
     add_other_scenes(kind, options.grading.other_scenes);
     kind.add_flag("--stress", options.grading.stress, "Also run each program on the hard scenes of `raygrade stress`");
     add_runner(kind, options.grading.runner);

@@ -9,15 +9,11 @@
 
 #include "harness/class_run/class_run.h"
 #include "harness/class_run/into_results.h"
-#include "harness/class_run/notes.h"
-#include "harness/class_run/regrade.h"
+#include "harness/class_run/read_class.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
-#include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
-#include "harness/scenes/other/points.h"
 #include "harness/shards/grade_shard.h"
-#include "reference/toml/assignment.h"
 
 namespace harness {
 namespace {
@@ -42,22 +38,10 @@ void check_trace(const fs::path& trace) {
     }
 }
 
-/// Reads the class; `results` is the folder that an earlier run wrote, for what that run had been told.
+/// `results` is the folder of an earlier run.
 ClassInputs read_inputs(const GradeOptions& options, const fs::path& results) {
-    ClassInputs inputs;
-    inputs.rosters = read_given_rosters(options.results.rosters);
-    inputs.file = read_assignment(options.assignment, results);
-    inputs.assignment = reference::parse_assignment(inputs.file.toml, inputs.file.path);
-    scenes::require_other_scenes(inputs.assignment, options.grading.other_scenes.count);
-    if (!inputs.assignment.dealt.empty() && (options.grading.other_scenes.count > 0 || options.grading.stress)) {
-        throw UsageError(
-            fmt::format("{}: deals a scene to each student, and --variants and --stress go from one scene for all; "
-                        "leave them out",
-                        inputs.file.path.string()));
-    }
-    Intake intake = take_in_all(options.paths);
-    inputs.submissions = std::move(intake.submissions);
-    tell_left_out(intake.left_out);
+    ClassInputs inputs =
+        read_class({options.paths, options.assignment, results, options.results.rosters}, options.grading);
     if (!options.grading.trace.empty()) check_trace(options.grading.trace);
     return inputs;
 }

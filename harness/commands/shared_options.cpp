@@ -11,9 +11,7 @@
 #include "harness/run/limits.h"
 
 namespace harness {
-namespace {
 
-/// Adds the options for student lists of other systems, and for the files that go back to them.
 void add_rosters(CLI::App& command, RosterOptions& options) {
     command
         .add_option("--late-days", options.late_days,
@@ -43,8 +41,6 @@ void add_rosters(CLI::App& command, RosterOptions& options) {
         ->allow_extra_args(false)
         ->type_name("WHAT=HEADING");
 }
-
-}  // namespace
 
 reference::Assignment as_graded(reference::Assignment assignment) {
     read_limits(assignment.limits, {});

@@ -38,6 +38,9 @@ void add_jobs(CLI::App& command, int& jobs, const char* meaning);
 
 void add_junit(CLI::App& command, std::filesystem::path& junit);
 
+/// Adds the lists of students that other systems export, and what of them goes back.
+void add_rosters(CLI::App& command, RosterOptions& options);
+
 /// Adds what is done with a class's results: where they go, the lists of students, what is printed.
 void add_results(CLI::App& command, ResultsOptions& options);
 

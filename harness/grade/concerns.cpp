@@ -6,14 +6,10 @@
 #include <iterator>
 #include <map>
 
+#include "harness/grade/concern_titles.h"
+
 namespace harness {
 namespace {
-
-int urgency(const Flag& concern) {
-    if (concern.kind == "reading_doubtful") return 0;
-    if (concern.kind == not_graded_concern) return 2;
-    return concern.kind == "late_without_date" ? 3 : 1;
-}
 
 std::vector<Flag> without_accepted(std::vector<Flag> concerns, const Graded& graded) {
     std::erase_if(concerns, [&](const Flag& concern) { return acceptance_of(graded, concern) != nullptr; });
@@ -28,8 +24,7 @@ std::vector<Flag> concerns_of(const Graded& graded) {
         concerns.push_back({std::string(not_graded_concern),
                             graded.submission.problem ? *graded.submission.problem : graded.explanation});
     }
-    std::stable_sort(concerns.begin(), concerns.end(),
-                     [](const Flag& a, const Flag& b) { return urgency(a) < urgency(b); });
+    std::ranges::stable_sort(concerns, {}, [](const Flag& concern) { return urgency_of(concern.kind); });
     return concerns;
 }
 

@@ -11,8 +11,7 @@ namespace harness {
 /// The kind of the concern about a submission that was not graded. Other concerns have the kinds of their flags.
 inline constexpr std::string_view not_graded_concern = "not_graded";
 
-/// The submission's flags and, as a flag, that it was not graded, in the order in which a person should see to them:
-/// doubtful readings first, lateness without a date last.
+/// The submission's flags and, as a flag, that it was not graded, by their urgency.
 std::vector<Flag> concerns_of(const Graded& graded);
 
 /// What is accepted with a concern. It is equal for equal concerns only: for a doubtful reading it includes what was

@@ -17,6 +17,7 @@
 #include "harness/report/data/grades_json.h"
 #include "harness/report/page/student_page.h"
 #include "harness/report/text/feedback.h"
+#include "harness/text/address.h"
 #include "harness/text/utf8.h"
 
 namespace harness {
@@ -147,7 +148,9 @@ HandedBack write_reports(const ClassResults& results, const fs::path& folder, st
             report::write_grades_json(stream, results.graded, results.marking, results.tier);
         });
         write_file(folder / "report.html", [&](std::ostream& stream) {
-            report::write_class_report(stream, results.graded, results.marking, results.tier);
+            report::write_class_report(stream, results.graded, results.marking, results.tier, [&](std::size_t index) {
+                return "feedback/" + in_address(feedback_name(results.graded[index].submission.id, index)) + ".html";
+            });
         });
         put_on_disk(folder);
         return handed_back;

@@ -12,9 +12,8 @@ namespace {
 
 /// That of the most urgent concern, open or accepted; after all others if there is none.
 std::size_t urgency(const Graded& graded) {
-    std::size_t least = std::numeric_limits<std::size_t>::max();
-    for (const Flag& concern : concerns_of(graded)) least = std::min(least, urgency_of(concern.kind));
-    return least;
+    const std::vector<Flag> concerns = concerns_of(graded);
+    return concerns.empty() ? std::numeric_limits<std::size_t>::max() : urgency_of(concerns.front().kind);
 }
 
 Chapter& chapter_of(std::vector<Chapter>& chapters, const std::string& kind) {

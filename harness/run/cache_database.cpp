@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <system_error>
 
+#include "harness/text/address.h"
+
 namespace harness {
 namespace {
 
@@ -52,19 +54,6 @@ void require_columns(SQLite::Database& database) {
         .executeStep();
 }
 
-/// Bytes that mean something in an address as %XX.
-std::string in_address(const fs::path& file) {
-    std::string text;
-    for (const char c : fs::absolute(file).string()) {
-        if (c == '%' || c == '?' || c == '#') {
-            text += fmt::format("%{:02X}", c);
-        } else {
-            text += c;
-        }
-    }
-    return text;
-}
-
 }  // namespace
 
 ResultsLock::ResultsLock(const fs::path& folder)
@@ -92,8 +81,9 @@ std::unique_ptr<SQLite::Database> open_results(const fs::path& file) {
 
 std::unique_ptr<SQLite::Database> open_results_to_read(const fs::path& file) {
     // Immutable: SQLite takes no locks, and does not look for a log.
-    auto database = std::make_unique<SQLite::Database>("file:" + in_address(file) + "?immutable=1",
-                                                       SQLite::OPEN_READONLY | SQLite::OPEN_URI | SQLite::OPEN_NOMUTEX);
+    auto database =
+        std::make_unique<SQLite::Database>("file:" + in_address(fs::absolute(file).string()) + "?immutable=1",
+                                           SQLite::OPEN_READONLY | SQLite::OPEN_URI | SQLite::OPEN_NOMUTEX);
     require_version(*database, version);
     database->exec("PRAGMA trusted_schema = OFF");
     require_columns(*database);

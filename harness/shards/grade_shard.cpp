@@ -8,11 +8,11 @@
 #include <string>
 #include <utility>
 
-#include "harness/build/toolchain.h"
 #include "harness/gradebook/record.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fingerprint.h"
 #include "harness/run/runner.h"
+#include "harness/shards/conditions.h"
 #include "harness/shards/part.h"
 
 namespace harness {
@@ -58,24 +58,25 @@ std::string fingerprint_of(const Rosters& rosters, const Gradebook& gradebook) {
     return fingerprint.hex();
 }
 
-/// What must be the same on all machines. Those that explain most stand first, because the first that differs is told.
-std::vector<Condition> conditions(const ClassRun& run, const ClassInputs& inputs, const std::string& class_fingerprint,
-                                  const Gradebook& gradebook, const GradingOptions& options) {
-    const Runner& runner = run.runner;
+/// Of this grading. Those that explain most stand first, because the first that differs is told.
+std::vector<Condition> conditions_of(const ClassRun& run, const ClassInputs& inputs,
+                                     const std::string& class_fingerprint, const Gradebook& gradebook,
+                                     const GradingOptions& options) {
     const auto yes_or_no = [](bool is_so) { return is_so ? "yes" : "no"; };
     const auto& scenes = options.other_scenes;
-    return {{"raygrade", RAYGRADE_VERSION},
-            {"assignment", fmt::format("{} {}", run.marking.assignment.name,
-                                       Fingerprint("raygrade/assignment/1").add(inputs.file.toml).hex())},
-            {"class", class_fingerprint},
-            {"set of student lists", fingerprint_of(inputs.rosters, gradebook)},
-            {"compiler", toolchain_fingerprint(runner.build.compiler)},
-            {"sandbox", std::string(to_string(runner.sandbox->tier()))},
-            {"set of limits and compiler flags", execution_key("", runner, "")},
-            {"--repeat", std::to_string(options.runner.repetitions)},
-            {"--sanitize", yes_or_no(options.runner.sanitize)},
-            {"--variants", scenes.count == 0 ? "none" : fmt::format("{} from seed {}", scenes.count, scenes.seed)},
-            {"--stress", yes_or_no(options.stress)}};
+    std::vector<Condition> conditions = machine_conditions(run.runner);
+    conditions.insert(
+        conditions.end(),
+        {{"assignment", fmt::format("{} {}", run.marking.assignment.name,
+                                    Fingerprint("raygrade/assignment/1").add(inputs.file.toml).hex())},
+         {"class", class_fingerprint},
+         {"set of student lists", fingerprint_of(inputs.rosters, gradebook)},
+         {"set of limits and compiler flags", execution_key("", run.runner, "")},
+         {"--repeat", std::to_string(options.runner.repetitions)},
+         {"--sanitize", yes_or_no(options.runner.sanitize)},
+         {"--variants", scenes.count == 0 ? "none" : fmt::format("{} from seed {}", scenes.count, scenes.seed)},
+         {"--stress", yes_or_no(options.stress)}});
+    return conditions;
 }
 
 /// Takes the shard's submissions out of the class.
@@ -104,7 +105,7 @@ int grade_shard(ClassInputs inputs, const ShardOptions& options) {
     attach_rereads(inputs.submissions, gradebook);
     ClassRun run = open_class_run(marking_for(inputs.assignment, names), options.grading.runner);
     tell_key_notes(run.marking);
-    part.head.alike = conditions(run, inputs, class_fingerprint, gradebook, options.grading);
+    part.head.alike = conditions_of(run, inputs, class_fingerprint, gradebook, options.grading);
     part.file = inputs.file;
     part.tier = run.runner.sandbox->tier();
     part.inputs = inputs.rosters.given();

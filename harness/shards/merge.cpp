@@ -70,14 +70,12 @@ const GivenPart& most_common(const std::vector<GivenPart>& given) {
 
 /// A clause about the first thing that is not alike.
 std::string difference(const PartHead& one, const GivenPart& most) {
-    for (std::size_t i = 0; i < std::min(one.alike.size(), most.head.alike.size()); ++i) {
-        const Condition &here = one.alike[i], &there = most.head.alike[i];
-        if (here == there) continue;
+    if (const std::vector<Difference> found = differences(one.alike, most.head.alike); !found.empty()) {
+        const auto& [what, here, there] = found.front();
         constexpr std::size_t longest_shown = 40;  // shorter than a fingerprint
-        const bool is_shown =
-            here.what == there.what && std::max(here.value.size(), there.value.size()) < longest_shown;
-        const std::string values = is_shown ? fmt::format(" ({}, not {})", here.value, there.value) : "";
-        return fmt::format("was graded with another {} than {}{}", here.what, most.file.string(), values);
+        const bool is_shown = !here.empty() && !there.empty() && std::max(here.size(), there.size()) < longest_shown;
+        const std::string values = is_shown ? fmt::format(" ({}, not {})", here, there) : "";
+        return fmt::format("was graded with another {} than {}{}", what, most.file.string(), values);
     }
     if (one.shard.count != most.head.shard.count) {
         return fmt::format("is one of {} parts, and {} is one of {}", one.shard.count, most.file.string(),

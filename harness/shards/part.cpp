@@ -18,10 +18,8 @@ using Json = nlohmann::ordered_json;
 constexpr const char* schema = "raygrade/part/1";
 
 std::string head_line(const PartHead& head) {
-    Json alike = Json::object();
-    for (const Condition& each : head.alike) alike[each.what] = each.value;
     const Json json{{"schema", schema},         {"shard", head.shard.number},      {"shards", head.shard.count},
-                    {"class", head.class_size}, {"submissions", head.submissions}, {"alike", std::move(alike)}};
+                    {"class", head.class_size}, {"submissions", head.submissions}, {"alike", to_json(head.alike)}};
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -46,8 +44,7 @@ PartHead head_of(const std::string& line) {
         head.shard = {static_cast<int>(number), static_cast<int>(count)};
         head.class_size = count_in(json, "class");
         head.submissions = count_in(json, "submissions");
-        for (const auto& [what, value] : json.at("alike").items())
-            head.alike.push_back({what, value.get<std::string>()});
+        head.alike = conditions_in(json.at("alike"));
         return head;
     } catch (const Json::exception&) {
         refuse_part();

@@ -3,32 +3,24 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "harness/execution/tier.h"
 #include "harness/grade/graded.h"
 #include "harness/gradebook/gradebook.h"
+#include "harness/shards/conditions.h"
 #include "harness/shards/frames.h"
 #include "harness/shards/shard.h"
 #include "reference/toml/assignment.h"
 
 namespace harness {
 
-/// Something that must be the same in all parts, or they are not of one grading.
-struct Condition {
-    std::string what;   ///< a noun: "compiler"
-    std::string value;  ///< a fingerprint, or a few words
-
-    bool operator==(const Condition&) const = default;
-};
-
 /// What the first line of the file tells.
 struct PartHead {
     Shard shard{};
-    std::size_t class_size = 0;   ///< submissions of the whole class
-    std::size_t submissions = 0;  ///< of this part
-    std::vector<Condition> alike{};
+    std::size_t class_size = 0;      ///< submissions of the whole class
+    std::size_t submissions = 0;     ///< of this part
+    std::vector<Condition> alike{};  ///< must be the same in all parts
 };
 
 /// A submission, without its overrides and the name that a roster gives it, and its place in the class as taken in.

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <regex>
 #include <string>
@@ -135,6 +136,44 @@ class Shards : public testing::Test {
         hand_in("cy", std::string(small_program) + "// cy\n");
     }
 
+    /// A class as Moodle has it, with one student late and one without a source.
+    void hand_in_by_moodle() {
+        hand_ins = folder / "moodle";
+        write(hand_ins / "Jane Doe_11_assignsubmission_file/ray_cast.cpp", small_program);
+        write(hand_ins / "Al Abe_12_assignsubmission_file/ray_cast.cpp", std::string(small_program) + "//\n");
+        write(hand_ins / "Rick Roe_13_assignsubmission_file/notes.txt", "sorry");
+        write(
+            folder / "worksheet.csv",
+            "Identifier,Full name,Grade,Maximum grade,Last modified (grade)\n"
+            "Participant 11,Jane Doe,,100.00,-\nParticipant 12,Al Abe,,100.00,-\nParticipant 13,Rick Roe,,100.00,-\n");
+        write(folder / "late.csv", "id,days_late\nJane Doe,1\n");
+        write(folder / "late.toml",
+              read(project_folder() / "reference/assignments/a6-2021.toml") + "\nlate = [[1, 0.5]]\n");
+        options = {"--assignment",         place("late.toml"), "--moodle-worksheet",
+                   place("worksheet.csv"), "--late-days",      place("late.csv")};
+    }
+    /// Writes the scripts of a cluster of two shards.
+    Result write_scripts() const {
+        std::vector<std::string> words =
+            on_class("slurm", {"--out", place("merged"), "--scripts", place("scripts"), "--shards", "2"});
+        words.insert(words.begin(), "cluster");
+        return run(words);
+    }
+    /// The exit status of a command in the folder of the scripts; "shard 1" is one of them.
+    int script(
+        const std::string& command, const std::function<bool()>& prepare = [] { return true; }) const {
+        const pid_t child = fork();
+        if (child == 0) {
+            const std::string whole = "cd " + place("scripts") + " && exec >/dev/null 2>&1 && bash " + command;
+            if (setenv("XDG_CACHE_HOME", place("cache").c_str(), 1) == 0 && prepare())
+                execlp("bash", "bash", "-c", whole.c_str(), static_cast<char*>(nullptr));
+            _exit(127);
+        }
+        int status = 0;
+        waitpid(child, &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+
     TemporaryFolder folder;
     fs::path hand_ins = folder / "class";
     std::vector<std::string> options{};  ///< of every grading
@@ -174,20 +213,26 @@ TEST_F(Shards, OfAClassOnOtherAndHardScenesMakeTheResultsOfOneMachine) {
 }
 
 TEST_F(Shards, CarryTheListsOfStudents) {
-    hand_ins = folder / "moodle";
-    write(hand_ins / "Jane Doe_11_assignsubmission_file/ray_cast.cpp", small_program);
-    write(hand_ins / "Al Abe_12_assignsubmission_file/ray_cast.cpp", std::string(small_program) + "//\n");
-    write(hand_ins / "Rick Roe_13_assignsubmission_file/notes.txt", "sorry");
-    write(folder / "worksheet.csv",
-          "Identifier,Full name,Grade,Maximum grade,Last modified (grade)\n"
-          "Participant 11,Jane Doe,,100.00,-\nParticipant 12,Al Abe,,100.00,-\nParticipant 13,Rick Roe,,100.00,-\n");
-    write(folder / "late.csv", "id,days_late\nJane Doe,1\n");
-    write(folder / "late.toml",
-          read(project_folder() / "reference/assignments/a6-2021.toml") + "\nlate = [{days = 1, deduction = 0.5}]\n");
-    options = {"--moodle-worksheet", place("worksheet.csv"), "--late-days", place("late.csv")};
+    hand_in_by_moodle();
     ASSERT_EQ(grade().status, some_not_graded);
     expect_alike(2);
-    EXPECT_THAT(read(folder / "merged/grades-moodle.csv"), HasSubstr("Participant 11,Jane Doe,10.00"));
+    EXPECT_THAT(read(folder / "merged/grades-moodle.csv"), HasSubstr("Participant 11,Jane Doe,5.00"));
+}
+
+TEST_F(Shards, OfAClusterCarryTheListsOfStudents) {
+    hand_in_by_moodle();
+    ASSERT_EQ(grade().status, some_not_graded);
+    ASSERT_EQ(write_scripts().status, 0);
+    ASSERT_EQ(script("shard 1"), 0);
+    ASSERT_EQ(script("shard 2"), 0);
+    EXPECT_EQ(script("merge"), some_not_graded);
+    expect_same(folder / "one", folder / "merged");
+
+    write(folder / "late.csv", "id,days_late\nJane Doe,0\n");
+    EXPECT_THAT(write_scripts().voice, HasSubstr("holds parts of a different class, assignment or options"));
+    write(folder / "worksheet.csv",
+          "Identifier,Full name,Grade,Maximum grade,Last modified (grade)\nParticipant 99,Vi Voe,,100.00,-\n");
+    EXPECT_THAT(write_scripts().voice, HasSubstr("Give the roster of this class with --moodle-worksheet"));
 }
 
 TEST_F(Shards, KnowTheSceneThatWasDealtToEachStudent) {
@@ -349,6 +394,27 @@ TEST_F(Shards, AreNotThereIfTheDiskIsFull) {
     EXPECT_EQ(result.status, some_not_graded) << result.both();
     EXPECT_THAT(result.voice, HasSubstr("1-of-1.part: can't be written: No space left on device"));
     EXPECT_THAT(result.output, Not(HasSubstr("part:")));
+}
+
+TEST_F(Shards, OfANodeWhoseDiskIsFullAreMissedByNameAndGradedAgain) {
+    const std::string long_comment = "//" + std::string(20'000, '.');
+    hand_in("ada", std::string(small_program) + long_comment + "\n");
+    hand_in("ben", std::string(small_program) + long_comment + "ben\n");
+    ASSERT_EQ(grade().status, 0);
+    ASSERT_EQ(write_scripts().status, 0);
+    ASSERT_EQ(script("shard 1"), 0);
+    const auto with_full_disk = [this] { return mount_tiny_disk(folder / "scripts/parts"); };
+    EXPECT_EQ(script("shard 2; echo $? >ended; ls -A parts >left", with_full_disk), 0);
+    EXPECT_EQ(read(folder / "scripts/ended"), "1\n");
+    EXPECT_EQ(read(folder / "scripts/left"), "") << "nothing unfinished either";
+    EXPECT_THAT(read(folder / "scripts/logs/2.log"),
+                HasSubstr("parts/2-of-2.part: can't be written: No space left on device"));
+    EXPECT_EQ(script("merge"), usage);
+    EXPECT_THAT(read(folder / "scripts/logs/merge.log"), HasSubstr("missing: part 2 of 2"));
+    EXPECT_FALSE(fs::exists(folder / "merged"));
+    EXPECT_EQ(script("shard 2"), 0);
+    EXPECT_EQ(script("merge"), 0);
+    expect_same(folder / "one", folder / "merged");
 }
 
 TEST_F(Shards, MoreThanThereAreSubmissionsAreEmpty) {

@@ -10,6 +10,7 @@
 #include "harness/report/class/sheet.h"
 #include "harness/report/class/statistics.h"
 #include "harness/report/class/story.h"
+#include "harness/report/class/table.h"
 #include "harness/report/class/wrong_answers.h"
 #include "harness/report/page/page_template.h"
 #include "harness/report/page/templates.h"
@@ -40,7 +41,7 @@ PageData tiles_of(const ClassStatistics& statistics) {
     return tiles;
 }
 
-PageData outcomes_of(const ClassStatistics& statistics, const std::vector<Graded>& graded) {
+PageData outcomes_of(const ClassStatistics& statistics, const Students& students) {
     PageData outcomes(PageData::type::list);
     for (const OutcomeCount& each : statistics.outcomes) {
         PageData outcome;
@@ -48,20 +49,20 @@ PageData outcomes_of(const ClassStatistics& statistics, const std::vector<Graded
         outcome["filter"] = std::string(to_string(each.outcome));
         outcome["count"] = std::to_string(each.who.size());
         // Most programs ran to their end; the table lists those anyway.
-        outcome["who"] = each.outcome == Outcome::graded ? "all others" : links_to(each.who, graded);
+        outcome["who"] = each.outcome == Outcome::graded ? "all others" : students.links_to(each.who);
         outcomes.push_back(outcome);
     }
     return outcomes;
 }
 
 /// Those whose printout a person should read, with the reason.
-PageData doubtful_of(const std::vector<Graded>& graded) {
+PageData doubtful_of(const Students& students) {
     PageData list(PageData::type::list);
-    for (std::size_t i = 0; i < graded.size(); ++i) {
-        const std::string why = doubtful_reading(graded[i]);
+    for (std::size_t i = 0; i < students.graded.size(); ++i) {
+        const std::string why = doubtful_reading(students.graded[i]);
         if (why.empty()) continue;
         PageData one;
-        one["who"] = links_to({i}, graded);
+        one["who"] = students.links_to({i});
         one["why"] = why;
         list.push_back(one);
     }
@@ -112,7 +113,7 @@ PageData most_shared(const std::vector<QuestionMistakes>& mistakes) {
     return shared;
 }
 
-PageData group_of(const WrongAnswer& answer, const std::vector<Graded>& graded) {
+PageData group_of(const WrongAnswer& answer, const Students& students) {
     constexpr std::size_t many = 12;
     PageData group;
     group["count"] = std::to_string(answer.who.size());
@@ -123,11 +124,11 @@ PageData group_of(const WrongAnswer& answer, const std::vector<Graded>& graded) 
     set_text(group, "printed", answer.printed);
     set_text(group, "sentence", answer.sentence);
     if (answer.who.size() > many) group["many"] = fmt::format("{} students", answer.who.size());
-    group["who"] = links_to(answer.who, graded);
+    group["who"] = students.links_to(answer.who);
     return group;
 }
 
-PageData overview(const std::vector<Graded>& graded, const Marking& marking, Tier tier,
+PageData overview(const Students& students, bool has_sheets, const Marking& marking, Tier tier,
                   const ClassStatistics& statistics, const std::vector<QuestionMistakes>& mistakes) {
     const std::string style = std::string(templates::page_css) + std::string(templates::class_css);
     PageData data;
@@ -136,12 +137,13 @@ PageData overview(const std::vector<Graded>& graded, const Marking& marking, Tie
     data["script"] = std::string(templates::class_js);
     data["title"] = marking.assignment.title;
     data["assignment"] = marking.assignment.name;
+    data["has_sheets"] = has_sheets;
     set_text(data, "warning", sandbox_warning(tier));
     data["tiles"] = tiles_of(statistics);
-    set_text(data, "story", class_story(statistics, graded, mistakes));
+    set_text(data, "story", class_story(statistics, students.graded, mistakes));
     data["distribution"] = distribution_picture(statistics);
-    data["outcomes"] = outcomes_of(statistics, graded);
-    PageData doubtful = doubtful_of(graded);
+    data["outcomes"] = outcomes_of(statistics, students);
+    PageData doubtful = doubtful_of(students);
     data["has_doubtful"] = doubtful.is_non_empty_list();
     data["doubtful"] = std::move(doubtful);
     PageData shared = most_shared(mistakes);
@@ -171,8 +173,7 @@ PageData bins_of(const ClassStatistics& statistics) {
     return bins;
 }
 
-void write_mistakes(std::ostream& out, const std::vector<Graded>& graded,
-                    const std::vector<QuestionMistakes>& mistakes) {
+void write_mistakes(std::ostream& out, const Students& students, const std::vector<QuestionMistakes>& mistakes) {
     PageTemplate section(templates::class_groups_mustache);
     out << "<section aria-labelledby=\"mistakes\">\n<h2 id=\"mistakes\">The same mistakes, question by question</h2>\n";
     for (const QuestionMistakes& question : mistakes) {
@@ -185,7 +186,7 @@ void write_mistakes(std::ostream& out, const std::vector<Graded>& graded,
                                             question.following, question.following == 1 ? "program" : "programs");
         }
         PageData groups(PageData::type::list);
-        for (const WrongAnswer& answer : question.answers) groups.push_back(group_of(answer, graded));
+        for (const WrongAnswer& answer : question.answers) groups.push_back(group_of(answer, students));
         data["groups"] = std::move(groups);
         out << section.fill_in(data);
     }
@@ -194,23 +195,19 @@ void write_mistakes(std::ostream& out, const std::vector<Graded>& graded,
     out << (none ? "<p>There are none.</p>\n</section>\n" : "</section>\n");
 }
 
-}  // namespace
-
-void write_class_report(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking, Tier tier) {
-    const std::vector<QuestionMistakes> mistakes = mistakes_by_question(graded);
-    const ClassStatistics statistics = class_statistics(graded);
-    const PageData data = overview(graded, marking, tier, statistics, mistakes);
-    out << page_beginning << PageTemplate(templates::class_head_mustache).fill_in(data);
-
-    const ClassColumns columns = columns_of(graded);
-    ClassSheets sheets(marking, columns);
-    PageData head;
-    head["named"] = columns.named;
-    head["dated"] = columns.dated;
+/// The filter and the table of students.
+void write_students(std::ostream& out, const Students& students, bool has_sheets, const Marking& marking,
+                    const ClassStatistics& statistics) {
+    ClassTable table(students);
+    PageData data;
+    data["has_sheets"] = has_sheets;
+    data["most_sheets"] = std::to_string(most_sheets);
+    data["named"] = table.columns().named;
+    data["dated"] = table.columns().dated;
     PageData numbers(PageData::type::list);
     for (const reference::KeyQuestion& question : marking.key.questions)
         numbers.push_back(std::to_string(question.number));
-    head["numbers"] = std::move(numbers);
+    data["numbers"] = std::move(numbers);
     PageData outcomes(PageData::type::list);
     for (const OutcomeCount& each : statistics.outcomes) {
         PageData outcome;
@@ -218,17 +215,39 @@ void write_class_report(std::ostream& out, const std::vector<Graded>& graded, co
         outcome["outcome_words"] = outcome_words(each.outcome);
         outcomes.push_back(outcome);
     }
-    head["outcomes"] = std::move(outcomes);
-    head["bins"] = bins_of(statistics);
-    out << PageTemplate(templates::class_table_mustache).fill_in(head);
-    for (std::size_t i = 0; i < graded.size(); ++i) out << sheets.row(graded[i], i);
-    out << "</tbody></table></div>\n</section>\n" << PageTemplate(templates::class_answers_mustache).fill_in(data);
-    write_mistakes(out, graded, mistakes);
+    data["outcomes"] = std::move(outcomes);
+    data["bins"] = bins_of(statistics);
+    out << PageTemplate(templates::class_table_mustache).fill_in(data);
+    for (std::size_t i = 0; i < students.graded.size(); ++i) out << table.row(i);
+    out << "</tbody></table></div>\n</section>\n";
+}
+
+void write_sheets(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking) {
+    ClassSheets sheets(marking);
     out << "<section id=\"each\" aria-labelledby=\"each-title\">\n"
            "<h2 id=\"each-title\">Each student</h2>\n"
         << sheets.shared_part();
     for (std::size_t i = 0; i < graded.size(); ++i) out << sheets.sheet(graded[i], i);
-    out << "</section>\n</main>\n" << templates::class_panel_mustache << "</body>\n</html>\n";
+    out << "</section>\n";
+}
+
+}  // namespace
+
+void write_class_report(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking, Tier tier,
+                        const PageOfStudent& page_of) {
+    const bool has_sheets = graded.size() <= most_sheets;
+    Students students{graded, {}};
+    for (std::size_t i = 0; i < graded.size(); ++i)
+        students.addresses.push_back(has_sheets ? fmt::format("#s{}", i + 1) : page_of(i));
+    const std::vector<QuestionMistakes> mistakes = mistakes_by_question(graded);
+    const ClassStatistics statistics = class_statistics(graded);
+    const PageData data = overview(students, has_sheets, marking, tier, statistics, mistakes);
+    out << page_beginning << PageTemplate(templates::class_head_mustache).fill_in(data);
+    write_students(out, students, has_sheets, marking, statistics);
+    out << PageTemplate(templates::class_answers_mustache).fill_in(data);
+    write_mistakes(out, students, mistakes);
+    if (has_sheets) write_sheets(out, graded, marking);
+    out << "</main>\n" << (has_sheets ? templates::class_panel_mustache : "") << "</body>\n</html>\n";
 }
 
 }  // namespace harness::report

@@ -1,4 +1,4 @@
-// One student in the class report: a row of its table, and a sheet with what was printed against what was asked.
+// One student in the class report: a sheet with what was printed against what was asked.
 #pragma once
 
 #include <string>
@@ -13,27 +13,13 @@
 
 namespace harness::report {
 
-/// "compile error".
-std::string outcome_words(Outcome outcome);
-
-/// Links to the sheets of the students `who`, escaped: "<a href="#s3">…</a>, …".
-std::string links_to(const std::vector<std::size_t>& who, const std::vector<Graded>& graded);
-
-/// The columns that the table of students has only if they say something.
-struct ClassColumns {
-    bool named = false;  ///< students have names, so their ids have a column of their own
-    bool dated = false;  ///< submissions come from a system that knows which are late
-};
-ClassColumns columns_of(const std::vector<Graded>& graded);
-
 class ClassSheets {
   public:
     /// `marking` must outlive it.
-    ClassSheets(const Marking& marking, const ClassColumns& columns);
+    explicit ClassSheets(const Marking& marking);
 
     /// What the sheets' pictures share; must stand before them.
     std::string shared_part() const { return pictures_.shared_part(); }
-    std::string row(const Graded& graded, std::size_t index);
     std::string sheet(const Graded& graded, std::size_t index);
 
   private:
@@ -44,11 +30,9 @@ class ClassSheets {
     std::string picture_of(const Graded& graded, std::size_t index);
 
     const Marking& marking_;
-    ClassColumns columns_;
     ExpectedTexts asked_;
     std::size_t picture_bytes_ = 0;  ///< of all sheets so far
     std::size_t listing_bytes_ = 0;  ///< of all sheets so far
-    PageTemplate row_;
     PageTemplate sheet_;
     PageTemplate item_;
     Evidence evidence_;

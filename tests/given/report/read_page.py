@@ -1,16 +1,19 @@
 """read_page.py FILE: what a page says and is, as JSON, by Python's own HTML parser.
 
 problems: what must not be in any page of ours; text: what is to be read, blanks run together; rows: the cells of the table
-with id "class"; sheets: the text of each <article> by its id; policy: the Content-Security-Policy; counts of elements.
+with id "class"; sheets: the text of each <article> by its id; pages: the links to files of the folder feedback; policy: the Content-Security-Policy; counts of elements.
 """
 import base64
 import hashlib
 import json
+import re
 import sys
 from collections import Counter
 from html.parser import HTMLParser
 
 VOID = {"meta", "input", "br", "hr", "img", "link", "col"}
+# Written so that no browser takes anything in it for the beginning of something else.
+PAGE = re.compile(r"feedback/[A-Za-z0-9._~%-]+\.html")
 REFERRING = {"src", "srcset", "action", "formaction", "data", "poster", "background", "ping", "xlink:href"}
 
 
@@ -18,7 +21,7 @@ class Page(HTMLParser):
     def __init__(self):
         super().__init__(convert_charrefs=True)
         self.open, self.problems, self.ids, self.links = [], [], Counter(), []
-        self.texts, self.rows, self.sheets, self.counts = [], [], {}, Counter()
+        self.texts, self.rows, self.sheets, self.pages, self.counts = [], [], {}, [], Counter()
         self.policy, self.blocks, self.in_class, self.sheet = None, {"style": [], "script": []}, False, None
 
     def handle_starttag(self, tag, attributes):
@@ -34,6 +37,9 @@ class Page(HTMLParser):
         self.open.append(tag)
         self.counts[tag] += 1
         for name, value in attributes:
+            if tag == "a" and name == "href" and PAGE.fullmatch(value):
+                self.pages.append(value)
+                continue
             if name.startswith("on") or name == "style":
                 self.problems.append(f"<{tag} {name}>: a strict policy forbids it")
             if name in REFERRING or (name == "href" and not value.startswith("#")):
@@ -102,6 +108,7 @@ json.dump(
         "text": plain("".join(page.texts)),
         "rows": [[plain(cell) for cell in row] for row in page.rows],
         "sheets": {name: plain(text) for name, text in page.sheets.items()},
+        "pages": page.pages,
         "policy": page.policy,
         "counts": page.counts,
     },

@@ -48,10 +48,14 @@ class Cluster : public testing::Test {
         return {std::istreambuf_iterator<char>(stream), {}};
     }
 
+    /// What the last script printed.
+    std::string output() const { return text_of(folder / "output"); }
+
     /// What `bash SCRIPT K` ends with. The programs of this folder come before those of the machine.
     int start(std::string_view script, std::string_view k = "") const {
         const std::string command = "PATH=" + quoted(folder.string()) + ":\"$PATH\" bash " +
-                                    quoted((plan.folder / script).string()) + " " + std::string(k) + " >/dev/null 2>&1";
+                                    quoted((plan.folder / script).string()) + " " + std::string(k) + " >" +
+                                    quoted((folder / "output").string()) + " 2>&1";
         return std::system(command.c_str());
     }
 
@@ -134,6 +138,7 @@ TEST_F(Cluster, TheMissingShardsAreSubmittedAndThenTheMerge) {
                   "--dependency=afterany:7\n" +
                   at + "/merge\n");
     EXPECT_EQ(text_of(plan.folder / "jobs"), "7\n");
+    EXPECT_THAT(output(), testing::StartsWith("submitted: shards 1,3\n"));
 }
 
 TEST_F(Cluster, AShardThatStillRunsIsNotSubmittedAgainAndTheMergeWaitsForIt) {
@@ -147,6 +152,18 @@ TEST_F(Cluster, AShardThatStillRunsIsNotSubmittedAgainAndTheMergeWaitsForIt) {
     EXPECT_THAT(words(), testing::HasSubstr("--array=2\n"));
     EXPECT_THAT(words(), testing::HasSubstr("--dependency=afterany:8:5\n"));
     EXPECT_THAT(words(), testing::Not(testing::HasSubstr("--partition")));
+}
+
+TEST_F(Cluster, WithAllShardsDoneTheMergeAloneIsSubmittedAndThatIsSaid) {
+    stub("sbatch", "echo 9");
+    plan.work = folder;
+    plan.shards = 1;
+    write_scripts(plan, slurm_scripts(plan, {}), OldParts::keep);
+    std::ofstream(plan.folder / "parts/1-of-1.part") << "part";
+    EXPECT_EQ(start("submit"), 0);
+    EXPECT_THAT(words(), testing::Not(testing::HasSubstr("--array")));
+    EXPECT_THAT(words(), testing::HasSubstr("--job-name=raygrade-merge\n"));
+    EXPECT_THAT(output(), testing::StartsWith("submitted: the merge alone, because all shards are done\n"));
 }
 
 TEST_F(Cluster, PartsOfADifferentGradingStayUnlessTheyAreGivenUp) {
@@ -172,14 +189,15 @@ TEST_F(Cluster, AMachineIsComparedWithTheFirst) {
     const fs::path file = folder / "node.json";
     const Node first{"n1", {{"compiler", "a"}, {"sandbox", "bwrap"}}};
     EXPECT_EQ(difference_from_first(first, file), "");
-    EXPECT_EQ(difference_from_first({"n2", first.traits}, file), "");
+    EXPECT_EQ(difference_from_first({"n2", first.conditions}, file), "");
     const std::string differs = difference_from_first({"n3", {{"compiler", "b"}, {"sandbox", "bwrap"}}}, file);
     EXPECT_EQ(differs, "this machine, n3, differs from \"n1\", which started first: compiler");
 }
 
 TEST_F(Cluster, ADamagedFileOfTheFirstMachineIsTold) {
     const fs::path file = folder / "node.json";
-    for (const char* damaged : {"", "{\"alike\":", "[]", "{\"alike\":1}"}) {
+    for (const char* damaged : {"", "{\"alike\":", "[]", "{\"alike\":1}", R"({"node":"n1","alike":{"compiler":1}})",
+                                R"({"node":1,"alike":{}})"}) {
         std::ofstream(file) << damaged;
         EXPECT_THROW(difference_from_first({"n1", {{"compiler", "a"}}}, file), HarnessError) << damaged;
     }

@@ -46,6 +46,12 @@ TEST(Concerns, BeginWithReadingsAndEndWithLateness) {
     EXPECT_EQ(concerns_of(one)[2].evidence, "No room on the disk.");
 }
 
+TEST(Concerns, OfAProgramStandInTheOrderOfTheReviewsChapters) {
+    Graded one = graded("ada", "");
+    one.flags = {{"of_a_newer_raygrade", ""}, {"nondeterministic", ""}, {"hard_coded", ""}};
+    EXPECT_THAT(kinds(concerns_of(one)), ElementsAre("hard_coded", "nondeterministic", "of_a_newer_raygrade"));
+}
+
 TEST(Concerns, AreOpenUntilTheyAreAccepted) {
     Graded one = doubtful();
     one.flags.push_back({"hard_coded", "6.t"});

@@ -4,7 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "harness/grade/marking.h"
 #include "tests/given/report/graded_samples.h"
@@ -22,9 +25,13 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
+std::string page_of_student(std::size_t index) {
+    return fmt::format("feedback/student%20{}.html", index);
+}
+
 std::string report_of(const std::vector<Graded>& graded) {
     std::ostringstream page;
-    write_class_report(page, graded, marking(), Tier::bwrap);
+    write_class_report(page, graded, marking(), Tier::bwrap, page_of_student);
     return page.str();
 }
 
@@ -218,7 +225,7 @@ TEST(ClassReport, ShowsAllMarkupAsText) {
     Graded ungraded = not_graded("bob");
     ungraded.explanation = markup(last_markup + 2);
     std::ostringstream out;
-    write_class_report(out, {markup_everywhere(), markup_everywhere(), ungraded}, titled, Tier::bwrap);
+    write_class_report(out, {markup_everywhere(), markup_everywhere(), ungraded}, titled, Tier::bwrap, page_of_student);
     const json page = read_page(out.str());
     EXPECT_THAT(page.at("problems"), IsEmpty()) << page.at("problems");
     EXPECT_FALSE(page.at("counts").contains("b")) << page.at("counts");
@@ -250,9 +257,30 @@ TEST(ClassReport, IsSmallEnoughToOpenForAThousandSubmissions) {
     EXPECT_LT(report_of(graded).size(), 15'000'000U);
 }
 
+TEST(ClassReport, OfALargeClassLeadsToTheStudentsOwnPagesInsteadOfSheets) {
+    std::vector<Graded> many(most_sheets, not_graded("bob"));
+    many[0] = many[1] = graded("ada", output_with_a_mistake());
+    const std::string small = report_of(many);
+    EXPECT_THAT(small, HasSubstr(fmt::format("<article id=\"s{}\"", most_sheets)));
+    EXPECT_THAT(small, AllOf(Not(HasSubstr("href=\"feedback/")), Not(HasSubstr("With more than"))));
+
+    many.push_back(hostile());
+    const json large = read_page(report_of(many));
+    EXPECT_THAT(large.at("problems"), IsEmpty()) << "no link leads to a sheet that is not there";
+    EXPECT_THAT(large.at("sheets"), IsEmpty());
+    EXPECT_EQ(large.at("rows").size(), many.size() + 1);
+    EXPECT_THAT(large.at("text"), HasSubstr(fmt::format("With more than {} students", most_sheets)));
+    EXPECT_THAT(large.at("text"), HasSubstr("2 students, question 6, t: far root"));
+    const std::vector<std::string> pages = large.at("pages");
+    const auto links_to = [&](std::size_t index) { return std::ranges::count(pages, page_of_student(index)); };
+    EXPECT_EQ(links_to(0), 2) << "in the table and by the mistake";
+    EXPECT_EQ(links_to(2), 2) << "in the table and by the outcome";
+    EXPECT_GT(links_to(most_sheets), 2) << "in the table and by each mistake";
+}
+
 TEST(ClassReport, SaysThatThereWasNoSandbox) {
     std::ostringstream page;
-    write_class_report(page, {graded("ada", right_output())}, marking(), Tier::unsafe);
+    write_class_report(page, {graded("ada", right_output())}, marking(), Tier::unsafe, page_of_student);
     EXPECT_THAT(read_page(page.str()).at("text"), HasSubstr("Warning. "));
     EXPECT_THAT(read_page(report_of({graded("ada", right_output())})).at("text"), Not(HasSubstr("Warning. ")));
 }
