@@ -36,7 +36,12 @@ KeptClass restore(const Gradebook& gradebook, const fs::path& folder) {
                         "with --results",
                         folder.string()));
     }
-    KeptClass kept{*run, gradebook.restore(), gradebook.overrides(), gradebook.rereads(), gradebook.decisions(), gradebook.undone_decisions()};
+    KeptClass kept{*run,
+                   gradebook.restore(),
+                   gradebook.overrides(),
+                   gradebook.rereads(),
+                   gradebook.decisions(),
+                   gradebook.undone_decisions()};
     attach(kept.overrides, kept.graded);
     attach(kept.rereads, kept.graded);
     attach(kept.decisions, kept.graded);
