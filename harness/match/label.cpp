@@ -68,11 +68,29 @@ bool contains(const auto& list, const auto& element) {
     return std::find(list.begin(), list.end(), element) != list.end();
 }
 
-/// Which words belong to a run whose letters, joined, are one of `names`.
-std::vector<bool> covered_by(const Words& words, const Vocabulary& names) {
+/// Where the words that name a vector end. In "norm at hit" another item stands before "at", so "hit" only says where.
+/// A scalar goes on: "hit at t" is followed by t as often as by the point.
+std::size_t end_of_names(const Words& words, const ItemSpec& item) {
+    if (item.shape != reference::Shape::vector) return words.size();
+    std::string before;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const auto is_name_of_another = [&](const Names& names) {
+            return names.item != item.id && (names.names.contains(before) || names.weak.contains(before));
+        };
+        const bool is_place = words[i] == "at" || words[i] == "on";
+        if (is_place && std::any_of(names_of_items().begin(), names_of_items().end(), is_name_of_another) &&
+            !names_of(item).names.contains(before))
+            return i;
+        if (!fillers().contains(words[i])) before += words[i];
+    }
+    return words.size();
+}
+
+/// Which words before `end` belong to a run whose letters, joined, are one of `names`.
+std::vector<bool> covered_by(const Words& words, const Vocabulary& names, std::size_t end) {
     constexpr std::size_t longest_run = 5;
     std::vector<bool> covered(words.size(), false);
-    for (std::size_t first = 0; first < words.size(); ++first) {
+    for (std::size_t first = 0; first < end; ++first) {
         for (std::size_t last = first + 1; last <= words.size() && last - first <= longest_run; ++last) {
             if (!names.contains(words.joined(first, last))) continue;
             std::fill(covered.begin() + static_cast<std::ptrdiff_t>(first),
@@ -96,13 +114,15 @@ bool is_of_the_scene(const Words& words) {
     return given_by_the_scene().contains(words.joined());
 }
 
-LabelFit fit_words(const Words& words, const Names& names) {
+LabelFit fit_words(const Words& words, const ItemSpec& item) {
     if (words.empty()) return LabelFit::none;
+    const Names& names = names_of(item);
     if (names.names.contains(words.joined())) return LabelFit::exact;
     if (words.formula) return names.weak.contains(words.joined()) ? LabelFit::weak : LabelFit::foreign;
-    std::vector<bool> covered = covered_by(words, names.names);
+    const std::size_t end = end_of_names(words, item);
+    std::vector<bool> covered = covered_by(words, names.names, end);
     if (!contains(covered, true)) {
-        return contains(covered_by(words, names.weak), true) ? LabelFit::weak : LabelFit::foreign;
+        return contains(covered_by(words, names.weak, end), true) ? LabelFit::weak : LabelFit::foreign;
     }
     for (std::size_t i = 0; i < covered.size(); ++i) covered[i] = covered[i] || fillers().contains(words[i]);
     return contains(covered, false) ? LabelFit::named : LabelFit::exact;
@@ -113,11 +133,11 @@ LabelFit fit_words(const Words& words, const Names& names) {
 LabelFit fit_label(std::string_view label, std::string_view above, const ItemSpec& item) {
     const Words words = split_words(label);
     if (says_no_answer(words) || is_of_the_scene(words)) return LabelFit::forbidden;
-    if (!words.empty()) return fit_words(words, names_of(item));
+    if (!words.empty()) return fit_words(words, item);
     const Words title = split_words(above);
     if (title.empty()) return LabelFit::none;
     if (says_no_answer(title)) return LabelFit::forbidden;
-    const LabelFit fit = fit_words(title, names_of(item));
+    const LabelFit fit = fit_words(title, item);
     if (fit == LabelFit::exact) return LabelFit::exact;
     return fit == LabelFit::named ? LabelFit::title : LabelFit::none;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <vector>
 
 namespace harness {
 namespace {
@@ -19,6 +18,8 @@ Vocabulary names_of_normal(Vocabulary names) {
         names.emplace(name);
     return names;
 }
+
+}  // namespace
 
 const std::vector<Names>& names_of_items() {
     static const std::vector<Names> table = {
@@ -67,7 +68,7 @@ const std::vector<Names>& names_of_items() {
          {"p", "point", "pos", "position", "location", "i"}},
         {item::sphere::normal,
          names_of_normal({"ns", "nsphere", "spherenormal", "normalofsphere", "normalofthesphere"}),
-         {}},
+         {"norm"}},
         {item::triangle::matrix,
          {"a", "matrix", "matrixa", "amatrix", "m", "coefficientmatrix", "systemmatrix", "linearsystem", "system",
           "lhs", "mat", "leftside", "lefthandside", "thematrix"},
@@ -88,7 +89,7 @@ const std::vector<Names>& names_of_items() {
          {"p", "point", "pos", "position", "location", "i"}},
         {item::triangle::normal,
          names_of_normal({"nt", "ntri", "ntriangle", "trianglenormal", "normaloftriangle", "normalofthetriangle"}),
-         {}},
+         {"norm"}},
         {item::cylinder::a,
          {"a", "acoefficient", "coefficienta", "coeffa", "qa", "tubea", "atube", "acylinder", "acyl"},
          {}},
@@ -114,13 +115,11 @@ const std::vector<Names>& names_of_items() {
          {"p", "point", "pos", "position", "location", "i"}},
         {item::cylinder::normal,
          names_of_normal({"nc", "ncyl", "ncylinder", "cylindernormal", "normalofcylinder", "normalofthecylinder"}),
-         {"ntube", "tubenormal"}},
+         {"norm", "ntube", "tubenormal"}},
         {item::verdict, {}, {}},
     };
     return table;
 }
-
-}  // namespace
 
 const Names& names_of(const reference::ItemSpec& item) {
     const auto& table = names_of_items();

@@ -3,6 +3,7 @@
 
 #include <string_view>
 #include <unordered_set>
+#include <vector>
 
 #include "reference/stages/items.h"
 
@@ -16,6 +17,8 @@ struct Names {
     Vocabulary names;
     Vocabulary weak;
 };
+
+const std::vector<Names>& names_of_items();
 
 /// Throws std::logic_error for an item without any.
 const Names& names_of(const reference::ItemSpec& item);

@@ -37,6 +37,17 @@ TEST(FitLabel, RanksAHintBelowAName) {
     EXPECT_LT(fit("sqrt(d)", 6, "t"), LabelFit::none);
 }
 
+TEST(FitLabel, IsOfWhatStandsBeforeAPlace) {
+    EXPECT_EQ(fit("norm at hit", 6, "hit"), LabelFit::foreign);
+    EXPECT_EQ(fit("norm at hit", 7, "normal"), LabelFit::weak);
+    EXPECT_EQ(fit("surface normal at the hit point", 6, "hit"), LabelFit::foreign);
+    EXPECT_EQ(fit("surface normal at the hit point", 7, "normal"), LabelFit::named);
+    EXPECT_EQ(fit("the ray hits the sphere at point P_s", 6, "hit"), LabelFit::named);
+    EXPECT_EQ(fit("value at hit", 6, "hit"), LabelFit::exact);
+    EXPECT_EQ(fit("hit point on the sphere", 6, "hit"), LabelFit::named);
+    EXPECT_EQ(fit("hit at t", 6, "t"), LabelFit::named);
+}
+
 TEST(FitLabel, RecognisesOperandsInAFormula) {
     EXPECT_EQ(fit("S + t*V", 6, "t"), LabelFit::foreign);
 }
