@@ -270,7 +270,9 @@ void Pages::add_concerns(PageData& data, std::size_t place, const std::optional<
 void Pages::add_decision_forms(PageData& data, std::size_t place, const std::optional<Wish>& tried) const {
     const Graded& one = session_.graded()[place];
     const ItemScore* item = item_to_look_at(one);
-    const std::string default_item = item == nullptr ? "" : item_name(*item);
+    // What was refused is still what the person looks at.
+    const bool is_about_item = tried && tried->kind != Kind::accepted && tried->about.find('.') != std::string::npos;
+    const std::string default_item = is_about_item ? tried->about : item == nullptr ? "" : item_name(*item);
     const auto chosen = [&](Kind kind, const std::string& otherwise) {
         return tried && tried->kind == kind ? tried->about : otherwise;
     };
@@ -280,7 +282,7 @@ void Pages::add_decision_forms(PageData& data, std::size_t place, const std::opt
     const bool can_reread = !one.printout.empty();
     data["can_reread"] = can_reread;
     data["reading_items"] = item_options(one, chosen(Kind::reading, default_item));
-    const bool knows_line = item != nullptr && item->doubt && item->doubt->line > 0;
+    const bool knows_line = item != nullptr && item->doubt && item->doubt->line > 0 && item_name(*item) == default_item;
     data["reading_lines"] = tried && tried->kind == Kind::reading ? tried->lines
                             : knows_line                          ? std::to_string(item->doubt->line)
                                                                   : std::string();

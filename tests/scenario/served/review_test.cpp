@@ -396,6 +396,10 @@ TEST_F(Review, SaysWhatCanNotBeDoneAndKeepsWhatWasTyped) {
     };
     EXPECT_THAT(refused({{"kind", "override"}, {"about", "5.V"}, {"points", "ten"}, {"text", "\"why\""}}),
                 AllOf(HasSubstr("ten: is no number of points"), HasSubstr("value=\"&quot;why&quot;\"")));
+    EXPECT_THAT(
+        refused({{"kind", "override"}, {"about", "6.a"}, {"points", "ten"}, {"text", "x"}}),
+        AllOf(HasSubstr("<option value=\"6.a\" selected>6.a:"), HasSubstr("<option value=\"6.a\" selected>6.a ")))
+        << "the forms and the source stay at the item";
     EXPECT_THAT(refused({{"kind", "override"}, {"about", "5.V"}, {"points", "1"}, {"text", " "}}),
                 HasSubstr("the reason: is blank"));
     EXPECT_THAT(refused({{"kind", "override"}, {"about", "5.W"}, {"points", "1"}, {"text", "x"}}),
