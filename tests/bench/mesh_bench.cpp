@@ -107,6 +107,7 @@ PreparedScene scene_of(const Mesh& mesh) {
         boxes.push_back(box_of(triangle));
     }
     scene.object_count = static_cast<std::uint32_t>(mesh.faces.size());
+    scene.first_cylinder = scene.object_count;
     scene.tree = build_tree(boxes);
     return scene;
 }
