@@ -227,7 +227,7 @@ void set_coordinates(Tree& tree, const Box& box) {
         tree.center[axis] = box.low[axis] / 2 + box.high[axis] / 2;
         reach = std::max({reach, box.high[axis] - tree.center[axis], tree.center[axis] - box.low[axis]});
     }
-    tree.scale = 0x1p-900 < reach && reach < 0x1p900 ? std::ldexp(1.0, -(std::ilogb(reach) + 1)) : 0;
+    tree.scale = 0x1p-400 < reach && reach < 0x1p400 ? std::ldexp(1.0, -(std::ilogb(reach) + 1)) : NAN;
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ enum class Instructions { portable, avx2 };
 /// The tree's coordinates are (p - center) * scale, from -1 to 1 within the scene; scale is a power of 2.
 struct Tree {
     Vec3<double> center;
-    double scale;             ///< 0 for a scene of a size that the coordinates can't express
+    double scale;             ///< NaN for a scene of a size that the coordinates can't express
     std::vector<Node> nodes;  ///< the root first
     std::vector<Leaf> leaves;
     Instructions instructions;

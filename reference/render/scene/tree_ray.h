@@ -13,9 +13,10 @@
 //   5   1/d: u for d as a float, u for the quotient, times |low - o|, and what is of second order
 // Less than 12 u with 2^-8 of it for |o| > 1. So the origin is shifted by slack >= 16 u = 2^-20 backwards for `near`
 // and forwards for `far`. Then near and far are bounds, and none of the comparisons needs a margin of its own. Doubles
-// before that cost 2^-53 each, of |o| before it is moved and of τ: 2^-46 of these is part of the slack, beside the
+// before that cost 2^-53 each, of |o| before it is moved and of τ: 2^-44 of these is part of the slack, beside the
 // uncertainty of the start. A component of d below 2^-100 is taken to be 2^-100: over τ <= 3 it moves the ray by less
-// than 2^-98. So nothing is infinite, NaN, or subnormal but for products that are far below the slack.
+// than 2^-98, and by less than 2^-62 on the way from where it started. So nothing is infinite, NaN, or subnormal but
+// for products that are far below the slack.
 #pragma once
 
 #include <algorithm>
@@ -25,6 +26,28 @@
 
 namespace reference::render {
 
+/// The three coordinates of a point, and the last one again.
+using Four [[gnu::vector_size(32)]] = double;
+using FourBits [[gnu::vector_size(32)]] = std::uint64_t;
+using FourFloats [[gnu::vector_size(16)]] = float;
+
+KERNEL_INLINE Four all_of(double x) {
+    return Four{x, x, x, x};
+}
+KERNEL_INLINE FourBits signs_of(Four p) {
+    constexpr std::uint64_t sign = std::uint64_t{1} << 63U;
+    return std::bit_cast<FourBits>(p) & FourBits{sign, sign, sign, sign};
+}
+KERNEL_INLINE Four size_of(Four p) {
+    return std::bit_cast<Four>(std::bit_cast<FourBits>(p) ^ signs_of(p));
+}
+KERNEL_INLINE Four signed_as(Four size, FourBits signs) {
+    return std::bit_cast<Four>(std::bit_cast<FourBits>(size) | signs);
+}
+KERNEL_INLINE double largest_of(Four p) {
+    return std::max(std::max(p[0], p[1]), p[2]);
+}
+
 struct TreeRay {
     enum class Way {
         through_boxes,
@@ -32,9 +55,9 @@ struct TreeRay {
         everywhere  ///< the ray's numbers are beyond what the coordinates can express
     };
     Way way;
-    float inverse[3];        ///< 1/d
-    float near_shift[3];     ///< o/d for the sides at which the ray enters
-    float far_shift[3];      ///< the same for those at which it leaves
+    FourFloats inverse;      ///< 1/d
+    FourFloats near_shift;   ///< o/d for the sides at which the ray enters
+    FourFloats far_shift;    ///< the same for those at which it leaves
     std::uint32_t enter[3];  ///< the row of Node::sides at which the ray enters
     double tau_per_t;
     double start;  ///< the τ by which the origin was moved
@@ -44,61 +67,54 @@ struct TreeRay {
     float tau(double t) const { return static_cast<float>(t * tau_per_t - start + slack); }
 };
 
-/// The exponent of a positive double; below -1022 for 0 and subnormal numbers, above 1023 for infinity and NaN.
-inline int exponent_of(double x) {
-    return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52U) - 1023;
-}
-/// 2^exponent, from -1022 to 1023.
-inline double power_of_2(int exponent) {
-    return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52U);
+/// 2^n and 2^-n for a double from 2^n to less than 2^(n+1). 0 and infinity for one that is subnormal or infinite.
+struct Powers {
+    double grow;
+    double shrink;
+};
+KERNEL_INLINE Powers powers_of(double x) {
+    const std::uint64_t exponent = std::bit_cast<std::uint64_t>(x) & (std::uint64_t{2047} << 52U);
+    return {std::bit_cast<double>(exponent), std::bit_cast<double>((std::uint64_t{2046} << 52U) - exponent)};
 }
 
 KERNEL_INLINE TreeRay tree_ray(const Tree& tree, const kernel::Ray<double>& ray, double uncertainty) {
-    constexpr double least = 0x1p-100;
+    const auto four_of = [](const Vec3<double>& p) { return Four{p.x, p.y, p.z, p.z}; };
     TreeRay result;
-    double o[3];
-    double d[3];
-    const double size = std::max({std::abs(ray.direction.x), std::abs(ray.direction.y), std::abs(ray.direction.z)});
-    const int exponent = exponent_of(size);
-    result.way = TreeRay::Way::everywhere;
-    if (!(-900 < exponent && exponent < 900)) return result;
-    const double shrink = power_of_2(-exponent);
-    result.tau_per_t = power_of_2(exponent) * tree.scale;
-    double reach = 0;
-    for (int i = 0; i < 3; ++i) {
-        o[i] = (ray.origin[i] - tree.center[i]) * tree.scale;
-        const double along = ray.direction[i] * shrink;
-        d[i] = std::copysign(std::max(std::abs(along), least), along);
-        reach = std::max(reach, std::abs(o[i]));
-    }
+    const Four direction = four_of(ray.direction);
+    const Powers powers = powers_of(largest_of(size_of(direction)));
+    const double scale = tree.scale;
+    result.tau_per_t = powers.grow * scale;
+    Four o = (four_of(ray.origin) - four_of(tree.center)) * all_of(scale);
+    const Four along = direction * all_of(powers.shrink);
+    const FourBits backward = signs_of(along);
+    const Four least = all_of(0x1p-100);
+    const Four steepness = size_of(along) > least ? size_of(along) : least;
+    const Four d = signed_as(steepness, backward);
+    const double reach = largest_of(size_of(o));
+    result.slack = 0x1p-20 + 0x1p-44 * reach + uncertainty * scale;
     result.start = 0;
-    result.slack = 0x1p-20 + 0x1p-44 * reach + uncertainty * tree.scale;
+    result.way = TreeRay::Way::everywhere;
+    // False for a scale that is NaN, and so for a slack that is.
+    const bool is_in_range = (0x1p-400 < powers.grow) & (powers.grow < 0x1p400) & (result.slack < 0x1p-9);
+    if (!is_in_range) [[unlikely]]
+        return result;
     if (reach > 1) {
-        // The ray leaves the scene by τ = reach + 1, along its longest component.
-        for (int i = 0; i < 3; ++i) {
-            if ((o[i] > 1 && d[i] < 0) || (o[i] < -1 && d[i] > 0)) {
-                result.start = std::max(result.start, (std::abs(o[i]) - 1 - result.slack) / std::abs(d[i]));
-            }
-        }
-        if (result.start > 2 * (reach + 1)) {
-            result.way = TreeRay::Way::nowhere;
-            return result;
-        }
-        for (int i = 0; i < 3; ++i) o[i] += result.start * d[i];
+        // It leaves the scene by τ = reach + 1, along its longest component. At `start` it has yet to come between
+        // -1 and 1 along the axis of the latest entry. Along another axis it is beyond 1 only if it moves away, or
+        // it would enter later: then it never meets the scene.
+        const Four outside = size_of(o) - all_of(1 + result.slack);
+        const Four entries = (signs_of(o) ^ backward) != 0 ? outside / steepness : Four{};
+        result.start = std::max(largest_of(entries), 0.0);
+        o += all_of(result.start) * d;
+        result.way = TreeRay::Way::nowhere;
+        if ((result.start > 2 * (reach + 1)) | (largest_of(size_of(o)) > 1 + 0x1p-8)) return result;
     }
-    const bool is_in_range = result.slack < 0x1p-9 && 0x1p-900 < result.tau_per_t && result.tau_per_t < 0x1p900;
-    if (!is_in_range) return result;
-    for (int i = 0; i < 3; ++i) {
-        if (std::abs(o[i]) > 1 + 0x1p-8) {
-            result.way = TreeRay::Way::nowhere;
-            return result;
-        }
-        const bool backward = d[i] < 0;
-        const double back = std::copysign(result.slack, d[i]);
-        result.inverse[i] = 1 / static_cast<float>(d[i]);
-        result.near_shift[i] = static_cast<float>(o[i] + back) * result.inverse[i];
-        result.far_shift[i] = static_cast<float>(o[i] - back) * result.inverse[i];
-        result.enter[i] = static_cast<std::uint32_t>(2 * i + (backward ? 1 : 0));
+    const Four back = signed_as(all_of(result.slack), backward);
+    result.inverse = FourFloats{1, 1, 1, 1} / __builtin_convertvector(d, FourFloats);
+    result.near_shift = __builtin_convertvector(o + back, FourFloats) * result.inverse;
+    result.far_shift = __builtin_convertvector(o - back, FourFloats) * result.inverse;
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+        result.enter[axis] = 2 * axis + static_cast<std::uint32_t>(backward[axis] >> 63U);
     }
     result.way = TreeRay::Way::through_boxes;
     return result;

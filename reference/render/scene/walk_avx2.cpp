@@ -37,12 +37,14 @@ class Avx2Boxes {
     }
 
     KERNEL_INLINE unsigned meets(const Node& node, float until, float* near) const {
-        const Floats from = _mm256_max_ps(_mm256_max_ps(side(node, enter_[0]) * inverse_[0] - near_shift_[0],
-                                                        side(node, enter_[1]) * inverse_[1] - near_shift_[1]),
-                                          _mm256_max_ps(side(node, enter_[2]) * inverse_[2] - near_shift_[2], eight(0)));
-        const Floats to = _mm256_min_ps(_mm256_min_ps(side(node, leave_[0]) * inverse_[0] - far_shift_[0],
-                                                      side(node, leave_[1]) * inverse_[1] - far_shift_[1]),
-                                        _mm256_min_ps(side(node, leave_[2]) * inverse_[2] - far_shift_[2], eight(until)));
+        const Floats from =
+            _mm256_max_ps(_mm256_max_ps(side(node, enter_[0]) * inverse_[0] - near_shift_[0],
+                                        side(node, enter_[1]) * inverse_[1] - near_shift_[1]),
+                          _mm256_max_ps(side(node, enter_[2]) * inverse_[2] - near_shift_[2], eight(0)));
+        const Floats to =
+            _mm256_min_ps(_mm256_min_ps(side(node, leave_[0]) * inverse_[0] - far_shift_[0],
+                                        side(node, leave_[1]) * inverse_[1] - far_shift_[1]),
+                          _mm256_min_ps(side(node, leave_[2]) * inverse_[2] - far_shift_[2], eight(until)));
         _mm256_store_ps(near, from);
         return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(from, to, _CMP_LE_OQ)));
     }
@@ -70,9 +72,7 @@ struct Vectors3 {
     KERNEL_INLINE friend Vectors3 cross(const Vectors3& p, const Vectors3& q) {
         return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
     }
-    KERNEL_INLINE friend Doubles dot(const Vectors3& p, const Vectors3& q) {
-        return p.x * q.x + p.y * q.y + p.z * q.z;
-    }
+    KERNEL_INLINE friend Doubles dot(const Vectors3& p, const Vectors3& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
     KERNEL_INLINE friend Doubles norm(const Vectors3& p) { return absolute(p.x) + absolute(p.y) + absolute(p.z); }
 };
 

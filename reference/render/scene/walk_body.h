@@ -30,11 +30,17 @@ class OpenChildren {
 
     /// Adds the children of the bits, but for the nearest one, which it returns.
     KERNEL_INLINE std::uint32_t add_all_but_nearest(const Node& node, unsigned bits, const float* near) {
-        OpenChild nearest = child_of(node, bits, near);
+        const auto first = static_cast<unsigned>(__builtin_ctz(bits));
         bits &= bits - 1;
+        if (bits == 0) return node.children.data()[first];
+        const auto second = static_cast<unsigned>(__builtin_ctz(bits));
+        // Without a branch, which nobody could predict.
+        const unsigned swap = (first ^ second) & -static_cast<unsigned>(near[second] < near[first]);
+        OpenChild nearest = child(node, first ^ swap, near);
         const std::uint32_t bottom = count_;
-        for (; bits != 0; bits &= bits - 1) {
-            OpenChild next = child_of(node, bits, near);
+        open_[count_++] = child(node, second ^ swap, near);
+        for (bits &= bits - 1; bits != 0; bits &= bits - 1) {
+            OpenChild next = child(node, static_cast<unsigned>(__builtin_ctz(bits)), near);
             if (next.near < nearest.near) std::swap(next, nearest);
             std::uint32_t place = count_++;
             for (; place > bottom && open_[place - 1].near < next.near; --place) open_[place] = open_[place - 1];
@@ -44,8 +50,7 @@ class OpenChildren {
     }
 
   private:
-    KERNEL_INLINE static OpenChild child_of(const Node& node, unsigned bits, const float* near) {
-        const auto i = static_cast<unsigned>(__builtin_ctz(bits));
+    KERNEL_INLINE static OpenChild child(const Node& node, unsigned i, const float* near) {
         return {near[i], node.children.data()[i]};
     }
 

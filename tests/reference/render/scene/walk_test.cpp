@@ -133,7 +133,8 @@ void expect_no_loss(const Sizes& sizes, Random& random) {
 
 TEST(Walk, LosesNoBoxOfAnySize) {
     Random random(1);
-    for (const double scene : {1.0, 0x1p-30, 1e30, 0x1p-899, 0x1p899, 0x1p-1000, 0x1p1000}) {
+    for (const double scene :
+         {1.0, 0x1p-30, 1e30, 0x1p-399, 0x1p-402, 0x1p399, 0x1p402, 0x1p-899, 0x1p899, 0x1p-1000, 0x1p1000}) {
         for (const double distance : {0.5, 3.0, 1e6}) {
             if (scene * distance < 0x1p1010) expect_no_loss({scene, distance, 1, 0}, random);
         }
@@ -142,7 +143,8 @@ TEST(Walk, LosesNoBoxOfAnySize) {
 
 TEST(Walk, LosesNoBoxOnRaysWithADirectionOfAnySize) {
     Random random(2);
-    for (const double direction : {0x1p-1074, 0x1p-1040, 0x1p-1000, 0x1p-899, 0x1p-300, 0x1p300, 0x1p899, 0x1p1000}) {
+    for (const double direction : {0x1p-1074, 0x1p-1040, 0x1p-1000, 0x1p-899, 0x1p-402, 0x1p-399, 0x1p-300, 0x1p300,
+                                   0x1p399, 0x1p402, 0x1p899, 0x1p1000}) {
         for (const double distance : {0.5, 3.0, 1e9}) expect_no_loss({1, distance, direction, 0}, random);
     }
 }
