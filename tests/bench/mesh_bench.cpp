@@ -1,6 +1,6 @@
-// mesh_bench [ROUNDS [TRIANGLES]]: what a ray hits first, and whether it hits anything, in four kinds of meshes, one ray
-// at a time on one core, beside Embree (Wald and others, 2014), fast and robust, with the same float rays for all. Also
-// counts the rays, aimed at edges and vertices, that slip through the mesh.
+// mesh_bench [ROUNDS [TRIANGLES]]: what a ray hits first, and whether it hits anything, in four kinds of meshes, one
+// ray at a time on one core, beside Embree (Wald and others, 2014), fast and robust, with the same float rays for all.
+// Also counts the rays, aimed at edges and vertices, that slip through the mesh.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -84,8 +84,8 @@ void compare(const Mesh& mesh, int rounds) {
     const double ours = seconds_of([&] { add_tree(again); });
     const double theirs = seconds_of([&] { Embree(mesh.vertices, mesh.faces, RTC_SCENE_FLAG_ROBUST, 2); });
     fmt::print("| build, ms | {:.0f} | | {:.0f} | | {:.2f} |\n", ours * 1e3, theirs * 1e3, theirs / ours);
-    const double bytes = static_cast<double>(scene.tree->nodes.size() * sizeof(Node) +
-                                             scene.tree->leaves.size() * sizeof(Leaf));
+    const double bytes =
+        static_cast<double>(scene.tree->nodes.size() * sizeof(Node) + scene.tree->leaves.size() * sizeof(Leaf));
     const auto count = static_cast<double>(mesh.faces.size());
     fmt::print("| bytes a triangle | {:.0f} | {:.0f} | {:.0f} | | |\n\n", bytes / count,
                static_cast<double>(fast.bytes()) / count, static_cast<double>(robust.bytes()) / count);

@@ -132,8 +132,9 @@ Mesh large_and_tiny(unsigned size, Random& random) {
         const auto side = [&](unsigned bit) { return (corner >> bit & 1U) != 0 ? 1.5F : -1.5F; };
         mesh.vertices.emplace_back(side(0), side(1), side(2));
     }
-    for (const auto& [a, b, c, d] : {std::array{0U, 1U, 3U, 2U}, std::array{4U, 6U, 7U, 5U}, std::array{0U, 4U, 5U, 1U},
-                                     std::array{2U, 3U, 7U, 6U}, std::array{0U, 2U, 6U, 4U}, std::array{1U, 5U, 7U, 3U}}) {
+    for (const auto& [a, b, c, d] :
+         {std::array{0U, 1U, 3U, 2U}, std::array{4U, 6U, 7U, 5U}, std::array{0U, 4U, 5U, 1U},
+          std::array{2U, 3U, 7U, 6U}, std::array{0U, 2U, 6U, 4U}, std::array{1U, 5U, 7U, 3U}}) {
         mesh.faces.push_back({a, b, c});
         mesh.faces.push_back({a, c, d});
     }
