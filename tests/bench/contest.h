@@ -16,6 +16,7 @@ struct Contestant {
     std::string name;
     std::function<std::size_t()> run;  ///< returns how many rays hit
     std::vector<double> seconds{};     ///< after contest(): one time per round, sorted
+    std::vector<double> rounds{};      ///< the same in the order of the rounds
 
     double quartile(int which) const { return seconds[(seconds.size() - 1) * static_cast<std::size_t>(which) / 4]; }
 };
@@ -39,10 +40,13 @@ inline void contest(std::vector<Contestant>& contestants, int rounds) {
         for (const std::size_t i : order) {
             const double start = thread_seconds();
             contestants[i].run();
-            if (round >= 0) contestants[i].seconds.push_back(thread_seconds() - start);
+            if (round >= 0) contestants[i].rounds.push_back(thread_seconds() - start);
         }
     }
-    for (Contestant& one : contestants) std::sort(one.seconds.begin(), one.seconds.end());
+    for (Contestant& one : contestants) {
+        one.seconds = one.rounds;
+        std::sort(one.seconds.begin(), one.seconds.end());
+    }
 }
 
 /// A table of nanoseconds per ray: median and quartiles, and how many rays hit.

@@ -205,6 +205,18 @@ void check_size(const Assignment& assignment, const PreparedScene& prepared) {
 
 }  // namespace
 
+void add_tree(PreparedScene& prepared) {
+    std::vector<Box> boxes;
+    std::vector<Triangle<double>> triangles;
+    for (const Sphere<double>& sphere : prepared.spheres) boxes.push_back(box_of(sphere));
+    for (const auto& triangle : prepared.triangles) {
+        triangles.push_back(triangle.triangle);
+        boxes.push_back(box_of(triangle.triangle));
+    }
+    for (const Cylinder<double>& cylinder : prepared.cylinders) boxes.push_back(box_of(cylinder));
+    prepared.tree = build_tree(boxes, triangles, prepared.sphere_count);
+}
+
 PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureSize> size, ColorSpace color_space) {
     const Appearance& appearance = assignment.appearance;
     Scene<double> scene = scene_in_doubles(assignment);
@@ -239,12 +251,7 @@ PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureS
     prepared.ambient_light = appearance.ambient_light;
     prepared.background = appearance.background;
     prepared.color_space = color_space;
-    if (prepared.object_count <= most_objects_without_tree && scene.cylinders.empty()) return prepared;
-    std::vector<Box> boxes;
-    for (const Sphere<double>& sphere : prepared.spheres) boxes.push_back(box_of(sphere));
-    for (const auto& triangle : prepared.triangles) boxes.push_back(box_of(triangle.triangle));
-    for (const Cylinder<double>& cylinder : prepared.cylinders) boxes.push_back(box_of(cylinder));
-    prepared.tree = build_tree(boxes);
+    if (prepared.object_count > most_objects_without_tree || !scene.cylinders.empty()) add_tree(prepared);
     return prepared;
 }
 

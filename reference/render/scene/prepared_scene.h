@@ -115,4 +115,7 @@ constexpr std::size_t most_objects_without_tree = 32;
 PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureSize> size,
                             ColorSpace color_space = ColorSpace::as_written);
 
+/// A tree of all objects of the scene.
+void add_tree(PreparedScene& prepared);
+
 }  // namespace reference::render

@@ -1,7 +1,9 @@
-// A tree of boxes around the objects of a scene, so that a ray tries few of them. No hit is lost by rounding: a box
-// contains its objects as exact geometry, and the test of a ray with a box allows for its own rounding errors.
+// A tree of boxes around the objects of a scene, so that a ray tries few of them: up to eight boxes a node, up to four
+// objects a leaf, as wide as the vector instructions that walk.h tries them with. No hit is lost by rounding: walk.h
+// derives what the rounding of a box and of a ray may cost, and allows for it.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -24,63 +26,47 @@ Box box_of(const Sphere<double>& sphere);
 Box box_of(const Triangle<double>& triangle);
 Box box_of(const Cylinder<double>& cylinder);
 
-struct Node {
-    Box box;
-    std::uint32_t first;  ///< inner node: its second child (the first is the next node); leaf: its first object
-    std::uint32_t count;  ///< leaf: the number of its objects; inner node: 0
-    std::uint32_t axis;   ///< inner node: the axis along which its children lie
+constexpr std::size_t children_per_node = 8;
+constexpr std::size_t objects_per_leaf = 4;
+
+/// One number of each object of a leaf.
+using Lanes = std::array<double, objects_per_leaf>;
+
+/// The objects of a leaf. Those beyond `count` are copies of the first. An object that is no triangle has NaN corners,
+/// so that no filter knows anything of it.
+struct alignas(64) Leaf {
+    std::array<std::array<Lanes, 3>, 3> corners;  ///< A, B, C, each by coordinate
+    std::array<std::uint32_t, objects_per_leaf> objects;
+    std::uint32_t count;
+
+    Triangle<double> triangle(std::size_t lane) const;
 };
 
+struct alignas(64) Node {
+    /// By axis the lower sides, then the upper sides, in the tree's coordinates. No ray meets a missing child.
+    std::array<std::array<float, children_per_node>, 6> sides;
+    std::array<std::uint32_t, children_per_node> children;  ///< a node, or a leaf + first_leaf
+};
+
+constexpr std::uint32_t first_leaf = std::uint32_t{1} << 31U;
+
+/// The vector instructions that rays are walked through a tree with. All decide alike.
+enum class Instructions { portable, avx2 };
+
+/// The tree's coordinates are (p - center) * scale, from -1 to 1 within the scene; scale is a power of 2.
 struct Tree {
-    std::vector<Node> nodes;             ///< the root first
-    std::vector<std::uint32_t> objects;  ///< in the leaves' order
+    Vec3<double> center;
+    double scale;             ///< NaN for a scene of a size that the coordinates can't express
+    std::vector<Node> nodes;  ///< the root first
+    std::vector<Leaf> leaves;
+    Instructions instructions;
 };
 
-/// boxes[i] is the box of object i; there is at least one. The tree is the same on every machine.
-Tree build_tree(std::span<const Box> boxes);
+/// boxes[i] is the box of object i; there is at least one, and at most first_leaf. Triangles are the objects from
+/// `first_triangle` on. The tree is the same on every machine, but for its instructions.
+Tree build_tree(std::span<const Box> boxes, std::span<const Triangle<double>> triangles, std::uint32_t first_triangle);
 
-/// The greatest depth of a tree. The stack for walking through a tree needs no more.
+/// The greatest depth of a tree.
 constexpr std::size_t deepest_tree = 64;
-
-/// A ray prepared for tests with boxes. The ray may start anywhere within `uncertainty` of its origin in every
-/// coordinate.
-class BoxRay {
-  public:
-    BoxRay(const kernel::Ray<double>& ray, double uncertainty) {
-        for (int i = 0; i < 3; ++i) {
-            const double d = ray.direction[i];
-            // Below this the quotient may overflow, and a product with it would not be a bound. NaN passes all boxes.
-            inverse_[i] = std::abs(d) < 0x1p-900 && d != 0 ? NAN : 1 / d;
-            backward_[i] = std::signbit(d);
-            const double towards = backward_[i] ? -uncertainty : uncertainty;
-            const double slack = std::abs(ray.origin[i]) * (uncertainty > 0 ? 0x1p-52 : 0);
-            near_origin_[i] = ray.origin[i] + towards + (backward_[i] ? -slack : slack);
-            far_origin_[i] = ray.origin[i] - towards - (backward_[i] ? -slack : slack);
-        }
-    }
-
-    bool goes_backward(std::uint32_t axis) const { return backward_[axis]; }
-
-    /// Whether the ray may meet the box at a t from 0 to `until`. Each bound of t is off by 3u of itself at most, and
-    /// by less than 2^-1000 where it underflows. A comparison with NaN, e.g. where a ray runs within a box's side,
-    /// leaves the bounds as they are.
-    bool may_meet(const Box& box, double until) const {
-        double from = 0;
-        double to = until;
-        for (int i = 0; i < 3; ++i) {
-            const double near = ((backward_[i] ? box.high[i] : box.low[i]) - near_origin_[i]) * inverse_[i];
-            const double far = ((backward_[i] ? box.low[i] : box.high[i]) - far_origin_[i]) * inverse_[i];
-            from = near > from ? near : from;
-            to = far < to ? far : to;
-        }
-        return !(from > to * (1 + 0x1p-48) + 0x1p-1000);
-    }
-
-  private:
-    double inverse_[3];
-    double near_origin_[3];
-    double far_origin_[3];
-    bool backward_[3];
-};
 
 }  // namespace reference::render

@@ -93,6 +93,13 @@ kernel::ExactT<Dyadic> exact_t(const PreparedScene& scene, const AnyRay& ray, st
     return exact_cylinder_t(scene, ray, object);
 }
 
+/// Whether an object that is hit is hit at t < 1.
+template <class AnyRay>
+bool is_before_one(const PreparedScene& scene, const AnyRay& ray, std::uint32_t object) {
+    const kernel::ExactT<Dyadic> end = kernel::Fraction{Dyadic(1), Dyadic(1)};
+    return order(exact_t(scene, ray, object), end) < 0;
+}
+
 }  // namespace
 
 ObjectHit exact_hit(const PreparedScene& scene, const CameraRay& ray, std::uint32_t object) {
@@ -123,9 +130,11 @@ std::partial_ordering order_exactly(const PreparedScene& scene, const SurfaceRay
     return order(exact_t(scene, ray, one), exact_t(scene, ray, other));
 }
 
+bool is_hit_before_end(const PreparedScene& scene, const CameraRay& ray, std::uint32_t object) {
+    return is_before_one(scene, ray, object);
+}
 bool is_hit_before_end(const PreparedScene& scene, const SurfaceRay& ray, std::uint32_t object) {
-    const kernel::ExactT<Dyadic> end = kernel::Fraction{Dyadic(1), Dyadic(1)};
-    return order(exact_t(scene, ray, object), end) < 0;
+    return is_before_one(scene, ray, object);
 }
 
 }  // namespace reference::render

@@ -2,6 +2,7 @@
 // file, and exact numbers for the few rays that the filters leave open.
 #pragma once
 
+#include "reference/render/scene/walk.h"
 #include "reference/render/trace/cylinder_hit.h"
 
 namespace reference::render {
@@ -15,13 +16,11 @@ std::partial_ordering order_exactly(const PreparedScene& scene, const CameraRay&
 std::partial_ordering order_exactly(const PreparedScene& scene, const SurfaceRay& ray, std::uint32_t one,
                                     std::uint32_t other);
 /// Whether an object that is hit is hit at t < 1.
+bool is_hit_before_end(const PreparedScene& scene, const CameraRay& ray, std::uint32_t object);
 bool is_hit_before_end(const PreparedScene& scene, const SurfaceRay& ray, std::uint32_t object);
 
-/// A start that is off by x changes u, v and w times det by at most x |V|₁e, and t times det by at most x e².
 KERNEL_INLINE void allow_for_start(kernel::TriangleFilter& filter, const SurfaceRay& ray, double edges) {
-    const double by = ray.start.uncertainty * edges * (1 + 0x1p-40);
-    filter.error += by * kernel::PreparedTriangle<double>::norm(ray.ray.direction);
-    filter.t_error += by * edges;
+    allow_for_start(filter, ray.ray.direction, ray.start.uncertainty, edges);
 }
 KERNEL_INLINE void allow_for_start(kernel::TriangleFilter& /*filter*/, const CameraRay& /*ray*/, double /*edges*/) {}
 

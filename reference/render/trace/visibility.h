@@ -3,8 +3,9 @@
 // exactly the same t, the first in the file counts.
 #pragma once
 
-#include <array>
+#include <bit>
 
+#include "reference/render/scene/walk.h"
 #include "reference/render/trace/object_hit.h"
 
 namespace reference::render {
@@ -49,7 +50,8 @@ inline Nearest own_hit(const PreparedScene& scene, const SurfaceRay& ray) {
 }
 
 /// `end` is the t of the light: 1, or infinite for a light at infinity.
-KERNEL_INLINE bool is_before_end(const PreparedScene& scene, const SurfaceRay& ray, const ObjectHit& hit,
+template <class AnyRay>
+KERNEL_INLINE bool is_before_end(const PreparedScene& scene, const AnyRay& ray, const ObjectHit& hit,
                                  std::uint32_t object, double end) {
     if (!hit.is_hit) return false;
     if (hit.t < end * (1 - 0x1p-24)) return true;
@@ -86,7 +88,8 @@ struct ListOfObjects {
         return nearest;
     }
 
-    static bool is_blocked(const PreparedScene& scene, const SurfaceRay& ray, double end) {
+    template <class AnyRay = SurfaceRay>
+    static bool is_blocked(const PreparedScene& scene, const AnyRay& ray, double end) {
         for (std::uint32_t i = 0; i < scene.object_count; ++i) {
             if (!starts_on(ray, i) && is_before_end(scene, ray, hit_object(scene, ray, i), i, end)) return true;
         }
@@ -96,55 +99,60 @@ struct ListOfObjects {
 
 using ObjectList = ListOfObjects<true>;
 
+/// The largest t of a hit that must still be compared with a hit at t.
+inline double reach(double t) {
+    return t * (1 + 0x1p-22) + 0x1p-900;
+}
+
+/// Calls visit(object, hit, until) for what a walk finds.
+template <class AnyRay, class Visit>
+class HitVisitor final : public Visitor {
+  public:
+    HitVisitor(const PreparedScene& scene, const AnyRay& ray, Visit visit) : scene_(scene), ray_(ray), visit_(visit) {}
+
+    bool visit(const Found& found, double& until) override {
+        for (unsigned lanes = found.hits | found.open; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+            const std::uint32_t object = found.leaf.objects[lane];
+            if (starts_on(ray_, object)) continue;
+            const bool is_known = (found.hits >> lane & 1U) != 0;
+            const ObjectHit hit = is_known ? ObjectHit{true, false, found.t[lane]} : hit_object(scene_, ray_, object);
+            if (visit_(object, hit, until)) return true;
+        }
+        return false;
+    }
+
+  private:
+    const PreparedScene& scene_;
+    const AnyRay& ray_;
+    Visit visit_;
+};
+
 /// Only the objects in boxes that the ray may meet. is_blocked() leaves out the object that the ray starts on.
 struct ObjectTree {
     template <class AnyRay>
     static Nearest first_hit(const PreparedScene& scene, const AnyRay& ray) {
         Nearest nearest = own_hit(scene, ray);
-        visit(scene, ray, reach(nearest.t), [&](std::uint32_t i, double& until) {
-            take_nearer(scene, ray, hit_object(scene, ray, i), i, nearest);
+        visit(scene, ray, reach(nearest.t), [&](std::uint32_t i, const ObjectHit& hit, double& until) {
+            take_nearer(scene, ray, hit, i, nearest);
             until = reach(nearest.t);
             return false;
         });
         return nearest;
     }
 
-    static bool is_blocked(const PreparedScene& scene, const SurfaceRay& ray, double end) {
-        return visit(scene, ray, reach(end), [&](std::uint32_t i, double& /*until*/) {
-            return is_before_end(scene, ray, hit_object(scene, ray, i), i, end);
+    template <class AnyRay = SurfaceRay>
+    static bool is_blocked(const PreparedScene& scene, const AnyRay& ray, double end) {
+        return visit(scene, ray, reach(end), [&](std::uint32_t i, const ObjectHit& hit, double& /*until*/) {
+            return is_before_end(scene, ray, hit, i, end);
         });
     }
 
   private:
-    /// The largest t of a hit that must still be compared with a hit at t.
-    static double reach(double t) { return t * (1 + 0x1p-22) + 0x1p-900; }
-
-    /// Calls visit(object, until) for the objects in boxes that the ray may meet before `until`, nearer boxes first as
-    /// far as the tree knows, until visit returns true. Returns whether visit did.
     template <class AnyRay, class Visit>
     static bool visit(const PreparedScene& scene, const AnyRay& ray, double until, Visit visit) {
-        const Tree& tree = *scene.tree;
-        const BoxRay box_ray(ray.ray, uncertainty_of(ray));
-        std::array<std::uint32_t, deepest_tree> open{};
-        std::size_t open_count = 0;
-        std::uint32_t here = 0;
-        while (true) {
-            const Node& node = tree.nodes[here];
-            if (box_ray.may_meet(node.box, until)) {
-                if (node.count == 0) {
-                    const bool backward = box_ray.goes_backward(node.axis);
-                    open[open_count++] = backward ? here + 1 : node.first;
-                    here = backward ? node.first : here + 1;
-                    continue;
-                }
-                for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-                    const std::uint32_t object = tree.objects[i];
-                    if (!starts_on(ray, object) && visit(object, until)) return true;
-                }
-            }
-            if (open_count == 0) return false;
-            here = open[--open_count];
-        }
+        HitVisitor<AnyRay, Visit> visitor(scene, ray, visit);
+        return walk(*scene.tree, ray.ray, uncertainty_of(ray), until, visitor);
     }
 };
 
