@@ -175,8 +175,10 @@ TEST_F(Review, NamesStudentsAsTheRosterDoesAndInItsOrder) {
 }
 
 TEST_F(Review, ListsWhatNeedsAPersonAndAllStudents) {
-    EXPECT_THAT(list(), AllOf(HasSubstr("<strong>4</strong> of 4 to review"), HasSubstr("Doubtful readings"),
+    const std::string listed = list();
+    EXPECT_THAT(listed, AllOf(HasSubstr("<strong>4</strong> of 4 to review"), HasSubstr("Doubtful readings"),
                               HasSubstr("Not graded"), HasSubstr(">dee</a>")));
+    EXPECT_LT(listed.find("Doubtful readings"), listed.find("Not graded")) << "the most urgent first";
     EXPECT_THAT(page(1), AllOf(HasSubstr("5.V wrong"), HasSubstr("is this one of"),
                                HasSubstr("<option value=\"5.V\" selected>5.V wrong"),
                                HasSubstr("#include &lt;cstdio&gt;"), HasSubstr("<svg"), HasSubstr("prints 5.V")));
