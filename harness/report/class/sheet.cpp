@@ -6,6 +6,7 @@
 
 #include "harness/grade/final_mark.h"
 #include "harness/grade/override_place.h"
+#include "harness/report/class/statistics.h"
 #include "harness/report/class/table.h"
 #include "harness/report/page/templates.h"
 #include "harness/report/text/expected_text.h"
