@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/machine/say.h"
+#include "harness/text/listed.h"
 
 namespace harness {
 
@@ -25,20 +29,31 @@ reference::Precision precision_of(const std::string& name) {
     throw std::logic_error("a precision the command line let through: " + name);
 }
 
+/// Each reason once, with the items that have another right answer for it. JSON holds these answers.
+void tell_other_answers(const reference::AnswerKey& key) {
+    std::vector<std::string> reasons;
+    std::map<std::string, std::vector<std::string>> items;
+    for (const reference::KeyQuestion& question : key.questions) {
+        for (const reference::KeyItem& item : question.items) {
+            for (std::size_t i = 1; i < item.answers.size(); ++i) {
+                const std::string reason = reference::reason(item.answers[i], key);
+                if (!items.contains(reason)) reasons.push_back(reason);
+                items[reason].push_back(fmt::format("{}.{}", question.number, item.spec.name));
+            }
+        }
+    }
+    for (const std::string& reason : reasons) {
+        say("note: {} {} another right answer: {}\n", listed(items[reason]), items[reason].size() == 1 ? "has" : "have",
+            reason);
+    }
+}
+
 int print_reference(const ReferenceOptions& options) {
     const reference::Assignment assignment = load_as_graded(options.assignment);
     const reference::AnswerKey key = reference::make_key(assignment, precision_of(options.precision));
     fmt::print("{}", options.format == "json" ? reference::to_json(key) : reference::to_text(key));
     for (const std::string& note : key.notes) say("note: {}\n", note);
-    for (const reference::KeyQuestion& question : key.questions) {
-        if (options.format == "json") break;
-        for (const reference::KeyItem& item : question.items) {
-            for (std::size_t i = 1; i < item.answers.size(); ++i) {
-                say("note: question {}, {} has another right answer: {}\n", question.number, item.spec.name,
-                    reference::reason(item.answers[i], key));
-            }
-        }
-    }
+    if (options.format != "json") tell_other_answers(key);
     return all_graded;
 }
 

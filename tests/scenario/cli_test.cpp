@@ -161,6 +161,19 @@ TEST(ReferenceRun, PrintsTheHandoutsQuestions) {
     EXPECT_THAT(result.output, HasSubstr("vec3(-0.500000, -0.500000, 0.707107)"));
 }
 
+TEST(ReferenceRun, TellsAConventionOnceWithTheItemsThatItChanges) {
+    const auto off_axis = project_folder() / "tests/given/labelled/offaxis/assignment.toml";
+    const Result result = raygrade({"reference", "--assignment", off_axis.string()});
+    EXPECT_EQ(result.status, 0) << result.both();
+    std::size_t notes = 0;
+    for (std::size_t at = result.voice.find("grid pixel convention"); at != std::string::npos;
+         at = result.voice.find("grid pixel convention", at + 1))
+        ++notes;
+    EXPECT_EQ(notes, 1U) << result.voice;
+    EXPECT_THAT(result.voice, HasSubstr("note: 1.P_VCS, 4.P_WCS, "));
+    EXPECT_THAT(result.voice, HasSubstr(" have another right answer: the rubric accepts the grid pixel convention\n"));
+}
+
 TEST(ReferenceRun, AlsoPrintsJson) {
     for (const char* assignment : {"a6-2021", "a6-edge"}) {
         for (const char* precision : {"float", "double"}) {
