@@ -56,7 +56,10 @@ TEST(Heading, IsRecognisedInEveryStyle) {
                                         "| Question 6 |",
                                         "§6",
                                         "(6)",
-                                        "Answer 6:"}) {
+                                        "Answer 6:",
+                                        "Answer No. 6:",
+                                        "ANSWER NO. 6 >>>",
+                                        "Question Nr 6"}) {
         EXPECT_EQ(question(line), 6) << line;
     }
 }
