@@ -85,10 +85,17 @@ std::string explain(const Build& build, const ProcessResult& run, const Limits& 
             return fmt::format(
                 "Time limit: the program was stopped after {:g} s of computing; is there an endless loop?{}",
                 seconds(limits.cpu), still_marked);
-        case Ended::wall_limit:
-            return fmt::format(
-                "Time limit: the program was stopped after {:g} s by the clock; does it wait for something?{}",
-                seconds(limits.wall), still_marked);
+        case Ended::wall_limit: {
+            // A program that waits computes for some milliseconds. On a busy machine one that never ends may not get
+            // the seconds of computing that it is allowed.
+            constexpr std::chrono::milliseconds of_waiting{50};
+            const std::string why =
+                run.cpu > of_waiting
+                    ? fmt::format(", in which it computed for {:.2g} s; is there an endless loop?", seconds(run.cpu))
+                    : "; does it wait for something?";
+            return fmt::format("Time limit: the program was stopped after {:g} s by the clock{}{}",
+                               seconds(limits.wall), why, still_marked);
+        }
         case Ended::memory_limit:
             return fmt::format("The program used more than {} MiB of memory and was stopped.{}",
                                limits.memory_bytes >> 20U, still_marked);

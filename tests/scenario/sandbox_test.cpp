@@ -173,6 +173,18 @@ TEST_F(Sandboxed, TheCommandLinesLimitOverridesTheAssignments) {
     EXPECT_GE(submission_in(grades(), "spins").at("run").at("cpu_seconds").get<double>(), 0.5);
 }
 
+/// As on a machine that is too busy to give a program the seconds of computing that it is allowed.
+TEST_F(Sandboxed, AnEndlessLoopThatTheClockEndsIsNoWaiting) {
+    add_spinning();
+    write(students() / "waits/ray_cast.cpp", "#include <unistd.h>\nint main() { sleep(60); }\n");
+    ASSERT_EQ(grade({"--limit", "run.cpu_seconds=60", "--limit", "run.wall_seconds=3"}).status, 0);
+    const json spins = submission_in(grades(), "spins"), waits = submission_in(grades(), "waits");
+    EXPECT_EQ(spins.at("run").at("limit"), "run.wall_seconds");
+    EXPECT_THAT(spins.at("explanation").get<std::string>(),
+                AllOf(HasSubstr("after 3 s by the clock, in which it computed for "), HasSubstr("endless loop?")));
+    EXPECT_THAT(waits.at("explanation").get<std::string>(), HasSubstr("3 s by the clock; does it wait for something?"));
+}
+
 TEST_F(Sandboxed, AWrongLimitIsAUsageError) {
     const Result of_assignment = grade({"--assignment", assignment_with("[limits.run]\ncpu = 2\n")});
     EXPECT_EQ(of_assignment.status, usage);
