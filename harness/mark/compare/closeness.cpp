@@ -83,7 +83,7 @@ Closeness compare(const MatchedItem& printed, const Target& target, double allow
         const Closeness other = compare_numbers(transposed(numbers), target, allowance, min_decimals);
         return other.within ? other : closeness;
     }
-    if (shape == Shape::vector && numbers.size() == 4) {
+    if (shape == Shape::vector && numbers.size() == 4 && target.components.size() == 3) {
         const PrintedNumber w = numbers.back();
         numbers.pop_back();
         Closeness closeness = compare_numbers(numbers, target, allowance, min_decimals);

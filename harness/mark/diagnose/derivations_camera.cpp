@@ -44,14 +44,16 @@ Targets p_wcs_from_m(const ItemTargets& known, const IntervalScene&, Form) {
                 known.vector(item::P_VCS));
 }
 
-/// The same without the division by w, for a matrix whose last row is not (0, 0, 0, 1).
+/// The same without the division by w, for a matrix whose last row is not (0, 0, 0, 1); also with that w.
 Targets p_wcs_undivided(const ItemTargets& known, const IntervalScene&, Form) {
-    return from(
-        [](const reference::Mat4<Interval>& m, const Vec& p) {
-            const auto row = [&](int i) { return m[0][i] * p.x + m[1][i] * p.y + m[2][i] * p.z + m[3][i]; };
-            return Vec(row(0), row(1), row(2));
-        },
-        regular_matrix(known), known.vector(item::P_VCS));
+    const auto m = regular_matrix(known);
+    const auto p = known.vector(item::P_VCS);
+    if (!m || !p) return {};
+    const auto row = [&](int i) { return (*m)[0][i] * p->x + (*m)[1][i] * p->y + (*m)[2][i] * p->z + (*m)[3][i]; };
+    const Target point = target_of(Vec(row(0), row(1), row(2)));
+    Target with_w = point;
+    with_w.components.push_back(row(3));
+    return {point, with_w};
 }
 
 Targets p_wcs_from_basis(const ItemTargets& known, const IntervalScene& scene, Form) {

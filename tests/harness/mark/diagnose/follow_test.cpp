@@ -38,6 +38,22 @@ TEST(Follow, IsGivenAlongTheWholeChainAndForTheVerdict) {
     EXPECT_EQ(verdict_on(score, reference::item::triangle::t), "right");
 }
 
+TEST(Follow, IsGivenForThePointWithTheWOfATransposedMatrix) {
+    // The rows of the handout's matrix as columns: times (0, 0, -2, 1) it is (0, 0, -2, -7).
+    const student::Marking marking = student::handout_scene();
+    std::string output = print(Program(marking.assignment, {}));
+    output = student::with_line(output, 3, "M_VCS_to_WCS",
+                                "mat4x4((1.000000, 0.000000, 0.000000, 0.000000), (0.000000, 1.000000, "
+                                "0.000000, 0.000000), (0.000000, 0.000000, 1.000000, 4.000000), "
+                                "(0.000000, 0.000000, 0.000000, 1.000000))");
+    const auto verdict = [&](const char* point) {
+        return verdict_on(mark(student::with_line(output, 4, "Pixel in WCS", point), marking), reference::item::P_WCS);
+    };
+    EXPECT_EQ(verdict("vec4(0.000000, 0.000000, -2.000000, -7.000000)"), "follow");
+    EXPECT_EQ(verdict("vec3(0.000000, 0.000000, -2.000000)"), "follow");
+    EXPECT_EQ(verdict("vec4(0.000000, 0.000000, -2.000000, -6.000000)"), "wrong");
+}
+
 TEST(Follow, IsNotGivenToASecondMistake) {
     const student::Marking marking = student::off_axis_scene();
     const Program program(marking.assignment, {},
