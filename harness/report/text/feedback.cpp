@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
+#include <vector>
 
 #include "harness/execution/tier.h"
 #include "harness/grade/concern_titles.h"
@@ -15,6 +17,7 @@
 #include "harness/report/text/look_first.h"
 #include "harness/report/text/sentences.h"
 #include "harness/text/escape.h"
+#include "harness/text/lines.h"
 #include "harness/text/points.h"
 
 namespace harness::report {
@@ -157,6 +160,18 @@ Color color_of(ItemVerdict verdict) {
     return Color::yellow;
 }
 
+/// For a terminal, in which pages of the compiler's notes would push what helps out of sight.
+std::string messages_text(const std::string& diagnostics) {
+    constexpr std::size_t most_lines = 40;
+    const std::vector<std::string_view> lines = lines_of(diagnostics);
+    const auto first = std::span(lines).first(std::min(lines.size(), most_lines));
+    const std::string shown = fmt::format("{}\n", fmt::join(first, "\n"));
+    const std::string rest = lines.size() > most_lines
+                                 ? fmt::format("… {} more lines, which g++ prints too\n", lines.size() - most_lines)
+                                 : "";
+    return "\nThe compiler's messages:\n" + escape_control(shown) + rest;
+}
+
 }  // namespace
 
 std::string feedback_markdown(const Graded& graded, const Marking& marking) {
@@ -228,8 +243,7 @@ std::string check_text(const Graded& graded, reference::Feedback feedback, Color
     if (!graded.explanation.empty()) text += escape_control(graded.explanation) + "\n";
     for (const std::string& note : graded.submission.notes) text += escape_control(note) + "\n";
     for (const std::string& hint : compiler_hints(graded)) text += escape_control(hint) + "\n";
-    if (!graded.build.diagnostics.empty())
-        text += "\nThe compiler's messages:\n" + escape_control(graded.build.diagnostics) + "\n";
+    if (!graded.build.diagnostics.empty()) text += messages_text(graded.build.diagnostics);
     for (const Flag& flag : graded.flags)
         text += title_of(flag.kind).sentence + ": " + escape_control(flag.evidence) + "\n";
     for (const std::string& sentence : other_scenes_of(graded)) text += escape_control(sentence) + "\n";

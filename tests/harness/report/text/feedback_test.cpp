@@ -112,6 +112,15 @@ TEST(Feedback, ReportsACapThatCutPoints) {
     EXPECT_THAT(check_text(capped), HasSubstr("earn at most 2.5 points in all"));
 }
 
+TEST(CheckText, ShowsTheBeginningOfManyCompilerMessages) {
+    Graded one;
+    one.outcome = Outcome::compile_error;
+    for (int i = 1; i <= 100; ++i) one.build.diagnostics += "candidate " + std::to_string(i) + "\n";
+    EXPECT_THAT(check_text(one),
+                AllOf(HasSubstr("candidate 1\n"), HasSubstr("candidate 40\n… 60 more lines, which g++ prints too\n"),
+                      Not(HasSubstr("candidate 41"))));
+}
+
 TEST(Feedback, ShowsFlagsAndSanitizerFindingsWithoutTakingMarks) {
     Graded one = graded("zoe", output_with_a_mistake());
     const std::string before = feedback_markdown(one, marking());
