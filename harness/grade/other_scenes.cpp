@@ -1,7 +1,6 @@
 #include "harness/grade/other_scenes.h"
 
 #include <algorithm>
-#include <array>
 
 namespace harness::scenes {
 namespace {
@@ -17,9 +16,7 @@ std::string without_blanks(const std::string& text) {
 
 /// Whether the item has no value if the ray misses.
 bool may_be_none(const reference::ItemSpec& spec) {
-    constexpr std::array<std::string_view, 4> of_hits{"t", "hit", "u", "v"};
-    if (spec.id.name == "normal") return spec.id.subject != reference::Subject::triangle;
-    return std::ranges::find(of_hits, spec.id.name) != of_hits.end();
+    return reference::item_of(spec.id).exists != reference::Exists::always;
 }
 
 /// Whether printing the same again says something. It does not for the sentence about the first hit, which has few

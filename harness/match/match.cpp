@@ -159,7 +159,7 @@ bool is_none(const MatchedItem& item) {
 
 /// Whether the item is one that "no hit" says not to be there. A ray that misses the triangle still meets its plane.
 bool is_of_hit(const ItemSpec& item) {
-    return may_be_absent(item) && (item.id.subject != reference::Subject::triangle || item.id.name == "hit");
+    return reference::item_of(item.id).exists == reference::Exists::with_hit;
 }
 
 /// "t = -1" or "t = inf" says that there is no hit if no number is printed for the hit point and the normal beside it.

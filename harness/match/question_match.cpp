@@ -212,9 +212,7 @@ Reading take_lists_apart(Reading reading, std::span<const ItemSpec> items, const
 }  // namespace
 
 bool may_be_absent(const ItemSpec& item) {
-    const std::string_view name = item.id.name;
-    return name == "t" || name == "hit" || name == "u" || name == "v" ||
-           (name == "normal" && item.id.subject != reference::Subject::triangle);
+    return reference::item_of(item.id).exists != reference::Exists::always;
 }
 
 bool has_count(Shape shape, std::size_t count) {

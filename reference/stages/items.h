@@ -81,12 +81,20 @@ inline constexpr ItemId normal{Subject::cylinder, "normal"};
 inline constexpr ItemId verdict{Subject::first_hit, "verdict"};
 }  // namespace item
 
+/// Where an item has a value.
+enum class Exists {
+    always,
+    unless_parallel,  ///< where the ray meets the object's plane, inside the object or not
+    with_hit,         ///< where the ray hits the object
+};
+
 /// An item that an assignment may ask for.
 struct Item {
     ItemId id;
     std::string_view full_name;  ///< as an assignment names it: "P_VCS", "sphere.t", "first_hit"
     Shape shape;
     std::string_view label;  ///< as the reference run prints it
+    Exists exists = Exists::always;
 };
 
 /// Every item.
