@@ -19,6 +19,10 @@ enum class CylinderResult {
     invalid,  ///< a number is not finite, the direction is zero, or the radius or the height is not above 0
 };
 
+constexpr bool is_hit(CylinderResult result) {
+    return result == CylinderResult::hit || result == CylinderResult::tangent;
+}
+
 /// What is met. A cap is open and the tube closed, so that the rim is the tube's.
 enum class CylinderPart { tube, top, bottom };
 

@@ -8,7 +8,7 @@ namespace {
 
 /// An object that is hit, with the t that the kernel computed for it.
 struct Candidate {
-    First::Kind kind;
+    Subject kind;
     std::size_t index;
     double t;
 };
@@ -39,14 +39,17 @@ ExactT<Integer> exact_t(const Whole<Integer>& whole, const Ray<double>& ray, con
 
 template <class One, class Other>
 constexpr bool are_spheres = std::is_same_v<One, Sphere<double>>&& std::is_same_v<Other, Sphere<double>>;
-template <class One, class Other>
-constexpr bool has_cylinder = std::is_same_v<One, Cylinder<double>> || std::is_same_v<Other, Cylinder<double>>;
+/// Whether numbers of any size hold the object's t, and not Integers alone.
+template <class Object>
+constexpr bool has_short_t = requires(const Whole<Fixed<28>>& whole, const Ray<double>& ray, const Object& object) {
+    exact_t(whole, ray, object);
+};
 
 /// The order of two objects that are hit.
 template <class One, class Other>
 std::partial_ordering exact_order(const Ray<double>& ray, const One& one, const Other& other) {
     const Scales scales(ray, one, other);
-    if constexpr (has_cylinder<One, Other>) {
+    if constexpr (!has_short_t<One> || !has_short_t<Other>) {
         const Whole<Integer> whole(scales);
         return order(ExactT<Integer>(exact_t(whole, ray, one)), ExactT<Integer>(exact_t(whole, ray, other)));
     } else {
@@ -63,10 +66,14 @@ std::partial_ordering exact_order(const Ray<double>& ray, const One& one, const 
 }
 
 template <class Use>
-auto with_object(const Objects& objects, const Candidate& candidate, Use use) {
-    if (candidate.kind == First::Kind::sphere) return use(objects.spheres[candidate.index]);
-    if (candidate.kind == First::Kind::triangle) return use(objects.triangles[candidate.index]);
-    return use(objects.cylinders[candidate.index]);
+std::partial_ordering with_object(const Objects& objects, const Candidate& candidate, Use use) {
+    auto result = std::partial_ordering::unordered;
+    for_each_kind(
+        [&](Subject kind, const auto& of_kind) {
+            if (kind == candidate.kind) result = use(of_kind[candidate.index]);
+        },
+        objects);
+    return result;
 }
 
 /// The order of a's t and b's t.
@@ -80,35 +87,23 @@ std::partial_ordering order_of(const Ray<double>& ray, const Objects& objects, c
 
 template <class Visit>
 void for_each_hit(const Cast& cast, Visit visit) {
-    for (std::size_t i = 0; i < cast.spheres.size(); ++i) {
-        const SphereResult result = cast.spheres[i].result;
-        if (result == SphereResult::hit || result == SphereResult::tangent) {
-            visit({First::Kind::sphere, i, cast.spheres[i].t});
-        }
-    }
-    for (std::size_t i = 0; i < cast.triangles.size(); ++i) {
-        if (cast.triangles[i].result == TriangleResult::hit) visit({First::Kind::triangle, i, cast.triangles[i].t});
-    }
-    for (std::size_t i = 0; i < cast.cylinders.size(); ++i) {
-        const CylinderResult result = cast.cylinders[i].result;
-        if (result == CylinderResult::hit || result == CylinderResult::tangent) {
-            visit({First::Kind::cylinder, i, cast.cylinders[i].t});
-        }
-    }
+    for_each_kind(
+        [&](Subject kind, const auto& hits) {
+            for (std::size_t i = 0; i < hits.size(); ++i) {
+                if (is_hit(hits[i].result)) visit({kind, i, hits[i].t});
+            }
+        },
+        cast);
 }
 
-bool holds_invalid(const Ray<double>& ray, const Cast& cast) {
-    if (!is_valid(ray)) return true;
-    for (const SphereHit& sphere : cast.spheres) {
-        if (sphere.result == SphereResult::invalid) return true;
-    }
-    for (const TriangleHit& triangle : cast.triangles) {
-        if (triangle.result == TriangleResult::invalid) return true;
-    }
-    for (const CylinderHit& cylinder : cast.cylinders) {
-        if (cylinder.result == CylinderResult::invalid) return true;
-    }
-    return false;
+bool holds_invalid(const Cast& cast) {
+    bool holds = false;
+    for_each_kind(
+        [&](Subject /*kind*/, const auto& hits) {
+            for (const auto& hit : hits) holds = holds || hit.result == decltype(hit.result)::invalid;
+        },
+        cast);
+    return holds;
 }
 
 }  // namespace
@@ -124,17 +119,14 @@ std::partial_ordering order_exactly(const Ray<float>& ray, const Sphere<float>& 
 }
 
 void cast_ray(const Ray<double>& ray, const Objects& objects, Cast& result) {
-    result.spheres.clear();
-    result.triangles.clear();
-    result.cylinders.clear();
-    for (const Sphere<double>& sphere : objects.spheres) result.spheres.push_back(intersect(ray, sphere));
-    for (const Triangle<double>& triangle : objects.triangles) result.triangles.push_back(intersect(ray, triangle));
-    for (const Cylinder<double>& cylinder : objects.cylinders) result.cylinders.push_back(intersect(ray, cylinder));
-    result.first = {First::Kind::none, 0};
-    if (holds_invalid(ray, result)) {
-        result.first.kind = First::Kind::invalid;
-        return;
-    }
+    for_each_kind(
+        [&](Subject /*kind*/, const auto& of_kind, auto& hits) {
+            hits.clear();
+            for (const auto& object : of_kind) hits.push_back(intersect(ray, object));
+        },
+        objects, result);
+    result.first = {};
+    if (!is_valid(ray) || holds_invalid(result)) return;
     std::optional<Candidate> best;
     bool tie = false;
     for_each_hit(result, [&](const Candidate& candidate) {
@@ -143,11 +135,8 @@ void cast_ray(const Ray<double>& ray, const Objects& objects, Cast& result) {
         tie = compared == 0;
         if (!tie) best = candidate;
     });
-    if (tie) {
-        result.first.kind = First::Kind::tie;
-    } else if (best) {
-        result.first = {best->kind, best->index};
-    }
+    result.first.verdict = tie ? Verdict::tie : best ? Verdict(best->kind) : Verdict::no_hit;
+    if (!tie && best) result.first.index = best->index;
 }
 
 }  // namespace reference::kernel

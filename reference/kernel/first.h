@@ -2,14 +2,17 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "reference/kernel/cylinder.h"
 #include "reference/kernel/sphere.h"
 #include "reference/kernel/triangle.h"
+#include "reference/stages/first_hit.h"
 
 namespace reference::kernel {
 
+/// The lists are those that for_each_kind visits.
 struct Objects {
     std::vector<Sphere<double>> spheres = {};
     std::vector<Triangle<double>> triangles = {};
@@ -18,18 +21,11 @@ struct Objects {
 
 /// The object hit at the smallest t >= 0.
 struct First {
-    enum class Kind {
-        sphere,
-        triangle,
-        cylinder,
-        tie,      ///< two or more objects are hit at exactly the same t, and none before them
-        none,     ///< nothing is hit
-        invalid,  ///< the ray or one of the objects is invalid
-    };
-    Kind kind;
-    std::size_t index;  ///< among the objects of its kind; 0 for tie, none and invalid
+    std::optional<Verdict> verdict;  ///< empty where the ray or one of the objects is invalid
+    std::size_t index = 0;           ///< among the objects of its kind; 0 where none is first
 };
 
+/// What the ray does with each of the Objects, in lists of the same names.
 struct Cast {
     std::vector<SphereHit> spheres;
     std::vector<TriangleHit> triangles;
@@ -43,7 +39,14 @@ void cast_ray(const Ray<double>& ray, const Objects& objects, Cast& result);
 
 /// The first hit of one sphere and one triangle. t has a relative error of at most 2^-26; it is 0 for none and invalid.
 struct FirstHit {
-    First::Kind kind;
+    enum class Kind {
+        sphere,
+        triangle,
+        tie,      ///< both are hit at exactly the same t
+        none,     ///< nothing is hit
+        invalid,  ///< the ray or one of the objects is invalid
+    };
+    Kind kind;
     double t;
 };
 /// The sign of (the sphere's t) - (the triangle's t), where both are hit. Exact, but slow.
@@ -68,7 +71,7 @@ KERNEL_INLINE FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, cons
     const auto at_sphere = intersect_to_float(ray, sphere);
     const auto at_triangle = intersect_to_float(ray, triangle);
     if (at_sphere.result == SphereResult::invalid || at_triangle.result == TriangleResult::invalid) {
-        return {First::Kind::invalid, 0};
+        return {FirstHit::Kind::invalid, 0};
     }
     const bool sphere_is_hit = at_sphere.result != SphereResult::miss;
     const bool triangle_is_hit = at_triangle.result == TriangleResult::hit;
@@ -77,12 +80,13 @@ KERNEL_INLINE FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, cons
     bool sphere_is_nearer = difference < 0;
     if (sphere_is_hit & triangle_is_hit & !(std::abs(difference) > slack)) [[unlikely]] {
         const auto order = order_exactly(ray, sphere, corners_of(triangle));
-        if (order == 0) return {First::Kind::tie, at_sphere.t};
+        if (order == 0) return {FirstHit::Kind::tie, at_sphere.t};
         sphere_is_nearer = order < 0;
     }
     // Selected by index, because a branch here would be unpredictable.
     const bool sphere_is_first = sphere_is_hit & (!triangle_is_hit | sphere_is_nearer);
-    const std::array kinds{First::Kind::none, First::Kind::triangle, First::Kind::sphere, First::Kind::sphere};
+    const std::array kinds{FirstHit::Kind::none, FirstHit::Kind::triangle, FirstHit::Kind::sphere,
+                           FirstHit::Kind::sphere};
     const std::array ts{at_triangle.t, at_sphere.t};
     return {kinds[std::size_t{2} * sphere_is_first + triangle_is_hit], ts[sphere_is_first]};
 }

@@ -79,25 +79,25 @@ void append(Text& text, const std::vector<Hit>& hits) {
 }
 
 void append(Text& text, const kernel::First& first) {
-    switch (first.kind) {
-        case kernel::First::Kind::sphere: fmt::format_to(fmt::appender(text), "sphere {}", first.index); break;
-        case kernel::First::Kind::triangle: fmt::format_to(fmt::appender(text), "triangle {}", first.index); break;
-        case kernel::First::Kind::cylinder: fmt::format_to(fmt::appender(text), "cylinder {}", first.index); break;
-        case kernel::First::Kind::tie: append(text, "tie"); break;
-        case kernel::First::Kind::none: append(text, "none"); break;
-        case kernel::First::Kind::invalid: append(text, "invalid"); break;
-    }
+    if (!first.verdict) return append(text, "invalid");
+    if (first.verdict == Verdict::tie) return append(text, "tie");
+    if (first.verdict == Verdict::no_hit) return append(text, "none");
+    fmt::format_to(fmt::appender(text), "{} {}", to_string(*first.verdict->object()), first.index);
 }
 
+/// The lists of spheres and triangles are there even if they are empty.
 void append(Text& text, const kernel::Cast& cast) {
-    append(text, R"({"spheres":[)");
-    append(text, cast.spheres);
-    append(text, R"(],"triangles":[)");
-    append(text, cast.triangles);
-    if (!cast.cylinders.empty()) {
-        append(text, R"(],"cylinders":[)");
-        append(text, cast.cylinders);
-    }
+    std::string_view before = R"({")";
+    for_each_kind(
+        [&](Subject kind, const auto& hits) {
+            if (hits.empty() && kind != Subject::sphere && kind != Subject::triangle) return;
+            append(text, before);
+            append(text, to_string(kind));
+            append(text, R"(s":[)");
+            append(text, hits);
+            before = R"(],")";
+        },
+        cast);
     append(text, R"(],"first":")");
     append(text, cast.first);
     append(text, "\"}\n");

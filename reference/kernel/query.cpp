@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <simdjson.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <limits>
 
@@ -56,93 +58,94 @@ Vec3<double> point(const json::element& element, std::string_view what) {
     return {numbers[0], numbers[1], numbers[2]};
 }
 
-Sphere<double> sphere(const json::element& element) {
-    json::object fields;
-    if (element.get(fields) != simdjson::SUCCESS) throw MalformedQuery("a sphere must be an object");
-    std::optional<Vec3<double>> center;
-    std::optional<double> radius;
-    for (const auto& [key, value] : fields) {
-        if (key == "center" && !center) {
-            center = point(value, "center");
-        } else if (key == "radius" && !radius) {
-            radius = number(value, "radius");
-        } else {
-            throw MalformedQuery(
-                fmt::format("a sphere has one center and one radius; \"{}\" is neither or double", key));
-        }
+/// "one center, one radius and one height" for the word "one".
+std::string listed(const std::vector<std::string_view>& names, std::string_view word) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
+        text += fmt::format("{}{}{}", word, word.empty() ? "" : " ", names[i]);
     }
-    if (!center || !radius) throw MalformedQuery("a sphere must have a center and a radius");
-    return {*center, *radius};
+    return text;
 }
 
-Cylinder<double> cylinder(const json::element& element) {
-    json::object fields;
-    if (element.get(fields) != simdjson::SUCCESS) throw MalformedQuery("a cylinder must be an object");
-    std::optional<Vec3<double>> center;
-    std::optional<double> radius;
-    std::optional<double> height;
-    for (const auto& [key, value] : fields) {
-        if (key == "center" && !center) {
-            center = point(value, "center");
-        } else if (key == "radius" && !radius) {
-            radius = number(value, "radius");
-        } else if (key == "height" && !height) {
-            height = number(value, "height");
-        } else {
-            throw MalformedQuery(
-                fmt::format("a cylinder has one center, one radius and one height; \"{}\" is none or double", key));
-        }
-    }
-    if (!center || !radius || !height) {
-        throw MalformedQuery("a cylinder must have a center, a radius and a height");
-    }
-    return {*center, *radius, *height};
+void read_field(double& x, const json::element& value, std::string_view key) {
+    x = number(value, key);
+}
+void read_field(Vec3<double>& p, const json::element& value, std::string_view key) {
+    p = point(value, key);
 }
 
-Triangle<double> triangle(const json::element& element) {
+template <class Object>
+void read_object(const json::element& element, std::string_view kind, Object& object) {
+    json::object fields;
+    if (element.get(fields) != simdjson::SUCCESS) throw MalformedQuery(fmt::format("a {} must be an object", kind));
+    unsigned read = 0;  // a bit for each field
+    for (const auto& [key, value] : fields) {
+        const unsigned before = read;
+        unsigned bit = 1;
+        for_each_field(
+            [&, &key = key, &value = value](std::string_view name, auto& field) {
+                if (name == key && (read & bit) == 0) {
+                    read_field(field, value, key);
+                    read |= bit;
+                }
+                bit <<= 1U;
+            },
+            object);
+        if (read != before) continue;
+        const std::vector<std::string_view> names = field_names<Object>();
+        throw MalformedQuery(fmt::format("a {} has {}; \"{}\" is {} or double", kind, listed(names, "one"), key,
+                                         names.size() == 2 ? "neither" : "none"));
+    }
+    unsigned every = 0;
+    for_each_field([&](std::string_view /*name*/, const auto& /*field*/) { every = 2 * every + 1; }, object);
+    if (read != every) throw MalformedQuery(fmt::format("a {} must have {}", kind, listed(field_names<Object>(), "a")));
+}
+
+/// A triangle is the list of its vertices.
+void read_object(const json::element& element, std::string_view /*kind*/, Triangle<double>& triangle) {
     const json::array vertices = array(element, "a triangle");
     if (vertices.size() != 3) throw MalformedQuery("a triangle must have three vertices");
     auto vertex = vertices.begin();
-    const auto next = [&] {
-        const Vec3<double> p = point(*vertex, "a vertex");
+    for (Vec3<double>* p : {&triangle.A, &triangle.B, &triangle.C}) {
+        *p = point(*vertex, "a vertex");
         ++vertex;
-        return p;
-    };
-    const Vec3<double> A = next();
-    const Vec3<double> B = next();
-    return {A, B, next()};
-}
-
-/// The keys of a query that were already read; each may occur once.
-enum Key : unsigned { origin = 1, direction = 2, spheres = 4, triangles = 8, cylinders = 16 };
-
-Key key_of(std::string_view name) {
-    if (name == "origin") return origin;
-    if (name == "direction") return direction;
-    if (name == "spheres") return spheres;
-    if (name == "triangles") return triangles;
-    if (name == "cylinders") return cylinders;
-    throw MalformedQuery(
-        fmt::format("\"{}\" is not a key; there are origin, direction, spheres, triangles and cylinders", name));
-}
-
-void read_value(Key key, const json::element& value, CastQuery& query) {
-    kernel::Objects& objects = query.objects;
-    switch (key) {
-        case origin: query.ray.origin = point(value, "origin"); break;
-        case direction: query.ray.direction = point(value, "direction"); break;
-        case spheres:
-            for (const json::element& element : array(value, "spheres")) objects.spheres.push_back(sphere(element));
-            break;
-        case triangles:
-            for (const json::element& element : array(value, "triangles"))
-                objects.triangles.push_back(triangle(element));
-            break;
-        case cylinders:
-            for (const json::element& element : array(value, "cylinders"))
-                objects.cylinders.push_back(cylinder(element));
-            break;
     }
+}
+
+/// Whether the key is "spheres" for spheres, and so on.
+bool is_list_of(std::string_view key, Subject kind) {
+    const std::string_view one = to_string(kind);
+    return key.size() == one.size() + 1 && key.starts_with(one) && key.back() == 's';
+}
+
+[[noreturn]] void fail_for_key(std::string_view key) {
+    std::vector<std::string> lists;
+    for (const Subject kind : objects) lists.push_back(fmt::format("{}s", to_string(kind)));
+    std::vector<std::string_view> keys{"origin", "direction"};
+    keys.insert(keys.end(), lists.begin(), lists.end());
+    throw MalformedQuery(fmt::format("\"{}\" is not a key; there are {}", key, listed(keys, "")));
+}
+
+void read_value(std::string_view key, const json::element& value, CastQuery& query) {
+    if (key == "origin") {
+        query.ray.origin = point(value, key);
+        return;
+    }
+    if (key == "direction") {
+        query.ray.direction = point(value, key);
+        return;
+    }
+    bool is_known = false;
+    for_each_kind(
+        [&](Subject kind, auto& of_kind) {
+            if (!is_list_of(key, kind)) return;
+            is_known = true;
+            for (const json::element& element : array(value, key))
+                read_object(element, to_string(kind), of_kind.emplace_back());
+        },
+        query.objects);
+    if (!is_known) fail_for_key(key);
 }
 
 /// The same JSON where whole numbers of 19 digits and more are written with an exponent, as simdjson reads no whole
@@ -175,23 +178,22 @@ CastQueryReader::CastQueryReader() : parser_(std::make_unique<Parser>()) {}
 CastQueryReader::~CastQueryReader() = default;
 
 void CastQueryReader::read(const std::string& line, CastQuery& query) {
-    query.objects.spheres.clear();
-    query.objects.triangles.clear();
-    query.objects.cylinders.clear();
+    for_each_kind([](Subject /*kind*/, auto& of_kind) { of_kind.clear(); }, query.objects);
     json::element root;
     auto error = parser_->json.parse(line).get(root);
     if (error == simdjson::NUMBER_ERROR) error = parser_->json.parse(with_exponents(line)).get(root);
     if (error) throw MalformedQuery(simdjson::error_message(error));
     json::object fields;
     if (root.get(fields) != simdjson::SUCCESS) throw MalformedQuery("a query must be an object");
-    unsigned met = 0;
+    std::array<std::string_view, 2 + std::size(objects)> met;
+    std::size_t count = 0;
+    const auto has = [&](std::string_view name) { return std::count(met.begin(), met.begin() + count, name) > 0; };
     for (const auto& [name, value] : fields) {
-        const Key key = key_of(name);
-        if ((met & key) != 0) throw MalformedQuery(fmt::format("\"{}\" is there twice", name));
-        met |= key;
-        read_value(key, value, query);
+        if (has(name)) throw MalformedQuery(fmt::format("\"{}\" is there twice", name));
+        read_value(name, value, query);
+        met.at(count++) = name;
     }
-    if ((met & origin) == 0 || (met & direction) == 0) {
+    if (!has("origin") || !has("direction")) {
         throw MalformedQuery("a query must have an origin and a direction");
     }
 }

@@ -38,6 +38,13 @@ enum class TriangleResult {
     invalid,     ///< a number is not finite, or the direction is zero
 };
 
+constexpr bool is_hit(SphereResult result) {
+    return result == SphereResult::hit || result == SphereResult::tangent;
+}
+constexpr bool is_hit(TriangleResult result) {
+    return result == TriangleResult::hit;
+}
+
 /// t is within one unit in the last place of the true value, and exactly +0 if the true value is 0 (never -0). It is
 /// infinite if the true value exceeds the range of doubles, and 0 without a hit.
 struct SphereHit {

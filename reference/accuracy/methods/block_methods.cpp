@@ -24,12 +24,6 @@ struct Written {
 bool is_hit(int hit) {
     return hit != 0;
 }
-bool is_hit(kernel::SphereResult result) {
-    return result == kernel::SphereResult::hit || result == kernel::SphereResult::tangent;
-}
-bool is_hit(kernel::TriangleResult result) {
-    return result == kernel::TriangleResult::hit;
-}
 
 template <class T, template <class> class Problem>
 const Columns<T>& columns_of(const BlockRays<Problem>& rays) {

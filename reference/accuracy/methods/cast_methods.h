@@ -41,16 +41,21 @@ FirstHit<S> branch_free_cast(const Ray<S>& ray, const Sphere<S>& sphere, const T
             ts[static_cast<std::size_t>(round_first)]};
 }
 
-inline Outcome outcome_of(kernel::First::Kind first) {
+inline Outcome outcome_of(kernel::FirstHit::Kind first) {
     switch (first) {
-        case kernel::First::Kind::sphere: return Outcome::sphere_first;
-        case kernel::First::Kind::triangle: return Outcome::triangle_first;
-        case kernel::First::Kind::tie: return Outcome::tie;
-        case kernel::First::Kind::cylinder:
-        case kernel::First::Kind::none:
-        case kernel::First::Kind::invalid: break;
+        case kernel::FirstHit::Kind::sphere: return Outcome::sphere_first;
+        case kernel::FirstHit::Kind::triangle: return Outcome::triangle_first;
+        case kernel::FirstHit::Kind::tie: return Outcome::tie;
+        case kernel::FirstHit::Kind::none:
+        case kernel::FirstHit::Kind::invalid: break;
     }
     return Outcome::miss;
+}
+
+inline Outcome outcome_of(const std::optional<Verdict>& first) {
+    if (first == Verdict(Subject::sphere)) return Outcome::sphere_first;
+    if (first == Verdict(Subject::triangle)) return Outcome::triangle_first;
+    return first == Verdict::tie ? Outcome::tie : Outcome::miss;
 }
 
 /// The certified kernel's first object, with its t to the accuracy of a float.
@@ -67,7 +72,7 @@ class CertifiedCast {
         objects_.spheres.front() = c.sphere;
         objects_.triangles.front() = c.triangle;
         kernel::cast_ray(c.ray, objects_, cast_);
-        const Outcome outcome = outcome_of(cast_.first.kind);
+        const Outcome outcome = outcome_of(cast_.first.verdict);
         return {outcome, outcome == Outcome::triangle_first ? cast_.triangles.front().t : cast_.spheres.front().t};
     }
 

@@ -19,10 +19,6 @@ Method<SphereProblem> half_b_in(std::string scalar, std::string source) {
         });
 }
 
-bool is_hit(kernel::SphereResult result) {
-    return result == kernel::SphereResult::hit || result == kernel::SphereResult::tangent;
-}
-
 void add_wide(std::vector<Method<SphereProblem>>& methods) {
     methods.push_back(half_b_in<kernel::DoubleDouble, Speed::usual>(
         "double-double",

@@ -16,7 +16,9 @@ using reference::Boundary;
 using reference::Cylinder;
 using reference::scaled;
 using reference::Sphere;
+using reference::Subject;
 using reference::Triangle;
+using reference::Verdict;
 using reference::accuracy::P;
 using reference::accuracy::Random;
 
@@ -176,7 +178,7 @@ TEST_P(KernelCylinder, DecidesAsTheHandoutsPartsDo) {
         RC_ASSERT(given.result == result);
         Cast cast;
         cast_ray(ray, {{}, {}, {cylinder}}, cast);
-        RC_ASSERT(cast.first.kind == (first ? First::Kind::cylinder : First::Kind::none));
+        RC_ASSERT(cast.first.verdict == (first ? Verdict(Subject::cylinder) : Verdict::no_hit));
         ++met[first ? (first->part == CylinderPart::tube ? 1 : 2) : 0];
         if (!first) return;
         met[3] += first->is_tangent ? 1 : 0;
@@ -239,39 +241,41 @@ struct OrderCase {
 };
 
 struct TrueFirst {
-    First::Kind kind = First::Kind::none;
+    Verdict verdict = Verdict::no_hit;
     std::size_t index = 0;
     std::optional<cylinder_parts::Surd> t;
 
     template <class Object>
-    void meet(const Ray<double>& ray, const std::vector<Object>& objects, First::Kind of_kind) {
+    void meet(const Ray<double>& ray, const std::vector<Object>& objects, Subject kind) {
         for (std::size_t i = 0; i < objects.size(); ++i) {
             const auto other = cylinder_parts::first_t(ray, objects[i]);
             if (!other) continue;
             const int compared = t ? cylinder_parts::order(*other, *t) : -1;
-            if (compared == 0) kind = First::Kind::tie, index = 0;
-            if (compared < 0) kind = of_kind, index = i, t = other;
+            if (compared == 0) verdict = Verdict::tie, index = 0;
+            if (compared < 0) verdict = Verdict(kind), index = i, t = other;
         }
     }
 };
 
 TEST(KernelCylinderOrder, IsThatOfFractionsAndAThousandDigits) {
-    std::map<First::Kind, int> met;
+    std::map<std::optional<Subject>, int> met;
+    int ties = 0;
     any_precision::for_seeds("order", 4 * rays_in_ci, [&](std::uint64_t seed) {
         const OrderCase c(seed);
         TrueFirst first;
-        first.meet(c.ray, c.objects.spheres, First::Kind::sphere);
-        first.meet(c.ray, c.objects.triangles, First::Kind::triangle);
-        first.meet(c.ray, c.objects.cylinders, First::Kind::cylinder);
+        first.meet(c.ray, c.objects.spheres, Subject::sphere);
+        first.meet(c.ray, c.objects.triangles, Subject::triangle);
+        first.meet(c.ray, c.objects.cylinders, Subject::cylinder);
         Cast cast;
         cast_ray(c.ray, c.objects, cast);
-        ++met[first.kind];
-        RC_ASSERT(cast.first.kind == first.kind);
+        ++met[first.verdict.object()];
+        if (first.verdict == Verdict::tie) ++ties;
+        RC_ASSERT(cast.first.verdict == first.verdict);
         RC_ASSERT(cast.first.index == first.index);
     });
-    std::cout << "order: " << met[First::Kind::sphere] << " spheres first, " << met[First::Kind::triangle]
-              << " triangles, " << met[First::Kind::cylinder] << " cylinders, " << met[First::Kind::tie] << " ties\n";
-    EXPECT_GT(met[First::Kind::tie], 100);
+    std::cout << "order: " << met[Subject::sphere] << " spheres first, " << met[Subject::triangle] << " triangles, "
+              << met[Subject::cylinder] << " cylinders, " << ties << " ties\n";
+    EXPECT_GT(ties, 100);
 }
 
 // What follows was derived by hand: a tube x² + z² = 25 around the origin, with the caps at y = -2 and y = 2.
@@ -348,18 +352,18 @@ TEST(CylinderByHand, IsOrderedAmongTheOthers) {
     const auto first = [](const Objects& objects) {
         Cast cast;
         cast_ray({P(-9, 0, 0), P(1, 0, 0)}, objects, cast);
-        return cast.first.kind;
+        return cast.first.verdict;
     };
     const auto wall = [](double x) { return Triangle<double>{P(x, -9, -9), P(x, 9, -9), P(x, 0, 9)}; };
     const double nearer = std::nextafter(-5.0, -6), farther = std::nextafter(-5.0, -4);
-    EXPECT_EQ(first({{{P(0, 0, 0), 5}}, {}, {can}}), First::Kind::tie);
-    EXPECT_EQ(first({{{P(0, 0, 0), std::nextafter(5.0, 6)}}, {}, {can}}), First::Kind::sphere);
-    EXPECT_EQ(first({{{P(0, 0, 0), std::nextafter(5.0, 4)}}, {}, {can}}), First::Kind::cylinder);
-    EXPECT_EQ(first({{}, {wall(-5)}, {can}}), First::Kind::tie);
-    EXPECT_EQ(first({{}, {wall(nearer)}, {can}}), First::Kind::triangle);
-    EXPECT_EQ(first({{}, {wall(farther)}, {can}}), First::Kind::cylinder);
-    EXPECT_EQ(first({{}, {}, {can, can}}), First::Kind::tie);
-    EXPECT_EQ(first({{}, {}, {can, {P(0x1p-60, 0, 0), 5, 4}}}), First::Kind::cylinder);
+    EXPECT_EQ(first({{{P(0, 0, 0), 5}}, {}, {can}}), Verdict::tie);
+    EXPECT_EQ(first({{{P(0, 0, 0), std::nextafter(5.0, 6)}}, {}, {can}}), Verdict(Subject::sphere));
+    EXPECT_EQ(first({{{P(0, 0, 0), std::nextafter(5.0, 4)}}, {}, {can}}), Verdict(Subject::cylinder));
+    EXPECT_EQ(first({{}, {wall(-5)}, {can}}), Verdict::tie);
+    EXPECT_EQ(first({{}, {wall(nearer)}, {can}}), Verdict(Subject::triangle));
+    EXPECT_EQ(first({{}, {wall(farther)}, {can}}), Verdict(Subject::cylinder));
+    EXPECT_EQ(first({{}, {}, {can, can}}), Verdict::tie);
+    EXPECT_EQ(first({{}, {}, {can, {P(0x1p-60, 0, 0), 5, 4}}}), Verdict(Subject::cylinder));
 }
 
 }  // namespace

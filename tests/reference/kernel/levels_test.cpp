@@ -38,13 +38,6 @@ bool is_within_a_quarter_of_a_float(double t, const truth::Real& truth) {
     return abs(truth::Real(t) - truth) <= abs(truth) * truth::Real(0x1p-26);
 }
 
-bool is_hit(SphereResult result) {
-    return result == SphereResult::hit || result == SphereResult::tangent;
-}
-bool is_hit(TriangleResult result) {
-    return result == TriangleResult::hit;
-}
-
 /// Checks all results for one ray and one object of T, from each level that may give them.
 template <class T, class Object>
 void check_levels(const Ray<T>& ray, const Object& object) {
@@ -95,25 +88,25 @@ TEST(Levels, DecideTrianglesInDoubles) {
 }
 
 template <class T>
-First::Kind true_first(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
+FirstHit::Kind true_first(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
     const auto at_sphere = true_result(as_double(ray), as_double(sphere));
     const auto at_triangle = true_result(as_double(ray), as_double(triangle));
-    if (at_sphere == SphereResult::invalid || at_triangle == TriangleResult::invalid) return First::Kind::invalid;
-    if (at_sphere == SphereResult::miss) return is_hit(at_triangle) ? First::Kind::triangle : First::Kind::none;
-    if (!is_hit(at_triangle)) return First::Kind::sphere;
+    if (at_sphere == SphereResult::invalid || at_triangle == TriangleResult::invalid) return FirstHit::Kind::invalid;
+    if (at_sphere == SphereResult::miss) return is_hit(at_triangle) ? FirstHit::Kind::triangle : FirstHit::Kind::none;
+    if (!is_hit(at_triangle)) return FirstHit::Kind::sphere;
     const int order = truth::order(truth::sphere(as_double(ray), as_double(sphere)),
                                    truth::triangle(as_double(ray), as_double(triangle)).t);
-    if (order == 0) return First::Kind::tie;
-    return order < 0 ? First::Kind::sphere : First::Kind::triangle;
+    if (order == 0) return FirstHit::Kind::tie;
+    return order < 0 ? FirstHit::Kind::sphere : FirstHit::Kind::triangle;
 }
 
 template <class T>
 void check_first(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
     const FirstHit given = first_of(ray, sphere, triangle);
     RC_ASSERT(given.kind == true_first(ray, sphere, triangle));
-    if (given.kind == First::Kind::sphere || given.kind == First::Kind::tie) {
+    if (given.kind == FirstHit::Kind::sphere || given.kind == FirstHit::Kind::tie) {
         RC_ASSERT(is_within_a_quarter_of_a_float(given.t, true_t(as_double(ray), as_double(sphere))));
-    } else if (given.kind == First::Kind::triangle) {
+    } else if (given.kind == FirstHit::Kind::triangle) {
         RC_ASSERT(is_within_a_quarter_of_a_float(given.t, true_t(as_double(ray), as_double(triangle))));
     } else {
         RC_ASSERT(given.t == 0);

@@ -17,6 +17,8 @@ namespace accuracy = reference::accuracy;
 namespace truth = reference::accuracy::truth;
 
 using namespace reference::kernel;
+using reference::Subject;
+using reference::Verdict;
 
 /// Rays per distribution, unless RC_PARAMS says otherwise.
 constexpr int rays_in_ci = 20000;
@@ -43,7 +45,7 @@ TEST_P(KernelSphere, DecidesAsFractionsDo) {
         const truth::SphereTruth truth = truth::sphere(c.ray, c.sphere);
         RC_ASSERT(cast.spheres[0].result == truth.result);
         const bool hit = truth.result != SphereResult::miss;
-        RC_ASSERT(cast.first.kind == (hit ? First::Kind::sphere : First::Kind::none));
+        RC_ASSERT(cast.first.verdict == (hit ? Verdict(Subject::sphere) : Verdict::no_hit));
         if (hit) check_t(cast.spheres[0].t, truth.t());
     });
 }
@@ -62,15 +64,15 @@ TEST_P(KernelTriangle, DecidesAsFractionsDo) {
     });
 }
 
-First::Kind true_first(const accuracy::OrderCase& c) {
+Verdict true_first(const accuracy::OrderCase& c) {
     const truth::SphereTruth sphere = truth::sphere(c.ray, c.sphere);
     const truth::TriangleTruth triangle = truth::triangle(c.ray, c.triangle);
     const bool in_triangle = triangle.result == TriangleResult::hit;
-    if (sphere.result == SphereResult::miss) return in_triangle ? First::Kind::triangle : First::Kind::none;
-    if (!in_triangle) return First::Kind::sphere;
+    if (sphere.result == SphereResult::miss) return in_triangle ? Verdict(Subject::triangle) : Verdict::no_hit;
+    if (!in_triangle) return Verdict(Subject::sphere);
     const int order = truth::order(sphere, triangle.t);
-    if (order == 0) return First::Kind::tie;
-    return order < 0 ? First::Kind::sphere : First::Kind::triangle;
+    if (order == 0) return Verdict::tie;
+    return order < 0 ? Verdict(Subject::sphere) : Verdict(Subject::triangle);
 }
 
 using KernelOrder = Kernel<accuracy::OrderCase>;
@@ -78,7 +80,7 @@ TEST_P(KernelOrder, DecidesAsFractionsDo) {
     Cast cast;
     check_all([&](const accuracy::OrderCase& c) {
         cast_ray(c.ray, {{c.sphere}, {c.triangle}}, cast);
-        RC_ASSERT(cast.first.kind == true_first(c));
+        RC_ASSERT(cast.first.verdict == true_first(c));
     });
 }
 
@@ -87,12 +89,12 @@ TEST_P(KernelOrder, DecidesAsFractionsDo) {
 First true_first(const accuracy::SpherePairCase& c) {
     const truth::SphereTruth one = truth::sphere(c.ray, c.one);
     const truth::SphereTruth other = truth::sphere(c.ray, c.other);
-    if (one.result == SphereResult::miss && other.result == SphereResult::miss) return {First::Kind::none, 0};
-    if (one.result == SphereResult::miss) return {First::Kind::sphere, 1};
-    if (other.result == SphereResult::miss) return {First::Kind::sphere, 0};
+    if (one.result == SphereResult::miss && other.result == SphereResult::miss) return {Verdict::no_hit, 0};
+    if (one.result == SphereResult::miss) return {Verdict(Subject::sphere), 1};
+    if (other.result == SphereResult::miss) return {Verdict(Subject::sphere), 0};
     const truth::Real difference = one.t() - other.t();
-    if (abs(difference) < truth::Real("1e-900")) return {First::Kind::tie, 0};
-    return {First::Kind::sphere, difference < 0 ? std::size_t{0} : std::size_t{1}};
+    if (abs(difference) < truth::Real("1e-900")) return {Verdict::tie, 0};
+    return {Verdict(Subject::sphere), difference < 0 ? std::size_t{0} : std::size_t{1}};
 }
 
 using KernelSpherePair = Kernel<accuracy::SpherePairCase>;
@@ -101,7 +103,7 @@ TEST_P(KernelSpherePair, DecidesAsAThousandDigitsDo) {
     check_all([&](const accuracy::SpherePairCase& c) {
         cast_ray(c.ray, {{c.one, c.other}}, cast);
         const First truth = true_first(c);
-        RC_ASSERT(cast.first.kind == truth.kind);
+        RC_ASSERT(cast.first.verdict == truth.verdict);
         RC_ASSERT(cast.first.index == truth.index);
     });
 }

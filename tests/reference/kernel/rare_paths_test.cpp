@@ -43,9 +43,9 @@ TEST(RarePath, ComparesATriangleWithTheFarRoot) {
     const auto first = [&](double z) {
         return first_of(ray, sphere, Triangle<double>{P(-9, -9, z), P(9, -9, z), P(0, 9, z)}).kind;
     };
-    EXPECT_EQ(first(-5), First::Kind::tie) << "from inside, the sphere is met at z = -5";
-    EXPECT_EQ(first(std::nextafter(-5.0, 0)), First::Kind::triangle);
-    EXPECT_EQ(first(std::nextafter(-5.0, -9)), First::Kind::sphere);
+    EXPECT_EQ(first(-5), FirstHit::Kind::tie) << "from inside, the sphere is met at z = -5";
+    EXPECT_EQ(first(std::nextafter(-5.0, 0)), FirstHit::Kind::triangle);
+    EXPECT_EQ(first(std::nextafter(-5.0, -9)), FirstHit::Kind::sphere);
     EXPECT_EQ(order_exactly(ray, sphere, Triangle<double>{P(-9, -9, -5), P(9, -9, -5), P(0, 9, -5)}),
               std::partial_ordering::equivalent);
 }
@@ -66,9 +66,9 @@ TEST(RarePath, OrdersTwoTrianglesThatAreTurnedEitherWay) {
             EXPECT_EQ(cast.first.index, 1U);
             cast_ray(ray, {{}, {triangle(near, one), triangle(far, other)}}, cast);
             EXPECT_EQ(cast.first.index, 0U);
-            EXPECT_EQ(cast.first.kind, First::Kind::triangle);
+            EXPECT_EQ(cast.first.verdict, Verdict(Subject::triangle));
             cast_ray(ray, {{}, {triangle(far, one), triangle(far, other)}}, cast);
-            EXPECT_EQ(cast.first.kind, First::Kind::tie);
+            EXPECT_EQ(cast.first.verdict, Verdict::tie);
         }
     }
 }
@@ -78,16 +78,16 @@ TEST(RarePath, OrdersWhatIsMetAtTheStart) {
     const Sphere<double> sphere{P(0, 0, 0), 1};
     const auto first = [&](double step, double z) {
         const Triangle<double> triangle{P(-9, -9, z), P(9, -9, z), P(0, 9, z)};
-        const First::Kind kind = first_of(Ray<double>{P(0, 0, 1), P(0, 0, step)}, sphere, triangle).kind;
+        const FirstHit::Kind kind = first_of(Ray<double>{P(0, 0, 1), P(0, 0, step)}, sphere, triangle).kind;
         Cast cast;
         cast_ray({P(0, 0, 1), P(0, 0, step)}, {{sphere}, {triangle}}, cast);
-        EXPECT_EQ(cast.first.kind, kind);
+        EXPECT_EQ(cast.first.verdict, kind == FirstHit::Kind::tie ? Verdict::tie : Verdict(Subject::sphere));
         return kind;
     };
-    EXPECT_EQ(first(-1, 1), First::Kind::tie);
-    EXPECT_EQ(first(1, 1), First::Kind::tie);
-    EXPECT_EQ(first(-1, std::nextafter(1.0, 0.0)), First::Kind::sphere);
-    EXPECT_EQ(first(1, std::nextafter(1.0, 2.0)), First::Kind::sphere);
+    EXPECT_EQ(first(-1, 1), FirstHit::Kind::tie);
+    EXPECT_EQ(first(1, 1), FirstHit::Kind::tie);
+    EXPECT_EQ(first(-1, std::nextafter(1.0, 0.0)), FirstHit::Kind::sphere);
+    EXPECT_EQ(first(1, std::nextafter(1.0, 2.0)), FirstHit::Kind::sphere);
 }
 
 }  // namespace
