@@ -101,9 +101,11 @@ std::uint32_t surface_index(const std::optional<std::size_t>& material) {
     return material ? static_cast<std::uint32_t>(*material + 1) : 0;
 }
 
-/// Objects beyond the list's end have no material.
-std::uint32_t surface_index(const std::vector<std::optional<std::size_t>>& materials, std::size_t i) {
-    return i < materials.size() ? surface_index(materials[i]) : 0;
+/// The surface of the i-th object of a kind. Objects beyond the list's end have no material.
+std::uint32_t surface_index(const Appearance& appearance, Subject kind, std::size_t i) {
+    const auto materials = appearance.object_materials.find(kind);
+    const bool is_listed = materials != appearance.object_materials.end() && i < materials->second.size();
+    return is_listed ? surface_index(materials->second[i]) : 0;
 }
 
 /// What is neither mirrored nor let through. The shares are rounded to doubles: what is below that is nothing.
@@ -155,7 +157,7 @@ bool is_twin(const Cylinder<double>& one, const Cylinder<double>& other) {
 
 /// `to` is a vector of `prepared`.
 template <class Object>
-void add_without_twins(const std::vector<Object>& objects, Subject kind, std::map<Subject, MaterialChoices>& materials,
+void add_without_twins(const std::vector<Object>& objects, Subject kind, const Appearance& appearance,
                        std::vector<Object>& to, PreparedScene& prepared) {
     std::size_t twins = 0;
     for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -165,7 +167,7 @@ void add_without_twins(const std::vector<Object>& objects, Subject kind, std::ma
             continue;
         }
         to.push_back(objects[i]);
-        prepared.surface_of.push_back(surface_index(materials[kind], i));
+        prepared.surface_of.push_back(surface_index(appearance, kind, i));
     }
     if (twins > 0) {
         prepared.notes.push_back(fmt::format("{} {}{} left out: there is the same one before.", twins, to_string(kind),
@@ -191,6 +193,34 @@ void add_triangles(const std::vector<Triangle<double>>& triangles, const std::st
         prepared.notes.push_back(
             fmt::format("{} of {} triangles {} left out: they have no area.", flat, triangles.size(), of));
     }
+}
+
+// Adds the objects of a kind, in the order of for_each_kind.
+
+void add_objects(const std::vector<Sphere<double>>& spheres, const Assignment& assignment, PreparedScene& prepared) {
+    add_without_twins(spheres, Subject::sphere, assignment.appearance, prepared.spheres, prepared);
+    prepared.sphere_count = static_cast<std::uint32_t>(prepared.spheres.size());
+}
+
+void add_objects(const std::vector<Triangle<double>>& triangles, const Assignment& assignment,
+                 PreparedScene& prepared) {
+    const Appearance& appearance = assignment.appearance;
+    add_triangles(triangles, "of the scene", prepared,
+                  [&](std::size_t i) { return surface_index(appearance, Subject::triangle, i); });
+    for (const MeshFile& mesh : appearance.meshes) {
+        add_triangles(load_mesh(mesh), "of " + mesh.path.filename().string(), prepared,
+                      [&](std::size_t) { return surface_index(mesh.material); });
+        if (prepared.triangles.size() > most_triangles) {
+            throw AssignmentError(fmt::format("{}: with this mesh the scene has more than {} triangles; simplify it",
+                                              mesh.place, most_triangles));
+        }
+    }
+    prepared.first_cylinder = prepared.sphere_count + static_cast<std::uint32_t>(prepared.triangles.size());
+}
+
+void add_objects(const std::vector<Cylinder<double>>& cylinders, const Assignment& assignment,
+                 PreparedScene& prepared) {
+    add_without_twins(cylinders, Subject::cylinder, assignment.appearance, prepared.cylinders, prepared);
 }
 
 void check_size(const Assignment& assignment, const PreparedScene& prepared) {
@@ -230,22 +260,8 @@ PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureS
     prepared.eye = eye_of(scene, assignment.rubric.pixel_conventions.front(), side);
     prepared.boundary =
         assignment.rubric.boundary == BoundaryPolicy::positive ? Boundary::positive : Boundary::nonnegative;
-    std::map<Subject, MaterialChoices> materials = appearance.object_materials;
-    add_without_twins(scene.spheres, Subject::sphere, materials, prepared.spheres, prepared);
-    add_triangles(scene.triangles, "of the scene", prepared,
-                  [&](std::size_t i) { return surface_index(materials[Subject::triangle], i); });
-    for (const MeshFile& mesh : appearance.meshes) {
-        add_triangles(load_mesh(mesh), "of " + mesh.path.filename().string(), prepared,
-                      [&](std::size_t) { return surface_index(mesh.material); });
-        if (prepared.triangles.size() > most_triangles) {
-            throw AssignmentError(fmt::format("{}: with this mesh the scene has more than {} triangles; simplify it",
-                                              mesh.place, most_triangles));
-        }
-    }
-    prepared.sphere_count = static_cast<std::uint32_t>(prepared.spheres.size());
-    prepared.first_cylinder = prepared.sphere_count + static_cast<std::uint32_t>(prepared.triangles.size());
-    add_without_twins(scene.cylinders, Subject::cylinder, materials, prepared.cylinders, prepared);
-    prepared.object_count = prepared.first_cylinder + static_cast<std::uint32_t>(prepared.cylinders.size());
+    for_each_kind([&](Subject /*kind*/, const auto& objects) { add_objects(objects, assignment, prepared); }, scene);
+    prepared.object_count = static_cast<std::uint32_t>(prepared.surface_of.size());
     prepared.surfaces = surfaces_of(appearance, color_space);
     add_lights(appearance, prepared);
     prepared.ambient_light = appearance.ambient_light;
