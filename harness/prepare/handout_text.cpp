@@ -53,6 +53,21 @@ const std::map<ItemId, std::string_view>& wordings() {
     return words;
 }
 
+std::string sentence_about(const reference::Sphere<Decimal>& sphere) {
+    return fmt::format("Sphere: center C {}, radius R {}.\n", point(sphere.center), sphere.radius.text());
+}
+
+std::string sentence_about(const reference::Triangle<Decimal>& triangle) {
+    return fmt::format("Triangle: A {}, B {}, C {}.\n", point(triangle.A), point(triangle.B), point(triangle.C));
+}
+
+std::string sentence_about(const reference::Cylinder<Decimal>& cylinder) {
+    return fmt::format(
+        "Cylinder: axis parallel to the y axis, center {}, radius R {}, height {} from bottom to top, closed by two "
+        "caps.\n",
+        point(cylinder.center), cylinder.radius.text(), cylinder.height.text());
+}
+
 std::string scene_text(const reference::Scene<Decimal>& scene) {
     std::string text = fmt::format("Camera: eye {}, lookat {}, vup {}.\n", point(scene.camera.eye),
                                    point(scene.camera.lookat), point(scene.camera.vup));
@@ -62,17 +77,11 @@ std::string scene_text(const reference::Scene<Decimal>& scene) {
         "from the left, y from the bottom, both from 0.\n",
         window.clip_left.text(), window.clip_right.text(), window.clip_bottom.text(), window.clip_top.text(),
         window.clip_near.text(), window.width, window.height, scene.pixel.x, scene.pixel.y);
-    for (const auto& sphere : scene.spheres)
-        text += fmt::format("Sphere: center C {}, radius R {}.\n", point(sphere.center), sphere.radius.text());
-    for (const auto& triangle : scene.triangles)
-        text += fmt::format("Triangle: A {}, B {}, C {}.\n", point(triangle.A), point(triangle.B), point(triangle.C));
-    for (const auto& cylinder : scene.cylinders) {
-        text += fmt::format(
-            "Cylinder: axis parallel to the y axis, center {}, radius R {}, height {} from bottom to top, closed by "
-            "two "
-            "caps.\n",
-            point(cylinder.center), cylinder.radius.text(), cylinder.height.text());
-    }
+    reference::for_each_kind(
+        [&](reference::Subject /*kind*/, const auto& objects) {
+            for (const auto& object : objects) text += sentence_about(object);
+        },
+        scene);
     return text;
 }
 
