@@ -28,18 +28,11 @@ enum class ScenePart {
     pixel
 };
 
-inline constexpr std::array all_parts{ScenePart::eye,
-                                      ScenePart::lookat,
-                                      ScenePart::vup,
-                                      ScenePart::center,
-                                      ScenePart::radius,
-                                      ScenePart::A,
-                                      ScenePart::B,
-                                      ScenePart::C,
-                                      ScenePart::cylinder_center,
-                                      ScenePart::cylinder_radius,
-                                      ScenePart::cylinder_height,
-                                      ScenePart::pixel};
+inline constexpr auto all_parts = [] {
+    std::array<ScenePart, static_cast<std::size_t>(ScenePart::pixel) + 1> parts{};
+    for (std::size_t i = 0; i < parts.size(); ++i) parts.at(i) = static_cast<ScenePart>(i);
+    return parts;
+}();
 
 class PartSet {
   public:
