@@ -42,10 +42,6 @@ Sketch right_sketch(const RightValues& right, const reference::AnswerKey& key, c
 /// The image plane's corners in the world, in order around it from the bottom left.
 std::vector<Point> window_corners(const DoubleScene& scene, const Point& X_vcs, const Point& Y_vcs, const Point& Z_vcs);
 
-Point middle_of(const reference::Sphere<double>& sphere);
-Point middle_of(const reference::Triangle<double>& triangle);
-Point middle_of(const reference::Cylinder<double>& cylinder);
-
 /// A line from `start` along `V`, long enough to leave the frame.
 Line ray_from(const Point& start, const Point& V, const Frame& frame);
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "harness/report/sketch/object_sketch.h"
+
 namespace harness::report::picture {
 namespace {
 
@@ -54,18 +56,13 @@ class FrameChoice {
     FrameChoice(const Point& eye, double limit, Bounds bounds) : eye_(eye), limit_(limit), bounds_(bounds) {}
 
     /// Takes the points into the frame if all are near enough; returns whether it did.
-    bool take(const std::vector<Point>& points, double around = 0) {
+    bool take(const Extent& extent) {
+        const auto& [points, around] = extent;
         for (const Point& point : points) {
             if (!(distance(point, eye_) + around <= limit_)) return false;
         }
         for (const Point& point : points) bounds_.hold(point, around);
         return true;
-    }
-    bool take_object(const reference::Sphere<double>& sphere) { return take({sphere.center}, sphere.radius); }
-    bool take_object(const reference::Triangle<double>& triangle) { return take({triangle.A, triangle.B, triangle.C}); }
-    bool take_object(const reference::Cylinder<double>& cylinder) {
-        const Point half(cylinder.radius, cylinder.height / 2, cylinder.radius);
-        return take({cylinder.center - half, cylinder.center + half});
     }
     const Bounds& bounds() const { return bounds_; }
 
@@ -116,15 +113,15 @@ Frame choose_frame(const DoubleScene& scene, const std::vector<Point>& more, Roo
     bounds.hold(middle_of_window, more.empty() || room == Room::for_mistakes ? around : 0);
     if (room == Room::for_mistakes) bounds.hold(eye + (eye - middle_of_window));
     FrameChoice choice(eye, farthest * std::hypot(window.clip_near, around), bounds);
-    if (!choice.take({scene.camera.lookat})) notes.emplace_back("lookat is far beyond the frame.");
+    if (!choice.take({{scene.camera.lookat}})) notes.emplace_back("lookat is far beyond the frame.");
     reference::for_each_kind(
         [&](reference::Subject kind, const auto& objects) {
             const auto beyond =
-                std::ranges::count_if(objects, [&](const auto& object) { return !choice.take_object(object); });
+                std::ranges::count_if(objects, [&](const auto& object) { return !choice.take(extent_of(object)); });
             tell_beyond(static_cast<std::size_t>(beyond), objects.size(), to_string(kind), notes);
         },
         scene);
-    for (const Point& point : more) choice.take({point});
+    for (const Point& point : more) choice.take({{point}});
     Frame frame = frame_around(choice.bounds());
     // There is always room for the camera's axes.
     bounds = choice.bounds();

@@ -1,0 +1,70 @@
+// What is drawn of each kind of object. The functions of a kind stand in the file of its name.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/report/sketch/assignment_sketch.h"
+
+namespace harness::report::picture {
+
+/// The index of the object of a kind that the questions are about. P_WCS and V are known.
+std::size_t asked_index(const std::vector<reference::Sphere<double>>& spheres, const reference::AnswerKey& key,
+                        const RightValues& right);
+std::size_t asked_index(const std::vector<reference::Triangle<double>>& triangles, const reference::AnswerKey& key,
+                        const RightValues& right);
+std::size_t asked_index(const std::vector<reference::Cylinder<double>>& cylinders, const reference::AnswerKey& key,
+                        const RightValues& right);
+
+/// Adds the object; `named` also what its points are called.
+void draw_object(const reference::Sphere<double>& sphere, bool named, Sketch& sketch);
+void draw_object(const reference::Triangle<double>& triangle, bool named, Sketch& sketch);
+void draw_object(const reference::Cylinder<double>& cylinder, bool named, Sketch& sketch);
+
+/// Adds where the ray meets the object that the questions are about.
+void draw_hit(const reference::Sphere<double>& sphere, const RightValues& right, const reference::AnswerKey& key,
+              Sketch& sketch);
+void draw_hit(const reference::Triangle<double>& triangle, const RightValues& right, const reference::AnswerKey& key,
+              Sketch& sketch);
+void draw_hit(const reference::Cylinder<double>& cylinder, const RightValues& right, const reference::AnswerKey& key,
+              Sketch& sketch);
+
+/// Where a normal without a hit point is drawn.
+Point middle_of(const reference::Sphere<double>& sphere);
+Point middle_of(const reference::Triangle<double>& triangle);
+Point middle_of(const reference::Cylinder<double>& cylinder);
+
+/// What a frame holds if it holds the object: these points, and so much around each.
+struct Extent {
+    std::vector<Point> points;
+    double around = 0;
+};
+Extent extent_of(const reference::Sphere<double>& sphere);
+Extent extent_of(const reference::Triangle<double>& triangle);
+Extent extent_of(const reference::Cylinder<double>& cylinder);
+
+// For these functions.
+
+/// The key's numbers for an item; null without any.
+const reference::Numbers* numbers_of(const reference::AnswerKey& key, const reference::ItemId& id);
+/// Empty without three finite numbers.
+std::optional<Point> point_of(const reference::AnswerKey& key, const reference::ItemId& id);
+/// NaN without a single number.
+double number_of(const reference::AnswerKey& key, const reference::ItemId& id);
+
+/// "P_s: the ray hits the sphere, t = 2."
+std::string hit_note(std::string_view object, std::string_view point, double t);
+
+/// The index of the thing that differs least, the first of several; 0 if none can be told.
+template <class T, class Difference>
+std::size_t nearest(const std::vector<T>& things, Difference difference) {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < things.size(); ++i) {
+        if (difference(things[i]) < difference(things[best])) best = i;
+    }
+    return best;
+}
+
+}  // namespace harness::report::picture
