@@ -1,11 +1,13 @@
 #include "reference/render/scene/mesh_reader.h"
 
 #include <fmt/format.h>
-#define TINYOBJLOADER_USE_DOUBLE
-#include <tiny_obj_loader.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fstream>
+#include <optional>
+#include <string_view>
 
 #include "reference/toml/assignment.h"
 
@@ -13,46 +15,79 @@ namespace reference::render {
 namespace {
 
 constexpr double largest_coordinate = 1e30;
+constexpr std::size_t most_quoted = 40;
 
-/// What the parser reports, line by line. The first mistake is kept and the rest of the file is ignored, because
-/// exceptions must not pass through the parser.
+/// The next word of the line, which is taken from it; empty at its end.
+std::string_view take_word(std::string_view& line) {
+    constexpr std::string_view blanks = " \t\r";
+    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+    const std::string_view word = line.substr(0, line.find_first_of(blanks));
+    line.remove_prefix(word.size());
+    return word;
+}
+
+/// Empty unless the whole word is a number, or one followed by a slash for an index.
+template <class Number>
+std::optional<Number> number_of(std::string_view word) {
+    if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+    if constexpr (std::is_same_v<Number, long>) word = word.substr(0, word.find('/'));
+    Number x = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), x);
+    if (word.empty() || error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+    return x;
+}
+
 struct Reading {
-    std::vector<Vec3<double>> vertices;
-    std::vector<Triangle<double>> triangles;
+    const std::string& name;
+    std::vector<Vec3<double>> vertices = {};
+    std::vector<Triangle<double>> triangles = {};
     std::size_t faces = 0;
-    std::string mistake;
 
-    void add_vertex(double x, double y, double z) {
-        if (!mistake.empty()) return;
-        for (const double coordinate : {x, y, z}) {
-            if (std::abs(coordinate) <= largest_coordinate) continue;  // false for NaN
-            mistake = fmt::format("vertex {} has a coordinate beyond 1e30; scale the mesh", vertices.size() + 1);
-        }
-        vertices.emplace_back(x, y, z);
+    template <class... Parts>
+    [[noreturn]] void refuse(fmt::format_string<Parts...> mistake, Parts&&... parts) const {
+        throw AssignmentError(name + ": " + fmt::format(mistake, std::forward<Parts>(parts)...));
+    }
+
+    void add_vertex(std::string_view line) {
+        const std::size_t count = vertices.size() + 1;
+        const auto coordinate = [&] {
+            const std::string_view word = take_word(line);
+            if (word.empty()) refuse("vertex {} has fewer than three coordinates", count);
+            const std::optional<double> x = number_of<double>(word);
+            if (!x) refuse("vertex {}: \"{}\" is not a number that a double holds", count, word.substr(0, most_quoted));
+            if (!(std::abs(*x) <= largest_coordinate)) {
+                refuse("vertex {} has a coordinate beyond 1e30; scale the mesh", count);
+            }
+            return *x;
+        };
+        const double x = coordinate();
+        const double y = coordinate();
+        vertices.emplace_back(x, y, coordinate());
     }
 
     /// OBJ counts vertices from 1, or from -1 backwards from the last one so far.
-    const Vec3<double>* vertex(int index) const {
+    const Vec3<double>& vertex(std::string_view word) const {
+        const std::optional<long> index = number_of<long>(word);
+        if (!index) refuse("face {}: \"{}\" is not a vertex's number", faces, word.substr(0, most_quoted));
         const auto count = static_cast<long>(vertices.size());
-        const long place = index < 0 ? count + index : long{index} - 1;
-        return 0 <= place && place < count ? &vertices[static_cast<std::size_t>(place)] : nullptr;
+        if (*index == 0 || *index > count || *index < -count) {
+            refuse("face {} names vertex {}, and {} vertices come before it", faces, *index, count);
+        }
+        return vertices[static_cast<std::size_t>(*index < 0 ? count + *index : *index - 1)];
     }
 
-    void add_face(const tinyobj::index_t* indices, int count) {
-        if (!mistake.empty()) return;
+    void add_face(std::string_view line) {
         ++faces;
-        if (count < 3) mistake = fmt::format("face {} has {} vertices; a face has three or more", faces, count);
-        for (int i = 0; i < count && mistake.empty(); ++i) {
-            if (vertex(indices[i].vertex_index) != nullptr) continue;
-            mistake = fmt::format("face {} names vertex {}, and {} vertices come before it", faces,
-                                  indices[i].vertex_index, vertices.size());
-        }
-        for (int i = 1; i + 1 < count && mistake.empty(); ++i) {
-            triangles.push_back({*vertex(indices[0].vertex_index), *vertex(indices[i].vertex_index),
-                                 *vertex(indices[i + 1].vertex_index)});
-            if (triangles.size() > most_triangles) {
-                mistake = fmt::format("holds more than {} triangles; simplify the mesh", most_triangles);
+        std::vector<Vec3<double>> corners;
+        for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
+            corners.push_back(vertex(word));
+            if (triangles.size() + corners.size() > most_triangles + 2) {
+                refuse("holds more than {} triangles; simplify the mesh", most_triangles);
             }
+        }
+        if (corners.size() < 3) refuse("face {} has {} vertices; a face has three or more", faces, corners.size());
+        for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+            triangles.push_back({corners[0], corners[i], corners[i + 1]});
         }
     }
 };
@@ -60,22 +95,14 @@ struct Reading {
 }  // namespace
 
 std::vector<Triangle<double>> read_mesh(std::istream& obj, const std::string& name) {
-    Reading reading;
-    tinyobj::callback_t callback;
-    callback.vertex_cb = [](void* user, double x, double y, double z, double /*w*/) {
-        static_cast<Reading*>(user)->add_vertex(x, y, z);
-    };
-    callback.index_cb = [](void* user, tinyobj::index_t* indices, int count) {
-        static_cast<Reading*>(user)->add_face(indices, count);
-    };
-    std::string warning;
-    std::string error;
-    const bool is_read = tinyobj::LoadObjWithCallback(obj, callback, &reading, nullptr, &warning, &error);
-    if (!reading.mistake.empty()) throw AssignmentError(fmt::format("{}: {}", name, reading.mistake));
-    if (!is_read) throw AssignmentError(fmt::format("{}: is no OBJ file: {}", name, error));
-    if (reading.triangles.empty()) {
-        throw AssignmentError(fmt::format("{}: holds no faces; is it a Wavefront OBJ file?", name));
+    Reading reading{name};
+    for (std::string text; std::getline(obj, text);) {
+        std::string_view line = text;
+        const std::string_view keyword = take_word(line);
+        if (keyword == "v") reading.add_vertex(line);
+        if (keyword == "f") reading.add_face(line);
     }
+    if (reading.triangles.empty()) reading.refuse("holds no faces; is it a Wavefront OBJ file?");
     return std::move(reading.triangles);
 }
 

@@ -41,6 +41,16 @@ TEST(MeshReader, ReadsVerticesAndFaces) {
     EXPECT_EQ(triangles[0].B, Vec3<double>(1.5, 0, -0.2));
 }
 
+TEST(MeshReader, ReadsCoordinatesToTheirLastBit) {
+    const auto triangles = read(
+        "v 0.3 +0.7 1e-320\nv 0.1234567890123456789 -0 4503599627370497.5\nv 1. .5 -1E+2 0.9 0.9 0.9\n"
+        "\tf  +1 2/9 3//9 \r\n");
+    ASSERT_EQ(triangles.size(), 1U);
+    EXPECT_EQ(triangles[0].A, Vec3<double>(0.3, 0.7, 1e-320));
+    EXPECT_EQ(triangles[0].B, Vec3<double>(0.1234567890123456789, 0, 4503599627370497.5));
+    EXPECT_EQ(triangles[0].C, Vec3<double>(1, 0.5, -100));
+}
+
 TEST(MeshReader, SplitsAPolygonIntoAFan) {
     const auto triangles = read(square + "f 1 2 3 4\n");
     ASSERT_EQ(triangles.size(), 2U);
@@ -67,6 +77,16 @@ TEST(MeshReader, NamesTheFileAndWhatIsWrongWithIt) {
     EXPECT_THAT(complaint("f 1 2 3\n" + square), says("0 vertices come before it"));
     EXPECT_THAT(complaint(square + "f 1 2\n"), says("a face has three or more"));
     EXPECT_THAT(complaint("v 0 0 1e31\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), says("vertex 1 has a coordinate beyond 1e30"));
+    EXPECT_THAT(complaint("v 0 0 1e999\n"), says("vertex 1: \"1e999\" is not a number that a double holds"));
+    EXPECT_THAT(complaint("v 0 0 nan\n"), says("vertex 1 has a coordinate beyond 1e30"));
+    EXPECT_THAT(complaint("v 0 0 -inf\n"), says("vertex 1 has a coordinate beyond 1e30"));
+    EXPECT_THAT(complaint("v 0 0 0\nv 1 0 0,5\n"), says("vertex 2: \"0,5\" is not a number"));
+    EXPECT_THAT(complaint("v 0 0 +-1\n"), says("vertex 1: \"+-1\" is not a number"));
+    EXPECT_THAT(complaint("v 1 2\n"), says("vertex 1 has fewer than three coordinates"));
+    EXPECT_THAT(complaint(square + "f 1 2 0\n"), says("names vertex 0"));
+    EXPECT_THAT(complaint(square + "f 1 2 x\n"), says("face 1: \"x\" is not a vertex's number"));
+    EXPECT_THAT(complaint(square + "f 1 2 /3\n"), says("face 1: \"/3\" is not a vertex's number"));
+    EXPECT_THAT(complaint(square + "f 1 2 99999999999999999999\n"), says("is not a vertex's number"));
     EXPECT_THAT(complaint(""), says("holds no faces"));
     EXPECT_THAT(complaint(square), says("holds no faces"));
     EXPECT_THAT(complaint(std::string("\x7f"
