@@ -1,33 +1,44 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
-#include "reference/kernel/queries.h"
+#include "harness/machine/errors.h"
+#include "reference/cast/queries.h"
 
 namespace harness {
 namespace {
 
+struct CastOptions {
+    int jobs = 1;
+};
+
 /// Returns some_not_graded if a line was no query.
-int answer_queries() {
+int answer_rays(const CastOptions& options) {
     std::ios::sync_with_stdio(false);
     std::cin.tie(nullptr);
-    return reference::cast(std::cin, std::cout) == 0 ? all_graded : some_not_graded;
+    const long malformed = reference::cast::answer_queries(std::cin, std::cout, options.jobs);
+    if (!std::cout) throw HarnessError("stdout can't be written to, so answers are missing; is the disk full?");
+    return malformed == 0 ? all_graded : some_not_graded;
+}
+
+void add_options(CLI::App& command, CastOptions& options) {
+    add_jobs(command, options.jobs, "How many threads to use; changes nothing but the time");
+    command.footer(
+        "A query: "
+        "{\"origin\":[0,0,2],\"direction\":[0,0,-1],\"spheres\":[{\"center\":[1,1,0],\"radius\":2}],\"triangles\":[]}\n"
+        "A triangle is its three vertices, a cylinder {\"center\":[2,0,0],\"radius\":1,\"height\":4} in \"cylinders\", "
+        "with its axis along y.\n"
+        "Numbers are JSON numbers or hex floats in quotes. t >= 0, edges and vertices are hits, a tangent is one in "
+        "the order. A cylinder's caps are without their rims, which are the tube's.");
 }
 
 }  // namespace
 
 Subcommand cast_command(CLI::App& app) {
-    CLI::App& command = *app.add_subcommand(
-        "cast", "Answer rays exactly: one JSON query a line on stdin, one JSON answer a line on stdout");
-    command.footer(
-        "A query: "
-        "{\"origin\":[0,0,2],\"direction\":[0,0,-1],\"spheres\":[{\"center\":[1,1,0],\"radius\":2}],\"triangles\":[]}\n"
-        "A triangle is its three vertices, a cylinder {\"center\":[2,0,0],\"radius\":1,\"height\":4} in \"cylinders\", "
-        "with "
-        "its axis along y.\n"
-        "Numbers are JSON numbers or hex floats in quotes. t >= 0, edges and vertices are hits, a tangent is one in "
-        "the order. A cylinder's caps are without their rims, which are the tube's.");
-    return {&command, answer_queries};
+    return subcommand(app, "cast",
+                      "Answer rays exactly: one JSON query a line on stdin, one JSON answer a line on stdout",
+                      add_options, answer_rays);
 }
 
 }  // namespace harness

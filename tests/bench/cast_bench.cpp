@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "reference/accuracy/rays/distributions.h"
-#include "reference/kernel/queries.h"
+#include "reference/cast/queries.h"
 
 namespace {
 
@@ -50,7 +50,7 @@ void measure(std::string_view kind, const std::vector<accuracy::Distribution<Cas
         std::istringstream in(text);
         std::ostringstream out;
         const auto start = std::chrono::steady_clock::now();
-        const long malformed = reference::cast(in, out);
+        const long malformed = reference::cast::answer_queries(in, out, 1);
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
         fmt::print("{:20} {:30} {:9.0f} queries/s ({} malformed)\n", kind, distribution.name,
                    static_cast<double>(count) / seconds.count(), malformed);

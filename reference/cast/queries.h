@@ -1,9 +1,9 @@
-// `raygrade cast`: certified answers to rays by the million, one JSON line in, one JSON line out.
+// Queries with their own objects: one JSON line in, one JSON line out.
 #pragma once
 
 #include <iosfwd>
 
-namespace reference {
+namespace reference::cast {
 
 /// Reads queries, one per line:
 ///   {"origin":[x,y,z],"direction":[x,y,z],"spheres":[{"center":[x,y,z],"radius":r}],"triangles":[[[x,y,z],[x,y,z],[x,y,z]]],
@@ -21,7 +21,7 @@ namespace reference {
 /// after the triangles; the part is tube, top or bottom, and appears with t.
 ///
 /// A malformed line gives {"error":"...","line":7}, with lines counted from 1; the other lines are still answered.
-/// Returns the number of malformed lines.
-long cast(std::istream& queries, std::ostream& answers);
+/// Returns the number of malformed lines. Any number of threads gives the same answers; jobs >= 1.
+long answer_queries(std::istream& queries, std::ostream& answers, int jobs);
 
-}  // namespace reference
+}  // namespace reference::cast

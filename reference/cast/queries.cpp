@@ -1,31 +1,16 @@
-#include "reference/kernel/queries.h"
+#include "reference/cast/queries.h"
 
 #include <fmt/format.h>
 
-#include <istream>
-#include <nlohmann/json.hpp>
-#include <ostream>
+#include <memory>
 
-#include "reference/kernel/first.h"
-#include "reference/kernel/query.h"
+#include "reference/cast/query.h"
+#include "reference/cast/text.h"
 
-namespace reference {
+namespace reference::cast {
 namespace {
 
-using Text = fmt::memory_buffer;
-
-void append(Text& text, std::string_view part) {
-    text.append(part.data(), part.data() + part.size());
-}
-
-/// The shortest decimal that reads back as the same double.
-void append(Text& text, double x) {
-    if (std::isfinite(x)) {
-        fmt::format_to(fmt::appender(text), "{}", x);
-    } else {
-        append(text, "null");
-    }
-}
+using cast::append;
 
 void append(Text& text, const kernel::SphereHit& sphere) {
     switch (sphere.result) {
@@ -63,11 +48,9 @@ void append(Text& text, const kernel::CylinderHit& cylinder) {
         case kernel::CylinderResult::invalid: return append(text, R"({"result":"invalid"})");
     }
     append(text, cylinder.t);
-    switch (cylinder.part) {
-        case kernel::CylinderPart::tube: return append(text, R"(,"part":"tube"})");
-        case kernel::CylinderPart::top: return append(text, R"(,"part":"top"})");
-        case kernel::CylinderPart::bottom: return append(text, R"(,"part":"bottom"})");
-    }
+    append(text, R"(,"part":")");
+    append(text, name_of(cylinder.part));
+    append(text, "\"}");
 }
 
 template <class Hit>
@@ -103,34 +86,28 @@ void append(Text& text, const kernel::Cast& cast) {
     append(text, "\"}\n");
 }
 
-/// The message may quote the line, so it is escaped and invalid UTF-8 in it is replaced.
-void append_error(Text& text, const MalformedQuery& error, long line) {
-    const nlohmann::ordered_json json{{"error", error.what()}, {"line", line}};
-    append(text, json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-}
-
 }  // namespace
 
-long cast(std::istream& queries, std::ostream& answers) {
-    CastQueryReader reader;
-    CastQuery query;
-    kernel::Cast cast;
-    Text text;
-    std::string line;
-    long malformed = 0;
-    for (long number = 1; std::getline(queries, line); ++number) {
-        text.clear();
-        try {
-            reader.read(line, query);
-            kernel::cast_ray(query.ray, query.objects, cast);
-            append(text, cast);
-        } catch (const MalformedQuery& error) {
-            ++malformed;
-            append_error(text, error, number);
-        }
-        answers.write(text.data(), static_cast<std::streamsize>(text.size()));
-    }
-    return malformed;
+long answer_queries(std::istream& queries, std::ostream& answers, int jobs) {
+    LineBlocks blocks(queries);
+    const auto new_worker = [] {
+        return [reader = std::make_shared<QueryReader>(), query = Query(), cast = kernel::Cast()](const Block& block,
+                                                                                                  Text& text) mutable {
+            long malformed = 0;
+            for_each_line(block, [&](std::string_view line, std::uint64_t number) {
+                try {
+                    reader->read(line, query);
+                    kernel::cast_ray(query.ray, query.objects, cast);
+                    append(text, cast);
+                } catch (const MalformedQuery& error) {
+                    ++malformed;
+                    append_error(text, error.what(), number);
+                }
+            });
+            return malformed;
+        };
+    };
+    return answer_in_order([&](Block& block) { return blocks.next(block); }, new_worker, answers, jobs);
 }
 
-}  // namespace reference
+}  // namespace reference::cast

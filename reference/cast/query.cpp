@@ -1,4 +1,4 @@
-#include "reference/kernel/query.h"
+#include "reference/cast/query.h"
 
 #include <fmt/format.h>
 #include <simdjson.h>
@@ -8,7 +8,9 @@
 #include <charconv>
 #include <limits>
 
-namespace reference {
+#include "reference/cast/blocks.h"
+
+namespace reference::cast {
 namespace {
 
 namespace json = simdjson::dom;
@@ -127,7 +129,7 @@ bool is_list_of(std::string_view key, Subject kind) {
     throw MalformedQuery(fmt::format("\"{}\" is not a key; there are {}", key, listed(keys, "")));
 }
 
-void read_value(std::string_view key, const json::element& value, CastQuery& query) {
+void read_value(std::string_view key, const json::element& value, Query& query) {
     if (key == "origin") {
         query.ray.origin = point(value, key);
         return;
@@ -170,17 +172,20 @@ std::string with_exponents(std::string_view line) {
 
 }  // namespace
 
-struct CastQueryReader::Parser {
+struct QueryReader::Parser {
     json::parser json;
 };
 
-CastQueryReader::CastQueryReader() : parser_(std::make_unique<Parser>()) {}
-CastQueryReader::~CastQueryReader() = default;
+QueryReader::QueryReader() : parser_(std::make_unique<Parser>()) {}
+QueryReader::~QueryReader() = default;
 
-void CastQueryReader::read(const std::string& line, CastQuery& query) {
+std::size_t QueryReader::read_fields(std::string_view line, Query& query) {
+    if (line.size() > longest_line) {
+        throw MalformedQuery(fmt::format("a line may have {} MiB at most", longest_line >> 20U));
+    }
     for_each_kind([](Subject /*kind*/, auto& of_kind) { of_kind.clear(); }, query.objects);
     json::element root;
-    auto error = parser_->json.parse(line).get(root);
+    auto error = parser_->json.parse(line.data(), line.size()).get(root);
     if (error == simdjson::NUMBER_ERROR) error = parser_->json.parse(with_exponents(line)).get(root);
     if (error) throw MalformedQuery(simdjson::error_message(error));
     json::object fields;
@@ -196,6 +201,18 @@ void CastQueryReader::read(const std::string& line, CastQuery& query) {
     if (!has("origin") || !has("direction")) {
         throw MalformedQuery("a query must have an origin and a direction");
     }
+    return count;
 }
 
-}  // namespace reference
+void QueryReader::read(std::string_view line, Query& query) {
+    read_fields(line, query);
+}
+
+kernel::Ray<double> QueryReader::read_ray(std::string_view line) {
+    if (read_fields(line, ray_alone_) != 2) {
+        throw MalformedQuery("a query to a scene has an origin and a direction alone; the objects are the scene's");
+    }
+    return ray_alone_.ray;
+}
+
+}  // namespace reference::cast
