@@ -118,6 +118,10 @@ std::partial_ordering order_exactly(const Ray<float>& ray, const Sphere<float>& 
     return exact_order(as_double(ray), as_double(sphere), as_double(triangle));
 }
 
+std::partial_ordering order_exactly(const Ray<double>& ray, const Object& one, const Object& other) {
+    return std::visit([&](const auto& a, const auto& b) { return exact_order(ray, a, b); }, one, other);
+}
+
 void cast_ray(const Ray<double>& ray, const Objects& objects, Cast& result) {
     for_each_kind(
         [&](Subject /*kind*/, const auto& of_kind, auto& hits) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "reference/kernel/cylinder.h"
@@ -54,6 +55,9 @@ std::partial_ordering order_exactly(const Ray<double>& ray, const Sphere<double>
                                     const Triangle<double>& triangle);
 std::partial_ordering order_exactly(const Ray<float>& ray, const Sphere<float>& sphere,
                                     const Triangle<float>& triangle);
+/// The same for any two objects.
+using Object = std::variant<Sphere<double>, Triangle<double>, Cylinder<double>>;
+std::partial_ordering order_exactly(const Ray<double>& ray, const Object& one, const Object& other);
 
 template <class T>
 KERNEL_INLINE const Triangle<T>& corners_of(const Triangle<T>& triangle) {

@@ -168,6 +168,7 @@ void add_without_twins(const std::vector<Object>& objects, Subject kind, const A
         }
         to.push_back(objects[i]);
         prepared.surface_of.push_back(surface_index(appearance, kind, i));
+        prepared.number_of.push_back(static_cast<std::uint32_t>(i));
     }
     if (twins > 0) {
         prepared.notes.push_back(fmt::format("{} {}{} left out: there is the same one before.", twins, to_string(kind),
@@ -188,6 +189,7 @@ void add_triangles(const std::vector<Triangle<double>>& triangles, const std::st
         prepared.triangles.push_back(triangle);
         prepared.triangle_normals.push_back(*normal);
         prepared.surface_of.push_back(surface_of(i));
+        prepared.number_of.push_back(static_cast<std::uint32_t>(i));
     }
     if (flat > 0) {
         prepared.notes.push_back(
@@ -208,6 +210,7 @@ void add_objects(const std::vector<Triangle<double>>& triangles, const Assignmen
     add_triangles(triangles, "of the scene", prepared,
                   [&](std::size_t i) { return surface_index(appearance, Subject::triangle, i); });
     for (const MeshFile& mesh : appearance.meshes) {
+        prepared.first_of_mesh.push_back(static_cast<std::uint32_t>(prepared.surface_of.size()));
         add_triangles(load_mesh(mesh), "of " + mesh.path.filename().string(), prepared,
                       [&](std::size_t) { return surface_index(mesh.material); });
         if (prepared.triangles.size() > most_triangles) {

@@ -64,7 +64,7 @@ KERNEL_INLINE RowOfRays Eye::row(double y) const {
 enum class ObjectKind { sphere, triangle, cylinder };
 
 /// Objects are numbered: the spheres in the file's order, then the triangles, then the triangles of the meshes, then
-/// the cylinders.
+/// the cylinders. An object that is left out has no number here, and counts in `number_of`.
 struct PreparedScene {
     Eye eye;
     int width;   ///< pixels
@@ -78,7 +78,9 @@ struct PreparedScene {
     std::vector<Cylinder<double>> cylinders;
     std::vector<Surface> surfaces;          ///< the first is that of objects without a material
     std::vector<std::uint32_t> surface_of;  ///< by object
-    std::vector<PointLight> point_lights;   ///< with those that area lights are spread over, without black ones
+    std::vector<std::uint32_t> number_of;   ///< by object: its number in its list of the file, or in its mesh, from 0
+    std::vector<std::uint32_t> first_of_mesh;  ///< by mesh: the object that its first triangle is, or would be
+    std::vector<PointLight> point_lights;      ///< with those that area lights are spread over, without black ones
     std::vector<DirectionalLight> directional_lights;  ///< the same; the directions of unit length
     Color ambient_light;
     Color background;

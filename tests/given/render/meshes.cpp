@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace meshes {
 
@@ -180,6 +181,9 @@ render::PreparedScene scene_of(const Mesh& mesh, double scale, const Vec3<double
         scene.triangles.emplace_back(Triangle<double>{placed(a), placed(b), placed(c)});
     }
     scene.object_count = static_cast<std::uint32_t>(mesh.faces.size());
+    scene.number_of.resize(mesh.faces.size());
+    std::iota(scene.number_of.begin(), scene.number_of.end(), 0U);
+    scene.first_of_mesh = {0};
     scene.first_cylinder = scene.object_count;
     add_tree(scene);
     return scene;
