@@ -6,18 +6,14 @@
 #include <cmath>
 
 namespace harness::report {
-namespace {
-
-constexpr int group = 3;
 
 std::string grouped(double whole) {
+    constexpr int group = 3;
     std::string digits = fmt::format("{:.0f}", whole);
     for (int at = static_cast<int>(digits.size()) - group; at > 0; at -= group)
         digits.insert(static_cast<std::size_t>(at), ",");
     return digits;
 }
-
-}  // namespace
 
 std::string three_digits(double value) {
     if (value == 0) return "0";

@@ -5,6 +5,9 @@
 
 namespace harness::report {
 
+/// "12,345": a whole number.
+std::string grouped(double whole);
+
 /// Three significant digits, thousands grouped: "1.23", "123", "12,300".
 std::string three_digits(double value);
 

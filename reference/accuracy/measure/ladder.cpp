@@ -25,6 +25,7 @@ std::vector<std::string> method_names(Primitive primitive) {
         case Primitive::sphere: return names(sphere_methods());
         case Primitive::triangle: return names(triangle_methods());
         case Primitive::cast: return names(cast_methods());
+        case Primitive::mesh: return {};
     }
     return {};
 }
@@ -34,6 +35,7 @@ std::string name_of(Primitive primitive) {
         case Primitive::sphere: return "sphere";
         case Primitive::triangle: return "triangle";
         case Primitive::cast: return "cast";
+        case Primitive::mesh: return "mesh";
     }
     return "";
 }

@@ -1,13 +1,10 @@
-#include <time.h>
-
 #include <algorithm>
-#include <chrono>
-#include <numeric>
 #include <stdexcept>
 
 #include "reference/accuracy/measure/ladder.h"
 #include "reference/accuracy/measure/machine.h"
 #include "reference/accuracy/measure/statistics.h"
+#include "reference/accuracy/measure/timing.h"
 #include "reference/accuracy/methods/block_methods.h"
 
 namespace reference::accuracy {
@@ -101,40 +98,6 @@ std::uint64_t rays_for(const Method<Problem>& method, std::uint64_t rays) {
                                        : rays;
 }
 
-/// The processor time of this thread, without the time of other programs.
-std::chrono::nanoseconds thread_time() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
-}
-
-/// Nanoseconds for one of `count` rays.
-template <class F>
-double time_of(std::uint64_t count, F run) {
-    const std::chrono::nanoseconds start = thread_time();
-    run();
-    const std::chrono::duration<double, std::nano> time = thread_time() - start;
-    return time.count() / static_cast<double>(count);
-}
-
-/// Times every contestant once per repetition, each time in a new random order, so that disturbances of the machine
-/// affect all alike. time(i) is that of contestant i. Returns the times by contestant.
-template <class F>
-std::vector<std::vector<double>> interleaved(std::size_t contestants, int repetitions, Random& random, F time,
-                                             const std::function<void(double)>& progress) {
-    std::vector<std::vector<double>> times(contestants);
-    std::vector<std::size_t> order(contestants);
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    for (int repetition = 0; repetition < repetitions; ++repetition) {
-        for (std::size_t i = order.size(); i > 1; --i) {
-            std::swap(order[i - 1], order[static_cast<std::size_t>(random.bits() % i)]);
-        }
-        for (const std::size_t i : order) times[i].push_back(time(i));
-        progress(static_cast<double>(repetition + 1) / repetitions);
-    }
-    return times;
-}
-
 template <template <class> class Problem>
 Row judged_row(const Method<Problem>& method, const Drawn<Problem>& drawn) {
     const std::uint64_t rays = rays_for(method, drawn.truth.size());
@@ -143,13 +106,7 @@ Row judged_row(const Method<Problem>& method, const Drawn<Problem>& drawn) {
     row.kernel = method.kernel;
     row.scalar = method.scalar;
     row.source = method.source;
-    row.rays = rays;
-    row.wrong = wrong_answers(answers, drawn.truth);
-    constexpr double million = 1e6;
-    const Range interval = wilson_interval(row.wrong, rays);
-    row.wrong_per_million = million * static_cast<double>(row.wrong) / static_cast<double>(rays);
-    row.wrong_low = million * interval.low;
-    row.wrong_high = million * interval.high;
+    set_wrong(row, wrong_answers(answers, drawn.truth), rays);
     row.gives_t = method.shape.gives_t;
     row.prepared = method.shape.prepared;
     row.certain = method.shape.certain;
@@ -180,12 +137,7 @@ void add_rows(Measurement& measurement, Primitive primitive, const std::vector<M
         const auto times = interleaved(
             methods.size(), measurement.repetitions, order, [&](std::size_t i) { return timed(methods[i].run, i); },
             [&](double done) { progress.set(share_of_truth + (1 - share_of_truth) * done); });
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const Quartiles quartiles = quartiles_of(times[i]);
-            rows[i].ns_per_ray = quartiles.median;
-            rows[i].ns_low = quartiles.low;
-            rows[i].ns_high = quartiles.high;
-        }
+        for (std::size_t i = 0; i < rows.size(); ++i) set_time(rows[i], times[i]);
         if (!distribution.hard) {
             const auto latencies = interleaved(
                 methods.size(), measurement.repetitions, order,
@@ -235,11 +187,14 @@ std::size_t count_measured(const Methods& methods, const Distributions& distribu
 
 }  // namespace
 
+Measurement nothing_measured(const MeasureOptions& options) {
+    const Extent extent = extent_of(options);
+    return {options.seed, extent.rays, extent.repetitions, compiler(), arithmetic_flags(), processor(), {}, {}, {}, {}};
+}
+
 Measurement measure(const MeasureOptions& options, const Ladder& ladder) {
     refuse_unknown(options.kernels, ladder);
-    const Extent extent = extent_of(options);
-    Measurement measurement{options.seed, extent.rays, extent.repetitions, compiler(), arithmetic_flags(), processor(),
-                            {},           {}};
+    Measurement measurement = nothing_measured(options);
     const auto spheres = chosen(ladder.spheres, options.kernels);
     const auto triangles = chosen(ladder.triangles, options.kernels);
     const auto casts = chosen(ladder.casts, options.kernels);
@@ -252,7 +207,7 @@ Measurement measure(const MeasureOptions& options, const Ladder& ladder) {
     add_rows(measurement, Primitive::triangle, triangles, triangle_rays, progress);
     add_rows(measurement, Primitive::cast, casts, cast_rays, progress);
     constexpr std::uint64_t most_in_a_block = 8'192;
-    const std::uint64_t in_a_block = std::min(extent.rays, most_in_a_block);
+    const std::uint64_t in_a_block = std::min(measurement.rays, most_in_a_block);
     const auto sphere_blocks = chosen(ladder.sphere_blocks, options.kernels);
     const auto triangle_blocks = chosen(ladder.triangle_blocks, options.kernels);
     if (!sphere_blocks.empty()) {

@@ -9,7 +9,7 @@
 
 namespace reference::accuracy {
 
-enum class Primitive { sphere, triangle, cast };
+enum class Primitive { sphere, triangle, cast, mesh };
 
 /// How far the t of right hits is from the truth, in units in the last place of float at the true t.
 struct TError {
@@ -49,6 +49,14 @@ struct Row {
     bool certain = false;       ///< the method's decisions are proven to be right
     /// Nanoseconds where a ray waits for the answer before it; measured on benign rays. Empty for slow methods.
     std::optional<Quartiles> latency{};
+    std::string mesh{};  ///< the name of the mesh; empty for other primitives
+};
+
+/// A mesh that was measured.
+struct MeasuredMesh {
+    std::string name;  ///< of the file, unique
+    std::size_t triangles = 0;
+    std::size_t open_edges = 0;  ///< edges of faces that don't meet exactly one other face; 0: the mesh is closed
 };
 
 /// One loop over many rays and one object, in vector instructions, on benign rays.
@@ -73,6 +81,8 @@ struct Measurement {
     std::string processor;           ///< as the operating system names it; empty if it does not
     std::vector<Row> rows;           ///< by primitive, distribution and the ladder's order of methods
     std::vector<BlockRow> blocks{};  ///< by primitive
+    std::vector<MeasuredMesh> meshes{};
+    std::vector<std::string> notes{};  ///< what is missing, in whole sentences
 };
 
 struct MeasureOptions {
@@ -84,14 +94,17 @@ struct MeasureOptions {
     std::function<void(double done)> progress;
 };
 
+/// How and where it is measured, without a row.
+Measurement nothing_measured(const MeasureOptions& options);
+
 /// Every method on every distribution in one run, repetitions interleaved. Throws std::invalid_argument for a name in
 /// `kernels` that no method has.
 Measurement measure(const MeasureOptions& options);
 
-/// The names of all methods of a primitive, e.g. "half-b double".
+/// The names of all methods of a primitive, e.g. "half-b double"; none for a mesh, whose methods depend on the machine.
 std::vector<std::string> method_names(Primitive primitive);
 
-/// "sphere", "triangle", "cast".
+/// "sphere", "triangle", "cast", "mesh".
 std::string name_of(Primitive primitive);
 
 }  // namespace reference::accuracy

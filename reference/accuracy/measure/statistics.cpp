@@ -72,6 +72,16 @@ Range wilson_interval(std::uint64_t count, std::uint64_t total) {
     return {count == 0 ? 0 : (middle - spread) / scale, count == total ? 1 : (middle + spread) / scale};
 }
 
+void set_wrong(Row& row, std::uint64_t wrong, std::uint64_t rays) {
+    constexpr double million = 1e6;
+    const Range interval = wilson_interval(wrong, rays);
+    row.rays = rays;
+    row.wrong = wrong;
+    row.wrong_per_million = million * static_cast<double>(wrong) / static_cast<double>(rays);
+    row.wrong_low = million * interval.low;
+    row.wrong_high = million * interval.high;
+}
+
 Quartiles quartiles_of(std::vector<double> numbers) {
     std::sort(numbers.begin(), numbers.end());
     const auto at = [&](double share) {

@@ -26,6 +26,9 @@ struct Range {
 /// The 95 % interval of a share that was seen in `count` of `total` > 0 cases (Wilson, 1927).
 Range wilson_interval(std::uint64_t count, std::uint64_t total);
 
+/// Sets rays, wrong and the rate with its interval.
+void set_wrong(Row& row, std::uint64_t wrong, std::uint64_t rays);
+
 /// `numbers` is not empty. Between two ranks it interpolates linearly.
 Quartiles quartiles_of(std::vector<double> numbers);
 

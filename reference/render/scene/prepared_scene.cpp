@@ -250,6 +250,19 @@ void add_tree(PreparedScene& prepared) {
     prepared.tree = build_tree(boxes, triangles, prepared.sphere_count);
 }
 
+PreparedScene prepare_triangles(std::span<const Triangle<double>> triangles) {
+    PreparedScene prepared{};
+    prepared.boundary = Boundary::nonnegative;
+    for (const Triangle<double>& triangle : triangles) prepared.triangles.emplace_back(triangle);
+    prepared.object_count = static_cast<std::uint32_t>(triangles.size());
+    prepared.first_cylinder = prepared.object_count;
+    prepared.number_of.resize(triangles.size());
+    std::iota(prepared.number_of.begin(), prepared.number_of.end(), 0U);
+    prepared.first_of_mesh = {0};
+    add_tree(prepared);
+    return prepared;
+}
+
 PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureSize> size, ColorSpace color_space) {
     const Appearance& appearance = assignment.appearance;
     Scene<double> scene = scene_in_doubles(assignment);

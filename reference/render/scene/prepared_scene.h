@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -116,6 +117,9 @@ constexpr std::size_t most_objects_without_tree = 32;
 /// doubles), for a texture that can't be read, and for a picture with too many samples.
 PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureSize> size,
                             ColorSpace color_space = ColorSpace::as_written);
+
+/// Triangles alone, with a tree, for rays of one's own: triangle i is object i. There is at least one.
+PreparedScene prepare_triangles(std::span<const Triangle<double>> triangles);
 
 /// A tree of all objects of the scene.
 void add_tree(PreparedScene& prepared);

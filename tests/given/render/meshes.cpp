@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace meshes {
 
@@ -174,19 +173,10 @@ Rays scattered_rays(std::size_t count, Random& random) {
 }
 
 render::PreparedScene scene_of(const Mesh& mesh, double scale, const Vec3<double>& by) {
-    render::PreparedScene scene{};
-    scene.boundary = Boundary::nonnegative;
+    std::vector<Triangle<double>> triangles;
     const auto placed = [&](unsigned vertex) { return scaled(Vec3<double>(mesh.vertices[vertex]), scale) + by; };
-    for (const auto& [a, b, c] : mesh.faces) {
-        scene.triangles.emplace_back(Triangle<double>{placed(a), placed(b), placed(c)});
-    }
-    scene.object_count = static_cast<std::uint32_t>(mesh.faces.size());
-    scene.number_of.resize(mesh.faces.size());
-    std::iota(scene.number_of.begin(), scene.number_of.end(), 0U);
-    scene.first_of_mesh = {0};
-    scene.first_cylinder = scene.object_count;
-    add_tree(scene);
-    return scene;
+    for (const auto& [a, b, c] : mesh.faces) triangles.push_back({placed(a), placed(b), placed(c)});
+    return render::prepare_triangles(triangles);
 }
 
 }  // namespace meshes
