@@ -143,7 +143,7 @@ void add_options(CLI::App& command, AccuracyOptions& options) {
                     "else is measured")
         ->type_name("FILE")
         ->allow_extra_args(false)
-        ->check(CLI::ExistingFile);
+        ->check(CLI::Validator(CLI::ExistingFile).description(""));  // FILE says it
     command
         .add_option("-a,--assignment", options.assignment,
                     "Tell of this assignment's scene: each answer's error in float, double and long double, which "
