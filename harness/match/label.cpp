@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -158,18 +159,24 @@ std::vector<std::size_t> listed_items(std::string_view label, std::span<const It
     std::vector<std::size_t> listed;
     const Words words = split_words(label);
     if (says_no_answer(words)) return {};
+    const auto lists = [&](std::string_view name) {
+        const auto item =
+            std::ranges::find_if(items, [&](const ItemSpec& spec) { return names_of(spec).names.contains(name); });
+        if (item != items.end()) listed.push_back(static_cast<std::size_t>(item - items.begin()));
+        return item != items.end();
+    };
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const auto item = std::find_if(items.begin(), items.end(),
-                                       [&](const ItemSpec& spec) { return names_of(spec).names.contains(words[i]); });
-        if (item == items.end()) {
-            if (listed.empty() || fillers().contains(words[i])) continue;  // "coefficients a, b and c"
-            return {};
-        }
-        const auto index = static_cast<std::size_t>(item - items.begin());
-        if (contains(listed, index)) return {};
-        listed.push_back(index);
+        const std::size_t before = listed.size();
+        const std::string_view word = words[i];
+        if (lists(word) || fillers().contains(word)) continue;
+        bool is_run = true;  // "abc"
+        for (std::size_t k = 0; k < word.size() && is_run; ++k) is_run = lists(word.substr(k, 1));
+        if (is_run) continue;
+        listed.resize(before);
+        if (!listed.empty()) return {};  // else it stands before the list: "coefficients a, b and c"
     }
-    return listed.size() >= 2 ? listed : std::vector<std::size_t>();
+    const std::set<std::size_t> distinct(listed.begin(), listed.end());
+    return listed.size() >= 2 && distinct.size() == listed.size() ? listed : std::vector<std::size_t>();
 }
 
 MatrixOrder matrix_order(std::string_view label) {

@@ -21,6 +21,8 @@ struct Term {
 struct FormulaForm {
     std::vector<Term> terms;
     std::optional<PrintedNumber> right;
+    std::size_t length = 0;  ///< in bytes
+    bool is_whole = true;    ///< nothing follows but signs
 };
 
 #define RAYGRADE_NUMBER R"((?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)"
@@ -62,18 +64,26 @@ std::optional<FormulaForm> parse(std::string_view text) {
     constexpr std::size_t most_terms = 8;
     re2::StringPiece rest(text.data(), text.size());
     FormulaForm form;
-    static const RE2 right_side(R"(\s*=\s*([-+]?\s?)" RAYGRADE_NUMBER R"()\s*[\])|,;.]*\s*$)");
+    static const RE2 right_side(R"(\s*=\s*([-+]?\s?)" RAYGRADE_NUMBER R"())");
+    static const RE2 signs(R"(\s*[\])|,;.]*\s*)");
+    static const RE2 next_value(R"((?s)[\])|]*(?:\s*(?:[,;|(\[{]|[-=]>)|\s+[a-zA-Z]).*)");
     static const RE2 end(R"([\s\])>|,;.]*$)");
     static const RE2 start(R"([\s\[(<|]*)");
     RE2::Consume(&rest, start);
     while (form.terms.size() < most_terms) {
         std::string right;
-        if (RE2::FullMatch(rest, right_side, &right)) {
+        if (RE2::Consume(&rest, right_side, &right)) {
             right.erase(std::remove(right.begin(), right.end(), ' '), right.end());
             form.right = number_of(right);
-            return form.right ? std::optional(form) : std::nullopt;
+            form.is_whole = RE2::FullMatch(rest, signs);
+            form.length = form.is_whole ? text.size() : text.size() - rest.size();
+            if (!form.right || (!form.is_whole && !RE2::FullMatch(rest, next_value))) return std::nullopt;
+            return form;
         }
-        if (RE2::FullMatch(rest, end)) return form;
+        if (RE2::FullMatch(rest, end)) {
+            form.length = text.size();
+            return form;
+        }
         const auto term = take_term(rest, form.terms.empty());
         if (!term) return std::nullopt;
         form.terms.push_back(*term);
@@ -100,7 +110,7 @@ bool has(const FormulaForm& form, char variable) {
 
 std::optional<std::vector<PrintedValue>> values_of(const FormulaForm& form, std::string_view line) {
     PrintedValue value;
-    value.printed = std::string(line.substr(0, longest_printed));
+    value.printed = std::string(line.substr(0, std::min(form.length, longest_printed)));
     if (form.right && has(form, square) && has(form, 't') && form.right->value == 0) {
         const auto numbers = coefficients(form, "qt1");
         if (!numbers) return std::nullopt;
@@ -113,7 +123,7 @@ std::optional<std::vector<PrintedValue>> values_of(const FormulaForm& form, std:
     }
     const bool any_explicit =
         std::any_of(form.terms.begin(), form.terms.end(), [](const Term& t) { return t.is_explicit; });
-    if (form.terms.size() < 2 || !any_explicit) return std::nullopt;
+    if (form.terms.size() < 2 || !any_explicit || !form.is_whole) return std::nullopt;
     const auto numbers = coefficients(form, form.right ? "tuv" : "ijk");
     if (!numbers || (!form.right && form.terms.size() != 3)) return std::nullopt;
     value.numbers = *numbers;
@@ -124,17 +134,20 @@ std::optional<std::vector<PrintedValue>> values_of(const FormulaForm& form, std:
     return std::vector{value};
 }
 
+/// Where the text behind a sign begins; 0 if there is no such sign.
+std::size_t after(std::size_t sign) {
+    return sign == std::string_view::npos ? 0 : sign + 1;
+}
+
 }  // namespace
 
-std::optional<std::vector<PrintedValue>> read_linear_form(std::string_view line) {
+std::optional<LinearForm> read_linear_form(std::string_view line) {
     if (line.size() > longest_formula || line.find_first_of("tuvk") == std::string_view::npos ||
         line.find_first_of("+-") == std::string_view::npos) {
         return std::nullopt;
     }
-    const std::size_t colon = line.find_last_of(':');
-    const std::size_t equals = line.find('=');
-    for (const std::size_t start : {colon == std::string_view::npos ? 0 : colon + 1,
-                                    equals == std::string_view::npos ? 0 : equals + 1, std::size_t{0}}) {
+    for (const std::size_t start :
+         {after(line.find_last_of(':')), after(line.find('=')), std::size_t{0}, after(line.find(':'))}) {
         const auto form = parse(line.substr(start));
         if (!form) continue;
         auto values = values_of(*form, line.substr(start));
@@ -144,7 +157,7 @@ std::optional<std::vector<PrintedValue>> read_linear_form(std::string_view line)
             const std::size_t first = std::min(label.find_first_not_of(" \t"), label.size());
             (*values)[0].label = std::string(label.substr(first, label.find_last_not_of(" \t:=") + 1 - first));
         }
-        return values;
+        return LinearForm{std::move(*values), start + form->length};
     }
     return std::nullopt;
 }

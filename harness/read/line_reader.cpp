@@ -26,7 +26,7 @@ class Reader {
     Reader(std::string_view line, const OwnSeparators& separators) : line_(line), tokens_(line, separators) {}
 
     LineReading run() {
-        if (auto values = read_linear_form(line_)) return {std::move(*values), true};
+        take_linear_form();
         while (at_ < tokens_.size()) step();
         emit_before_equals();
         // A lone "none" may be part of a sentence, which the caller reads.
@@ -39,6 +39,16 @@ class Reader {
   private:
     bool is(std::size_t i, Kind kind) const { return tokens_.is(i, kind); }
     std::string_view text(std::size_t i) const { return tokens_.text(i); }
+
+    /// Reads the formula that the line begins with, if it does, and moves behind it.
+    void take_linear_form() {
+        auto form = read_linear_form(line_);
+        if (!form) return;
+        reading_.values = std::move(form->values);
+        reading_.has_words = true;
+        label_begin_ = form->end;
+        while (at_ < tokens_.size() && tokens_[at_].begin < form->end) ++at_;
+    }
 
     /// Joins the matrix row and the right-hand side of a written-out system.
     void join_system_row() {

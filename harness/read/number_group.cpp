@@ -38,8 +38,20 @@ class GroupReader {
         return is_matrix ? std::optional(found) : std::nullopt;
     }
 
+    /// "1/-4/2": a list, as no fraction has three numbers.
+    std::optional<NumberGroup> list_between_slashes(std::size_t begin) const {
+        if (begin > 0 && is(begin - 1, Kind::op)) return std::nullopt;
+        NumberGroup found{{tokens_[begin].number}, 1, 0, begin, begin + 1};
+        while (is(found.last, Kind::op) && text(found.last) == "/" && is(found.last + 1, Kind::number)) {
+            found.numbers.push_back(tokens_[found.last + 1].number);
+            found.last += 2;
+        }
+        return found.numbers.size() >= 3 && !is_term(begin, found.last) ? std::optional(found) : std::nullopt;
+    }
+
     std::optional<NumberGroup> row(std::size_t begin) const {
         if (const auto matrix = rows_between_slashes(begin)) return matrix;
+        if (const auto list = list_between_slashes(begin)) return list;
         NumberGroup found{{}, 1, 0, begin, begin};
         std::size_t i = begin;
         while (is(i, Kind::number)) {

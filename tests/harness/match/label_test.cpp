@@ -65,6 +65,9 @@ TEST(ListedItems, AreReadFromALabelThatOnlyListsThem) {
     const std::vector<reference::ItemSpec> items = {item(8, "t"), item(8, "u"), item(8, "v")};
     EXPECT_EQ(listed_items("(u, v, t)", items), (std::vector<std::size_t>{1, 2, 0}));
     EXPECT_EQ(listed_items("the values of t, u and v", items), (std::vector<std::size_t>{0, 1, 2}));
+    EXPECT_EQ(listed_items("uvt", items), (std::vector<std::size_t>{1, 2, 0}));
+    EXPECT_EQ(listed_items("values tuv", items), (std::vector<std::size_t>{0, 1, 2}));
+    EXPECT_TRUE(listed_items("utu", items).empty());
     EXPECT_TRUE(listed_items("t", items).empty());
     EXPECT_TRUE(listed_items("t, t", items).empty());
 }

@@ -7,9 +7,9 @@ namespace {
 
 std::vector<double> read(std::string_view line) {
     std::vector<double> numbers;
-    const auto values = read_linear_form(line);
-    if (!values) return numbers;
-    for (const PrintedValue& value : *values) {
+    const auto form = read_linear_form(line);
+    if (!form) return numbers;
+    for (const PrintedValue& value : form->values) {
         for (const PrintedNumber& number : value.numbers) numbers.push_back(number.value);
     }
     return numbers;
@@ -29,6 +29,24 @@ TEST(LinearForm, ReadsAQuadratic) {
     EXPECT_EQ(read("t^2 - 4t + 2 = 0"), (Numbers{1, -4, 2}));
     EXPECT_EQ(read("2 - 4.0*t + 1.5*t*t = 0.0"), (Numbers{1.5, -4, 2}));
     EXPECT_EQ(read("t^2 - 4t + 2 = 1"), Numbers{});
+}
+
+TEST(LinearForm, EndsWhereAQuadraticDoes) {
+    for (const auto& [formula, rest] :
+         std::vector<std::pair<std::string, std::string>>{{"1t^2 + -4t + 2 = 0", ", disc 8"},
+                                                          {"quadratic: 1t^2 + -4t + 2 = 0", " (d = 8)"},
+                                                          {"equation: t^2 - 4t + 2 = 0", ", disc: 8"},
+                                                          {"t^2 - 4t + 2 = 0", " has discriminant 8"},
+                                                          {"t^2 - 4t + 2 = 0", " -> t = 0.585786"}}) {
+        const auto form = read_linear_form(formula + rest);
+        ASSERT_TRUE(form) << formula + rest;
+        EXPECT_EQ(read(formula + rest), (Numbers{1, -4, 2})) << formula + rest;
+        EXPECT_EQ(form->end, formula.size()) << formula + rest;
+        EXPECT_EQ(form->values.back().printed.find(rest), std::string::npos);
+    }
+    EXPECT_EQ(read("t^2 - 4t + 2 = 0 + 3"), Numbers{});
+    EXPECT_EQ(read("t^2 - 4t + 2 = 0t"), Numbers{});
+    EXPECT_EQ(read("2u - 2v = -1, 2t + v = 3"), Numbers{}) << "only a quadratic is answered in part of a line";
 }
 
 TEST(LinearForm, ReadsAnEquationOfTheSystem) {

@@ -37,6 +37,24 @@ TEST(ReadLine, ReadsTheResultOfAFormula) {
     EXPECT_EQ(read("d = 0.585786 = 2 - sqrt(2)"), Numbers{0.585786});
 }
 
+TEST(ReadLine, ReadsWhatFollowsAQuadratic) {
+    const LineReading reading = read_line("1t^2 + -4t + 2 = 0, disc 8; t = 0.585786");
+    ASSERT_EQ(reading.values.size(), 5U);
+    EXPECT_EQ(reading.values[2].label, "c");
+    EXPECT_EQ(reading.values[3].label, "disc");
+    EXPECT_EQ(reading.values[3].numbers.front().value, 8);
+    EXPECT_EQ(reading.values[4].label, "t");
+}
+
+TEST(ReadLine, ReadsThreeNumbersBetweenSlashesAsAList) {
+    EXPECT_EQ(only("abc = 1/-4/2").label, "abc");
+    EXPECT_EQ(read("abc = 1/-4/2"), (Numbers{1, -4, 2}));
+    EXPECT_EQ(read("a / b / c: 1.5 / -4 / 2.25"), (Numbers{1.5, -4, 2.25}));
+    EXPECT_EQ(read("d = 16/2/1 = 8"), Numbers{8});
+    EXPECT_EQ(read("d = 2*16/2/1"), Numbers{}) << "a formula";
+    EXPECT_EQ(read("d = 16/2/1 - 3"), Numbers{}) << "a formula";
+}
+
 TEST(ReadLine, ReadsALoneFractionExactly) {
     const PrintedValue value = only("u = 1/4");
     EXPECT_EQ(value.numbers.at(0).value, 0.25);

@@ -46,7 +46,7 @@ TEST(OwnSeparators, MayNameTheComponents) {
 }
 
 TEST(OwnSeparators, AreNotLearntFromFewLists) {
-    const Transcript transcript = read_transcript("p: 1.5 / 2.5 / 3.5\nv: 4.5 / 5.5 / 6.5\n", 10);
+    const Transcript transcript = read_transcript("p: 1.5 then 2.5 then 3.5\nv: 4.5 then 5.5 then 6.5\n", 10);
     for (const PrintedValue& value : transcript.sections.front().values) EXPECT_NE(value.numbers.size(), 3U);
 }
 
