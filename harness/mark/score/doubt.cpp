@@ -27,9 +27,10 @@ struct Found {
     int line;
     bool in_answer = false;  ///< it belongs to what was read for an item
     bool in_right_answer = false;
-    bool is_scalar = false;  ///< it is an answer of one number, which is right or follows
-    bool is_aside = false;   ///< it is said to be no answer, or counts something
-    bool repeats = false;    ///< an answer has the same number
+    bool is_scalar = false;              ///< it is an answer of one number, which is right or follows
+    const MatchedItem* named = nullptr;  ///< the item that it was read for, if its label names it
+    bool is_aside = false;               ///< it is said to be no answer, or counts something
+    bool repeats = false;                ///< an answer has the same number
 };
 
 /// The values of one question from a heading on.
@@ -57,6 +58,11 @@ bool has_number(const MatchedItem& item, const Found& found) {
 bool was_read_from(const MatchedItem& item, const Found& found) {
     return !item.unreadable && has_number(item, found) && item.value->line <= found.line &&
            found.line <= item.value->last_line;
+}
+
+/// Whether the label of what was read for `item` names the item `other`.
+bool names(const MatchedItem& item, const reference::ItemSpec& other) {
+    return item.value && !item.unreadable && fit_label(item.value->label, item.value->above, other) >= LabelFit::named;
 }
 
 class Doubter {
@@ -87,8 +93,9 @@ class Doubter {
                 if (numbers_.size() >= most_numbers) return;
                 const std::vector<Token> tokens = tokenize(line.text);
                 for (std::size_t i = 0; i < tokens.size(); ++i) {
-                    if (tokens[i].kind == Token::Kind::number && !is_bracketed_index(tokens, i))
-                        numbers_.push_back({tokens[i].number, section.question, line.number});
+                    if (tokens[i].kind != Token::Kind::number || is_bracketed_index(tokens, i)) continue;
+                    numbers_.push_back({tokens[i].number, section.question, line.number});
+                    if (i > 0 && tokens[i - 1].kind == Token::Kind::equals) equations_.insert(line.number);
                 }
             }
         }
@@ -105,6 +112,7 @@ class Doubter {
                 found.in_right_answer = found.in_right_answer || verdict == ItemVerdict::right;
                 const bool is_sure = verdict == ItemVerdict::right || verdict == ItemVerdict::follow;
                 found.is_scalar = found.is_scalar || (is_sure && item.spec.shape == Shape::scalar);
+                if (names(item, item.spec)) found.named = &item;
             }
         }
     }
@@ -127,7 +135,8 @@ class Doubter {
         }
         for (Found& found : numbers_) {
             found.repeats = std::binary_search(answered_.begin(), answered_.end(), found.number.value);
-            const bool counts = found.number.decimals == 0 && !with_values.contains(found.line);
+            const bool counts =
+                found.number.decimals == 0 && !with_values.contains(found.line) && !equations_.contains(found.line);
             const bool aside = std::any_of(asides.begin(), asides.end(), [&](const auto& lines) {
                 return lines.first <= found.line && found.line <= lines.second;
             });
@@ -220,12 +229,17 @@ class Doubter {
         return true;
     }
 
-    /// Whether the item itself was read from all of these numbers: then they are judged, and nothing was passed over.
-    bool is_what_was_read(const ItemScore& item, const std::vector<const Found*>& numbers) const {
+    /// Whether these numbers are no doubt of the item: it was read from all of them, and so they were judged; or their
+    /// labels name others and its own label names it, as where u and v are swapped.
+    bool is_said_which(const ItemScore& item, const std::vector<const Found*>& numbers) const {
         const auto own = std::find_if(matched_.begin(), matched_.end(),
                                       [&](const MatchedItem& each) { return each.spec.id == item.spec.id; });
-        return own != matched_.end() && std::all_of(numbers.begin(), numbers.end(),
-                                                    [&](const Found* each) { return was_read_from(*own, *each); });
+        if (own == matched_.end()) return false;
+        const bool are_of_others = std::ranges::all_of(numbers, [&](const Found* each) {
+            return each->named != nullptr && !names(*each->named, item.spec) && !names(*own, each->named->spec);
+        });
+        return (are_of_others && names(*own, item.spec)) ||
+               std::ranges::all_of(numbers, [&](const Found* each) { return was_read_from(*own, *each); });
     }
 
     /// Whether the numbers from `first` on, a stride apart, are right for the item and no right answer's. A single
@@ -247,7 +261,7 @@ class Doubter {
         };
         if (std::all_of(found.begin(), found.end(), is_plain) || std::none_of(found.begin(), found.end(), is_free))
             return false;
-        if (is_what_was_read(item, found)) return false;
+        if (is_said_which(item, found)) return false;
         MatchedItem read{item.spec, PrintedValue(), MatrixOrder::unsaid, {}, false, {}};
         for (const Found* each : found) read.value->numbers.push_back(each->number);
         const reference::KeyItem& key = key_item(item.spec);
@@ -314,6 +328,7 @@ class Doubter {
     const reference::Rubric& rubric_;
     Score& score_;
     std::vector<Found> numbers_;
+    std::set<int> equations_;       ///< the lines with a number directly behind "=" or ":"
     std::set<int> headings_;        ///< the questions that have one
     std::vector<double> answered_;  ///< sorted
 };

@@ -88,6 +88,22 @@ TEST(Doubt, IsNotRaisedByAValueThatWasReadForTheItemAndJudged) {
     EXPECT_TRUE(item_of(marked(output), reference::item::M_VCS_to_WCS).by_columns) << "so that the key's is shown so";
 }
 
+TEST(Doubt, IsNotRaisedWhereLabelsSayWhichIsWhich) {
+    const student::Program right(off_axis().assignment, {});
+    const auto u = fmt::format("{:f}", right.scalar(reference::item::triangle::u)),
+               v = fmt::format("{:f}", right.scalar(reference::item::triangle::v));
+    ASSERT_NE(u, v);
+    const std::string swapped = fmt::format("Question 8:\nu = {}\nv = {}\n", v, u);
+    for (const reference::ItemId& id : {reference::item::triangle::u, reference::item::triangle::v}) {
+        ASSERT_EQ(verdict_on(marked(swapped), id), "wrong");
+        EXPECT_FALSE(doubt_of(swapped, id));
+    }
+    const std::string in_a_row = fmt::format("Question 8:\nu = {}\nthen {}\n", v, u);
+    EXPECT_TRUE(doubt_of(in_a_row, reference::item::triangle::u)) << "no label says that the second is v";
+    const std::string twice = fmt::format("Question 8:\nv = {}\nv = {}\n", u, v);
+    EXPECT_TRUE(doubt_of(twice, reference::item::triangle::u)) << "nothing is said to be u";
+}
+
 TEST(Doubt, IsNotRaisedByPiecesOfSeveralValues) {
     // Every third number from the first on, of values that are three, one and three numbers long.
     EXPECT_FALSE(doubt_of("Question 6:\nhit: (3.62297, 2.5, 3.5)\na: 0.37245\nb: 1.25\nc: 6.5\nd: 0.73491\n",
@@ -103,6 +119,11 @@ TEST(Doubt, SaysWhichNumbersWereLeft) {
     ASSERT_TRUE(doubt);
     EXPECT_EQ(doubt->why, Doubt::Why::numbers_left);
     EXPECT_EQ(doubt->line, 2);
+}
+
+TEST(Doubt, IsRaisedForWholeNumbersOfAnEquationThatWasNotRead) {
+    EXPECT_TRUE(doubt_of("Question 6:\nabc = 1 * -4 * 2\nt: 3.29988\n", reference::item::sphere::a));
+    EXPECT_FALSE(doubt_of("Question 6:\nthere are 2 roots and 3 numbers\nt: 3.29988\n", reference::item::sphere::a));
 }
 
 TEST(Doubt, IsNotRaisedByLeftNumbersWhereAFollowingAnswerHasItsPoints) {
@@ -177,7 +198,7 @@ std::string told(const std::string& output) {
 
 TEST(DoubtsText, TellsAnInstructorWhereTheRightValueStandsAndWhatWasReadThere) {
     using testing::HasSubstr;
-    EXPECT_EQ(told("Question 6:\nt: 3.29988\nc: 2.29988\n"), "6.t: the right value stands on line 3, read as 6.c");
+    EXPECT_EQ(told("Question 6:\nt: 3.29988\nb2: 2.29988\n"), "6.t: the right value stands on line 3, read as 6.b");
     EXPECT_THAT(told("Question 6:\na: 1\nb: 1\nc: 1\nd: 1\nt: 3.29988\nhit: (1, 2, 3)\nzz 0.5 zz 2.29988\n"),
                 HasSubstr("6.t: the right value stands on line 8, read as no answer"));
     EXPECT_THAT(told("Question 6:\nt: 3.29988 (rounded 2.29988)\n"),
