@@ -320,6 +320,10 @@ Targets d_factor_4_missing(const ItemTargets& known, const IntervalScene&) {
     return from([](const Interval& p, const Interval& q, const Interval& r) { return q * q - p * r; }, known.scalar(a),
                 known.scalar(b), known.scalar(c));
 }
+Targets d_negated(const ItemTargets& known, const IntervalScene&) {
+    return from([](const Interval& p, const Interval& q, const Interval& r) { return Interval(4) * p * r - q * q; },
+                known.scalar(a), known.scalar(b), known.scalar(c));
+}
 
 constexpr std::string_view no_y = "The tube's equation has x and z only: its axis is parallel to y.";
 constexpr std::string_view subtract_center = "The cylinder's center must be subtracted from the start of the ray.";
@@ -337,6 +341,7 @@ const std::vector<Mistake>& mistakes::of<Subject::cylinder>() {
         {"radius not squared", "The tube's equation has R squared.", c, c_radius_not_squared},
         {"center forgotten", subtract_center, c, coefficient_without_center<&Quadratic::c>},
         {"factor 4 missing", "The discriminant is b^2 - 4ac.", d, d_factor_4_missing},
+        {"discriminant negated", "The discriminant is b^2 - 4ac, not 4ac - b^2.", d, d_negated},
         {"no height bound",
          "That is where the ray meets the endless tube; a hit counts only between the planes of the two caps.", t,
          t_unbounded_tube},

@@ -70,6 +70,10 @@ Targets d_with(const ItemTargets& known, const IntervalScene&) {
         return q * q + Interval(Factor) * p * r;
     });
 }
+Targets d_negated(const ItemTargets& known, const IntervalScene&) {
+    return d_by(known,
+                [](const Interval& p, const Interval& q, const Interval& r) { return Interval(4) * p * r - q * q; });
+}
 Targets d_root(const ItemTargets& known, const IntervalScene&) {
     return d_by(known, [](const Interval& p, const Interval& q, const Interval& r) {
         return sqrt(q * q - Interval(4) * p * r);
@@ -163,6 +167,7 @@ const std::vector<Mistake>& mistakes::of<Subject::sphere>() {
         {"center forgotten", subtract_center, c, c_without_center},
         {"factor 4 missing", "The discriminant is b^2 - 4ac.", d, d_with<-1>},
         {"sign in the discriminant", "The discriminant is b^2 minus 4ac.", d, d_with<4>},
+        {"discriminant negated", "The discriminant is b^2 - 4ac, not 4ac - b^2.", d, d_negated},
         {"factor 2 for 4", "The discriminant is b^2 - 4ac.", d, d_with<-2>},
         {"root of the discriminant",
          "This is the square root of the discriminant; the discriminant itself is asked for.", d, d_root},

@@ -138,6 +138,7 @@ std::vector<NamedMistake> of_coefficients() {
         on("center forgotten", c, [](const Names& n) { return dot(n.S(), n.S()) - n.radius() * n.radius(); }),
         on("factor 4 missing", d, [](const Names& n) { return n.at(b) * n.at(b) - n.at(a) * n.at(c); }),
         on("sign in the discriminant", d, [](const Names& n) { return n.at(b) * n.at(b) + 4 * n.at(a) * n.at(c); }),
+        on("discriminant negated", d, [](const Names& n) { return 4 * n.at(a) * n.at(c) - n.at(b) * n.at(b); }),
         on("factor 2 for 4", d, [](const Names& n) { return n.at(b) * n.at(b) - 2 * n.at(a) * n.at(c); }),
         on("root of the discriminant", d,
            [](const Names& n) { return std::sqrt(n.at(b) * n.at(b) - 4 * n.at(a) * n.at(c)); }),

@@ -96,6 +96,8 @@ std::vector<NamedMistake> of_coefficients() {
         on("center forgotten", tube::c, [=](const Names& n) { return level(n.S(), n.S()) - R(n) * R(n); }),
         on("factor 4 missing", tube::d,
            [=](const Names& n) { return disc(n.at(tube::a), n.at(tube::b), n.at(tube::c), 1); }),
+        on("discriminant negated", tube::d,
+           [=](const Names& n) { return -disc(n.at(tube::a), n.at(tube::b), n.at(tube::c), 4); }),
     };
 }
 
