@@ -77,11 +77,12 @@ ItemVerdict Judge::judge_verdict(const KeyItem& item, const PrintedVerdict& prin
     };
     const std::optional<HitValues> hits = own_hits(evidence);
     const bool agrees_with_own = hits && contains(possible_verdicts(*hits, evidence.scene.boundaries));
+    const bool follows_own = hits && (agrees_with_own || printed.verdict == smaller_t(*hits));
     const auto answer = std::find_if(item.answers.begin(), item.answers.end(), [&](const reference::Answer& a) {
         return a.value == reference::Value(printed.verdict);
     });
-    // Where the rubric accepts two verdicts, the student's is right if it agrees with the student's own values.
-    if (answer != item.answers.end() && (item.answers.size() == 1 || !hits || agrees_with_own)) {
+    // Where the rubric accepts two verdicts, the student's is right if it follows from the student's own values.
+    if (answer != item.answers.end() && (item.answers.size() == 1 || !hits || follows_own)) {
         score.accepted_as = reference::reason(*answer, key_);
         return ItemVerdict::right;
     }
@@ -93,7 +94,6 @@ ItemVerdict Judge::judge_verdict(const KeyItem& item, const PrintedVerdict& prin
     deciding.insert(deciding.end(), {item::triangle::u, item::triangle::v});
     const bool own_deviates =
         std::ranges::any_of(deciding, [&](const ItemId& id) { return evidence.deviating.contains(id); });
-    const bool follows_own = hits && (agrees_with_own || printed.verdict == smaller_t(*hits));
     if (follows_own && own_deviates && !is_same_wrong_t(evidence)) return ItemVerdict::follow;
     if (hits && !follows_own) {
         score.diagnosis = "verdict against own values";

@@ -87,6 +87,20 @@ TEST(Judge, NeverFindsNanOrInfinityRight) {
     }
 }
 
+TEST(Judge, CallsNoAcceptedVerdictOneThatOnlyFollows) {
+    // At t = 0 the triangle or, behind it, the sphere is accepted. By this u the ray misses the triangle.
+    const std::map<std::string, std::string> beside = {{"u", "-0.25"}};
+    ASSERT_EQ(verdict_with(beside, reference::item::triangle::u), "wrong");
+    const auto verdict = [&](const std::string& said) {
+        std::map<std::string, std::string> changed = beside;
+        changed["verdict"] = said;
+        return verdict_with(changed, reference::item::verdict);
+    };
+    EXPECT_EQ(verdict("ray hits sphere first"), "right");
+    EXPECT_EQ(verdict("ray hits triangle first"), "right") << "its t is smaller";
+    EXPECT_EQ(verdict("ray hits nothing"), "wrong");
+}
+
 TEST(Judge, TakesANanForAMissAndForNoOthersValue) {
     const student::Marking marking = student::off_axis_scene();
     const Program program(marking.assignment, {});
