@@ -167,6 +167,9 @@ std::string item_sentence(const ItemScore& item, Outcome outcome, reference::Fee
         case ItemVerdict::right: return item.accepted_as.empty() ? "" : fmt::format("Accepted: {}.", item.accepted_as);
         case ItemVerdict::follow:
             if (!item.advice.empty() && may_name) return item.advice + share_sentence(item);
+            if (may_hint && holds_no_number(item))
+                return "That is not a number (nan or inf); it follows from an earlier mistake of yours." +
+                       share_sentence(item);
             return "Not the right value, but it follows correctly from an earlier mistake of yours." +
                    share_sentence(item);
         case ItemVerdict::missing:

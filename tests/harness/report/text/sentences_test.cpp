@@ -56,6 +56,9 @@ TEST(ItemSentence, ExplainsNan) {
     ItemScore nan = item(ItemVerdict::wrong);
     nan.printed = "t: -nan";
     EXPECT_THAT(item_sentence(nan, Outcome::graded), HasSubstr("not a number"));
+    nan.verdict = ItemVerdict::follow;
+    EXPECT_THAT(item_sentence(nan, Outcome::graded),
+                testing::AllOf(HasSubstr("not a number"), HasSubstr("follows from an earlier mistake")));
 }
 
 TEST(ItemSentence, GivesTheAdviceOfANamedMistake) {
