@@ -6,12 +6,14 @@
 #include "harness/class_run/corrections.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
+#include "harness/grade/final_mark.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/say.h"
 #include "harness/results/reports.h"
 #include "harness/text/escape.h"
 #include "harness/text/points.h"
+#include "harness/text/shell_word.h"
 #include "reference/toml/near_names.h"
 
 namespace harness {
@@ -56,11 +58,16 @@ void put(Gradebook& gradebook, KeptClass& kept, std::size_t index, const Overrid
     if (given.points > there.most) {
         say("note: {} is more than the {} points of the rubric\n", points_text(given.points), points_text(there.most));
     }
+    const std::string lowered = lowered_by(before, given);
     put_override(gradebook, kept, index, given);
     fmt::print("{} {}: {} of {}, automatically {}\n", escape_control(options.id), place_of(given),
                points_text(given.points), points_text(there.most),
                one.outcome == Outcome::not_graded ? "no mark" : points_text(there.automatic));
     tell_mark(before, one);
+    if (!lowered.empty()) {
+        say("note: this lowers {}; to take it back: raygrade override {} {} --remove --why \"a slip\" --results {}\n",
+            lowered, shell_word(options.id), place_of(given), shell_word(options.results.string()));
+    }
 }
 
 /// The place of the submission in the class, if it still is in it.

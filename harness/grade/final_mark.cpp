@@ -1,6 +1,11 @@
 #include "harness/grade/final_mark.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "harness/grade/override_place.h"
+#include "harness/text/points.h"
 
 namespace harness {
 namespace {
@@ -18,6 +23,20 @@ double before_late(const Graded& graded) {
     double sum = final_scenes_points(graded);
     for (const QuestionScore& question : graded.score.questions) sum += final_points(graded, question);
     return sum;
+}
+
+/// What counts at the place of an override; empty for a place that has no points yet.
+std::optional<double> final_points_at(const Graded& graded, const Override& given) {
+    if (given.question == 0)
+        return given.item.empty() ? points_that_count(graded) : std::optional(final_scenes_points(graded));
+    for (const QuestionScore& question : graded.score.questions) {
+        if (question.number != given.question) continue;
+        if (given.item.empty()) return final_points(graded, question);
+        for (const ItemScore& item : question.items) {
+            if (item.spec.name == given.item) return final_points(graded, question, item);
+        }
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -61,6 +80,20 @@ std::optional<FinalMark> final_mark(const Graded& graded) {
 std::optional<double> points_that_count(const Graded& graded) {
     const auto mark = final_mark(graded);
     return mark ? std::optional(mark->points) : std::nullopt;
+}
+
+std::string lowered_by(const Graded& before, const Override& given) {
+    Graded after = before;
+    after.overrides.push_back(given);
+    const auto drop = [](const std::string& what, const std::optional<double>& from, const std::optional<double>& to) {
+        const bool falls = from && to && *to < *from;
+        return falls ? fmt::format("{} from {} to {}", what, points_text(*from), points_text(*to)) : "";
+    };
+    const bool is_whole = given.question == 0 && given.item.empty();
+    const std::string place = is_whole ? "" : drop(place_in_words(given), final_points_at(before, given), given.points);
+    const std::string mark = drop("the mark", points_that_count(before), points_that_count(after));
+    if (place.empty()) return mark;
+    return mark.empty() ? place + " points" : place + " points, and " + mark;
 }
 
 }  // namespace harness

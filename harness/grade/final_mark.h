@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "harness/grade/graded.h"
 
@@ -34,5 +35,9 @@ std::optional<FinalMark> final_mark(const Graded& graded);
 
 /// The points of final_mark().
 std::optional<double> points_that_count(const Graded& graded);
+
+/// What an override takes away: "question 6 from 8.33 to 2 points, and the mark from 98.33 to 92". Empty if it lowers
+/// nothing, also if its place is none of the submission.
+std::string lowered_by(const Graded& before, const Override& given);
 
 }  // namespace harness

@@ -6,6 +6,7 @@
 
 #include "harness/grade/concern_titles.h"
 #include "harness/grade/concerns.h"
+#include "harness/grade/final_mark.h"
 #include "harness/report/text/sentences.h"
 #include "harness/report/text/verdict_words.h"
 #include "harness/review/past.h"
@@ -253,6 +254,7 @@ std::string Pages::group(std::size_t place, const Wish& wish, const Group& group
     data["first_id"] = graded[place].submission.id;
     data["back"] = path_of(place);
     PageData members(PageData::type::list);
+    std::vector<std::string> lowered;
     for (const std::size_t each : group.places) {
         PageData member;
         const Graded& now = graded[each];
@@ -261,8 +263,12 @@ std::string Pages::group(std::size_t place, const Wish& wish, const Group& group
         member["member_now"] = mark_of(now);
         member["member_what"] = what_is_there(now, wish);
         try {
-            member["member_then"] = mark_of(after(session_, each, wish));
+            const Graded then = after(session_, each, wish);
+            member["member_then"] = mark_of(then);
             member["member_can"] = true;
+            const std::string less = wish.kind == Kind::points ? lowered_by(now, then.overrides.back()) : "";
+            member["member_lower"] = !less.empty();
+            if (!less.empty()) lowered.push_back(less);
         } catch (const UsageError& error) {
             member["member_then"] = std::string();
             member["member_what"] = std::string(error.what());
@@ -271,6 +277,7 @@ std::string Pages::group(std::size_t place, const Wish& wish, const Group& group
         members.push_back(member);
     }
     data["members"] = std::move(members);
+    report::set_text(data, "lowered", lowered_sentence(lowered));
     data["apply"] = std::string("Do it for these");
     return framed("For whom?", PageTemplate(templates::group_mustache).fill_in(data));
 }

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 
+#include "harness/class_run/corrections.h"
+#include "harness/grade/final_mark.h"
+
 namespace harness::review {
 namespace {
 
@@ -92,6 +95,29 @@ std::string sentence_of(const KeptClass& kept, std::int64_t number) {
         return fmt::format("Decision {}: {} for {}.", number, past.what, names);
     }
     return "";
+}
+
+std::string lowered_sentence(const std::vector<std::string>& lowered) {
+    if (lowered.empty()) return "";
+    return lowered.size() == 1 ? fmt::format("It lowers {}.", lowered.front())
+                               : fmt::format("It lowers points of {} students.", lowered.size());
+}
+
+std::string lowered_sentence(const KeptClass& kept, std::int64_t number) {
+    std::vector<std::string> lowered;
+    for (const KeptDecision& each : kept.decisions) {
+        if (each.given.number != number || each.given.kind != Decision::Kind::points) continue;
+        const auto place = place_in(kept, each.submission);
+        if (!place) continue;
+        Graded before = kept.graded[*place];
+        const auto now = std::ranges::find(before.overrides, each.given.about, place_of);
+        if (now == before.overrides.end()) continue;
+        const Override given = *now;
+        before.overrides.erase(now);
+        if (each.given.replaced_override) before.overrides.push_back(*each.given.replaced_override);
+        if (std::string what = lowered_by(before, given); !what.empty()) lowered.push_back(std::move(what));
+    }
+    return lowered_sentence(lowered);
 }
 
 }  // namespace harness::review

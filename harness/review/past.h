@@ -38,4 +38,8 @@ std::string name_of(const KeptClass& kept, const std::string& id);
 /// "Decision 3: Accepted for ann; ben."; empty if there is none of this number in force.
 std::string sentence_of(const KeptClass& kept, std::int64_t number);
 
+/// "It lowers the mark from 92 to 50." or "It lowers points of 3 students."; empty if the decision lowers none.
+std::string lowered_sentence(const KeptClass& kept, std::int64_t number);
+std::string lowered_sentence(const std::vector<std::string>& lowered);
+
 }  // namespace harness::review

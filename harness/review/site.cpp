@@ -134,7 +134,9 @@ Response Site::show(const std::string& path) {
     const auto notice = [&](std::string_view number) -> std::optional<Notice> {
         const auto decision = number_in(number);
         const std::string sentence = decision ? sentence_of(session_.kept(), *decision) : "";
-        return sentence.empty() ? std::nullopt : std::optional(Notice{sentence, false, decision});
+        if (sentence.empty()) return std::nullopt;
+        const std::string lowered = lowered_sentence(session_.kept(), *decision);
+        return Notice{sentence + (lowered.empty() ? "" : " " + lowered), false, decision};
     };
     if (path == "/") return page(200, pages_.list(std::nullopt));
     if (path.starts_with(done)) return page(200, pages_.list(notice(path.substr(done.size()))));

@@ -314,6 +314,19 @@ TEST_F(RealDay, AnOverrideRestoresATouchedPageOfADifferentStudent) {
     EXPECT_EQ(read(page), as_it_was);
 }
 
+TEST_F(RealDay, AnOverrideThatLowersPointsSaysFromWhatAndHowToTakeItBack) {
+    grade();
+    const double before = points("ada");
+    const Result lower = override_mark({"ada", "5", "4", "--why", "a guess"});
+    EXPECT_EQ(lower.status, 0) << lower.both();
+    EXPECT_THAT(lower.voice,
+                HasSubstr("note: this lowers question 5 from 10 to 4 points, and the mark from 10 to 4; to "
+                          "take it back: raygrade override ada 5 --remove --why \"a slip\" --results " +
+                          out().string()));
+    EXPECT_EQ(points("ada"), before - 6);
+    EXPECT_THAT(override_mark({"ada", "5", "5", "--why", "more"}).voice, Not(HasSubstr("lowers")));
+}
+
 TEST_F(RealDay, ReportsRewrittenFromTheGradebookEqualThoseOfARun) {
     ASSERT_EQ(grade({"-j", "1"}).status, 0);
     ASSERT_EQ(override_mark({"ben", "total", "50", "--why", "by hand"}).status, 0);

@@ -55,6 +55,23 @@ TEST(FinalMark, PrefersAQuestionsOverrideToThoseOfItsItems) {
     EXPECT_EQ(final_mark(graded)->points, 13);
 }
 
+TEST(LoweredBy, NamesWhatFallsBeforeAndAfter) {
+    Graded graded = sample();
+    EXPECT_EQ(lowered_by(graded, {6, "", 2, "", "", ""}), "question 6 from 3 to 2 points, and the mark from 7 to 6");
+    EXPECT_EQ(lowered_by(graded, {0, "", 2, "", "", ""}), "the mark from 7 to 2");
+    EXPECT_EQ(lowered_by(graded, {6, "a", 3, "", "", ""}), "") << "the same";
+    EXPECT_EQ(lowered_by(graded, {6, "t", 1, "", "", ""}), "");
+    EXPECT_EQ(lowered_by(graded, {6, "z", 1, "", "", ""}), "");
+    graded.overrides = {{6, "", 9, "shown at the board", "ada", ""}};
+    EXPECT_EQ(lowered_by(graded, {6, "", 5, "", "", ""}), "question 6 from 9 to 5 points, and the mark from 13 to 9")
+        << "though the automatic points are fewer";
+    EXPECT_EQ(lowered_by(graded, {6, "a", 1, "", "", ""}), "question 6, a from 3 to 1 points")
+        << "the question's override counts";
+    Graded none = sample();
+    none.outcome = Outcome::not_graded;
+    EXPECT_EQ(lowered_by(none, {0, "", 0, "", "", ""}), "") << "no mark before";
+}
+
 TEST(FinalMark, DeductsLatenessFromPointsForOtherScenesToo) {
     Graded graded = sample();
     graded.late_share = 0.25;

@@ -299,6 +299,21 @@ TEST_F(Review, PointsForTheSameMistakeAreGivenToThoseChosen) {
     EXPECT_EQ(post("/apply", apply).status, 422) << "nobody is chosen";
 }
 
+TEST_F(Review, PointsThatLowerAMarkAreSaidToBeforeAndAfter) {
+    write(student("dee"), "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.5, 0, -1)\"); }\n");
+    grade();
+    const auto notice = [&](const std::string& given) {
+        return get(give(page(1), "5.V", given).fields.at("location")).body;
+    };
+    EXPECT_THAT(notice("4"), AllOf(HasSubstr("Points for 5.V given for ada."), Not(HasSubstr("It lowers"))));
+    EXPECT_THAT(notice("3"), HasSubstr("It lowers question 5, V from 4 to 3 points, and the mark from 5.67 to 4.67."));
+    const std::string group =
+        decide(page(1), {{"kind", "override"}, {"about", "5.V"}, {"points", "2"}, {"text", "less"}, {"for", "alike"}})
+            .body;
+    EXPECT_THAT(group,
+                AllOf(HasSubstr("It lowers question 5, V from 3 to 2 points"), HasSubstr("<strong>lower</strong>")));
+}
+
 TEST_F(Review, PointsForADoubtfulAnswerSettleTheDoubt) {
     Fields given{{"kind", "override"}, {"about", "5.V"}, {"points", "4"}, {"text", "half"}, {"for", "one"}};
     given.emplace_back("accepts", "1");
