@@ -1,8 +1,11 @@
 #include "harness/report/compile_error/compiler_messages.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <optional>
+#include <span>
 
 #include "harness/text/lines.h"
 #include "harness/text/utf8.h"
@@ -50,6 +53,16 @@ std::vector<CompilerMessage> compiler_messages(std::string_view diagnostics, std
                           [](const CompilerMessage& message) { return message.kind == "error"; });
     messages.resize(std::min(messages.size(), most));
     return messages;
+}
+
+std::string first_messages(std::string_view diagnostics) {
+    constexpr std::size_t most = 40;
+    const std::vector<std::string_view> lines = lines_of(diagnostics);
+    std::string text;
+    for (const std::string_view line : std::span(lines).first(std::min(lines.size(), most)))
+        text += std::string(line) + "\n";
+    if (lines.size() > most) text += fmt::format("… {} more lines, which g++ prints too\n", lines.size() - most);
+    return text;
 }
 
 std::string beginning_of(const std::string& text, std::size_t most) {

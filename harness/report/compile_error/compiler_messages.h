@@ -17,6 +17,10 @@ struct CompilerMessage {
 /// about headers and continuation lines, which the complete messages show.
 std::vector<CompilerMessage> compiler_messages(std::string_view diagnostics, std::size_t most = 20);
 
+/// The first 40 lines of the compiler's messages, each with its line break, and how many more there are: pages of
+/// candidates would push what helps out of sight.
+std::string first_messages(std::string_view diagnostics);
+
 /// At most `most` bytes of a text from a submission, cut at the end of a line if possible.
 std::string beginning_of(const std::string& text, std::size_t most);
 

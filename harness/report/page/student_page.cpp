@@ -17,7 +17,7 @@
 namespace harness::report {
 namespace {
 
-/// Limit for the compiler's messages and for each other text; the Markdown file beside the page has all of it.
+/// Limit for the compiler's messages and for each other text; grades.json has all of it.
 constexpr std::size_t most_bytes = 64 << 10U;
 
 bool has_marks(const Graded& graded) {
@@ -175,6 +175,7 @@ std::string StudentPages::page(const Graded& graded) {
     if (ungraded) data["not_graded"] = reason_for_student(graded.submission);
     const Listing printout = Listing::of_printout(graded.printout, notes_of_answers(graded.score), "o");
     if (!ungraded && !graded.explanation.empty()) data["explanation"] = printout.with_links(graded.explanation);
+    set_text(data, "crash_advice", crash_advice(graded));
     if (const std::optional<LookFirst> look = look_first(graded)) {
         PageData first;
         first["number"] = std::to_string(look->question);

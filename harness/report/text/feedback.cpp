@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
 #include <vector>
 
 #include "harness/execution/tier.h"
@@ -14,10 +13,10 @@
 #include "harness/grade/other_scenes_sentences.h"
 #include "harness/grade/override_place.h"
 #include "harness/report/compile_error/compiler_hints.h"
+#include "harness/report/compile_error/compiler_messages.h"
 #include "harness/report/text/look_first.h"
 #include "harness/report/text/sentences.h"
 #include "harness/text/escape.h"
-#include "harness/text/lines.h"
 #include "harness/text/points.h"
 
 namespace harness::report {
@@ -160,18 +159,6 @@ Color color_of(ItemVerdict verdict) {
     return Color::yellow;
 }
 
-/// For a terminal, in which pages of the compiler's notes would push what helps out of sight.
-std::string messages_text(const std::string& diagnostics) {
-    constexpr std::size_t most_lines = 40;
-    const std::vector<std::string_view> lines = lines_of(diagnostics);
-    const auto first = std::span(lines).first(std::min(lines.size(), most_lines));
-    const std::string shown = fmt::format("{}\n", fmt::join(first, "\n"));
-    const std::string rest = lines.size() > most_lines
-                                 ? fmt::format("… {} more lines, which g++ prints too\n", lines.size() - most_lines)
-                                 : "";
-    return "\nThe compiler's messages:\n" + escape_control(shown) + rest;
-}
-
 }  // namespace
 
 std::string feedback_markdown(const Graded& graded, const Marking& marking) {
@@ -187,6 +174,7 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     const Score& score = graded.score;
     text += mark_lines(graded);
     if (!graded.explanation.empty()) text += plain(graded.explanation) + "\n\n";
+    if (const std::string advice = crash_advice(graded); !advice.empty()) text += code_block(advice) + "\n";
     if (const std::string look = look_first_sentence(graded); !look.empty()) text += fmt::format("**{}**\n\n", look);
     if (score.follow_cap) text += cap_sentence(*score.follow_cap) + "\n\n";
     text += "| Question | | Result | Points |\n|---:|---|---|---:|\n";
@@ -229,7 +217,7 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     if (!graded.build.diagnostics.empty()) {
         const bool failed = graded.outcome == Outcome::compile_error;
         text += fmt::format("\n## The compiler's messages\n\n{}{}", failed ? "" : "Warnings cost no points.\n\n",
-                            code_block(graded.build.diagnostics));
+                            code_block(first_messages(graded.build.diagnostics)));
     }
     if (!graded.run.errors.empty())
         text += "\n## What the program wrote to standard error\n\n" + code_block(graded.run.errors);
@@ -241,9 +229,11 @@ std::string check_text(const Graded& graded, reference::Feedback feedback, Color
     if (const std::string warning = sandbox_warning(graded.tier); !warning.empty())
         text += "Warning: " + warning + "\n";
     if (!graded.explanation.empty()) text += escape_control(graded.explanation) + "\n";
+    if (const std::string advice = crash_advice(graded); !advice.empty()) text += advice + "\n";
     for (const std::string& note : graded.submission.notes) text += escape_control(note) + "\n";
     for (const std::string& hint : compiler_hints(graded)) text += escape_control(hint) + "\n";
-    if (!graded.build.diagnostics.empty()) text += messages_text(graded.build.diagnostics);
+    if (!graded.build.diagnostics.empty())
+        text += "\nThe compiler's messages:\n" + escape_control(first_messages(graded.build.diagnostics));
     for (const Flag& flag : graded.flags)
         text += title_of(flag.kind).sentence + ": " + escape_control(flag.evidence) + "\n";
     for (const std::string& sentence : other_scenes_of(graded)) text += escape_control(sentence) + "\n";

@@ -9,6 +9,7 @@
 #include "harness/grade/final_mark.h"
 #include "harness/grade/other_scenes_sentences.h"
 #include "harness/report/compile_error/compiler_hints.h"
+#include "harness/report/compile_error/compiler_messages.h"
 #include "harness/report/text/sentences.h"
 #include "harness/text/escape.h"
 #include "harness/text/points.h"
@@ -76,6 +77,7 @@ std::string submission_text(const Graded& graded) {
     if (const std::string warning = sandbox_warning(graded.tier); !warning.empty())
         text += "Warning: " + warning + "\n";
     if (!graded.explanation.empty()) text += escape_control(graded.explanation) + "\n";
+    if (const std::string advice = crash_advice(graded); !advice.empty()) text += advice + "\n";
     for (const std::string& note : graded.submission.notes) text += escape_control(note) + "\n";
     for (const Flag& flag : open_flags(graded)) text += flag.kind + ": " + escape_control(flag.evidence) + "\n";
     for (const Comment& comment : comments_on(graded))
@@ -83,7 +85,7 @@ std::string submission_text(const Graded& graded) {
     for (const std::string& finding : graded.sanitizer) text += "Sanitizers: " + escape_control(finding) + "\n";
     for (const std::string& hint : compiler_hints(graded)) text += escape_control(hint) + "\n";
     if (!graded.build.diagnostics.empty())
-        text += "\nThe compiler's messages:\n" + escape_control(graded.build.diagnostics) + "\n";
+        text += "\nThe compiler's messages:\n" + escape_control(first_messages(graded.build.diagnostics));
     return text;
 }
 

@@ -109,6 +109,12 @@ std::string cap_sentence(double cap) {
     return fmt::format("Answers that follow from an earlier mistake earn at most {} points in all.", points_text(cap));
 }
 
+std::string crash_advice(const Graded& graded) {
+    if (graded.run.ended != Ended::signalled || !graded.sanitizer.empty()) return "";
+    return "To see at which line: raygrade check --sanitize ray_cast.cpp, or g++ -g -fsanitize=address,undefined "
+           "ray_cast.cpp && ./a.out";
+}
+
 std::string reason_for_student(const Submission& submission) {
     if (!submission.problem) return "That is not the program's fault: something went wrong here. Ask your instructor.";
     std::string problem = *submission.problem;

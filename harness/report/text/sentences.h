@@ -39,6 +39,10 @@ std::string scenes_sentence(const Graded& graded);
 /// Says that the rubric's cap on follow-through, in points, has cut some points.
 std::string cap_sentence(double cap);
 
+/// How a student finds the line at which the program crashes. Empty if it did not, or if the sanitizers' findings are
+/// there.
+std::string crash_advice(const Graded& graded);
+
 /// Tells the student why a submission has no marks, without the machine's problems and folders; the instructor finds
 /// both in the class table. May hold the student's own file names.
 std::string reason_for_student(const Submission& submission);

@@ -63,6 +63,7 @@ TEST(StudentPage, CallsTheStudentOnceByName) {
 TEST(StudentPage, SaysOfACrashWhereItWasAndOnceWhatIsMissing) {
     Graded one = graded("s01", output_with_a_mistake());
     one.outcome = Outcome::crashed;
+    one.run.ended = Ended::signalled;
     one.explanation = "The program crashed (SIGSEGV). It ended after line 2 of its output.";
     one.printout = "Question 1:\nP\n";
     for (int question : {6, 7, 8, 9}) {
@@ -73,6 +74,7 @@ TEST(StudentPage, SaysOfACrashWhereItWasAndOnceWhatIsMissing) {
     const std::string text = read_page(page).at("text");
     EXPECT_THAT(read_page(page).at("problems"), IsEmpty());
     EXPECT_THAT(page, HasSubstr("It ended after <a href=\"#o2\">line 2</a> of its output."));
+    EXPECT_THAT(text, HasSubstr("To see at which line: raygrade check --sanitize ray_cast.cpp"));
     EXPECT_LT(text.find("It ended after line 2"), text.find("Then look at question 6"));
     EXPECT_THAT(text, HasSubstr("Not printed before the program ended: questions 7 to 10."));
     EXPECT_THAT(text, AllOf(Not(HasSubstr("Not found in what")), Not(HasSubstr("look here first"))));

@@ -6,6 +6,7 @@
 
 #include "harness/grade/marking.h"
 #include "harness/report/text/feedback.h"
+#include "harness/report/text/item_text.h"
 #include "harness/report/text/sentences.h"
 #include "tests/given/report/graded_samples.h"
 #include "tests/given/report/read_page.h"
@@ -112,13 +113,31 @@ TEST(Feedback, ReportsACapThatCutPoints) {
     EXPECT_THAT(check_text(capped), HasSubstr("earn at most 2.5 points in all"));
 }
 
-TEST(CheckText, ShowsTheBeginningOfManyCompilerMessages) {
+TEST(Feedback, ShowsTheBeginningOfManyCompilerMessagesInEveryText) {
     Graded one;
     one.outcome = Outcome::compile_error;
     for (int i = 1; i <= 100; ++i) one.build.diagnostics += "candidate " + std::to_string(i) + "\n";
-    EXPECT_THAT(check_text(one),
-                AllOf(HasSubstr("candidate 1\n"), HasSubstr("candidate 40\n… 60 more lines, which g++ prints too\n"),
-                      Not(HasSubstr("candidate 41"))));
+    for (const std::string& text : {check_text(one), feedback_markdown(one, marking()), submission_text(one)}) {
+        EXPECT_THAT(
+            text, AllOf(HasSubstr("candidate 1\n"), HasSubstr("candidate 40\n… 60 more lines, which g++ prints too\n"),
+                        Not(HasSubstr("candidate 41"))));
+    }
+}
+
+TEST(Feedback, TellsHowToFindTheLineOfACrash) {
+    Graded one = graded("ada", output_with_a_mistake());
+    one.outcome = Outcome::crashed;
+    one.run.ended = Ended::signalled;
+    one.explanation = "The program crashed (SIGSEGV).";
+    const auto texts = [&] {
+        return std::vector{check_text(one), feedback_markdown(one, marking()), submission_text(one)};
+    };
+    for (const std::string& text : texts()) EXPECT_THAT(text, HasSubstr("raygrade check --sanitize ray_cast.cpp"));
+    one.sanitizer = {"line 45: SEGV"};
+    for (const std::string& text : texts()) EXPECT_THAT(text, Not(HasSubstr("--sanitize")));
+    one.sanitizer.clear();
+    one.run.ended = Ended::exited;
+    for (const std::string& text : texts()) EXPECT_THAT(text, Not(HasSubstr("--sanitize")));
 }
 
 TEST(Feedback, ShowsFlagsAndSanitizerFindingsWithoutTakingMarks) {
