@@ -225,9 +225,7 @@ std::string Pages::list(const std::optional<Notice>& notice) {
         student["student_path"] = path_of(i);
         student["student_name"] = name_of(one.submission);
         student["student_points"] = mark_of(one);
-        std::string outcome(to_string(one.outcome));
-        std::replace(outcome.begin(), outcome.end(), '_', ' ');
-        student["student_outcome"] = outcome;
+        student["student_outcome"] = report::outcome_words(one.outcome);
         const bool is_open = !open_concerns(one).empty();
         student["student_review"] = std::string(is_open ? "to review" : concerns_of(one).empty() ? "" : "accepted");
         students.push_back(student);

@@ -8,6 +8,7 @@
 #include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
 #include "harness/report/page/templates.h"
+#include "harness/report/text/verdict_words.h"
 #include "harness/text/markup.h"
 #include "harness/text/points.h"
 
@@ -71,12 +72,6 @@ ClassColumns columns_of(const std::vector<Graded>& graded) {
 }
 
 }  // namespace
-
-std::string outcome_words(Outcome outcome) {
-    std::string words(to_string(outcome));
-    std::replace(words.begin(), words.end(), '_', ' ');
-    return words;
-}
 
 std::string late_text(const Graded& graded) {
     return graded.submission.lms && graded.submission.lms->late == true ? "late" : "";

@@ -10,9 +10,6 @@
 
 namespace harness::report {
 
-/// "compile error".
-std::string outcome_words(Outcome outcome);
-
 /// "late", or nothing.
 std::string late_text(const Graded& graded);
 

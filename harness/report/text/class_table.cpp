@@ -13,6 +13,7 @@
 #include "harness/grade/override_place.h"
 #include "harness/report/text/columns.h"
 #include "harness/report/text/sentences.h"
+#include "harness/report/text/verdict_words.h"
 #include "harness/text/points.h"
 
 namespace harness::report {
@@ -44,7 +45,7 @@ std::string flags_of(const Graded& graded) {
 }
 
 std::string row_of(const Graded& graded, std::size_t id_width, Colors colors) {
-    const std::string outcome = fmt::format("{:<13}", to_string(graded.outcome));
+    const std::string outcome = fmt::format("{:<13}", outcome_words(graded.outcome));
     std::string row = padded(one_line(label_of(graded.submission)), id_width) + "  " +
                       (graded.outcome == Outcome::graded ? outcome : colored(outcome, Color::red, colors));
     const bool marked = graded.outcome != Outcome::not_graded;

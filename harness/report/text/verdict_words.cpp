@@ -15,6 +15,13 @@ std::string word_of(const QuestionScore& question) {
     return std::string(all_unreadable ? word_of(ItemVerdict::unreadable) : word_of(question.verdict));
 }
 
+std::string outcome_words(Outcome outcome) {
+    if (outcome == Outcome::graded) return "finished";
+    std::string words(to_string(outcome));
+    std::ranges::replace(words, '_', ' ');
+    return words;
+}
+
 std::string_view symbol_of(const QuestionScore& question) {
     switch (question.verdict) {
         case ItemVerdict::right: return "✓";

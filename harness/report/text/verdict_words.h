@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "harness/mark/score/score.h"
+#include "harness/grade/graded.h"
 
 namespace harness::report {
 
@@ -13,6 +13,9 @@ std::string_view word_of(ItemVerdict verdict);
 
 /// A question's verdict; "unreadable" if all its answers are.
 std::string word_of(const QuestionScore& question);
+
+/// "compile error"; "finished" for Outcome::graded, as any submission with a mark is graded.
+std::string outcome_words(Outcome outcome);
 
 /// A single character, which pages hide from screen readers: ✓ ↳ ✗ –.
 std::string_view symbol_of(const QuestionScore& question);

@@ -65,7 +65,7 @@ TEST(ClassReport, HasARowPerSubmissionWithPointsByQuestion) {
     const json rows = read_page(report_of({ada, not_graded("bob")})).at("rows");
     EXPECT_THAT(rows[0], ElementsAre("Name", "Id", "Late", "Outcome", "Q1", "Q2", "Q3", "Q4", "Q5", "Q6", "Q7", "Q8",
                                      "Q9", "Q10", "Points", "Flags"));
-    EXPECT_THAT(rows[1], ElementsAre("Ada Ó Briain", "ada_7", "late", "graded", "10", "10", "10", "10", "10", "8.33",
+    EXPECT_THAT(rows[1], ElementsAre("Ada Ó Briain", "ada_7", "late", "finished", "10", "10", "10", "10", "10", "8.33",
                                      "10", "10", "10", "10", "98.33", ""));
     EXPECT_EQ(rows[2][3], "not graded");
     EXPECT_EQ(rows[2][14], "–");
