@@ -18,6 +18,9 @@ class Pace {
         mean_ = mean_ ? *mean_ + share_of_last * (time - *mean_) : time;
     }
 
+    /// Empty until a program has been graded.
+    std::optional<Seconds> mean() const { return mean_; }
+
     /// How long until the program in this place, 1 for the next, has its result, where so many are graded at a time.
     /// Empty until a program has been graded.
     std::optional<Seconds> wait(std::size_t position, std::size_t at_a_time) const {

@@ -53,7 +53,7 @@ Standing Queue::standing(const std::string& result_address) const {
             const std::size_t position = static_cast<std::size_t>(place - waiting_.begin()) + 1;
             return Waiting{position, waiting_.size(), pace_.wait(position, most_at_work_)};
         }
-        if (at_work_.contains(key)) return BeingGraded{};
+        if (at_work_.contains(key)) return BeingGraded{pace_.mean()};
         if (lost_.contains(key)) return Lost{};
     }
     const auto result = kept_programs_.points(key);

@@ -23,7 +23,9 @@ struct Waiting {
     std::size_t length;                      ///< of the queue
     std::optional<Pace::Seconds> wait = {};  ///< until the result, by what programs took lately; empty if unknown
 };
-struct BeingGraded {};
+struct BeingGraded {
+    std::optional<Pace::Seconds> wait = {};  ///< how long programs took lately; empty if unknown
+};
 struct Done {
     std::optional<double> points;  ///< empty if it was not graded
     double max_points;

@@ -103,9 +103,13 @@ std::string sentence_of(const Standing& standing) {
         const std::string place = waiting->position == 1 ? "Your program is the next one."
                                                          : fmt::format("Your program is number {} of {} in the queue.",
                                                                        waiting->position, waiting->length);
-        return waiting->wait ? fmt::format("{} Its result takes {}.", place, about_time(*waiting->wait)) : place;
+        return place + (waiting->wait ? fmt::format(" Its result takes {}.", about_time(*waiting->wait))
+                                      : " Each program usually takes a few seconds.");
     }
-    if (std::holds_alternative<BeingGraded>(standing)) return "Your program is being compiled and run.";
+    if (const auto* grading = std::get_if<BeingGraded>(&standing)) {
+        return "Your program is being compiled and run. That " +
+               (grading->wait ? "takes " + about_time(*grading->wait) : "usually takes a few seconds") + ".";
+    }
     if (const auto* done = std::get_if<Done>(&standing)) {
         if (!done->points) return "Your program could not be checked.";
         return fmt::format("{} of {} points", points_text(*done->points), points_text(done->max_points));

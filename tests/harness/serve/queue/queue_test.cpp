@@ -78,6 +78,7 @@ TEST_F(QueueTest, ProgramsAreGradedInOrderAndKnowTheirPlace) {
     EXPECT_EQ(queue.page(a), "page of a");
     EXPECT_EQ(queue.page(b), std::nullopt);
     EXPECT_EQ(queue.next().value().source, "b");
+    EXPECT_TRUE(std::get<BeingGraded>(queue.standing(b)).wait) << "as long as a took";
 }
 
 TEST_F(QueueTest, AResultIsOnlyAtItsOwnAddress) {

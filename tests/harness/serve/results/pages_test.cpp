@@ -35,7 +35,10 @@ TEST(Pages, SayHowLongAResultTakes) {
     EXPECT_EQ(sentence_of(Waiting{3, 7, seconds(14)}),
               "Your program is number 3 of 7 in the queue. Its result takes about 20 seconds.");
     EXPECT_EQ(sentence_of(Waiting{1, 7, seconds(3)}), "Your program is the next one. Its result takes a few seconds.");
-    EXPECT_EQ(sentence_of(Waiting{1, 7}), "Your program is the next one.");
+    EXPECT_EQ(sentence_of(Waiting{1, 7}), "Your program is the next one. Each program usually takes a few seconds.");
+    EXPECT_EQ(sentence_of(BeingGraded{seconds(14)}),
+              "Your program is being compiled and run. That takes about 20 seconds.");
+    EXPECT_EQ(sentence_of(BeingGraded{}), "Your program is being compiled and run. That usually takes a few seconds.");
     EXPECT_EQ(about_time(seconds(110)), "about 110 seconds");
     EXPECT_EQ(about_time(seconds(121)), "about 3 minutes");
     EXPECT_EQ(about_time(seconds(3 * 3600)), "about 3 hours");
