@@ -71,6 +71,11 @@ test('on a phone the picture keeps its size and moves sideways in its own frame'
   const picture = seen.page.locator('figure svg');
   const { drawn, own } = await picture.evaluate((svg) => ({ drawn: svg.getBoundingClientRect().width, own: svg.viewBox.baseVal.width }));
   assert.equal(drawn, own);
+  const hint = () => seen.page.locator('figure').evaluate((figure) => getComputedStyle(figure, '::before').content);
+  assert.match(await hint(), /sideways/);
+  await seen.page.setViewportSize({ width: own + 40, height: 800 });
+  assert.equal(await hint(), 'none', 'all of it is in view');
+  await seen.page.setViewportSize({ width: 390, height: 800 });
   await expectNoOverflow(seen.page);
   await expectAccessible(seen.page);
   await seen.close();
