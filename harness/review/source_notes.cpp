@@ -74,15 +74,41 @@ class Source {
     std::vector<int> lines_;  ///< of the words, from 1
 };
 
+std::string_view line_at(const std::vector<std::string_view>& lines, int number) {
+    return beginning_of_characters(lines[static_cast<std::size_t>(number) - 1], most_bytes_of_line);
+}
+
+bool is_blank(std::string_view line) {
+    return line.find_first_not_of(" \t") == std::string_view::npos;
+}
+
+/// The items that were read from one of the first `lines` lines.
+std::vector<const ItemScore*> in_order_of_printing(const Score& score, std::size_t lines) {
+    std::vector<const ItemScore*> items;
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (item.line >= 1 && static_cast<std::size_t>(item.line) <= lines) items.push_back(&item);
+        }
+    }
+    std::ranges::stable_sort(items, {}, &ItemScore::line);
+    return items;
+}
+
+/// The first of the texts that stands behind this place of the source; null if none does.
+const PrintedText* first_behind(std::size_t place, const std::vector<const PrintedText*>& texts) {
+    const PrintedText* first = nullptr;
+    for (const PrintedText* each : texts) {
+        if (each->at > place && (first == nullptr || each->at < first->at)) first = each;
+    }
+    return first;
+}
+
 /// The texts that stand before the item: in its line between the answer before it and itself, else anywhere in its
 /// line, else in the line above it, unless that has an answer too.
 std::vector<const PrintedText*> texts_of(const ItemScore& item, std::size_t from, const Source& source,
                                          const std::vector<std::string_view>& lines,
                                          const std::map<int, std::vector<report::ReadAnswer>>& answers) {
-    const auto line_at = [&](int number) {
-        return beginning_of_characters(lines[static_cast<std::size_t>(number) - 1], most_bytes_of_line);
-    };
-    const std::string_view line = line_at(item.line);
+    const std::string_view line = line_at(lines, item.line);
     const std::size_t value = line.find(item.printed, from);
     if (value != std::string_view::npos) {
         auto found = source.texts_in(line.substr(from, value - from));
@@ -91,8 +117,8 @@ std::vector<const PrintedText*> texts_of(const ItemScore& item, std::size_t from
     auto found = source.texts_in(line);
     if (!found.empty()) return found;
     int above = item.line - 1;
-    while (above > 0 && line_at(above).find_first_not_of(" \t") == std::string_view::npos) --above;
-    return above > 0 && !answers.contains(above) ? source.texts_in(line_at(above)) : found;
+    while (above > 0 && is_blank(line_at(lines, above))) --above;
+    return above > 0 && !answers.contains(above) ? source.texts_in(line_at(lines, above)) : found;
 }
 
 /// The notes of one item.
@@ -104,14 +130,16 @@ class ItemNotes {
           item_(fmt::format("{}.{}", item.spec.question, item.spec.name)),
           kind_(to_string(item.verdict)) {}
 
-    void add(const std::vector<const PrintedText*>& texts) {
+    /// `likeliest` is the line that printed the item if several have its text; 0 if nothing tells.
+    void add(const std::vector<const PrintedText*>& texts, int likeliest) {
         std::set<int> lines;
         for (const PrintedText* text : texts) lines.insert(source_.line_of(text->at));
         if (lines.empty()) return;
         const bool is_sure = lines.size() == 1;
-        computing_.first_printing[item_] = *lines.begin();
-        for (const PrintedText* text : texts) note(text->at, (is_sure ? "prints " : "may print ") + item_);
+        computing_.first_printing[item_] = likeliest == 0 ? *lines.begin() : likeliest;
         for (const PrintedText* text : texts) {
+            is_framed_ = likeliest == 0 || source_.line_of(text->at) == likeliest;
+            note(text->at, (is_sure ? "prints " : "may print ") + item_);
             const std::size_t count = std::min(text->variables.size(), most_variables);
             for (std::size_t i = 0; i < count; ++i) add_variable(text->variables[i], is_sure);
         }
@@ -132,7 +160,7 @@ class ItemNotes {
 
     void note(std::size_t word, std::string text) {
         const int number = source_.line_of(word);
-        computing_.lines[item_].insert(number);
+        if (is_framed_) computing_.lines[item_].insert(number);
         std::vector<report::LineNote>& line = computing_.notes[number];
         const bool is_known =
             std::any_of(line.begin(), line.end(), [&](const report::LineNote& each) { return each.text == text; });
@@ -143,6 +171,7 @@ class ItemNotes {
     const Source& source_;
     std::string item_;
     std::string kind_;
+    bool is_framed_ = true;
 };
 
 }  // namespace
@@ -152,15 +181,20 @@ Computing computing_lines(std::string_view text, std::string_view printout, cons
     const std::vector<std::string_view> lines = report::printout_lines(printout, most_lines);
     const auto answers = report::answers_by_line(score);
     std::map<int, std::size_t> read_up_to;  // by line: the end of the answer before
+    std::size_t printed_by = 0;             // the place in the source that printed the answer before
     Computing computing;
-    for (const QuestionScore& question : score.questions) {
-        for (const ItemScore& item : question.items) {
-            if (item.line < 1 || static_cast<std::size_t>(item.line) > lines.size()) continue;
-            std::size_t& from = read_up_to[item.line];
-            ItemNotes(computing, source, item).add(texts_of(item, from, source, lines, answers));
-            const std::size_t value = lines[static_cast<std::size_t>(item.line) - 1].find(item.printed, from);
-            if (value != std::string_view::npos) from = value + item.printed.size();
-        }
+    for (const ItemScore* item : in_order_of_printing(score, lines.size())) {
+        std::size_t& from = read_up_to[item->line];
+        const auto texts = texts_of(*item, from, source, lines, answers);
+        int above = item->line - 1;
+        while (above > 0 && (answers.contains(above) || is_blank(line_at(lines, above)))) --above;
+        const auto heading = above > 0 ? source.texts_in(line_at(lines, above)) : std::vector<const PrintedText*>();
+        if (heading.size() == 1) printed_by = std::max(printed_by, heading.front()->at);
+        const PrintedText* next = first_behind(printed_by, texts);
+        ItemNotes(computing, source, *item).add(texts, next == nullptr ? 0 : source.line_of(next->at));
+        if (next != nullptr) printed_by = next->at;
+        const std::size_t value = lines[static_cast<std::size_t>(item->line) - 1].find(item->printed, from);
+        if (value != std::string_view::npos) from = value + item->printed.size();
     }
     return computing;
 }

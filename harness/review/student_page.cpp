@@ -136,6 +136,8 @@ PageData items_of(const Graded& one, const QuestionScore& question, const report
         item["item_most"] = points_text(each.max_points);
         set_text(item, "item_printed", each.printed);
         if (each.line != 0) item["item_line"] = std::to_string(each.line);
+        const int look = each.doubt && each.doubt->line > 0 ? each.doubt->line : each.line;
+        if (look != 0) item["item_look"] = std::to_string(look);
         const auto printing = computing.first_printing.find(item_name(each));
         if (printing != computing.first_printing.end() && source.has_anchor(printing->second)) {
             item["item_source"] = fmt::format("{}", fmt::join(computing.lines.at(item_name(each)), " "));

@@ -223,7 +223,8 @@ int main() {
   z = -1;
   puts("Question 5:");
   printf("V: %f %f %f\\n", x, 0.0, z);
-${'  // nothing\n'.repeat(120)}  float t = 1.5;
+  for (int i = 0; i < 120; ++i) puts("");
+${'  // nothing\n'.repeat(119)}  float t = 1.5;
   puts("Question 6:");
   printf("t: %f\\n", t);
 }
@@ -240,7 +241,7 @@ test('the source frames the lines that compute the chosen item, by mouse, by key
   const seen = await open(browser, site, { site });
   const { page } = seen;
   const framed = () => page.locator('[id^="source-"].chosen i').allInnerTexts();
-  const isShown = (line) => page.locator(`#source-${line}`).evaluate((row) => {
+  const isShown = (line, pane = 'source') => page.locator(`#${pane}-${line}`).evaluate((row) => {
     const [inner, outer] = [row.getBoundingClientRect(), row.parentElement.getBoundingClientRect()];
     return outer.top <= inner.top && inner.bottom <= outer.bottom;
   });
@@ -248,9 +249,11 @@ test('the source frames the lines that compute the chosen item, by mouse, by key
   await page.locator('[data-item="6.t"] th').click();
   assert.deepEqual(await framed(), ['127', '129']);
   assert.ok(await isShown(127) && await isShown(129));
+  assert.ok(await isShown(124, 'line'), 'the printout too is at the item');
   await page.locator('#reading [name="about"]').selectOption('5.V');
   assert.deepEqual(await framed(), ['3', '4', '6']);
   assert.ok(await isShown(3) && await isShown(6));
+  assert.ok(await isShown(2, 'line') && !await isShown(124, 'line'));
   await page.locator('#reading [name="about"]').selectOption('6.hit');
   assert.deepEqual(await framed(), [], 'it was not printed');
   assert.match(await page.locator('#source-4').innerText(), /sets z, printed as 5\.V/);

@@ -15,14 +15,17 @@ document.addEventListener('DOMContentLoaded', () => {
     const first = Number(found[1]);
     return [first, found[2] ? Number(found[2]) : first];
   };
+  const scrollTo = (number) => {
+    const row = rows[number - 1];
+    if (row) row.parentElement.scrollTop = row.offsetTop - row.parentElement.clientHeight / 3;
+  };
   const show = (scroll) => {
     const chosen = range();
     rows.forEach((row, i) => {
       const number = i + 1;
       row.classList.toggle('chosen', chosen !== null && chosen[0] <= number && number <= chosen[1]);
     });
-    const first = scroll && chosen && rows[chosen[0] - 1];
-    if (first) first.parentElement.scrollTop = first.offsetTop - first.parentElement.clientHeight / 3;
+    if (scroll && chosen) scrollTo(chosen[0]);
   };
   const choose = (first, last) => {
     const low = Math.max(1, Math.min(first, last));
@@ -52,11 +55,12 @@ document.addEventListener('DOMContentLoaded', () => {
     }));
     show(true);
   }
-  // The source shows the lines that compute the chosen item.
+  // The printout and the source show the lines of the chosen item.
   const items = [...document.querySelectorAll('[data-item]')];
   const abouts = [...document.querySelectorAll('.decide select[name="about"]')];
-  const showSource = (value) => {
+  const showItem = (value) => {
     const item = items.find((row) => row.dataset.item === value);
+    if (item && item.dataset.line) scrollTo(Number(item.dataset.line));
     const computing = item && item.dataset.source
       ? item.dataset.source.split(' ').map((line) => document.getElementById('source-' + line)).filter(Boolean) : [];
     document.querySelectorAll('[id^="source-"].chosen').forEach((row) => row.classList.remove('chosen'));
@@ -68,14 +72,15 @@ document.addEventListener('DOMContentLoaded', () => {
     const shown = 0 <= all && all < pane.clientHeight ? computing[0] : printing;
     pane.scrollTop = shown.offsetTop - Math.max(0, pane.clientHeight - Math.abs(all)) / 3;
   };
-  if (abouts.length > 0) showSource(abouts[0].value);
-  abouts.forEach((select) => select.addEventListener('change', () => showSource(select.value)));
+  if (abouts.length > 0) showItem(abouts[0].value);
+  if (lines && range()) show(true);
+  abouts.forEach((select) => select.addEventListener('change', () => showItem(select.value)));
   // An item of the table is the one that the forms are about.
   items.forEach((row) => row.addEventListener('click', () => {
     const value = row.dataset.item;
     abouts.filter((select) => [...select.options].some((option) => option.value === value))
       .forEach((select) => { select.value = value; });
-    showSource(value);
+    showItem(value);
   }));
   const fields = { o: '#points [name="points"]', r: '#reading [name="lines"]', c: '#comment [name="text"]' };
   document.addEventListener('keydown', (event) => {

@@ -107,6 +107,21 @@ TEST(ComputingLines, NameTheLinesOfEachItem) {
     EXPECT_EQ(computing.first_printing, (std::map<std::string, int>{{"6.t", 4}}));
 }
 
+TEST(ComputingLines, OfTwoAnswersWithOneLabelAreEachItsOwn) {
+    const std::string output = "Question 6:\nt: 1.5\nQuestion 8:\nt: 2.5\nu: 0.5\n";
+    const std::string source =
+        "float t1 = f();\nfloat t2 = g();\nputs(\"Question 6:\");\nprintf(\"t: %f\\n\", t1);\n"
+        "puts(\"Question 8:\");\nprintf(\"t: %f\\n\", t2);\nprintf(\"u: %f\\n\", u);\n";
+    const Computing found = computing_lines(source, output, report_samples::graded("ada", output).score);
+    EXPECT_EQ(found.lines.at("6.t"), (std::set<int>{1, 4}));
+    EXPECT_EQ(found.lines.at("8.t"), (std::set<int>{2, 6}));
+    EXPECT_EQ(found.first_printing.at("8.t"), 6);
+    EXPECT_EQ(found.notes.at(6).back().text, "may print 8.t");
+    const std::string only_8 = "Question 8:\nt: 2.5\n";
+    EXPECT_EQ(computing_lines(source, only_8, report_samples::graded("ada", only_8).score).first_printing.at("8.t"), 6)
+        << "behind the heading";
+}
+
 TEST(ComputingLines, OfASourceThatIsHardToReadAreFound) {
     const std::string output = "Question 6:\na: 1\nb: 1\nc: 1\nd: 1\nt: 1\n";
     const Score score = report_samples::graded("ada", output).score;
