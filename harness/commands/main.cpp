@@ -69,6 +69,12 @@ const CLI::App& innermost(const CLI::App& app) {
     return chosen.empty() ? app : innermost(*chosen.front());
 }
 
+/// The text with an end of a sentence: a question has its own.
+std::string ended(std::string text) {
+    if (!text.ends_with('?')) text += '.';
+    return text;
+}
+
 /// Throws UsageError for the words that the command does not know.
 [[noreturn]] void refuse(const std::vector<std::string>& words, const CLI::App& command) {
     std::vector<std::string> names;
@@ -78,7 +84,7 @@ const CLI::App& innermost(const CLI::App& app) {
     const std::string& word = words.front();
     const std::string what = word.starts_with('-') ? "is no option; " + reference::did_you_mean(word, names)
                                                    : "is one word too many for this command";
-    throw UsageError(fmt::format("{}: {}; {} --help says what there is", escape_control(word), what,
+    throw UsageError(fmt::format("{}: {} `{} --help` says what there is", escape_control(word), ended(what),
                                  command.get_parent() == nullptr ? "raygrade" : "raygrade " + way_to(command)));
 }
 
@@ -89,8 +95,8 @@ void require_command(const std::string& word, const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
     if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
-    throw UsageError(fmt::format("{}: is no command; {}; raygrade --help says what each does", escape_control(word),
-                                 reference::did_you_mean(word, names)));
+    throw UsageError(fmt::format("{}: is no command; {} `raygrade --help` says what each does", escape_control(word),
+                                 ended(reference::did_you_mean(word, names))));
 }
 
 void require_sound_arithmetic() {

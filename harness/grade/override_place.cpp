@@ -40,7 +40,7 @@ std::string place_of(const Override& given) {
 }
 
 std::string place_in_words(const Override& given) {
-    if (given.question == 0) return given.item.empty() ? "the whole" : "the other scenes";
+    if (given.question == 0) return given.item.empty() ? "the whole submission" : "the other scenes";
     return given.item.empty() ? fmt::format("question {}", given.question)
                               : fmt::format("question {}, {}", given.question, given.item);
 }

@@ -102,7 +102,8 @@ PageData point_options(const Graded& one, const std::string& chosen) {
         options.add(std::string(other_scenes_place),
                     fmt::format("other scenes: {} of {}", points_text(final_scenes_points(one)),
                                 points_text(one.score.other_scenes->max_points)));
-    options.add("total", fmt::format("the whole: {} of {}", mark_of(one), points_text(one.score.max_points)));
+    options.add("total",
+                fmt::format("the whole submission: {} of {}", mark_of(one), points_text(one.score.max_points)));
     return options.take();
 }
 

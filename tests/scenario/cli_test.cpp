@@ -51,7 +51,8 @@ TEST(CommandLine, RefusesAnUnknownOptionAsAUsageError) {
 TEST(CommandLine, NamesAnUnknownCommandAndSimilarCommands) {
     const Result result = raygrade({"grde", "submissions"});
     EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, testing::AllOf(HasSubstr("grde: is no command"), HasSubstr("did you mean grade?")));
+    EXPECT_THAT(result.voice, testing::AllOf(HasSubstr("grde: is no command"),
+                                             HasSubstr("did you mean grade? `raygrade --help` says")));
     EXPECT_THAT(raygrade({"elp"}).voice, HasSubstr("raygrade --help"));
 }
 

@@ -99,6 +99,8 @@ TEST(Judge, CallsNoAcceptedVerdictOneThatOnlyFollows) {
     EXPECT_EQ(verdict("ray hits sphere first"), "right");
     EXPECT_EQ(verdict("ray hits triangle first"), "right") << "its t is smaller";
     EXPECT_EQ(verdict("ray hits nothing"), "wrong");
+    EXPECT_EQ(verdict_with({{"u", "-0.25"}, {"t8", "1"}}, reference::item::verdict), "wrong")
+        << "the triangle is neither hit nor nearer";
 }
 
 TEST(Judge, TakesANanForAMissAndForNoOthersValue) {

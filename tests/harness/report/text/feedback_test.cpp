@@ -262,7 +262,7 @@ TEST(Feedback, ShowsTheInstructorsMarkOfAnUngradedSubmission) {
     bob.overrides = {{0, "", 40, "by hand", "bea", ""}};
     const std::string text = feedback_markdown(bob, marking());
     EXPECT_THAT(text, HasSubstr("**40 of 100 points**"));
-    EXPECT_THAT(text, HasSubstr("- Your instructor gave 40 of 100 for the whole: `by hand`"));
+    EXPECT_THAT(text, HasSubstr("- Your instructor gave 40 of 100 for the whole submission: `by hand`"));
     EXPECT_THAT(text, HasSubstr("**Not graded.**"));
 }
 
