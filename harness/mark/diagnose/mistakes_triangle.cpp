@@ -103,6 +103,8 @@ Targets n_of_vertices(const ItemTargets&, const IntervalScene& scene) {
 
 constexpr std::string_view check_columns =
     "That is the value of another unknown; check which column of the matrix stands for which unknown.";
+constexpr std::string_view wrong_side =
+    "The sign does not suit your matrix: S - A belongs to (-V | B - A | C - A), and A - S to (V | A - B | A - C).";
 constexpr std::string_view divide_by_det = "Cramer's rule divides by the determinant of the matrix.";
 
 }  // namespace
@@ -115,11 +117,11 @@ const std::vector<Mistake>& mistakes::of<Subject::triangle>() {
         {"vertices for edges", "The columns for u and v are the edges B - A and C - A, not the vertices.", matrix,
          vertices_for_edges},
         {"matrix transposed", "The matrix is transposed: GLM's constructors take columns.", matrix, transposed_system},
-        {"right-hand side negated", "The right-hand side is S - A for this matrix.", rhs, rhs_reversed},
-        {"ray starts at the eye", "The right-hand side is S - A with S = P_WCS, not the eye.", rhs, rhs_from_eye},
-        {"A forgotten", "The right-hand side is S - A.", rhs, rhs_without_a},
+        {"right-hand side negated", wrong_side, rhs, rhs_reversed},
+        {"ray starts at the eye", "The ray starts at S = P_WCS, not at the eye.", rhs, rhs_from_eye},
+        {"A forgotten", "The right-hand side is the difference of S and A; A is missing.", rhs, rhs_without_a},
         {"ray starts at the eye", starts_at_eye, t, t_from_eye},
-        {"sign of t", "The sign of t is wrong; check the sign of V in the system.", t,
+        {"sign of t", "The sign of t is wrong; check the signs of V and of the right-hand side in the system.", t,
          unknown<&Solved::t_numerator, -1>},
         {"wrong unknown", check_columns, t, unknown<&Solved::u_numerator>},
         {"wrong unknown", check_columns, t, unknown<&Solved::v_numerator>},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "harness/mark/compare/key_targets.h"
 #include "harness/mark/diagnose/close_call.h"
@@ -32,6 +33,8 @@ class Gatherer {
 
   private:
     Finding compare_with_key(const KeyItem& item, const MatchedItem& printed);
+    bool is_of_negated_system(const ItemId& id) const;
+    Target target_for(const KeyItem& item, const reference::Answer& answer) const;
     Finding judge_residual(const MatchedItem& printed) const;
     bool is_right_but_coarse(const KeyItem& item, const MatchedItem& printed, int least_digits) const;
     bool is_right_quadratic(const KeyItem& item, const MatchedItem& printed, Finding& finding) const;
@@ -93,20 +96,28 @@ Gathered Gatherer::gather() {
     return gathered;
 }
 
+bool Gatherer::is_of_negated_system(const ItemId& id) const {
+    return id == rhs && evidence_.system && evidence_.system->is_negated();
+}
+
+/// An answer of the key as the student's form has it: a right-hand side takes the sign of its matrix.
+Target Gatherer::target_for(const KeyItem& item, const reference::Answer& answer) const {
+    Target target = target_with_allowance(item, answer, rubric_);
+    return is_of_negated_system(item.spec.id) ? negated(std::move(target)) : target;
+}
+
 Finding Gatherer::compare_with_key(const KeyItem& item, const MatchedItem& printed) {
     const ItemId id = item.spec.id;
     Finding finding;
-    const bool is_of_negated_system = id == rhs && evidence_.system && evidence_.system->is_negated();
     for (const reference::Answer& answer : item.answers) {
-        const Target target = target_with_allowance(item, answer, rubric_);
-        const Closeness closeness = compare(printed, is_of_negated_system ? negated(target) : target,
-                                            allowance_of(item, rubric_), rubric_.min_decimals);
+        const Closeness closeness =
+            compare(printed, target_for(item, answer), allowance_of(item, rubric_), rubric_.min_decimals);
         if (!finding.error) finding.error = closeness.error;
         if (!closeness.within) continue;
         if (!reference::float_can_answer(answer)) return judge_residual(printed);
         finding.right = true;
         finding.accepted_as =
-            is_of_negated_system ? negated_form().describe() : std::string(reference::reason(answer, key_));
+            is_of_negated_system(id) ? negated_form().describe() : std::string(reference::reason(answer, key_));
         finding.error = closeness.error;
         if (id == matrix) evidence_.system = SystemForm{};
         return finding;
@@ -152,7 +163,7 @@ Finding Gatherer::judge_residual(const MatchedItem& printed) const {
 bool Gatherer::is_right_but_coarse(const KeyItem& item, const MatchedItem& printed, int least_digits) const {
     const std::vector<PrintedNumber> numbers = by_columns(printed);
     return std::any_of(item.answers.begin(), item.answers.end(), [&](const reference::Answer& answer) {
-        Target target = target_with_allowance(item, answer, rubric_);
+        Target target = target_for(item, answer);
         for (std::size_t i = 0; i < std::min(numbers.size(), target.allowance.size()); ++i) {
             const bool is_short = numbers[i].decimals > 0 && numbers[i].decimals < rubric_.min_decimals;
             const bool is_rounded = is_short || least_digits > 0;

@@ -228,6 +228,23 @@ TEST(Judge, SolvesTheStudentsOwnSystemOfEitherSign) {
     EXPECT_EQ(verdict_with(other, reference::item::triangle::v), "follow");
 }
 
+TEST(Judge, SolvesTheStudentsOwnSystemWhoseSidesHaveOppositeSigns) {
+    const char* matrix =
+        "mat3x3((0.000000, 0.000000, 1.000000), (2.000000, 4.000000, 0.000000), (-2.000000, 4.000000, 0.000000))";
+    const char* negated =
+        "mat3x3((0.000000, 0.000000, -1.000000), (-2.000000, -4.000000, 0.000000), (2.000000, -4.000000, 0.000000))";
+    for (const auto& [left, right] : {std::pair(matrix, "vec3(0.000000, -2.000000, 0.000000)"),
+                                      std::pair(negated, "vec3(0.000000, 2.000000, 0.000000)")}) {
+        const Score score = mark(handout_output({{"A", left}, {"rhs", right}, {"u", "-0.25"}, {"v", "-0.25"}}),
+                                 student::handout_scene());
+        EXPECT_EQ(verdict_on(score, reference::item::triangle::matrix), "right") << left;
+        EXPECT_EQ(verdict_on(score, reference::item::triangle::rhs), "wrong") << left;
+        EXPECT_EQ(item_of(score, reference::item::triangle::rhs).diagnosis, "right-hand side negated") << left;
+        EXPECT_EQ(verdict_on(score, reference::item::triangle::u), "follow") << left;
+        EXPECT_EQ(verdict_on(score, reference::item::triangle::v), "follow") << left;
+    }
+}
+
 TEST(Judge, LetsNanFollowFromAnOwnNegativeDiscriminant) {
     // c is 6 by mistake, so d is -8, and the program takes its root.
     const std::map<std::string, std::string> negative = {
