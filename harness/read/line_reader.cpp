@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "harness/read/expression.h"
 #include "harness/read/formula.h"
 #include "harness/read/number_group.h"
 
@@ -77,13 +78,17 @@ class Reader {
         return words && (!equals || is(open + 1, Kind::number));
     }
 
-    /// Whether the bracket holds the arguments of a function: "sqrt(2)", "dot(V, V)".
-    bool is_call(std::size_t open) const {
-        static const RE2 function(
-            "sqrt|abs|fabs|pow|min|max|dot|cross|length|normalize|inverse|determinant|sin|cos|tan");
-        if (open == 0 || !is(open - 1, Kind::word) || tokens_[open - 1].end != tokens_[open].begin) return false;
-        const std::string_view word = text(open - 1);
-        return RE2::FullMatch(re2::StringPiece(word.data(), word.size()), function);
+    /// Where reading goes on behind an expression that is no value, since its result stands behind it or before it:
+    /// "P = (0, 0, 1) + 2 * (1, 0, 0) = (2, 0, 1)".
+    std::optional<std::size_t> behind_worked_out() const {
+        const auto end = end_of_expression(tokens_, at_);
+        if (!end) return std::nullopt;
+        if (*end == tokens_.size() || is(*end, Kind::comma))  // "u = 0.25 = 1/4" has a fraction
+            return before_equals_ && is(at_, Kind::open) ? end : std::nullopt;
+        const bool detached = is(*end + 1, Kind::op) && text(*end + 1) == "-";
+        const std::size_t result = *end + (detached ? 2 : 1);
+        const bool has_result = is(result, Kind::number) || is(result, Kind::open) || tokens_.is_type(result);
+        return is(*end, Kind::equals) && text(*end) != ":" && has_result ? end : std::nullopt;
     }
 
     /// Whether the word says that the label before it has no value, as in "t": null within a line.
@@ -111,11 +116,17 @@ class Reader {
             ++at_;
             return;
         }
+        if (is(at_, Kind::number) || is(at_, Kind::open)) {
+            if (const auto end = behind_worked_out()) {
+                at_ = *end;
+                return;
+            }
+        }
         if (is(at_, Kind::open) && tokens_.partner(at_) < tokens_.size() && is_remark(at_)) {
             at_ = tokens_.partner(at_) + 1;  // a remark: "0.333 (= 1/3)"
             return;
         }
-        if (is(at_, Kind::open) && tokens_.partner(at_) < tokens_.size() && is_call(at_)) {
+        if (is(at_, Kind::open) && tokens_.partner(at_) < tokens_.size() && tokens_.is_call(at_)) {
             at_ = tokens_.partner(at_) + 1;
             return;
         }

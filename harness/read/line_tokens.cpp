@@ -32,4 +32,11 @@ bool LineTokens::is_type_word(std::size_t i) const {
     return RE2::FullMatch(word, label) && is(i + 1, Token::Kind::open) && tokens_[i].end == tokens_[i + 1].begin;
 }
 
+bool LineTokens::is_call(std::size_t i) const {
+    static const RE2 function("sqrt|abs|fabs|pow|min|max|dot|cross|length|normalize|inverse|determinant|sin|cos|tan");
+    if (i == 0 || !is(i, Token::Kind::open) || !is(i - 1, Token::Kind::word) || tokens_[i - 1].end != tokens_[i].begin)
+        return false;
+    return RE2::FullMatch(re2::StringPiece(text(i - 1).data(), text(i - 1).size()), function);
+}
+
 }  // namespace harness

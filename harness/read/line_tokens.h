@@ -33,6 +33,8 @@ class LineTokens {
     /// Whether token i is a type name. A word that labels use too, such as "matrix", is one only with its bracket
     /// directly behind it: "Matrix([1, 0, 0], …)".
     bool is_type_word(std::size_t i) const;
+    /// Whether bracket i holds the arguments of a function: "sqrt(2)", "dot(V, V)".
+    bool is_call(std::size_t i) const;
 
   private:
     std::string_view line_;

@@ -55,6 +55,33 @@ TEST(ReadLine, ReadsThreeNumbersBetweenSlashesAsAList) {
     EXPECT_EQ(read("d = 16/2/1 - 3"), Numbers{}) << "a formula";
 }
 
+TEST(ReadLine, ReadsTheResultOfAFormulaWithNumbersPutIn) {
+    const Numbers point{2, 0, 1};
+    for (const std::string_view line :
+         {"P_s = S + tV = (0, 0, 1) + 2 * (1, 0, 0) = (2, 0, 1)", "P_s = (0, 0, 1) + 2 (1, 0, 0) = (2, 0, 1)",
+          "P_s: vec3(0, 0, 1) + 2.0 * vec3(1, 0, 0) = vec3(2, 0, 1)", "P_s = S + (1, 0, 0) * 2 = (2, 0, 1)",
+          "P_s (0, 0, 1) + 2 * (1, 0, 0) = (2, 0, 1)", "P_s = (1.5 + 0.5, 2 - 2, 1) = (2, 0, 1)",
+          "P_s = (2, 0, 1) = (0, 0, 1) + 2 * (1, 0, 0)"}) {
+        EXPECT_EQ(read(line), point) << line;
+        EXPECT_EQ(only(line).label.substr(0, 3), "P_s") << line;
+    }
+    for (const std::string_view line :
+         {"b = 2 V.(S - C) = -13.46", "b = 2 (S - C) . V = -13.46", "b = 2 dot(V, S - C) = -13.46",
+          "b = 2 * (S - C).V = -13.46", "b = (-2)^2 - 4(1)(4.365) = -13.46",
+          "b = 2 (-0.5 * 3 + 4 * 1.5) * V.x = - 13.46"}) {
+        EXPECT_EQ(read(line), Numbers{-13.46}) << line;
+        EXPECT_EQ(only(line).label, "b") << line;
+    }
+}
+
+TEST(ReadLine, TakesNoLabelForAFormula) {
+    EXPECT_EQ(read("a = 1 (V has length 1). b = -4"), (Numbers{1, -4}));
+    EXPECT_EQ(read("t = 2 P_s = S + tV = (2, 0, 1)"), (Numbers{2, 2, 0, 1}));
+    EXPECT_EQ(read("u = 0 v = 1 u+v = 1"), (Numbers{0, 1, 1}));
+    EXPECT_EQ(read("X = (1, 0, 0) / Y = (0, 1, 0)"), (Numbers{1, 0, 0, 0, 1, 0}));
+    EXPECT_EQ(read("P: (1, 0, 0) - V: (0, 1, 0)"), (Numbers{1, 0, 0, 0, 1, 0}));
+}
+
 TEST(ReadLine, ReadsALoneFractionExactly) {
     const PrintedValue value = only("u = 1/4");
     EXPECT_EQ(value.numbers.at(0).value, 0.25);

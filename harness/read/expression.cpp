@@ -1,0 +1,93 @@
+#include "harness/read/expression.h"
+
+#include "harness/read/number_group.h"
+
+namespace harness {
+namespace {
+
+using Kind = Token::Kind;
+
+class ExpressionReader {
+  public:
+    ExpressionReader(const LineTokens& tokens, std::size_t begin) : tokens_(tokens), begin_(begin) {}
+
+    std::optional<std::size_t> end() const {
+        std::size_t last = begin_;  // where the last operand begins
+        std::size_t i = operand_end(last);
+        if (i == last || i - begin_ > most_tokens_in_bracket) return std::nullopt;
+        const bool is_product = is_coefficient(begin_);
+        if (is_product) {
+            last = i;
+            i = operand_end(last);
+            if (!tokens_.is_call(last + 1) && !is_multiplication(i)) return std::nullopt;  // "t = 2 P_s = (0, 0, 1)"
+        }
+        if (!is_product && !is_operator(i)) return is_bracket_of_operators() ? std::optional(i) : std::nullopt;
+        while (is_operator(i) || multiplies(last, i)) {
+            last = is_operator(i) ? i + 1 : i;
+            i = operand_end(last);
+            if (i == last || i - begin_ > most_tokens_in_bracket) return std::nullopt;
+        }
+        return may_be_label(last, i) ? std::nullopt : std::optional(i);
+    }
+
+  private:
+    bool is(std::size_t i, Kind kind) const { return tokens_.is(i, kind); }
+    std::string_view text(std::size_t i) const { return tokens_.text(i); }
+    std::size_t gap_before(std::size_t i) const { return tokens_[i].begin - tokens_[i - 1].end; }
+
+    /// Behind the number, word, bracket, or word with its bracket, at i; i if there is none.
+    std::size_t operand_end(std::size_t i) const {
+        if (is(i, Kind::number)) return i + 1;
+        const bool with_bracket = is(i, Kind::word) && is(i + 1, Kind::open) && gap_before(i + 1) == 0;
+        const std::size_t open = with_bracket ? i + 1 : i;
+        if (is(open, Kind::open)) return tokens_.partner(open) < tokens_.size() ? tokens_.partner(open) + 1 : i;
+        return is(i, Kind::word) ? i + 1 : i;
+    }
+
+    /// Whether the operand at i multiplies the one at `next`: "5.78 (0, 0, 1)", "2 V", "4(1)(2)".
+    bool multiplies(std::size_t i, std::size_t next) const {
+        if (!is(next, Kind::open) && !is(next, Kind::word)) return false;
+        if (is(i, Kind::number)) return gap_before(next) <= 1;
+        return is(i, Kind::open) && is(next, Kind::open) && gap_before(next) == 0;
+    }
+
+    /// Whether the number at i multiplies what stands behind it and is no value: a whole number right behind '='.
+    bool is_coefficient(std::size_t i) const {
+        const bool is_whole = is(i, Kind::number) && tokens_[i].number.decimals == 0;
+        return is_whole && multiplies(i, i + 1) && i > 0 && is(i - 1, Kind::equals);
+    }
+
+    bool is_operator(std::size_t i) const { return is(i, Kind::op) || is_multiplication(i); }
+
+    /// '*', a point as in "V.(S - C)" but not at the end of a sentence, a cross.
+    bool is_multiplication(std::size_t i) const {
+        if (is(i, Kind::op)) return text(i) == "*";
+        if (is(i, Kind::word)) return text(i) == "x";
+        return is(i, Kind::other) && text(i) == "." && i + 1 < tokens_.size() && gap_before(i) == gap_before(i + 1);
+    }
+
+    bool is_bracket_of_operators() const {
+        if (!is(begin_, Kind::open) || read_bracket(tokens_, begin_)) return false;
+        for (std::size_t i = begin_; i < tokens_.partner(begin_); ++i) {
+            if (is(i, Kind::op)) return true;
+        }
+        return false;
+    }
+
+    /// Whether the last operand may be the next value's label, as in "X = (1, 0, 0) / Y = (0, 1, 0)".
+    bool may_be_label(std::size_t last, std::size_t end) const {
+        const bool divides = is(last - 1, Kind::op) && (text(last - 1) == "-" || text(last - 1) == "/");
+        return divides && is(last, Kind::word) && end == last + 1;
+    }
+
+    const LineTokens& tokens_;
+    std::size_t begin_;
+};
+
+}  // namespace
+
+std::optional<std::size_t> end_of_expression(const LineTokens& tokens, std::size_t begin) {
+    return ExpressionReader(tokens, begin).end();
+}
+
+}  // namespace harness
