@@ -65,7 +65,7 @@ std::optional<FormulaForm> parse(std::string_view text) {
     re2::StringPiece rest(text.data(), text.size());
     FormulaForm form;
     static const RE2 right_side(R"(\s*=\s*([-+]?\s?)" RAYGRADE_NUMBER R"())");
-    static const RE2 signs(R"(\s*[\])|,;.]*\s*)");
+    static const RE2 signs(R"(\s*[\])|,;.:]*\s*)");
     static const RE2 next_value(R"((?s)[\])|]*(?:\s*(?:[,;|(\[{]|[-=]>)|\s+[a-zA-Z]).*)");
     static const RE2 end(R"([\s\])>|,;.]*$)");
     static const RE2 start(R"([\s\[(<|]*)");
@@ -146,8 +146,9 @@ std::optional<LinearForm> read_linear_form(std::string_view line) {
         line.find_first_of("+-") == std::string_view::npos) {
         return std::nullopt;
     }
+    const std::string_view before_end = line.substr(0, line.find_last_not_of(" \t:") + 1);
     for (const std::size_t start :
-         {after(line.find_last_of(':')), after(line.find('=')), std::size_t{0}, after(line.find(':'))}) {
+         {after(before_end.find_last_of(':')), after(line.find('=')), std::size_t{0}, after(before_end.find(':'))}) {
         const auto form = parse(line.substr(start));
         if (!form) continue;
         auto values = values_of(*form, line.substr(start));
@@ -159,7 +160,15 @@ std::optional<LinearForm> read_linear_form(std::string_view line) {
         }
         return LinearForm{std::move(*values), start + form->length};
     }
-    return std::nullopt;
+    static const RE2 words(R"(\s*(?:[A-Za-z]{2,}\s+)+)");  // "Solving 1 t^2 + (-4) t + 2 = 0"
+    re2::StringPiece rest(line.data(), line.size());
+    if (!RE2::Consume(&rest, words)) return std::nullopt;
+    const std::string_view behind(rest.data(), rest.size());
+    const auto form = parse(behind);
+    if (!form || !has(*form, square)) return std::nullopt;
+    auto values = values_of(*form, behind);
+    if (!values) return std::nullopt;
+    return LinearForm{std::move(*values), line.size() - behind.size() + form->length};
 }
 
 }  // namespace harness

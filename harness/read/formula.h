@@ -15,7 +15,7 @@ struct LinearForm {
 };
 
 /// Reads the values of a line that is a sum of terms; empty for any other line:
-///   "1 t^2 + (-4) t + (2) = 0"      three values labelled a, b and c; ", d = 8" may follow
+///   "1 t^2 + (-4) t + (2) = 0"      three values labelled a, b and c; words may stand before it, and ", d = 8" behind
 ///   "0.5 t + 2 u - 2 v = 1.5"       one row of an augmented matrix, columns t, u, v; 0 for an omitted variable
 ///   "0.3i + 0.4j - 0.87k"           one vector
 /// Linear in the line's length. Lines longer than 1000 bytes are not read.

@@ -29,6 +29,9 @@ TEST(LinearForm, ReadsAQuadratic) {
     EXPECT_EQ(read("t^2 - 4t + 2 = 0"), (Numbers{1, -4, 2}));
     EXPECT_EQ(read("2 - 4.0*t + 1.5*t*t = 0.0"), (Numbers{1.5, -4, 2}));
     EXPECT_EQ(read("t^2 - 4t + 2 = 1"), Numbers{});
+    EXPECT_EQ(read("Solving 1 t^2 + -4 t + 2 = 0:"), (Numbers{1, -4, 2}));
+    EXPECT_EQ(read("so we solve 1.5 t^2 - 4 t + 2 = 0."), (Numbers{1.5, -4, 2}));
+    EXPECT_EQ(read("so the sum 2 u + 2 v = 1"), Numbers{});
 }
 
 TEST(LinearForm, EndsWhereAQuadraticDoes) {
