@@ -8,6 +8,7 @@
 #include <string>
 
 #include "harness/read/token.h"
+#include "harness/text/lower_case.h"
 
 namespace harness {
 namespace {
@@ -77,6 +78,34 @@ std::optional<Heading> with_keyword(std::string_view start) {
         }
     }
     return std::nullopt;
+}
+
+/// Whether one letter is missing, too many, another or swapped with its neighbour.
+bool is_one_slip_from(std::string_view word, std::string_view right) {
+    const auto start = static_cast<std::size_t>(std::ranges::mismatch(word, right).in1 - word.begin());
+    word.remove_prefix(start);
+    right.remove_prefix(start);
+    while (!word.empty() && !right.empty() && word.back() == right.back()) {
+        word.remove_suffix(1);
+        right.remove_suffix(1);
+    }
+    const bool swapped = word.size() == 2 && right.size() == 2 && word[0] == right[1] && word[1] == right[0];
+    return swapped || (word.size() <= 1 && right.size() <= 1);
+}
+
+/// "Qestion 3:": a long word that is misspelled, its number, and nothing more unless behind a colon.
+std::optional<Heading> misspelled(std::string_view start) {
+    constexpr std::array<std::string_view, 3> words = {"question", "exercise", "problem"};
+    static const RE2 pattern(R"((^[\s*=\-_#]*([A-Za-z]{6,9})[\s_]*#?\s?(\d{1,2})[\s*=\-_#)]*(?::|$)))");
+    re2::StringPiece whole;
+    std::string word;
+    int question = 0;
+    if (!RE2::PartialMatch(re2::StringPiece(start.data(), start.size()), pattern, &whole, &word, &question))
+        return std::nullopt;
+    const std::string small = lower_case(word);
+    if (question < 1 || std::ranges::none_of(words, [&](auto each) { return is_one_slip_from(small, each); }))
+        return std::nullopt;
+    return Heading{question, whole.size(), Heading::Style::question};
 }
 
 /// Whether a line that begins with "4." is a list of numbers, such as the matrix row "1. 0. 0. 4.".
@@ -179,6 +208,7 @@ std::optional<Heading> read_heading(std::string_view line, int last_question) {
     const std::string_view start = line.substr(0, longest_heading);
     if (start.find_first_not_of(" \t") == std::string_view::npos) return std::nullopt;
     if (auto heading = with_keyword(start)) return heading;
+    if (auto heading = misspelled(start)) return heading;
     if (auto heading = bare(start, last_question)) return heading;
     return dotted(start, last_question);
 }

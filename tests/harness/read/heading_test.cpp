@@ -71,6 +71,16 @@ TEST(Heading, MayBeTheNumberOfAPartWithItsQuestion) {
     EXPECT_EQ(questions({"Question 1", "1.5 is t", "2.1 is u", "3.1 is v"}), (std::vector<int>{1, 0, 0, 0}));
 }
 
+TEST(Heading, MayHaveAMisspelledWord) {
+    for (const std::string_view line : {"Qestion 6:", "Quesiton 6", "Questoin 6: t = 1", "QUESTTION #6:", "Exersise 6",
+                                        "--- Probelm 6 ---", "Quetion 6)"}) {
+        EXPECT_EQ(question(line), 6) << line;
+    }
+    for (const std::string_view line : {"Qestion 6 has t = 1", "My Qestion 6:", "Qeston 6:", "Quest on 6", "Prolem: 6"})
+        EXPECT_EQ(question(line), 0) << line;
+    EXPECT_EQ(rest("Qestion 6: t = 1"), " t = 1");
+}
+
 TEST(Heading, LeavesTheAnswerOnItsLine) {
     EXPECT_EQ(rest("Question 6: t = 1"), " t = 1");
     EXPECT_EQ(rest("Question 5:-0.5 0 1"), "-0.5 0 1");
