@@ -43,8 +43,8 @@ bool is_list_of(const PrintedValue& value, std::size_t count) {
     return value.groups == 1 && value.numbers.size() == count;
 }
 
-/// Whether a value may be part of a block. Rows of a matrix have no labels except "row 1", but one row may carry the
-/// matrix's label, as in "    [ 0 -2 ]" over "A = [ 3 0 ]".
+/// Whether a value may be part of a block. Rows of a matrix have no labels except "row 1", but one row or each may
+/// carry the matrix's label, as in "    [ 0 -2 ]" over "A = [ 3 0 ]".
 bool may_be_in_block(const PrintedValue& value, std::span<const ItemSpec> items) {
     if (value.label.empty() || is_row_label(value.label)) return true;
     return !names_vector(value, items) && !is_aside(value, items);
@@ -58,7 +58,8 @@ bool is_block(const std::vector<PrintedValue>& values, std::size_t at, std::size
     for (std::size_t k = 0; k < n; ++k) {
         const PrintedValue& value = values[at + k];
         if (!is_list_of(value, count) || !may_be_in_block(value, items)) return false;
-        if (!value.label.empty() && !is_row_label(value.label)) ++own_labels;
+        const bool repeats = k > 0 && value.label == values[at].label;  // as in a table: "A | 1 2 3" over "A | 4 5 6"
+        if (!value.label.empty() && !is_row_label(value.label) && !repeats) ++own_labels;
         if (k == 0) continue;
         if (!value.above.empty() && !is_row_label(value.above)) return false;
         if (value.line - values[at + k - 1].last_line > 2) return false;

@@ -49,6 +49,16 @@ TEST(Arrange, TakesTypedRowsAsColumns) {
     EXPECT_EQ(candidates[0].order, MatrixOrder::columns);
 }
 
+TEST(Arrange, GathersRowsThatRepeatTheirMatrixsLabel) {
+    const auto candidates = arranged(8, "A | 1 2 3\nA | 4 5 6\nA | 7 8 9\nrhs | 1 2 3\n");
+    ASSERT_EQ(candidates.size(), 2U);
+    EXPECT_EQ(candidates[0].order, MatrixOrder::rows);
+    EXPECT_EQ(candidates[0].value.label, "A");
+    EXPECT_EQ(values(candidates[0]), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+    EXPECT_EQ(arranged(8, "A | 1 2 3\nB | 4 5 6\nC | 7 8 9\n").size(), 3U);
+    EXPECT_EQ(arranged(8, "P_t | 1 2 3\nP_t | 4 5 6\nP_t | 7 8 9\n").size(), 3U);
+}
+
 TEST(Arrange, LeavesTheOrderOfAFlatListOpen) {
     const auto candidates = arranged(8, "A = 1 2 3 4 5 6 7 8 9\n");
     ASSERT_EQ(candidates.size(), 1U);
