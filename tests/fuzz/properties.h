@@ -9,6 +9,10 @@
 /// sizes stay within the limits, reading again gives the same, and what was packed comes back.
 std::string check_archive(std::string_view bytes);
 
+/// Rays for `raygrade cast`, as lines and as records. Each has its answer in order, whatever the number of threads, and
+/// a walk through a scene's tree finds what trying each object finds.
+std::string check_cast(std::string_view bytes);
+
 /// A roster of Canvas, a worksheet of Moodle, or any CSV file. What we write is read back the same, no cell we write is
 /// a formula, and a grade goes into one cell of one row.
 std::string check_csv(std::string_view text);
@@ -24,6 +28,10 @@ std::string check_lms_name(std::string_view names);
 /// A Gradescope export's metadata file. Names are texts within their limits, and what Gradescope would write of a
 /// class, whose names are the lines of the bytes, is read back.
 std::string check_metadata(std::string_view yaml);
+
+/// A mesh in an OBJ file. Its coordinates stay within their limit, and it is read as the same from what is printed of
+/// it.
+std::string check_mesh(std::string_view obj);
 
 /// A graded submission as the gradebook keeps it. What is read is written as something that is read as the same.
 std::string check_record(std::string_view bytes);

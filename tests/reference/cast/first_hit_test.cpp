@@ -209,6 +209,28 @@ TEST(FirstHit, IsTheTruthAtTheEdgesOfAMesh) {
     EXPECT_GT(ties, 20);
 }
 
+/// Two faces around a point cross each other there, nearly along the ray: their t's differ by less than rounding costs.
+TEST(FirstHit, IsTheTruthWhereFacesCrossAlongTheRay) {
+    Random random(4);
+    for (int i = 0; i < 200; ++i) {
+        const P middle = random.point(1);
+        const P direction = random.direction();
+        const double length = std::ldexp(1, random.whole(5, 25));
+        const auto face = [&] {
+            const P one = random.point(1);
+            const P other = random.point(1);
+            return Triangle<double>{middle + scaled(direction, length) + one,
+                                    middle - scaled(direction, length / 2) + other,
+                                    middle - scaled(direction, length / 2) - one - other};
+        };
+        std::vector<Ray<double>> rays;
+        for (int j = 0; j < 10; ++j) {
+            rays.push_back({random.nudged(middle - scaled(direction, 3 * length)), direction});
+        }
+        expect_the_truth({{}, {}, {{face(), face(), face()}}, {}}, rays);
+    }
+}
+
 /// Numbers for which products, and t itself, leave the range of doubles or become subnormal.
 TEST(FirstHit, IsTheTruthForRaysOfAnyDoubles) {
     Random random(3);
