@@ -55,7 +55,8 @@ std::vector<HitValues> possible_hits(const ItemTargets& float_key, const Interva
         const ItemId t{object, "t"};
         if (!float_key.targets().contains(t)) continue;
         std::vector<Target> ts;
-        if (object != reference::Subject::triangle) ts = results_of(t, float_key, scene, QuadraticForm::full);
+        const bool tells_a_hit = reference::item_of(t).exists == reference::Exists::with_hit;
+        if (tells_a_hit) ts = results_of(t, float_key, scene, QuadraticForm::full);
         if (const auto known = float_key.scalar(t)) ts.push_back(target_of(*known));
         if (ts.empty()) ts.push_back(no_value());
         std::vector<HitValues> more;

@@ -118,11 +118,9 @@ ExplainingPictures::Base::Base(const Marking& marking, bool answers, Room room, 
     std::vector<Point> more;
     if (with_answers) {
         right = right_values(marking.key, scene);
-        const bool misses = marking.key.decisions.of(reference::Subject::triangle) == "miss";
         if (right.P_WCS) more.push_back(*right.P_WCS);
         for (const auto& [kind, met] : right.objects) {
-            const bool is_beside = kind == reference::Subject::triangle && misses;
-            if (met.hit && !is_beside) more.push_back(*met.hit);
+            if (met.hit && marking.key.decisions.of(kind) != "miss") more.push_back(*met.hit);
         }
         if (right.X_vcs && right.Y_vcs && right.Z_vcs) {
             for (const Point& corner : window_corners(scene, *right.X_vcs, *right.Y_vcs, *right.Z_vcs))
