@@ -2,8 +2,11 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <string>
 
 #include "tests/scenario/scenario.h"
@@ -61,6 +64,35 @@ TEST_F(Cast, AnswersTheSameInRecords) {
     const Result result = cast({"--scene", scene(), "--binary", "-j", "3"}, ray_record + ray_record);
     EXPECT_EQ(result.status, 0);
     EXPECT_EQ(result.output, hit_record + hit_record);
+}
+
+/// It sends a ray and waits for the answer before it sends the next one.
+TEST_F(Cast, AnswersAProgramThatWaits) {
+    std::array<int, 2> rays{}, answers{};
+    ASSERT_EQ(pipe(rays.data()) + pipe(answers.data()), 0);
+    const pid_t child = fork();
+    if (child == 0) {
+        const auto connect = [&] {
+            close(rays[1]);
+            return dup2(rays[0], STDIN_FILENO) == STDIN_FILENO && dup2(answers[1], STDOUT_FILENO) == STDOUT_FILENO;
+        };
+        become_raygrade({"cast", "--scene", scene(), "--binary"}, connect, "/dev/null", folder_ / "voice");
+    }
+    close(rays[0]);
+    close(answers[1]);
+    for (int i = 0; i < 3; ++i) {
+        ASSERT_EQ(::write(rays[1], ray_record.data(), ray_record.size()), static_cast<ssize_t>(ray_record.size()));
+        pollfd ready{answers[0], POLLIN, 0};
+        ASSERT_EQ(poll(&ready, 1, 60'000), 1) << "no answer within a minute";
+        std::string answer(hit_record.size(), '\0');
+        ASSERT_EQ(::read(answers[0], answer.data(), answer.size()), static_cast<ssize_t>(answer.size()));
+        EXPECT_EQ(answer, hit_record);
+    }
+    close(rays[1]);
+    int status = -1;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
+    close(answers[0]);
 }
 
 TEST_F(Cast, NamesTheRecordThatIsCutOff) {
