@@ -53,9 +53,8 @@ std::size_t open_edges(const Mesh& mesh) {
         const auto first = std::lower_bound(edges.begin(), edges.end(), EdgeOfFace{from, to, 0});
         return std::upper_bound(first, edges.end(), EdgeOfFace{from, to, ~0U}) - first;
     };
-    return static_cast<std::size_t>(std::count_if(edges.begin(), edges.end(), [&](const EdgeOfFace& edge) {
-        return count(edge.from, edge.to) != 1 || count(edge.to, edge.from) != 1;
-    }));
+    return static_cast<std::size_t>(std::count_if(
+        edges.begin(), edges.end(), [&](const EdgeOfFace& edge) { return count(edge.to, edge.from) != 1; }));
 }
 
 }  // namespace reference::accuracy

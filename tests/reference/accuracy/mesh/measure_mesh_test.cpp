@@ -106,10 +106,12 @@ TEST(Verdict, IsWhatTryingEveryFaceGivesForEveryMethod) {
     EXPECT_EQ(slipped["certified, AVX2 double"], 0);
 }
 
-/// On rays that aim at nothing.
+/// Large triangles in any position, whose boxes overlap, and rays that aim at nothing.
 TEST(MeshMethods, AllFindWhatTryingEveryFaceFinds) {
     Random random(5);
-    const Mesh mesh = as_mesh(meshes::dented_ball(100, random));
+    std::vector<Triangle<double>> heap;
+    for (int i = 0; i < 60; ++i) heap.push_back({random.point(1), random.point(1), random.point(1)});
+    const Mesh mesh = mesh_of(heap, "heap");
     render::PreparedScene scene = scene_of(mesh);
     const MeshRays set = rays_at(mesh, 6, 100)[1];
     ASSERT_EQ(set.distribution, "scattered");
