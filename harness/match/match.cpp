@@ -53,7 +53,9 @@ bool announces_correction(const Section& section) {
 /// the same name in both means another printing.
 bool goes_on_in(const Section& before, const Section& section, Fits& fits) {
     if (before.question != section.question) return false;
-    const auto name_of = [](const PrintedValue& value) { return value.label.empty() ? value.above : value.label; };
+    const auto name_of = [](const PrintedValue& value) {
+        return !value.label.empty() ? value.label : !value.after.empty() ? value.after : value.above;
+    };
     const auto names_an_item = [&](const PrintedValue& value) {
         const auto items = fits.asked();
         return std::any_of(items.begin(), items.end(), [&](const ItemSpec& item) {

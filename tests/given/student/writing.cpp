@@ -267,7 +267,7 @@ class Hand {
             id.subject == reference::Subject::sphere || id.subject == reference::Subject::cylinder;
         if (has_quadratic && id.name != "normal" && !is("page", "table")) {
             const std::string& form =
-                one_of("quadratic", {"lines", "lines", "lines", "one line", "equation", "one list"});
+                one_of("quadratic", {"lines", "lines", "lines", "one line", "equation", "one list", "slashes"});
             const bool whole =
                 program_.has({id.subject, "a"}) && program_.has({id.subject, "b"}) && program_.has({id.subject, "c"});
             const auto coefficient = [&](const char* name) { return number(program_.scalar({id.subject, name})); };
@@ -280,6 +280,10 @@ class Hand {
             }
             if (whole && form == "one list" && id.name == "a") {
                 text_ += fmt::format("a b c: {} {} {}\n", x_of(x), coefficient("b"), coefficient("c"));
+                return;
+            }
+            if (whole && form == "slashes" && id.name == "a") {
+                text_ += fmt::format("abc = {}/{}/{}\n", x_of(x), coefficient("b"), coefficient("c"));
                 return;
             }
             if (whole && form == "equation" && id.name == "a") {

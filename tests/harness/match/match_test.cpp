@@ -79,6 +79,10 @@ TEST(Match, TakesTheFirstOfSeveralPrintingsUnlessALaterOneCorrectsIt) {
     }
 }
 
+TEST(Match, SeesAnotherPrintingWhereTheLabelsStandBehind) {
+    EXPECT_EQ(found("Question 5\n0 0 -1 = V\nQuestion 5\n0 1 0 = V\n"), "5.V: 0 0 -1 @2\n");
+}
+
 TEST(Match, JoinsThePartsOfAQuestion) {
     EXPECT_EQ(found("Q8> row: 1 2 3\nQ8> row: 4 5 6\nQ8> row: 7 8 9\n"),
               "8.matrix: (1 4 7) (2 5 8) (3 6 9) by rows @1\n");
