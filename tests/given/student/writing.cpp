@@ -266,8 +266,8 @@ class Hand {
         const bool has_quadratic =
             id.subject == reference::Subject::sphere || id.subject == reference::Subject::cylinder;
         if (has_quadratic && id.name != "normal" && !is("page", "table")) {
-            const std::string& form =
-                one_of("quadratic", {"lines", "lines", "lines", "one line", "equation", "one list", "slashes"});
+            const std::string& form = one_of("quadratic", {"lines", "lines", "lines", "one line", "equation",
+                                                           "one list", "slashes", "equation, disc"});
             const bool whole =
                 program_.has({id.subject, "a"}) && program_.has({id.subject, "b"}) && program_.has({id.subject, "c"});
             const auto coefficient = [&](const char* name) { return number(program_.scalar({id.subject, name})); };
@@ -286,13 +286,18 @@ class Hand {
                 text_ += fmt::format("abc = {}/{}/{}\n", x_of(x), coefficient("b"), coefficient("c"));
                 return;
             }
-            if (whole && form == "equation" && id.name == "a") {
-                text_ += fmt::format("{}t^2 {} {}t {} {} = 0\n", x_of(x), sign("b"), size("b"), sign("c"), size("c"));
+            if (whole && form.starts_with("equation") && id.name == "a") {
+                text_ += fmt::format("{}t^2 {} {}t {} {} = 0", x_of(x), sign("b"), size("b"), sign("c"), size("c"));
+                if (is_with_disc(id)) text_ += fmt::format(", disc {}", coefficient("d"));
+                text_ += "\n";
                 return;
             }
+            if (whole && id.name == "d" && is_with_disc(id)) return;
         }
         line(id, number(x));
     }
+    /// Whether the discriminant stands behind the equation, on its line.
+    bool is_with_disc(const ItemId& id) { return is("quadratic", "equation, disc") && program_.has({id.subject, "d"}); }
     std::string x_of(float x) { return number(x); }
     std::string size_of(float x) {
         std::string text = number(x < 0 ? -x : x);
