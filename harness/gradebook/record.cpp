@@ -25,7 +25,7 @@ constexpr Outcome last<Outcome> = Outcome::not_graded;
 template <>
 constexpr ItemVerdict last<ItemVerdict> = ItemVerdict::unreadable;
 template <>
-constexpr Doubt::Why last<Doubt::Why> = Doubt::Why::little_read;
+constexpr Doubt::Why last<Doubt::Why> = Doubt::Why::by_columns;
 template <>
 constexpr Tier last<Tier> = Tier::unsafe;
 template <>

@@ -34,6 +34,7 @@ int vagueness(const ItemScore& item) {
     if (!item.doubt) return item.verdict == ItemVerdict::right || item.verdict == ItemVerdict::follow ? 6 : 5;
     switch (item.doubt->why) {
         case Doubt::Why::right_elsewhere: return 0;
+        case Doubt::Why::by_columns:
         case Doubt::Why::printed_again: return 1;
         case Doubt::Why::words_left: return 2;
         case Doubt::Why::numbers_left: return 3;

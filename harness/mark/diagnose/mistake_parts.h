@@ -53,6 +53,9 @@ Targets hit_backward(const ItemTargets& known, const IntervalScene&) {
     return point_with(known, t, known.vector(item::P_WCS), -1);
 }
 
+inline constexpr std::string_view transposed_advice =
+    "The matrix is transposed, built or printed the wrong way round: GLM's constructors take columns, and m[0] is the "
+    "first column.";
 inline constexpr std::string_view starts_at_eye = "The ray P = S + tV starts at the pixel, S = P_WCS, not at the eye.";
 
 }  // namespace harness::mistakes

@@ -224,7 +224,7 @@ const std::vector<Mistake>& mistakes::of<Subject::camera>() {
         {"coordinates of different axes", one_coordinate, Z, one_of_each_axis<2>},
         {"translation missing", "The fourth column must hold the eye; only the rotation is there.", M,
          matrix_with<without_translation>},
-        {"matrix transposed", "The matrix is transposed: GLM's constructors take columns.", M, matrix_with<transposed>},
+        {"matrix transposed", transposed_advice, M, matrix_with<transposed>},
         {"view matrix, not its inverse", "This is the view matrix, from WCS to VCS; its inverse is asked for.", M,
          matrix_with<view_matrix>},
         {"translation negated", "The fourth column must hold the eye, not its negative.", M,

@@ -116,7 +116,7 @@ const std::vector<Mistake>& mistakes::of<Subject::triangle>() {
         {"edges the wrong way round", "The columns for u and v are B - A and C - A.", matrix, edges_reversed},
         {"vertices for edges", "The columns for u and v are the edges B - A and C - A, not the vertices.", matrix,
          vertices_for_edges},
-        {"matrix transposed", "The matrix is transposed: GLM's constructors take columns.", matrix, transposed_system},
+        {"matrix transposed", transposed_advice, matrix, transposed_system},
         {"right-hand side negated", wrong_side, rhs, rhs_reversed},
         {"ray starts at the eye", "The ray starts at S = P_WCS, not at the eye.", rhs, rhs_from_eye},
         {"A forgotten", "The right-hand side is the difference of S and A; A is missing.", rhs, rhs_without_a},

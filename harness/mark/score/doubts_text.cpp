@@ -47,6 +47,10 @@ std::string phrase_of(const Score& score, const ItemScore& item, Audience audien
         case Doubt::Why::printed_again:
             return fmt::format("the question was printed more than once, also on line {}", doubt.line);
         case Doubt::Why::little_read: return "less than half of the answers were found";
+        case Doubt::Why::by_columns: {
+            const std::string text = fmt::format("the matrix on line {} may have been printed by columns", doubt.line);
+            return may_tell ? text + ": read so, it suits the other answers" : text;
+        }
     }
     // The same for both reasons: which of them it is tells a student which number is right.
     return fmt::format("line {} may have been meant", doubt.line);

@@ -139,6 +139,51 @@ ItemScore explained(const ItemScore& item, const ItemScore& own, const reference
     return result;
 }
 
+/// The score without doubts.
+Score score_of(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
+               const reference::Assignment& assignment) {
+    Gathered gathered = gather(matched, key, assignment);
+    const Judge judge(matched, gathered.findings, key, assignment);
+    Score score;
+    score.questions.reserve(key.questions.size());
+    for (const reference::KeyQuestion& question : key.questions) {
+        score.questions.push_back(judge_question(question, judge, gathered.evidence, assignment.rubric));
+        score.max_points += score.questions.back().max_points;
+    }
+    award_points(score, assignment.rubric);
+    return score;
+}
+
+std::vector<ItemScore*> items_of(Score& score) {
+    std::vector<ItemScore*> items;
+    for (QuestionScore& question : score.questions) {
+        for (ItemScore& item : question.items) items.push_back(&item);
+    }
+    return items;
+}
+
+/// Doubts the order of a wrong matrix that was read by rows if it is no longer wrong by columns, and no answer gets a
+/// worse verdict by that: one that was computed with the matrix would, if the matrix was wrong in the program too.
+void doubt_orders(Score& score, std::vector<MatchedItem> matched, const reference::AnswerKey& key,
+                  const reference::Assignment& assignment) {
+    const std::vector<ItemScore*> items = items_of(score);
+    for (MatchedItem& printed : matched) {
+        const auto item =
+            std::ranges::find_if(items, [&](const ItemScore* each) { return each->spec.id == printed.spec.id; });
+        if (printed.order != MatrixOrder::rows || (*item)->verdict != ItemVerdict::wrong || !(*item)->reread.empty())
+            continue;
+        printed.order = MatrixOrder::columns;
+        Score by_columns = score_of(matched, key, assignment);
+        printed.order = MatrixOrder::rows;
+        const std::vector<ItemScore*> others = items_of(by_columns);
+        const bool suits = std::ranges::equal(
+            others, items, [](const ItemScore* a, const ItemScore* b) { return rank(a->verdict) <= rank(b->verdict); });
+        const bool explains =
+            rank(others[static_cast<std::size_t>(item - items.begin())]->verdict) < rank(ItemVerdict::wrong);
+        if (suits && explains) (*item)->doubt = Doubt{Doubt::Why::by_columns, (*item)->line};
+    }
+}
+
 }  // namespace
 
 std::string_view to_string(ItemVerdict verdict) {
@@ -159,6 +204,7 @@ std::string_view to_string(Doubt::Why why) {
         case Doubt::Why::words_left: return "words_left";
         case Doubt::Why::printed_again: return "printed_again";
         case Doubt::Why::little_read: return "little_read";
+        case Doubt::Why::by_columns: return "by_columns";
     }
     return "";
 }
@@ -182,16 +228,9 @@ Score score(const Transcript& transcript, const reference::AnswerKey& key, const
         for (const reference::KeyItem& item : question.items) items.push_back(item.spec);
     }
     const std::vector<MatchedItem> matched = match(transcript, items, places);
-    Gathered gathered = gather(matched, key, assignment);
-    const Judge judge(matched, gathered.findings, key, assignment);
-    Score score;
-    score.questions.reserve(key.questions.size());
-    for (const reference::KeyQuestion& question : key.questions) {
-        score.questions.push_back(judge_question(question, judge, gathered.evidence, assignment.rubric));
-        score.max_points += score.questions.back().max_points;
-    }
-    award_points(score, assignment.rubric);
+    Score score = score_of(matched, key, assignment);
     doubt_readings(score, transcript, matched, key, assignment);
+    doubt_orders(score, matched, key, assignment);
     return score;
 }
 

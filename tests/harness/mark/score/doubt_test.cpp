@@ -196,6 +196,49 @@ std::string told(const std::string& output) {
     return doubts_text(marked(output), Audience::instructor);
 }
 
+/// The same output with the matrices' types left out: their columns then read as rows.
+std::string without_types(std::string output) {
+    for (const std::string type : {"mat4x4", "mat3x3"}) {
+        for (std::size_t at = output.find(type); at != std::string::npos; at = output.find(type))
+            output.erase(at, type.size());
+    }
+    return output;
+}
+
+TEST(Doubt, IsRaisedIfAMatrixSuitsTheOtherAnswersByColumns) {
+    const std::string output = without_types(print(student::Program(off_axis().assignment, {})));
+    for (const ItemId& id : {reference::item::M_VCS_to_WCS, reference::item::triangle::matrix}) {
+        EXPECT_EQ(verdict_on(marked(output), id), "wrong") << id.name;
+        const auto doubt = doubt_of(output, id);
+        ASSERT_TRUE(doubt) << id.name;
+        EXPECT_EQ(doubt->why, Doubt::Why::by_columns) << id.name;
+    }
+}
+
+TEST(Doubt, IsNotRaisedIfTheAnswersFollowFromATransposedMatrix) {
+    for (const ItemId& id : {reference::item::M_VCS_to_WCS, reference::item::triangle::matrix}) {
+        const student::Program::Mistake transposed{id, [](const auto&, const auto& right) {
+                                                       student::Floats result = *right;
+                                                       const std::size_t n = result.size() == 16 ? 4 : 3;
+                                                       for (std::size_t i = 0; i < n * n; ++i)
+                                                           result[i] = (*right)[i % n * n + i / n];
+                                                       return std::optional(result);
+                                                   }};
+        // By rows, the transposed matrix is printed as the right one is by columns.
+        std::string output = print(student::Program(off_axis().assignment, {}, transposed));
+        const std::string type = id == reference::item::M_VCS_to_WCS ? "mat4x4" : "mat3x3";
+        const std::string right = print(student::Program(off_axis().assignment, {}));
+        const auto line = [&](const std::string& text) {
+            const std::size_t begin = text.find(type);
+            return std::pair(begin, text.find('\n', begin) - begin);
+        };
+        const auto [begin, size] = line(right);
+        output.replace(line(output).first, line(output).second, right.substr(begin, size).substr(type.size()));
+        EXPECT_EQ(verdict_on(marked(output), id), "wrong") << id.name;
+        EXPECT_FALSE(doubt_of(output, id)) << id.name;
+    }
+}
+
 TEST(DoubtsText, TellsAnInstructorWhereTheRightValueStandsAndWhatWasReadThere) {
     using testing::HasSubstr;
     EXPECT_EQ(told("Question 6:\nt: 3.29988\nb2: 2.29988\n"), "6.t: the right value stands on line 3, read as 6.b");
