@@ -159,38 +159,54 @@ bool is_none(const MatchedItem& item) {
     return item.value && item.value->numbers.empty();
 }
 
-/// Whether the item is one that "no hit" says not to be there. A ray that misses the triangle still meets its plane.
-bool is_of_hit(const ItemSpec& item) {
-    return reference::item_of(item.id).exists == reference::Exists::with_hit;
+bool all_are(const MatchedItem& item, const auto& is) {
+    return item.value && std::ranges::all_of(item.value->numbers, [&](const PrintedNumber& x) { return is(x.value); });
 }
 
-/// "t = -1" or "t = inf" says that there is no hit if no number is printed for the hit point and the normal beside it.
+/// The items that "no hit" says not to be there, of one object.
+std::vector<MatchedItem*> items_of_hit(std::vector<MatchedItem>& matched, reference::Subject object) {
+    std::vector<MatchedItem*> items;
+    for (MatchedItem& item : matched) {
+        if (item.spec.id.subject == object && is_of_hit(item.spec)) items.push_back(&item);
+    }
+    return items;
+}
+
+/// "t = -1" or "t = inf" says that there is no hit if no finite number is printed for the hit point and the normal
+/// beside it. So does "t = 0" if they are said not to be there.
 void read_stand_in(std::vector<MatchedItem>& matched) {
     for (MatchedItem& item : matched) {
         if (item.spec.id.name != "t" || !is_of_hit(item.spec) || !item.value || item.value->numbers.size() != 1)
             continue;
         const double t = item.value->numbers.front().value;
-        if (t != -1 && t != HUGE_VAL) continue;
-        std::ptrdiff_t others = 0, with_number = 0;
-        for (const MatchedItem& other : matched) {
-            if (&other == &item || other.spec.id.subject != item.spec.id.subject || !is_of_hit(other.spec)) continue;
+        std::ptrdiff_t others = 0, finite = 0, absent = 0;
+        for (const MatchedItem* other : items_of_hit(matched, item.spec.id.subject)) {
+            if (other == &item) continue;
             ++others;
-            with_number += other.value && !is_none(other) ? 1 : 0;
+            absent += is_none(*other) ? 1 : 0;
+            finite +=
+                other->value && !is_none(*other) && all_are(*other, [](double x) { return std::isfinite(x); }) ? 1 : 0;
         }
-        if (others > 0 && with_number == 0) item.value->numbers.clear();
+        const bool stands_in = (t == -1 || t == HUGE_VAL) && finite == 0;
+        if (others > 0 && (stands_in || (t == 0 && absent == others))) item.value->numbers.clear();
     }
 }
 
-/// "The ray misses the sphere", said once, holds for t, the hit point and the normal alike.
-void share_no_value(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates) {
-    const auto said =
-        std::find_if(candidates.begin(), candidates.end(), [](const Candidate& c) { return c.value.numbers.empty(); });
+/// "The ray misses the sphere", said once, holds for t, the hit point and the normal alike, also where nan, inf or a
+/// number that is named otherwise stands for them.
+void share_no_value(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates, Fits& fits) {
+    const std::vector<MatchedItem> before = matched;
     for (MatchedItem& item : matched) {
-        if (item.value || !is_of_hit(item.spec)) continue;
-        const auto beside = std::find_if(matched.begin(), matched.end(), [&](const MatchedItem& other) {
+        const bool has_number = item.value && !all_are(item, [](double x) { return !std::isfinite(x); }) &&
+                                fits(*item.value, item.spec) > LabelFit::foreign;
+        if (has_number || is_none(item) || !is_of_hit(item.spec)) continue;
+        const auto beside = std::find_if(before.begin(), before.end(), [&](const MatchedItem& other) {
             return is_none(other) && other.spec.id.subject == item.spec.id.subject;
         });
-        if (beside != matched.end()) {
+        const auto said = std::ranges::find_if(candidates, [&](const Candidate& candidate) {
+            return candidate.value.numbers.empty() && !is_said_of_another(candidate.value, item.spec);
+        });
+        if (beside != before.end()) {
             item.value = beside->value;
         } else if (said != candidates.end()) {
             item.value = said->value;
@@ -243,8 +259,9 @@ std::vector<MatchedItem> matched_items(const Question& question, const std::vect
         matched.push_back(std::move(item));
     }
     if (!question.has_heading) return matched;
+    share_no_value(matched, question.answers.candidates, fits);
     read_stand_in(matched);
-    share_no_value(matched, question.answers.candidates);
+    share_no_value(matched, question.answers.candidates, fits);
     for (MatchedItem& item : matched) find_unreadable(item, question.answers, fits);
     return matched;
 }

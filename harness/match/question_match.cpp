@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "harness/match/assignment_problem.h"
+#include "harness/read/hit_words.h"
 
 namespace harness {
 namespace {
@@ -73,6 +74,10 @@ class Matcher {
     std::optional<std::int64_t> gain(std::size_t i, const Placed& placed, const std::vector<LabelFit>& fit) const {
         const Candidate& candidate = placed.candidate;
         if (!has_shape(candidate.value, items_[i]) || fit[i] == LabelFit::forbidden) return std::nullopt;
+        // "no hit" is no answer for u, and "misses the sphere" none of the triangle's.
+        if (candidate.value.numbers.empty() && fit[i] < LabelFit::weak &&
+            (!is_of_hit(items_[i]) || is_said_of_another(candidate.value, items_[i])))
+            return std::nullopt;
         if (need_ == Need::label && fit[i] < LabelFit::named) return std::nullopt;
         if (names_another(i, fit) ||
             (fit[i] == LabelFit::foreign && names_another_question(candidate.value, items_[i])))
@@ -213,6 +218,20 @@ Reading take_lists_apart(Reading reading, std::span<const ItemSpec> items, const
 
 bool may_be_absent(const ItemSpec& item) {
     return reference::item_of(item.id).exists != reference::Exists::always;
+}
+
+bool is_of_hit(const ItemSpec& item) {
+    return reference::item_of(item.id).exists == reference::Exists::with_hit;
+}
+
+bool is_said_of_another(const PrintedValue& value, const ItemSpec& item) {
+    bool own = false, another = false;
+    for (const HitWord& word : hit_words(value.printed)) {
+        const auto object = object_of(word.meaning);
+        own = own || object == item.id.subject;
+        another = another || (object && object != item.id.subject);
+    }
+    return another && !own;
 }
 
 bool has_count(Shape shape, std::size_t count) {

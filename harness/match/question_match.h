@@ -44,6 +44,12 @@ bool has_shape(const PrintedValue& value, const reference::ItemSpec& item);
 /// Whether the item may have no value because the ray misses.
 bool may_be_absent(const reference::ItemSpec& item);
 
+/// Whether the item is one that "no hit" says not to be there. A ray that misses the triangle still meets its plane.
+bool is_of_hit(const reference::ItemSpec& item);
+
+/// Whether the words that say that there is no hit name another object than the item's: "the ray misses the sphere".
+bool is_said_of_another(const PrintedValue& value, const reference::ItemSpec& item);
+
 /// What makes a value an answer: its order or its label, or its label alone.
 enum class Need { order_or_label, label };
 

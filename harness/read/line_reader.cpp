@@ -7,7 +7,9 @@
 
 #include "harness/read/expression.h"
 #include "harness/read/formula.h"
+#include "harness/read/hit_words.h"
 #include "harness/read/number_group.h"
+#include "harness/text/lower_case.h"
 
 namespace harness {
 namespace {
@@ -93,9 +95,7 @@ class Reader {
 
     /// Whether the word says that the label before it has no value, as in "t": null within a line.
     bool is_no_value(std::size_t i) const {
-        static const RE2 none("(?i)none|null|nil|undefined|nothing");
-        const std::string_view word = text(i);
-        if (i == 0 || !RE2::FullMatch(re2::StringPiece(word.data(), word.size()), none)) return false;
+        if (i == 0 || meaning_of(lower_case(text(i))) != Meaning::none) return false;
         const std::size_t quote = i > 1 && is(i - 1, Kind::other) && text(i - 1) == "\"" ? 1 : 0;
         return is(i - 1 - quote, Kind::equals);
     }
@@ -163,6 +163,7 @@ class Reader {
             is(found.first, Kind::open) || (opened && (is(found.last, Kind::bar) || is(found.last, Kind::close)));
         value.label = label(begin);
         if (is_prose(value, found)) return;
+        if (is_reason(found)) return;
         if (is_equation(value)) return;
         const std::size_t end = tokens_[found.last - 1].end;
         value.printed = std::string(line_.substr(begin, std::min(end - begin, longest_printed)));
@@ -197,9 +198,27 @@ class Reader {
         values.back().after = last;
     }
 
+    bool is_reason_word(std::size_t i) const {
+        return is(i, Kind::word) && meaning_of(lower_case(text(i))) == Meaning::reason;
+    }
+
+    /// Whether the number is compared to give a reason: "no hit since -91 < 0".
+    bool is_reason(const NumberGroup& found) const {
+        return found.first > 0 && is(found.last, Kind::compare) && is_reason_word(found.first - 1);
+    }
+
+    /// Where the label of a value ends at `end` begins. "t is none since d = -91": what follows "since" is d.
+    std::size_t label_begin(std::size_t end) const {
+        for (std::size_t i = std::min(at_, tokens_.size()); i > 0 && tokens_[i - 1].begin >= label_begin_; --i) {
+            if (tokens_[i - 1].end <= end && is_reason_word(i - 1)) return tokens_[i - 1].end;
+        }
+        return label_begin_;
+    }
+
     /// The words between the last value and `end`, up to their first '=', without punctuation around them.
     std::string label(std::size_t end) const {
-        std::string_view words = line_.substr(label_begin_, end - label_begin_);
+        const std::size_t begin = label_begin(end);
+        std::string_view words = line_.substr(begin, end - begin);
         if (words.size() > longest_label) words.remove_prefix(words.size() - longest_label);
         constexpr std::string_view around = " \t=:-><,;.*#|~/\\\"";
         const auto trim = [&](std::string_view part) {

@@ -1,21 +1,26 @@
-// Lines that say that there is no value.
+// Words that say that there is no value, or no hit.
 #pragma once
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
+#include "harness/read/hit_words.h"
 #include "harness/read/printed_value.h"
 
 namespace harness {
 
-/// Reads words that say that there is no value, and the label before them if there is one: "t: none", "t is none",
-/// "N -> (not defined)", "it is not hit".
+/// Reads the words of a line, or beside its numbers, that say that there is no value or no hit, and the label before
+/// them if there is one: "t: none", "t is none", "N -> (not defined)", "it is not hit", "d = -91 < 0, so no
+/// intersection", "hit? no". Empty if the line sets a condition ("if …"), speaks of a part ("no hit with the caps"), or
+/// denies the miss.
 std::optional<PrintedValue> read_no_value(std::string_view line);
 
-/// Reads what a line with a discriminant says of the hit: "d = -91 < 0, so no intersection".
-std::optional<PrintedValue> read_no_value_after_discriminant(std::string_view line);
+/// Whether the line's only number says that nothing is hit: "t = -1 (-1 means no hit)", "hit = 0", "0 intersections",
+/// "number of hits: 0".
+bool number_means_no_hit(std::string_view line);
 
-/// Whether the line says that its number stands for "no value": "t = -1 (-1 means no hit)".
-bool says_what_its_number_means(std::string_view line);
+/// Whether the line only says that the question was not answered: "not done", "TODO".
+bool says_not_answered(std::string_view line);
 
 }  // namespace harness

@@ -83,12 +83,17 @@ class TranscriptReader {
         Section& section = transcript_.sections.back();
         section.lines.push_back({std::string(line), number});
         LineReading reading = read_line(line, separators_);
-        if (reading.values.empty()) {
-            if (auto none = read_no_value(line)) reading.values.push_back(std::move(*none));
-        } else if (auto none = read_no_value_after_discriminant(line)) {
-            reading.values.push_back(std::move(*none));
+        if (reading.values.size() <= 1 && number_means_no_hit(line)) {
+            reading.values.resize(1);
+            reading.values.front().numbers.clear();
+            std::string& printed = reading.values.front().printed;
+            if (printed.empty()) printed = line.substr(0, longest_printed);
         }
-        if (reading.values.size() == 1 && says_what_its_number_means(line)) reading.values.front().numbers.clear();
+        const bool says_none = std::any_of(reading.values.begin(), reading.values.end(),
+                                           [](const PrintedValue& value) { return value.numbers.empty(); });
+        if (!says_none && reading.has_words) {
+            if (auto none = read_no_value(line)) reading.values.push_back(std::move(*none));
+        }
         if (reading.values.empty()) {
             constexpr std::size_t longest_above = 200;
             if (reading.has_words) {

@@ -126,6 +126,30 @@ TEST(Match, TakesMinusOneForNoHitWhereNoHitPointIsPrinted) {
     EXPECT_EQ(found("Question 8:\nt = -1\n"), "8.t: -1 @2\n") << "the plane behind the start";
 }
 
+TEST(Match, TakesInfinityForNoHitAndNanOnlyWhereWordsSaySo) {
+    const std::string none = "6.t: none @2\n6.hit: none @2\n";
+    EXPECT_EQ(found("Question 6:\nt = inf\nP_s = (nan, inf, nan)\n"), none);
+    EXPECT_EQ(found("Question 6:\nt = inf\nP_s = (1, 2, 3)\n"), "6.t: inf @2\n6.hit: 1 2 3 @3\n");
+    EXPECT_EQ(found("Question 6:\nt = nan (no hit)\n"), none);
+    EXPECT_EQ(found("Question 6:\nt = nan\nP_s = (nan, nan, nan)\nno hit\n"), "6.t: none @4\n6.hit: none @4\n");
+    EXPECT_EQ(found("Question 6:\nt = nan\nP_s = (nan, nan, nan)\n"), "6.t: nan @2\n6.hit: nan nan nan @3\n");
+    EXPECT_EQ(found("Question 6:\nt = 0\nP_s = none\n"), "6.t: none @2\n6.hit: none @3\n");
+    EXPECT_EQ(found("Question 6:\nt = 0\n"), "6.t: 0 @2\n");
+}
+
+TEST(Match, TakesNoOtherNumberForTWhereNothingIsHit) {
+    EXPECT_EQ(found("Question 6:\na = 1, b = 2, c = 3\nsteps: 17\nd = -91.5, no hit\n"),
+              "6.a: 1 @2\n6.b: 2 @2\n6.c: 3 @2\n6.d: -91.5 @4\n6.t: none @4\n6.hit: none @4\n");
+}
+
+TEST(Match, TakesAMissOfAnotherObjectForNoneOfItsOwn) {
+    EXPECT_EQ(found("Question 6:\nd = 91.5\nthe ray misses the triangle\n"), "6.d: 91.5 @2\n");
+}
+
+TEST(Match, TakesNoHitForTheTrianglesHitPointAlone) {
+    EXPECT_EQ(found("Question 8:\nt = 1.5\nno hit\n"), "8.t: 1.5 @2\n8.hit: none @3\n");
+}
+
 TEST(Match, ReadsThePartsOfAQuestionInBrackets) {
     EXPECT_EQ(
         found("Question 6(a)\na = 1\nb = -8\nQuestion 6(b)\nt = 0.6\nP_s = (1, 2, 3)\nQuestion 7\nN = (0, 0, 1)\n"),

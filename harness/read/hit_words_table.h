@@ -1,0 +1,24 @@
+// The words with a meaning in what students print about hits, by language.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "harness/read/hit_words.h"
+
+namespace harness {
+
+/// Words in small letters without accents, with blanks between them.
+struct MeaningRow {
+    Meaning meaning;
+    std::string_view english;
+    std::string_view german;
+    std::string_view french;
+    std::string_view spanish;
+    std::string_view italian;
+    std::string_view portuguese;
+};
+
+std::span<const MeaningRow> hit_words_table();
+
+}  // namespace harness
