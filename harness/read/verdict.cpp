@@ -1,8 +1,10 @@
 #include "harness/read/verdict.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
+
+#include "harness/read/hit_words.h"
+#include "harness/read/no_value.h"
 
 namespace harness {
 namespace {
@@ -12,147 +14,263 @@ using reference::Verdict;
 
 constexpr std::size_t longest_verdict_line = 400;
 
-std::vector<std::string> words_of(std::string_view line) {
-    std::vector<std::string> words;
-    bool in_word = false;
-    for (char c : line.substr(0, longest_verdict_line)) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-        const bool letter = (c >= 'a' && c <= 'z') || c == '\'';
-        if (letter && !in_word) words.emplace_back();
-        if (letter) words.back() += c;
-        in_word = letter;
-    }
-    return words;
-}
-
-template <std::size_t N>
-bool is_one_of(const std::string& word, const std::array<std::string_view, N>& list) {
-    return std::find(list.begin(), list.end(), word) != list.end();
-}
-
-/// What students call an object.
-struct ObjectWords {
+/// A mention of an object.
+struct Mention {
     Subject object;
-    std::array<std::string_view, 4> words;
+    std::size_t at;  ///< index of its word
+    bool denied;     ///< said not to be hit, or not to be the one: "not the sphere", "the sphere is missed"
 };
-constexpr ObjectWords object_words[] = {{Subject::sphere, {"sphere", "sphere's", "spheres", "ball"}},
-                                        {Subject::triangle, {"triangle", "triangle's", "triangles", "tri"}},
-                                        {Subject::cylinder, {"cylinder", "cylinder's", "cylinders", "cyl"}}};
 
-constexpr std::array<std::string_view, 18> hit_words = {
-    "hit",     "hits",  "closest", "nearest",  "closer", "nearer", "before",     "wins",        "winner",
-    "visible", "front", "smaller", "smallest", "seen",   "chosen", "intersects", "intersected", "earlier"};
-constexpr std::array<std::string_view, 8> negations = {"not",    "doesn't", "never", "misses",
-                                                       "missed", "miss",    "no",    "isn't"};
-constexpr std::array<std::string_view, 4> debug_words = {"debug", "dbg", "trace", "log"};
-
-std::optional<Subject> object_of(const std::string& word) {
-    for (const ObjectWords& each : object_words) {
-        if (is_one_of(word, each.words)) return each.object;
-    }
-    return std::nullopt;
+bool is_joint(const HitWord& word) {
+    return word.text == "and" || word.text == "und" || word.text == "et" || word.text == "y" || word.text == "e" ||
+           word.text == "nor" || word.meaning == Meaning::either;
 }
 
-/// The object that the words name beside this one; empty if there is none or more than one.
-std::optional<Subject> other_than(Subject object, const std::vector<std::string>& words) {
-    std::optional<Subject> other;
-    for (const std::string& word : words) {
-        const auto named = object_of(word);
-        if (!named || named == object || named == other) continue;
-        if (other) return std::nullopt;
-        other = named;
-    }
-    return other;
+/// Whether a new clause begins with this word.
+bool begins_clause(const HitWord& word) {
+    return word.signs.find_first_of(",;.!") != std::string::npos || word.meaning == Meaning::contrast ||
+           word.meaning == Meaning::conclusion;
 }
 
-/// Whether the words before the object deny it: "does not hit triangle first".
-bool is_denied(const std::vector<std::string>& words, std::size_t object) {
-    constexpr std::array<std::string_view, 4> denials = {"not", "doesn't", "isn't", "never"};
-    constexpr std::size_t reach = 4;
-    for (std::size_t k = 1; k <= reach && k <= object; ++k) {
-        if (is_one_of(words[object - k], denials)) return true;
-        if (words[object - k] == "first" || object_of(words[object - k])) return false;
+bool is_superlative(Meaning meaning) {
+    return meaning == Meaning::first || meaning == Meaning::nearest;
+}
+
+bool is_denied_before(HitWords words, std::size_t object, const std::vector<Mention>& earlier) {
+    for (std::size_t i = object; i > 0 && !begins_clause(words[i]); --i) {
+        const HitWord& word = words[i - 1];
+        if (object_of(word.meaning)) return is_joint(words[i]) && !earlier.empty() && earlier.back().denied;
+        // "nothing is hit before the triangle" does not deny the triangle.
+        if (word.meaning == Meaning::contrast || word.meaning == Meaning::before || is_superlative(word.meaning))
+            return false;
+        if (negates(word.meaning)) return true;
+        if (word.meaning == Meaning::miss) return i < 2 || !negates(words[i - 2].meaning);
     }
     return false;
 }
 
-/// The nearest object before the word "first", else the nearest object after it. If the words deny that this object is
-/// first, the result is the other object, provided that it is named too.
-std::optional<Subject> object_at_first(const std::vector<std::string>& words) {
-    constexpr std::size_t reach = 6;
+bool is_denied_behind(HitWords words, std::size_t object) {
+    bool negated = false;
+    for (std::size_t i = object + 1; i < words.size() && !begins_clause(words[i]); ++i) {
+        const HitWord& word = words[i];
+        // "the sphere is not closer than the triangle" does not deny the sphere.
+        if (object_of(word.meaning) || word.meaning == Meaning::before || word.meaning == Meaning::after) return false;
+        if (word.meaning == Meaning::miss) return !negated;
+        if (negated && (word.meaning == Meaning::hit || word.meaning == Meaning::seen || is_superlative(word.meaning)))
+            return true;
+        negated = negated || negates(word.meaning);
+    }
+    return negated;
+}
+
+std::vector<Mention> mentions_in(HitWords words) {
+    std::vector<Mention> mentions;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (const auto object = object_of(words[i].meaning))
+            mentions.push_back({*object, i, is_denied_before(words, i, mentions) || is_denied_behind(words, i)});
+    }
+    return mentions;
+}
+
+/// The only object of these mentions; empty if there are others or none.
+std::optional<Subject> only_object(std::span<const Mention> mentions) {
+    if (mentions.empty()) return std::nullopt;
+    const bool one = std::ranges::all_of(mentions, [&](const Mention& m) { return m.object == mentions[0].object; });
+    return one ? std::optional(mentions[0].object) : std::nullopt;
+}
+
+std::vector<Mention> not_denied(const std::vector<Mention>& mentions) {
+    std::vector<Mention> rest;
+    std::ranges::copy_if(mentions, std::back_inserter(rest), [](const Mention& m) { return !m.denied; });
+    return rest;
+}
+
+/// Whether the word at `at` and the one at `from` before it belong to one clause.
+bool in_one_clause(HitWords words, std::size_t from, std::size_t at) {
+    return std::none_of(words.begin() + static_cast<std::ptrdiff_t>(from) + 1,
+                        words.begin() + static_cast<std::ptrdiff_t>(at) + 1, begins_clause);
+}
+
+/// Whether another object is named in the same breath: "sphere or triangle".
+bool is_joined(HitWords words, const std::vector<Mention>& mentions, const Mention& one) {
+    return std::ranges::any_of(mentions, [&](const Mention& other) {
+        const auto [first, last] = std::minmax(one.at, other.at);
+        return other.object != one.object && last - first <= 3 &&
+               std::ranges::any_of(words.subspan(first + 1, last - first - 1), is_joint);
+    });
+}
+
+/// Which object a word such as "first" is about: the one before it in its clause, else the one behind it; in other
+/// clauses likewise. If that one is denied, it is the only other object.
+std::optional<Subject> object_at(HitWords words, const std::vector<Mention>& mentions, std::size_t superlative) {
+    constexpr std::size_t reach = 8;
+    const Mention *left = nullptr, *right = nullptr;
+    for (const Mention& mention : mentions) {
+        if (mention.at < superlative && superlative - mention.at <= reach) left = &mention;
+        if (mention.at > superlative && mention.at - superlative <= reach && right == nullptr) right = &mention;
+    }
+    const bool near_left = left != nullptr && in_one_clause(words, left->at, superlative);
+    const bool near_right = right != nullptr && in_one_clause(words, superlative, right->at);
+    const Mention* found = left == nullptr || (!near_left && near_right) ? right : left;
+    if (found == nullptr) return std::nullopt;
+    if (found->denied) return only_object(not_denied(mentions));
+    return is_joined(words, mentions, *found) ? std::nullopt : std::optional(found->object);
+}
+
+/// The object that the sentence calls the first; empty also if it calls several so, as the question's text does.
+std::optional<Subject> object_called(Meaning superlative, HitWords words, const std::vector<Mention>& mentions) {
     std::optional<Subject> found;
     for (std::size_t i = 0; i < words.size(); ++i) {
-        if (words[i] != "first") continue;
-        std::optional<Subject> near;
-        for (std::size_t k = 1; k <= reach && k <= i && !near; ++k) {
-            near = object_of(words[i - k]);
-            if (!near || !is_denied(words, i - k)) continue;
-            near = other_than(*near, words);
-            if (!near) break;
-        }
-        for (std::size_t k = 1; k <= reach && i + k < words.size() && !near; ++k) near = object_of(words[i + k]);
-        if (near && found && *near != *found)
-            return std::nullopt;  // the question's text: "triangle first / sphere first"
-        if (near) found = near;
+        if (words[i].meaning != superlative) continue;
+        const auto object = object_at(words, mentions, i);
+        if (object && found && *object != *found) return std::nullopt;
+        if (object) found = object;
     }
     return found;
 }
 
-bool any(const std::vector<std::string>& words, const auto& list) {
-    return std::any_of(words.begin(), words.end(), [&](const std::string& word) { return is_one_of(word, list); });
+enum class Order { none, first_named_first, last_named_first };
+
+Order reversed(Order order) {
+    switch (order) {
+        case Order::none: return Order::none;
+        case Order::first_named_first: return Order::last_named_first;
+        case Order::last_named_first: return Order::first_named_first;
+    }
+    return Order::none;
 }
 
-bool says_nothing_is_hit(const std::vector<std::string>& words) {
-    constexpr std::array<std::string_view, 4> nothing = {"nothing", "neither", "none", "anything"};
-    if (any(words, nothing)) return true;
-    const bool several =
-        std::count_if(words.begin(), words.end(), [](const std::string& w) { return object_of(w).has_value(); }) >= 2;
-    constexpr std::array<std::string_view, 5> all = {"both", "everything", "object", "objects", "any"};
-    const bool about_all = several || any(words, all) || words.size() <= 3;
-    constexpr std::array<std::string_view, 7> hit = {"hit",  "hits",         "misses",   "missed",
-                                                     "miss", "intersection", "intersect"};
-    return about_all && any(words, negations) && any(words, hit);
+/// What the words from words[from] to words[to] say about the order of these two objects.
+Order order_between(HitWords words, std::size_t from, std::size_t to) {
+    const bool of_t = from > 0 && words[from - 1].text == "t";
+    bool negated = false;
+    for (std::size_t i = from + 1; i <= to; ++i) {
+        const HitWord& word = words[i];
+        const std::string& signs = word.signs;
+        Order order = Order::none;
+        if (signs.find('<') != std::string::npos && signs.find('-') == std::string::npos)
+            order = Order::first_named_first;
+        if (signs.find('>') != std::string::npos) {
+            const bool arrow = signs.find_first_of("-=") != std::string::npos;
+            if (!arrow && !of_t) return Order::none;  // an arrow, or greater?
+            order = arrow ? Order::first_named_first : Order::last_named_first;
+        }
+        if (i < to && word.meaning == Meaning::before) order = Order::first_named_first;
+        if (i < to && word.meaning == Meaning::after) order = Order::last_named_first;
+        if (i < to && word.meaning == Meaning::covered) {
+            const HitWords rest = words.subspan(i + 1, to - i - 1);
+            const bool passive = has(rest, Meaning::by) || has(rest, Meaning::agent) || has(rest, Meaning::after);
+            order = passive ? Order::last_named_first : Order::first_named_first;
+        }
+        if (order != Order::none) return negated ? reversed(order) : order;
+        negated = negated || (i < to && negates(word.meaning));
+    }
+    return Order::none;
 }
 
-bool says_tie(const std::vector<std::string>& words) {
-    constexpr std::array<std::string_view, 5> tie = {"tie", "tied", "simultaneously", "same", "equal"};
-    return any(words, tie);
+/// "triangle, cylinder, sphere": only objects in their order, with their t.
+bool is_list(HitWords words, const std::vector<Mention>& mentions) {
+    const bool plain = std::ranges::all_of(words, [](const HitWord& word) {
+        return object_of(word.meaning) || word.meaning == Meaning::number || word.meaning == Meaning::link ||
+               word.meaning == Meaning::answer || word.meaning == Meaning::hit || word.text.starts_with("ord") ||
+               word.text == "reihenfolge";
+    });
+    const HitWords between = words.subspan(mentions[0].at + 1, mentions[1].at - mentions[0].at);
+    return plain && std::ranges::any_of(between, begins_clause);
 }
 
-/// "sphere is closer than triangle", "closest: sphere", or just "sphere".
-std::optional<Subject> object_compared(const std::vector<std::string>& words) {
-    std::vector<Subject> objects;
-    for (const std::string& word : words) {
-        if (const auto object = object_of(word)) objects.push_back(*object);
+/// The first of several objects: "the sphere is closer than the triangle", "the triangle is behind the sphere".
+std::optional<Subject> first_of(HitWords words, const std::vector<Mention>& mentions) {
+    for (std::size_t i = 0; i + 1 < mentions.size(); ++i) {
+        const Mention &one = mentions[i], &next = mentions[i + 1];
+        if (one.object == next.object) continue;
+        switch (order_between(words, one.at, next.at)) {
+            case Order::none: continue;
+            case Order::first_named_first:
+                return i > 0 && is_joint(words[one.at - 1]) ? std::nullopt : std::optional(one.object);
+            case Order::last_named_first: return next.object;
+        }
     }
-    if (objects.empty()) return std::nullopt;
-    const bool one_object =
-        std::all_of(objects.begin(), objects.end(), [&](Subject each) { return each == objects.front(); });
-    if (one_object) {
-        if (any(words, negations)) return std::nullopt;
-        return any(words, hit_words) || words.size() <= 2 ? std::optional(objects.front()) : std::nullopt;
+    const std::vector<Mention> rest = not_denied(mentions);
+    if (rest.size() < mentions.size()) return only_object(rest);
+    const std::size_t last = mentions.back().at;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const bool between = i > mentions.front().at && i < last;
+        if (between) continue;
+        const Mention& near = i < last ? mentions.front() : mentions.back();
+        std::vector<Mention> others;
+        std::ranges::copy_if(mentions, std::back_inserter(others),
+                             [&](const Mention& each) { return each.object != near.object; });
+        const bool leads = i < last && words[i].text == "before";
+        if (words[i].meaning == Meaning::after) return i < last ? std::optional(near.object) : only_object(others);
+        if (words[i].meaning == Meaning::before) return leads ? only_object(others) : std::optional(near.object);
     }
-    constexpr std::array<std::string_view, 13> compares = {"before",  "order",   "closer",  "nearer", "smaller",
-                                                           "less",    "front",   "earlier", "than",   "wins",
-                                                           "closest", "nearest", "then"};
-    for (const std::string_view later : {"after", "behind"}) {  // "the triangle is behind the sphere"
-        const auto at = std::ranges::find(words, later);
-        const auto before = std::find_if(at, words.end(), [](const std::string& word) { return object_of(word); });
-        if (before != words.end()) return object_of(*before);
-        if (at != words.end()) return objects.front();
+    return is_list(words, mentions) ? std::optional(mentions.front().object) : std::nullopt;
+}
+
+/// What is said of the only object: "hits the triangle before anything else", "nothing is closer than the triangle".
+std::optional<Subject> lone_object(HitWords words, const Mention& mention) {
+    const bool negated = std::ranges::any_of(words, [](const HitWord& word) { return negates(word.meaning); });
+    const auto order = std::ranges::find_if(words, [](const HitWord& word) {
+        return word.meaning == Meaning::before || word.meaning == Meaning::after || word.meaning == Meaning::covered;
+    });
+    if (order == words.end()) {
+        const bool said = has(words, Meaning::hit) || has(words, Meaning::seen) || words.size() <= 2;
+        return said && !negated && !has(words, Meaning::miss) ? std::optional(mention.object) : std::nullopt;
     }
-    return any(words, compares) ? std::optional(objects.front()) : std::nullopt;
+    const auto at = static_cast<std::size_t>(order - words.begin());
+    const bool behind = at > mention.at;  // the word that orders stands behind the object
+    const bool passive = order->meaning == Meaning::covered && (has(words, Meaning::by) || has(words, Meaning::agent));
+    const bool comes_after = order->meaning == Meaning::after || passive;
+    // "closer: triangle", not "closer than the triangle"
+    const bool compares = has(words.subspan(at, 1), Meaning::covered) || order->text == "before" ||
+                          (at + 1 < words.size() && (words[at + 1].meaning == Meaning::before ||
+                                                     words[at + 1].text == "of" || words[at + 1].text == "to"));
+    const bool is_first = behind ? comes_after == negated : comes_after ? !negated : negated || !compares;
+    return is_first ? std::optional(mention.object) : std::nullopt;
+}
+
+bool says_nothing_is_hit(HitWords words, const std::vector<Mention>& mentions, std::string_view line) {
+    if (!mentions.empty()) {
+        const bool all_denied = not_denied(mentions).empty();
+        return all_denied && (!only_object(mentions) || has(words, Meaning::any_object));
+    }
+    const bool negated = has(words, Meaning::negation);
+    return has(words, Meaning::none) || (negated && has(words, Meaning::any_object)) ||
+           read_no_value(line).has_value() ||
+           (words.size() == 1 && (words[0].text == "neither" || words[0].meaning == Meaning::miss)) ||
+           (negated && std::ranges::any_of(words, [](const HitWord& word) { return word.text == "neither"; }));
+}
+
+bool says_nothing_is_first(HitWords words, const std::vector<Mention>& mentions) {
+    return mentions.empty() &&
+           (has(words, Meaning::none) || (has(words, Meaning::negation) && has(words, Meaning::any_object)));
 }
 
 std::optional<Verdict> verdict_of(std::string_view line, VerdictPlace place) {
-    const std::vector<std::string> words = words_of(line);
-    if (words.empty() || any(words, debug_words)) return std::nullopt;
-    if (const auto object = object_at_first(words)) return Verdict(*object);
+    const std::vector<HitWord> all = hit_words(line.substr(0, longest_verdict_line));
+    if (all.empty() || has(all, Meaning::debug) || has(all, Meaning::condition)) return std::nullopt;
+    // "Which is hit first? The sphere."
+    if (line.find_last_not_of(" \t") == line.find_last_of('?')) return std::nullopt;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all[i].signs.find('?') != std::string::npos) begin = i;
+    }
+    const HitWords words = HitWords(all).subspan(begin);
+    const std::vector<Mention> mentions = mentions_in(words);
+    for (const Meaning superlative : {Meaning::first, Meaning::nearest}) {
+        if (!has(words, superlative)) continue;
+        if (superlative == Meaning::nearest && place == VerdictPlace::elsewhere) break;
+        if (const auto object = object_called(superlative, words, mentions)) return Verdict(*object);
+        if (place == VerdictPlace::elsewhere) return std::nullopt;
+        if (has(words, Meaning::tie)) return Verdict::tie;
+        return says_nothing_is_first(words, mentions) ? std::optional(Verdict::no_hit) : std::nullopt;
+    }
     if (place == VerdictPlace::elsewhere) return std::nullopt;
-    if (says_nothing_is_hit(words)) return Verdict::no_hit;
-    if (std::find(words.begin(), words.end(), "first") != words.end() && !says_tie(words)) return std::nullopt;
-    if (says_tie(words)) return Verdict::tie;
-    const auto object = object_compared(words);
+    if (says_nothing_is_hit(words, mentions, line)) return Verdict::no_hit;
+    if (has(words, Meaning::tie)) return Verdict::tie;
+    if (mentions.empty()) return std::nullopt;
+    const auto object = only_object(mentions) ? lone_object(words, mentions.front()) : first_of(words, mentions);
     return object ? std::optional(Verdict(*object)) : std::nullopt;
 }
 

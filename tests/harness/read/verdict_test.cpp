@@ -60,6 +60,65 @@ TEST(ReadVerdict, ReadsTheWordsStudentsUse) {
     EXPECT_EQ(read({"it's a tie"}), Verdict::tie);
 }
 
+const Verdict sphere(reference::Subject::sphere);
+const Verdict triangle(reference::Subject::triangle);
+const Verdict cylinder(reference::Subject::cylinder);
+
+TEST(ReadVerdict, ReadsWhatStandsBeforeOrBehindAllElse) {
+    for (const char* line : {"The ray hits the triangle before anything else.", "Nothing is hit before the triangle.",
+                             "No object is closer than the triangle", "Everything else is behind the triangle",
+                             "The ray hits the triangle before it hits the cylinder or the sphere",
+                             "The ray hits the cylinder after the triangle, and the sphere last.",
+                             "the triangle occludes the other objects", "the triangle blocks the sphere",
+                             "the sphere is hidden by the triangle", "The sphere is occluded by the triangle"})
+        EXPECT_EQ(read({line}), triangle) << line;
+    EXPECT_EQ(read({"The cylinder is in front of the triangle and the sphere."}), cylinder);
+    EXPECT_EQ(read({"The sphere is not closer than the triangle"}), triangle);
+}
+
+TEST(ReadVerdict, ReadsTheObjectThatIsNotDenied) {
+    for (const char* line :
+         {"The first thing to be hit is not the sphere but the triangle.",
+          "The sphere is not hit first, the triangle is.", "not the sphere, but the triangle first",
+          "The ray misses the sphere and the cylinder, so it hits the triangle", "not the sphere but the triangle",
+          "The ray does not hit the sphere first, but the triangle."})
+        EXPECT_EQ(read({line}), triangle) << line;
+    EXPECT_EQ(read({"The sphere is not hit first"}), std::nullopt);
+}
+
+TEST(ReadVerdict, ReadsTheOrderOfTheObjects) {
+    for (const char* line : {"triangle, cylinder, sphere", "triangle (0.99), cylinder (3.66), sphere (5.78)",
+                             "t_triangle < t_cylinder < t_sphere", "t_sphere > t_triangle", "triangle -> sphere",
+                             "Sphere second, triangle first, cylinder third", "triangle then sphere"})
+        EXPECT_EQ(read({line}), triangle) << line;
+    for (const char* line : {"sphere and triangle", "sphere or triangle", "sphere, triangle and cylinder are objects"})
+        EXPECT_EQ(read({line}), std::nullopt) << line;
+}
+
+TEST(ReadVerdict, ReadsThatNothingIsHit) {
+    for (const char* line : {"ray hits nothing first", "winner=NULL", "first: none", "The ray doesn't hit anything.",
+                             "no object is hit first", "miss", "neither the sphere nor the triangle is hit"})
+        EXPECT_EQ(read({line}), Verdict::no_hit) << line;
+}
+
+TEST(ReadVerdict, ReadsOtherLanguagesAndWordsWithALetterWrong) {
+    for (const char* line :
+         {"Der Strahl trifft zuerst das Dreieck", "le rayon touche le triangle en premier",
+          "El rayo toca primero el tri\u00e1ngulo", "il triangolo viene prima", "das Dreieck liegt vor der Kugel",
+          "O raio atinge primeiro o tri\u00e2ngulo", "ray hits traingle first"})
+        EXPECT_EQ(read({line}), triangle) << line;
+    for (const char* line : {"le rayon ne touche rien", "El primero: ninguno", "Der Strahl trifft nichts"})
+        EXPECT_EQ(read({line}), Verdict::no_hit) << line;
+}
+
+TEST(ReadVerdict, ReadsNothingFromAQuestionOrACondition) {
+    for (const char* line :
+         {"Is the sphere first?", "If the sphere is closer it is first", "Everything is before the sphere",
+          "The triangle is hit after everything else", "the sphere is missed"})
+        EXPECT_EQ(read({line}), std::nullopt) << line;
+    EXPECT_EQ(read({"Which is hit first? The sphere."}), sphere);
+}
+
 TEST(ReadVerdict, PrefersTheSentenceToTheValues) {
     EXPECT_EQ(read({"sphere hit at t = 0.58", "ray hits triangle first", "triangle: hit, t = 0"}),
               Verdict(reference::Subject::triangle));
