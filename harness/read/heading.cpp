@@ -8,7 +8,7 @@
 #include <string>
 
 #include "harness/read/token.h"
-#include "harness/text/lower_case.h"
+#include "harness/text/plain_word.h"
 
 namespace harness {
 namespace {
@@ -22,11 +22,16 @@ constexpr const char* closing =
     R"((?:\.?\s?(?:(?:[a-h]|i{1,3})\b|[(\[](?:[a-h]|i{1,3}|iv|vi{0,3})[)\]])|\.\d\b)?(?:\s*(?:of|/)\s*\d{1,2}\b)?[\s*=_#~+|\\\])}"'`]*(?:[:.)\]\-,;>=|]+|\s|$))";
 constexpr const char* number = R"([.\s]*[#:.\-_(\[]*\s*(?i:no\.?\s*|nr\.?\s*|number\s*)?#?\s?(\d{1,2}))";
 constexpr const char* question_words =
-    R"((?i:assignment 6,? |a6,? |(?:my )?(?:answers?|solution) (?:to|for|of) |the )?(?i:§|questions?|quest|ques|qn?|exercises?|exer|exc|ex|exo|problems?|prob|tasks?|aufgabe|frage|pregunta|ejercicio|question))";
+    R"((?i:assignment 6,? |a6,? |(?:my )?(?:answers?|solution) (?:to|for|of) |the )?(?i:§|questions?|quest|ques|qn?|exercises?|exer|exc|ex|exo|problems?|prob|tasks?|aufgabe|frage|pregunta|ejercicio|domanda|esercizio|pergunta))";
 constexpr const char* part_words =
     R"((?i:parts?|answers?|ans|items?|steps?|sections?|solution|results?|output|nr|no|number))";
 constexpr const char* spelled =
     R"(\s*[#:\-_]?\s*(?i:(one|two|three|four|five|six|seven|eight|nine|ten))\b[\s:.)\-*=]*))";
+
+/// Words that head a question and may have a letter wrong: "Qestion 3".
+constexpr std::array<std::string_view, 13> long_question_words = {
+    "question", "exercise",  "problem", "aufgabe",   "pregunta", "ejercicio", "exercice",
+    "domanda",  "esercizio", "questao", "exercicio", "pergunta", "probleme"};
 
 std::string pattern_of(const char* words, const char* rest) {
     return std::string("(") + decoration + words + rest;
@@ -62,6 +67,22 @@ std::size_t end_of(std::string_view start, std::size_t length) {
     return length > 0 && start[length - 1] == '-' && number_goes_on ? length - 1 : length;
 }
 
+/// "Qestion 3:", "Questão 3".
+std::optional<Heading> misspelt(std::string_view start) {
+    static const RE2 pattern(
+        pattern_of(R"(([A-Za-z\x{C0}-\x{24F}\x{FFFD}]{6,12}))", (std::string(number) + closing + ")").c_str()));
+    re2::StringPiece whole, letters;
+    int question = 0;
+    if (!RE2::PartialMatch(re2::StringPiece(start.data(), start.size()), pattern, &whole, &letters, &question) ||
+        question < 1)
+        return std::nullopt;
+    const std::string word = plain_letters(std::string_view(letters.data(), letters.size()));
+    const bool is_known = std::ranges::any_of(long_question_words,
+                                              [&](std::string_view right) { return is_one_letter_off(word, right); });
+    return is_known ? std::optional(Heading{question, end_of(start, whole.size()), Heading::Style::question})
+                    : std::nullopt;
+}
+
 std::optional<Heading> with_keyword(std::string_view start) {
     const re2::StringPiece text(start.data(), start.size());
     for (const HeadingForm& form : forms()) {
@@ -77,35 +98,7 @@ std::optional<Heading> with_keyword(std::string_view start) {
             return Heading{spelled_number(word), end_of(start, whole.size()), form.style};
         }
     }
-    return std::nullopt;
-}
-
-/// Whether one letter is missing, too many, another or swapped with its neighbour.
-bool is_one_slip_from(std::string_view word, std::string_view right) {
-    const auto start = static_cast<std::size_t>(std::ranges::mismatch(word, right).in1 - word.begin());
-    word.remove_prefix(start);
-    right.remove_prefix(start);
-    while (!word.empty() && !right.empty() && word.back() == right.back()) {
-        word.remove_suffix(1);
-        right.remove_suffix(1);
-    }
-    const bool swapped = word.size() == 2 && right.size() == 2 && word[0] == right[1] && word[1] == right[0];
-    return swapped || (word.size() <= 1 && right.size() <= 1);
-}
-
-/// "Qestion 3:": a long word that is misspelled, its number, and nothing more unless behind a colon.
-std::optional<Heading> misspelled(std::string_view start) {
-    constexpr std::array<std::string_view, 3> words = {"question", "exercise", "problem"};
-    static const RE2 pattern(R"((^[\s*=\-_#]*([A-Za-z]{6,9})[\s_]*#?\s?(\d{1,2})[\s*=\-_#)]*(?::|$)))");
-    re2::StringPiece whole;
-    std::string word;
-    int question = 0;
-    if (!RE2::PartialMatch(re2::StringPiece(start.data(), start.size()), pattern, &whole, &word, &question))
-        return std::nullopt;
-    const std::string small = lower_case(word);
-    if (question < 1 || std::ranges::none_of(words, [&](auto each) { return is_one_slip_from(small, each); }))
-        return std::nullopt;
-    return Heading{question, whole.size(), Heading::Style::question};
+    return misspelt(start);
 }
 
 /// Whether a line that begins with "4." is a list of numbers, such as the matrix row "1. 0. 0. 4.".
@@ -208,7 +201,6 @@ std::optional<Heading> read_heading(std::string_view line, int last_question) {
     const std::string_view start = line.substr(0, longest_heading);
     if (start.find_first_not_of(" \t") == std::string_view::npos) return std::nullopt;
     if (auto heading = with_keyword(start)) return heading;
-    if (auto heading = misspelled(start)) return heading;
     if (auto heading = bare(start, last_question)) return heading;
     return dotted(start, last_question);
 }
