@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <span>
 
 #include "harness/mark/compare/key_targets.h"
+#include "harness/match/question_match.h"
+#include "harness/read/hit_words.h"
+#include "harness/read/no_value.h"
 #include "harness/read/own_separators.h"
 
 namespace harness {
@@ -271,26 +275,84 @@ class Doubter {
         });
     }
 
-    /// A line of words in the item's question, where there is no value and the right answer is in words.
+    /// A line of words that were not understood, where the item would stand. Empty also where the answer is no words.
     int line_of_words(const ItemScore& item) const {
-        if (item.verdict != ItemVerdict::missing) return 0;
-        const reference::KeyItem& key = key_item(item.spec);
-        const bool in_words = item.spec.shape == Shape::verdict ||
-                              std::any_of(key.answers.begin(), key.answers.end(), [&](const reference::Answer& answer) {
-                                  return target_with_allowance(key, answer, rubric_).no_value;
-                              });
-        if (!in_words) return 0;
+        const bool is_verdict = item.spec.shape == Shape::verdict;
+        const bool is_guess = item.verdict == ItemVerdict::wrong && is_read_by_order(item);
+        if ((item.verdict != ItemVerdict::missing && !is_guess) || (!is_verdict && !is_of_hit(item.spec))) return 0;
+        const auto [first, last] = lines_of(item);
+        std::optional<std::pair<int, int>> best;  // its rank, and the line
         for (const Section& section : transcript_.sections) {
-            if (!may_be_of(section.question, item)) continue;
+            const bool is_elsewhere = section.question != 0 && section.question != item.spec.question;
+            if (!may_be_of(section.question, item) || (is_elsewhere && !may_be_in_words(item))) continue;
             for (const PrintedLine& line : std::span(section.lines).first(std::min(section.lines.size(), most_lines))) {
-                const bool words = std::any_of(line.text.begin(), line.text.end(), is_letter);
-                const bool has_value = std::any_of(
-                    section.values.begin(), section.values.end(),
-                    [&](const PrintedValue& v) { return v.line <= line.number && line.number <= v.last_line; });
-                if (words && !has_value && !is_read_verdict(line.number)) return line.number;
+                if (!has_unread_words(section, line, is_verdict)) continue;
+                const bool is_outside = line.number <= first || line.number >= last;
+                if (is_outside && (is_guess || !may_be_in_words(item))) continue;
+                const bool is_title = section.question != 0 && &line == &section.lines.front();
+                const int rank = (is_outside ? 4 : 0) + (tells_of_hits(line.text) ? 0 : 2) + (is_title ? 1 : 0);
+                if (!best || rank < best->first) best = {rank, line.number};
             }
         }
-        return 0;
+        return best ? best->second : 0;
+    }
+
+    /// Whether the right answer is in words.
+    bool may_be_in_words(const ItemScore& item) const {
+        const reference::KeyItem& key = key_item(item.spec);
+        return item.spec.shape == Shape::verdict ||
+               std::any_of(key.answers.begin(), key.answers.end(), [&](const reference::Answer& answer) {
+                   return target_with_allowance(key, answer, rubric_).no_value;
+               });
+    }
+
+    /// Whether only its place told that what was read is the item.
+    bool is_read_by_order(const ItemScore& item) const {
+        const auto own =
+            std::ranges::find_if(matched_, [&](const MatchedItem& each) { return each.spec.id == item.spec.id; });
+        if (own == matched_.end() || !own->value) return false;
+        std::vector<reference::ItemSpec> asked;
+        for (const MatchedItem& each : matched_) asked.push_back(each.spec);
+        return fit_value(*own->value, item.spec, asked) <= LabelFit::none;
+    }
+
+    /// The lines between which the item would stand: those of the answers read before and after it.
+    std::pair<int, int> lines_of(const ItemScore& item) const {
+        int first = 0, last = std::numeric_limits<int>::max();
+        bool is_before = true;
+        for (const QuestionScore& question : score_.questions) {
+            for (const ItemScore& other : question.items) {
+                if (other.spec.id == item.spec.id) {
+                    is_before = false;
+                    if (item.line != 0) last = item.line;
+                } else if (other.line != 0 && is_before) {
+                    first = std::max(first, other.last_line);
+                } else if (other.line > first) {
+                    last = std::min(last, other.line);
+                }
+            }
+        }
+        return {first, last};
+    }
+
+    /// Whether the line has words that are no value and no answer to what is hit first. Such an answer is no title of
+    /// the value below it.
+    bool has_unread_words(const Section& section, const PrintedLine& line, bool is_verdict) const {
+        const bool is_read = std::ranges::any_of(section.values, [&](const PrintedValue& value) {
+            const bool is_titled = !is_verdict && value.label.empty() && !value.above.empty();
+            return (value.line <= line.number && line.number <= value.last_line) ||
+                   (is_titled && line.number < value.line && line.text.starts_with(value.above));
+        });
+        return std::ranges::any_of(line.text, is_letter) && !is_read && !is_read_verdict(line.number) &&
+               !says_not_answered(line.text);
+    }
+
+    /// Whether a word is one that tells of hits, in a language that is read.
+    static bool tells_of_hits(std::string_view line) {
+        return std::ranges::any_of(hit_words(line), [](const HitWord& word) {
+            return object_of(word.meaning) || negates(word.meaning) || word.meaning == Meaning::hit ||
+                   word.meaning == Meaning::miss || word.meaning == Meaning::first || word.meaning == Meaning::nearest;
+        });
     }
 
     /// Whether the answer to what is hit first was read from this line.

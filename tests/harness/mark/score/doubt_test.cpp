@@ -150,10 +150,44 @@ TEST(Doubt, IsNotRaisedByLeftNumbersWhereAFollowingAnswerHasItsPoints) {
 }
 
 TEST(Doubt, IsRaisedForWordsInPlaceOfAVerdict) {
-    const auto doubt = doubt_of("Question 10:\nla sfera viene prima\n", reference::item::verdict);
+    const auto doubt = doubt_of("Question 10:\nnajpierw kula\n", reference::item::verdict);
     ASSERT_TRUE(doubt);
     EXPECT_EQ(doubt->why, Doubt::Why::words_left);
     EXPECT_FALSE(doubt_of("Question 9:\nN: 1 2 3\n", reference::item::verdict)) << "nothing was printed for it";
+}
+
+TEST(Doubt, IsRaisedForWordsWhereAHitPointWouldStandThoughItsPlaneHasOne) {
+    // The ray meets the triangle's plane in any case.
+    const auto doubt = doubt_of("Question 8:\nt: 1.5\nu: 0.25\nv: 0.5\nbrak punktu\n", reference::item::triangle::hit);
+    ASSERT_TRUE(doubt);
+    EXPECT_EQ(doubt->why, Doubt::Why::words_left);
+    EXPECT_EQ(doubt->line, 5);
+}
+
+TEST(Doubt, IsRaisedForWordsAboveAValueThatOnlyItsPlaceTold) {
+    const std::string output = "Question 6:\nd: -1.25\nbrak punktu\nkolor: (1.5, 2.5, 3.5)\n";
+    ASSERT_EQ(item_of(marked(output), reference::item::sphere::hit).verdict, ItemVerdict::wrong);
+    const auto doubt = doubt_of(output, reference::item::sphere::hit);
+    ASSERT_TRUE(doubt);
+    EXPECT_EQ(doubt->line, 3);
+}
+
+TEST(Doubt, PointsToTheWordsThatStandWhereTheAnswerWould) {
+    const auto doubt = doubt_of(
+        "Question 5:\nV: (1.5, 2.5, 3.5)\nteraz liczymy\nQuestion 6:\nkula\na: 1.25\nd: -1.25\n"
+        "brak punktu\nQuestion 8:\nt: 1.5\n",
+        reference::item::sphere::hit);
+    ASSERT_TRUE(doubt);
+    EXPECT_EQ(doubt->line, 8);
+    const auto without_heading =
+        doubt_of("Zadanie pierwsze\nV: (1.5, 2.5, 3.5)\nN: (0.5, 0.5, 0.5)\nnajpierw kula\n", reference::item::verdict);
+    ASSERT_TRUE(without_heading);
+    EXPECT_EQ(without_heading->line, 4);
+}
+
+TEST(Doubt, IsNotRaisedByAQuestionThatIsSaidNotToBeAnswered) {
+    for (const char* words : {"not done", "TODO", "not implemented yet", "(skipped)"})
+        EXPECT_FALSE(doubt_of("Question 10:\n" + std::string(words) + "\n", reference::item::verdict)) << words;
 }
 
 TEST(Doubt, IsRaisedIfAnotherPrintingWasPassedOver) {
@@ -178,7 +212,7 @@ TEST(Doubt, IsNotRaisedByTheAnswerToWhatIsHitFirst) {
         const Score marked = score(read_transcript(output, 10), handout.key, handout.assignment);
         return item_of(marked, reference::item::triangle::hit).doubt;
     };
-    EXPECT_TRUE(doubt("Question 10:\nil triangolo viene prima\n"));
+    EXPECT_TRUE(doubt("Question 10:\nnajpierw trojkat\n"));
     EXPECT_FALSE(doubt("Question 10:\nray hits triangle first\n"));
 }
 
@@ -255,7 +289,7 @@ TEST(DoubtsText, TellsAnInstructorEveryOtherReason) {
     EXPECT_THAT(told("Question 7:\nsomething 0.1 something 0.2 something 0.3\n"),
                 HasSubstr("7.normal, 8.matrix, 8.rhs, 8.t, 8.u, 8.v, 8.hit, 9.normal: line 2 has numbers that were "
                           "used for no answer"));
-    EXPECT_EQ(told("Question 10:\nla sfera viene prima\n"), "10.verdict: line 2 has words that were not understood");
+    EXPECT_EQ(told("Question 10:\nnajpierw kula\n"), "10.verdict: line 2 has words that were not understood");
     EXPECT_THAT(told("Question 6:\nt: 1.75\nQuestion 7:\nN: 0 0 1\nQuestion 6:\nt: 1.85\n"),
                 HasSubstr("6.t: the question was printed more than once, also on line 6"));
     EXPECT_THAT(told("Question 5:\nV: 1 2 3\nzzz 4.25 zzz 5.75 zzz 6.5 zzz 7.5\n"),
