@@ -126,6 +126,7 @@ PageData StudentPages::item(const Graded& graded, const QuestionScore& question,
     data["item_most"] = points_text(item.max_points);
     if (item_set) data["item_automatic"] = points_text(item.points);
     set_text(data, "printed", item.printed);
+    data["before_printed"] = capitalized(before_printed(item));
     if (item.line != 0) data["line"] = printout.with_links(fmt::format("line {}", item.line));
     const auto asked = asked_.find(item.spec.id);
     if (asked != asked_.end() && item.verdict != ItemVerdict::right) data["asked"] = asked->second.beside(item);

@@ -72,7 +72,7 @@ std::string item_line(const Graded& graded, const QuestionScore& question, const
     const std::string name = item.spec.shape == reference::Shape::verdict ? "the verdict" : std::string(item.spec.name);
     const std::string part = item.spec.part == 0 ? "" : fmt::format(" {})", item.spec.part);
     std::string text = fmt::format("- Question {}{}, {}{}: ", question.number, part, name, where(item));
-    if (!item.printed.empty()) text += fmt::format("you printed {}. ", code(item.printed));
+    if (!item.printed.empty()) text += fmt::format("{} {}. ", before_printed(item), code(item.printed));
     text += plain(item_sentence(item, graded.outcome, feedback));
     if (const std::string mistake = told_diagnosis(item, feedback); !mistake.empty())
         text += fmt::format(" ({})", plain(mistake));
@@ -251,7 +251,8 @@ std::string check_text(const Graded& graded, reference::Feedback feedback, Color
             text += fmt::format("  {:<13} {}{}\n", name_in_question(item.spec),
                                 colored(verdict, color_of(item.verdict), colors), where(item));
             if (item.verdict == ItemVerdict::right || item.verdict == ItemVerdict::missing) continue;
-            if (!item.printed.empty()) text += fmt::format("      you printed {}\n", escape_control(item.printed));
+            if (!item.printed.empty())
+                text += fmt::format("      {} {}\n", before_printed(item), escape_control(item.printed));
             const std::string name = told_diagnosis(item, feedback);
             text += fmt::format("      {}{}\n", item_sentence(item, graded.outcome, feedback),
                                 name.empty() ? "" : fmt::format(" ({})", name));

@@ -45,7 +45,8 @@ std::string item_text(const Graded& graded, const QuestionScore& question, const
     const reference::Feedback feedback = feedback_now(marking.assignment.rubric);
     const std::string sentence = item_sentence(item, graded.outcome, feedback), name = told_diagnosis(item, feedback);
     if (!sentence.empty()) {
-        if (!item.printed.empty()) text += "  You printed " + escape_control(item.printed) + "\n";
+        if (!item.printed.empty())
+            text += fmt::format("  {} {}\n", capitalized(before_printed(item)), escape_control(item.printed));
         text += "  " + sentence + (name.empty() ? "" : fmt::format(" ({})", name)) + "\n";
     }
     if (!item.reread.empty()) text += "  " + escape_control(item.reread) + "\n";

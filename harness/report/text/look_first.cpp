@@ -23,6 +23,14 @@ bool only_follows(const QuestionScore& question) {
     return any(question, ItemVerdict::follow) && !is_wrong_itself(question) && !any(question, ItemVerdict::missing);
 }
 
+/// "Question 3 lacks", "Questions 3, 4 and 6 lack".
+std::string subject(const std::vector<int>& questions, const char* of_one, const char* of_many) {
+    std::vector<std::string> numbers;
+    for (const int question : questions) numbers.push_back(std::to_string(question));
+    const bool one = numbers.size() == 1;
+    return fmt::format("{} {} {}", one ? "Question" : "Questions", listed(numbers), one ? of_one : of_many);
+}
+
 }  // namespace
 
 bool holds_no_answer(const Score& score) {
@@ -59,8 +67,11 @@ std::optional<LookFirst> look_first(const Graded& graded) {
                    wrong == questions.end(),
                    ended_early,
                    std::count_if(questions.begin(), questions.end(), is_wrong_itself) == 1,
+                   {},
                    {}};
     for (const QuestionScore& question : questions) {
+        const bool lacks = any(question, ItemVerdict::missing) && !is_wrong_itself(question);
+        if (lacks && !look.is_missing && !ended_early) look.lacking.push_back(question.number);
         if (only_follows(question)) look.following.push_back(question.number);
     }
     return look;
@@ -70,14 +81,13 @@ std::string reason(const LookFirst& look) {
     std::string text = "it is the earliest with a missing answer.";
     if (!look.is_missing)
         text = look.is_only ? "it is the only one with a wrong answer." : "it is the earliest with a wrong answer.";
+    if (!look.lacking.empty()) text += fmt::format(" {} answers.", subject(look.lacking, "lacks", "lack"));
     if (look.following.empty()) return text;
-    std::vector<std::string> following;
-    for (const int question : look.following) following.push_back(std::to_string(question));
-    const bool one = following.size() == 1;
+    const bool one = look.following.size() == 1;
     const bool from_it = look.is_only && !look.is_missing && look.following.front() > look.question;
-    return text + fmt::format(" {} {} only {} from {} and {} no mistake of {} own.", one ? "Question" : "Questions",
-                              listed(following), one ? "follows" : "follow", from_it ? "it" : "earlier answers",
-                              one ? "has" : "have", one ? "its" : "their");
+    return text + fmt::format(" {} from {} and {} no mistake of {} own.",
+                              subject(look.following, "only follows", "only follow"),
+                              from_it ? "it" : "earlier answers", one ? "has" : "have", one ? "its" : "their");
 }
 
 std::string invitation(const LookFirst& look) {

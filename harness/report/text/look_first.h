@@ -15,6 +15,7 @@ struct LookFirst {
     bool ended_early = false;    ///< the program did not run to its end, which comes before this
     bool is_only = false;        ///< no other question is wrong
     std::vector<int> following;  ///< questions whose only mistakes follow from earlier answers
+    std::vector<int> lacking;  ///< questions without a wrong answer that lack one, if one is wrong and all was printed
 };
 
 /// The earliest question with a wrong answer of its own or, if there is none, the earliest with a missing answer. Empty

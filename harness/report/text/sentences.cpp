@@ -10,6 +10,7 @@
 #include "harness/grade/final_mark.h"
 #include "harness/mark/diagnose/derivation.h"
 #include "harness/match/match.h"
+#include "harness/match/question_match.h"
 #include "harness/text/listed.h"
 #include "harness/text/points.h"
 
@@ -189,11 +190,25 @@ std::string item_sentence(const ItemScore& item, Outcome outcome, reference::Fee
     }
     constexpr const char* plainly = "That is not the right value.";
     if (!may_hint) return plainly;
-    if (holds_no_number(item))
-        return "That is not a number (nan or inf): look for a division by zero or the root of a negative number.";
+    if (holds_no_number(item)) {
+        const std::string text =
+            "That is not a number (nan or inf): look for a division by zero or the root of a negative number.";
+        return text + (may_be_absent(item.spec) ? " Where the ray misses, print none." : "");
+    }
     if (!item.advice.empty() && may_name) return item.advice;
     if (!can_follow(item.spec.id)) return plainly;
     return "That is not the right value, nor does it follow from your earlier answers.";
+}
+
+std::string before_printed(const ItemScore& item) {
+    if (!item.doubt) return "you printed";
+    if (item.spec.shape == reference::Shape::verdict) return "read as the verdict:";
+    return fmt::format("read as {} =", item.spec.name);
+}
+
+std::string capitalized(std::string sentence) {
+    if (!sentence.empty() && sentence[0] >= 'a' && sentence[0] <= 'z') sentence[0] += 'A' - 'a';
+    return sentence;
 }
 
 std::string told_diagnosis(const ItemScore& item, reference::Feedback feedback) {

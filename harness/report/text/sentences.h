@@ -23,6 +23,11 @@ bool was_cut_short(Outcome outcome);
 std::string item_sentence(const ItemScore& item, Outcome outcome,
                           reference::Feedback feedback = reference::Feedback::mistake);
 
+/// What stands before ItemScore::printed: "you printed", or "read as b =" where that may be a misreading.
+std::string before_printed(const ItemScore& item);
+/// With a capital letter at its start.
+std::string capitalized(std::string sentence);
+
 /// The mistake's name, as far as `feedback` lets it be told; empty if none is known.
 std::string told_diagnosis(const ItemScore& item, reference::Feedback feedback);
 

@@ -48,6 +48,14 @@ TEST(LookFirst, PutsAWrongAnswerBeforeOneThatIsOnlyMissing) {
               "Look at question 2 first: it is the earliest with a missing answer.");
 }
 
+TEST(LookFirst, NamesTheQuestionsThatLackAnswersBesideAWrongOne) {
+    EXPECT_EQ(look_first_sentence(with({{missing}, {right}, {right, missing}, {follow}, {wrong, missing}})),
+              "Look at question 5 first: it is the only one with a wrong answer. Questions 1 and 3 lack answers. "
+              "Question 4 only follows from earlier answers and has no mistake of its own.");
+    EXPECT_EQ(look_first_sentence(with({{wrong}, {missing}})),
+              "Look at question 1 first: it is the only one with a wrong answer. Question 2 lacks answers.");
+}
+
 TEST(LookFirst, DoesNotListAPartlyFollowingQuestion) {
     const auto look = look_first(with({{wrong}, {follow, wrong}, {follow, missing}}));
     EXPECT_EQ(look->question, 1);

@@ -56,9 +56,23 @@ TEST(ItemSentence, ExplainsNan) {
     ItemScore nan = item(ItemVerdict::wrong);
     nan.printed = "t: -nan";
     EXPECT_THAT(item_sentence(nan, Outcome::graded), HasSubstr("not a number"));
+    EXPECT_THAT(item_sentence(nan, Outcome::graded), HasSubstr("Where the ray misses, print none."));
     nan.verdict = ItemVerdict::follow;
     EXPECT_THAT(item_sentence(nan, Outcome::graded),
                 testing::AllOf(HasSubstr("not a number"), HasSubstr("follows from an earlier mistake")));
+    nan.verdict = ItemVerdict::wrong;
+    nan.spec = {5, "V", reference::Shape::vector, "V", reference::item::V};
+    EXPECT_THAT(item_sentence(nan, Outcome::graded), testing::Not(HasSubstr("misses"))) << "there is always a V";
+}
+
+TEST(BeforePrinted, SaysHowALineWasReadWhereThatIsDoubtful) {
+    ItemScore wrong = item(ItemVerdict::wrong);
+    EXPECT_EQ(before_printed(wrong), "you printed");
+    wrong.doubt = Doubt{Doubt::Why::right_elsewhere, 11};
+    EXPECT_EQ(before_printed(wrong), "read as t =");
+    EXPECT_EQ(capitalized(before_printed(wrong)), "Read as t =");
+    wrong.spec.shape = reference::Shape::verdict;
+    EXPECT_EQ(before_printed(wrong), "read as the verdict:");
 }
 
 TEST(ItemSentence, GivesTheAdviceOfANamedMistake) {
