@@ -40,8 +40,18 @@ class ExpressionReader {
         if (is(i, Kind::number)) return i + 1;
         const bool with_bracket = is(i, Kind::word) && is(i + 1, Kind::open) && gap_before(i + 1) == 0;
         const std::size_t open = with_bracket ? i + 1 : i;
-        if (is(open, Kind::open)) return tokens_.partner(open) < tokens_.size() ? tokens_.partner(open) + 1 : i;
+        if (is(open, Kind::open)) {
+            const std::size_t close = tokens_.partner(open);
+            return close == tokens_.size() || (!with_bracket && holds_unknowns(open, close)) ? i : close + 1;
+        }
         return is(i, Kind::word) ? i + 1 : i;
+    }
+
+    /// Whether the bracket holds names and nothing else, as in a system: "[0 2 -2] * [t] = [1.5]".
+    bool holds_unknowns(std::size_t open, std::size_t close) const {
+        std::size_t i = open + 1;
+        while (i < close && (is(i, Kind::word) || is(i, Kind::comma))) ++i;
+        return i == close;
     }
 
     /// Whether the operand at i multiplies the one at `next`: "5.78 (0, 0, 1)", "2 V", "4(1)(2)".

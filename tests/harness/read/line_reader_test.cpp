@@ -82,6 +82,12 @@ TEST(ReadLine, TakesNoLabelForAFormula) {
     EXPECT_EQ(read("P: (1, 0, 0) - V: (0, 1, 0)"), (Numbers{1, 0, 0, 0, 1, 0}));
 }
 
+TEST(ReadLine, ReadsBothSidesOfASystem) {
+    EXPECT_EQ(read("[0 2 -2] * [t] = [1.5]"), (Numbers{0, 2, -2, 1.5}));
+    EXPECT_EQ(read("((0, 0, 1), (2, 4, 0), (-2, 4, 0)) * (t, u, v) = (0, 2, 0)"),
+              (Numbers{0, 0, 1, 2, 4, 0, -2, 4, 0, 0, 2, 0}));
+}
+
 TEST(ReadLine, ReadsALoneFractionExactly) {
     const PrintedValue value = only("u = 1/4");
     EXPECT_EQ(value.numbers.at(0).value, 0.25);
