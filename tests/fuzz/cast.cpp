@@ -51,14 +51,15 @@ const char* wrong_with(const FirstHit& hit, const reference::kernel::Ray<double>
     }
     reference::kernel::Cast all;
     cast_ray(ray, objects, all);
-    using First = reference::kernel::First::Kind;
-    if (all.first.kind == First::tie) return hit.is_tie ? nullptr : "a tie is not told";
+    const std::optional<reference::Verdict>& verdict = all.first.verdict;
+    if (verdict == reference::Verdict::tie) return hit.is_tie ? nullptr : "a tie is not told";
     if (hit.is_tie) return "a tie that is none";
-    const auto kind = all.first.kind == First::none       ? Kind::none
-                      : all.first.kind == First::invalid  ? Kind::invalid
-                      : all.first.kind == First::sphere   ? Kind::sphere
-                      : all.first.kind == First::triangle ? Kind::triangle
-                                                          : Kind::cylinder;
+    const auto is = [&](reference::Subject object) { return verdict && verdict->object() == object; };
+    const auto kind = !verdict                           ? Kind::invalid
+                      : is(reference::Subject::sphere)   ? Kind::sphere
+                      : is(reference::Subject::triangle) ? Kind::triangle
+                      : is(reference::Subject::cylinder) ? Kind::cylinder
+                                                         : Kind::none;
     return hit.kind == kind && hit.index == all.first.index ? nullptr : "trying each object finds a different one";
 }
 
