@@ -38,6 +38,7 @@ enum class Meaning {
     before,        ///< "before", "closer", "in front of", "blocks"
     covered,       ///< "blocked": by what follows, if a word such as "by" stands between
     after,         ///< "after", "behind"
+    farther,       ///< "farther": with "than" the same; also a part: "the far root"
     tie,
     seen,        ///< "visible", "chosen"
     condition,   ///< "if": the sentence states nothing

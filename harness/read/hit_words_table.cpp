@@ -28,7 +28,8 @@ constexpr MeaningRow table[] = {
      "acertado"},
     {Meaning::miss, "miss misses missed", "verfehlt verfehlen verpasst vorbei daneben", "manque manquee", "falla",
      "manca mancato mancata", "erra falha"},
-    {Meaning::negation, "no not never nor doesnt isnt dont didnt wasnt arent cannot cant wont without false neither",
+    {Meaning::negation,
+     "no not never nor doesnt isnt dont didnt wasnt arent cannot cant wont without false neither fails fail",
      "nicht nie niemals nein ohne falsch weder", "pas ne non jamais sans faux ni", "nunca sin falso tampoco",
      "mai senza", "nao sem"},
     {Meaning::none, "none nothing null nil nullptr undefined n/a nonexistent nonexisting invalid",
@@ -39,14 +40,15 @@ constexpr MeaningRow table[] = {
      "compleja complejas imaginaria imaginarias", "complesse immaginarie", "complexa complexas"},
     {Meaning::discriminant, "discriminant disc delta", "diskriminante", "", "discriminante", "", ""},
     {Meaning::negative, "negative", "negativ negativen", "negatif", "negativo negativa", "", ""},
-    {Meaning::exists, "exist exists existent existing defined applicable available real found possible valid",
+    {Meaning::exists, "exist exists existent existing defined applicable available found possible valid",
      "existiert existieren definiert vorhanden reell gefunden moglich", "existe existent defini definie trouve reel",
      "existen definido definida encontrado", "esiste esistono definito definita trovato", "existem encontrada"},
     {Meaning::answer, "t normal normals value values point points hitpoint parameter",
      "normale normalen wert werte punkt punkte normalenvektor", "normales valeur", "punto puntos valor",
      "punti valore valori", "ponto pontos"},
     {Meaning::link,
-     "real positive such true a an the any single there is are was were be been has have had does do did of to with "
+     "real positive such true find a an the any single there is are was were be been has have had does do did of to "
+     "with "
      "and "
      "actually even ever really valid actual common this that also at",
      "der die das den dem ein eine einen reelle reellen gemeinsamen gibt es ist sind wird hat einziger einzigen "
@@ -56,7 +58,7 @@ constexpr MeaningRow table[] = {
      "real reales encontro",
      "il lo gli di ci sono e ce ha viene si con una reali reale", "o os as ha com foi do da uma reais"},
     {Meaning::partial,
-     "cap caps tube side sides top bottom disk disks second third other another far farther further larger smaller "
+     "cap caps tube side sides top bottom disk disks second third other another smaller "
      "double repeated plane yet more edge inside outside entry exit body lateral",
      "deckel mantel zweiter zweite anderer andere boden noch weiterer weitere ebene", "autre deuxieme second plan",
      "otra otro segunda segundo tapa tapas", "altra altro seconda secondo base basi", "outra outro segunda"},
@@ -76,6 +78,8 @@ constexpr MeaningRow table[] = {
      "tapado oculto oculta", "nascosto nascosta coperto", "escondido escondida coberto"},
     {Meaning::after, "after behind last later afterwards farthest", "nach hinter danach zuletzt dahinter",
      "apres derriere", "despues detras tras", "dopo dietro", "depois atras"},
+    {Meaning::farther, "far farther further larger greater bigger", "weiter entfernter grosser", "loin", "lejos mayor",
+     "lontano lontana maggiore", "longe maior"},
     {Meaning::tie, "tie tied simultaneously same equal", "gleichzeitig", "meme egalite", "empate igual", "pari uguale",
      ""},
     {Meaning::seen, "visible seen chosen sees", "sichtbar", "", "", "visibile", "visivel"},

@@ -100,10 +100,15 @@ bool is_passed(HitWords words) {
     return false;
 }
 
+/// Whether a label is that of a part or another root: "caps", "far root".
+bool names_part(HitWords words) {
+    return has(words, Meaning::partial) || has(words, Meaning::farther);
+}
+
 /// Words such as "second" or "caps" that make a sentence one about a part only, before it is done.
 bool is_partial(HitWords words) {
-    constexpr Meaning meanings[] = {Meaning::partial, Meaning::first, Meaning::nearest,
-                                    Meaning::before,  Meaning::after, Meaning::covered};
+    constexpr Meaning meanings[] = {Meaning::partial, Meaning::farther, Meaning::first,  Meaning::nearest,
+                                    Meaning::before,  Meaning::after,   Meaning::covered};
     return std::ranges::any_of(
         words, [&](const HitWord& word) { return std::ranges::find(meanings, word.meaning) != std::end(meanings); });
 }
@@ -132,7 +137,7 @@ std::optional<std::size_t> denial_in(HitWords words) {
 
 /// Whether words before a negation alone ask what it answers: "hit? no", "sphere: no", "t = no".
 bool asks_for_hit(HitWords words) {
-    if (has(words, Meaning::partial)) return false;
+    if (names_part(words)) return false;
     return std::ranges::any_of(words, [](const HitWord& word) {
         return word.meaning == Meaning::hit || word.meaning == Meaning::answer || is_named(word);
     });
@@ -197,7 +202,7 @@ std::optional<PrintedValue> read_no_value(std::string_view line) {
         if (denial) {
             const std::size_t begin = clause.words[*denial].begin;
             const std::size_t start = clause.words.front().begin;
-            if (*denial == 0 && clause.answers && !has(before, Meaning::partial))
+            if (*denial == 0 && clause.answers && !names_part(before))
                 return no_value(line, end_of_number_before(words, begin), start, begin);
             if (*denial == 0 && !clause.answers) {
                 // A name in brackets: "[t] none", "P_c (none)".

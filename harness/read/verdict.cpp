@@ -29,7 +29,7 @@ bool is_joint(const HitWord& word) {
 /// Whether a new clause begins with this word.
 bool begins_clause(const HitWord& word) {
     return word.signs.find_first_of(",;.!") != std::string::npos || word.meaning == Meaning::contrast ||
-           word.meaning == Meaning::conclusion;
+           word.meaning == Meaning::reason || word.meaning == Meaning::conclusion;
 }
 
 bool is_superlative(Meaning meaning) {
@@ -156,7 +156,8 @@ Order order_between(HitWords words, std::size_t from, std::size_t to) {
             order = arrow ? Order::first_named_first : Order::last_named_first;
         }
         if (i < to && word.meaning == Meaning::before) order = Order::first_named_first;
-        if (i < to && word.meaning == Meaning::after) order = Order::last_named_first;
+        if (i < to && (word.meaning == Meaning::after || word.meaning == Meaning::farther))
+            order = Order::last_named_first;
         if (i < to && word.meaning == Meaning::covered) {
             const HitWords rest = words.subspan(i + 1, to - i - 1);
             const bool passive = has(rest, Meaning::by) || has(rest, Meaning::agent) || has(rest, Meaning::after);
@@ -176,11 +177,30 @@ bool is_list(HitWords words, const std::vector<Mention>& mentions) {
                word.text == "reihenfolge";
     });
     const HitWords between = words.subspan(mentions[0].at + 1, mentions[1].at - mentions[0].at);
-    return plain && std::ranges::any_of(between, begins_clause);
+    // "sphere: hit, triangle: hit" tells no order.
+    const bool told_apart = std::ranges::count(words, Meaning::hit, &HitWord::meaning) > 1;
+    return plain && !told_apart && std::ranges::any_of(between, begins_clause);
+}
+
+/// The object that was named before and stands at the end behind an arrow or "so": "sphere 1.2, triangle 0.9 ->
+/// triangle".
+std::optional<Subject> concluded(HitWords words, const std::vector<Mention>& mentions) {
+    const Mention& last = mentions.back();
+    const std::size_t before = mentions[mentions.size() - 2].at;
+    const bool is_repeated = std::any_of(mentions.begin(), mentions.end() - 1,
+                                         [&](const Mention& each) { return each.object == last.object; });
+    const HitWords between = words.subspan(before + 1, last.at - before);
+    const bool concludes =
+        has(between, Meaning::conclusion) || std::ranges::any_of(between, [](const HitWord& word) {
+            return word.signs.find("->") != std::string::npos || word.signs.find("=>") != std::string::npos;
+        });
+    const bool goes_on = last.at + 1 < words.size();
+    return is_repeated && concludes && !last.denied && !goes_on ? std::optional(last.object) : std::nullopt;
 }
 
 /// The first of several objects: "the sphere is closer than the triangle", "the triangle is behind the sphere".
 std::optional<Subject> first_of(HitWords words, const std::vector<Mention>& mentions) {
+    if (const auto object = concluded(words, mentions)) return object;
     for (std::size_t i = 0; i + 1 < mentions.size(); ++i) {
         const Mention &one = mentions[i], &next = mentions[i + 1];
         if (one.object == next.object) continue;
@@ -202,7 +222,9 @@ std::optional<Subject> first_of(HitWords words, const std::vector<Mention>& ment
         std::ranges::copy_if(mentions, std::back_inserter(others),
                              [&](const Mention& each) { return each.object != near.object; });
         const bool leads = i < last && words[i].text == "before";
-        if (words[i].meaning == Meaning::after) return i < last ? std::optional(near.object) : only_object(others);
+        const bool ends_farther = i > last && words[i].meaning == Meaning::farther;
+        if (words[i].meaning == Meaning::after || ends_farther)
+            return i < last ? std::optional(near.object) : only_object(others);
         if (words[i].meaning == Meaning::before) return leads ? only_object(others) : std::optional(near.object);
     }
     return is_list(words, mentions) ? std::optional(mentions.front().object) : std::nullopt;
@@ -212,7 +234,8 @@ std::optional<Subject> first_of(HitWords words, const std::vector<Mention>& ment
 std::optional<Subject> lone_object(HitWords words, const Mention& mention) {
     const bool negated = std::ranges::any_of(words, [](const HitWord& word) { return negates(word.meaning); });
     const auto order = std::ranges::find_if(words, [](const HitWord& word) {
-        return word.meaning == Meaning::before || word.meaning == Meaning::after || word.meaning == Meaning::covered;
+        return word.meaning == Meaning::before || word.meaning == Meaning::after || word.meaning == Meaning::farther ||
+               word.meaning == Meaning::covered;
     });
     if (order == words.end()) {
         const bool said = has(words, Meaning::hit) || has(words, Meaning::seen) || words.size() <= 2;
@@ -221,7 +244,7 @@ std::optional<Subject> lone_object(HitWords words, const Mention& mention) {
     const auto at = static_cast<std::size_t>(order - words.begin());
     const bool behind = at > mention.at;  // the word that orders stands behind the object
     const bool passive = order->meaning == Meaning::covered && (has(words, Meaning::by) || has(words, Meaning::agent));
-    const bool comes_after = order->meaning == Meaning::after || passive;
+    const bool comes_after = order->meaning == Meaning::after || order->meaning == Meaning::farther || passive;
     // "closer: triangle", not "closer than the triangle"
     const bool compares = has(words.subspan(at, 1), Meaning::covered) || order->text == "before" ||
                           (at + 1 < words.size() && (words[at + 1].meaning == Meaning::before ||

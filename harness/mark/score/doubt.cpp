@@ -286,7 +286,7 @@ class Doubter {
             const bool is_elsewhere = section.question != 0 && section.question != item.spec.question;
             if (!may_be_of(section.question, item) || (is_elsewhere && !may_be_in_words(item))) continue;
             for (const PrintedLine& line : std::span(section.lines).first(std::min(section.lines.size(), most_lines))) {
-                if (!has_unread_words(section, line, is_verdict)) continue;
+                if (!has_unread_words(section, line, item)) continue;
                 const bool is_outside = line.number <= first || line.number >= last;
                 if (is_outside && (is_guess || !may_be_in_words(item))) continue;
                 const bool is_title = section.question != 0 && &line == &section.lines.front();
@@ -336,15 +336,17 @@ class Doubter {
     }
 
     /// Whether the line has words that are no value and no answer to what is hit first. Such an answer is no title of
-    /// the value below it.
-    bool has_unread_words(const Section& section, const PrintedLine& line, bool is_verdict) const {
+    /// the value below it, and may hold numbers.
+    bool has_unread_words(const Section& section, const PrintedLine& line, const ItemScore& item) const {
+        if (is_read_verdict(line.number) || says_not_answered(line.text)) return false;
+        const bool is_verdict = item.spec.shape == Shape::verdict;
+        if (is_verdict && section.question == item.spec.question && tells_of_hits(line.text)) return true;
         const bool is_read = std::ranges::any_of(section.values, [&](const PrintedValue& value) {
             const bool is_titled = !is_verdict && value.label.empty() && !value.above.empty();
             return (value.line <= line.number && line.number <= value.last_line) ||
                    (is_titled && line.number < value.line && line.text.starts_with(value.above));
         });
-        return std::ranges::any_of(line.text, is_letter) && !is_read && !is_read_verdict(line.number) &&
-               !says_not_answered(line.text);
+        return std::ranges::any_of(line.text, is_letter) && !is_read;
     }
 
     /// Whether a word is one that tells of hits, in a language that is read.

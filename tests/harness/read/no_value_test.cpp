@@ -44,6 +44,8 @@ TEST(ReadNoValue, ReadsThatNothingIsHit) {
                      "no hit (miss)",
                      "not hit, so no normal",
                      "no point of intersection",
+                     "the ray fails to hit it",
+                     "could not find an intersection",
                      "The ray goes over the sphere"});
 }
 

@@ -65,12 +65,15 @@ const Verdict triangle(reference::Subject::triangle);
 const Verdict cylinder(reference::Subject::cylinder);
 
 TEST(ReadVerdict, ReadsWhatStandsBeforeOrBehindAllElse) {
-    for (const char* line : {"The ray hits the triangle before anything else.", "Nothing is hit before the triangle.",
-                             "No object is closer than the triangle", "Everything else is behind the triangle",
-                             "The ray hits the triangle before it hits the cylinder or the sphere",
-                             "The ray hits the cylinder after the triangle, and the sphere last.",
-                             "the triangle occludes the other objects", "the triangle blocks the sphere",
-                             "the sphere is hidden by the triangle", "The sphere is occluded by the triangle"})
+    for (const char* line :
+         {"The ray hits the triangle before anything else.", "Nothing is hit before the triangle.",
+          "No object is closer than the triangle", "Everything else is behind the triangle",
+          "The ray hits the triangle before it hits the cylinder or the sphere",
+          "The ray hits the cylinder after the triangle, and the sphere last.",
+          "the triangle occludes the other objects", "the triangle blocks the sphere",
+          "the sphere is hidden by the triangle", "The sphere is farther away than the triangle",
+          "sphere 1.2, triangle 0.9 -> triangle", "the sphere is not visible because the triangle hides it",
+          "The sphere is occluded by the triangle"})
         EXPECT_EQ(read({line}), triangle) << line;
     EXPECT_EQ(read({"The cylinder is in front of the triangle and the sphere."}), cylinder);
     EXPECT_EQ(read({"The sphere is not closer than the triangle"}), triangle);
@@ -91,7 +94,8 @@ TEST(ReadVerdict, ReadsTheOrderOfTheObjects) {
                              "t_triangle < t_cylinder < t_sphere", "t_sphere > t_triangle", "triangle -> sphere",
                              "Sphere second, triangle first, cylinder third", "triangle then sphere"})
         EXPECT_EQ(read({line}), triangle) << line;
-    for (const char* line : {"sphere and triangle", "sphere or triangle", "sphere, triangle and cylinder are objects"})
+    for (const char* line : {"sphere and triangle", "sphere: hit, triangle: hit, cylinder: hit", "sphere or triangle",
+                             "sphere, triangle and cylinder are objects"})
         EXPECT_EQ(read({line}), std::nullopt) << line;
 }
 

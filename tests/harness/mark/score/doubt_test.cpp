@@ -154,6 +154,7 @@ TEST(Doubt, IsRaisedForWordsInPlaceOfAVerdict) {
     ASSERT_TRUE(doubt);
     EXPECT_EQ(doubt->why, Doubt::Why::words_left);
     EXPECT_FALSE(doubt_of("Question 9:\nN: 1 2 3\n", reference::item::verdict)) << "nothing was printed for it";
+    EXPECT_TRUE(doubt_of("Question 10:\nt = 5.5 for the sphere and for the triangle 2.5\n", reference::item::verdict));
 }
 
 TEST(Doubt, IsRaisedForWordsWhereAHitPointWouldStandThoughItsPlaneHasOne) {
