@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "harness/read/hit_words.h"
+#include "harness/read/mention.h"
 #include "harness/read/no_value.h"
 
 namespace harness {
@@ -13,77 +14,6 @@ using reference::Subject;
 using reference::Verdict;
 
 constexpr std::size_t longest_verdict_line = 400;
-
-/// A mention of an object.
-struct Mention {
-    Subject object;
-    std::size_t at;  ///< index of its word
-    bool denied;     ///< said not to be hit, or not to be the one: "not the sphere", "the sphere is missed"
-};
-
-bool is_joint(const HitWord& word) {
-    return word.text == "and" || word.text == "und" || word.text == "et" || word.text == "y" || word.text == "e" ||
-           word.text == "nor" || word.meaning == Meaning::either;
-}
-
-/// Whether a new clause begins with this word.
-bool begins_clause(const HitWord& word) {
-    return word.signs.find_first_of(",;.!") != std::string::npos || word.meaning == Meaning::contrast ||
-           word.meaning == Meaning::reason || word.meaning == Meaning::conclusion;
-}
-
-bool is_superlative(Meaning meaning) {
-    return meaning == Meaning::first || meaning == Meaning::nearest;
-}
-
-bool is_denied_before(HitWords words, std::size_t object, const std::vector<Mention>& earlier) {
-    for (std::size_t i = object; i > 0 && !begins_clause(words[i]); --i) {
-        const HitWord& word = words[i - 1];
-        if (object_of(word.meaning)) return is_joint(words[i]) && !earlier.empty() && earlier.back().denied;
-        // "nothing is hit before the triangle" does not deny the triangle.
-        if (word.meaning == Meaning::contrast || word.meaning == Meaning::before || is_superlative(word.meaning))
-            return false;
-        if (negates(word.meaning)) return true;
-        if (word.meaning == Meaning::miss) return i < 2 || !negates(words[i - 2].meaning);
-    }
-    return false;
-}
-
-bool is_denied_behind(HitWords words, std::size_t object) {
-    bool negated = false;
-    for (std::size_t i = object + 1; i < words.size() && !begins_clause(words[i]); ++i) {
-        const HitWord& word = words[i];
-        // "the sphere is not closer than the triangle" does not deny the sphere.
-        if (object_of(word.meaning) || word.meaning == Meaning::before || word.meaning == Meaning::after) return false;
-        if (word.meaning == Meaning::miss) return !negated;
-        if (negated && (word.meaning == Meaning::hit || word.meaning == Meaning::seen || is_superlative(word.meaning)))
-            return true;
-        negated = negated || negates(word.meaning);
-    }
-    return negated;
-}
-
-std::vector<Mention> mentions_in(HitWords words) {
-    std::vector<Mention> mentions;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (const auto object = object_of(words[i].meaning))
-            mentions.push_back({*object, i, is_denied_before(words, i, mentions) || is_denied_behind(words, i)});
-    }
-    return mentions;
-}
-
-/// The only object of these mentions; empty if there are others or none.
-std::optional<Subject> only_object(std::span<const Mention> mentions) {
-    if (mentions.empty()) return std::nullopt;
-    const bool one = std::ranges::all_of(mentions, [&](const Mention& m) { return m.object == mentions[0].object; });
-    return one ? std::optional(mentions[0].object) : std::nullopt;
-}
-
-std::vector<Mention> not_denied(const std::vector<Mention>& mentions) {
-    std::vector<Mention> rest;
-    std::ranges::copy_if(mentions, std::back_inserter(rest), [](const Mention& m) { return !m.denied; });
-    return rest;
-}
 
 /// Whether the word at `at` and the one at `from` before it belong to one clause.
 bool in_one_clause(HitWords words, std::size_t from, std::size_t at) {

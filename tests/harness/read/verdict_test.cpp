@@ -100,8 +100,10 @@ TEST(ReadVerdict, ReadsTheOrderOfTheObjects) {
 }
 
 TEST(ReadVerdict, ReadsThatNothingIsHit) {
-    for (const char* line : {"ray hits nothing first", "winner=NULL", "first: none", "The ray doesn't hit anything.",
-                             "no object is hit first", "miss", "neither the sphere nor the triangle is hit"})
+    for (const char* line :
+         {"ray hits nothing first", "winner=NULL", "first: none", "The ray doesn't hit anything.",
+          "no object is hit first", "miss", "The ray misses the sphere, the triangle and the cylinder",
+          "the sphere and the triangle are not hit", "neither the sphere nor the triangle is hit"})
         EXPECT_EQ(read({line}), Verdict::no_hit) << line;
 }
 
