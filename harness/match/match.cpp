@@ -204,7 +204,8 @@ void share_no_value(std::vector<MatchedItem>& matched, const std::vector<Candida
             return is_none(other) && other.spec.id.subject == item.spec.id.subject;
         });
         const auto said = std::ranges::find_if(candidates, [&](const Candidate& candidate) {
-            return candidate.value.numbers.empty() && !is_said_of_another(candidate.value, item.spec);
+            return candidate.value.numbers.empty() && !is_said_of_another(candidate.value, item.spec) &&
+                   fits(candidate.value, item.spec) != LabelFit::forbidden;
         });
         if (beside != before.end()) {
             item.value = beside->value;

@@ -142,7 +142,8 @@ const Vocabulary& not_an_answer() {
         "debug",   "dbg",          "before",      "unnormalized", "unnormalised", "nonnormalized", "raw",
         "temp",    "tmp",          "check",       "checking",     "verify",       "verification",  "test",
         "reduced", "reduction",    "elimination", "echelon",      "expected",     "wrong",         "trace",
-        "log",     "intermediate", "sanity",      "old",          "undivided"};
+        "log",     "intermediate", "sanity",      "old",          "undivided",    "errors",        "warnings",
+        "notes",   "missing",      "problems",    "bugs"};
     return words;
 }
 

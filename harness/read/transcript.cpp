@@ -91,7 +91,7 @@ class TranscriptReader {
         }
         const bool says_none = std::any_of(reading.values.begin(), reading.values.end(),
                                            [](const PrintedValue& value) { return value.numbers.empty(); });
-        if (!says_none && reading.has_words) {
+        if (!says_none && std::any_of(line.begin(), line.end(), is_letter)) {
             if (auto none = read_no_value(line)) reading.values.push_back(std::move(*none));
         }
         if (reading.values.empty()) {

@@ -146,6 +146,11 @@ TEST(Match, TakesAMissOfAnotherObjectForNoneOfItsOwn) {
     EXPECT_EQ(found("Question 6:\nd = 91.5\nthe ray misses the triangle\n"), "6.d: 91.5 @2\n");
 }
 
+TEST(Match, TakesNoneOfSomethingElseForNoHit) {
+    for (const char* line : {"errors: none", "warnings: none", "debug: no hit"})
+        EXPECT_EQ(found("Question 6:\nd = 91.5\n" + std::string(line) + "\n"), "6.d: 91.5 @2\n") << line;
+}
+
 TEST(Match, TakesNoHitForTheTrianglesHitPointAlone) {
     EXPECT_EQ(found("Question 8:\nt = 1.5\nno hit\n"), "8.t: 1.5 @2\n8.hit: none @3\n");
 }

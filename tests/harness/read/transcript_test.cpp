@@ -78,6 +78,16 @@ TEST(ReadTranscript, TakesANumberThatGivesAReasonForNoHitAsItsOwnValue) {
     EXPECT_TRUE(bare[0].numbers.empty());
 }
 
+TEST(ReadTranscript, LeavesOtherDenialsBesideNumbersAlone) {
+    for (const char* line : {"no hit before t = 3", "t = 2.5 (no negative roots)", "t = 2.5, no closer hit",
+                             "t = 2.5, not 3.1", "hit = (1, 2, 3), no rounding", "d = 91 >= 0, so it does not miss",
+                             "u + v = 0.4 <= 1, no problem", "t = 2.5 if it hits, none if d < 0",
+                             "t = 2.5, the caps are not hit", "t = 2.5: the hit is not behind the eye"}) {
+        for (const PrintedValue& value : values(line)) EXPECT_FALSE(value.numbers.empty()) << line;
+    }
+    EXPECT_EQ(values("-91.5 (no hit)\n").size(), 2U);
+}
+
 TEST(ReadTranscript, TakesNoHitsCountedForNone) {
     for (const char* line : {"hit = 0", "0 intersections", "number of hits: 0", "intersects: 0",
                              "There are 0 real roots", "t = -1 (-1 means no hit)"}) {
