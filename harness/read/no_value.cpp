@@ -115,7 +115,7 @@ bool is_partial(HitWords words) {
 
 /// Where the words begin that say in the clause that nothing is hit or that a value is not there.
 std::optional<std::size_t> denial_in(HitWords words) {
-    if (is_partial(words) || has(words, Meaning::condition)) return std::nullopt;
+    if (is_partial(words)) return std::nullopt;
     const auto at = std::ranges::find_if(words, [](const HitWord& word) { return negates(word.meaning); });
     const bool negated = at != words.end();
     const bool hit = has(words, Meaning::hit);
