@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "harness/match/assignment_problem.h"
-#include "harness/read/hit_words.h"
+#include "harness/read/words/hit_words.h"
 
 namespace harness {
 namespace {

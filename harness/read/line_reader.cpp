@@ -7,8 +7,8 @@
 
 #include "harness/read/expression.h"
 #include "harness/read/formula.h"
-#include "harness/read/hit_words.h"
 #include "harness/read/number_group.h"
+#include "harness/read/words/hit_words.h"
 #include "harness/text/lower_case.h"
 
 namespace harness {

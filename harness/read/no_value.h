@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/read/hit_words.h"
 #include "harness/read/printed_value.h"
+#include "harness/read/words/hit_words.h"
 
 namespace harness {
 

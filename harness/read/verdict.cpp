@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string_view>
 
-#include "harness/read/hit_words.h"
-#include "harness/read/mention.h"
 #include "harness/read/no_value.h"
+#include "harness/read/words/hit_words.h"
+#include "harness/read/words/mention.h"
 
 namespace harness {
 namespace {

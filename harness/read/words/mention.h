@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "harness/read/hit_words.h"
+#include "harness/read/words/hit_words.h"
 #include "reference/stages/items.h"
 
 namespace harness {

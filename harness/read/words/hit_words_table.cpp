@@ -1,4 +1,4 @@
-#include "harness/read/hit_words_table.h"
+#include "harness/read/words/hit_words_table.h"
 
 namespace harness {
 namespace {

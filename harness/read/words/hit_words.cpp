@@ -1,11 +1,10 @@
-#include "harness/read/hit_words.h"
+#include "harness/read/words/hit_words.h"
 
 #include <algorithm>
 #include <array>
 #include <unordered_map>
 
-#include "harness/read/hit_words_table.h"
-#include "harness/read/token.h"
+#include "harness/read/words/hit_words_table.h"
 #include "harness/text/plain_word.h"
 #include "harness/text/utf8.h"
 

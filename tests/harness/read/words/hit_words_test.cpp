@@ -1,4 +1,4 @@
-#include "harness/read/hit_words.h"
+#include "harness/read/words/hit_words.h"
 
 #include <gtest/gtest.h>
 

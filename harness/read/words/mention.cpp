@@ -1,4 +1,4 @@
-#include "harness/read/mention.h"
+#include "harness/read/words/mention.h"
 
 #include <algorithm>
 
