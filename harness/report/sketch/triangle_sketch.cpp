@@ -7,6 +7,7 @@
 namespace harness::report::picture {
 
 using reference::AnswerKey;
+using reference::Numbers;
 using reference::Subject;
 namespace item = reference::item;
 

@@ -242,7 +242,7 @@ std::string without_types(std::string output) {
 
 TEST(Doubt, IsRaisedIfAMatrixSuitsTheOtherAnswersByColumns) {
     const std::string output = without_types(print(student::Program(off_axis().assignment, {})));
-    for (const ItemId& id : {reference::item::M_VCS_to_WCS, reference::item::triangle::matrix}) {
+    for (const reference::ItemId& id : {reference::item::M_VCS_to_WCS, reference::item::triangle::matrix}) {
         EXPECT_EQ(verdict_on(marked(output), id), "wrong") << id.name;
         const auto doubt = doubt_of(output, id);
         ASSERT_TRUE(doubt) << id.name;
@@ -251,7 +251,7 @@ TEST(Doubt, IsRaisedIfAMatrixSuitsTheOtherAnswersByColumns) {
 }
 
 TEST(Doubt, IsNotRaisedIfTheAnswersFollowFromATransposedMatrix) {
-    for (const ItemId& id : {reference::item::M_VCS_to_WCS, reference::item::triangle::matrix}) {
+    for (const reference::ItemId& id : {reference::item::M_VCS_to_WCS, reference::item::triangle::matrix}) {
         const student::Program::Mistake transposed{id, [](const auto&, const auto& right) {
                                                        student::Floats result = *right;
                                                        const std::size_t n = result.size() == 16 ? 4 : 3;
