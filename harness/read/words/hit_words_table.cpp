@@ -43,20 +43,20 @@ constexpr MeaningRow table[] = {
     {Meaning::exists, "exist exists existent existing defined applicable available found possible valid",
      "existiert existieren definiert vorhanden reell gefunden moglich", "existe existent defini definie trouve reel",
      "existen definido definida encontrado", "esiste esistono definito definita trovato", "existem encontrada"},
-    {Meaning::answer, "t normal normals value values point points hitpoint parameter",
+    {Meaning::answer, "t normal normals value values point points parameter",
      "normale normalen wert werte punkt punkte normalenvektor", "normales valeur", "punto puntos valor",
      "punti valore valori", "ponto pontos"},
     {Meaning::link,
-     "real positive such true find a an the any single there is are was were be been has have had does do did of to "
+     "real positive such true find a an the single there is are was were be been has have had does do did of to "
      "with "
      "and "
-     "actually even ever really valid actual common this that also at",
+     "actually even ever really actual common this that also at",
      "der die das den dem ein eine einen reelle reellen gemeinsamen gibt es ist sind wird hat einziger einzigen "
      "mit und",
-     "le la les l un une de d du y a est sont n reelle reelles avec et pas c",
+     "le la les l un une de d du y a est sont n reelle reelles avec et c",
      "el los las de hay se es son fue con "
      "real reales encontro",
-     "il lo gli di ci sono e ce ha viene si con una reali reale", "o os as ha com foi do da uma reais"},
+     "lo gli di ci sono e ce ha viene si con una reali reale", "o os as ha com foi do da uma reais"},
     {Meaning::partial,
      "cap caps tube side sides top bottom disk disks second third other another smaller "
      "double repeated plane yet more edge inside outside entry exit body lateral",
@@ -64,14 +64,14 @@ constexpr MeaningRow table[] = {
      "otra otro segunda segundo tapa tapas", "altra altro seconda secondo base basi", "outra outro segunda"},
     {Meaning::passes, "pass passes passed goes flies", "", "passe", "", "", ""},
     {Meaning::by, "by past over above below under beside", "", "cote", "", "", ""},
-    {Meaning::agent, "", "von vom durch", "par", "por", "da dal dalla", "pelo pela"},
+    {Meaning::agent, "", "von vom durch", "par", "por", "dal dalla", "pelo pela"},
     {Meaning::first, "first", "zuerst erster erste erstes ersten erst", "premier premiere abord",
      "primero primera primer", "primo prima", "primeiro primeira"},
     {Meaning::nearest, "closest nearest smallest least lowest minimum min earliest wins winner frontmost foremost",
      "nachste nachster nachstes nachsten kleinste kleinstes vorderste", "proche", "cercano cercana menor",
      "vicino vicina minore", "proximo proxima"},
     {Meaning::before,
-     "before closer nearer earlier front smaller less than ahead then occludes blocks hides covers obscures eclipses",
+     "before closer nearer earlier front less than ahead then occludes blocks hides covers obscures eclipses",
      "vor vorher naher fruher dann", "avant devant puis ensuite cache", "antes delante luego",
      "davanti poi nasconde copre", "frente esconde cobre"},
     {Meaning::covered, "occluded blocked hidden covered obscured", "verdeckt verborgen", "masque masquee",
@@ -86,7 +86,7 @@ constexpr MeaningRow table[] = {
     {Meaning::condition, "if when whether unless", "wenn falls ob", "quand", "cuando", "quando", ""},
     {Meaning::contrast, "but while whereas however", "sondern aber", "mais", "sino pero", "ma bensi", "mas"},
     {Meaning::reason, "since because", "weil denn", "car puisque parce", "porque pues", "perche poiche", "pois"},
-    {Meaning::conclusion, "so thus hence therefore", "also daher deshalb", "donc", "entonces luego", "quindi dunque",
+    {Meaning::conclusion, "so thus hence therefore", "daher deshalb", "donc", "entonces", "quindi dunque",
      "portanto logo"},
     {Meaning::either, "or", "oder", "ou", "", "oppure", ""},
     {Meaning::debug, "debug dbg trace log", "", "", "", "", ""},

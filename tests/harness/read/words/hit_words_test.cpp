@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <sstream>
+
+#include "harness/read/words/hit_words_table.h"
+
 namespace harness {
 namespace {
 
@@ -12,6 +17,19 @@ std::vector<Meaning> meanings(std::string_view line) {
 }
 
 using enum Meaning;
+
+TEST(HitWords, HaveOneMeaningInAllLanguages) {
+    std::map<std::string, Meaning> meanings;
+    for (const MeaningRow& row : hit_words_table()) {
+        for (const std::string_view words :
+             {row.english, row.german, row.french, row.spanish, row.italian, row.portuguese}) {
+            std::istringstream each{std::string(words)};
+            for (std::string word; each >> word;) {
+                EXPECT_EQ(meanings.try_emplace(word, row.meaning).first->second, row.meaning) << word;
+            }
+        }
+    }
+}
 
 TEST(HitWords, AreReadWithoutAccentsAndInAnyCase) {
     EXPECT_EQ(meanings("SPH\u00c8RE Tri\u00e1ngulo n\u00e4chste"), (std::vector{sphere, triangle, nearest}));
