@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "harness/class_run/rosters.h"
-#include "harness/class_run/student_names.h"
+#include "harness/class_run/students/rosters.h"
+#include "harness/class_run/students/student_names.h"
 #include "harness/grade/graded.h"
 #include "harness/grade/marking.h"
 #include "reference/toml/assignment.h"

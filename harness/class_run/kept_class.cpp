@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "harness/batch/reread.h"
-#include "harness/class_run/student_names.h"
+#include "harness/class_run/students/student_names.h"
 #include "harness/grade/concerns.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"

@@ -9,7 +9,7 @@
 #include "harness/class_run/class_run.h"
 #include "harness/class_run/installation.h"
 #include "harness/class_run/progress.h"
-#include "harness/class_run/rosters.h"
+#include "harness/class_run/students/rosters.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/grade/final_mark.h"

@@ -6,7 +6,7 @@
 
 #include "harness/match/question_match.h"
 #include "harness/match/take_out.h"
-#include "harness/read/own_separators.h"
+#include "harness/read/tokens/own_separators.h"
 
 namespace harness {
 namespace {

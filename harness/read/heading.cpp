@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "harness/read/token.h"
+#include "harness/read/tokens/token.h"
 #include "harness/text/plain_word.h"
 
 namespace harness {

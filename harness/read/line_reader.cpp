@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "harness/read/expression.h"
 #include "harness/read/formula.h"
-#include "harness/read/number_group.h"
+#include "harness/read/tokens/expression.h"
+#include "harness/read/tokens/number_group.h"
 #include "harness/read/words/hit_words.h"
 #include "harness/text/lower_case.h"
 

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/read/own_separators.h"
 #include "harness/read/printed_value.h"
+#include "harness/read/tokens/own_separators.h"
 
 namespace harness {
 

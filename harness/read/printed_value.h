@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/read/token.h"
+#include "harness/read/tokens/token.h"
 
 namespace harness {
 

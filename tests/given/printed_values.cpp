@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "harness/read/token.h"
+#include "harness/read/tokens/token.h"
 
 using namespace harness;
 

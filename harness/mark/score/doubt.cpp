@@ -9,7 +9,7 @@
 #include "harness/mark/compare/key_targets.h"
 #include "harness/match/question_match.h"
 #include "harness/read/no_value.h"
-#include "harness/read/own_separators.h"
+#include "harness/read/tokens/own_separators.h"
 #include "harness/read/words/hit_words.h"
 
 namespace harness {

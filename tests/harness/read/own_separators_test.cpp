@@ -1,5 +1,5 @@
 // What a program writes between its numbers is learnt from its whole output.
-#include "harness/read/own_separators.h"
+#include "harness/read/tokens/own_separators.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "harness/class_run/rosters.h"
+#include "harness/class_run/students/rosters.h"
 
 #include <fmt/format.h>
 

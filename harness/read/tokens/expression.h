@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "harness/read/line_tokens.h"
+#include "harness/read/tokens/line_tokens.h"
 
 namespace harness {
 

@@ -1,4 +1,4 @@
-#include "harness/read/number_group.h"
+#include "harness/read/tokens/number_group.h"
 
 #include <re2/re2.h>
 

@@ -1,6 +1,6 @@
-#include "harness/read/expression.h"
+#include "harness/read/tokens/expression.h"
 
-#include "harness/read/number_group.h"
+#include "harness/read/tokens/number_group.h"
 
 namespace harness {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/class_run/student_names.h"
+#include "harness/class_run/students/student_names.h"
 
 namespace harness {
 

@@ -1,4 +1,4 @@
-#include "harness/read/token.h"
+#include "harness/read/tokens/token.h"
 
 #include <gtest/gtest.h>
 

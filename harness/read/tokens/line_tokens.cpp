@@ -1,4 +1,4 @@
-#include "harness/read/line_tokens.h"
+#include "harness/read/tokens/line_tokens.h"
 
 #include <re2/re2.h>
 

@@ -1,4 +1,4 @@
-#include "harness/read/own_separators.h"
+#include "harness/read/tokens/own_separators.h"
 
 #include <algorithm>
 #include <map>

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/read/token.h"
+#include "harness/read/tokens/token.h"
 
 namespace harness {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "harness/read/line_tokens.h"
+#include "harness/read/tokens/line_tokens.h"
 
 namespace harness {
 
