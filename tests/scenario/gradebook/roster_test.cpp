@@ -1,0 +1,110 @@
+// What lists of students do to marks: late hand-ins, rosters.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/scenario/gradebook/real_day.h"
+#include "tests/scenario/scenario.h"
+
+namespace scenario {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST_F(RealDay, ARosterOfAnotherClassIsRefusedBeforeAnythingIsGraded) {
+    write(students() / "cy/ray_cast.cpp", right);
+    const fs::path roster = folder / "gradebook.csv";
+    write(roster, "Student,ID,Assignment 6 (71)\r\nRoe,1,\r\nDoe,2,\r\n");
+    const Result refused = grade({"--canvas-roster", roster.string()});
+    EXPECT_EQ(refused.status, usage);
+    EXPECT_THAT(refused.voice,
+                AllOf(HasSubstr("3 of 3 submissions are not in it, such as \"ada\""), HasSubstr("--canvas-roster")));
+    EXPECT_FALSE(fs::exists(out() / "grades.json"));
+    write(roster, "Student,ID,Assignment 6 (71)\r\nRoe,1,\r\nAda,ada,\r\n");
+    EXPECT_THAT(grade({"--canvas-roster", roster.string()}).output, HasSubstr("1 matched"));
+}
+
+TEST_F(RealDay, LateHandInsLoseWhatTheScheduleSaysAndItIsKept) {
+    write(students() / "ben/ray_cast.cpp", right);
+    write(folder / "late.csv", "id,days_late,extension_days\nada,2,\nben,3,2\nbem,1,\n");
+    const std::string schedule = rubric("late = [[1, 0.25], [2, 1.0]]\n");
+    const std::vector<std::string> with_days = {"--assignment", schedule, "--late-days", folder / "late.csv",
+                                                "--apply"};
+    ASSERT_EQ(grade({"--assignment", schedule}).status, 0);
+    const double ada = points("ada"), ben = points("ben");
+    ASSERT_GT(ada, 0);
+    const Result late = grade(with_days);
+    EXPECT_EQ(late.status, 0) << late.both();
+    EXPECT_THAT(late.voice, HasSubstr("--late-days: bem is none of the submissions; did you mean ben"));
+    EXPECT_EQ(points("ada"), 0);
+    EXPECT_EQ(points("ben"), 0.75 * ben) << "one day of three is left of the extension";
+    EXPECT_THAT(grade({"--assignment", schedule}).output, HasSubstr("Nothing has changed")) << "it is kept";
+}
+
+TEST_F(RealDay, ALateHandInIsListedByTheNameInTheReports) {
+    write(students() / "ben/ray_cast.cpp", right);
+    const fs::path roster = folder / "gradebook.csv";
+    write(roster, "Student,ID,Assignment 6 (71)\r\n\"Roe, Ada\",ada,\r\n\"Doe, Ben\",ben,\r\n");
+    write(folder / "late.csv", "id,days_late\n\"Roe, Ada\",1\n\"Roe, Adam\",1\n");
+    const Result late = grade({"--assignment", rubric("late = [[1, 1.0]]\n"), "--canvas-roster", roster.string(),
+                               "--late-days", (folder / "late.csv").string()});
+    EXPECT_EQ(points("ada"), 0) << late.both();
+    EXPECT_GT(points("ben"), 0);
+    EXPECT_THAT(late.voice, HasSubstr("--late-days: Roe, Adam is none of the submissions"));
+}
+
+TEST_F(RealDay, TheCanvasRosterIsKeptForOverridesAndRegrades) {
+    const fs::path roster = folder / "gradebook.csv";
+    write(roster, "Student,ID,Assignment 6 (71)\r\nAda,ada,\r\nBen,ben,\r\n");
+    ASSERT_EQ(grade({"--canvas-roster", roster.string()}).status, 0);
+    EXPECT_THAT(read(out() / "grades-canvas.csv"), HasSubstr("\"Ben\",\"ben\",\"0.00\""));
+    fs::remove(roster);
+    ASSERT_EQ(override_mark({"ben", "5", "6", "--why", "idea"}).status, 0);
+    EXPECT_THAT(read(out() / "grades-canvas.csv"), HasSubstr("\"Ben\",\"ben\",\"6.00\""));
+    ASSERT_EQ(grade({"--apply", "--assignment", rubric("[rubric.points]\n5 = 20\n")}).status, 0);
+    EXPECT_THAT(read(out() / "grades-canvas.csv"), HasSubstr("\"Ada\",\"ada\",\"20.00\""));
+}
+
+TEST_F(RealDay, ALateHandInLosesTheRubricsDeduction) {
+    fs::remove_all(students());
+    write(students() / "adalovelace_LATE_11_1_ray_cast.cpp", right);
+    write(students() / "benjones_12_2_ray_cast.cpp", right);
+    const Result result = grade({"--assignment", rubric("late_deduction = 0.25\n")});
+
+    ASSERT_EQ(result.status, 0) << result.both();
+    EXPECT_THAT(result.output, HasSubstr("late: adalovelace: 2.5 points taken off, 25 %"));
+    EXPECT_EQ(points("adalovelace"), 7.5);
+    EXPECT_EQ(points("benjones"), 10);
+    EXPECT_EQ(graded("adalovelace").at("late_deduction"), 2.5);
+    EXPECT_THAT(read(out() / "grades.csv"), HasSubstr("\"adalovelace\",graded,7.5,100,"));
+    EXPECT_THAT(read(out() / "feedback/adalovelace.md"), HasSubstr("Handed in late: 2.5 of 10 points are taken off"));
+    const Result forgiven = grade({"--assignment", rubric("late_deduction = 0\n")});
+    EXPECT_THAT(forgiven.output, HasSubstr("late: loses 0 %, 25 % before"));
+}
+
+TEST_F(RealDay, NobodyLosesPointsIfLatenessIsUnknown) {
+    for (const std::string folder_name : {"Jane Doe_12_assignsubmission_file", "submission_901"}) {
+        SCOPED_TRACE(folder_name);
+        fs::remove_all(students());
+        fs::remove_all(out());
+        write(students() / folder_name / "ray_cast.cpp", right);
+        const Result result = grade({"--assignment", rubric("late_deduction = 0.25\n")});
+        ASSERT_EQ(result.status, 0) << result.both();
+        EXPECT_THAT(result.both(), Not(HasSubstr("late")));
+        const json one = read_json(out() / "grades.json").at("submissions").at(0);
+        EXPECT_EQ(one.at("points"), 10.0);
+        EXPECT_EQ(one.at("late_deduction"), 0.0);
+        EXPECT_EQ(one.at("student").at("late"), nullptr);
+    }
+}
+
+}  // namespace
+}  // namespace scenario

@@ -1,0 +1,176 @@
+// Shards that do not belong together, or are not whole, are refused by name.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/scenario/scenario.h"
+#include "tests/scenario/shards/shards.h"
+
+namespace scenario {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST_F(Shards, AreRefusedByNameUnlessEachIsThereOnce) {
+    hand_in_three();
+    grade_shards(3);
+    const auto merge_files = [&](std::vector<std::string> files) {
+        files.insert(files.begin(), {"merge", "--out", place("merged")});
+        Result result = run(files);
+        EXPECT_EQ(result.status, usage) << result.both();
+        EXPECT_FALSE(fs::exists(folder / "merged")) << "nothing is begun";
+        return result.voice;
+    };
+    EXPECT_THAT(merge_files({part(2, 3)}), HasSubstr("missing: parts 1 and 3 of 3"));
+    EXPECT_THAT(merge_files({part(1, 3), part(2, 3)}), HasSubstr("missing: part 3 of 3"));
+    fs::copy(part(1, 3), folder / "copy.part");
+    EXPECT_THAT(merge_files({part(1, 3), part(2, 3), part(3, 3), place("copy.part")}),
+                HasSubstr("copy.part: is part 1 of 3, and so is " + part(1, 3)));
+    EXPECT_THAT(merge_files({part(1, 3), part(2, 3), place("no.part")}), HasSubstr("no.part: is not there"));
+    EXPECT_THAT(merge_files({part(1, 3), part(2, 3), place("class/ada/ray_cast.cpp")}),
+                HasSubstr("ray_cast.cpp: is no part of a class"));
+    const std::string whole = read(part(3, 3));
+    write(part(3, 3), whole.substr(0, whole.size() - 1));
+    EXPECT_THAT(merge_files({part(1, 3), part(2, 3), part(3, 3)}),
+                HasSubstr("3-of-3.part: is cut off; grade it again with --shard 3/3"));
+}
+
+TEST_F(Shards, OfDifferentGradingsAreRefusedByName) {
+    hand_in_three();
+    grade_shards(2);
+    const std::string original = read(part(2, 2));
+    const auto refusal = [&](const std::vector<std::string>& with) {
+        options = with;
+        EXPECT_LE(grade_shard(2, 2).status, some_not_graded);
+        options = {};
+        const Result result = merge(2);
+        EXPECT_EQ(result.status, usage) << result.both();
+        write(part(2, 2), original);
+        return result.voice;
+    };
+    EXPECT_THAT(refusal({"--assignment", "a6-2024"}), HasSubstr("was graded with another assignment than"));
+    EXPECT_THAT(refusal({"--limit", "run.cpu_seconds=3"}),
+                HasSubstr("was graded with another set of limits and compiler flags than"));
+    EXPECT_THAT(refusal({"--repeat", "3"}), HasSubstr("another --repeat than"));
+    EXPECT_THAT(refusal({"--variants", "2"}), AllOf(HasSubstr("another --variants than"), HasSubstr("2 from seed 1")));
+    EXPECT_THAT(refusal({"--stress"}), HasSubstr("another --stress than"));
+    if (holds_bwrap()) {
+        EXPECT_THAT(refusal({"--sandbox", "landlock"}),
+                    AllOf(HasSubstr("another sandbox than"), HasSubstr("bwrap+shim"), HasSubstr("landlock+shim")));
+    }
+    hand_in("dee", small_program);
+    EXPECT_THAT(refusal({}), HasSubstr("was graded with another class than"));
+}
+
+TEST_F(Shards, OfADifferentCompilerOrRaygradeAreRefusedByName) {
+    hand_in_three();
+    grade_shards(3);
+    const auto change = [&](int number, const std::string& from, const std::string& to) {
+        std::string text = read(part(number, 3));
+        const std::size_t at = text.find(from);
+        ASSERT_NE(at, std::string::npos);
+        write(part(number, 3), text.replace(at, from.size(), to));
+    };
+    change(1, "\"compiler\":\"", "\"compiler\":\"0");
+    const Result compiler = merge(3);
+    EXPECT_EQ(compiler.status, usage);
+    EXPECT_THAT(compiler.voice, AllOf(HasSubstr("1-of-3.part: was graded with another compiler than"),
+                                      Not(HasSubstr("2-of-3.part: was")), Not(HasSubstr("3-of-3.part: was"))));
+    for (int number = 1; number <= 3; ++number) change(number, "\"raygrade\":\"", "\"raygrade\":\"9");
+    const Result version = merge(3);
+    EXPECT_EQ(version.status, usage);
+    EXPECT_THAT(version.voice, HasSubstr("was graded by another raygrade than this one"));
+}
+
+TEST_F(Shards, AreWholeOrNotThereHoweverOftenTheyAreKilled) {
+    using namespace std::chrono_literals;
+    hand_in_three();
+    ASSERT_EQ(grade().status, 0);
+    fs::remove_all(folder / "cache");
+    const std::vector<std::string> words =
+        on_class("grade", {"--shard", "1/2", "--out", part(1, 2), "--merge-into", place("merged")});
+    // A part that was there before stays whole too.
+    for (const auto delay : {0ms, 20ms, 50ms, 100ms, 200ms, 400ms, 800ms, 1600ms}) {
+        const pid_t child = fork();
+        ASSERT_GE(child, 0);
+        if (child == 0) {
+            become_raygrade(
+                words, [this] { return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0; }, "/dev/null",
+                "/dev/null");
+        }
+        std::this_thread::sleep_for(delay);
+        kill(child, SIGKILL);
+        waitpid(child, nullptr, 0);
+        if (!fs::exists(part(1, 2))) continue;
+        const Result half = run({"merge", part(1, 2), "--out", place("merged")});
+        EXPECT_THAT(half.voice, AllOf(HasSubstr("missing: part 2 of 2"), Not(HasSubstr("1-of-2"))));
+    }
+    fs::remove_all(folder / "one");
+    ASSERT_EQ(grade().status, 0);
+    expect_alike(2);
+}
+
+TEST_F(Shards, AreNotThereIfTheDiskIsFull) {
+    hand_in("ada", std::string(small_program) + "//" + std::string(20'000, '.') + "\n");
+    fs::create_directory(folder / "parts");
+    const Result result = raygrade(on_class("grade", {"--shard", "1/1", "--out", part(1, 1)}), [this] {
+        return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0 && mount_tiny_disk(folder / "parts");
+    });
+    EXPECT_EQ(result.status, some_not_graded) << result.both();
+    EXPECT_THAT(result.voice, HasSubstr("1-of-1.part: can't be written: No space left on device"));
+    EXPECT_THAT(result.output, Not(HasSubstr("part:")));
+}
+
+TEST_F(Shards, OfANodeWhoseDiskIsFullAreMissedByNameAndGradedAgain) {
+    const std::string long_comment = "//" + std::string(20'000, '.');
+    hand_in("ada", std::string(small_program) + long_comment + "\n");
+    hand_in("ben", std::string(small_program) + long_comment + "ben\n");
+    ASSERT_EQ(grade().status, 0);
+    ASSERT_EQ(write_scripts().status, 0);
+    ASSERT_EQ(script("shard 1"), 0);
+    const auto with_full_disk = [this] { return mount_tiny_disk(folder / "scripts/parts"); };
+    EXPECT_EQ(script("shard 2; echo $? >ended; ls -A parts >left", with_full_disk), 0);
+    EXPECT_EQ(read(folder / "scripts/ended"), "1\n");
+    EXPECT_EQ(read(folder / "scripts/left"), "") << "nothing unfinished either";
+    EXPECT_THAT(read(folder / "scripts/logs/2.log"),
+                HasSubstr("parts/2-of-2.part: can't be written: No space left on device"));
+    EXPECT_EQ(script("merge"), usage);
+    EXPECT_THAT(read(folder / "scripts/logs/merge.log"), HasSubstr("missing: part 2 of 2"));
+    EXPECT_FALSE(fs::exists(folder / "merged"));
+    EXPECT_EQ(script("shard 2"), 0);
+    EXPECT_EQ(script("merge"), 0);
+    expect_same(folder / "one", folder / "merged");
+}
+
+TEST_F(Shards, RefuseWhatCannotBeMeantOfOne) {
+    hand_in_three();
+    for (const char* wrong : {"0/2", "3/2", "1", "1/", "x/2", "1/20000", "1/2/3", "-1/2"})
+        EXPECT_THAT(run({"grade", place("class"), "--out", place("p"), "--shard", wrong}).voice,
+                    HasSubstr("is no share of a class"))
+            << wrong;
+    for (const char* wrong : {"--apply", "--json"})
+        EXPECT_EQ(run({"grade", place("class"), "--out", place("p"), "--shard", "1/2", wrong}).status, usage) << wrong;
+    EXPECT_EQ(run({"grade", place("class"), "--shard", "1/2"}).status, usage) << "without --out";
+    const Result over = run({"grade", place("class"), "--out", place("class"), "--shard", "1/2"});
+    EXPECT_EQ(over.status, usage);
+    EXPECT_THAT(over.voice, HasSubstr("class: is no file; name a file for the part with --out"));
+    const Result below = run({"grade", place("class"), "--out", place("class/ada/ray_cast.cpp/p"), "--shard", "1/2"});
+    EXPECT_EQ(below.status, usage);
+    EXPECT_THAT(below.voice, HasSubstr("ray_cast.cpp/p: can't be written; name another file with --out"));
+}
+
+}  // namespace
+}  // namespace scenario
