@@ -185,6 +185,30 @@ std::size_t end_of_number_before(const std::vector<HitWord>& words, std::size_t 
     return end;
 }
 
+/// Whether the number is one that programs print in place of a value: 0 or -1.
+bool stands_in(const HitWord& number) {
+    static const RE2 pattern(R"(-?0*(?:\.0*)?|-1(?:\.0*)?)");
+    return RE2::FullMatch(number.text, pattern);
+}
+
+/// "t = -1 (no hit)", "normal: (0, 0, 0) [miss]": the numbers of something that a miss lacks, each 0 or -1, and a
+/// denial in brackets behind them. Of "d = -1 (no hit)" the number is d.
+bool is_denied_in_brackets(HitWords words) {
+    const auto is_number = [](const HitWord& word) { return word.meaning == Meaning::number; };
+    const auto first = std::ranges::find_if(words, is_number);
+    const auto end = std::find_if_not(first, words.end(), is_number);
+    if (first == end || end == words.end() || !std::all_of(first, end, stands_in)) return false;
+    if (end->signs.find_last_of("([{") == std::string::npos) return false;
+    const auto is_lacked = [](const HitWord& word) {
+        constexpr std::string_view names = "pnt";  // of points, normals and t
+        const bool is_name = word.text.size() <= 2 && names.find(word.text.front()) != std::string_view::npos;
+        return word.meaning == Meaning::answer || word.meaning == Meaning::hit || is_name;
+    };
+    const HitWords label(words.begin(), first);
+    return std::ranges::any_of(label, is_lacked) && !has(label, Meaning::discriminant) &&
+           !has(words, Meaning::condition) && denial_in(HitWords(end, words.end())) == std::size_t{0};
+}
+
 }  // namespace
 
 std::optional<PrintedValue> read_no_value(std::string_view line) {
@@ -229,6 +253,7 @@ bool number_means_no_hit(std::string_view line) {
         R"((?i)\(\s*-?[\d.]+\s*(?:means|stands for|is|=|->|:|for)\s*(?:that )?(?:there (?:is|was) |the ray )?(?:no\b|none|miss|not? hit))");
     if (RE2::PartialMatch(re2::StringPiece(line.data(), line.size()), pattern)) return true;
     const std::vector<HitWord> words = hit_words(line);
+    if (is_denied_in_brackets(words)) return true;
     const auto zero = std::ranges::find(words, Meaning::number, &HitWord::meaning);
     if (zero == words.end() || zero->text != "0" || has(words, Meaning::condition) || is_partial(words)) return false;
     const auto denied = [](const HitWord& word) { return word.meaning == Meaning::hit; };

@@ -16,8 +16,8 @@ namespace harness {
 /// denies the miss.
 std::optional<PrintedValue> read_no_value(std::string_view line);
 
-/// Whether the line's only number says that nothing is hit: "t = -1 (-1 means no hit)", "hit = 0", "0 intersections",
-/// "number of hits: 0".
+/// Whether the line's only value says that nothing is hit: "t = -1 (-1 means no hit)", "t = -1 (no hit)", "hit = 0",
+/// "0 intersections", "number of hits: 0".
 bool number_means_no_hit(std::string_view line);
 
 /// Whether the line only says that the question was not answered: "not done", "TODO".

@@ -90,12 +90,14 @@ TEST(ReadTranscript, LeavesOtherDenialsBesideNumbersAlone) {
 
 TEST(ReadTranscript, TakesNoHitsCountedForNone) {
     for (const char* line : {"hit = 0", "0 intersections", "number of hits: 0", "intersects: 0",
-                             "There are 0 real roots", "t = -1 (-1 means no hit)"}) {
+                             "There are 0 real roots", "t = -1 (-1 means no hit)", "t = -1 (no hit)",
+                             "t_sphere: -1.000000 [miss]", "normal = (0, 0, 0) (no intersection)"}) {
         const auto read = values(line);
         ASSERT_EQ(read.size(), 1U) << line;
         EXPECT_TRUE(read[0].numbers.empty()) << line;
     }
-    for (const char* line : {"root = 0", "hit point t = 0", "t = 0 (hit at the edge)", "hit = 1", "second hit: 0"})
+    for (const char* line : {"root = 0", "hit point t = 0", "t = 0 (hit at the edge)", "hit = 1", "second hit: 0",
+                             "d = -1 (no hit)", "t = 2.5 (no hit)", "t = -10 (no hit)", "t = 0 (no hit if negative)"})
         EXPECT_FALSE(values(line).at(0).numbers.empty()) << line;
 }
 
