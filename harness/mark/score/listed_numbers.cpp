@@ -1,0 +1,116 @@
+#include "harness/mark/score/listed_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "harness/match/question_match.h"
+#include "harness/read/tokens/own_separators.h"
+
+namespace harness {
+namespace {
+
+/// Beyond this many numbers the printout is an endless loop's.
+constexpr std::size_t most_numbers = 4000;
+
+/// As many values that are said to be no answers are looked at.
+constexpr std::size_t most_asides = 500;
+
+bool same(const PrintedNumber& a, const PrintedNumber& b) {
+    return std::abs(a.value) == std::abs(b.value) || (std::isnan(a.value) && std::isnan(b.value));
+}
+
+/// Whether the item has a number like it in the value that was read for it.
+bool has_number(const MatchedItem& item, const ListedNumber& found) {
+    return item.value && std::any_of(item.value->numbers.begin(), item.value->numbers.end(),
+                                     [&](const PrintedNumber& x) { return same(x, found.number); });
+}
+
+}  // namespace
+
+bool was_read_from(const MatchedItem& item, const ListedNumber& found) {
+    return !item.unreadable && has_number(item, found) && item.value->line <= found.line &&
+           found.line <= item.value->last_line;
+}
+
+bool names(const MatchedItem& item, const reference::ItemSpec& other) {
+    return item.value && !item.unreadable && fit_label(item.value->label, item.value->above, other) >= LabelFit::named;
+}
+
+ListedNumbers::ListedNumbers(const MarkedPrintout& printout) {
+    list(printout.transcript);
+    account_for_answers(printout);
+    account_for_asides(printout);
+}
+
+void ListedNumbers::list(const Transcript& transcript) {
+    for (const Section& section : transcript.sections) {
+        for (const PrintedLine& line : section.lines) {
+            if (numbers_.size() >= most_numbers) return;
+            const std::vector<Token> tokens = tokenize(line.text);
+            for (std::size_t i = 0; i < tokens.size(); ++i) {
+                if (tokens[i].kind != Token::Kind::number || is_bracketed_index(tokens, i)) continue;
+                numbers_.push_back({tokens[i].number, section.question, line.number});
+                if (i > 0 && tokens[i - 1].kind == Token::Kind::equals) equations_.insert(line.number);
+            }
+        }
+    }
+}
+
+void ListedNumbers::account_for_answers(const MarkedPrintout& printout) {
+    for (const MatchedItem& item : printout.matched) {
+        if (!item.value) continue;
+        for (ListedNumber& found : numbers_) {
+            if (has_number(item, found) && !std::isnan(found.number.value)) answered_.push_back(found.number.value);
+            if (!was_read_from(item, found)) continue;
+            found.in_answer = true;
+            const ItemVerdict verdict = printout.verdict_of(item.spec.id);
+            found.in_right_answer = found.in_right_answer || verdict == ItemVerdict::right;
+            const bool is_sure = verdict == ItemVerdict::right || verdict == ItemVerdict::follow;
+            found.is_scalar = found.is_scalar || (is_sure && item.spec.shape == reference::Shape::scalar);
+            if (names(item, item.spec)) found.named = &item;
+        }
+    }
+}
+
+/// Repetitions of answers, values that are said to be none, whole numbers in sentences.
+void ListedNumbers::account_for_asides(const MarkedPrintout& printout) {
+    std::sort(answered_.begin(), answered_.end());
+    std::set<std::pair<int, int>> asides;  // first and last lines
+    std::set<int> with_values;
+    std::size_t seen = 0;
+    for (const Section& section : printout.transcript.sections) {
+        for (const PrintedValue& value : section.values) {
+            if (++seen > most_numbers) break;
+            for (int line = value.line; line <= value.last_line; ++line) with_values.insert(line);
+            const auto& items = printout.key.questions.front().items;
+            if (asides.size() < most_asides &&
+                fit_label(value.label, value.above, items.front().spec) == LabelFit::forbidden)
+                asides.insert({value.line, value.last_line});
+        }
+    }
+    for (ListedNumber& found : numbers_) {
+        found.repeats = std::binary_search(answered_.begin(), answered_.end(), found.number.value);
+        const bool counts =
+            found.number.decimals == 0 && !with_values.contains(found.line) && !equations_.contains(found.line);
+        const bool aside = std::any_of(asides.begin(), asides.end(), [&](const auto& lines) {
+            return lines.first <= found.line && found.line <= lines.second;
+        });
+        found.is_aside = counts || aside;
+    }
+}
+
+bool ListedNumbers::is_one_value(std::size_t first, std::size_t size, std::size_t stride) const {
+    const std::size_t last = first + (size - 1) * stride;
+    if (numbers_[first].line == numbers_[last].line) return true;
+    if (stride == 1) return begins_line(first) && ends_line(last);
+    std::size_t row = first;
+    while (!begins_line(row)) --row;
+    for (std::size_t i = row; i < row + size * stride; ++i) {
+        const bool is_start = (i - row) % stride == 0, is_end = (i - row) % stride == stride - 1;
+        if (i >= numbers_.size() || begins_line(i) != is_start || ends_line(i) != is_end) return false;
+    }
+    return true;
+}
+
+}  // namespace harness
