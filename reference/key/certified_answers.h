@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "reference/key/allowance.h"
 #include "reference/key/answer_key.h"
 
 namespace reference {
