@@ -62,10 +62,11 @@ void refuse_a_full_disk(const std::filesystem::path& scratch, const Limits& limi
 }
 
 /// Passes on nothing of the harness's own environment, which could change the messages (LANG), add headers (CPATH) or
-/// reveal secrets. The compiler finds its assembler and linker beside itself or in the system's folders.
+/// reveal secrets. The compiler finds its assembler and linker beside itself or in the system's folders. What it does
+/// not map itself (huge_pages.cpp) the C library gives it in huge pages, too.
 std::vector<std::string> compiler_environment(const BuildSettings& settings) {
     return {"PATH=" + settings.compiler.parent_path().string() + ":/usr/local/bin:/usr/bin:/bin", "LANG=C.UTF-8",
-            "LC_ALL=C"};
+            "LC_ALL=C", "GLIBC_TUNABLES=glibc.malloc.hugetlb=1"};
 }
 
 /// The folders that a compiler outside the system's folders, such as /opt/gcc-13/bin/g++, needs beside itself. These
@@ -139,7 +140,7 @@ std::string messages(const ProcessResult& result, const Limits& limits) {
 }
 
 /// The compiler with the course's flags, to be run in `scratch`.
-Command compiler_command(const BuildSettings& settings, const Scratch& scratch) {
+Command compiler_command(const BuildSettings& settings, const Sandbox& sandbox, const Scratch& scratch) {
     Command command;
     command.argv = {settings.compiler.string()};
     command.argv.insert(command.argv.end(), settings.flags.begin(), settings.flags.end());
@@ -148,6 +149,7 @@ Command compiler_command(const BuildSettings& settings, const Scratch& scratch) 
     command.account = scratch.account();
     command.readable = compiler_folders(settings.compiler);
     command.environment = compiler_environment(settings);
+    command.preload = sandbox.huge_pages();
     command.limits = settings.limits;
     return command;
 }
@@ -167,7 +169,7 @@ bool has_nothing_to_say(const ProcessResult& result) {
 ProcessResult compile(const std::string& source, const BuildSettings& settings, const Sandbox& sandbox,
                       const Scratch& scratch, const std::optional<PrecompiledHeader>& header) {
     write_source(source, scratch.path() / source_name);
-    Command command = compiler_command(settings, scratch);
+    Command command = compiler_command(settings, sandbox, scratch);
     if (header) {
         command.readable.push_back(header->file.parent_path());
         // Without the warning, g++ silently reads a header that does not fit as text.
@@ -348,7 +350,7 @@ bool precompile(const std::string& text, const std::string& file, const BuildSet
                 const Scratch& scratch) {
     if (settings.compiler.empty()) throw_no_compiler();
     write_source(text, scratch.path() / file);
-    Command command = compiler_command(settings, scratch);
+    Command command = compiler_command(settings, sandbox, scratch);
     command.argv.insert(command.argv.end(), {"-x", "c++-header", "-o", file + ".gch", file});
     // The precompiled <bits/stdc++.h> has 100 MB, more than a program's limit.
     constexpr std::uint64_t largest = 256 * mebibyte;

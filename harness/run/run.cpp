@@ -12,8 +12,7 @@ ProcessResult run(const Build& build, const Limits& limits, const Sandbox& sandb
     command.purpose = Purpose::run;
     command.account = scratch.account();
     command.environment = {"PATH=/usr/local/bin:/usr/bin:/bin", "LANG=C.UTF-8"};
-    command.preload = sandbox.line_buffer_inside();
-    if (sandbox.tier() != Tier::bwrap) command.readable.push_back(sandbox.line_buffer());
+    command.preload = sandbox.line_buffer();
     command.environment.insert(command.environment.end(), more_environment.begin(), more_environment.end());
     command.input = input;
     command.limits = limits;

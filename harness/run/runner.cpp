@@ -82,7 +82,7 @@ Runner without_caches(const Runner& runner) {
 
 std::string execution_key(const std::string& source, const Runner& runner, const std::string& which) {
     // Raise the number when programs are compiled or run differently, e.g. in another environment.
-    Fingerprint fingerprint("raygrade/execution/4");
+    Fingerprint fingerprint("raygrade/execution/5");
     fingerprint.add(runner.toolchain).add(to_string(runner.sandbox->tier()));
     add_words(fingerprint, runner.build.flags);
     add_words(fingerprint, runner.build.linker);

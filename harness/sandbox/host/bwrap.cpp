@@ -40,8 +40,10 @@ std::vector<std::string> bwrap_arguments(const Command& command, const Sandbox& 
     for (const auto& path : command.readable) arguments.show(path);
     arguments.add({"--proc", "/proc", "--dev", "/dev"});
     arguments.add({"--ro-bind", sandbox.supervisor().string(), "/supervisor"});
-    arguments.add({"--ro-bind", sandbox.line_buffer().string(), sandbox.line_buffer_inside().string()});
-    if (!command.preload.empty()) arguments.add({"--setenv", "LD_PRELOAD", command.preload.string()});
+    if (!command.preload.empty()) {
+        const std::string library = sandbox.library_inside(command.preload).string();
+        arguments.add({"--ro-bind", command.preload.string(), library, "--setenv", "LD_PRELOAD", library});
+    }
     const std::string inside = sandbox.inside(command.working_directory).string();
     arguments.add({command.purpose == Purpose::compile ? "--bind" : "--ro-bind", command.working_directory.string(),
                    inside, "--chdir", inside});

@@ -145,6 +145,7 @@ std::vector<std::string> readable_by(const Command& command) {
     std::vector<std::string> paths = {"/dev/zero", "/dev/full", "/dev/random", "/dev/urandom"};
     for (const auto& path : system_folders(command.purpose)) paths.push_back(path.string());
     for (const auto& path : command.readable) paths.push_back(path.string());
+    if (!command.preload.empty()) paths.push_back(command.preload.string());
     return paths;
 }
 

@@ -23,7 +23,7 @@ struct Command {
     std::optional<Account> account;               ///< the account to run as, see spare_account
     std::vector<std::filesystem::path> readable;  ///< what else it may read, under the same path: absolute, existing
     std::vector<std::string> environment;         ///< "NAME=value"; HOME and TMPDIR, the working directory, are added
-    std::filesystem::path preload;                ///< a library, as the program finds it; empty for none
+    std::filesystem::path preload;                ///< a library of the sandbox's; empty for none
     std::string input;                            ///< its stdin, at most longest_input bytes; empty for /dev/null
     Limits limits;
 };

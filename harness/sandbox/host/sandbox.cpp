@@ -45,7 +45,8 @@ bool is_there_itself(const fs::path& path) {
 Sandbox::Sandbox(Tier tier)
     : tier_(tier),
       supervisor_(copy_part(workspace_, "lib/raygrade/raygrade-supervisor", "supervisor")),
-      line_buffer_(copy_part(workspace_, "lib/raygrade/raygrade-line-buffer.so", "line_buffer.so")) {
+      line_buffer_(copy_part(workspace_, "lib/raygrade/raygrade-line-buffer.so", "line_buffer.so")),
+      huge_pages_(copy_part(workspace_, "lib/raygrade/raygrade-huge-pages.so", "huge_pages.so")) {
     if (tier == Tier::bwrap) bwrap_ = find_bwrap();
 }
 
@@ -53,8 +54,8 @@ fs::path Sandbox::inside(const fs::path& working_directory) const {
     return tier_ == Tier::bwrap ? fs::path("/submission") : working_directory;
 }
 
-fs::path Sandbox::line_buffer_inside() const {
-    return tier_ == Tier::bwrap ? fs::path("/line_buffer.so") : line_buffer_;
+fs::path Sandbox::library_inside(const fs::path& library) const {
+    return tier_ == Tier::bwrap ? "/" / library.filename() : library;
 }
 
 std::vector<fs::path> system_folders(Purpose purpose) {

@@ -11,8 +11,8 @@
 
 namespace harness {
 
-/// A tier with the files it needs: the workspace, and copies of the supervisor and of the line buffer that every
-/// account can use. Safe to use from several threads.
+/// A tier with the files it needs: the workspace, and copies of the supervisor and of the preloaded libraries that
+/// every account can use. Safe to use from several threads.
 class Sandbox {
   public:
     /// Does not check whether the tier works on this machine; choose_sandbox does (canary.h). Throws HarnessError if
@@ -23,19 +23,22 @@ class Sandbox {
     const Workspace& workspace() const { return workspace_; }
     /// The supervisor's copy in the workspace.
     const std::filesystem::path& supervisor() const { return supervisor_; }
-    /// The library that makes a program print line by line: its copy in the workspace, and its path for the program.
+    /// The library that makes a program print line by line, and the one that gives a compiler huge pages: their copies
+    /// in the workspace.
     const std::filesystem::path& line_buffer() const { return line_buffer_; }
-    std::filesystem::path line_buffer_inside() const;
+    const std::filesystem::path& huge_pages() const { return huge_pages_; }
     /// bwrap; empty in the other tiers.
     const std::filesystem::path& bwrap() const { return bwrap_; }
 
     /// The path under which a program finds its working directory; with namespaces it is always the same.
     std::filesystem::path inside(const std::filesystem::path& working_directory) const;
+    /// The path under which a program finds a preloaded library.
+    std::filesystem::path library_inside(const std::filesystem::path& library) const;
 
   private:
     Tier tier_;
     Workspace workspace_;
-    std::filesystem::path supervisor_, line_buffer_, bwrap_;
+    std::filesystem::path supervisor_, line_buffer_, huge_pages_, bwrap_;
 };
 
 /// The folders and files of this machine that every program can read under their own paths, in mounting order: the

@@ -237,6 +237,16 @@ TEST(Build, FindsACompilerOutsideTheSystemFolders) {
     EXPECT_THAT(blame("", settings), AllOf(HasSubstr("The compiler said: "), Not(HasSubstr("secret"))));
 }
 
+TEST(Build, GivesTheCompilerHugePages) {
+    const TemporaryFolder installation;
+    auto settings = default_settings();
+    settings.compiler = installation.write("bin/g++", "#!/bin/sh\necho \"preloaded: $LD_PRELOAD\" >&2; exit 1\n");
+    for (const auto& path : {installation.path(), installation.path() / "bin", settings.compiler})
+        std::filesystem::permissions(path, static_cast<std::filesystem::perms>(0755));
+    EXPECT_THAT(blame("", settings), AllOf(HasSubstr("The compiler said: preloaded: "), EndsWith("/huge_pages.so")))
+        << "the dynamic linker would say if it did not find the library";
+}
+
 /// A header of these lines in a folder that every account may read.
 class Header {
   public:

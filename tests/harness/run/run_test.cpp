@@ -43,7 +43,7 @@ TEST_F(Run, RunsTheProgramInItsScratchFolderWithAFreshEnvironment) {
     EXPECT_EQ(run(copy_of(MISBEHAVE)).exit_code, 93);
     const harness::ProcessResult env = run(copy_of("/usr/bin/env"));
     EXPECT_EQ(env.output, "PATH=/usr/local/bin:/usr/bin:/bin\nLANG=C.UTF-8\nHOME=" + home() + "\nTMPDIR=" + home() +
-                              "\nLD_PRELOAD=" + sandbox_.line_buffer_inside().string() + "\n" +
+                              "\nLD_PRELOAD=" + sandbox_.library_inside(sandbox_.line_buffer()).string() + "\n" +
                               (has_pwd() ? "PWD=" + home() + "\n" : ""));
     EXPECT_EQ(env.errors, "") << "nothing but the program writes to its standard error";
     EXPECT_EQ(run(copy_of("/usr/bin/pwd")).output, home() + "\n");
