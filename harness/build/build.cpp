@@ -306,6 +306,7 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
         build.program = program;
         build.compiled = true;
     };
+    bool has_failed = false;
     if (header) {
         const std::string& source = submission.source;
         const auto block = include_block(source);
@@ -320,14 +321,20 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
             build.diagnostics = result.errors;
         }
         if (build.compiled || is_ours) return build;
+        // A header that breaks the compiler says nothing of the source.
+        has_failed = result.ended == Ended::exited && !has_broken_down(result) && !is_program(result, program);
         empty_folder(scratch.path());
     }
-    ProcessResult result = compile(submission.source, settings, sandbox, scratch, {});
-    if (!is_program(result, program) && failed(result) && !is_ours) {
+    ProcessResult result;
+    if (!has_failed) {
+        result = compile(submission.source, settings, sandbox, scratch, {});
+        has_failed = !is_program(result, program) && failed(result) && !is_ours;
+        if (has_failed) empty_folder(scratch.path());
+    }
+    if (has_failed) {
         // The machine can cause any error: where it fails to read a file of the compiler's, a name is undefined.
         static std::mutex one_at_a_time;  // what was short for several may do for one
         const std::lock_guard lock(one_at_a_time);
-        empty_folder(scratch.path());
         result = compile(submission.source, settings, sandbox, scratch, {});
     }
     const bool broke_down = has_broken_down(result);

@@ -36,9 +36,9 @@ struct PrecompiledHeader {
 /// Compiles the submission's bytes in `scratch`, an empty folder of this submission alone. Warnings are kept and cost
 /// no points. Given a header, it compiles with that first. If the compiler fails, or says anything that is not about
 /// the source's own lines below the header's, it compiles again without the header, and the messages and verdict of
-/// that count. So a header changes nothing but the time. A failed build is tried once more, by itself, and counts only
-/// if a program that is known to be right compiles. A submission with inputs is compiled once, and its messages are
-/// nobody's. Throws HarnessError, also if there is no compiler.
+/// that count. So a header changes nothing but the time. A failed build, with a header or without, is tried once more,
+/// plainly and by itself, and counts only if a program that is known to be right compiles. A submission with inputs is
+/// compiled once, and its messages are nobody's. Throws HarnessError, also if there is no compiler.
 Build build(const Submission& submission, const BuildSettings& settings, const Sandbox& sandbox, const Scratch& scratch,
             const std::optional<PrecompiledHeader>& header = {});
 

@@ -155,7 +155,8 @@ TEST(Build, BlamesTheMachineWhereAKnownProgramDoesNotCompileEither) {
 
 /// Builds a right source with a compiler that fails so often with these words, and then is g++. Outside of sandboxes,
 /// where it can count.
-Build build_after_failures(int times, const std::string& words) {
+Build build_after_failures(int times, const std::string& words,
+                           const std::optional<harness::PrecompiledHeader>& header = {}) {
     const TemporaryFolder installation;
     auto settings = default_settings();
     settings.compiler = installation.write(
@@ -166,7 +167,7 @@ Build build_after_failures(int times, const std::string& words) {
         std::filesystem::permissions(path, static_cast<std::filesystem::perms>(0777));
     const harness::Sandbox sandbox(harness::Tier::unsafe);
     const harness::Scratch scratch(sandbox.workspace());
-    return harness::build(with_source("int main() {}\n"), settings, sandbox, scratch);
+    return harness::build(with_source("int main() {}\n"), settings, sandbox, scratch, header);
 }
 
 TEST(Build, TriesEveryFailureOnceMoreAndBelievesTheSecondUnlessItNamesTheMachine) {
@@ -184,6 +185,13 @@ TEST(Build, TriesEveryFailureOnceMoreAndBelievesTheSecondUnlessItNamesTheMachine
     EXPECT_THROW(build_after_failures(9, "something else"), harness::HarnessError);
     EXPECT_FALSE(build_after_failures(2, "   12 | // No space left on device\nray_cast.cpp:1:5: error: x").program)
         << "quoted from the source";
+}
+
+TEST(Build, CountsAFailureWithAHeaderAsTheFirst) {
+    const harness::PrecompiledHeader header{"/usr/include/stdio.h", 0};
+    const std::string words = "ray_cast.cpp:1:5: error: no x";
+    EXPECT_TRUE(build_after_failures(1, words, header).program);
+    EXPECT_FALSE(build_after_failures(2, words, header).program) << "the third compile is that of the known program";
 }
 
 TEST(Build, ReportsThatTheCompilersFileBecameTooLarge) {
