@@ -159,7 +159,26 @@ double read_amount(const TomlTable& table, std::string_view key, double least, d
     return value;
 }
 
-Rubric read_rubric(const TomlTable& root, const ReadQuestions& asked) {
+namespace {
+
+/// Nothing could be earned then, on other scenes neither: they pay a share of what is right.
+void refuse_no_points(const TomlTable& root, const std::vector<Question>& questions, const Rubric& rubric) {
+    const auto is_paid = [&](const Question& question) { return rubric.points_of(question.number) > 0; };
+    if (questions.empty() || std::ranges::any_of(questions, is_paid)) return;
+    const std::string what = fmt::format(
+        "is 0 for every question, so that nothing can be earned; give a question points above 0, or leave \"points\" "
+        "out: a question then has {}",
+        Rubric::points_per_question);
+    for (const TomlTable& question : root.tables("question")) {
+        if (question.has("points")) question.fail("points", what);
+        for (const TomlTable& part : question.has("parts") ? question.tables("parts") : std::vector<TomlTable>()) {
+            if (part.has("points")) part.fail("points", what);
+        }
+    }
+    (root.has("rubric") ? root.table("rubric") : root).fail("points", what);
+}
+
+Rubric read_rubric_table(const TomlTable& root, const ReadQuestions& asked) {
     Rubric rubric;
     rubric.points = asked.points;
     rubric.item_points = asked.item_points;
@@ -197,6 +216,14 @@ Rubric read_rubric(const TomlTable& root, const ReadQuestions& asked) {
     if (table.has("points")) read_points(table.table("points"), asked.questions, rubric);
     if (table.has("mistakes")) read_mistakes(table.table("mistakes"), rubric);
     if (table.has("tolerance")) read_tolerance(table.table("tolerance"), asked.questions, rubric);
+    return rubric;
+}
+
+}  // namespace
+
+Rubric read_rubric(const TomlTable& root, const ReadQuestions& asked) {
+    Rubric rubric = read_rubric_table(root, asked);
+    refuse_no_points(root, asked.questions, rubric);
     return rubric;
 }
 

@@ -120,5 +120,22 @@ TEST(Questions, TakeNoPointsForWhatIsNotAsked) {
                 HasSubstr("state them once"));
 }
 
+TEST(Questions, GivePointsForSomething) {
+    const std::string none = "is 0 for every question, so that nothing can be earned; give a question points above 0";
+    const auto at = [&](const std::string& place) {
+        return AllOf(HasSubstr("a.toml:"), HasSubstr(place + " " + none));
+    };
+    const std::string nothing_but_V = sphere + "[[question]]\nitems = [\"V\"]\n";
+    EXPECT_THAT(error_of(nothing_but_V + "points = 0\n"), at("question[1].points"));
+    EXPECT_THAT(error_of(nothing_but_V + "[rubric.points]\n1 = 0\n"), at("rubric.points"));
+    EXPECT_THAT(error_of(nothing_but_V + "[rubric.points.1]\nV = 0\n"), at("rubric.points"));
+    EXPECT_THAT(error_of(sphere + "[[question]]\nparts = [{items = [\"V\"], points = 0}]\n"),
+                at("question[1].parts[1].points"));
+    EXPECT_THAT(error_of(nothing_but_V + "points = 0\n[rubric]\nvariant_points = 5\n"), at("question[1].points"))
+        << "on other scenes a share of nothing is earned";
+    EXPECT_EQ(error_of(nothing_but_V + "points = 0\n[[question]]\nitems = [\"P_WCS\"]\n"), "no error");
+    EXPECT_EQ(error_of(nothing_but_V + "points = 0.5\n"), "no error");
+}
+
 }  // namespace
 }  // namespace reference
