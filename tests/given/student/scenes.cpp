@@ -292,6 +292,19 @@ const std::vector<std::string_view>& cylinder_scene_names() {
     return names;
 }
 
+const std::vector<std::string_view>& scenes_to_err_on(reference::Subject subject) {
+    using reference::Subject;
+    static const std::vector<std::string_view> off_axis{"off axis", "inside", "triangle first"};
+    switch (subject) {
+        case Subject::camera:
+        case Subject::sphere:
+        case Subject::triangle:
+        case Subject::first_hit: break;
+        case Subject::cylinder: return cylinder_scene_names();
+    }
+    return off_axis;
+}
+
 bool rounding_decides(std::string_view name) {
     const auto contains = [&](std::string_view word) { return name.find(word) != std::string_view::npos; };
     return contains("rim") || contains("touched") || contains("barely");

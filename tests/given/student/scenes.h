@@ -36,6 +36,9 @@ const std::vector<std::string_view>& scene_names();
 /// passes.
 const std::vector<std::string_view>& cylinder_scene_names();
 
+/// The names of the scenes on which mistakes about this part of the scene are tried.
+const std::vector<std::string_view>& scenes_to_err_on(reference::Subject subject);
+
 /// Whether float cannot decide what the ray hits of the cylinder in the scene of this name.
 bool rounding_decides(std::string_view name);
 

@@ -28,37 +28,6 @@ bool differs(const std::optional<student::Floats>& one, const std::optional<stud
     return largest > slack;
 }
 
-/// Marks the program with the mistake on the first off-axis scene on which the mistake changes the answer.
-const ItemScore* find_marked(const NamedMistake& mistake, Score& score) {
-    for (const char* scene : {"off axis", "inside", "triangle first"}) {
-        const student::Marking marking = student::scene_named(scene);
-        try {
-            const Program wrong(marking.assignment, {}, mistake.mistake);
-            if (!differs(wrong.values().at(mistake.mistake.item),
-                         Program(marking.assignment, {}).values().at(mistake.mistake.item)))
-                continue;
-            score = mark(print(wrong), marking);
-            return &item_of(score, mistake.mistake.item);
-        } catch (const std::bad_optional_access&) {
-            continue;
-        }
-    }
-    return nullptr;
-}
-
-TEST(Misconceptions, AreNamedOnScenesOffTheAxes) {
-    for (const NamedMistake& mistake : student::named_mistakes()) {
-        const auto& [subject, name] = mistake.mistake.item;
-        if (subject == reference::Subject::cylinder) continue;
-        Score score;
-        const ItemScore* item = find_marked(mistake, score);
-        ASSERT_NE(item, nullptr) << mistake.name << " in " << to_string(subject) << "." << name << " shows on no scene";
-        EXPECT_EQ(item->verdict, ItemVerdict::wrong) << mistake.name << " in " << to_string(subject) << "." << name;
-        EXPECT_EQ(item->diagnosis, mistake.name) << "in " << to_string(subject) << "." << name << ": " << item->printed;
-        EXPECT_NE(item->advice, "") << mistake.name;
-    }
-}
-
 /// The program with the mistake; empty if it needs a value that the scene does not have.
 std::optional<Program> make_mistake(const NamedMistake& mistake, const student::Marking& marking) {
     try {
@@ -87,14 +56,13 @@ std::set<std::string_view> names_of(const ItemScore& item, const student::Floats
     return names;
 }
 
-TEST(Misconceptions, OfTheCylinderAreNamedWhereverTheyShow) {
+TEST(Misconceptions, AreNamedWhereverTheyShow) {
     // Some mistakes give the same number on a scene: where a ray enters by a cap and leaves by the tube, a program
     // without caps gives the larger root. Then either name is right.
     for (const NamedMistake& mistake : student::named_mistakes()) {
         const ItemId& id = mistake.mistake.item;
-        if (id.subject != reference::Subject::cylinder) continue;
         bool is_named = false;
-        for (const std::string_view scene : student::cylinder_scene_names()) {
+        for (const std::string_view scene : student::scenes_to_err_on(id.subject)) {
             if (student::rounding_decides(scene)) continue;
             const student::Marking marking = student::scene_named(scene);
             const Program right(marking.assignment, {});
@@ -105,12 +73,15 @@ TEST(Misconceptions, OfTheCylinderAreNamedWhereverTheyShow) {
                 continue;
             const Score score = mark(print(*wrong), marking);
             const ItemScore& item = item_of(score, id);
-            const std::string where = fmt::format("{} in {} of '{}': {}", mistake.name, id.name, scene, item.printed);
+            const std::string where = fmt::format("{} in {}.{} of '{}': {}", mistake.name, to_string(id.subject),
+                                                  id.name, scene, item.printed);
             EXPECT_EQ(item.verdict, ItemVerdict::wrong) << where;
+            EXPECT_NE(item.advice, "") << where;
             EXPECT_THAT(names_of(item, *wrong->values().at(id), marking), testing::Contains(item.diagnosis)) << where;
             is_named = is_named || item.diagnosis == mistake.name;
         }
-        EXPECT_TRUE(is_named) << mistake.name << " in " << id.name << " is named on no scene";
+        EXPECT_TRUE(is_named) << mistake.name << " in " << to_string(id.subject) << "." << id.name
+                              << " is named on no scene";
     }
 }
 
