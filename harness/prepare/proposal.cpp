@@ -14,7 +14,7 @@ namespace {
 /// What the second scene has other than the first, part by part.
 std::vector<std::string> changes_between(const scenes::DecimalScene& own, const scenes::DecimalScene& other) {
     std::vector<std::string> list;
-    for (const scenes::ScenePart part : scenes::all_parts) {
+    for (const scenes::ScenePart part : scenes::all_parts()) {
         if (!scenes::has_part(own, part)) continue;
         const std::string before = scenes::describe(own, part);
         const std::string after = scenes::describe(other, part);

@@ -60,9 +60,9 @@ int TrialScenes::near(int pixel, int count) {
 
 /// Moves one number of a part by a few halves.
 void TrialScenes::change_part(DecimalScene& scene) {
-    const ScenePart part =
-        scenes::all_parts.at(static_cast<std::size_t>(draw_.whole(0, static_cast<int>(scenes::all_parts.size()) - 1)));
-    if (part == ScenePart::pixel || !scenes::has_part(scene, part)) return;
+    const std::vector<ScenePart>& parts = scenes::all_parts();
+    const ScenePart part = parts.at(static_cast<std::size_t>(draw_.whole(0, static_cast<int>(parts.size()) - 1)));
+    if (part == scenes::part::pixel || !scenes::has_part(scene, part)) return;
     const std::array<double, 3> values = scenes::value_of(scene, part);
     const auto moved = static_cast<std::size_t>(draw_.whole(0, static_cast<int>(scenes::size_of(part)) - 1));
     std::array<Decimal, 3> numbers;

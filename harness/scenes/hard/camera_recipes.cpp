@@ -8,28 +8,19 @@ namespace {
 
 using scenes::Draw;
 using scenes::rounded;
-using scenes::ScenePart;
 
 /// A vector off every axis, with the whole-number length 7.
 const Point slanted(2, 3, 6);
 
-/// Puts the objects back in front of the camera if they were located in the source: the ray hits the sphere and, behind
-/// it, the triangle and the cylinder.
+/// Puts the objects back in front of the camera as far as they were located in the source.
 void put_objects(Scene& scene, const Stage& stage, double distance) {
     const auto ray = reference::answer_camera(scene, stage.convention);
-    const Point middle = ray.P_WCS + distance * ray.V;
-    if (stage.located.contains(ScenePart::center)) scene.spheres.front().center = rounded(middle + Point(1, 0, 0));
-    if (stage.located.contains(ScenePart::radius)) scene.spheres.front().radius = 5;
-    if (stage.located.contains(ScenePart::cylinder_center))
-        scene.cylinders.front().center = rounded(middle + 20.0 * ray.V);
-    if (stage.located.contains(ScenePart::cylinder_radius)) scene.cylinders.front().radius = 4;
-    if (stage.located.contains(ScenePart::cylinder_height)) scene.cylinders.front().height = 10;
-    if (!stage.located.contains(ScenePart::A)) return;
-    const Point p = reference::normalized(reference::cross(ray.V, Point(3, -1, 2)));
-    const Point q = reference::cross(ray.V, p);
-    const Point behind = middle + 9.0 * ray.V;
-    scene.triangles.front() = {rounded(behind + 20.0 * p), rounded(behind - 10.0 * p + 17.0 * q),
-                               rounded(behind - 10.0 * p - 17.0 * q)};
+    const View view{ray, ray.P_WCS + distance * ray.V};
+    reference::for_each_kind(
+        [&](reference::Subject /*kind*/, auto& objects) {
+            if (!objects.empty()) put_in_view(objects.front(), stage.located, view);
+        },
+        scene);
 }
 
 Scene draw_far_eye(const Stage& stage, Draw& /*draw*/) {
@@ -66,25 +57,26 @@ double is_sound(const Answers& answers, const Scene& /*scene*/) {
 
 }  // namespace
 
-std::vector<HardRecipe> camera_recipes() {
+template <>
+std::vector<HardRecipe> recipes<reference::Subject::camera>() {
     return {
         {"eye far away",
          "P_WCS - eye is a small difference of large numbers",
-         {ScenePart::eye},
+         {part::eye},
          1,
          false,
          draw_far_eye,
          is_sound},
         {"vup nearly along the view",
          "vup x Z is nearly 0 before it is normalized",
-         {ScenePart::eye, ScenePart::vup},
+         {part::eye, part::vup},
          1,
          false,
          draw_vup_along_view,
          is_sound},
         {"scene far from the origin",
          "every difference of points loses digits",
-         {ScenePart::eye, ScenePart::lookat},
+         {part::eye, part::lookat},
          1,
          false,
          draw_far_from_origin,

@@ -29,7 +29,7 @@ bool is_short(const Point& p) {
 
 Stage stage_of(const Assignment& assignment, reference::PixelConvention convention, const scenes::PartSet& located) {
     Stage stage{scenes::in_double(assignment.scene), convention, {}, {}, false};
-    for (const ScenePart part : scenes::all_parts) {
+    for (const ScenePart part : scenes::all_parts()) {
         if (located.contains(part) && has_part(assignment.scene, part)) stage.located.insert(part);
     }
     stage.ray = reference::answer_camera(stage.scene, convention);
@@ -71,8 +71,7 @@ std::optional<reference::Subject> asked_of_another(const HardRecipe& recipe, con
     for (const auto boundary : {reference::Boundary::positive, reference::Boundary::nonnegative}) {
         const Answers answers = reference::answer_scene(scene, convention, boundary);
         for (const ScenePart part : recipe.needs) {
-            const reference::Subject subject = scenes::subject_of(part);
-            if (reference::asked_index(subject, answers) != 0) return subject;
+            if (reference::asked_index(part.subject, answers) != 0) return part.subject;
         }
     }
     return std::nullopt;
@@ -111,29 +110,20 @@ struct Recipes {
     std::vector<HardRecipe> list;
 };
 
-/// In the order of the report.
+/// In the order of the report. A scene's seed is its recipe's number, so that the camera's stay behind those of the
+/// first two kinds of object.
 std::vector<Recipes> all_recipes() {
-    using reference::Subject;
-    return {{Subject::sphere, sphere_recipes()},
-            {Subject::triangle, triangle_recipes()},
-            {{}, camera_recipes()},
-            {Subject::cylinder, cylinder_recipes()}};
+    std::vector<Recipes> all;
+    reference::for_each_object([&]<reference::Subject object>() { all.push_back({object, recipes<object>()}); });
+    constexpr std::ptrdiff_t before_camera = 2;
+    all.insert(all.begin() + before_camera, {std::nullopt, recipes<reference::Subject::camera>()});
+    return all;
 }
 
 }  // namespace
 
 Point across(const Stage& stage, scenes::Draw& draw) {
     return scenes::across(stage.ray.V, draw);
-}
-
-void put_sphere_away(Scene& scene, const Stage& stage) {
-    put_sphere_behind(scene, stage, stage.ray);
-}
-
-void put_sphere_behind(Scene& scene, const Stage& stage, const reference::CameraAnswers<double>& ray) {
-    if (scene.spheres.empty() || !stage.located.contains(ScenePart::center)) return;
-    reference::Sphere<double>& sphere = scene.spheres.front();
-    sphere.center = scenes::rounded(ray.P_WCS - (2 * sphere.radius + 5) * ray.V);
 }
 
 std::vector<HardScene> hard_scenes(const Assignment& assignment, reference::PixelConvention convention,

@@ -44,10 +44,21 @@ struct HardRecipe {
     Worth worth;
 };
 
-std::vector<HardRecipe> sphere_recipes();
-std::vector<HardRecipe> triangle_recipes();
-std::vector<HardRecipe> camera_recipes();
-std::vector<HardRecipe> cylinder_recipes();
+/// What is hard about a kind of object, or about the ray for the camera. Each has a file of its own.
+template <reference::Subject about>
+std::vector<HardRecipe> recipes();
+
+/// A ray that the objects are put before, and a point on it that is far enough from its start.
+struct View {
+    const reference::CameraAnswers<double>& ray;
+    Point middle;
+};
+
+// Puts what was located of the object back in front of the camera, each kind at a distance of its own: the ray hits the
+// sphere, and behind it what else there is. A kind's function stands in the file of its recipes.
+void put_in_view(reference::Sphere<double>& sphere, const PartSet& located, const View& view);
+void put_in_view(reference::Triangle<double>& triangle, const PartSet& located, const View& view);
+void put_in_view(reference::Cylinder<double>& cylinder, const PartSet& located, const View& view);
 
 /// A random unit vector perpendicular to the ray.
 Point across(const Stage& stage, scenes::Draw& draw);

@@ -93,7 +93,7 @@ class ClassOnHardScenes {
   private:
     const HardSet& set_of(std::size_t index, const PartSet& located) {
         const auto convention = own_convention(graded_[index].score, marking_.key);
-        const auto [place, is_new] = sets_.try_emplace({convention, located.number()});
+        const auto [place, is_new] = sets_.try_emplace({convention, located});
         HardSet& set = place->second;
         if (!is_new) return set;
         try {
@@ -142,7 +142,7 @@ class ClassOnHardScenes {
     std::vector<Graded>& graded_;
     const std::vector<std::string>& sources_;
     const Marking& marking_;
-    std::map<std::pair<reference::PixelConvention, unsigned long>, HardSet> sets_;
+    std::map<std::pair<reference::PixelConvention, PartSet>, HardSet> sets_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "harness/run/timeline.h"
 #include "harness/scenes/hard/recipe.h"
+#include "harness/scenes/source/sphere_parts.h"
 
 namespace harness::scenes {
 namespace {
@@ -85,8 +86,24 @@ double is_behind(const Answers& answers, const Scene& scene) {
 
 }  // namespace
 
-std::vector<HardRecipe> sphere_recipes() {
-    const std::vector<ScenePart> sphere = {ScenePart::center, ScenePart::radius};
+void put_sphere_away(Scene& scene, const Stage& stage) {
+    put_sphere_behind(scene, stage, stage.ray);
+}
+
+void put_sphere_behind(Scene& scene, const Stage& stage, const reference::CameraAnswers<double>& ray) {
+    if (scene.spheres.empty() || !stage.located.contains(part::sphere::center)) return;
+    reference::Sphere<double>& sphere = scene.spheres.front();
+    sphere.center = scenes::rounded(ray.P_WCS - (2 * sphere.radius + 5) * ray.V);
+}
+
+void put_in_view(reference::Sphere<double>& sphere, const PartSet& located, const View& view) {
+    if (located.contains(part::sphere::center)) sphere.center = rounded(view.middle + Point(1, 0, 0));
+    if (located.contains(part::sphere::radius)) sphere.radius = 5;
+}
+
+template <>
+std::vector<HardRecipe> recipes<reference::Subject::sphere>() {
+    const std::vector<ScenePart> sphere = {part::sphere::center, part::sphere::radius};
     return {
         {"sphere, grazed", "b² and 4ac are nearly the same, and their difference decides", sphere, 3000, false,
          draw_at_rim, grazed},

@@ -3,6 +3,7 @@
 
 #include "harness/run/timeline.h"
 #include "harness/scenes/hard/recipe.h"
+#include "harness/scenes/source/triangle_parts.h"
 
 namespace harness::scenes {
 namespace {
@@ -102,8 +103,19 @@ Scene draw_at_start(const Stage& stage, Draw& draw) {
 
 }  // namespace
 
-std::vector<HardRecipe> triangle_recipes() {
-    const std::vector<ScenePart> triangle = {ScenePart::A, ScenePart::B, ScenePart::C};
+void put_in_view(reference::Triangle<double>& triangle, const PartSet& located, const View& view) {
+    if (!located.contains(part::triangle::A)) return;
+    const Point& V = view.ray.V;
+    const Point p = reference::normalized(reference::cross(V, Point(3, -1, 2)));
+    const Point q = reference::cross(V, p);
+    const Point behind = view.middle + 9.0 * V;
+    triangle = {rounded(behind + 20.0 * p), rounded(behind - 10.0 * p + 17.0 * q),
+                rounded(behind - 10.0 * p - 17.0 * q)};
+}
+
+template <>
+std::vector<HardRecipe> recipes<reference::Subject::triangle>() {
+    const std::vector<ScenePart> triangle = {part::triangle::A, part::triangle::B, part::triangle::C};
     return {
         {"triangle, just inside an edge", "a barycentric coordinate is above 0 by little", triangle, 3000, false,
          draw_edge, just_inside},

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "harness/scenes/other/kind.h"
+#include "harness/scenes/other/object_in_kinds.h"
 #include "harness/scenes/source/drawing.h"
 #include "reference/stages/item_values.h"
 #include "reference/toml/scene_toml.h"
@@ -23,12 +23,6 @@ using reference::Vec3;
 
 bool is_zero(const Vec3<double>& p) {
     return p.x == 0 && p.y == 0 && p.z == 0;
-}
-
-/// The role, as far as the ray can play it: a camera that can be turned plays them all.
-CylinderRole role_of(Kind kind, const PartSet& located, const Vec3<double>& V) {
-    const bool turns = located.contains(ScenePart::eye) || located.contains(ScenePart::lookat);
-    return turns ? cylinder_plan(kind).role : possible_role(cylinder_plan(kind).role, V);
 }
 
 /// Draws scenes of one kind. Lengths grow with the distance of the kind's objects.
@@ -47,69 +41,28 @@ class Painter {
         const auto ray = reference::answer_camera(scene, convention_);
         const Vec3<double> side = across(ray.V, draw);
         const double distance = size_ * draw.between(4, 8);
-        if (located_.contains(ScenePart::radius))
-            scene.spheres.front().radius = size_ * draw.whole(2, 4) + draw.whole(0, 1);
-        if (located_.contains(ScenePart::center)) {
-            reference::Sphere<double>& sphere = scene.spheres.front();
-            sphere.center = rounded(ray.P_WCS + distance * ray.V + sphere.radius * draw_offset(draw) * side);
-        }
-        if (located_.contains(ScenePart::A)) paint_triangle(scene, ray, draw);
-        if (!scene.cylinders.empty()) paint_cylinder(scene.cylinders.front(), ray, draw);
+        const Room room{{kind_, located_, ray}, size_, distance, side};
+        reference::for_each_kind(
+            [&](reference::Subject /*kind*/, auto& objects) {
+                if (!objects.empty()) draw_object(objects.front(), room, draw);
+            },
+            scene);
         return scene;
     }
 
   private:
     void paint_camera(Scene<double>& scene, Draw& draw) const {
         reference::Camera<double>& camera = scene.camera;
-        if (located_.contains(ScenePart::lookat)) camera.lookat = draw.vector(2);
-        if (located_.contains(ScenePart::vup)) camera.vup = draw.vector(2);
-        if (located_.contains(ScenePart::eye)) camera.eye = camera.lookat + rounded(size_ * draw.vector(6));
-        const bool moves_pixel = kind_ == Kind::triangle_first || kind_ == Kind::grazing;
-        if (moves_pixel && located_.contains(ScenePart::pixel)) {
+        if (located_.contains(part::lookat)) camera.lookat = draw.vector(2);
+        if (located_.contains(part::vup)) camera.vup = draw.vector(2);
+        if (located_.contains(part::eye)) camera.eye = camera.lookat + rounded(size_ * draw.vector(6));
+        const bool moves_pixel = kind_ == Kind::in_front || kind_ == Kind::grazing;
+        if (moves_pixel && located_.contains(part::pixel)) {
             const auto within = [&](int count) {
                 return std::clamp(draw.whole(count / 4, count - count / 4), 0, count - 1);
             };
             scene.pixel = {within(scene.window.width), within(scene.window.height)};
         }
-    }
-
-    /// The distance of the sphere's center from the ray, in radii.
-    double draw_offset(Draw& draw) const {
-        switch (kind_) {
-            case Kind::off_axis:
-            case Kind::triangle_first: return draw.between(0, 0.7);
-            case Kind::sphere_missed: return draw.between(1.5, 2.5);
-            case Kind::grazing: return draw.between(0.95, 1);
-        }
-        return 0;
-    }
-
-    /// Draws the triangle around the ray, so that the ray mostly hits it.
-    void paint_triangle(Scene<double>& scene, const reference::CameraAnswers<double>& ray, Draw& draw) const {
-        const Vec3<double> p = across(ray.V, draw);
-        const Vec3<double> q = reference::cross(ray.V, p);
-        const double distance = draw.between(1, kind_ == Kind::triangle_first ? 3 : 6) * size_;
-        const auto vertex = [&](double angle) {
-            const double spread = size_ * draw.between(3, 6);
-            const double tilt = size_ * draw.between(-1, 1);
-            return rounded(ray.P_WCS + (distance + tilt) * ray.V + spread * std::cos(angle) * p +
-                           spread * std::sin(angle) * q);
-        };
-        constexpr double third = 2.0943951;  // of a turn
-        reference::Triangle<double>& triangle = scene.triangles.front();
-        triangle.A = vertex(0);
-        triangle.B = vertex(third);
-        triangle.C = vertex(2 * third);
-    }
-
-    void paint_cylinder(reference::Cylinder<double>& cylinder, const reference::CameraAnswers<double>& ray,
-                        Draw& draw) const {
-        const CylinderPlan plan = cylinder_plan(kind_);
-        const CylinderParts parts{located_.contains(ScenePart::cylinder_center),
-                                  located_.contains(ScenePart::cylinder_radius),
-                                  located_.contains(ScenePart::cylinder_height)};
-        cylinder = draw_cylinder(cylinder, parts, ray, role_of(kind_, located_, ray.V), size_, size_ * plan.least,
-                                 size_ * plan.most, draw);
     }
 
     Scene<double> base_;
@@ -134,60 +87,40 @@ bool is_sound(const Scene<double>& scene) {
            0.3;
 }
 
-bool sphere_is_as_wanted(const Answers& answers, double radius, Kind kind) {
-    // V has length 1, so that d = 4 (R^2 - distance^2): the share of R^2 says how near the rim the ray is.
-    const double share = answers.sphere->quadratic.d / (4 * radius * radius);
-    const bool before = answers.sphere->t && *answers.sphere->t > 0.3;
-    switch (kind) {
-        case Kind::off_axis:
-        case Kind::triangle_first: return share > 0.2 && before;
-        case Kind::sphere_missed: return share < -0.2;
-        case Kind::grazing: return share > 0.005 && share < 0.12 && before;
-    }
-    return false;
-}
+/// Where the ray hits an object that was put there.
+struct Hit {
+    double t;
+    const ObjectInKinds& object;
+};
 
-bool triangle_is_hit(const Answers& answers) {
-    constexpr double margin = 0.05;
-    const reference::TriangleAnswers<double>& triangle = *answers.triangle;
-    return triangle.t && *triangle.t > 0.2 && *triangle.u > margin && *triangle.v > margin &&
-           1 - *triangle.u - *triangle.v > margin;
-}
-
-/// Whether the located cylinder plays its kind's role, and the objects are hit in the kind's order with no two at
-/// nearly the same t.
-bool cylinder_is_as_wanted(const Answers& answers, const Scene<double>& scene, const PartSet& located, Kind kind) {
-    if (!plays(role_of(kind, located, answers.camera.V), cylinder_meeting(answers.camera, scene.cylinders.front())))
-        return false;
-    constexpr double never = std::numeric_limits<double>::infinity();
-    const bool has_sphere = located.contains(ScenePart::center) && answers.sphere->t;
-    const double sphere = has_sphere ? *answers.sphere->t : never;
-    const double triangle = located.contains(ScenePart::A) ? *answers.triangle->t : never;
-    const double cylinder = answers.cylinder->t.value_or(never);
+/// Whether no two objects are hit at nearly the same t, and the kind's leader is hit first. Where something may lie
+/// anywhere, only the kind that is about an object in front needs its leader before it.
+bool are_in_order(const std::vector<Hit>& hits, bool have_distances, Kind kind) {
     constexpr double apart = 0.3;
-    const auto is_before = [](double one, double other) { return one == never || other - one > apart; };
-    const auto are_apart = [](double one, double other) { return one == never || !(std::abs(one - other) <= apart); };
-    if (!are_apart(cylinder, sphere) || !are_apart(cylinder, triangle)) return false;
-    switch (kind) {
-        case Kind::off_axis: return is_before(sphere, cylinder) && is_before(sphere, triangle);
-        case Kind::triangle_first: return is_before(triangle, cylinder);
-        case Kind::sphere_missed: return is_before(cylinder, triangle);
-        case Kind::grazing: return true;
+    for (const Hit& one : hits) {
+        const bool leads = one.object.leads == kind && (have_distances || kind == Kind::in_front);
+        for (const Hit& other : hits) {
+            if (&other == &one) continue;
+            if (leads ? !(other.t - one.t > apart) : std::abs(one.t - other.t) <= apart) return false;
+        }
     }
-    return false;
+    return true;
 }
 
 /// Whether the scene has its kind's property, as far as the located parts allow it.
 bool has_property(const Answers& answers, const Scene<double>& scene, const PartSet& located, Kind kind) {
-    const bool sphere = located.contains(ScenePart::center);
-    const bool triangle = located.contains(ScenePart::A);
-    if (sphere && !sphere_is_as_wanted(answers, scene.spheres.front().radius, kind)) return false;
-    if (triangle && !triangle_is_hit(answers)) return false;
-    const bool cylinder = located.contains(ScenePart::cylinder_center);
-    if (cylinder && !cylinder_is_as_wanted(answers, scene, located, kind)) return false;
-    if (!sphere || !triangle || !answers.sphere->t) return true;
-    const double lead = *answers.sphere->t - *answers.triangle->t;
-    return kind == Kind::triangle_first ? lead > 0.3 : std::abs(lead) > 0.3;
+    std::vector<Hit> hits;
+    bool all_wanted = true;
+    bool have_distances = false;
+    reference::for_each_object_asked(
+        [&](reference::Subject object, const auto& objects, const auto& asked) {
+            if (objects.empty() || !located.contains(ScenePart{object, 0})) return;
+            all_wanted = all_wanted && is_as_wanted(objects.front(), *asked, {kind, located, answers.camera});
+            if (asked->t) hits.push_back({*asked->t, in_kinds(object)});
+            have_distances = have_distances || in_kinds(object).has_distances;
+        },
+        scene, answers);
+    return all_wanted && are_in_order(hits, have_distances, kind);
 }
 
 /// Whether two values differ by more than rounding and short decimals explain.
@@ -239,7 +172,7 @@ std::optional<Scene<double>> draw_scene(const Assignment& assignment, const Part
 
 PartSet had_by(const DecimalScene& scene, const PartSet& parts) {
     PartSet had;
-    for (const ScenePart part : all_parts) {
+    for (const ScenePart part : all_parts()) {
         if (parts.contains(part) && has_part(scene, part)) had.insert(part);
     }
     return had;
@@ -248,7 +181,7 @@ PartSet had_by(const DecimalScene& scene, const PartSet& parts) {
 /// The assignment's scene with the located parts taken from `variant`.
 DecimalScene restricted(const DecimalScene& scene, const DecimalScene& variant, const PartSet& located) {
     DecimalScene result = scene;
-    for (const ScenePart part : all_parts) {
+    for (const ScenePart part : all_parts()) {
         if (located.contains(part)) copy_part(result, variant, part);
     }
     return result;

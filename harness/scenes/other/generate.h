@@ -12,9 +12,8 @@ namespace harness::scenes {
 
 /// At most `count` other scenes for a program whose `located` parts can be changed. All other parts are as in the
 /// assignment's scene. The assignment's own other scenes come first, if they change a located part; then generated
-/// scenes of four kinds in turn: a camera off every axis, the triangle in front of the sphere, the ray beside the
-/// sphere, and a far sphere that the ray grazes. In these the ray hits a cylinder on its tube behind the sphere, on a
-/// cap behind the triangle, on its tube in front, and passes above or below it. Generated scenes have whole numbers, so
+/// scenes of four kinds in turn: a camera off every axis, another object in front, the ray beside an object, and far
+/// objects, one of which it grazes (kind.h). Generated scenes have whole numbers, so
 /// that every program can state them. Scenes are drawn until one has its kind's property and differs from the
 /// assignment in nearly every item; if none does after many attempts, the best is taken. The same arguments give the
 /// same scenes on every machine. Returns none if nothing was located.

@@ -1,37 +1,37 @@
 #include "harness/scenes/other/kind.h"
 
+#include "harness/scenes/other/object_in_kinds.h"
+
 namespace harness::scenes {
 namespace {
 
-/// What a kind is called in a scene that has a sphere, a triangle or both.
+/// Without an object that has its own name for the kind.
 std::string_view to_string(Kind kind) {
     switch (kind) {
         case Kind::off_axis: return "camera off every axis";
-        case Kind::triangle_first: return "triangle in front";
-        case Kind::sphere_missed: return "ray beside the sphere";
-        case Kind::grazing: return "far sphere, grazed";
+        case Kind::in_front: return "another pixel";
+        case Kind::beside: return "another camera";
+        case Kind::grazing: return "far away";
     }
     return "";
 }
 
 }  // namespace
 
-std::string_view name_of(Kind kind, const DecimalScene& scene) {
-    if (scene.cylinders.empty()) return to_string(kind);
-    if (kind == Kind::triangle_first && scene.triangles.empty()) return "cylinder's cap hit";
-    if (kind == Kind::sphere_missed && scene.spheres.empty()) return "cylinder in front";
-    if (kind == Kind::grazing && scene.spheres.empty()) return "ray past the cylinder";
-    return to_string(kind);
+const ObjectInKinds& in_kinds(reference::Subject object) {
+    const ObjectInKinds* found = nullptr;
+    reference::for_each_object([&]<reference::Subject each>() {
+        if (each == object) found = &in_kinds<each>();
+    });
+    return *found;
 }
 
-CylinderPlan cylinder_plan(Kind kind) {
-    switch (kind) {
-        case Kind::off_axis: return {CylinderRole::tube, 9, 14};
-        case Kind::triangle_first: return {CylinderRole::cap, 4, 10};
-        case Kind::sphere_missed: return {CylinderRole::tube, 3, 6};
-        case Kind::grazing: return {CylinderRole::above, 4, 8};
+std::string_view name_of(Kind kind, const DecimalScene& scene) {
+    for (const reference::Subject object : reference::objects) {
+        if (reference::count_of(object, scene) == 0) continue;
+        if (const std::string_view name = in_kinds(object).name_of(kind); !name.empty()) return name;
     }
-    return {CylinderRole::tube, 3, 6};
+    return to_string(kind);
 }
 
 }  // namespace harness::scenes

@@ -7,6 +7,7 @@
 
 #include "harness/grade/other_scenes_sentences.h"
 #include "harness/scenes/run/run_rewritten.h"
+#include "harness/scenes/source/scene_part.h"
 #include "harness/text/points.h"
 
 namespace harness::scenes {
@@ -27,22 +28,31 @@ double share_of_points(const Graded& graded) {
     return sum / static_cast<double>(runs.size() + not_tried);
 }
 
-/// Which of eye, center, triangle and the cylinder's center stay the same on every scene. Without them, the scenes
-/// differ little.
+/// Which of the eye and the objects' places stay the same on every scene. Without them, the scenes differ little. An
+/// object of several points is called by its kind.
 std::vector<std::string> unchanging(const OtherScenesReport& report) {
-    const auto stays = [&](const char* part) {
-        return std::find(report.not_found.begin(), report.not_found.end(), part) != report.not_found.end();
+    const auto stays = [&](ScenePart part) {
+        return std::ranges::find(report.not_found, to_string(part)) != report.not_found.end();
     };
     std::vector<std::string> parts;
-    for (const char* part : {"eye", "center", "cylinder center"}) {
-        if (stays(part)) parts.emplace_back(part);
+    std::vector<std::string> objects;
+    if (stays(part::eye)) parts.emplace_back(to_string(part::eye));
+    for (const reference::Subject object : reference::objects) {
+        std::vector<ScenePart> points = parts_of(object);
+        std::erase_if(points, [](ScenePart part) { return size_of(part) != 3; });
+        if (std::ranges::none_of(points, stays)) continue;
+        if (points.size() == 1) {
+            parts.emplace_back(to_string(points.front()));
+        } else {
+            objects.emplace_back(to_string(object));
+        }
     }
-    if (stays("A") || stays("B") || stays("C")) parts.emplace_back("triangle");
+    parts.insert(parts.end(), objects.begin(), objects.end());
     return parts;
 }
 
-/// Sentences about what the program was not tried on; empty if it was tried on every scene with eye, center and
-/// triangle changed.
+/// Sentences about what the program was not tried on; empty if it was tried on every scene with the eye and all objects
+/// moved.
 std::string what_was_not_tried(const Graded& graded) {
     if (!graded.other_scenes) {
         return has_right_answer(graded) ? "raygrade failed to run the program on other scenes."

@@ -14,8 +14,8 @@ void require_other_scenes(const reference::Assignment& assignment, int count);
 /// scene is worth an equal part of these points, and a program gets the share of it that its answers earn there. A
 /// scene that was not tried counts with the share on the assignment's own scene, because it is no fault of the
 /// student's if a scene was not located in the source. If that share is above 0, the flag "variants_not_tried" asks a
-/// person to decide about a program that was not tried on every scene, or whose eye, center, triangle or cylinder's
-/// center stayed the same. Call it after the trial of on_other_scenes.
+/// person to decide about a program that was not tried on every scene, or whose eye or an object of which stayed where
+/// it was. Call it after the trial of on_other_scenes.
 void award_other_scene_points(std::vector<Graded>& graded, const reference::Rubric& rubric);
 
 }  // namespace harness::scenes

@@ -56,8 +56,8 @@ class ClassOnOtherScenes {
 
   private:
     const SceneSet& set_of(const PartSet& located) {
-        const auto known = sets_.find(located.number());
-        return known != sets_.end() ? known->second : sets_.emplace(located.number(), new_set(located)).first->second;
+        const auto known = sets_.find(located);
+        return known != sets_.end() ? known->second : sets_.emplace(located, new_set(located)).first->second;
     }
 
     SceneSet new_set(const PartSet& located) const {
@@ -89,7 +89,7 @@ class ClassOnOtherScenes {
     const std::vector<std::string>& sources_;
     const Marking& marking_;
     const OtherScenesOptions& options_;
-    std::map<unsigned long, SceneSet> sets_;  ///< by the located parts
+    std::map<PartSet, SceneSet> sets_;  ///< by the located parts
 };
 
 }  // namespace

@@ -259,7 +259,7 @@ void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& 
 
 std::string described(const DecimalScene& scene, const DecimalScene& other) {
     std::string text;
-    for (const ScenePart part : all_parts) {
+    for (const ScenePart part : all_parts()) {
         if (!has_part(scene, part) || value_of(scene, part) == value_of(other, part)) continue;
         text += (text.empty() ? "" : ", ") + describe(scene, part);
     }
@@ -268,7 +268,7 @@ std::string described(const DecimalScene& scene, const DecimalScene& other) {
 
 std::vector<std::string> parts_not_found(const DecimalScene& scene, const PartSet& located) {
     std::vector<std::string> names;
-    for (const ScenePart part : all_parts) {
+    for (const ScenePart part : all_parts()) {
         if (has_part(scene, part) && !located.contains(part)) names.emplace_back(to_string(part));
     }
     return names;

@@ -1,8 +1,8 @@
 // What students call the parts of a scene.
 #pragma once
 
-#include <array>
-#include <optional>
+#include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -14,22 +14,28 @@ namespace harness::scenes {
 /// proves nothing: students also call their eye "position", and other things "up".
 bool may_name(std::string_view name, ScenePart part);
 
-/// Whether the name says that it is about a cylinder: "cylCenter", "tube.r".
-bool mentions_cylinder(std::string_view name);
+/// Whether the name says that it is about such an object: "sphereCenter", "tube.r".
+bool mentions(std::string_view name, reference::Subject object);
 
-/// What a source may state in place of a part.
-enum class Form {
-    itself,
-    half,    ///< of the cylinder's height
-    top,     ///< of the cylinder's height: the top cap's y; of its center: the top cap's
-    bottom,  ///< likewise of the bottom cap
-};
+/// Whether it says so about any object but this one.
+bool mentions_another(std::string_view name, reference::Subject object);
 
-/// How a number or a point with this name may state how far the cylinder reaches: "cylHeight" itself, "halfHeight",
-/// "yMax", "topCap". Empty for any other name.
-std::optional<Form> cylinder_form(std::string_view name);
+// For those who tell names.
 
-/// The numbers that state a part in this form, as many as size_of says; the rest is 0. The scene must have the part.
-std::array<double, 3> value_of(const DecimalScene& scene, ScenePart part, Form form);
+/// The last word of a name: "C" of "spheres[0].C".
+std::string_view last_word(std::string_view name);
+
+/// The name in lower case and without underscores.
+std::string plain_name(std::string_view name);
+
+using Words = std::initializer_list<std::string_view>;
+
+bool is_one_of(std::string_view name, Words words);
+bool holds_one_of(std::string_view name, std::span<const std::string_view> words);
+bool holds_one_of(std::string_view name, Words words);
+
+/// Whether a last word may mean a radius, as it is written and as plain_name has it. "r" alone does not: the window's
+/// right edge is called r or clipR.
+bool may_name_radius(std::string_view written, std::string_view plain);
 
 }  // namespace harness::scenes

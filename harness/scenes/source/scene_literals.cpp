@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
+#include <utility>
 
-#include "harness/scenes/source/cylinder_literals.h"
+#include "harness/scenes/source/object_source.h"
 #include "harness/scenes/source/part_name.h"
 #include "harness/scenes/source/stated_numbers.h"
 
 namespace harness::scenes {
 namespace {
 
-constexpr std::array vector_parts{ScenePart::eye, ScenePart::lookat, ScenePart::vup, ScenePart::center,
-                                  ScenePart::A,   ScenePart::B,      ScenePart::C,   ScenePart::cylinder_center};
+using reference::Subject;
 
 /// Whether the value may stand in any program: the zero vector, a unit vector along an axis, (1, 1, 1).
 bool is_common(const std::array<double, 3>& value) {
@@ -31,17 +30,22 @@ class Locator {
   public:
     Locator(std::string_view source, const DecimalScene& scene)
         : scene_(scene), numbers_(stated_numbers(words_of(source))) {
-        for (const ScenePart part : all_parts) {
+        for (const ScenePart part : all_parts()) {
             if (has_part(scene, part)) value_[part] = value_of(scene, part);
+        }
+        for (const Subject object : reference::objects) {
+            if (reference::count_of(object, scene) > 0) objects_.push_back(object);
         }
     }
 
     SceneLiterals locate() {
-        placed_.resize(numbers_.vectors.size());
+        found_.placed.resize(numbers_.vectors.size());
         place_by_neighbours();
-        if (!scene_.cylinders.empty()) place_cylinder();
+        for (const Subject object : objects_) {
+            if (const auto find = source_of(object).find) find(numbers_, scene_, found_);
+        }
         for (std::size_t i = 0; i < numbers_.vectors.size(); ++i) place(i);
-        find_radii();
+        find_named_numbers();
         find_pixel();
         keep_whole();
         return finish();
@@ -53,13 +57,13 @@ class Locator {
         return found != value_.end() && found->second == vector.value;
     }
 
-    void doubt(ScenePart part) { doubtful_.insert(part); }
+    void doubt(ScenePart part) { found_.doubtful.insert(part); }
 
     void take(const StatedNumber& number, ScenePart part, std::size_t component, bool splat = false,
               double offset = 0) {
         if (!number.certain) doubt(part);
-        literals_.push_back({number.begin, number.end, part, component, splat, offset, Form::itself, number.constant,
-                             number.in_define});
+        found_.literals.push_back(
+            {number.begin, number.end, part, component, splat, offset, nullptr, number.constant, number.in_define});
     }
 
     // Vectors
@@ -67,49 +71,41 @@ class Locator {
     /// Places vectors by their neighbours: lookAt(eye, at, up) and similar calls, the vertices in a row, a center
     /// before its radius.
     void place_by_neighbours() {
+        const std::vector<ScenePart> camera{part::eye, part::lookat, part::vup};
         for (const StatedList& list : numbers_.lists) {
-            place_in_a_row(list, {ScenePart::eye, ScenePart::lookat, ScenePart::vup});
-            place_in_a_row(list, {ScenePart::A, ScenePart::B, ScenePart::C});
-            if (list.callee == "lookAt" && list.elements.size() == 3) {
-                constexpr std::array order{ScenePart::eye, ScenePart::lookat, ScenePart::vup};
-                for (std::size_t k = 0; k < 3; ++k) place_element(list.elements[k], order.at(k));
+            place_in_a_row(list, camera);
+            if (list.callee == "lookAt" && list.elements.size() == camera.size()) {
+                for (std::size_t k = 0; k < camera.size(); ++k) {
+                    if (is_stated(list.elements[k], camera[k])) take_element(list.elements[k], camera[k]);
+                }
             }
-            if (mentions_cylinder(list.callee) || mentions_cylinder(list.name)) continue;
-            for (std::size_t i = 0; i + 1 < list.elements.size(); ++i)
-                place_sphere(list.elements[i], list.elements[i + 1]);
+            for (const Subject object : objects_) {
+                const std::vector<ScenePart>& parts = parts_of(object);
+                const bool is_of_another = mentions_another(list.callee, object) || mentions_another(list.name, object);
+                if (parts.size() > 1 && !is_of_another) place_in_a_row(list, parts);
+            }
         }
     }
 
-    void place_in_a_row(const StatedList& list, const std::array<ScenePart, 3>& parts) {
-        for (std::size_t i = 0; i + 3 <= list.elements.size(); ++i) {
+    void place_in_a_row(const StatedList& list, const std::vector<ScenePart>& parts) {
+        for (std::size_t i = 0; i + parts.size() <= list.elements.size(); ++i) {
             bool all = true;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const auto& vector = list.elements[i + k].vector;
-                all = all && vector && is_value(numbers_.vectors[*vector], parts.at(k));
-            }
+            for (std::size_t k = 0; k < parts.size(); ++k) all = all && is_stated(list.elements[i + k], parts[k]);
             if (!all) continue;
-            for (std::size_t k = 0; k < 3; ++k) place_element(list.elements[i + k], parts.at(k));
+            for (std::size_t k = 0; k < parts.size(); ++k) take_element(list.elements[i + k], parts[k]);
         }
     }
 
-    void place_element(const ListElement& element, ScenePart part) {
-        if (element.vector && is_value(numbers_.vectors[*element.vector], part)) placed_[*element.vector] = part;
+    bool is_stated(const ListElement& element, ScenePart part) const {
+        if (size_of(part) == 1) return element.number && element.number->constant.value == value_.at(part)[0];
+        return element.vector && is_value(numbers_.vectors[*element.vector], part);
     }
 
-    void place_sphere(const ListElement& center, const ListElement& radius) {
-        if (!center.vector || !radius.number || !value_.contains(ScenePart::radius)) return;
-        if (!is_value(numbers_.vectors[*center.vector], ScenePart::center)) return;
-        if (radius.number->constant.value != value_.at(ScenePart::radius)[0]) return;
-        placed_[*center.vector] = ScenePart::center;
-        take(*radius.number, ScenePart::radius, 0);
-    }
-
-    void place_cylinder() {
-        CylinderLiterals found = find_cylinder(numbers_, scene_);
-        for (const std::size_t center : found.centers) placed_[center] = ScenePart::cylinder_center;
-        literals_.insert(literals_.end(), found.literals.begin(), found.literals.end());
-        for (const ScenePart part : all_parts) {
-            if (found.doubtful.contains(part)) doubt(part);
+    void take_element(const ListElement& element, ScenePart part) {
+        if (element.vector) {
+            found_.placed[*element.vector] = part;
+        } else {
+            take(*element.number, part, 0);
         }
     }
 
@@ -118,13 +114,13 @@ class Locator {
         const bool splat = vector.numbers.size() == 1;
         std::vector<ScenePart> with_value;
         std::vector<ScenePart> with_name;
-        for (const ScenePart part : vector_parts) {
-            if (!is_value(vector, part)) continue;
+        for (const auto& [part, value] : value_) {
+            if (size_of(part) != 3 || value != vector.value) continue;
             with_value.push_back(part);
             if (!vector.name.empty() && may_name(vector.name, part)) with_name.push_back(part);
         }
         if (with_value.empty() || (splat && !is_of_vec3(vector) && with_name.empty())) return;
-        std::optional<ScenePart> part = placed_[index];
+        std::optional<ScenePart> part = found_.placed[index];
         if (!part && with_name.size() == 1) part = with_name.front();
         const bool unmistakable = with_value.size() == 1 && !is_common(vector.value);
         if (!part && unmistakable) part = with_value.front();
@@ -145,22 +141,37 @@ class Locator {
             return;
         }
         for (std::size_t k = 0; k < 3; ++k) take(vector.numbers[k], part, k);
-        if (part != ScenePart::center || vector.following.empty() || !value_.contains(ScenePart::radius)) return;
-        // In Sphere(1, 1, 0, 2) the fourth number is the radius; in a homogeneous point it is 1.
-        const StatedNumber& fourth = vector.following.front();
-        const double radius = value_.at(ScenePart::radius)[0];
-        if (fourth.constant.value == radius && radius != 1) take(fourth, ScenePart::radius, 0);
+        take_following(vector.following, part);
+    }
+
+    /// In Sphere(1, 1, 0, 2) the fourth number is the radius; in a homogeneous point it is 1.
+    void take_following(const std::vector<StatedNumber>& numbers, ScenePart point) {
+        ScenePart part = point;
+        for (const StatedNumber& number : numbers) {
+            ++part.place;
+            const auto found = value_.find(part);
+            if (found == value_.end() || size_of(part) != 1 || number.constant.value != found->second[0] ||
+                number.constant.value == 1)
+                return;
+            take(number, part, 0);
+        }
     }
 
     // Numbers
 
-    /// A name that may mean either object's radius is told by its value.
-    void find_radii() {
+    /// A name that may mean several objects' number, such as their radius, is told by its value.
+    void find_named_numbers() {
+        std::vector<ScenePart> parts;
+        for (const Subject object : objects_) {
+            for (const ScenePart part : parts_of(object)) {
+                if (source_of(object).parts.at(part.place).is_only_so_called) parts.push_back(part);
+            }
+        }
         for (const NamedNumber& named : numbers_.named) {
             std::vector<ScenePart> with_name;
             std::vector<ScenePart> with_value;
-            for (const ScenePart part : {ScenePart::radius, ScenePart::cylinder_radius}) {
-                if (!value_.contains(part) || !may_name(named.name, part)) continue;
+            for (const ScenePart part : parts) {
+                if (!may_name(named.name, part)) continue;
                 with_name.push_back(part);
                 if (named.number.constant.value == value_.at(part)[0]) with_value.push_back(part);
             }
@@ -175,7 +186,7 @@ class Locator {
     /// Finds the pixel as two numbers that always occur in turn: x, then y. Small numbers and the window's size say too
     /// little.
     void find_pixel() {
-        const std::array<double, 3> pixel = value_.at(ScenePart::pixel);
+        const std::array<double, 3> pixel = value_.at(part::pixel);
         constexpr double smallest = 10;
         const double width = scene_.window.width;
         const double height = scene_.window.height;
@@ -192,41 +203,29 @@ class Locator {
                 const double offset = number.constant.value - pixel.at(k);
                 if (offset != 0 && offset != 0.5) continue;
                 if (places.size() % 2 != k || !number.certain) return;
-                places.push_back({number.begin, number.end, ScenePart::pixel, k, false, offset, Form::itself,
-                                  number.constant, number.in_define});
+                places.push_back({number.begin, number.end, part::pixel, k, false, offset, nullptr, number.constant,
+                                  number.in_define});
             }
         }
-        if (places.size() % 2 == 0) literals_.insert(literals_.end(), places.begin(), places.end());
+        if (places.size() % 2 == 0) found_.literals.insert(found_.literals.end(), places.begin(), places.end());
     }
 
     // All together
 
-    bool is_located(ScenePart part) const {
-        return !doubtful_.contains(part) &&
-               std::any_of(literals_.begin(), literals_.end(),
-                           [&](const SceneLiteral& literal) { return literal.part == part; });
-    }
-
     void keep_whole() {
-        constexpr std::array vertices{ScenePart::A, ScenePart::B, ScenePart::C};
-        const bool is_triangle_whole =
-            std::all_of(vertices.begin(), vertices.end(), [&](ScenePart part) { return is_located(part); });
-        if (!is_triangle_whole) {
-            for (const ScenePart part : vertices) doubt(part);
-        }
-        if (states_cap(literals_) && !states_whole_cylinder(literals_, doubtful_)) {
-            doubt(ScenePart::cylinder_center);
-            doubt(ScenePart::cylinder_height);
+        for (const Subject object : objects_) {
+            if (const auto keep = source_of(object).keep_whole) keep(found_);
         }
     }
 
     SceneLiterals finish() {
-        std::sort(literals_.begin(), literals_.end(), [](const SceneLiteral& a, const SceneLiteral& b) {
+        std::vector<SceneLiteral>& literals = found_.literals;
+        std::sort(literals.begin(), literals.end(), [](const SceneLiteral& a, const SceneLiteral& b) {
             return std::pair(a.begin, a.end) < std::pair(b.begin, b.end);
         });
-        for (std::size_t i = 0; i + 1 < literals_.size(); ++i) {
-            const SceneLiteral& one = literals_[i];
-            const SceneLiteral& next = literals_[i + 1];
+        for (std::size_t i = 0; i + 1 < literals.size(); ++i) {
+            const SceneLiteral& one = literals[i];
+            const SceneLiteral& next = literals[i + 1];
             const bool same = one.begin == next.begin && one.end == next.end && one.part == next.part &&
                               one.component == next.component && one.splat == next.splat && one.form == next.form;
             if (next.begin >= one.end || same) continue;
@@ -235,14 +234,13 @@ class Locator {
         }
         keep_whole();
         SceneLiterals result;
-        for (const SceneLiteral& literal : literals_) {
+        for (const SceneLiteral& literal : literals) {
             const bool twice = !result.literals.empty() && result.literals.back().begin == literal.begin;
-            if (doubtful_.contains(literal.part) || twice) continue;
+            if (found_.doubtful.contains(literal.part) || twice) continue;
             result.literals.push_back(literal);
             result.located.insert(literal.part);
-            if (literal.form != Form::top && literal.form != Form::bottom) continue;
-            result.located.insert(ScenePart::cylinder_center);
-            result.located.insert(ScenePart::cylinder_height);
+            if (literal.form == nullptr) continue;
+            result.located.insert(literal.form->follows_from.begin(), literal.form->follows_from.end());
         }
         return result;
     }
@@ -250,19 +248,32 @@ class Locator {
     const DecimalScene& scene_;
     SourceNumbers numbers_;
     std::map<ScenePart, std::array<double, 3>> value_;  ///< of the parts that the scene has
-    std::vector<std::optional<ScenePart>> placed_;      ///< for each vector, the part that its neighbours show
-    std::vector<SceneLiteral> literals_;
-    PartSet doubtful_;
+    std::vector<Subject> objects_;                      ///< the kinds that the scene has
+    FoundParts found_;
 };
 
 }  // namespace
+
+bool FoundParts::states(ScenePart part) const {
+    return !doubtful.contains(part) &&
+           std::ranges::any_of(literals, [&](const SceneLiteral& literal) { return literal.part == part; });
+}
+
+const ObjectSource& source_of(Subject object) {
+    const ObjectSource* source = nullptr;
+    reference::for_each_object([&]<Subject each>() {
+        if (each == object) source = &source_of<each>();
+    });
+    return *source;
+}
 
 SceneLiterals find_scene(std::string_view source, const DecimalScene& scene) {
     return Locator(source, scene).locate();
 }
 
 std::optional<std::vector<std::string>> numbers_in_place(const SceneLiteral& literal, const DecimalScene& variant) {
-    const std::array<double, 3> value = value_of(variant, literal.part, literal.form);
+    const std::array<double, 3> value =
+        literal.form == nullptr ? value_of(variant, literal.part) : literal.form->value_in(variant);
     const std::size_t first = literal.component;
     const std::size_t end = literal.splat ? value.size() : first + 1;
     std::vector<std::string> numbers;

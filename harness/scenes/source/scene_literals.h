@@ -1,26 +1,34 @@
 // Finds where a student's source states the scene, and writes other scenes into the source.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "harness/scenes/code/constant.h"
-#include "harness/scenes/source/part_name.h"
 #include "harness/scenes/source/scene_part.h"
 
 namespace harness::scenes {
+
+/// What a source may state in place of a part's own numbers, such as half of a height. Each stands in its object's
+/// file.
+struct OtherForm {
+    std::array<double, 3> (*value_in)(const DecimalScene& scene);  ///< as many numbers as the part has; the rest is 0
+    std::vector<ScenePart> follows_from;
+};
 
 /// A constant in the source that is a number of the scene.
 struct SceneLiteral {
     std::size_t begin = 0;  ///< in the source
     std::size_t end = 0;
-    ScenePart part = ScenePart::eye;
+    ScenePart part;
     std::size_t component = 0;  ///< of the part; 0 for a splat
     bool splat = false;
-    double offset = 0;  ///< what the source adds to the number: 0.5 in 150.5 for a pixel's centre
-    Form form = Form::itself;
+    double offset = 0;                ///< what the source adds to the number: 0.5 in 150.5 for a pixel's centre
+    const OtherForm* form = nullptr;  ///< null for the part's own numbers
     Constant constant{};
     bool in_define = false;
 };
@@ -34,9 +42,8 @@ struct SceneLiterals {
 /// Finds the scene's numbers in the source. A value identifies a part if no other part has it and if it is not a common
 /// value such as (0, 0, 0). Otherwise the name that it initialises identifies the part, or its place among others, as
 /// in lookAt(eye, at, up). A part is located if every place that may state it surely does. A doubtful part is not
-/// located and must stay as it is. Numbers within a formula are never taken. The triangle is located as a whole or not
-/// at all, and so are the cylinder's center and height where the source states a cap. Linear in the source's size,
-/// except for sorting the results.
+/// located and must stay as it is. Numbers within a formula are never taken. Parts that an object's file says to belong
+/// together are located as a whole or not at all. Linear in the source's size, except for sorting the results.
 SceneLiterals find_scene(std::string_view source, const DecimalScene& scene);
 
 /// The numbers of `variant` in the literal's place, three for a splat, each a literal of the same type. Empty if one

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "harness/scenes/source/object_source.h"
 
 namespace harness::scenes {
 namespace {
@@ -13,50 +17,48 @@ using reference::Vec3;
 using reference::Pixel;
 using reference::Subject;
 
-struct Part {
-    ScenePart part;
-    Subject subject;  ///< the kind of object that has it, or the camera
-    std::string_view name;
-    std::size_t size;  ///< how many numbers it has
-};
+/// Calls visit(places...) with a part's place in each of the objects that it is called with field by field.
+template <class Visit>
+class PlaceVisitor {
+  public:
+    PlaceVisitor(std::size_t place, const Visit& visit) : left_(place), visit_(visit) {}
 
-constexpr std::array parts{
-    Part{ScenePart::eye, Subject::camera, "eye", 3},
-    Part{ScenePart::lookat, Subject::camera, "lookat", 3},
-    Part{ScenePart::vup, Subject::camera, "vup", 3},
-    Part{ScenePart::center, Subject::sphere, "center", 3},
-    Part{ScenePart::radius, Subject::sphere, "radius", 1},
-    Part{ScenePart::A, Subject::triangle, "A", 3},
-    Part{ScenePart::B, Subject::triangle, "B", 3},
-    Part{ScenePart::C, Subject::triangle, "C", 3},
-    Part{ScenePart::cylinder_center, Subject::cylinder, "cylinder center", 3},
-    Part{ScenePart::cylinder_radius, Subject::cylinder, "cylinder radius", 1},
-    Part{ScenePart::cylinder_height, Subject::cylinder, "cylinder height", 1},
-    Part{ScenePart::pixel, Subject::camera, "pixel", 2},
-};
-static_assert(std::ranges::equal(parts, all_parts, {}, &Part::part), "a row for each part, in the enum's order");
+    template <class... Points>
+    void operator()(std::string_view /*name*/, const reference::Vertices<Points>&... vertices) {
+        for (std::size_t i = 0; i < std::size(std::get<0>(std::tie(vertices...))); ++i) take(*vertices[i]...);
+    }
+    template <class... Fields>
+    void operator()(std::string_view /*name*/, Fields&... fields) {
+        take(fields...);
+    }
 
-constexpr const Part& row_of(ScenePart part) {
-    return parts.at(static_cast<std::size_t>(part));
-}
+  private:
+    template <class... Places>
+    void take(Places&... places) {
+        if (left_-- == 0) visit_(places...);
+    }
+
+    std::size_t left_;  ///< the largest number there is once the place was met
+    const Visit& visit_;
+};
 
 /// Calls visit(place) with the part's place in each of the scenes: a vector, a number or the pixel.
 template <class Visit, class... Scenes>
 void visit_part(ScenePart part, const Visit& visit, Scenes&... scenes) {
-    switch (part) {
-        case ScenePart::eye: return visit(scenes.camera.eye...);
-        case ScenePart::lookat: return visit(scenes.camera.lookat...);
-        case ScenePart::vup: return visit(scenes.camera.vup...);
-        case ScenePart::center: return visit(scenes.spheres.front().center...);
-        case ScenePart::radius: return visit(scenes.spheres.front().radius...);
-        case ScenePart::A: return visit(scenes.triangles.front().A...);
-        case ScenePart::B: return visit(scenes.triangles.front().B...);
-        case ScenePart::C: return visit(scenes.triangles.front().C...);
-        case ScenePart::cylinder_center: return visit(scenes.cylinders.front().center...);
-        case ScenePart::cylinder_radius: return visit(scenes.cylinders.front().radius...);
-        case ScenePart::cylinder_height: return visit(scenes.cylinders.front().height...);
-        case ScenePart::pixel: return visit(scenes.pixel...);
-    }
+    if (part == part::eye) return visit(scenes.camera.eye...);
+    if (part == part::lookat) return visit(scenes.camera.lookat...);
+    if (part == part::vup) return visit(scenes.camera.vup...);
+    if (part == part::pixel) return visit(scenes.pixel...);
+    reference::for_each_kind(
+        [&](Subject kind, auto&... objects) {
+            if (kind != part.subject) return;
+            PlaceVisitor<Visit> visitor(part.place, visit);
+            const auto on_field = [&](std::string_view name, auto&&... fields) {
+                visitor(name, std::forward<decltype(fields)>(fields)...);
+            };
+            reference::for_each_field(on_field, objects.front()...);
+        },
+        scenes...);
 }
 
 struct Reader {
@@ -77,18 +79,60 @@ struct Writer {
     }
 };
 
-}  // namespace
+struct Counter {
+    std::size_t& size;
+    void operator()(const Vec3<Decimal>& /*point*/) const { size = 3; }
+    void operator()(const Decimal& /*number*/) const { size = 1; }
+    void operator()(const Pixel& /*pixel*/) const { size = 2; }
+};
 
-std::string_view to_string(ScenePart part) {
-    return row_of(part).name;
+const DecimalScene& with_one_of_each() {
+    static const DecimalScene scene = [] {
+        DecimalScene one{};
+        reference::for_each_kind([](Subject /*kind*/, auto& objects) { objects.resize(1); }, one);
+        return one;
+    }();
+    return scene;
 }
 
-reference::Subject subject_of(ScenePart part) {
-    return row_of(part).subject;
+}  // namespace
+
+const std::vector<ScenePart>& all_parts() {
+    static const std::vector<ScenePart> parts = [] {
+        std::vector<ScenePart> all{part::eye, part::lookat, part::vup};
+        for (const Subject object : reference::objects) {
+            const std::vector<ScenePart>& more = parts_of(object);
+            all.insert(all.end(), more.begin(), more.end());
+        }
+        all.push_back(part::pixel);
+        return all;
+    }();
+    return parts;
+}
+
+const std::vector<ScenePart>& parts_of(Subject object) {
+    static const std::map<Subject, std::vector<ScenePart>> parts = [] {
+        std::map<Subject, std::vector<ScenePart>> all;
+        for (const Subject each : reference::objects) {
+            for (ScenePart next{each, 0}; size_of(next) > 0; ++next.place) all[each].push_back(next);
+        }
+        return all;
+    }();
+    return parts.at(object);
+}
+
+std::string_view to_string(ScenePart part) {
+    if (part == part::eye) return "eye";
+    if (part == part::lookat) return "lookat";
+    if (part == part::vup) return "vup";
+    if (part == part::pixel) return "pixel";
+    return source_of(part.subject).parts.at(part.place).name;
 }
 
 std::size_t size_of(ScenePart part) {
-    return row_of(part).size;
+    std::size_t size = 0;
+    visit_part(part, Counter{size}, with_one_of_each());
+    return size;
 }
 
 std::array<double, 3> value_of(const DecimalScene& scene, ScenePart part) {

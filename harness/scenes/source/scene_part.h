@@ -2,67 +2,57 @@
 #pragma once
 
 #include <array>
-#include <bitset>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "reference/numbers/decimal.h"
 #include "reference/stages/scene.h"
 
 namespace harness::scenes {
 
-/// The parts that other scenes may change. With several spheres, triangles or cylinders, the first. `center` and
-/// `radius` are the sphere's.
-enum class ScenePart {
-    eye,
-    lookat,
-    vup,
-    center,
-    radius,
-    A,
-    B,
-    C,
-    cylinder_center,
-    cylinder_radius,
-    cylinder_height,
-    pixel
+/// A part that other scenes may change: one of the camera's, or a number, a point or a vertex of an object, counted
+/// over the fields of its kind. With several objects of a kind, the first one's.
+struct ScenePart {
+    reference::Subject subject = reference::Subject::camera;
+    std::uint8_t place = 0;  ///< among the parts of its subject
+
+    friend auto operator<=>(const ScenePart&, const ScenePart&) = default;
 };
 
-inline constexpr auto all_parts = [] {
-    std::array<ScenePart, static_cast<std::size_t>(ScenePart::pixel) + 1> parts{};
-    for (std::size_t i = 0; i < parts.size(); ++i) parts.at(i) = static_cast<ScenePart>(i);
-    return parts;
-}();
+/// The camera's. Those of an object stand in the file of its name.
+namespace part {
+inline constexpr ScenePart eye{reference::Subject::camera, 0};
+inline constexpr ScenePart lookat{reference::Subject::camera, 1};
+inline constexpr ScenePart vup{reference::Subject::camera, 2};
+inline constexpr ScenePart pixel{reference::Subject::camera, 3};
+}  // namespace part
 
-class PartSet {
-  public:
-    void insert(ScenePart part) { bits_.set(static_cast<std::size_t>(part)); }
-    void erase(ScenePart part) { bits_.reset(static_cast<std::size_t>(part)); }
-    bool contains(ScenePart part) const { return bits_.test(static_cast<std::size_t>(part)); }
-    bool empty() const { return bits_.none(); }
-    unsigned long number() const { return bits_.to_ulong(); }
-    friend bool operator==(const PartSet&, const PartSet&) = default;
+/// Every part: the camera's, those of the objects in the order of the tables, the pixel.
+const std::vector<ScenePart>& all_parts();
 
-  private:
-    std::bitset<all_parts.size()> bits_;
-};
+/// Those of a kind of object, in the order of its fields.
+const std::vector<ScenePart>& parts_of(reference::Subject object);
+
+using PartSet = std::set<ScenePart>;
 
 /// The handout's word for the part, e.g. "eye", "A" or "cylinder radius".
 std::string_view to_string(ScenePart part);
 
 using DecimalScene = reference::Scene<reference::Decimal>;
 
-/// The kind of object that has the part, or the camera.
-reference::Subject subject_of(ScenePart part);
-
 /// Whether the scene has the part: a scene without a sphere has no center.
 template <class S>
 bool has_part(const reference::Scene<S>& scene, ScenePart part) {
-    const reference::Subject subject = subject_of(part);
-    return subject == reference::Subject::camera || reference::count_of(subject, scene) > 0;
+    return part.subject == reference::Subject::camera || reference::count_of(part.subject, scene) > 0;
 }
 
-/// How many numbers the part has: 2 for the pixel, 1 for a radius or a height, else 3.
+/// How many numbers the part has: 2 for the pixel, 1 for a radius or a height, 3 for a point. 0 if there is no such
+/// part.
 std::size_t size_of(ScenePart part);
 
 /// The part's numbers, as many as size_of says; the rest is 0. The scene must have the part.

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <map>
 #include <optional>
 
+#include "harness/scenes/source/object_source.h"
 #include "harness/scenes/source/part_name.h"
 #include "harness/scenes/source/stated_numbers.h"
 #include "harness/scenes/source/window_numbers.h"
@@ -17,6 +20,7 @@ namespace harness::scenes {
 namespace {
 
 using reference::Decimal;
+using reference::Subject;
 using Numbers = std::array<double, 3>;
 
 constexpr std::size_t most_stated_scenes = 12;
@@ -31,12 +35,6 @@ std::string numbers_text(const Numbers& numbers, std::size_t size) {
         case 2: return fmt::format("({}, {})", numbers[0], numbers[1]);
         default: return fmt::format("({}, {}, {})", numbers[0], numbers[1], numbers[2]);
     }
-}
-
-bool holds(std::string_view name, std::initializer_list<std::string_view> words) {
-    const std::string plain = lower_case(name);
-    return std::any_of(words.begin(), words.end(),
-                       [&](std::string_view word) { return plain.find(word) != std::string::npos; });
 }
 
 /// A part with what the source states for it.
@@ -59,8 +57,8 @@ class Searcher {
 
     std::vector<StatedScene> search() {
         read_points();
-        for (const ScenePart part : all_parts) {
-            if (has_part(scene_, part) && part != ScenePart::pixel) change_part(part);
+        for (const ScenePart part : all_parts()) {
+            if (has_part(scene_, part) && part != part::pixel) change_part(part);
         }
         for (const WindowNumber& number : window_numbers()) change_window(number);
         const std::vector<Change> pixels = other_pixels();
@@ -84,7 +82,7 @@ class Searcher {
         bool as_given = false;  ///< one of them is the assignment's
     };
 
-    Stated& of(ScenePart part) { return stated_.at(static_cast<std::size_t>(part)); }
+    Stated& of(ScenePart part) { return stated_[part]; }
 
     void note(ScenePart part, const Numbers& value) {
         if (!has_part(scene_, part)) return;
@@ -101,61 +99,77 @@ class Searcher {
             const StatedVector& vector = numbers_.vectors[i];
             const bool is_number = vector.numbers.size() == 1 && vector.callee.find("vec3") == std::string_view::npos;
             if (is_placed[i] || is_number) continue;
-            if (const auto part = part_called(vector)) {
-                note(*part, vector.value);
-                note_following(*part, vector.following);
+            if (const std::vector<ScenePart> parts = parts_called(vector); !parts.empty()) {
+                for (const ScenePart part : parts) {
+                    note(part, vector.value);
+                    note_following(part, vector.following);
+                }
             } else if (vector.name.empty() && !is_in_many_programs(vector.value)) {
-                for (const ScenePart any : all_parts) {
-                    if (size_of(any) == 3 && has_part(scene_, any) && value_of(scene_, any) == vector.value)
-                        note(any, vector.value);
+                for (const ScenePart any : all_parts()) {
+                    if (is_given(any, vector.value)) note(any, vector.value);
                 }
             }
         }
         for (const NamedNumber& named : numbers_.named) {
-            if (const auto part = radius_called(named)) note(*part, {named.number.constant.value});
-            if (!scene_.cylinders.empty()) note_height(named);
+            if (const auto part = number_called(named)) note(*part, {named.number.constant.value});
+            for (const NamedPart& part : parts_named(named)) {
+                if (part.value && !is_of_window(named)) note(part.part, {*part.value});
+            }
         }
     }
 
-    /// The numbers behind a center in the same brackets.
-    void note_following(ScenePart center, const std::vector<StatedNumber>& numbers) {
-        if (center == ScenePart::center && !numbers.empty()) note(ScenePart::radius, {numbers[0].constant.value});
-        if (center != ScenePart::cylinder_center || numbers.size() < 2) return;
-        note(ScenePart::cylinder_radius, {numbers[0].constant.value});
-        note(ScenePart::cylinder_height, {numbers[1].constant.value});
+    bool is_given(ScenePart part, const Numbers& value) const {
+        return has_part(scene_, part) && size_of(part) == 3 && value_of(scene_, part) == value;
     }
 
-    /// The object whose radius a number is. Where its name may mean several, it is the one that has this radius, else
-    /// the first whose radius the source has not stated yet.
-    std::optional<ScenePart> radius_called(const NamedNumber& named) {
+    /// Notes the numbers behind the first point of an object in the same brackets, if there is one for each further
+    /// part.
+    void note_following(ScenePart point, const std::vector<StatedNumber>& numbers) {
+        if (point.subject == Subject::camera || point.place > 0) return;
+        const std::vector<ScenePart> further(parts_of(point.subject).begin() + 1, parts_of(point.subject).end());
+        const bool are_numbers = std::ranges::all_of(further, [](ScenePart part) { return size_of(part) == 1; });
+        if (!are_numbers || numbers.size() < further.size()) return;
+        for (std::size_t i = 0; i < further.size(); ++i) note(further[i], {numbers[i].constant.value});
+    }
+
+    /// The part that a number with this name is, such as a radius. Where the name may mean several, it is the one that
+    /// has this value, else the first that the source has not stated yet.
+    std::optional<ScenePart> number_called(const NamedNumber& named) {
         std::vector<ScenePart> parts;
-        for (const ScenePart part : {ScenePart::radius, ScenePart::cylinder_radius}) {
-            if (has_part(scene_, part) && may_name(named.name, part)) parts.push_back(part);
+        for (const Subject object : reference::objects) {
+            for (const ScenePart part : parts_of(object)) {
+                const bool is_told = source_of(object).parts.at(part.place).is_only_so_called;
+                if (is_told && is_called(named.name, part)) parts.push_back(part);
+            }
         }
         if (parts.empty()) return std::nullopt;
-        const auto is_given = [&](ScenePart part) { return value_of(scene_, part)[0] == named.number.constant.value; };
-        if (const auto given = std::ranges::find_if(parts, is_given); given != parts.end()) return *given;
+        const auto has_value = [&](ScenePart part) { return value_of(scene_, part)[0] == named.number.constant.value; };
+        if (const auto given = std::ranges::find_if(parts, has_value); given != parts.end()) return *given;
         const auto is_open = [&](ScenePart part) { return of(part).values.empty(); };
         const auto open = std::ranges::find_if(parts, is_open);
         return open == parts.end() ? parts.front() : *open;
     }
 
-    void note_height(const NamedNumber& named) {
-        const std::optional<Form> form = cylinder_form(named.name);
-        if ((form != Form::half && form != Form::itself) || is_of_window(named)) return;
-        const double value = named.number.constant.value;
-        const double half = value_of(scene_, ScenePart::cylinder_height, Form::half)[0];
-        note(ScenePart::cylinder_height, {value * (form == Form::half || value == half ? 2 : 1)});
+    /// The parts that the number may be about, unless it is about the window.
+    std::vector<NamedPart> parts_named(const NamedNumber& named) const {
+        std::vector<NamedPart> parts;
+        for (const Subject object : reference::objects) {
+            const auto named_part = source_of(object).named_part;
+            if (named_part == nullptr || reference::count_of(object, scene_) == 0) continue;
+            if (const auto part = named_part(scene_, named.name, named.number.constant.value)) parts.push_back(*part);
+        }
+        return parts;
     }
 
-    /// Whether a number is about the window where its name may mean the window or the cylinder: unless it is the
-    /// cylinder's number, or the window's stands elsewhere.
+    /// Whether a number is about the window where its name may mean the window or an object: unless it is the object's
+    /// number, or the window's stands elsewhere.
     bool is_of_window(const NamedNumber& named) const {
-        const std::optional<Form> form = cylinder_form(named.name);
-        if (scene_.cylinders.empty() || !form) return true;
-        if (mentions_cylinder(named.name)) return false;
+        const std::vector<NamedPart> parts = parts_named(named);
+        if (parts.empty()) return true;
+        for (const NamedPart& part : parts) {
+            if (part.is_given || mentions(named.name, part.part.subject)) return false;
+        }
         const double value = named.number.constant.value;
-        if (value == value_of(scene_, ScenePart::cylinder_height, *form)[0]) return false;
         const WindowNumber* number = window_number_called(named.name);
         if (number == nullptr || value == number->value_in(scene_)) return number != nullptr;
         return std::ranges::none_of(numbers_.named, [&](const NamedNumber& other) {
@@ -172,54 +186,73 @@ class Searcher {
     }
 
     void read_list(const StatedList& list, std::vector<bool>& is_placed) {
-        const auto point = [&](std::size_t i) { return numbers_.vectors[*list.elements[i].vector]; };
-        const auto place = [&](std::size_t i, ScenePart part) {
-            note(part, point(i).value);
-            is_placed[*list.elements[i].vector] = true;
-        };
-        const auto is_point = [&](std::size_t i) {
-            return i < list.elements.size() && list.elements[i].vector.has_value();
-        };
         const std::string called = std::string(list.callee) + " " + list.name;
-        for (std::size_t i = 0; is_point(i) || is_point(i + 1) || is_point(i + 2); ++i) {
-            if (!is_point(i) || !is_point(i + 1) || !is_point(i + 2)) continue;
-            if (holds(called, {"lookat", "cam", "view"})) {
-                place(i, ScenePart::eye), place(i + 1, ScenePart::lookat), place(i + 2, ScenePart::vup);
-            } else if (holds(called, {"tri", "vert"})) {
-                place(i, ScenePart::A), place(i + 1, ScenePart::B), place(i + 2, ScenePart::C);
-            }
-            break;
+        const std::string plain = lower_case(called);
+        const bool is_camera = holds_one_of(plain, {"lookat", "cam", "view"});
+        if (is_camera && place_points(list, {part::eye, part::lookat, part::vup}, is_placed)) return;
+        for (const Subject object : reference::objects) {
+            if (!mentions(called, object) && !holds_one_of(plain, source_of(object).words_of_lists)) continue;
+            const std::vector<ScenePart> points = points_of(object);
+            const auto end = place_points(list, points, is_placed);
+            if (end) note_following(points.front(), list.numbers_from(*end));
         }
-        const bool is_cylinder = !scene_.cylinders.empty() && mentions_cylinder(called);
-        if (!is_point(0) || (!is_cylinder && !holds(called, {"sph", "ball"}))) return;
-        const ScenePart center = is_cylinder ? ScenePart::cylinder_center : ScenePart::center;
-        place(0, center);
-        note_following(center, list.numbers_from(1));
     }
 
-    /// The part that a point's name means. Where it may mean several, the words beside it and the other names decide.
-    std::optional<ScenePart> part_called(const StatedVector& vector) const {
-        const auto called = [&](ScenePart part) { return has_part(scene_, part) && may_name(vector.name, part); };
-        if (vector.name.empty()) return std::nullopt;
-        if (!scene_.cylinders.empty() && mentions_cylinder(vector.name))
-            return called(ScenePart::cylinder_center) ? std::optional(ScenePart::cylinder_center) : std::nullopt;
-        const bool is_cylinders = called(ScenePart::cylinder_center) &&
-                                  vector.value == value_of(scene_, ScenePart::cylinder_center) &&
-                                  (!called(ScenePart::center) || vector.value != value_of(scene_, ScenePart::center));
-        if (is_cylinders) return ScenePart::cylinder_center;
-        if (holds(vector.name, {"sph", "ball"}) && called(ScenePart::center)) return ScenePart::center;
-        for (const ScenePart vertex : {ScenePart::A, ScenePart::B}) {
-            if (called(vertex)) return vertex;
-        }
-        if (called(ScenePart::C) && called(ScenePart::center)) return C_or_center(vector.value);
-        if (called(ScenePart::C)) return ScenePart::C;
-        if (called(ScenePart::vup)) return ScenePart::vup;
-        if (called(ScenePart::center) && called(ScenePart::lookat))
-            return value_of(scene_, ScenePart::lookat) == vector.value ? ScenePart::lookat : ScenePart::center;
-        for (const ScenePart part : {ScenePart::lookat, ScenePart::center, ScenePart::eye}) {
-            if (called(part)) return part;
+    static std::vector<ScenePart> points_of(Subject object) {
+        std::vector<ScenePart> points;
+        std::ranges::copy_if(parts_of(object), std::back_inserter(points),
+                             [](ScenePart part) { return size_of(part) == 3; });
+        return points;
+    }
+
+    /// Notes the list's first points that stand together, as many as `parts`; returns where they end. Empty if there
+    /// are none.
+    std::optional<std::size_t> place_points(const StatedList& list, const std::vector<ScenePart>& parts,
+                                            std::vector<bool>& is_placed) {
+        for (std::size_t begin = 0; begin + parts.size() <= list.elements.size(); ++begin) {
+            const auto first = list.elements.begin() + static_cast<std::ptrdiff_t>(begin);
+            const auto points = std::count_if(first, first + static_cast<std::ptrdiff_t>(parts.size()),
+                                              [](const ListElement& element) { return element.vector.has_value(); });
+            if (points == 0) return std::nullopt;
+            if (static_cast<std::size_t>(points) < parts.size()) continue;
+            for (std::size_t k = 0; k < parts.size(); ++k) {
+                const std::size_t index = *list.elements[begin + k].vector;
+                note(parts[k], numbers_.vectors[index].value);
+                is_placed[index] = true;
+            }
+            return begin + parts.size();
         }
         return std::nullopt;
+    }
+
+    bool is_called(std::string_view name, ScenePart part) const {
+        return has_part(scene_, part) && may_name(name, part);
+    }
+
+    /// The parts that a point's name means. Where it may mean several, its words and its value decide, then the other
+    /// names.
+    std::vector<ScenePart> parts_called(const StatedVector& vector) const {
+        if (vector.name.empty()) return {};
+        const auto first_called = [&](const std::vector<ScenePart>& parts) {
+            const auto found =
+                std::ranges::find_if(parts, [&](ScenePart part) { return is_called(vector.name, part); });
+            return found == parts.end() ? std::vector<ScenePart>() : std::vector{*found};
+        };
+        std::vector<ScenePart> given;
+        std::vector<ScenePart> of_objects;
+        for (const ScenePart part : all_parts()) {
+            if (size_of(part) != 3 || !is_called(vector.name, part)) continue;
+            if (is_given(part, vector.value)) given.push_back(part);
+            if (part.subject != Subject::camera && !source_of(part.subject).needs_words) of_objects.push_back(part);
+        }
+        for (const Subject object : reference::objects) {
+            if (reference::count_of(object, scene_) > 0 && mentions(vector.name, object))
+                return first_called(points_of(object));
+        }
+        if (!given.empty()) return given;
+        if (is_called(vector.name, part::vup)) return {part::vup};
+        if (!of_objects.empty()) return {likeliest(of_objects)};
+        return first_called({part::lookat, part::eye});
     }
 
     bool is_any_called(ScenePart part) const {
@@ -227,18 +260,21 @@ class Searcher {
                            [&](const StatedVector& vector) { return may_name(vector.name, part); });
     }
 
-    /// The handout calls both C: the sphere's center and the triangle's third vertex.
-    ScenePart C_or_center(const Numbers& value) const {
-        for (const ScenePart part : {ScenePart::C, ScenePart::center}) {
-            if (value_of(scene_, part) == value) return part;
-        }
-        const auto is_stated = [&](ScenePart part) {
-            return std::any_of(numbers_.vectors.begin(), numbers_.vectors.end(), [&](const StatedVector& vector) {
-                return vector.value == value_of(scene_, part) && may_name(vector.name, part);
+    /// Of what a name may mean. The handout calls both C: the sphere's center and the triangle's third vertex. It is
+    /// the vertex if the source names the others, too, and does not state this one elsewhere.
+    ScenePart likeliest(const std::vector<ScenePart>& parts) const {
+        for (const ScenePart part : parts) {
+            const std::vector<ScenePart> points = points_of(part.subject);
+            const bool beside_others =
+                std::ranges::all_of(points, [&](ScenePart other) { return other == part || is_any_called(other); });
+            const bool is_stated = std::ranges::any_of(numbers_.vectors, [&](const StatedVector& vector) {
+                return is_given(part, vector.value) && may_name(vector.name, part);
             });
-        };
-        const bool beside_others = is_any_called(ScenePart::A) && is_any_called(ScenePart::B);
-        return beside_others && !is_stated(ScenePart::C) ? ScenePart::C : ScenePart::center;
+            if (points.size() > 1 && beside_others && !is_stated) return part;
+        }
+        const auto is_alone = [](ScenePart part) { return points_of(part.subject).size() == 1; };
+        const auto alone = std::ranges::find_if(parts, is_alone);
+        return alone == parts.end() ? parts.front() : *alone;
     }
 
     void change_part(ScenePart part) {
@@ -278,7 +314,7 @@ class Searcher {
     std::vector<Change> other_pixels() const {
         constexpr std::size_t most = 5;
         constexpr double largest = 1e6;
-        const Numbers given = value_of(scene_, ScenePart::pixel);
+        const Numbers given = value_of(scene_, part::pixel);
         std::vector<Change> pixels;
         const auto whole = [](double x) { return std::floor(x); };  // 150.5 is the middle of pixel 150
         for (std::size_t i = 0; i + 1 < numbers_.literals.size(); ++i) {
@@ -315,7 +351,7 @@ class Searcher {
 
     const DecimalScene& scene_;
     SourceNumbers numbers_;
-    std::array<Stated, all_parts.size()> stated_;
+    std::map<ScenePart, Stated> stated_;
     std::vector<Change> changes_;
 };
 

@@ -70,7 +70,7 @@ std::map<std::string, std::size_t> numbers_of(std::string_view source, Place pla
 
 /// The numbers of `lines` that are not the scene's own.
 void leave_out_scene(std::map<std::string, std::size_t>& lines, const DecimalScene& scene) {
-    for (const ScenePart part : all_parts) {
+    for (const ScenePart part : all_parts()) {
         if (!has_part(scene, part)) continue;
         for (const double number : value_of(scene, part))
             lines.erase(plain_number(fmt::format("{}", std::abs(number))));

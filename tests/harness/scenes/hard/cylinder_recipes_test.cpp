@@ -7,6 +7,7 @@
 #include <string>
 
 #include "harness/scenes/hard/generate.h"
+#include "harness/scenes/source/cylinder_parts.h"
 #include "harness/scenes/source/drawing.h"
 #include "reference/key/answer_key.h"
 #include "reference/stages/scene_answers.h"
@@ -37,7 +38,7 @@ reference::Assignment off_axis() {
 
 PartSet everything() {
     PartSet set;
-    for (const ScenePart part : all_parts) set.insert(part);
+    for (const ScenePart part : all_parts()) set.insert(part);
     return set;
 }
 
@@ -127,7 +128,7 @@ TEST(CylinderRecipes, MeetRimAndStartExactlyWhereTheRayIsExact) {
 TEST(CylinderRecipes, HaveACertifiedKeyAndMoveOnlyWhatWasLocated) {
     const reference::Assignment assignment = handout();
     PartSet cylinder;
-    for (const ScenePart part : {ScenePart::cylinder_center, ScenePart::cylinder_radius, ScenePart::cylinder_height})
+    for (const ScenePart part : {part::cylinder::center, part::cylinder::radius, part::cylinder::height})
         cylinder.insert(part);
     int had = 0;
     for (const auto& [name, hard] : by_name(assignment, cylinder)) {

@@ -10,6 +10,8 @@
 
 #include "harness/scenes/run/run_rewritten.h"
 #include "harness/scenes/source/drawing.h"
+#include "harness/scenes/source/sphere_parts.h"
+#include "harness/scenes/source/triangle_parts.h"
 #include "reference/key/answer_key.h"
 #include "reference/stages/scene_answers.h"
 #include "reference/toml/scene_toml.h"
@@ -35,7 +37,7 @@ PartSet parts(std::initializer_list<ScenePart> some) {
 
 PartSet everything() {
     PartSet set;
-    for (const ScenePart part : scenes::all_parts) set.insert(part);
+    for (const ScenePart part : scenes::all_parts()) set.insert(part);
     return set;
 }
 
@@ -179,16 +181,16 @@ TEST(HardScenes, ChangeOnlyLocatedParts) {
             }
             --had;
             scenes::DecimalScene back = *hard.scene;
-            for (const ScenePart part : scenes::all_parts) {
+            for (const ScenePart part : scenes::all_parts()) {
                 if (located.contains(part)) scenes::copy_part(back, a6.scene, part);
             }
             EXPECT_EQ(reference::scene_toml(back), reference::scene_toml(a6.scene)) << title;
         }
         EXPECT_EQ(had, 0);
     };
-    expect(parts({ScenePart::center, ScenePart::radius}), 6);
-    expect(parts({ScenePart::A, ScenePart::B, ScenePart::C}), 7);
-    expect(parts({ScenePart::eye, ScenePart::lookat, ScenePart::vup}), 3);
+    expect(parts({scenes::part::sphere::center, scenes::part::sphere::radius}), 6);
+    expect(parts({scenes::part::triangle::A, scenes::part::triangle::B, scenes::part::triangle::C}), 7);
+    expect(parts({scenes::part::eye, scenes::part::lookat, scenes::part::vup}), 3);
     expect({}, 0);
 }
 

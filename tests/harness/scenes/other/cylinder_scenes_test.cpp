@@ -7,6 +7,7 @@
 
 #include "harness/scenes/other/cylinder_role.h"
 #include "harness/scenes/other/generate.h"
+#include "harness/scenes/source/cylinder_parts.h"
 #include "reference/key/answer_key.h"
 #include "reference/stages/item_values.h"
 #include "tests/given/cases.h"
@@ -25,7 +26,7 @@ const reference::Assignment& handout() {
 
 PartSet parts_but(std::initializer_list<ScenePart> without) {
     PartSet parts;
-    for (const ScenePart part : all_parts) parts.insert(part);
+    for (const ScenePart part : all_parts()) parts.insert(part);
     for (const ScenePart part : without) parts.erase(part);
     return parts;
 }
@@ -98,7 +99,7 @@ TEST(CylinderScenes, AreClearInFloat) {
 TEST(CylinderScenes, KeepTheHeightOfACylinderWhoseHeightIsNotFound) {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         SCOPED_TRACE(seed);
-        const auto scenes = other_scenes_for(handout(), parts_but({ScenePart::cylinder_height}), 4, seed);
+        const auto scenes = other_scenes_for(handout(), parts_but({part::cylinder::height}), 4, seed);
         ASSERT_THAT(scenes, SizeIs(4));
         for (const OtherScene& each : scenes) {
             const auto cylinder = in_double(each.scene).cylinders.front();
@@ -116,7 +117,7 @@ TEST(CylinderScenes, KeepTheHeightOfACylinderWhoseHeightIsNotFound) {
 // The handout's ray is parallel to the caps.
 TEST(CylinderScenes, MeetTheTubeWhereTheCameraStaysAndIsLevel) {
     PartSet cylinder;
-    for (const ScenePart part : {ScenePart::cylinder_center, ScenePart::cylinder_radius, ScenePart::cylinder_height})
+    for (const ScenePart part : {part::cylinder::center, part::cylinder::radius, part::cylinder::height})
         cylinder.insert(part);
     const auto scenes = other_scenes_for(handout(), cylinder, 4, 1);
     ASSERT_THAT(scenes, SizeIs(4));

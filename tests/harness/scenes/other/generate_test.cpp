@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "harness/scenes/source/sphere_parts.h"
+#include "harness/scenes/source/triangle_parts.h"
 #include "reference/key/answer_key.h"
 #include "reference/toml/scene_toml.h"
 
@@ -27,7 +29,7 @@ const reference::Assignment& assignment() {
 
 PartSet every_part() {
     PartSet parts;
-    for (const ScenePart part : all_parts) parts.insert(part);
+    for (const ScenePart part : all_parts()) parts.insert(part);
     return parts;
 }
 
@@ -55,7 +57,7 @@ TEST(OtherScenesFor, GivesTheFourKindsWithTheirProperties) {
         std::vector<double> shares;
         for (const OtherScene& variant : variants) {
             keys.push_back(key_of(variant));
-            const double radius = value_of(variant.scene, ScenePart::radius)[0];
+            const double radius = value_of(variant.scene, part::sphere::radius)[0];
             shares.push_back(number_of(keys.back(), 6, "d") / (4 * radius * radius));
             EXPECT_EQ(keys.back().decisions.of(reference::Subject::triangle), "hit");
         }
@@ -97,13 +99,13 @@ TEST(OtherScenesFor, DiffersInEveryItemThatCanDiffer) {
 
 TEST(OtherScenesFor, ChangesOnlyLocatedParts) {
     for (const std::vector<ScenePart>& parts :
-         {std::vector{ScenePart::eye, ScenePart::center}, {ScenePart::radius, ScenePart::lookat}, {ScenePart::vup}}) {
+         {std::vector{part::eye, part::sphere::center}, {part::sphere::radius, part::lookat}, {part::vup}}) {
         PartSet located;
         for (const ScenePart part : parts) located.insert(part);
         const auto variants = other_scenes_for(assignment(), located, 4, 1);
         ASSERT_THAT(variants, SizeIs(4));
         for (const OtherScene& variant : variants) {
-            for (const ScenePart part : all_parts) {
+            for (const ScenePart part : all_parts()) {
                 if (!has_part(variant.scene, part)) continue;
                 const bool changed = value_of(variant.scene, part) != value_of(assignment().scene, part);
                 EXPECT_EQ(changed, located.contains(part)) << variant.name << ": " << to_string(part);
@@ -113,13 +115,13 @@ TEST(OtherScenesFor, ChangesOnlyLocatedParts) {
 }
 
 TEST(OtherScenesFor, GivesAKeyForAnyLocatedParts) {
-    for (unsigned bits = 1; bits < 1U << all_parts.size(); bits += 37) {
+    for (unsigned bits = 1; bits < 1U << all_parts().size(); bits += 37) {
         PartSet located;
-        for (std::size_t i = 0; i < all_parts.size(); ++i) {
-            if ((bits >> i & 1U) != 0) located.insert(all_parts.at(i));
+        for (std::size_t i = 0; i < all_parts().size(); ++i) {
+            if ((bits >> i & 1U) != 0) located.insert(all_parts().at(i));
         }
-        if (located.contains(ScenePart::A) != located.contains(ScenePart::B) ||
-            located.contains(ScenePart::B) != located.contains(ScenePart::C))
+        if (located.contains(part::triangle::A) != located.contains(part::triangle::B) ||
+            located.contains(part::triangle::B) != located.contains(part::triangle::C))
             continue;
         for (const OtherScene& variant : other_scenes_for(assignment(), located, 4, bits))
             EXPECT_NO_THROW(key_of(variant));
@@ -136,7 +138,7 @@ TEST(OtherScenesFor, IsDeterminedByTheSeed) {
 
 TEST(OtherScenesFor, DrawsWholeNumbersThatAFloatHolds) {
     for (const OtherScene& variant : other_scenes_for(assignment(), every_part(), 8, 3)) {
-        for (const ScenePart part : all_parts) {
+        for (const ScenePart part : all_parts()) {
             if (!has_part(variant.scene, part)) continue;
             for (const double x : value_of(variant.scene, part)) {
                 EXPECT_EQ(x, std::trunc(x));
@@ -160,7 +162,7 @@ TEST(OtherScenesFor, TakesTheAssignmentsOwnScenesFirst) {
     own.variants.insert(own.variants.begin(), {"another radius", assignment().scene});
     own.variants.front().scene.spheres.front().radius = reference::Decimal::parse("3").value();
     PartSet located;
-    located.insert(ScenePart::eye);
+    located.insert(part::eye);
     const auto variants = other_scenes_for(own, located, 2, 1);
     ASSERT_THAT(variants, SizeIs(2));
     EXPECT_EQ(variants[0].name, "mine") << "with the eye alone the first would be the assignment's own scene";

@@ -1,11 +1,10 @@
-#include "harness/scenes/source/cylinder_literals.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
 #include <string>
 
+#include "harness/scenes/source/scene_literals.h"
 #include "reference/toml/assignment.h"
 
 namespace harness::scenes {
@@ -33,7 +32,7 @@ DecimalScene other_scene() {
 std::set<std::string> located(const std::string& source) {
     const SceneLiterals found = find_scene(source, handout());
     std::set<std::string> names;
-    for (const ScenePart part : all_parts) {
+    for (const ScenePart part : all_parts()) {
         if (found.located.contains(part)) names.emplace(to_string(part));
     }
     return names;

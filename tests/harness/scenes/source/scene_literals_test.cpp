@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "harness/scenes/source/sphere_parts.h"
+#include "harness/scenes/source/triangle_parts.h"
 #include "reference/toml/assignment.h"
 #include "tests/given/bytes_of.h"
 
@@ -45,7 +47,7 @@ DecimalScene other_scene() {
 std::set<std::string> located(const std::string& source) {
     const SceneLiterals found = find_scene(source, assignment().scene);
     std::set<std::string> names;
-    for (const ScenePart part : all_parts) {
+    for (const ScenePart part : all_parts()) {
         if (found.located.contains(part)) names.emplace(to_string(part));
     }
     return names;
@@ -148,7 +150,7 @@ TEST(FindScene, KeepsTheHalfOfThePixel) {
 TEST(FindScene, IgnoresThePixelsNumbersInOtherPlaces) {
     DecimalScene scene = assignment().scene;
     scene.pixel = {4, 2};
-    EXPECT_FALSE(find_scene("f(4, 2); g(4); h(2);", scene).located.contains(ScenePart::pixel));
+    EXPECT_FALSE(find_scene("f(4, 2); g(4); h(2);", scene).located.contains(part::pixel));
 }
 
 TEST(WithScene, WritesNoFractionForAnIntegerOfTheSource) {
@@ -205,7 +207,8 @@ TEST(FindScene, FindsTheSceneOfNineTenthsOfTheSampleClass) {
         ++all;
         const SceneLiterals scene = find_scene(bytes_of(entry.path() / "ray_cast.cpp"), assignment().scene);
         bool whole = true;
-        for (const ScenePart part : {ScenePart::eye, ScenePart::center, ScenePart::A, ScenePart::B, ScenePart::C})
+        for (const ScenePart part :
+             {part::eye, part::sphere::center, part::triangle::A, part::triangle::B, part::triangle::C})
             whole = whole && scene.located.contains(part);
         found += whole ? 1 : 0;
         if (!whole) without += " " + entry.path().filename().string();

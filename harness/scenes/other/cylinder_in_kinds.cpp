@@ -1,0 +1,63 @@
+#include "harness/scenes/other/cylinder_role.h"
+#include "harness/scenes/other/object_in_kinds.h"
+#include "harness/scenes/source/cylinder_parts.h"
+
+namespace harness::scenes {
+namespace {
+
+/// How the ray meets the cylinder, and from where to where along the ray it is put, beside the other objects.
+struct CylinderPlan {
+    CylinderRole role;
+    double least;
+    double most;
+};
+
+CylinderPlan cylinder_plan(Kind kind) {
+    switch (kind) {
+        case Kind::off_axis: return {CylinderRole::tube, 9, 14};
+        case Kind::in_front: return {CylinderRole::cap, 4, 10};
+        case Kind::beside: return {CylinderRole::tube, 3, 6};
+        case Kind::grazing: return {CylinderRole::above, 4, 8};
+    }
+    return {CylinderRole::tube, 3, 6};
+}
+
+/// The role, as far as the ray can play it: a camera that can be turned plays them all.
+CylinderRole role_in(const Setting& setting) {
+    const CylinderRole role = cylinder_plan(setting.kind).role;
+    const bool turns = setting.located.contains(part::eye) || setting.located.contains(part::lookat);
+    return turns ? role : possible_role(role, setting.ray.V);
+}
+
+}  // namespace
+
+void draw_object(reference::Cylinder<double>& cylinder, const Room& room, Draw& draw) {
+    const CylinderPlan plan = cylinder_plan(room.kind);
+    const CylinderParts parts{room.located.contains(part::cylinder::center),
+                              room.located.contains(part::cylinder::radius),
+                              room.located.contains(part::cylinder::height)};
+    cylinder = draw_cylinder(cylinder, parts, room.ray, role_in(room), room.size, room.size * plan.least,
+                             room.size * plan.most, draw);
+}
+
+bool is_as_wanted(const reference::Cylinder<double>& cylinder, const reference::CylinderAnswers<double>& /*answers*/,
+                  const Setting& setting) {
+    return plays(role_in(setting), cylinder_meeting(setting.ray, cylinder));
+}
+
+template <>
+const ObjectInKinds& in_kinds<reference::Subject::cylinder>() {
+    static constexpr auto name_of = [](Kind kind) -> std::string_view {
+        switch (kind) {
+            case Kind::off_axis: return "";
+            case Kind::in_front: return "cylinder's cap hit";
+            case Kind::beside: return "cylinder in front";
+            case Kind::grazing: return "ray past the cylinder";
+        }
+        return "";
+    };
+    static constexpr ObjectInKinds cylinder{name_of, Kind::beside, /*has_distances=*/true};
+    return cylinder;
+}
+
+}  // namespace harness::scenes

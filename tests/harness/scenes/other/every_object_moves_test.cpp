@@ -1,0 +1,59 @@
+// What other scenes must do with a new kind of object: reference/README.md, "Adding an object".
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "harness/scenes/other/generate.h"
+#include "reference/numbers/decimal.h"
+
+namespace harness::scenes {
+namespace {
+
+using reference::Subject;
+
+/// The handout's camera and one object.
+reference::Assignment with_only(Subject object) {
+    reference::Assignment assignment = reference::load_assignment("a6-2024", RAYGRADE_ASSIGNMENTS);
+    reference::for_each_kind(
+        [&](Subject kind, auto& objects) {
+            if (kind != object || objects.empty()) objects.resize(kind == object ? 1 : 0);
+        },
+        assignment.scene);
+    for (const ScenePart part : parts_of(object)) {
+        if (value_of(assignment.scene, part) != std::array<double, 3>{}) continue;
+        const auto decimal = [](const char* text) { return reference::Decimal::parse(text).value(); };
+        set_part(assignment.scene, part, {decimal("1"), decimal("2"), decimal("0.5")});
+    }
+    return assignment;
+}
+
+TEST(OtherScenesOfEveryObject, MoveEachOfItsParts) {
+    for (const Subject object : reference::objects) {
+        const reference::Assignment assignment = with_only(object);
+        const PartSet located(all_parts().begin(), all_parts().end());
+        PartSet moved;
+        std::set<std::string> names;
+        for (const reference::OtherScene& other : other_scenes_for(assignment, located, 4, 1)) {
+            names.insert(other.name);
+            for (const ScenePart part : parts_of(object)) {
+                if (value_of(other.scene, part) != value_of(assignment.scene, part)) moved.insert(part);
+            }
+        }
+        EXPECT_EQ(names.size(), 4U) << to_string(object);
+        for (const ScenePart part : parts_of(object)) EXPECT_TRUE(moved.contains(part)) << to_string(part);
+    }
+}
+
+TEST(OtherScenesOfEveryObject, LeaveItWhereItIsIfItWasNotLocated) {
+    for (const Subject object : reference::objects) {
+        const reference::Assignment assignment = with_only(object);
+        for (const reference::OtherScene& other : other_scenes_for(assignment, {part::eye, part::vup}, 4, 1)) {
+            for (const ScenePart part : parts_of(object))
+                EXPECT_EQ(value_of(other.scene, part), value_of(assignment.scene, part)) << to_string(part);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace harness::scenes
