@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 
+#include "harness/scenes/source/meant_parts.h"
 #include "harness/scenes/source/object_source.h"
 #include "harness/scenes/source/part_name.h"
 #include "harness/scenes/source/stated_numbers.h"
@@ -53,7 +54,7 @@ bool is_in_many_programs(const Numbers& value) {
 class Searcher {
   public:
     Searcher(std::string_view source, const DecimalScene& scene)
-        : scene_(scene), numbers_(stated_numbers(words_of(source))) {}
+        : scene_(scene), numbers_(stated_numbers(words_of(source))), meant_(scene, numbers_.vectors) {}
 
     std::vector<StatedScene> search() {
         read_points();
@@ -99,14 +100,14 @@ class Searcher {
             const StatedVector& vector = numbers_.vectors[i];
             const bool is_number = vector.numbers.size() == 1 && vector.callee.find("vec3") == std::string_view::npos;
             if (is_placed[i] || is_number) continue;
-            if (const std::vector<ScenePart> parts = parts_called(vector); !parts.empty()) {
+            if (const std::vector<ScenePart> parts = meant_.parts_of_point(vector); !parts.empty()) {
                 for (const ScenePart part : parts) {
                     note(part, vector.value);
                     note_following(part, vector.following);
                 }
             } else if (vector.name.empty() && !is_in_many_programs(vector.value)) {
                 for (const ScenePart any : all_parts()) {
-                    if (is_given(any, vector.value)) note(any, vector.value);
+                    if (meant_.is_point_of_scene(any, vector.value)) note(any, vector.value);
                 }
             }
         }
@@ -116,10 +117,6 @@ class Searcher {
                 if (part.value && !is_of_window(named)) note(part.part, {*part.value});
             }
         }
-    }
-
-    bool is_given(ScenePart part, const Numbers& value) const {
-        return has_part(scene_, part) && size_of(part) == 3 && value_of(scene_, part) == value;
     }
 
     /// Notes the numbers behind the first point of an object in the same brackets, if there is one for each further
@@ -139,7 +136,7 @@ class Searcher {
         for (const Subject object : reference::objects) {
             for (const ScenePart part : parts_of(object)) {
                 const bool is_told = source_of(object).parts.at(part.place).is_only_so_called;
-                if (is_told && is_called(named.name, part)) parts.push_back(part);
+                if (is_told && meant_.is_called(named.name, part)) parts.push_back(part);
             }
         }
         if (parts.empty()) return std::nullopt;
@@ -178,13 +175,6 @@ class Searcher {
         });
     }
 
-    static const WindowNumber* window_number_called(std::string_view name) {
-        const std::string plain = lower_case(name.substr(name.find_last_of('.') + 1));
-        const auto found =
-            std::ranges::find_if(window_numbers(), [&](const WindowNumber& number) { return number.is_called(plain); });
-        return found == window_numbers().end() ? nullptr : &*found;
-    }
-
     void read_list(const StatedList& list, std::vector<bool>& is_placed) {
         const std::string called = std::string(list.callee) + " " + list.name;
         const std::string plain = lower_case(called);
@@ -196,13 +186,6 @@ class Searcher {
             const auto end = place_points(list, points, is_placed);
             if (end) note_following(points.front(), list.numbers_from(*end));
         }
-    }
-
-    static std::vector<ScenePart> points_of(Subject object) {
-        std::vector<ScenePart> points;
-        std::ranges::copy_if(parts_of(object), std::back_inserter(points),
-                             [](ScenePart part) { return size_of(part) == 3; });
-        return points;
     }
 
     /// Notes the list's first points that stand together, as many as `parts`; returns where they end. Empty if there
@@ -223,58 +206,6 @@ class Searcher {
             return begin + parts.size();
         }
         return std::nullopt;
-    }
-
-    bool is_called(std::string_view name, ScenePart part) const {
-        return has_part(scene_, part) && may_name(name, part);
-    }
-
-    /// The parts that a point's name means. Where it may mean several, its words and its value decide, then the other
-    /// names.
-    std::vector<ScenePart> parts_called(const StatedVector& vector) const {
-        if (vector.name.empty()) return {};
-        const auto first_called = [&](const std::vector<ScenePart>& parts) {
-            const auto found =
-                std::ranges::find_if(parts, [&](ScenePart part) { return is_called(vector.name, part); });
-            return found == parts.end() ? std::vector<ScenePart>() : std::vector{*found};
-        };
-        std::vector<ScenePart> given;
-        std::vector<ScenePart> of_objects;
-        for (const ScenePart part : all_parts()) {
-            if (size_of(part) != 3 || !is_called(vector.name, part)) continue;
-            if (is_given(part, vector.value)) given.push_back(part);
-            if (part.subject != Subject::camera && !source_of(part.subject).needs_words) of_objects.push_back(part);
-        }
-        for (const Subject object : reference::objects) {
-            if (reference::count_of(object, scene_) > 0 && mentions(vector.name, object))
-                return first_called(points_of(object));
-        }
-        if (!given.empty()) return given;
-        if (is_called(vector.name, part::vup)) return {part::vup};
-        if (!of_objects.empty()) return {likeliest(of_objects)};
-        return first_called({part::lookat, part::eye});
-    }
-
-    bool is_any_called(ScenePart part) const {
-        return std::any_of(numbers_.vectors.begin(), numbers_.vectors.end(),
-                           [&](const StatedVector& vector) { return may_name(vector.name, part); });
-    }
-
-    /// Of what a name may mean. The handout calls both C: the sphere's center and the triangle's third vertex. It is
-    /// the vertex if the source names the others, too, and does not state this one elsewhere.
-    ScenePart likeliest(const std::vector<ScenePart>& parts) const {
-        for (const ScenePart part : parts) {
-            const std::vector<ScenePart> points = points_of(part.subject);
-            const bool beside_others =
-                std::ranges::all_of(points, [&](ScenePart other) { return other == part || is_any_called(other); });
-            const bool is_stated = std::ranges::any_of(numbers_.vectors, [&](const StatedVector& vector) {
-                return is_given(part, vector.value) && may_name(vector.name, part);
-            });
-            if (points.size() > 1 && beside_others && !is_stated) return part;
-        }
-        const auto is_alone = [](ScenePart part) { return points_of(part.subject).size() == 1; };
-        const auto alone = std::ranges::find_if(parts, is_alone);
-        return alone == parts.end() ? parts.front() : *alone;
     }
 
     void change_part(ScenePart part) {
@@ -351,6 +282,7 @@ class Searcher {
 
     const DecimalScene& scene_;
     SourceNumbers numbers_;
+    MeantParts meant_;
     std::map<ScenePart, Stated> stated_;
     std::vector<Change> changes_;
 };

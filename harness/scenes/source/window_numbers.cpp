@@ -1,6 +1,10 @@
 #include "harness/scenes/source/window_numbers.h"
 
+#include <algorithm>
 #include <array>
+#include <string>
+
+#include "harness/text/lower_case.h"
 
 namespace harness::scenes {
 namespace {
@@ -34,6 +38,13 @@ double WindowNumber::value_in(const DecimalScene& scene) const {
 
 std::span<const WindowNumber> window_numbers() {
     return numbers;
+}
+
+const WindowNumber* window_number_called(std::string_view name) {
+    const std::string plain = lower_case(name.substr(name.find_last_of('.') + 1));
+    const auto found =
+        std::ranges::find_if(numbers, [&](const WindowNumber& number) { return number.is_called(plain); });
+    return found == numbers.end() ? nullptr : &*found;
 }
 
 }  // namespace harness::scenes

@@ -22,4 +22,7 @@ struct WindowNumber {
 
 std::span<const WindowNumber> window_numbers();
 
+/// Null if the name is none of the window's.
+const WindowNumber* window_number_called(std::string_view name);
+
 }  // namespace harness::scenes
