@@ -1,5 +1,6 @@
 // allowance_table [SCENES [v [KIND]]]: by kind of scene, how many correct programs lose marks and why, how large the
-// allowance is beside what the programs are off by, and how often it lets an error of a thousandth pass.
+// allowance is beside what the programs are off by ("ratio"; "drawn": beside what programs with drawn roundings are off
+// by), and how often it lets an error of a thousandth pass.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +23,8 @@ struct Row {
     int items = 0, thousandth = 0;
     int well_posed = 0, thousandth_of_those = 0;  ///< items of scenes whose condition is below 10^4
     int above_percent = 0, without_bound = 0;
-    std::vector<double> ratios = {};
+    int drawn = 0, drawn_losing = 0;
+    std::vector<double> ratios = {}, drawn_ratios = {};
     std::map<std::string, int> reasons = {};
     std::map<reference::ItemId, std::vector<double>> by_item = {};
 };
@@ -55,14 +57,45 @@ double median(std::vector<double> x) {
     return x[x.size() / 2];
 }
 
+using Errors = std::map<reference::ItemId, double>;
+
+/// Item by item, the largest error of the programs.
+void widen(Errors& widest, const harness::Score& score) {
+    for (const auto& question : score.questions) {
+        for (const auto& item : question.items) {
+            double& most = widest[item.spec.id];
+            most = std::max(most, item.error.value_or(0));
+        }
+    }
+}
+
+/// What so many programs with drawn roundings are off by.
+Errors errors_of_drawn(const student::Marking& marking, int programs, std::uint64_t& seed, Row& row) {
+    std::vector<Task> tasks;
+    for (int i = 0; i < programs; ++i) {
+        tasks.push_back({&marking.assignment.scene, random_program(seed++)});
+        tasks.back().program.printing = 2;
+    }
+    Errors widest;
+    for (const std::string& printed : printouts(drawn_roundings, tasks)) {
+        const harness::Score score = mark(printed, marking);
+        const std::vector<Loss> lost = losses(score);
+        ++row.drawn;
+        row.drawn_losing += std::any_of(lost.begin(), lost.end(), [](const Loss& l) { return !l.not_finite; }) ? 1 : 0;
+        widen(widest, score);
+    }
+    return widest;
+}
+
 Row row_of(std::string_view kind, std::uint64_t scenes, bool verbose) {
     Row row;
-    std::uint64_t program = 0;
+    constexpr int drawn_programs = 200;
+    std::uint64_t program = 0, drawn_program = 0;
     for (std::uint64_t seed = 0; seed < scenes; ++seed) {
         const reference::Assignment assignment = scene_of(kind, seed);
         const student::Marking marking{assignment, make_key(assignment, reference::Precision::certified)};
         const double condition = condition_of(marking);
-        std::map<reference::ItemId, double> widest;
+        Errors widest;
         for (const std::string_view flags : flag_sets) {
             std::vector<Task> tasks;
             for (int i = 0; i < 5; ++i) {
@@ -85,14 +118,10 @@ Row row_of(std::string_view kind, std::uint64_t scenes, bool verbose) {
                                   << tasks[i].program.describe() << "\n";
                 }
                 if (tasks[i].program.scalar != 0 || tasks[i].program.printing != 2) continue;
-                for (const auto& question : score.questions) {
-                    for (const auto& item : question.items) {
-                        double& most = widest[item.spec.id];
-                        most = std::max(most, item.error.value_or(0));
-                    }
-                }
+                widen(widest, score);
             }
         }
+        Errors drawn = errors_of_drawn(marking, drawn_programs, drawn_program, row);
         for (const auto& question : marking.key.questions) {
             for (const auto& item : question.items) {
                 const reference::Answer& answer = item.answers.front();
@@ -113,6 +142,8 @@ Row row_of(std::string_view kind, std::uint64_t scenes, bool verbose) {
                 const double most = widest[item.spec.id];
                 if (most > 0 && std::isfinite(all))
                     row.ratios.push_back(all / most), row.by_item[item.spec.id].push_back(all / most);
+                if (drawn[item.spec.id] > 0 && std::isfinite(all))
+                    row.drawn_ratios.push_back(all / drawn[item.spec.id]);
             }
         }
     }
@@ -124,13 +155,16 @@ void add(Row& all, const Row& row) {
     all.items += row.items, all.thousandth += row.thousandth;
     all.well_posed += row.well_posed, all.thousandth_of_those += row.thousandth_of_those;
     all.above_percent += row.above_percent, all.without_bound += row.without_bound;
+    all.drawn += row.drawn, all.drawn_losing += row.drawn_losing;
     all.ratios.insert(all.ratios.end(), row.ratios.begin(), row.ratios.end());
+    all.drawn_ratios.insert(all.drawn_ratios.end(), row.drawn_ratios.begin(), row.drawn_ratios.end());
 }
 
 void print(std::string_view kind, const Row& row) {
-    std::cout << fmt::format("{:15}{:9}{:8}{:6}{:8}{:8}{:9}{:8}{:8}{:10}{:8.1f}\n", kind, row.programs, row.losing,
-                             row.not_finite, row.items, row.thousandth, row.well_posed, row.thousandth_of_those,
-                             row.above_percent, row.without_bound, median(row.ratios))
+    std::cout << fmt::format("{:15}{:9}{:8}{:6}{:8}{:8}{:9}{:8}{:8}{:10}{:8.1f}{:8}{:8}{:8.1f}\n", kind, row.programs,
+                             row.losing, row.not_finite, row.items, row.thousandth, row.well_posed,
+                             row.thousandth_of_those, row.above_percent, row.without_bound, median(row.ratios),
+                             row.drawn, row.drawn_losing, median(row.drawn_ratios))
               << std::flush;
     for (const auto& [reason, n] : row.reasons) std::cout << "    " << reason << ": " << n << "\n";
 }
@@ -145,8 +179,9 @@ void print_items(const Row& row) {
 int main(int argc, char** argv) {
     const std::uint64_t scenes = argc > 1 ? std::stoull(argv[1]) : 10;
     const bool verbose = argc > 2;
-    std::cout << fmt::format("{:15}{:>9}{:>8}{:>6}{:>8}{:>8}{:>9}{:>8}{:>8}{:>10}{:>8}\n", "scenes", "programs",
-                             "losing", "nan", "items", "1e-3", "posed", "1e-3", "> 1 %", "unbounded", "ratio");
+    std::cout << fmt::format("{:15}{:>9}{:>8}{:>6}{:>8}{:>8}{:>9}{:>8}{:>8}{:>10}{:>8}{:>8}{:>8}{:>8}\n", "scenes",
+                             "programs", "losing", "nan", "items", "1e-3", "posed", "1e-3", "> 1 %", "unbounded",
+                             "ratio", "drawn", "losing", "ratio");
     const auto print_kind = [&](std::string_view kind) {
         if (argc > 3 && kind != argv[3]) return Row();
         const Row row = row_of(kind, scenes, verbose);

@@ -1,6 +1,9 @@
 // A correct program loses no mark: whatever formulas it uses, whatever it computes in, whatever flags it is compiled
-// under, and whatever the scene.
+// under, whatever its roundings are, and whatever the scene.
 #include <gtest/gtest.h>
+
+#include <string_view>
+#include <vector>
 
 #include "tests/given/cases.h"
 #include "tests/given/printed_values.h"
@@ -21,7 +24,9 @@ TEST_P(CorrectPrograms, LoseNoMark) {
         markings.push_back({assignment, make_key(assignment, reference::Precision::certified)});
     }
     std::uint64_t seed = 0;
-    for (const std::string_view flags : flag_sets) {
+    std::vector<std::string_view> programs(flag_sets.begin(), flag_sets.end());
+    programs.push_back(drawn_roundings);
+    for (const std::string_view flags : programs) {
         std::vector<Task> tasks;
         for (const student::Marking& marking : markings) {
             for (int i = 0; i < 4; ++i) tasks.push_back({&marking.assignment.scene, random_program(seed++)});

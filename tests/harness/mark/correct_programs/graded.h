@@ -15,6 +15,9 @@ namespace correct {
 inline constexpr std::array<std::string_view, 8> flag_sets = {"O0",     "O1",  "O2",    "Os",
                                                               "native", "x87", "Ofast", "Ofast_native"};
 
+/// The name of the program whose roundings are drawn, whatever its scalar (drawn.h).
+inline constexpr std::string_view drawn_roundings = "drawn";
+
 struct Program {
     Formulas formulas;
     int scalar;    ///< index of scalars
@@ -31,7 +34,7 @@ struct Task {
     Program program;
 };
 
-/// What the programs print, compiled under one of the flag_sets.
+/// What the programs print, compiled under one of the flag_sets, or with drawn_roundings.
 std::vector<std::string> printouts(std::string_view flags, const std::vector<Task>& tasks);
 
 /// A mark that a correct program lost.

@@ -13,10 +13,19 @@
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <type_traits>
 
 #include "tests/harness/mark/correct_programs/formulas.h"
+#ifdef DRAWN_ROUNDINGS
+#include "tests/harness/mark/correct_programs/drawn.h"
+#endif
 
 namespace {
+
+// Of numbers that are not built in, their own.
+using std::abs;
+using std::pow;
+using std::sqrt;
 
 /// Variables are S, constants such as 2.0 are L.
 template <class S, class L>
@@ -33,9 +42,9 @@ class Program {
     S number() {
         std::string text;
         input_ >> text;
-        if constexpr (sizeof(S) == sizeof(float)) return std::strtof(text.c_str(), nullptr);
-        if constexpr (sizeof(S) == sizeof(double)) return static_cast<S>(std::strtod(text.c_str(), nullptr));
-        return static_cast<S>(std::strtold(text.c_str(), nullptr));
+        if constexpr (std::is_same_v<S, float> || std::is_class_v<S>) return S(std::strtof(text.c_str(), nullptr));
+        if constexpr (std::is_same_v<S, double>) return std::strtod(text.c_str(), nullptr);
+        if constexpr (std::is_same_v<S, long double>) return std::strtold(text.c_str(), nullptr);
     }
     V3 point() {
         const S x = number(), y = number(), z = number();
@@ -147,9 +156,9 @@ void Program<S, L>::axes() {
             X = glm::cross(Y, Z);
             break;
         default: {
-            Z = n / std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+            Z = n / sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
             const V3 right(vup.y * Z.z - vup.z * Z.y, vup.z * Z.x - vup.x * Z.z, vup.x * Z.y - vup.y * Z.x);
-            X = right / std::sqrt(right.x * right.x + right.y * right.y + right.z * right.z);
+            X = right / sqrt(right.x * right.x + right.y * right.y + right.z * right.z);
             Y = glm::cross(Z, X);
         }
     }
@@ -196,7 +205,7 @@ void Program<S, L>::ray() {
         case 0: V = glm::normalize(from_eye); break;
         case 1: V = glm::normalize(step); break;
         case 2: V = V3(M * V4(glm::normalize(p), c(0))); break;
-        default: V = from_eye / std::sqrt(glm::dot(from_eye, from_eye));
+        default: V = from_eye / sqrt(glm::dot(from_eye, from_eye));
     }
 }
 
@@ -204,13 +213,13 @@ template <class S, class L>
 S Program<S, L>::roots(S& far) const {
     const V3 to_center = C - P;
     const S tca = glm::dot(to_center, V);
-    const S root = std::sqrt(qd);
+    const S root = sqrt(qd);
     const S half = qb / L(2);
-    const S half_root = std::sqrt(half * half - qa * qc);
+    const S half_root = sqrt(half * half - qa * qc);
     const S q = L(-0.5) * (qb + (qb < c(0) ? -root : root));
-    const S thc = std::sqrt(R * R - (glm::dot(to_center, to_center) - tca * tca));
+    const S thc = sqrt(R * R - (glm::dot(to_center, to_center) - tca * tca));
     const V3 nearest = to_center - tca * V;
-    const S reach = std::sqrt(R * R - glm::dot(nearest, nearest));
+    const S reach = sqrt(R * R - glm::dot(nearest, nearest));
     S close{};
     switch (formula(6)) {
         case 0: close = (-qb - root) / (L(2) * qa), far = (-qb + root) / (L(2) * qa); break;
@@ -233,7 +242,7 @@ void Program<S, L>::sphere() {
     qc = glm::dot(from, from) - R * R;
     if (formula(5) == 1) {
         qb = L(2) * V.x * from.x + L(2) * V.y * from.y + L(2) * V.z * from.z;
-        qc = std::pow(from.x, L(2)) + std::pow(from.y, L(2)) + std::pow(from.z, L(2)) - std::pow(R, L(2));
+        qc = pow(from.x, L(2)) + pow(from.y, L(2)) + pow(from.z, L(2)) - pow(R, L(2));
     }
     if (formula(5) == 2) qc = glm::dot(P, P) - L(2) * glm::dot(P, C) + glm::dot(C, C) - R * R;
     if (formula(5) == 3) qc = distance * distance - R * R;
@@ -257,7 +266,7 @@ typename Program<S, L>::V3 Program<S, L>::eliminate(M3 m, V3 right, bool pivots,
     for (int k = 0; k < 3; ++k) {
         int best = k;
         for (int i = k + 1; i < 3; ++i) {
-            const bool better = std::abs(a[i][k]) > (pivots ? c(1) : c(64)) * std::abs(a[best][k]);
+            const bool better = abs(a[i][k]) > (pivots ? c(1) : c(64)) * abs(a[best][k]);
             if (better) best = i;
         }
         for (int j = 0; j < 4; ++j) std::swap(a[k][j], a[best][j]);
@@ -412,10 +421,15 @@ int main() {
         int scalar = 0, printing = 0;
         std::cin >> scalar >> printing;
         std::string printout;
+#ifdef DRAWN_ROUNDINGS
+        correct::Drawn::begin(correct::Drawn::draw_bit() && correct::Drawn::draw_bit());
+        printout = Program<correct::Drawn, correct::Drawn>(formulas, printing, std::cin).run();
+#else
         if (scalar == 0) printout = Program<float, float>(formulas, printing, std::cin).run();
         if (scalar == 1) printout = Program<float, double>(formulas, printing, std::cin).run();
         if (scalar == 2) printout = Program<double, double>(formulas, printing, std::cin).run();
         if (scalar == 3) printout = Program<long double, long double>(formulas, printing, std::cin).run();
+#endif
         std::cout << printout << "\x01\n";
     }
 }
