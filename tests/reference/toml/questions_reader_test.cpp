@@ -123,7 +123,7 @@ TEST(Questions, TakeNoPointsForWhatIsNotAsked) {
 TEST(Questions, GivePointsForSomething) {
     const std::string none = "is 0 for every question, so that nothing can be earned; give a question points above 0";
     const auto at = [&](const std::string& place) {
-        return AllOf(HasSubstr("a.toml:"), HasSubstr(place + " " + none));
+        return AllOf(HasSubstr("a.toml:"), HasSubstr(place + ": " + none));
     };
     const std::string nothing_but_V = sphere + "[[question]]\nitems = [\"V\"]\n";
     EXPECT_THAT(error_of(nothing_but_V + "points = 0\n"), at("question[1].points"));
