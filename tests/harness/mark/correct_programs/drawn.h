@@ -90,4 +90,4 @@ class Drawn {
 
 // GLM's functions take it for a floating-point number.
 template <>
-class std::numeric_limits<correct::Drawn> : public std::numeric_limits<float> {};
+struct std::numeric_limits<correct::Drawn> : std::numeric_limits<float> {};
