@@ -43,10 +43,16 @@ bool is_list_of(const PrintedValue& value, std::size_t count) {
     return value.groups == 1 && value.numbers.size() == count;
 }
 
+/// Whether a row of four numbers is named by one letter, as in a table with "x", "y", "z" and "w" at its rows: no
+/// vector has four.
+bool is_lettered_row(const PrintedValue& value) {
+    return value.label.size() == 1 && value.numbers.size() == 4;
+}
+
 /// Whether a value may be part of a block. Rows of a matrix have no labels except "row 1", but one row or each may
 /// carry the matrix's label, as in "    [ 0 -2 ]" over "A = [ 3 0 ]".
 bool may_be_in_block(const PrintedValue& value, std::span<const ItemSpec> items) {
-    if (value.label.empty() || is_row_label(value.label)) return true;
+    if (value.label.empty() || is_row_label(value.label) || is_lettered_row(value)) return true;
     return !names_vector(value, items) && !is_aside(value, items);
 }
 
@@ -59,7 +65,8 @@ bool is_block(const std::vector<PrintedValue>& values, std::size_t at, std::size
         const PrintedValue& value = values[at + k];
         if (!is_list_of(value, count) || !may_be_in_block(value, items)) return false;
         const bool repeats = k > 0 && value.label == values[at].label;  // as in a table: "A | 1 2 3" over "A | 4 5 6"
-        if (!value.label.empty() && !is_row_label(value.label) && !repeats) ++own_labels;
+        const bool is_row = is_row_label(value.label) || is_lettered_row(value);
+        if (!value.label.empty() && !is_row && !repeats) ++own_labels;
         if (k == 0) continue;
         if (!value.above.empty() && !is_row_label(value.above)) return false;
         if (value.line - values[at + k - 1].last_line > 2) return false;

@@ -32,7 +32,8 @@ class Words {
     }
     std::string_view joined() const { return letters_; }
 
-    bool formula = false;  ///< holds an operator: names in it are operands
+    bool formula = false;   ///< holds an operator: names in it are operands
+    bool quotient = false;  ///< the operator is '/'
 
   private:
     std::string letters_;
@@ -61,6 +62,7 @@ Words split_words(std::string_view label) {
         const bool operands = i > 0 && i + 1 < label.size() && (i < 2 || !is_word_char(label[i - 2])) &&
                               is_word_char(label[i - 1]) && (i + 2 >= label.size() || !is_word_char(label[i + 2]));
         if (c == '*' || c == '/' || c == '^' || c == '+' || (c == '-' && (spaced || operands))) words.formula = true;
+        words.quotient = words.quotient || c == '/';
     }
     return words;
 }
@@ -115,10 +117,24 @@ bool is_of_the_scene(const Words& words) {
     return given_by_the_scene().contains(words.joined());
 }
 
+/// Whether the item is reckoned with a number in the label, as in "1-u", "2 * A", "t^2", so that the value is not the
+/// item. The number of "6-t" is the question's, and "b/2" is a usual form of b.
+bool is_reckoned_with(const Words& words, const Vocabulary& names, int question) {
+    if (!words.formula || words.quotient || words.size() > 3) return false;
+    bool has_number = false, has_item = false;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const bool is_number = std::ranges::all_of(words[i], [](char c) { return c >= '0' && c <= '9'; });
+        has_number = has_number || (is_number && words[i] != std::to_string(question));
+        has_item = has_item || names.contains(words[i]);
+    }
+    return has_number && has_item;
+}
+
 LabelFit fit_words(const Words& words, const ItemSpec& item) {
     if (words.empty()) return LabelFit::none;
     const Names& names = names_of(item);
     if (names.names.contains(words.joined())) return LabelFit::exact;
+    if (is_reckoned_with(words, names.names, item.question)) return LabelFit::forbidden;
     if (words.formula) return names.weak.contains(words.joined()) ? LabelFit::weak : LabelFit::foreign;
     const std::size_t end = end_of_names(words, item);
     std::vector<bool> covered = covered_by(words, names.names, end);

@@ -22,7 +22,7 @@ constexpr const char* closing =
     R"((?:\.?\s?(?:(?:[a-h]|i{1,3})\b|[(\[](?:[a-h]|i{1,3}|iv|vi{0,3})[)\]])|\.\d\b)?(?:\s*(?:of|/)\s*\d{1,2}\b)?[\s*=_#~+|\\\])}"'`]*(?:[:.)\]\-,;>=|]+|\s|$))";
 constexpr const char* number = R"([.\s]*[#:.\-_(\[]*\s*(?i:no\.?\s*|nr\.?\s*|number\s*)?#?\s?(\d{1,2}))";
 constexpr const char* question_words =
-    R"((?i:assignment 6,? |a6,? |(?:my )?(?:answers?|solution) (?:to|for|of) |the )?(?i:§|questions?|quest|ques|qn?|exercises?|exer|exc|ex|exo|problems?|prob|tasks?|aufgabe|frage|pregunta|ejercicio|domanda|esercizio|pergunta))";
+    R"((?i:assignment 6,? |a6,? |(?:my )?(?:answers?|solution) (?:to|for|of) |the )?(?i:§|questions?|quest|ques|qn?|exercises?|exer|exc|ex|exo|problems?|prob|tasks?|aufgabe|frage|vraag|opgave|pregunta|ejercicio|domanda|esercizio|pergunta))";
 constexpr const char* part_words =
     R"((?i:parts?|answers?|ans|items?|steps?|sections?|solution|results?|output|nr|no|number))";
 constexpr const char* spelled =

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
+#include "harness/read/chosen_value.h"
 #include "harness/read/formula.h"
 #include "harness/read/tokens/expression.h"
 #include "harness/read/tokens/number_group.h"
@@ -36,6 +38,7 @@ class Reader {
         if (reading_.values.size() == 1 && reading_.values[0].numbers.empty()) reading_.values.clear();
         join_system_row();
         read_labels_behind();
+        keep_chosen(reading_.values, line_);
         return std::move(reading_);
     }
 
@@ -146,6 +149,23 @@ class Reader {
         emit(*found);
     }
 
+    /// What multiplies the bracket whose value begins at `begin`, "-1 * (1, 0, 0)" or "-(1, 0, 0)" behind '=', and
+    /// where that begins.
+    std::pair<double, std::size_t> factor_before(std::size_t begin) const {
+        double factor = 1;
+        std::size_t at = begin;
+        if (at >= 2 && is(at - 1, Kind::op) && text(at - 1) == "*" && is(at - 2, Kind::number)) {
+            at -= 2;
+            factor = tokens_[at].number.value;
+        }
+        if (at >= 1 && is(at - 1, Kind::op) && text(at - 1) == "-") {
+            --at;
+            factor = -factor;
+        }
+        const bool is_value = at < begin && at >= 1 && is(at - 1, Kind::equals);
+        return is_value ? std::pair(factor, at) : std::pair(1.0, begin);
+    }
+
     void emit(const NumberGroup& found) {
         PrintedValue value;
         value.numbers = found.numbers;
@@ -157,6 +177,12 @@ class Reader {
         if (before > 0 && tokens_.is_type_word(before - 1)) {
             begin = tokens_[before - 1].begin;
             value.typed = true;
+            --before;
+        }
+        if (is(found.first, Kind::open)) {
+            const auto [factor, at] = factor_before(before);
+            for (PrintedNumber& number : value.numbers) number.value *= factor;
+            if (at < before) begin = tokens_[at].begin;
         }
         const bool opened = found.first > 0 && (is(found.first - 1, Kind::bar) || is(found.first - 1, Kind::open));
         value.framed =

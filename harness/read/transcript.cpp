@@ -51,6 +51,20 @@ void keep_ends(std::vector<PrintedValue>& values) {
     if (values.size() > most_values_in_section) values.erase(values.begin() + end, values.end() - end);
 }
 
+/// Whether the line begins with a dash and a name, as in "-b = 10": a sign, or the mark of a list.
+bool begins_with_dash(std::string_view line) {
+    const std::size_t dash = line.find_first_not_of(" \t");
+    return dash != std::string_view::npos && line[dash] == '-' && dash + 1 < line.size() && is_letter(line[dash + 1]);
+}
+
+/// The line without the right edge of a box: "* a: 1.0     *".
+std::string_view without_edge(std::string_view line) {
+    const std::size_t last = line.find_last_not_of(" \t*#");
+    if (last == std::string_view::npos || last + 1 == line.size()) return line;
+    const bool is_apart = line[last + 1] == ' ' || line[last + 1] == '\t';
+    return is_apart ? line.substr(0, last + 1) : line;
+}
+
 class TranscriptReader {
   public:
     Transcript run(const std::vector<Line>& lines, int last_question) {
@@ -58,6 +72,7 @@ class TranscriptReader {
         for (const Line& line : lines) texts.push_back(line.text);
         const auto headings = find_headings(texts, last_question);
         separators_ = OwnSeparators(texts);
+        dash_is_sign_ = std::ranges::count_if(texts, begins_with_dash) == 1;
         transcript_.sections.push_back({0, {}, {}});
         const std::vector<std::size_t> part_ends = find_parts(texts, headings);
         for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -82,7 +97,12 @@ class TranscriptReader {
     void read(std::string_view line, int number) {
         Section& section = transcript_.sections.back();
         section.lines.push_back({std::string(line), number});
+        line = without_edge(line);
         LineReading reading = read_line(line, separators_);
+        if (dash_is_sign_ && begins_with_dash(line) && !reading.values.empty() &&
+            !reading.values.front().label.empty()) {
+            for (PrintedNumber& each : reading.values.front().numbers) each.value = -each.value;
+        }
         if (reading.values.size() <= 1 && number_means_no_hit(line)) {
             reading.values.resize(1);
             reading.values.front().numbers.clear();
@@ -113,6 +133,7 @@ class TranscriptReader {
 
     Transcript transcript_;
     OwnSeparators separators_;
+    bool dash_is_sign_ = false;    ///< a line begins with "-b =", and no other does so: the dash is no mark of a list
     std::string above_;            ///< the last line of words, until a value takes it
     bool above_is_title_ = false;  ///< above_ is the rest of a heading
 };

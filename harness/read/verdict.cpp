@@ -200,8 +200,31 @@ bool says_nothing_is_first(HitWords words, const std::vector<Mention>& mentions)
            (has(words, Meaning::none) || (has(words, Meaning::negation) && has(words, Meaning::any_object)));
 }
 
+/// "sphereFirst = 0": the last number denies what stands before it, as "false" does. Of "first hit t = 0" it does not.
+void deny_by_zero(std::vector<HitWord>& words) {
+    if (words.size() < 2 || words.back().text != "0") return;
+    const Meaning before = words[words.size() - 2].meaning;
+    const bool is_flag = before == Meaning::first || before == Meaning::nearest || before == Meaning::hit ||
+                         object_of(before).has_value();
+    if (is_flag && words.back().signs.find_first_of("=:") != std::string::npos)
+        words.back().meaning = Meaning::negation;
+}
+
+/// Whether the line gives an object a later place: "the ray hits the triangle second", "2. triangle".
+bool is_of_later_place(HitWords words) {
+    constexpr std::string_view ordinals[] = {"second",  "third",   "2nd",     "3rd",      "zweiter",
+                                             "zweite",  "zweites", "dritter", "deuxieme", "seconde",
+                                             "segundo", "segunda", "secondo", "seconda"};
+    const bool has_ordinal = std::ranges::any_of(
+        words, [&](const HitWord& word) { return std::ranges::find(ordinals, word.text) != std::end(ordinals); });
+    const bool is_numbered = words.size() >= 2 && (words[0].text == "2" || words[0].text == "3") &&
+                             words[1].signs.find_first_of(".):") != std::string::npos;
+    return has_ordinal || is_numbered;
+}
+
 std::optional<Verdict> verdict_of(std::string_view line, VerdictPlace place) {
-    const std::vector<HitWord> all = hit_words(line.substr(0, longest_verdict_line));
+    std::vector<HitWord> all = hit_words(line.substr(0, longest_verdict_line));
+    deny_by_zero(all);
     if (all.empty() || has(all, Meaning::debug) || has(all, Meaning::condition)) return std::nullopt;
     // "Which is hit first? The sphere."
     if (line.find_last_not_of(" \t") == line.find_last_of('?')) return std::nullopt;
@@ -222,7 +245,7 @@ std::optional<Verdict> verdict_of(std::string_view line, VerdictPlace place) {
     if (place == VerdictPlace::elsewhere) return std::nullopt;
     if (says_nothing_is_hit(words, mentions, line)) return Verdict::no_hit;
     if (has(words, Meaning::tie)) return Verdict::tie;
-    if (mentions.empty()) return std::nullopt;
+    if (mentions.empty() || (only_object(mentions) && is_of_later_place(words))) return std::nullopt;
     const auto object = only_object(mentions) ? lone_object(words, mentions.front()) : first_of(words, mentions);
     return object ? std::optional(Verdict(*object)) : std::nullopt;
 }

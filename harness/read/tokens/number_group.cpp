@@ -166,7 +166,9 @@ class GroupReader {
         return {number, i + 1};
     }
 
+    /// "= - 3", "= minus 3"
     double sign_apart(std::size_t i) const {
+        if (i >= 2 && is(i - 1, Kind::word) && text(i - 1) == "minus" && is(i - 2, Kind::equals)) return -1.0;
         return i > 0 && is(i - 1, Kind::op) && text(i - 1) == "-" && i >= 2 ? -1.0 : 1.0;
     }
 

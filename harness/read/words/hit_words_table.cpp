@@ -71,7 +71,7 @@ constexpr MeaningRow table[] = {
      "nachste nachster nachstes nachsten kleinste kleinstes vorderste", "proche", "cercano cercana menor",
      "vicino vicina minore", "proximo proxima"},
     {Meaning::before,
-     "before closer nearer earlier front less than ahead then occludes blocks hides covers obscures eclipses",
+     "before closer nearer earlier front less than ahead then beats occludes blocks hides covers obscures eclipses",
      "vor vorher naher fruher dann", "avant devant puis ensuite cache", "antes delante luego",
      "davanti poi nasconde copre", "frente esconde cobre"},
     {Meaning::covered, "occluded blocked hidden covered obscured", "verdeckt verborgen", "masque masquee",

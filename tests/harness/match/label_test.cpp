@@ -52,6 +52,14 @@ TEST(FitLabel, RecognisesOperandsInAFormula) {
     EXPECT_EQ(fit("S + t*V", 6, "t"), LabelFit::foreign);
 }
 
+TEST(FitLabel, ForbidsAnItemThatIsReckonedWithANumber) {
+    EXPECT_EQ(fit("1-u", 8, "u"), LabelFit::forbidden);
+    EXPECT_EQ(fit("2 * A", 8, "matrix"), LabelFit::forbidden);
+    EXPECT_EQ(fit("t^2", 6, "t"), LabelFit::forbidden);
+    EXPECT_NE(fit("8-u", 8, "u"), LabelFit::forbidden) << "the question's number";
+    EXPECT_NE(fit("N/|N|", 7, "normal"), LabelFit::forbidden);
+}
+
 TEST(FitValue, UsesTheWordsAfterAValueOnlyIfNonePrecedeIt) {
     PrintedValue value;
     value.after = "t";

@@ -29,6 +29,26 @@ TEST(ReadLine, ReadsNoValueFromProse) {
     }
 }
 
+TEST(ReadLine, MultipliesABracketByWhatStandsBeforeIt) {
+    EXPECT_EQ(read("N = -(1, 2, 3)"), (Numbers{-1, -2, -3}));
+    EXPECT_EQ(read("N = -vec3(1, 2, 3)"), (Numbers{-1, -2, -3}));
+    EXPECT_EQ(read("V: 2 * vec3(1, 2, 3)"), (Numbers{2, 4, 6}));
+    EXPECT_EQ(read("V = -1 * (1, 2, 3)"), (Numbers{-1, -2, -3}));
+    EXPECT_EQ(only("N = -(1, 2, 3)").label, "N");
+    EXPECT_EQ(read("N - (1, 2, 3)"), (Numbers{1, 2, 3})) << "a dash";
+    EXPECT_EQ(read("- (1, 2, 3)"), (Numbers{1, 2, 3})) << "the mark of a list";
+    EXPECT_EQ(read("t: minus 3.5"), Numbers{-3.5});
+}
+
+TEST(ReadLine, KeepsTheNumberThatTheLineSaysIsTaken) {
+    EXPECT_EQ(read("t1 = 3.5, t2 = 6.5, using t2"), Numbers{6.5});
+    EXPECT_EQ(read("a = 1, t_min = 3.5, t_max = 6.5, picked t_min"), (Numbers{1, 3.5}));
+    EXPECT_EQ(read("t = 3.5 or 6.5, so we take 6.5"), Numbers{6.5});
+    EXPECT_EQ(only("t = 3.5 or 6.5, so we take 6.5").label, "t");
+    EXPECT_EQ(read("d = 8, t1 = 3.5, t2 = 6.5, take 6.5"), (Numbers{8, 6.5}));
+    EXPECT_EQ(read("t1 = 3.5, t2 = 6.5, using doubles"), (Numbers{3.5, 6.5}));
+}
+
 TEST(ReadLine, ReadsTheResultOfAFormula) {
     EXPECT_EQ(read("c = 5/3 = 1.66667"), Numbers{1.66667});
     EXPECT_EQ(read("t = 3 - sqrt2 = 1.5858"), Numbers{1.5858});

@@ -101,6 +101,20 @@ TEST(ReadTranscript, TakesNoHitsCountedForNone) {
         EXPECT_FALSE(values(line).at(0).numbers.empty()) << line;
 }
 
+TEST(ReadTranscript, TakesALoneDashBeforeANameForASign) {
+    EXPECT_EQ(values("a = 1\n-b = 10.5\nc = 2\n").at(1).numbers.at(0).value, -10.5);
+    EXPECT_EQ(values("-a = 1\n-b = 10.5\n-c = 2\n").at(1).numbers.at(0).value, 10.5) << "a list";
+    EXPECT_EQ(values("a = 1\n- b = 10.5\n").at(1).numbers.at(0).value, 10.5) << "a list of one";
+    EXPECT_LT(values("a = 1\n-inf\n").at(1).numbers.at(0).value, 0);
+}
+
+TEST(ReadTranscript, ReadsLinesInABox) {
+    const auto read = values("***************\n* a: 1.5      *\n* t: 3.5 *\n***************\n");
+    ASSERT_EQ(read.size(), 2U);
+    EXPECT_EQ(read[0].numbers.at(0).value, 1.5);
+    EXPECT_EQ(read[1].label, "t");
+}
+
 TEST(ReadTranscript, LabelsAValueWithTheWordsAbove) {
     const auto read = values("Hit point\n\n(1, 2, 3)\n(4, 5, 6)\n");
     ASSERT_EQ(read.size(), 2U);

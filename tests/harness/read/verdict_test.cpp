@@ -53,6 +53,7 @@ TEST(ReadVerdict, ReadsTheWordsStudentsUse) {
     EXPECT_EQ(read({"RAY HITS TRIANGLE FIRST!!!"}), Verdict(reference::Subject::triangle));
     EXPECT_EQ(read({"The first object hit is the triangle"}), Verdict(reference::Subject::triangle));
     EXPECT_EQ(read({"sphere is closer than the triangle"}), Verdict(reference::Subject::sphere));
+    EXPECT_EQ(read({"triangle beats sphere"}), Verdict(reference::Subject::triangle));
     EXPECT_EQ(read({"Closest: triangle"}), Verdict(reference::Subject::triangle));
     EXPECT_EQ(read({"sphere"}), Verdict(reference::Subject::sphere));
     EXPECT_EQ(read({"The ray hits neither"}), Verdict::no_hit);
@@ -128,6 +129,22 @@ TEST(ReadVerdict, ReadsNothingFromAQuestionOrACondition) {
 TEST(ReadVerdict, PrefersTheSentenceToTheValues) {
     EXPECT_EQ(read({"sphere hit at t = 0.58", "ray hits triangle first", "triangle: hit, t = 0"}),
               Verdict(reference::Subject::triangle));
+}
+
+TEST(ReadVerdict, TakesNoLaterPlaceForTheFirst) {
+    EXPECT_EQ(read({"ray hits sphere first", "ray hits triangle second"}), sphere);
+    EXPECT_EQ(read({"first: sphere", "second: triangle"}), sphere);
+    EXPECT_EQ(read({"First hit: sphere", "Second hit: triangle"}), sphere);
+    EXPECT_EQ(read({"Order along the ray:", "  1. sphere", "  2. triangle"}), sphere);
+    EXPECT_EQ(read({"the ray hits the triangle second"}), std::nullopt);
+    EXPECT_EQ(read({"The second object, the triangle, is hit first"}), triangle);
+}
+
+TEST(ReadVerdict, TakesAFlagOfZeroForFalse) {
+    EXPECT_EQ(read({"sphereFirst = 0"}), read({"sphereFirst = false"}));
+    EXPECT_NE(read({"hits sphere first: 0"}), sphere);
+    EXPECT_EQ(read({"sphereFirst = 1"}), sphere);
+    EXPECT_EQ(read({"sphere first, t = 0"}), sphere);
 }
 
 TEST(ReadVerdict, IgnoresDebugLines) {

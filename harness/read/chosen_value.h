@@ -1,0 +1,15 @@
+// Of several numbers on a line, the one that the line says is taken.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "harness/read/printed_value.h"
+
+namespace harness {
+
+/// Keeps only the chosen one of the numbers with names alike: of "t1 = 0.5, t2 = 3.5, using t2" and "t = 0.5 or 3.5, so
+/// we take 3.5" the second. Changes nothing where the line's values are not single numbers or none is chosen.
+void keep_chosen(std::vector<PrintedValue>& values, std::string_view line);
+
+}  // namespace harness
