@@ -35,7 +35,8 @@ std::string rows_of(const fs::path& gradebook) {
     return without_moments(text);
 }
 
-/// Every file of a results folder by its name.
+}  // namespace
+
 std::map<std::string, std::string> files_of(const fs::path& results) {
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(results)) {
@@ -46,8 +47,6 @@ std::map<std::string, std::string> files_of(const fs::path& results) {
     }
     return files;
 }
-
-}  // namespace
 
 void expect_same(const fs::path& one, const fs::path& other) {
     const auto expected = files_of(one), found = files_of(other);

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,9 @@
 #include "tests/scenario/scenario.h"
 
 namespace scenario {
+
+/// Every file of a results folder by its name; a gradebook as its rows. Times of the clock are all the same word.
+std::map<std::string, std::string> files_of(const std::filesystem::path& results);
 
 /// Expects that two folders of results hold the same files and rows, apart from times of the clock.
 void expect_same(const std::filesystem::path& one, const std::filesystem::path& other);
