@@ -57,6 +57,21 @@ bool begins_with_dash(std::string_view line) {
     return dash != std::string_view::npos && line[dash] == '-' && dash + 1 < line.size() && is_letter(line[dash + 1]);
 }
 
+/// The line in which a dash before a name is a sign: the only one that begins with a dash, "-b = 10". A vector above
+/// another one may be a column of the matrix: the numbers of "-V: 1 2 3" above "B-A: 4 5 6" are those of -V.
+/// lines.size() if there is none.
+std::size_t signed_line(const std::vector<std::string_view>& lines) {
+    static const RE2 named(R"(\s*-\w+\s*[=:].*)");
+    static const RE2 vector(R"((?:\D*\d[\d.]*(?:[^\d.]|$)){3}.*)");
+    const auto matches = [&](std::size_t i, const RE2& pattern) {
+        return i < lines.size() && RE2::FullMatch(re2::StringPiece(lines[i].data(), lines[i].size()), pattern);
+    };
+    if (std::ranges::count_if(lines, begins_with_dash) != 1) return lines.size();
+    const auto at = static_cast<std::size_t>(std::ranges::find_if(lines, begins_with_dash) - lines.begin());
+    const bool is_column = matches(at, vector) && matches(at + 1, vector);
+    return matches(at, named) && !is_column ? at : lines.size();
+}
+
 /// The line without the right edge of a box: "* a: 1.0     *".
 std::string_view without_edge(std::string_view line) {
     const std::size_t last = line.find_last_not_of(" \t*#");
@@ -72,7 +87,7 @@ class TranscriptReader {
         for (const Line& line : lines) texts.push_back(line.text);
         const auto headings = find_headings(texts, last_question);
         separators_ = OwnSeparators(texts);
-        dash_is_sign_ = std::ranges::count_if(texts, begins_with_dash) == 1;
+        const std::size_t signed_at = signed_line(texts);
         transcript_.sections.push_back({0, {}, {}});
         const std::vector<std::size_t> part_ends = find_parts(texts, headings);
         for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -83,7 +98,7 @@ class TranscriptReader {
                 transcript_.sections.push_back({headings[i]->question, {}, {}});
                 above_.clear();
             }
-            read(rest, number);
+            read(rest, number, i == signed_at ? -1 : 1);
             if (headings[i]) above_is_title_ = true;
         }
         for (Section& section : transcript_.sections) {
@@ -94,14 +109,13 @@ class TranscriptReader {
     }
 
   private:
-    void read(std::string_view line, int number) {
+    void read(std::string_view line, int number, double sign) {
         Section& section = transcript_.sections.back();
         section.lines.push_back({std::string(line), number});
         line = without_edge(line);
         LineReading reading = read_line(line, separators_);
-        if (dash_is_sign_ && begins_with_dash(line) && !reading.values.empty() &&
-            !reading.values.front().label.empty()) {
-            for (PrintedNumber& each : reading.values.front().numbers) each.value = -each.value;
+        if (!reading.values.empty()) {
+            for (PrintedNumber& each : reading.values.front().numbers) each.value *= sign;
         }
         if (reading.values.size() <= 1 && number_means_no_hit(line)) {
             reading.values.resize(1);
@@ -133,7 +147,6 @@ class TranscriptReader {
 
     Transcript transcript_;
     OwnSeparators separators_;
-    bool dash_is_sign_ = false;    ///< a line begins with "-b =", and no other does so: the dash is no mark of a list
     std::string above_;            ///< the last line of words, until a value takes it
     bool above_is_title_ = false;  ///< above_ is the rest of a heading
 };

@@ -105,6 +105,9 @@ TEST(ReadTranscript, TakesALoneDashBeforeANameForASign) {
     EXPECT_EQ(values("a = 1\n-b = 10.5\nc = 2\n").at(1).numbers.at(0).value, -10.5);
     EXPECT_EQ(values("-a = 1\n-b = 10.5\n-c = 2\n").at(1).numbers.at(0).value, 10.5) << "a list";
     EXPECT_EQ(values("a = 1\n- b = 10.5\n").at(1).numbers.at(0).value, 10.5) << "a list of one";
+    EXPECT_EQ(values("A:\n-V (1, 2, 3)\nB-A (4, 5, 6)\nC-A (7, 8, 9)\n").at(0).numbers.at(0).value, 1) << "a column";
+    EXPECT_EQ(values("-d: (1, 2, 3)\ne1: (4, 5, 6)\ne2: (7, 8, 9)\n").at(0).numbers.at(0).value, 1) << "a column";
+    EXPECT_EQ(values("-V: (1, 2, 3)\nQuestion 6:\na: 1\n").at(0).numbers.at(0).value, -1);
     EXPECT_LT(values("a = 1\n-inf\n").at(1).numbers.at(0).value, 0);
 }
 
