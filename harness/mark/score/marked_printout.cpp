@@ -10,7 +10,7 @@ MarkedPrintout::MarkedPrintout(const Transcript& printed, const std::vector<Matc
     for (const Section& section : transcript.sections) headings.insert(section.question);
 }
 
-ItemVerdict MarkedPrintout::verdict_of(const ItemId& id) const {
+ItemVerdict MarkedPrintout::verdict_of(const reference::ItemId& id) const {
     for (const QuestionScore& question : score.questions) {
         for (const ItemScore& item : question.items) {
             if (item.spec.id == id) return item.verdict;
@@ -24,7 +24,7 @@ const reference::KeyItem& MarkedPrintout::key_item(const reference::ItemSpec& sp
     return item == nullptr ? key.questions.front().items.front() : *item;
 }
 
-const MatchedItem* MarkedPrintout::matched_to(const ItemId& id) const {
+const MatchedItem* MarkedPrintout::matched_to(const reference::ItemId& id) const {
     const auto own = std::ranges::find_if(matched, [&](const MatchedItem& each) { return each.spec.id == id; });
     return own == matched.end() ? nullptr : &*own;
 }

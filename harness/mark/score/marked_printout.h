@@ -25,10 +25,10 @@ struct MarkedPrintout {
     bool may_be_of(int question, const ItemScore& item) const {
         return question == item.spec.question || !headings.contains(item.spec.question);
     }
-    ItemVerdict verdict_of(const ItemId& id) const;
+    ItemVerdict verdict_of(const reference::ItemId& id) const;
     const reference::KeyItem& key_item(const reference::ItemSpec& spec) const;
     /// What was matched to the item; null if the assignment has no such item.
-    const MatchedItem* matched_to(const ItemId& id) const;
+    const MatchedItem* matched_to(const reference::ItemId& id) const;
 };
 
 }  // namespace harness
