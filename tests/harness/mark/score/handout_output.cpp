@@ -55,12 +55,12 @@ std::string handout_output(const std::map<std::string, std::string>& changed) {
     return text + "Question 10:\n" + (verdict == changed.end() ? "ray hits triangle first" : verdict->second) + "\n";
 }
 
-std::string verdict_with(const std::map<std::string, std::string>& changed, const ItemId& id) {
+std::string verdict_with(const std::map<std::string, std::string>& changed, const reference::ItemId& id) {
     static const student::Marking marking = student::handout_scene();
     return verdict_on(mark(handout_output(changed), marking), id);
 }
 
-std::string accepted_with(const std::map<std::string, std::string>& changed, const ItemId& id) {
+std::string accepted_with(const std::map<std::string, std::string>& changed, const reference::ItemId& id) {
     static const student::Marking marking = student::handout_scene();
     return item_of(mark(handout_output(changed), marking), id).accepted_as;
 }

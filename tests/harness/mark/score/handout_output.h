@@ -5,6 +5,7 @@
 #include <string>
 
 #include "harness/mark/score/score.h"
+#include "reference/stages/items.h"
 
 namespace harness {
 
@@ -12,9 +13,9 @@ namespace harness {
 std::string handout_output(const std::map<std::string, std::string>& changed = {});
 
 /// How the item is marked then.
-std::string verdict_with(const std::map<std::string, std::string>& changed, const ItemId& id);
+std::string verdict_with(const std::map<std::string, std::string>& changed, const reference::ItemId& id);
 
 /// As which other form or reading it is right then.
-std::string accepted_with(const std::map<std::string, std::string>& changed, const ItemId& id);
+std::string accepted_with(const std::map<std::string, std::string>& changed, const reference::ItemId& id);
 
 }  // namespace harness

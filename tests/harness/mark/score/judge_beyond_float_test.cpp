@@ -13,7 +13,7 @@ namespace {
 
 using student::Program;
 
-ItemScore score_without_bound(const std::string& label, const std::string& value, const ItemId& id) {
+ItemScore score_without_bound(const std::string& label, const std::string& value, const reference::ItemId& id) {
     student::Marking marking = student::handout_scene();
     for (auto& question : marking.key.questions) {
         for (auto& item : question.items) {
@@ -25,7 +25,7 @@ ItemScore score_without_bound(const std::string& label, const std::string& value
         mark(student::with_line(print(Program(marking.assignment, {})), question_of(id), label, value), marking), id);
 }
 
-std::string verdict_without_bound(const std::string& label, const std::string& value, const ItemId& id) {
+std::string verdict_without_bound(const std::string& label, const std::string& value, const reference::ItemId& id) {
     return std::string(to_string(score_without_bound(label, value, id).verdict));
 }
 

@@ -79,7 +79,7 @@ TEST(Judge, LetsASystemOfEitherSignFollow) {
     // V is (0, 0.6, -0.8) and P_WCS is (0, 1, 2) by mistake; A is (0, -2, 2).
     const std::map<std::string, std::string> own = {{"V", "vec3(0.000000, 0.600000, -0.800000)"},
                                                     {"P_WCS", "vec3(0.000000, 1.000000, 2.000000)"}};
-    const auto verdict = [&](const std::string& matrix, const std::string& rhs, const ItemId& id) {
+    const auto verdict = [&](const std::string& matrix, const std::string& rhs, const reference::ItemId& id) {
         auto changed = own;
         changed["A"] = matrix;
         changed["rhs"] = rhs;
@@ -91,7 +91,7 @@ TEST(Judge, LetsASystemOfEitherSignFollow) {
         "mat3x3((0.000000, 0.600000, -0.800000), (-2.000000, -4.000000, 0.000000), (2.000000, -4.000000, 0.000000))";
     const char* rhs = "vec3(0.000000, 3.000000, 0.000000)";
     const char* negated_rhs = "vec3(0.000000, -3.000000, 0.000000)";
-    for (const ItemId& id : {reference::item::triangle::matrix, reference::item::triangle::rhs}) {
+    for (const reference::ItemId& id : {reference::item::triangle::matrix, reference::item::triangle::rhs}) {
         EXPECT_EQ(verdict(matrix, rhs, id), "follow");
         EXPECT_EQ(verdict(negated, negated_rhs, id), "follow");
     }
