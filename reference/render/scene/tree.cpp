@@ -2,67 +2,67 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/container/static_vector.hpp>
+#include <utility>
 
 #include "reference/render/scene/walk.h"
 
 namespace reference::render {
 namespace {
 
-constexpr std::size_t bin_count = 16;
+constexpr std::size_t most_bins = 16;
 /// From this depth on, a node is cut in the middle of its objects, which limits the depth of the tree.
 constexpr std::size_t deepest_by_cost = 32;
 
-struct Item {
-    Box box;
-    std::uint32_t object;
-
-    /// Twice the middle of its box.
-    double middle(int axis) const { return box.low[axis] + box.high[axis]; }
-};
-
-/// Items with the box around them.
+/// Objects with the box around them.
 struct Part {
-    std::span<Item> items;
+    std::span<BoxedObject> objects;
     Box box;
 };
 
-Part part_of(std::span<Item> items) {
-    Part part{items, {}};
-    for (const Item& item : items) part.box.cover(item.box);
+Part part_of(std::span<BoxedObject> objects) {
+    Part part{objects, {}};
+    for (const BoxedObject& object : objects) part.box.cover(object.box);
     return part;
+}
+
+/// Twice the middle of its box.
+double middle_of(const BoxedObject& object, int axis) {
+    return object.box.low[axis] + object.box.high[axis];
 }
 
 double leaves_for(std::size_t count) {
     return static_cast<double>((count + objects_per_leaf - 1) / objects_per_leaf);
 }
 
-/// Bins of equal width along each axis for the middles of items.
+/// Bins of equal width along each axis for the middles of objects: the fewer objects, the fewer bins.
 class Bins {
   public:
-    explicit Bins(std::span<const Item> items) {
-        for (const Item& item : items) {
-            const Vec3<double> middle(item.middle(0), item.middle(1), item.middle(2));
+    explicit Bins(std::span<const BoxedObject> objects) : count_(std::min(most_bins, 4 + objects.size() / 16)) {
+        for (const BoxedObject& object : objects) {
+            const Vec3<double> middle(middle_of(object, 0), middle_of(object, 1), middle_of(object, 2));
             middles_.cover({middle, middle});
         }
         for (int axis = 0; axis < 3; ++axis) {
             const double width = middles_.high[axis] - middles_.low[axis];
-            per_width_[axis] = width > 0 ? static_cast<double>(bin_count) * (1 - 0x1p-40) / width : 0;
+            per_width_[axis] = width > 0 ? static_cast<double>(count_) * (1 - 0x1p-40) / width : 0;
+            bins_[static_cast<std::size_t>(axis)].resize(count_);
         }
-        for (const Item& item : items) {
+        for (const BoxedObject& object : objects) {
             for (int axis = 0; axis < 3; ++axis) {
-                Bin& bin = bins_[static_cast<std::size_t>(axis)][bin_of(item, axis)];
-                bin.box.cover(item.box);
+                Bin& bin = bins_[static_cast<std::size_t>(axis)][bin_of(object, axis)];
+                bin.box.cover(object.box);
                 ++bin.count;
             }
         }
     }
 
-    std::size_t bin_of(const Item& item, int axis) const {
-        const double place = (item.middle(axis) - middles_.low[axis]) * per_width_[axis];
-        return std::min(bin_count - 1, static_cast<std::size_t>(place));
+    std::size_t bin_of(const BoxedObject& object, int axis) const {
+        const double place = (middle_of(object, axis) - middles_.low[axis]) * per_width_[axis];
+        return std::min(count_ - 1, static_cast<std::size_t>(place));
     }
 
-    /// Items whose bin along the axis is at most `bin` go to one side.
+    /// Objects whose bin along the axis is at most `bin` go to one side.
     struct Cut {
         double cost = HUGE_VAL;  ///< infinite where all go to one side
         int axis = 0;
@@ -96,15 +96,15 @@ class Bins {
     };
 
     void improve(Cut& best, int axis) const {
-        const std::array<Bin, bin_count>& bins = bins_[static_cast<std::size_t>(axis)];
-        std::array<double, bin_count> cost_of_right{};
+        const auto& bins = bins_[static_cast<std::size_t>(axis)];
+        std::array<double, most_bins> cost_of_right;
         Bin right;
-        for (std::size_t bin = bin_count - 1; bin > 0; --bin) {
+        for (std::size_t bin = count_ - 1; bin > 0; --bin) {
             right.add(bins[bin]);
             cost_of_right[bin - 1] = right.count == 0 ? HUGE_VAL : right.cost();
         }
         Bin left;
-        for (std::size_t bin = 0; bin + 1 < bin_count; ++bin) {
+        for (std::size_t bin = 0; bin + 1 < count_; ++bin) {
             left.add(bins[bin]);
             if (left.count == 0) continue;
             const double cost = left.cost() + cost_of_right[bin];
@@ -112,66 +112,60 @@ class Bins {
         }
     }
 
+    std::size_t count_;
     Box middles_;
     Vec3<double> per_width_;
-    std::array<std::array<Bin, bin_count>, 3> bins_;
+    std::array<boost::container::static_vector<Bin, most_bins>, 3> bins_;
 };
 
-/// Moves the items that go left to the front and returns their number.
-std::size_t split(std::span<Item> items, std::size_t depth) {
-    const Bins bins(items);
+/// Moves the objects that go left to the front and returns their number.
+std::size_t split(std::span<BoxedObject> objects, std::size_t depth) {
+    const Bins bins(objects);
     if (depth < deepest_by_cost) {
         const Bins::Cut cut = bins.cheapest_cut();
         if (cut.cost < HUGE_VAL) {
-            const auto goes_left = [&](const Item& item) { return bins.bin_of(item, cut.axis) <= cut.bin; };
-            return static_cast<std::size_t>(std::partition(items.begin(), items.end(), goes_left) - items.begin());
+            const auto goes_left = [&](const BoxedObject& object) { return bins.bin_of(object, cut.axis) <= cut.bin; };
+            return static_cast<std::size_t>(std::partition(objects.begin(), objects.end(), goes_left) -
+                                            objects.begin());
         }
     }
     const int axis = bins.widest_axis();
-    const auto key = [&](const Item& item) { return std::pair(item.middle(axis), item.object); };
-    const auto middle = items.begin() + static_cast<std::ptrdiff_t>(items.size() / 2);
-    std::nth_element(items.begin(), middle, items.end(),
-                     [&](const Item& one, const Item& other) { return key(one) < key(other); });
-    return items.size() / 2;
+    const auto key = [&](const BoxedObject& object) { return std::pair(middle_of(object, axis), object.object); };
+    const auto middle = objects.begin() + static_cast<std::ptrdiff_t>(objects.size() / 2);
+    std::nth_element(objects.begin(), middle, objects.end(),
+                     [&](const BoxedObject& one, const BoxedObject& other) { return key(one) < key(other); });
+    return objects.size() / 2;
 }
 
+using Children = boost::container::static_vector<Part, children_per_node>;
+
 /// Cuts the part with the largest box in two, until there are enough children or each is a leaf.
-std::vector<Part> children_of(const Part& whole, std::size_t depth) {
-    std::vector<Part> parts{whole};
+Children children_of(const Part& whole, std::size_t depth) {
+    Children parts{whole};
     while (parts.size() < children_per_node) {
         Part* widest = nullptr;
         for (Part& part : parts) {
-            if (part.items.size() <= objects_per_leaf) continue;
+            if (part.objects.size() <= objects_per_leaf) continue;
             if (widest == nullptr || part.box.half_area() > widest->box.half_area()) widest = &part;
         }
         if (widest == nullptr) break;
-        const std::span<Item> items = widest->items;
-        const std::size_t left = split(items, depth);
-        *widest = part_of(items.first(left));
-        parts.push_back(part_of(items.subspan(left)));
+        const std::span<BoxedObject> objects = widest->objects;
+        const std::size_t left = split(objects, depth);
+        *widest = part_of(objects.first(left));
+        parts.push_back(part_of(objects.subspan(left)));
     }
     return parts;
 }
 
 class Builder {
   public:
-    Builder(Tree& tree, std::span<const Triangle<double>> triangles, std::uint32_t first_triangle)
+    Builder(Tree& tree, std::span<const kernel::PreparedTriangle<double>> triangles, std::uint32_t first_triangle)
         : tree_(tree), triangles_(triangles), first_triangle_(first_triangle) {}
 
-    void add_node(const Part& whole, std::size_t depth) {
-        const std::size_t here = tree_.nodes.size();
-        tree_.nodes.push_back(empty_node());
-        const std::vector<Part> children = children_of(whole, depth);
-        for (std::size_t i = 0; i < children.size(); ++i) {
-            set_sides(tree_.nodes[here], i, children[i].box);
-            if (children[i].items.size() <= objects_per_leaf) {
-                tree_.nodes[here].children[i] = first_leaf + static_cast<std::uint32_t>(tree_.leaves.size());
-                add_leaf(children[i].items);
-            } else {
-                tree_.nodes[here].children[i] = static_cast<std::uint32_t>(tree_.nodes.size());
-                add_node(children[i], depth + 1);
-            }
-        }
+    void build(const Part& whole) {
+        add_node(whole, 0);
+        tree_.leaves.reserve(leaves_.size());
+        for (const std::span<const BoxedObject> objects : leaves_) add_leaf(objects);
     }
 
   private:
@@ -184,6 +178,22 @@ class Builder {
         return node;
     }
 
+    void add_node(const Part& whole, std::size_t depth) {
+        const std::size_t here = tree_.nodes.size();
+        tree_.nodes.push_back(empty_node());
+        const Children children = children_of(whole, depth);
+        for (std::size_t i = 0; i < children.size(); ++i) {
+            set_sides(tree_.nodes[here], i, children[i].box);
+            if (children[i].objects.size() <= objects_per_leaf) {
+                tree_.nodes[here].children[i] = first_leaf + static_cast<std::uint32_t>(leaves_.size());
+                leaves_.push_back(children[i].objects);
+            } else {
+                tree_.nodes[here].children[i] = static_cast<std::uint32_t>(tree_.nodes.size());
+                add_node(children[i], depth + 1);
+            }
+        }
+    }
+
     void set_sides(Node& node, std::size_t child, const Box& box) const {
         for (int axis = 0; axis < 3; ++axis) {
             const auto in_tree = [&](double x) { return static_cast<float>((x - tree_.center[axis]) * tree_.scale); };
@@ -192,11 +202,11 @@ class Builder {
         }
     }
 
-    void add_leaf(std::span<const Item> items) {
+    void add_leaf(std::span<const BoxedObject> objects) {
         Leaf& leaf = tree_.leaves.emplace_back();
-        leaf.count = static_cast<std::uint32_t>(items.size());
+        leaf.count = static_cast<std::uint32_t>(objects.size());
         for (std::size_t lane = 0; lane < objects_per_leaf; ++lane) {
-            const std::uint32_t object = items[lane < items.size() ? lane : 0].object;
+            const std::uint32_t object = objects[lane < objects.size() ? lane : 0].object;
             leaf.objects[lane] = object;
             const Triangle<double> triangle = triangle_or_nan(object);
             for (int i = 0; i < 3; ++i) {
@@ -210,14 +220,15 @@ class Builder {
 
     Triangle<double> triangle_or_nan(std::uint32_t object) const {
         const std::uint32_t number = object - first_triangle_;  // wraps around below the first
-        if (number < triangles_.size()) return triangles_[number];
+        if (number < triangles_.size()) return triangles_[number].triangle;
         const Vec3<double> unknown(NAN, NAN, NAN);
         return {unknown, unknown, unknown};
     }
 
     Tree& tree_;
-    std::span<const Triangle<double>> triangles_;
+    std::span<const kernel::PreparedTriangle<double>> triangles_;
     std::uint32_t first_triangle_;
+    std::vector<std::span<const BoxedObject>> leaves_;
 };
 
 /// Puts the box between -1 and 1 in every coordinate.
@@ -237,18 +248,6 @@ Triangle<double> Leaf::triangle(std::size_t lane) const {
         return Vec3<double>(corners[i][0][lane], corners[i][1][lane], corners[i][2][lane]);
     };
     return {corner(0), corner(1), corner(2)};
-}
-
-void Box::cover(const Box& other) {
-    for (int i = 0; i < 3; ++i) {
-        low[i] = std::min(low[i], other.low[i]);
-        high[i] = std::max(high[i], other.high[i]);
-    }
-}
-
-double Box::half_area() const {
-    const Vec3<double> size = high - low;
-    return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
 Box box_of(const Sphere<double>& sphere) {
@@ -276,15 +275,13 @@ Box box_of(const Cylinder<double>& cylinder) {
     return box;
 }
 
-Tree build_tree(std::span<const Box> boxes, std::span<const Triangle<double>> triangles, std::uint32_t first_triangle) {
-    std::vector<Item> items;
-    items.reserve(boxes.size());
-    for (const Box& box : boxes) items.push_back({box, static_cast<std::uint32_t>(items.size())});
-    const Part whole = part_of(items);
+Tree build_tree(InHugePages<BoxedObject> objects, std::span<const kernel::PreparedTriangle<double>> triangles,
+                std::uint32_t first_triangle) {
+    const Part whole = part_of(objects);
     Tree tree{};
     tree.instructions = best_instructions();
     set_coordinates(tree, whole.box);
-    Builder(tree, triangles, first_triangle).add_node(whole, 0);
+    Builder(tree, triangles, first_triangle).build(whole);
     return tree;
 }
 

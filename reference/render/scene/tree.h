@@ -3,6 +3,7 @@
 // derives what the rounding of a box and of a ray may cost, and allows for it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -10,6 +11,8 @@
 #include <vector>
 
 #include "reference/kernel/ray.h"
+#include "reference/kernel/triangle.h"
+#include "reference/render/scene/huge_pages.h"
 
 namespace reference::render {
 
@@ -17,14 +20,28 @@ struct Box {
     Vec3<double> low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
     Vec3<double> high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
 
-    void cover(const Box& other);
-    double half_area() const;
+    void cover(const Box& other) {
+        for (int i = 0; i < 3; ++i) {
+            low[i] = std::min(low[i], other.low[i]);
+            high[i] = std::max(high[i], other.high[i]);
+        }
+    }
+
+    double half_area() const {
+        const Vec3<double> size = high - low;
+        return size.x * size.y + size.y * size.z + size.z * size.x;
+    }
 };
 
 /// A sphere's and a cylinder's bounds are rounded outward; a triangle's are coordinates of its vertices.
 Box box_of(const Sphere<double>& sphere);
 Box box_of(const Triangle<double>& triangle);
 Box box_of(const Cylinder<double>& cylinder);
+
+struct BoxedObject {
+    Box box;
+    std::uint32_t object;
+};
 
 constexpr std::size_t children_per_node = 8;
 constexpr std::size_t objects_per_leaf = 4;
@@ -57,14 +74,15 @@ enum class Instructions { portable, avx2 };
 struct Tree {
     Vec3<double> center;
     double scale;             ///< NaN for a scene of a size that the coordinates can't express
-    std::vector<Node> nodes;  ///< the root first
-    std::vector<Leaf> leaves;
+    InHugePages<Node> nodes;  ///< the root first
+    InHugePages<Leaf> leaves;
     Instructions instructions;
 };
 
-/// boxes[i] is the box of object i; there is at least one, and at most first_leaf. Triangles are the objects from
-/// `first_triangle` on. The tree is the same on every machine, but for its instructions.
-Tree build_tree(std::span<const Box> boxes, std::span<const Triangle<double>> triangles, std::uint32_t first_triangle);
+/// There is at least one object, and at most first_leaf. Triangles are the objects from `first_triangle` on. The tree
+/// is the same on every machine, but for its instructions.
+Tree build_tree(InHugePages<BoxedObject> objects, std::span<const kernel::PreparedTriangle<double>> triangles,
+                std::uint32_t first_triangle);
 
 /// The greatest depth of a tree.
 constexpr std::size_t deepest_tree = 64;

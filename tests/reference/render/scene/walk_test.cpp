@@ -100,6 +100,12 @@ WalkedRay ray_at(const Box& box, double far, Random& random) {
     return ray;
 }
 
+Tree tree_of(const std::vector<Box>& boxes) {
+    InHugePages<BoxedObject> objects;
+    for (const Box& box : boxes) objects.push_back({box, static_cast<std::uint32_t>(objects.size())});
+    return build_tree(std::move(objects), {}, 0);
+}
+
 struct Sizes {
     double scene;
     double distance;   ///< of the origins, in sizes of the scene
@@ -111,7 +117,7 @@ struct Sizes {
 void expect_no_loss(const Sizes& sizes, Random& random) {
     const Vec3<double> by(sizes.offset * sizes.scene, -sizes.offset * sizes.scene, 0);
     const std::vector<Box> boxes = random_boxes(random, 40, sizes.scene, by);
-    Tree tree = build_tree(boxes, {}, 0);
+    Tree tree = tree_of(boxes);
     for (const Instructions instructions : all_instructions()) {
         tree.instructions = instructions;
         for (int i = 0; i < 60; ++i) {
@@ -163,7 +169,7 @@ TEST(Walk, VisitsFewBoxesWhateverTheSizeOfTheNumbers) {
     for (const Sizes& sizes : {Sizes{1, 0.5, 1, 0}, {1, 1e6, 1, 0}, {1e-20, 3, 1e40, 0}, {1, 3, 1e-40, 1e6}}) {
         const Vec3<double> by(sizes.offset * sizes.scene, 0, 0);
         const std::vector<Box> boxes = random_boxes(random, objects, sizes.scene, by);
-        Tree tree = build_tree(boxes, {}, 0);
+        Tree tree = tree_of(boxes);
         for (const Instructions instructions : all_instructions()) {
             tree.instructions = instructions;
             std::ptrdiff_t visits = 0;
@@ -182,7 +188,7 @@ TEST(Walk, VisitsFewBoxesWhateverTheSizeOfTheNumbers) {
 TEST(Walk, VisitsNothingOnARayThatMissesTheScene) {
     Random random(5);
     const std::vector<Box> boxes = random_boxes(random, 100, 1, {0, 0, 0});
-    const Tree tree = build_tree(boxes, {}, 0);
+    const Tree tree = tree_of(boxes);
     for (const WalkedRay& ray : {WalkedRay{{0, 5, 0}, {1, 0, 0}}, {{0, 5, 0}, {0, 1, 0}}, {{9, 9, 0}, {-1, 1, 0}}}) {
         const std::vector<bool> visited = visited_by(tree, boxes.size(), ray, 0, HUGE_VAL);
         EXPECT_EQ(std::count(visited.begin(), visited.end(), true), 0);
