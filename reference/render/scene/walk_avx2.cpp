@@ -1,5 +1,5 @@
-// The walk in AVX2. This file alone is compiled for it. So it calls nothing that another file compiles too: the linker
-// would keep either of the two.
+// The walk in AVX2 and FMA. This file alone is compiled for them. So it calls nothing that another file compiles too:
+// the linker would keep either of the two.
 #ifdef __AVX2__
 #include <immintrin.h>
 
@@ -37,21 +37,21 @@ class Avx2Boxes {
     }
 
     KERNEL_INLINE unsigned meets(const Node& node, float until, float* near) const {
-        const Floats from =
-            _mm256_max_ps(_mm256_max_ps(side(node, enter_[0]) * inverse_[0] - near_shift_[0],
-                                        side(node, enter_[1]) * inverse_[1] - near_shift_[1]),
-                          _mm256_max_ps(side(node, enter_[2]) * inverse_[2] - near_shift_[2], eight(0)));
-        const Floats to =
-            _mm256_min_ps(_mm256_min_ps(side(node, leave_[0]) * inverse_[0] - far_shift_[0],
-                                        side(node, leave_[1]) * inverse_[1] - far_shift_[1]),
-                          _mm256_min_ps(side(node, leave_[2]) * inverse_[2] - far_shift_[2], eight(until)));
+        const Floats from = _mm256_max_ps(_mm256_max_ps(tau(node, enter_[0], inverse_[0], near_shift_[0]),
+                                                        tau(node, enter_[1], inverse_[1], near_shift_[1])),
+                                          _mm256_max_ps(tau(node, enter_[2], inverse_[2], near_shift_[2]), eight(0)));
+        const Floats to = _mm256_min_ps(_mm256_min_ps(tau(node, leave_[0], inverse_[0], far_shift_[0]),
+                                                      tau(node, leave_[1], inverse_[1], far_shift_[1])),
+                                        _mm256_min_ps(tau(node, leave_[2], inverse_[2], far_shift_[2]), eight(until)));
         _mm256_store_ps(near, from);
         return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(from, to, _CMP_LE_OQ)));
     }
 
   private:
-    KERNEL_INLINE static Floats side(const Node& node, std::size_t offset) {
-        return _mm256_load_ps(reinterpret_cast<const float*>(reinterpret_cast<const char*>(&node) + offset));
+    /// side/d - o/d, of the sides at the offset. Fused, it is rounded once less than tree_ray.h allows for.
+    KERNEL_INLINE static Floats tau(const Node& node, std::size_t offset, Floats inverse, Floats shift) {
+        const auto* const sides = reinterpret_cast<const float*>(reinterpret_cast<const char*>(&node) + offset);
+        return _mm256_fmsub_ps(_mm256_load_ps(sides), inverse, shift);
     }
 
     Floats inverse_[3];
