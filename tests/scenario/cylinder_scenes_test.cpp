@@ -37,13 +37,6 @@ json graded(const std::string& source, const std::vector<std::string>& more) {
     return read_json(folder / "out/grades.json").at("submissions").at(0);
 }
 
-std::set<std::string> names(const json& items) {
-    std::set<std::string> result;
-    for (const json& item : items)
-        result.insert(std::to_string(item.at("question").get<int>()) + "." + item.at("item").get<std::string>());
-    return result;
-}
-
 TEST(CylinderOnOtherScenes, IsFoundAndComputed) {
     const json submission = graded(program(), {"--variants", "4"});
     EXPECT_EQ(submission.at("points"), 100);
@@ -59,7 +52,7 @@ TEST(CylinderOnOtherScenes, BreaksWithTheHandoutsNormal) {
         graded(with("vec3(P.x - cyl.center.x, 0, P.z - cyl.center.z)", "vec3(P.x, 0, P.z)"), {"--variants", "4"});
     EXPECT_EQ(submission.at("points"), 100);
     EXPECT_EQ(submission.at("variants").at("verdict"), "breaks");
-    EXPECT_EQ(names(submission.at("variants").at("broken")), (std::set<std::string>{"4.normal"}));
+    EXPECT_EQ(item_names(submission.at("variants").at("broken")), (std::set<std::string>{"4.normal"}));
 }
 
 TEST(CylinderOnOtherScenes, DoesNotMoveWhereItIsPrinted) {
@@ -69,7 +62,7 @@ TEST(CylinderOnOtherScenes, DoesNotMoveWhereItIsPrinted) {
                                    {"--variants", "4"});
     EXPECT_EQ(submission.at("points"), 100);
     EXPECT_EQ(submission.at("variants").at("verdict"), "does_not_move");
-    EXPECT_EQ(names(submission.at("variants").at("unmoved")), (std::set<std::string>{"4.t", "4.hit", "4.normal"}));
+    EXPECT_EQ(item_names(submission.at("variants").at("unmoved")), (std::set<std::string>{"4.t", "4.hit", "4.normal"}));
 }
 
 TEST(CylinderOnHardScenes, SurvivesAndLosesDigits) {
@@ -83,7 +76,7 @@ TEST(CylinderOnHardScenes, SurvivesAndLosesDigits) {
         EXPECT_EQ(scenes.at(name).at("verdict"), "survives") << scenes.at(name).dump(2);
     const json& far = scenes.at("small cylinder, far away");
     EXPECT_EQ(far.at("verdict"), "breaks") << "the discriminant is 0 in float, the point on the axis";
-    EXPECT_EQ(names(far.at("items")), (std::set<std::string>{"4.normal"}));
+    EXPECT_EQ(item_names(far.at("items")), (std::set<std::string>{"4.normal"}));
     EXPECT_EQ(far.at("better").size(), 1U) << "the handout's steps; formulas are not compared";
     const json& close = scenes.at("ray starts close to the cylinder");
     EXPECT_EQ(close.at("items").at(0).at("loss"), "digits") << close.dump(2);

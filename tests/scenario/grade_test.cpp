@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/scenario/sample_class.h"
 #include "tests/scenario/scenario.h"
 
 namespace scenario {
@@ -83,39 +84,19 @@ json grade_alone(const fs::path& path, const std::string& assignment = "a6-2021"
     return grades.at("submissions").at(0);
 }
 
-struct Student {
-    std::string name;
-};
-
-/// The name, with "_" for each character that GoogleTest does not allow in test names.
-std::string test_name(const Student& student) {
-    std::string name;
-    for (const char c : student.name) {
-        const auto byte = static_cast<unsigned char>(c);
-        const bool continues_a_character = (byte & 0xC0U) == 0x80U;
-        if (!continues_a_character) name += std::isalnum(byte) != 0 ? c : '_';
-    }
-    return name;
-}
-
-// GoogleTest prints an extra line for a name that is not ASCII, and ctest would take that line for a test.
-void PrintTo(const Student& student, std::ostream* out) {
-    *out << test_name(student);
-}
-
-std::vector<Student> sample_class() {
-    std::vector<Student> students;
+std::vector<Sample> marked_samples() {
+    std::vector<Sample> samples;
     for (const char* year : {"", "2024/"}) {
         for (const auto& entry : fs::directory_iterator(project_folder() / "submissions" / year)) {
             if (fs::exists(entry.path() / "expected.json"))
-                students.push_back({year + entry.path().filename().string()});
+                samples.push_back({year + entry.path().filename().string()});
         }
     }
-    std::sort(students.begin(), students.end(), [](const Student& a, const Student& b) { return a.name < b.name; });
-    return students;
+    std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.name < b.name; });
+    return samples;
 }
 
-class SampleClass : public testing::TestWithParam<Student> {};
+class SampleClass : public testing::TestWithParam<Sample> {};
 
 TEST_P(SampleClass, GetsTheMarksThatAMarkerGives) {
     const json expected = read_json(sample(GetParam().name) / "expected.json");
@@ -147,12 +128,12 @@ TEST_P(SampleClass, GetsTheMarksThatAMarkerGives) {
     EXPECT_EQ(submission.at("max_points").get<double>(), 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(Submissions, SampleClass, testing::ValuesIn(sample_class()),
-                         [](const auto& student) { return test_name(student.param); });
+INSTANTIATE_TEST_SUITE_P(Submissions, SampleClass, testing::ValuesIn(marked_samples()),
+                         [](const auto& sample) { return test_name(sample.param); });
 
 TEST(SampleClassItself, NamesOnlyItemsAndVerdictsThatExist) {
     const std::set<std::string> verdicts = {"follow", "wrong", "missing", "unreadable", "right"};
-    for (const auto& [who] : sample_class()) {
+    for (const auto& [who] : marked_samples()) {
         const json expected = read_json(sample(who) / "expected.json");
         const std::vector<std::string> names = items_of(who);
         for (const auto& [name, ignored] : expected.at("items").items()) {

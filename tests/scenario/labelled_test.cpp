@@ -31,7 +31,7 @@ std::vector<std::string> labelled_class() {
     return names;
 }
 
-std::vector<std::string> fair_verdicts(const json& question, const std::string& item) {
+std::vector<std::string> verdicts_of_label(const json& question, const std::string& item) {
     std::vector<std::string> fair = {question.at("items").at(item)};
     const json ambiguous = question.value("ambiguous_items", json::object());
     if (ambiguous.contains(item)) {
@@ -55,7 +55,7 @@ TEST_P(LabelledClass, AgreesWithTheMarkerOnEveryItem) {
         const json& labelled = label.at("questions").at(std::to_string(question.at("number").get<int>()));
         for (const json& item : question.at("items")) {
             const std::string name = item.at("name");
-            EXPECT_THAT(fair_verdicts(labelled, name), testing::Contains(item.at("verdict").get<std::string>()))
+            EXPECT_THAT(verdicts_of_label(labelled, name), testing::Contains(item.at("verdict").get<std::string>()))
                 << question.at("number") << "." << name << ": " << item.dump(2) << "\n"
                 << labelled.at("why");
             ++items;

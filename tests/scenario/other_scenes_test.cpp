@@ -6,14 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <ostream>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "tests/scenario/sample_class.h"
 #include "tests/scenario/scenario.h"
 
 namespace scenario {
@@ -27,24 +26,7 @@ using testing::HasSubstr;
 using testing::IsSupersetOf;
 using testing::Not;
 
-struct Sample {
-    std::string name;
-};
-
-std::string test_name(const Sample& sample) {
-    std::string name;
-    for (const char c : sample.name) {
-        const auto byte = static_cast<unsigned char>(c);
-        if ((byte & 0xC0U) != 0x80U) name += byte < 0x80U && std::isalnum(byte) != 0 ? c : '_';
-    }
-    return name;
-}
-
-void PrintTo(const Sample& sample, std::ostream* out) {
-    *out << test_name(sample);
-}
-
-std::vector<Sample> sample_class() {
+std::vector<Sample> samples_on_other_scenes() {
     std::vector<Sample> samples;
     for (const auto& entry : fs::directory_iterator(project_folder() / "submissions")) {
         if (fs::exists(entry.path() / "expected.json") || fs::exists(entry.path() / "label.json"))
@@ -61,13 +43,6 @@ json graded_with_variants(const fs::path& source, const std::string& variants,
                                     "--out", (folder / "out").string()});
     EXPECT_EQ(result.status, 0) << result.both();
     return read_json(folder / "out/grades.json").at("submissions").at(0);
-}
-
-std::set<std::string> names(const json& items) {
-    std::set<std::string> result;
-    for (const json& item : items)
-        result.insert(std::to_string(item.at("question").get<int>()) + "." + item.at("item").get<std::string>());
-    return result;
 }
 
 bool is_hard_coded(const json& submission) {
@@ -94,17 +69,17 @@ TEST_P(SampleOnOtherScenes, IsFlaggedIfItPrintsInsteadOfComputing) {
         return;
     }
     const auto unmoved = expected.at("unmoved").get<std::set<std::string>>();
-    EXPECT_THAT(names(variants.at("unmoved")), IsSupersetOf(unmoved));
+    EXPECT_THAT(item_names(variants.at("unmoved")), IsSupersetOf(unmoved));
     EXPECT_EQ(variants.at("verdict"), unmoved.empty() ? "not_found" : "does_not_move");
 }
 
-INSTANTIATE_TEST_SUITE_P(Submissions, SampleOnOtherScenes, testing::ValuesIn(sample_class()),
+INSTANTIATE_TEST_SUITE_P(Submissions, SampleOnOtherScenes, testing::ValuesIn(samples_on_other_scenes()),
                          [](const auto& name) { return test_name(name.param); });
 
 TEST(OtherScenes, DistinguishAnswersThatMoveFromAnswersThatDoNot) {
     const json submission = graded_with_variants(sample("ines"), "2");
     // Of the 22 items, 14 are computed, a is 1 in every scene, and the triangle's t, printed as 0, proves nothing.
-    EXPECT_EQ(names(submission.at("variants").at("unmoved")),
+    EXPECT_EQ(item_names(submission.at("variants").at("unmoved")),
               (std::set<std::string>{"6.t", "6.hit", "7.normal", "8.u", "8.v", "8.hit"}));
     EXPECT_EQ(submission.at("points"), 100) << "a flag costs nothing";
 }

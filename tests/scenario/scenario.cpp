@@ -155,4 +155,11 @@ nlohmann::json submission_in(const nlohmann::json& grades, std::string_view id) 
     return nullptr;
 }
 
+std::set<std::string> item_names(const nlohmann::json& items) {
+    std::set<std::string> names;
+    for (const auto& item : items)
+        names.insert(std::to_string(item.at("question").get<int>()) + "." + item.at("item").get<std::string>());
+    return names;
+}
+
 }  // namespace scenario

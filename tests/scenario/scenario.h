@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -73,5 +74,7 @@ bool holds_bwrap();
 
 /// The entry of grades.json for the submission `id`; null if there is none.
 nlohmann::json submission_in(const nlohmann::json& grades, std::string_view id);
+/// The items that a list of grades.json names, as "question.item".
+std::set<std::string> item_names(const nlohmann::json& items);
 
 }  // namespace scenario

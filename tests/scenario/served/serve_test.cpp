@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+#include "tests/scenario/scenario.h"
 #include "tests/scenario/served/serving.h"
 
 namespace scenario {
@@ -20,8 +21,6 @@ using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr std::string_view honest =
-    "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n";
 /// Takes a while, then prints the same right answer as the honest program.
 constexpr std::string_view slow =
     "#include <cstdio>\n#include <unistd.h>\nint main() { sleep(3); puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, "
@@ -33,7 +32,7 @@ TEST_F(Serving, GradesAnHonestProgramAmongHostileOnes) {
     for (const char* hostile : {"endless_loop", "fork_bomb", "kill_all", "markup_injection", "ansi_sequences"}) {
         results[hostile] = hand_in(read(project_folder() / "submissions/hostile" / hostile / "ray_cast.cpp"));
     }
-    results["honest"] = hand_in(honest);
+    results["honest"] = hand_in(small_program);
     for (const auto& [who, result] : results) EXPECT_EQ(outcome(result).at("standing"), "done") << who;
     EXPECT_EQ(standing(results["honest"]).at("points"), 10);
     const HttpAnswer page = ask(harness::serve::get(results["markup_injection"]));
@@ -62,7 +61,8 @@ TEST_F(Serving, GradesAnHonestProgramAmongHostileOnes) {
 TEST_F(Serving, FinishesTheQueueWhenStoppedAndKeepsTheResults) {
     start({"--grace", "100"});
     std::vector<std::string> results;
-    for (int i = 0; i < 3; ++i) results.push_back(hand_in(std::string(honest) + "// " + std::to_string(i) + "\n"));
+    for (int i = 0; i < 3; ++i)
+        results.push_back(hand_in(std::string(small_program) + "// " + std::to_string(i) + "\n"));
     EXPECT_EQ(end(SIGTERM), 0);
     EXPECT_THAT(read(voice()), HasSubstr("nothing waits"));
     EXPECT_THAT(read(voice()),
@@ -77,7 +77,8 @@ TEST_F(Serving, FinishesTheQueueWhenStoppedAndKeepsTheResults) {
 
 TEST_F(Serving, GradesAfterTheNextStartWhatItsGraceWasTooShortFor) {
     start({"--grace", "0", "-j", "1"});
-    std::vector<std::string> results = {hand_in(slow), hand_in(honest), hand_in(std::string(honest) + "// other\n")};
+    std::vector<std::string> results = {hand_in(slow), hand_in(small_program),
+                                        hand_in(std::string(small_program) + "// other\n")};
     EXPECT_EQ(end(SIGTERM), 0);
     EXPECT_THAT(read(voice()), HasSubstr("kept for the next start"));
     start();
@@ -87,9 +88,9 @@ TEST_F(Serving, GradesAfterTheNextStartWhatItsGraceWasTooShortFor) {
 
 TEST_F(Serving, LosesNothingWhenKilled) {
     start({"-j", "1"});
-    const std::string done = hand_in(honest);
+    const std::string done = hand_in(small_program);
     EXPECT_EQ(outcome(done).at("points"), 10);
-    const std::vector<std::string> results = {hand_in(slow), hand_in(std::string(honest) + "// other\n")};
+    const std::vector<std::string> results = {hand_in(slow), hand_in(std::string(small_program) + "// other\n")};
     EXPECT_EQ(end(SIGKILL), 128 + SIGKILL);
     start();
     EXPECT_EQ(standing(done).at("points"), 10);
@@ -99,7 +100,7 @@ TEST_F(Serving, LosesNothingWhenKilled) {
 TEST_F(Serving, NeverGradesAQueuedProgramByADifferentAssignment) {
     const std::string state = (folder / "kept").string();
     start({"--state", state, "--grace", "0", "-j", "1"});
-    const std::vector<std::string> results = {hand_in(slow), hand_in(honest)};
+    const std::vector<std::string> results = {hand_in(slow), hand_in(small_program)};
     EXPECT_EQ(end(SIGTERM), 0);
     const std::string other = (folder / "other.toml").string();
     write(other, read(project_folder() / "reference/assignments/a6-2021.toml") + "\nlate_deduction = 0.5\n");
@@ -133,7 +134,7 @@ TEST_F(Serving, SaysThatPointsForOtherScenesAreNotShown) {
     start();
     EXPECT_THAT(read(output()), AllOf(HasSubstr(sentence), HasSubstr("--variants")));
     EXPECT_THAT(ask(harness::serve::get("/")).body, HasSubstr(sentence));
-    const std::string result = hand_in(honest);
+    const std::string result = hand_in(small_program);
     EXPECT_EQ(outcome(result).at("max_points"), 100);
     EXPECT_THAT(ask(harness::serve::get(result)).body, HasSubstr(sentence));
     EXPECT_EQ(end(SIGINT), 0);

@@ -28,8 +28,6 @@ using namespace std::chrono_literals;
 using nlohmann::json;
 using testing::HasSubstr;
 
-constexpr std::string_view honest =
-    "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n";
 /// Resists every attempt to end it for some seconds.
 constexpr std::string_view clinging =
     "#include <signal.h>\n#include <unistd.h>\n"
@@ -126,7 +124,7 @@ class Killed : public Fault, public testing::WithParamInterface<unsigned> {};
 TEST_P(Killed, LeavesNoProcessAndTheNextRunRemovesItsFolder) {
     adopt_orphans();
     add("clinging", clinging);
-    add("honest", honest);
+    add("honest", small_program);
     add("spinning", spinning);
     const std::vector<std::string> words = command({"-j", "2", "--limit", "run.cpu_seconds=0.3"});
     std::mt19937 random(GetParam());
@@ -163,7 +161,7 @@ bool find_running(const std::string& name, pid_t& parent) {
 
 TEST_F(Fault, ADeadSupervisorLeavesItsSubmissionNotGraded) {
     adopt_orphans();
-    add("honest", honest);
+    add("honest", small_program);
     // A unique name, so that this test finds only its own process.
     const std::string name = "waits-" + std::to_string(getpid());
     add("waits", "#include <sys/prctl.h>\n#include <unistd.h>\nint main() { prctl(PR_SET_NAME, \"" + name +
@@ -184,7 +182,7 @@ TEST_F(Fault, ADeadSupervisorLeavesItsSubmissionNotGraded) {
 
 TEST_F(Fault, ADiskThatFillsUpLeavesASubmissionNotGraded) {
     add("fills", "char big[30000000] = {1};\nint main() { return big[1]; }\n");
-    add("honest", honest);
+    add("honest", small_program);
     const Result result =
         raygrade(command({"-j", "1"}), in_temporary([this] { return mount_disk(temporary(), "16m"); }));
     EXPECT_EQ(result.status, some_not_graded) << result.both();
@@ -194,7 +192,7 @@ TEST_F(Fault, ADiskThatFillsUpLeavesASubmissionNotGraded) {
 }
 
 TEST_F(Fault, FewFilesOnTheDiskAreNobodysCompileError) {
-    add("honest", honest);
+    add("honest", small_program);
     for (const int files : {8, 10, 12, 14, 16, 20})
         grade_fairly([&] { return mount_disk(temporary(), "64m,nr_inodes=" + std::to_string(files)); });
     expect_that_nothing_is_kept();
@@ -204,7 +202,7 @@ TEST_F(Fault, EveryCommandSaysThatMemoryIsScarce) {
 #if defined(__SANITIZE_ADDRESS__)
     GTEST_SKIP() << "a sanitised raygrade needs terabytes of addresses";
 #endif
-    add("honest", honest);
+    add("honest", small_program);
     const std::string source = (students() / "honest/ray_cast.cpp").string();
     const std::vector<std::vector<std::string>> commands = {{"check", source},
                                                             {"stress", source},
@@ -230,7 +228,7 @@ TEST_F(Fault, ScarceMemoryIsNobodysCompileError) {
 #if defined(__SANITIZE_ADDRESS__)
     GTEST_SKIP() << "a sanitised raygrade needs terabytes of addresses";
 #endif
-    add("honest", "#include <iostream>\n" + std::string(honest));
+    add("honest", "#include <iostream>\n" + std::string(small_program));
     constexpr rlim_t megabyte = 1'000'000;
     for (const rlim_t megabytes : {70, 85, 100, 115, 130, 160}) {
         grade_fairly([&] {
@@ -242,7 +240,7 @@ TEST_F(Fault, ScarceMemoryIsNobodysCompileError) {
 }
 
 TEST_F(Fault, AFullDiskIsReportedBeforeTheFirstSubmission) {
-    add("honest", honest);
+    add("honest", small_program);
     const Result result = raygrade(command(), in_temporary([this] { return mount_tiny_disk(temporary()); }));
     EXPECT_EQ(result.status, some_not_graded) << result.both();
     EXPECT_THAT(result.voice, HasSubstr("TMPDIR"));
@@ -263,7 +261,7 @@ fs::path path_with_vanishing(const fs::path& folder, const std::string& name, in
 
 TEST_F(Fault, ABwrapRemovedDuringTheRunLeavesTheRestNotGraded) {
     if (!holds_bwrap()) GTEST_SKIP() << "bwrap does not hold on this machine";
-    for (const char* id : {"a", "b", "c"}) add(id, honest);
+    for (const char* id : {"a", "b", "c"}) add(id, small_program);
     // The first use is the canary, the next are some of the six compilations and runs.
     const fs::path bin = path_with_vanishing(folder / "vanishing", "bwrap", 4);
     const Result result =
