@@ -11,6 +11,7 @@
 
 #include "tests/given/report/graded_samples.h"
 #include "tests/given/temporary_folder.h"
+#include "tests/harness/report/exchange/refusal.h"
 
 namespace harness::report {
 namespace {
@@ -46,29 +47,24 @@ std::vector<std::vector<std::string>> rows_of(const std::string& csv) {
     return json::parse(text).get<std::vector<std::vector<std::string>>>();
 }
 
-Graded handed_in(const std::string& id, const char* canvas_name = nullptr) {
+Graded in_the_class(const std::string& id, const char* canvas_name = nullptr) {
     Graded one = graded(id, output_with_a_mistake());
     if (canvas_name != nullptr) one.submission.lms = read_canvas_name(canvas_name);
     return one;
 }
 
-CanvasImport import_of(const std::vector<Graded>& graded) {
+CanvasImport import_into_canvas(const std::vector<Graded>& graded) {
     std::setlocale(LC_CTYPE, "C.UTF-8");  // as raygrade does
     return canvas_import(read_canvas_roster(exported, "Assignment 6"), graded);
 }
 
-std::string why_not(std::string_view csv, const std::string& column) {
-    try {
-        read_canvas_roster(csv, column);
-    } catch (const RosterError& error) {
-        return error.what();
-    }
-    return "no RosterError";
+std::string refusal_of_gradebook(std::string_view csv, const std::string& column) {
+    return refusal([&] { read_canvas_roster(csv, column); });
 }
 
 TEST(CanvasImport, ContainsOnlyTheColumnAndMatchedStudents) {
-    const CanvasImport import = import_of(
-        {handed_in("doejane_12", "doejane_12_1_ray_cast.cpp"), handed_in("łukaszżan", "łukaszżan_13_2_ray_cast.cpp")});
+    const CanvasImport import = import_into_canvas({in_the_class("doejane_12", "doejane_12_1_ray_cast.cpp"),
+                                                    in_the_class("łukaszżan", "łukaszżan_13_2_ray_cast.cpp")});
     const auto rows = rows_of(import.csv);
     ASSERT_EQ(rows.size(), 4U);
     EXPECT_THAT(rows[0], ElementsAre("Student", "ID", "SIS User ID", "SIS Login ID", "Section", "Assignment 6 (71)"));
@@ -81,7 +77,7 @@ TEST(CanvasImport, ContainsOnlyTheColumnAndMatchedStudents) {
 
 TEST(CanvasImport, MatchesByNumberThenBySisThenByName) {
     const CanvasImport import =
-        import_of({handed_in("s14"), handed_in("ppoe"), handed_in("x", "łukaszżan_999_2_a.cpp")});
+        import_into_canvas({in_the_class("s14"), in_the_class("ppoe"), in_the_class("x", "łukaszżan_999_2_a.cpp")});
     EXPECT_EQ(import.matched, 3U);
     EXPECT_THAT(import.unmatched, IsEmpty());
     EXPECT_EQ(rows_of(import.csv).size(), 2U + 3U);
@@ -89,7 +85,7 @@ TEST(CanvasImport, MatchesByNumberThenBySisThenByName) {
 
 TEST(CanvasImport, NeverGuesses) {
     const CanvasImport import =
-        import_of({handed_in("doejane"), handed_in("nobody"), handed_in("14"), handed_in("rroe")});
+        import_into_canvas({in_the_class("doejane"), in_the_class("nobody"), in_the_class("14"), in_the_class("rroe")});
     EXPECT_THAT(import.ambiguous,
                 ElementsAre("doejane: Doe, Jane; Doe, Jane", "14: Roe, \"Rick\"", "rroe: Roe, \"Rick\""));
     EXPECT_THAT(import.unmatched, ElementsAre("nobody"));
@@ -98,11 +94,11 @@ TEST(CanvasImport, NeverGuesses) {
 }
 
 TEST(CanvasImport, HasTheFinalPoints) {
-    Graded late = handed_in("s14");
+    Graded late = in_the_class("s14");
     late.late_share = 0.5;
     Graded by_hand = not_graded("ppoe");
     by_hand.overrides = {{0, "", 40, "by hand", "bea", ""}};
-    const CanvasImport import = import_of({late, by_hand});
+    const CanvasImport import = import_into_canvas({late, by_hand});
     const auto rows = rows_of(import.csv);
     ASSERT_EQ(rows.size(), 4U);
     EXPECT_EQ(rows[2].back(), "49.17");
@@ -111,27 +107,27 @@ TEST(CanvasImport, HasTheFinalPoints) {
 }
 
 TEST(CanvasImport, LeavesOutSubmissionsWithoutMarks) {
-    const CanvasImport import = import_of({not_graded("14")});
+    const CanvasImport import = import_into_canvas({not_graded("14")});
     EXPECT_THAT(import.not_graded, ElementsAre("14"));
     EXPECT_THAT(import.csv, Not(HasSubstr("Roe")));
 }
 
 TEST(CanvasImport, TakesNoNumberOfADifferentSystemAsCanvass) {
-    Graded of_moodle = handed_in("somebody");
+    Graded of_moodle = in_the_class("somebody");
     of_moodle.submission.lms = read_moodle_name("Some Body_14_assignsubmission_file");
-    EXPECT_THAT(import_of({of_moodle}).unmatched, ElementsAre("somebody"));
+    EXPECT_THAT(import_into_canvas({of_moodle}).unmatched, ElementsAre("somebody"));
     of_moodle.submission.lms = read_moodle_name("Poe Pat_14_assignsubmission_file");
-    EXPECT_EQ(rows_of(import_of({of_moodle}).csv)[2][0], "Poe, Pat") << "by name";
+    EXPECT_EQ(rows_of(import_into_canvas({of_moodle}).csv)[2][0], "Poe, Pat") << "by name";
 }
 
 TEST(CanvasImport, ReportsPointsPossibleThatDifferFromTheAssignment) {
-    const CanvasImport usual = import_of({handed_in("s14")});
+    const CanvasImport usual = import_into_canvas({in_the_class("s14")});
     EXPECT_FALSE(usual.possible);
     EXPECT_THAT(usual.above, ElementsAre());
-    Graded much = handed_in("s14"), little = handed_in("s15");
+    Graded much = in_the_class("s14"), little = in_the_class("s15");
     for (Graded* one : {&much, &little}) one->score.max_points = 120;
     much.score.points = 100.5;
-    const CanvasImport import = import_of({much, little});
+    const CanvasImport import = import_into_canvas({much, little});
     EXPECT_EQ(import.possible, 100);
     EXPECT_THAT(import.above, ElementsAre("s14"));
     EXPECT_EQ(import.matched, 2U);
@@ -139,13 +135,13 @@ TEST(CanvasImport, ReportsPointsPossibleThatDifferFromTheAssignment) {
 }
 
 TEST(CanvasImport, GivesEachGroupMemberThePoints) {
-    Graded group = handed_in("Rick Roe, Pat Poe, Ann Lee, Jane Doe");
+    Graded group = in_the_class("Rick Roe, Pat Poe, Ann Lee, Jane Doe");
     LmsName& name = group.submission.lms.emplace();
     name.system = Lms::gradescope;
     name.id = "14";
     name.submitters = {
         {"Rick Roe", "s14", ""}, {"Pat Poe", "", "ppoe"}, {"Ann Lee", "s99", "alee"}, {"Doe Jane", "", ""}};
-    const CanvasImport import = import_of({group});
+    const CanvasImport import = import_into_canvas({group});
     const auto rows = rows_of(import.csv);
     ASSERT_EQ(rows.size(), 4U);
     EXPECT_EQ(rows[2][0], "Roe, \"Rick\"") << "by SIS User ID";
@@ -155,15 +151,15 @@ TEST(CanvasImport, GivesEachGroupMemberThePoints) {
 }
 
 TEST(CanvasImport, CountsAGroupMemberListedTwiceOnce) {
-    Graded group = handed_in("Rick Roe, Pat Poe, Ricky");
+    Graded group = in_the_class("Rick Roe, Pat Poe, Ricky");
     LmsName& name = group.submission.lms.emplace();
     name.system = Lms::gradescope;
     name.id = "901";
     name.submitters = {{"Rick Roe", "s14", ""}, {"Pat Poe", "", "ppoe"}, {"Ricky", "s14", ""}};
-    const CanvasImport import = import_of({group});
+    const CanvasImport import = import_into_canvas({group});
     EXPECT_THAT(import.ambiguous, IsEmpty());
     EXPECT_EQ(import.matched, 2U);
-    const CanvasImport two = import_of({group, handed_in("s14")});
+    const CanvasImport two = import_into_canvas({group, in_the_class("s14")});
     EXPECT_THAT(two.ambiguous, ElementsAre("Rick Roe, Pat Poe, Ricky: Roe, \"Rick\"", "s14: Roe, \"Rick\""))
         << "another submission of the same person is one";
 }
@@ -173,23 +169,23 @@ TEST(CanvasRoster, NamesItsStudentsAndNobodyWhoMayBeTwo) {
     const auto name = [](const Graded& one) {
         return names_of({one.submission}, read_canvas_roster(exported, "71")).front();
     };
-    EXPECT_EQ(name(handed_in("poepat", "poepat_15_9_ray_cast.cpp")), "Poe, Pat");
-    EXPECT_EQ(name(handed_in("doejane", "doejane_12_9_ray_cast.cpp")), "Doe, Jane") << "by Canvas's number";
-    EXPECT_EQ(name(handed_in("doejane")), "") << "there are two";
-    EXPECT_EQ(name(handed_in("zan")), "Łukasz, Żan") << "by login";
-    EXPECT_EQ(name(handed_in("stranger")), "");
-    Graded group = handed_in("submission_901");
+    EXPECT_EQ(name(in_the_class("poepat", "poepat_15_9_ray_cast.cpp")), "Poe, Pat");
+    EXPECT_EQ(name(in_the_class("doejane", "doejane_12_9_ray_cast.cpp")), "Doe, Jane") << "by Canvas's number";
+    EXPECT_EQ(name(in_the_class("doejane")), "") << "there are two";
+    EXPECT_EQ(name(in_the_class("zan")), "Łukasz, Żan") << "by login";
+    EXPECT_EQ(name(in_the_class("stranger")), "");
+    Graded group = in_the_class("submission_901");
     group.submission.lms.emplace().system = Lms::gradescope;
     group.submission.lms->submitters = {{"", "s14", ""}, {"", "nobody", ""}, {"", "s15", ""}};
     EXPECT_EQ(name(group), "Roe, \"Rick\"; Poe, Pat");
 }
 
 TEST(CanvasRoster, SaysWhyAColumnCannotBeChosen) {
-    EXPECT_THAT(why_not(exported, ""), HasSubstr("\"Assignment 5 (70)\", \"Assignment 6 (71)\""));
-    EXPECT_THAT(why_not(exported, "Assignment 7"), HasSubstr("no column \"Assignment 7\""));
-    EXPECT_THAT(why_not("Student,ID\r\nA,1\r\n", ""), HasSubstr("no column of an assignment"));
-    EXPECT_THAT(why_not("a,b\r\n1,2\r\n", ""), HasSubstr("no gradebook of Canvas"));
-    EXPECT_THAT(why_not("", ""), HasSubstr("no gradebook of Canvas"));
+    EXPECT_THAT(refusal_of_gradebook(exported, ""), HasSubstr("\"Assignment 5 (70)\", \"Assignment 6 (71)\""));
+    EXPECT_THAT(refusal_of_gradebook(exported, "Assignment 7"), HasSubstr("no column \"Assignment 7\""));
+    EXPECT_THAT(refusal_of_gradebook("Student,ID\r\nA,1\r\n", ""), HasSubstr("no column of an assignment"));
+    EXPECT_THAT(refusal_of_gradebook("a,b\r\n1,2\r\n", ""), HasSubstr("no gradebook of Canvas"));
+    EXPECT_THAT(refusal_of_gradebook("", ""), HasSubstr("no gradebook of Canvas"));
     EXPECT_EQ(read_canvas_roster(exported, "Assignment 6 (71)").column, "Assignment 6 (71)");
     EXPECT_EQ(read_canvas_roster(exported, "70").column, "Assignment 5 (70)");
     EXPECT_EQ(read_canvas_roster("Student,ID,Section,Six (6)\r\nA,1,01,\r\n", "").column, "Six (6)");
@@ -197,7 +193,7 @@ TEST(CanvasRoster, SaysWhyAColumnCannotBeChosen) {
 
 TEST(CanvasImport, ContainsNoSpreadsheetFormulas) {
     const CanvasRoster roster = read_canvas_roster("Student,ID,Section,Six (6)\r\n\"=cmd|'/c calc'!A1\",1,01,\r\n", "");
-    EXPECT_THAT(canvas_import(roster, {handed_in("1")}).csv, HasSubstr("\"'=cmd"));
+    EXPECT_THAT(canvas_import(roster, {in_the_class("1")}).csv, HasSubstr("\"'=cmd"));
 }
 
 }  // namespace

@@ -39,22 +39,25 @@ const Classroom50Submission submission{"cs770",
                                        "individual",
                                        "2026-11-22T09:30:00Z"};
 
-std::string told(const Graded& graded, const std::string& program, const Classroom50Submission& of = submission) {
+std::string told_of_classroom50(const Graded& graded, const std::string& program,
+                                const Classroom50Submission& of = submission) {
     return python(read_result + program, classroom50_result(graded, marking(), of));
 }
 
 TEST(Classroom50, SaysWhatWasGraded) {
-    EXPECT_EQ(told(graded("ada", output_with_a_mistake()),
-                   "print(d['classroom'], d['assignment'], d['owner'], d['assignment_type'], d['review'])\n"
-                   "print(d['score'], d['max-score'], len(d['tests']), d['datetime'])\n"),
-              "cs770 ray-casting alice individual https://github.com/o/r/compare/a0...a1\n"
-              "98 100 10 2026-11-22T09:30:00Z\n");
+    EXPECT_EQ(
+        told_of_classroom50(graded("ada", output_with_a_mistake()),
+                            "print(d['classroom'], d['assignment'], d['owner'], d['assignment_type'], d['review'])\n"
+                            "print(d['score'], d['max-score'], len(d['tests']), d['datetime'])\n"),
+        "cs770 ray-casting alice individual https://github.com/o/r/compare/a0...a1\n"
+        "98 100 10 2026-11-22T09:30:00Z\n");
 }
 
 TEST(Classroom50, LeavesUnknownFieldsToTheRunner) {
     Classroom50Submission short_ = submission;
     short_.owner = short_.assignment_type = "";
-    EXPECT_EQ(told(graded("ada", output_with_a_mistake()), "print('owner' in d, 'assignment_type' in d)\n", short_),
+    EXPECT_EQ(told_of_classroom50(graded("ada", output_with_a_mistake()),
+                                  "print('owner' in d, 'assignment_type' in d)\n", short_),
               "False False\n");
 }
 
@@ -63,41 +66,43 @@ TEST(Classroom50, HasWholePointsThatAddUp) {
     // 10 x 8.3333 is 83.33: each question rounded by itself would be 80.
     for (QuestionScore& question : one.score.questions)
         one.overrides.push_back({question.number, "", 25.0 / 3, "for the test", "ada", ""});
-    EXPECT_EQ(told(one,
-                   "print(d['score'], sum(t['score'] for t in d['tests']), sum(t['max-score'] for t in d['tests']))\n"
-                   "print({t['points'] for t in d['tests']}, {t['passed'] for t in d['tests']})\n"),
+    EXPECT_EQ(told_of_classroom50(
+                  one,
+                  "print(d['score'], sum(t['score'] for t in d['tests']), sum(t['max-score'] for t in d['tests']))\n"
+                  "print({t['points'] for t in d['tests']}, {t['passed'] for t in d['tests']})\n"),
               "83 83 100\n{8.33} {False}\n");
 }
 
 TEST(Classroom50, HasATestForOtherScenesIfTheyGivePoints) {
-    EXPECT_EQ(told(graded_on_other_scenes("ada"),
-                   "t = d['tests'][10]\n"
-                   "print(d['score'], d['max-score'], len(d['tests']))\n"
-                   "print(sum(t['score'] for t in d['tests']), sum(t['max-score'] for t in d['tests']))\n"
-                   "print(t['test-name'], t['points'], t['max-score'], t['passed'])\n"),
-              "104 110 11\n104 110\nOther scenes 6.0 10 False\n");
+    EXPECT_EQ(
+        told_of_classroom50(graded_on_other_scenes("ada"),
+                            "t = d['tests'][10]\n"
+                            "print(d['score'], d['max-score'], len(d['tests']))\n"
+                            "print(sum(t['score'] for t in d['tests']), sum(t['max-score'] for t in d['tests']))\n"
+                            "print(t['test-name'], t['points'], t['max-score'], t['passed'])\n"),
+        "104 110 11\n104 110\nOther scenes 6.0 10 False\n");
 }
 
 TEST(Classroom50, NeverExceedsTheMaximum) {
     Graded one = graded("ada", output_with_a_mistake());
     one.overrides = {{6, "", 14, "a good idea", "ada", ""}};
-    EXPECT_EQ(
-        told(one, "print(d['score'], d['tests'][5]['score'], d['tests'][5]['points'], d['tests'][5]['passed'])\n"),
-        "100 10 14.0 True\n");
+    EXPECT_EQ(told_of_classroom50(
+                  one, "print(d['score'], d['tests'][5]['score'], d['tests'][5]['points'], d['tests'][5]['passed'])\n"),
+              "100 10 14.0 True\n");
 }
 
 TEST(Classroom50, RoundsHalvesUp) {
     for (const auto& [points, whole] : {std::pair{49.5, "50"}, {49.49, "49"}, {0.5, "1"}, {0.0, "0"}}) {
         Graded one = graded("ada", output_with_a_mistake());
         one.overrides = {{0, "", points, "for the test", "ada", ""}};
-        EXPECT_EQ(told(one, "print(d['score'])\n"), std::string(whole) + "\n") << points;
+        EXPECT_EQ(told_of_classroom50(one, "print(d['score'])\n"), std::string(whole) + "\n") << points;
     }
 }
 
 TEST(Classroom50, SurvivesHostileText) {
-    EXPECT_EQ(told(hostile(),
-                   "o = d['tests'][5]['output']\n"
-                   "print('<b>&' in o, [c for c in o if c < ' ' and c != '\\n'])\n"),
+    EXPECT_EQ(told_of_classroom50(hostile(),
+                                  "o = d['tests'][5]['output']\n"
+                                  "print('<b>&' in o, [c for c in o if c < ' ' and c != '\\n'])\n"),
               "True []\n");
 }
 

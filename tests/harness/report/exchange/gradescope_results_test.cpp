@@ -36,23 +36,25 @@ assert sum(map(len, texts)) < 100000
 assert not any(c < ' ' and c not in '\n\t' for t in texts for c in t)
 )";
 
-std::string told(const Graded& graded, const std::string& program, const Marking& by = marking()) {
+std::string told_of_gradescope(const Graded& graded, const std::string& program, const Marking& by = marking()) {
     return python(read_results + program, gradescope_results(graded, by));
 }
 
 TEST(Gradescope, HasATestForEachQuestion) {
-    EXPECT_EQ(told(graded("ada", output_with_a_mistake()),
-                   "print(d['score'], len(d['tests']), [t['number'] for t in d['tests']])\n"
-                   "t = d['tests'][5]\n"
-                   "print(t['name'], t['score'], t['max_score'], t['status'], d['tests'][4]['status'])\n"
-                   "print(round(sum(t['score'] for t in d['tests']), 2), sum(t['max_score'] for t in d['tests']))\n"),
+    EXPECT_EQ(told_of_gradescope(
+                  graded("ada", output_with_a_mistake()),
+                  "print(d['score'], len(d['tests']), [t['number'] for t in d['tests']])\n"
+                  "t = d['tests'][5]\n"
+                  "print(t['name'], t['score'], t['max_score'], t['status'], d['tests'][4]['status'])\n"
+                  "print(round(sum(t['score'] for t in d['tests']), 2), sum(t['max_score'] for t in d['tests']))\n"),
               "98.33 10 ['1', '2', '3', '4', '5', '6', '7', '8', '9', '10']\n"
               "Question 6: ray and sphere 8.33 10.0 failed passed\n"
               "98.33 100.0\n");
 }
 
 TEST(Gradescope, ShowsPrintedAnswersAndNeverRightOnes) {
-    const std::string output = told(graded("ada", output_with_a_mistake()), "print(d['tests'][5]['output'])\n");
+    const std::string output =
+        told_of_gradescope(graded("ada", output_with_a_mistake()), "print(d['tests'][5]['output'])\n");
     EXPECT_THAT(output, HasSubstr("t: wrong, 0 of 1.67 points (line "));
     EXPECT_THAT(output, HasSubstr("  You printed "));
     EXPECT_THAT(output, HasSubstr("far root"));
@@ -60,7 +62,8 @@ TEST(Gradescope, ShowsPrintedAnswersAndNeverRightOnes) {
 
     Marking open = marking();
     open.assignment.rubric.feedback = reference::Feedback::expected;
-    const std::string shown = told(graded("ada", output_with_a_mistake()), "print(d['tests'][5]['output'])\n", open);
+    const std::string shown =
+        told_of_gradescope(graded("ada", output_with_a_mistake()), "print(d['tests'][5]['output'])\n", open);
     const std::string right =
         value_text(open.key.questions[5].items[4].answers.front().value, reference::Shape::scalar);
     EXPECT_THAT(shown, HasSubstr("  Right value: " + right + "\n"));
@@ -72,23 +75,23 @@ TEST(Gradescope, GivesZeroAndTheMessagesForACompileError) {
     broken.outcome = Outcome::compile_error;
     broken.explanation = "The program does not compile.";
     broken.build.diagnostics = "ray_cast.cpp:19:1: error: expected ';'";
-    EXPECT_EQ(
-        told(broken,
-             "print(d['score'], [t['score'] for t in d['tests']] == [0] * 10, {t['status'] for t in d['tests']})\n"
-             "print(d['output'])\n"),
-        "0.0 True {'failed'}\n"
-        "0 of 100 points\nThe program does not compile.\n\nThe compiler's messages:\n"
-        "ray_cast.cpp:19:1: error: expected ';'\n\n");
+    EXPECT_EQ(told_of_gradescope(
+                  broken,
+                  "print(d['score'], [t['score'] for t in d['tests']] == [0] * 10, {t['status'] for t in d['tests']})\n"
+                  "print(d['output'])\n"),
+              "0.0 True {'failed'}\n"
+              "0 of 100 points\nThe program does not compile.\n\nThe compiler's messages:\n"
+              "ray_cast.cpp:19:1: error: expected ';'\n\n");
 }
 
 TEST(Gradescope, GivesNoScoreToAnUngradedSubmission) {
-    EXPECT_EQ(told(not_graded("ada"),
-                   "print('score' in d, 'tests' in d, d['extra_data']['outcome'])\n"
-                   "print(d['output'])\n"),
+    EXPECT_EQ(told_of_gradescope(not_graded("ada"),
+                                 "print('score' in d, 'tests' in d, d['extra_data']['outcome'])\n"
+                                 "print(d['output'])\n"),
               "False False not_graded\nNot graded.\nThe folder holds two sources; `keep` one.\n\n");
     Graded given = not_graded("ada");
     given.overrides = {{0, "", 80, "read by hand", "ada", ""}};
-    EXPECT_EQ(told(given, "print(d['score'], 'tests' in d)\n"), "80.0 False\n");
+    EXPECT_EQ(told_of_gradescope(given, "print(d['score'], 'tests' in d)\n"), "80.0 False\n");
 }
 
 TEST(Gradescope, AppliesOverridesAndTheLateDeduction) {
@@ -96,20 +99,21 @@ TEST(Gradescope, AppliesOverridesAndTheLateDeduction) {
     one.overrides = {{6, "t", 1.5, "right idea", "ada", ""}, {10, "", 4, "a guess", "ada", ""}};
     one.late_share = 0.5;
     one.submission.lms = read_canvas_name("doe_LATE_1_2_ray_cast.cpp");
-    EXPECT_EQ(told(one,
-                   "print(d['score'], d['tests'][5]['score'], d['tests'][9]['score'], d['extra_data']['late'])\n"
-                   "print('right idea' in d['tests'][5]['output'], 'a guess' in d['tests'][9]['output'])\n"
-                   "print(d['output'])\n"),
+    EXPECT_EQ(told_of_gradescope(
+                  one,
+                  "print(d['score'], d['tests'][5]['score'], d['tests'][9]['score'], d['extra_data']['late'])\n"
+                  "print('right idea' in d['tests'][5]['output'], 'a guess' in d['tests'][9]['output'])\n"
+                  "print(d['output'])\n"),
               "46.92 9.83 4.0 True\nTrue True\n46.92 of 100 points\nHanded in late: 46.92 points were taken off.\n\n");
 }
 
 TEST(Gradescope, SaysLateOnlyIfTheSystemSaidSo) {
     Graded one = graded("ada", output_with_a_mistake());
-    EXPECT_EQ(told(one, "print('late' in d['extra_data'])\n"), "False\n");
+    EXPECT_EQ(told_of_gradescope(one, "print('late' in d['extra_data'])\n"), "False\n");
     one.submission.lms = read_canvas_name("doe_1_2_ray_cast.cpp");
-    EXPECT_EQ(told(one, "print(d['extra_data']['late'])\n"), "False\n");
+    EXPECT_EQ(told_of_gradescope(one, "print(d['extra_data']['late'])\n"), "False\n");
     one.submission.lms->late = std::nullopt;
-    EXPECT_EQ(told(one, "print('late' in d['extra_data'])\n"), "False\n");
+    EXPECT_EQ(told_of_gradescope(one, "print('late' in d['extra_data'])\n"), "False\n");
 }
 
 TEST(Gradescope, HasATestForOtherScenesIfTheyGivePoints) {
@@ -118,9 +122,9 @@ TEST(Gradescope, HasATestForOtherScenesIfTheyGivePoints) {
         "t = d['tests'][10]\n"
         "print(d['score'], sum(t['max_score'] for t in d['tests']), len(d['tests']))\n"
         "print(t['name'], t['number'], t['score'], t['max_score'], t['status'], t['output'])\n";
-    EXPECT_EQ(told(one, program), "104.33 110.0 11\nOther scenes 11 6.0 10.0 failed \n");
+    EXPECT_EQ(told_of_gradescope(one, program), "104.33 110.0 11\nOther scenes 11 6.0 10.0 failed \n");
     one.overrides = {{0, "variants", 10, "it works", "bea", ""}};
-    EXPECT_EQ(told(one, program),
+    EXPECT_EQ(told_of_gradescope(one, program),
               "108.33 110.0 11\nOther scenes 11 10.0 10.0 passed Set by the instructor: 10 points, it works\n\n");
 }
 
@@ -134,8 +138,9 @@ TEST(Gradescope, IsBoundedAndSafeForHostileText) {
             item.advice = std::string(3'000, 'a');
         }
     }
-    EXPECT_EQ(told(one, "print(d['output'].endswith('the rest is left out\\n'), len(d['output']) > 30000)\n"),
-              "True True\n");
+    EXPECT_EQ(
+        told_of_gradescope(one, "print(d['output'].endswith('the rest is left out\\n'), len(d['output']) > 30000)\n"),
+        "True True\n");
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ Graded crashed() {
 
 /// The output of a Python program that has the root element as `r`. Fails unless the schema holds and the counts match
 /// the test cases.
-std::string told(const std::vector<Graded>& graded, const std::string& program) {
+std::string told_of_junit(const std::vector<Graded>& graded, const std::string& program) {
     const std::string xml = junit(graded, marking());
     EXPECT_THAT(told_by("xmllint --noout --schema " RAYGRADE_PROJECT "/tests/given/report/junit.xsd \"$1\"", xml),
                 HasSubstr("validates"));
@@ -50,11 +50,11 @@ std::string told(const std::vector<Graded>& graded, const std::string& program) 
 }
 
 TEST(Junit, HasATestSuitePerSubmissionAndATestCasePerAnswer) {
-    EXPECT_EQ(told({graded("ada", output_with_a_mistake()), crashed()},
-                   "print([s.get('name') for s in r], r.get('tests'), r.get('failures'))\n"
-                   "print([t.get('classname') + ' ' + t.get('name') for t in r[0].findall('testcase')][:4])\n"
-                   "print({p.get('name'): p.get('value') for p in r[0][0]})\n"
-                   "print({p.get('name'): p.get('value') for p in r[1][0]})\n"),
+    EXPECT_EQ(told_of_junit({graded("ada", output_with_a_mistake()), crashed()},
+                            "print([s.get('name') for s in r], r.get('tests'), r.get('failures'))\n"
+                            "print([t.get('classname') + ' ' + t.get('name') for t in r[0].findall('testcase')][:4])\n"
+                            "print({p.get('name'): p.get('value') for p in r[0][0]})\n"
+                            "print({p.get('name'): p.get('value') for p in r[1][0]})\n"),
               "['ada', 'crashed'] 48 3\n"
               "['ada compiles', 'ada runs', 'ada.question 1 P_VCS', 'ada.question 2 X_vcs']\n"
               "{'points': '98.33', 'max_points': '100.00', 'outcome': 'graded'}\n"
@@ -63,10 +63,10 @@ TEST(Junit, HasATestSuitePerSubmissionAndATestCasePerAnswer) {
 
 TEST(Junit, SaysWhyAnAnswerFailsAndWhichFollow) {
     const std::string text =
-        told({graded("ada", output_with_a_mistake())},
-             "f = case('ada', 'ada.question 6', 't')[0]\n"
-             "print(f.tag, f.get('message'))\nprint(f.text)\n"
-             "print(case('ada', 'ada.question 6', 'hit')[0].tag, len(case('ada', 'ada.question 6', 'a')))\n");
+        told_of_junit({graded("ada", output_with_a_mistake())},
+                      "f = case('ada', 'ada.question 6', 't')[0]\n"
+                      "print(f.tag, f.get('message'))\nprint(f.text)\n"
+                      "print(case('ada', 'ada.question 6', 'hit')[0].tag, len(case('ada', 'ada.question 6', 'a')))\n");
     EXPECT_THAT(text, HasSubstr("failure "));
     EXPECT_THAT(text, HasSubstr("t: wrong, 0 of 1.67 points (line "));
     EXPECT_THAT(text, HasSubstr("far root"));
@@ -76,42 +76,43 @@ TEST(Junit, SaysWhyAnAnswerFailsAndWhichFollow) {
 }
 
 TEST(Junit, FailsAProgramThatDidNotEndByItself) {
-    EXPECT_EQ(told({crashed()},
-                   "c = case('crashed', 'crashed', 'runs')\n"
-                   "print(c[0].tag, c[0].get('message'), c.get('time'))\n"
-                   "print(len(case('crashed', 'crashed', 'compiles')))\n"),
+    EXPECT_EQ(told_of_junit({crashed()},
+                            "c = case('crashed', 'crashed', 'runs')\n"
+                            "print(c[0].tag, c[0].get('message'), c.get('time'))\n"
+                            "print(len(case('crashed', 'crashed', 'compiles')))\n"),
               "failure The program was ended by SIGSEGV. 0.020\n0\n");
 }
 
 TEST(Junit, SkipsTheAnswersAfterACompileError) {
-    EXPECT_EQ(told({broken()},
-                   "f = case('broken', 'broken', 'compiles')[0]\n"
-                   "print(f.tag, f.get('message'), f.text.splitlines()[-1])\n"
-                   "print(r.get('tests'), r.get('failures'), r.get('skipped'), r.get('errors'))\n"
-                   "print(r[0][0][0].get('value'))\n"),
+    EXPECT_EQ(told_of_junit({broken()},
+                            "f = case('broken', 'broken', 'compiles')[0]\n"
+                            "print(f.tag, f.get('message'), f.text.splitlines()[-1])\n"
+                            "print(r.get('tests'), r.get('failures'), r.get('skipped'), r.get('errors'))\n"
+                            "print(r[0][0][0].get('value'))\n"),
               "failure The program does not compile. ray_cast.cpp:19:1: error: expected ';' <T> & ]]>\n"
               "24 1 23 0\n0.00\n");
 }
 
 TEST(Junit, ReportsAnUngradedSubmissionAsAnError) {
-    EXPECT_EQ(told({not_graded("eve")},
-                   "t = r[0].findall('testcase')\n"
-                   "print(len(t), t[0].get('name'), t[0][0].tag, t[0][0].get('message'))\n"
-                   "print([p.get('name') for p in r[0][0]])\n"),
+    EXPECT_EQ(told_of_junit({not_graded("eve")},
+                            "t = r[0].findall('testcase')\n"
+                            "print(len(t), t[0].get('name'), t[0][0].tag, t[0][0].get('message'))\n"
+                            "print([p.get('name') for p in r[0][0]])\n"),
               "1 is graded error The folder holds two sources; `keep` one.\n['max_points', 'outcome']\n");
     Graded given = not_graded("eve");
     given.overrides = {{0, "", 80, "read by hand", "ada", ""}};
-    EXPECT_EQ(told({given}, "print(r.get('errors'), r[0][0][0].get('value'), 'read by hand' in r[0][1][0].text)\n"),
-              "0 80.00 True\n");
+    EXPECT_EQ(
+        told_of_junit({given}, "print(r.get('errors'), r[0][0][0].get('value'), 'read by hand' in r[0][1][0].text)\n"),
+        "0 80.00 True\n");
 }
 
 TEST(Junit, AppliesOverrides) {
     Graded one = graded("ada", output_with_a_mistake());
     one.overrides = {{6, "t", 5.0 / 3, "right idea", "ada", ""}, {10, "", 0, "guessed", "ada", ""}};
-    EXPECT_EQ(told({one},
-                   "c = case('ada', 'ada.question 6', 't')[0]\nprint(c.tag, 'right idea' in c.text)\n"
-                   "c = case('ada', 'ada.question 10', 'verdict')[0]\nprint(c.tag, 'guessed' in c.text)\n"
-                   "print(r[0][0][0].get('value'))\n"),
+    EXPECT_EQ(told_of_junit({one},
+                            "c = case('ada', 'ada.question 6', 't')[0]\nprint(c.tag, 'right idea' in c.text)\n"
+                            "c = case('ada', 'ada.question 10', 'verdict')[0]\nprint(c.tag, 'guessed' in c.text)\n"
+                            "print(r[0][0][0].get('value'))\n"),
               "system-out True\nfailure True\n90.00\n");
 }
 
@@ -120,8 +121,9 @@ TEST(Junit, SaysLateOnlyIfTheSystemSaidSo) {
     one.submission.lms = read_canvas_name("doe_1_2_ray_cast.cpp");
     Graded untold = one;
     untold.submission.lms->late = std::nullopt;
-    EXPECT_EQ(told({one, untold}, "print([{p.get('name'): p.get('value') for p in s[0]}.get('late') for s in r])\n"),
-              "['false', None]\n");
+    EXPECT_EQ(
+        told_of_junit({one, untold}, "print([{p.get('name'): p.get('value') for p in s[0]}.get('late') for s in r])\n"),
+        "['false', None]\n");
 }
 
 TEST(Junit, HasATestCaseForOtherScenesIfTheyGivePoints) {
@@ -129,9 +131,9 @@ TEST(Junit, HasATestCaseForOtherScenesIfTheyGivePoints) {
     all.overrides = {{0, "variants", 10, "it works", "bea", ""}};
     Graded none = broken();
     none.score.other_scenes = ScenesScore{0, 10};
-    EXPECT_EQ(told({graded_on_other_scenes("some"), all, none},
-                   "cases = [case(s, s, 'other scenes') for s in ('some', 'all', 'broken')]\n"
-                   "print([[(e.tag, e.get('message')) for e in c] for c in cases])\n"),
+    EXPECT_EQ(told_of_junit({graded_on_other_scenes("some"), all, none},
+                            "cases = [case(s, s, 'other scenes') for s in ('some', 'all', 'broken')]\n"
+                            "print([[(e.tag, e.get('message')) for e in c] for c in cases])\n"),
               "[[('failure', 'Other scenes: 6 of 10 points.')], [], [('skipped', 'The program does not compile.')]]\n");
 }
 
@@ -139,12 +141,13 @@ TEST(Junit, EscapesHostileText) {
     Graded evil = hostile();
     evil.explanation = "\x1b[31m\xEF\xBF\xBE\xEF\xBF\xBF\xff <!-- ]]> &amp;";
     evil.outcome = Outcome::crashed;
-    EXPECT_EQ(told({evil}, "print(r[0].get('name'))\nprint(ascii(r[0].findall('testcase')[1][0].get('message')))\n"),
-              "=HYPERLINK(\"x\"),|`id`\n'\\\\x1b[31m\\\\ufffe\\\\uffff\\\\xff <!-- ]]> &amp;'\n");
+    EXPECT_EQ(
+        told_of_junit({evil}, "print(r[0].get('name'))\nprint(ascii(r[0].findall('testcase')[1][0].get('message')))\n"),
+        "=HYPERLINK(\"x\"),|`id`\n'\\\\x1b[31m\\\\ufffe\\\\uffff\\\\xff <!-- ]]> &amp;'\n");
 }
 
 TEST(Junit, IsAReportForAnEmptyClass) {
-    EXPECT_EQ(told({}, "print(r.tag, len(r), r.get('tests'))\n"), "testsuites 0 0\n");
+    EXPECT_EQ(told_of_junit({}, "print(r.tag, len(r), r.get('tests'))\n"), "testsuites 0 0\n");
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/harness/report/exchange/refusal.h"
+
 namespace harness::report {
 namespace {
 
@@ -11,13 +13,8 @@ using testing::IsEmpty;
 using testing::Pair;
 using testing::UnorderedElementsAre;
 
-std::string error_of(std::string_view csv, const std::optional<reference::Moment>& due = {}) {
-    try {
-        read_late_days(csv, due);
-    } catch (const RosterError& error) {
-        return error.what();
-    }
-    return "no error";
+std::string refusal_of_days(std::string_view csv, const std::optional<reference::Moment>& due = {}) {
+    return refusal([&] { read_late_days(csv, due); });
 }
 
 TEST(LateDays, AreReadWithExtensions) {
@@ -40,19 +37,21 @@ TEST(LateDays, CountFromTheMomentTheAssignmentIsDue) {
 
 TEST(LateDays, RefuseAMomentThatCountsFromNothing) {
     const auto due = reference::parse_moment("2026-02-28 23:59");
-    EXPECT_THAT(error_of("id,handed_in\nada,2026-03-01 23:59\n"), HasSubstr("add due to its [rubric]"));
-    EXPECT_THAT(error_of("id,handed_in\nada,yesterday\n", due), HasSubstr("line 2: handed_in is no date with a time"));
-    EXPECT_THAT(error_of("id,handed_in\nada,2026-03-01 23:59Z\n", due),
+    EXPECT_THAT(refusal_of_days("id,handed_in\nada,2026-03-01 23:59\n"), HasSubstr("add due to its [rubric]"));
+    EXPECT_THAT(refusal_of_days("id,handed_in\nada,yesterday\n", due),
+                HasSubstr("line 2: handed_in is no date with a time"));
+    EXPECT_THAT(refusal_of_days("id,handed_in\nada,2026-03-01 23:59Z\n", due),
                 HasSubstr("line 2: handed_in has a time zone, and due of [rubric] has none"));
-    EXPECT_THAT(error_of("id,handed_in,days_late\nada,2026-03-01 23:59,1\n", due), HasSubstr("keep one of the two"));
+    EXPECT_THAT(refusal_of_days("id,handed_in,days_late\nada,2026-03-01 23:59,1\n", due),
+                HasSubstr("keep one of the two"));
 }
 
 TEST(LateDays, RefuseWhatTheyCannotRead) {
-    EXPECT_THAT(error_of(""), HasSubstr("no columns id and days_late"));
-    EXPECT_THAT(error_of("id,days\nada,2\n"), HasSubstr("no columns id and days_late"));
-    EXPECT_THAT(error_of("id,days_late\nada,two\n"), HasSubstr("line 2: days_late is no number"));
-    EXPECT_THAT(error_of("id,days_late\n,2\n"), HasSubstr("line 2: names no submission"));
-    EXPECT_THAT(error_of("id,days_late\nada,1\nada,2\n"), HasSubstr("line 3: ada stands twice"));
+    EXPECT_THAT(refusal_of_days(""), HasSubstr("no columns id and days_late"));
+    EXPECT_THAT(refusal_of_days("id,days\nada,2\n"), HasSubstr("no columns id and days_late"));
+    EXPECT_THAT(refusal_of_days("id,days_late\nada,two\n"), HasSubstr("line 2: days_late is no number"));
+    EXPECT_THAT(refusal_of_days("id,days_late\n,2\n"), HasSubstr("line 2: names no submission"));
+    EXPECT_THAT(refusal_of_days("id,days_late\nada,1\nada,2\n"), HasSubstr("line 3: ada stands twice"));
 }
 
 /// The schedule of 2024, with ten minutes of grace.

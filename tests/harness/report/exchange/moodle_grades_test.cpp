@@ -8,6 +8,7 @@
 
 #include "tests/given/report/graded_samples.h"
 #include "tests/given/report/told_by.h"
+#include "tests/harness/report/exchange/refusal.h"
 
 namespace harness::report {
 namespace {
@@ -53,8 +54,8 @@ Graded from_moodle(const std::string& folder, double points) {
     return one;
 }
 
-MoodleImport import_of(const char* csv, const std::vector<Graded>& graded,
-                       const std::vector<std::string>& columns = {}) {
+MoodleImport import_into_moodle(const char* csv, const std::vector<Graded>& graded,
+                                const std::vector<std::string>& columns = {}) {
     return moodle_import(read_moodle_worksheet(csv, columns), graded);
 }
 
@@ -74,19 +75,14 @@ json changes(const std::string& before, const std::string& after, char separator
     return json::parse(python(program, before + std::string(1, '\0') + second));
 }
 
-std::string why_not(std::string_view csv, const std::vector<std::string>& columns = {}) {
+std::string refusal_of_worksheet(std::string_view csv, const std::vector<std::string>& columns = {}) {
     std::setlocale(LC_CTYPE, "C.UTF-8");
-    try {
-        read_moodle_worksheet(csv, columns);
-    } catch (const RosterError& error) {
-        return error.what();
-    }
-    return "no RosterError";
+    return refusal([&] { read_moodle_worksheet(csv, columns); });
 }
 
 TEST_F(MoodleImportTest, FillsInTheGradeAndChangesNoOtherCell) {
-    const MoodleImport import = import_of(english, {from_moodle("Jane Doe_11_assignsubmission_file", 87.456),
-                                                    from_moodle("Rick Roe_14_assignsubmission_file", 100)});
+    const MoodleImport import = import_into_moodle(english, {from_moodle("Jane Doe_11_assignsubmission_file", 87.456),
+                                                             from_moodle("Rick Roe_14_assignsubmission_file", 100)});
     EXPECT_EQ(changes(english, import.csv), json::parse(R"([[1, "Grade", "", "87.46"], [4, "Grade", "", "100.00"]])"));
     EXPECT_EQ(import.matched, 2U);
     EXPECT_THAT(import.without, ElementsAre("Jane Doe", "Żan Łukasz", "Pat Poe"));
@@ -97,18 +93,18 @@ TEST_F(MoodleImportTest, KeepsTheTeachersOwnCellsByteForByte) {
         "\xef\xbb\xbfIdentifier,Full name,Grade,Maximum grade,Comments\r\n"
         "Participant 1,J\xe9rome,7.5,10,=cmd|' /C calc'!A1\r\n"
         "Participant 2,\"@Roe, Rick\",,10,\"a\r\nb \"\"c\"\"\"\r\n";
-    EXPECT_EQ(import_of(csv.c_str(), {}).csv, csv);
+    EXPECT_EQ(import_into_moodle(csv.c_str(), {}).csv, csv);
 }
 
 TEST_F(MoodleImportTest, UsesTheDecimalSignAndSeparatorOfTheWorksheet) {
-    const MoodleImport import = import_of(german, {from_moodle("Jane Doe_11_assignsubmission_file", 87.5)});
+    const MoodleImport import = import_into_moodle(german, {from_moodle("Jane Doe_11_assignsubmission_file", 87.5)});
     EXPECT_EQ(changes(german, import.csv, ';'), json::parse(R"([[1, "Bewertung", "", "87,50"]])"));
     EXPECT_TRUE(import.csv.starts_with("\xef\xbb\xbfKennung;"));
     EXPECT_THAT(import.csv, HasSubstr("Kommentar\r\n"));
 }
 
 TEST_F(MoodleImportTest, MatchesMoodleSubmissionsOnlyByParticipantNumber) {
-    const MoodleImport import = import_of(english, {from_moodle("Rick Roe_99_assignsubmission_file", 50)});
+    const MoodleImport import = import_into_moodle(english, {from_moodle("Rick Roe_99_assignsubmission_file", 50)});
     EXPECT_THAT(import.unmatched, ElementsAre("Rick Roe_99_assignsubmission_file"))
         << "the worksheet is another assignment's";
     EXPECT_EQ(import.matched, 0U);
@@ -117,7 +113,8 @@ TEST_F(MoodleImportTest, MatchesMoodleSubmissionsOnlyByParticipantNumber) {
 TEST_F(MoodleImportTest, MatchesOtherSubmissionsOnlyByFullName) {
     Graded of_canvas = worth(graded("patpoe", output_with_a_mistake()), 60);
     of_canvas.submission.lms = read_canvas_name("patpoe_14_5001_ray_cast.cpp");
-    const MoodleImport import = import_of(english, {of_canvas, worth(graded("rick roe", output_with_a_mistake()), 40)});
+    const MoodleImport import =
+        import_into_moodle(english, {of_canvas, worth(graded("rick roe", output_with_a_mistake()), 40)});
     EXPECT_EQ(changes(english, import.csv),
               json::parse(R"([[4, "Grade", "", "40.00"], [5, "Grade", "55.00", "60.00"]])"));
 }
@@ -128,18 +125,18 @@ TEST_F(MoodleImportTest, GivesEachGroupMemberThePoints) {
     name.system = Lms::gradescope;
     name.id = "11";
     name.submitters = {{"Rick Roe", "", ""}, {"Pat Poe", "", ""}, {"Ann Lee", "", ""}};
-    const MoodleImport import = import_of(english, {group});
+    const MoodleImport import = import_into_moodle(english, {group});
     EXPECT_EQ(changes(english, import.csv),
               json::parse(R"([[4, "Grade", "", "70.00"], [5, "Grade", "55.00", "70.00"]])"));
     EXPECT_THAT(import.unmatched, ElementsAre("Rick Roe, Pat Poe, Ann Lee (Ann Lee)"));
 }
 
 TEST_F(MoodleImportTest, NeverGuesses) {
-    const MoodleImport import = import_of(
+    const MoodleImport import = import_into_moodle(
         english, {worth(graded("Jane Doe", output_with_a_mistake()), 50),
                   from_moodle("Rick Roe_14_assignsubmission_file", 50), worth(graded("RickRoe", "x"), 60),
                   from_moodle("Somebody Else_15_assignsubmission_file", 70), worth(graded("nobody", "x"), 1)});
-    EXPECT_EQ(import.csv, import_of(english, {}).csv);
+    EXPECT_EQ(import.csv, import_into_moodle(english, {}).csv);
     EXPECT_THAT(import.ambiguous,
                 ElementsAre("Jane Doe: Jane Doe; Jane Doe", "Rick Roe_14_assignsubmission_file: Rick Roe",
                             "RickRoe: Rick Roe", "Somebody Else_15_assignsubmission_file: Pat Poe"));
@@ -147,11 +144,12 @@ TEST_F(MoodleImportTest, NeverGuesses) {
 }
 
 TEST_F(MoodleImportTest, MatchesANameWithAGroupAndAHiddenName) {
-    const MoodleImport import = import_of(english, {from_moodle("Group A-Rick Roe_14_assignsubmission_file", 40),
-                                                    from_moodle("Participant_15_assignsubmission_file_", 60),
-                                                    from_moodle("Z\xcc\x87"
-                                                                "an Łukasz_13_assignsubmission_file",
-                                                                60)});
+    const MoodleImport import =
+        import_into_moodle(english, {from_moodle("Group A-Rick Roe_14_assignsubmission_file", 40),
+                                     from_moodle("Participant_15_assignsubmission_file_", 60),
+                                     from_moodle("Z\xcc\x87"
+                                                 "an Łukasz_13_assignsubmission_file",
+                                                 60)});
     EXPECT_EQ(import.matched, 2U);
     EXPECT_THAT(import.ambiguous, IsEmpty()) << "an accent may be a character of its own";
     EXPECT_THAT(import.locked, ElementsAre("Z\xcc\x87"
@@ -161,19 +159,20 @@ TEST_F(MoodleImportTest, MatchesANameWithAGroupAndAHiddenName) {
 TEST_F(MoodleImportTest, LeavesOutLockedRowsAndSubmissionsWithoutMarks) {
     Graded none = not_graded("14");
     none.submission.lms = read_moodle_name("Rick Roe_14_assignsubmission_file");
-    const MoodleImport import = import_of(english, {none, from_moodle("Żan Łukasz_13_assignsubmission_file", 50)});
-    EXPECT_EQ(import.csv, import_of(english, {}).csv);
+    const MoodleImport import =
+        import_into_moodle(english, {none, from_moodle("Żan Łukasz_13_assignsubmission_file", 50)});
+    EXPECT_EQ(import.csv, import_into_moodle(english, {}).csv);
     EXPECT_THAT(import.not_graded, ElementsAre("14"));
     EXPECT_THAT(import.locked, ElementsAre("Żan Łukasz_13_assignsubmission_file"));
-    EXPECT_THAT(import_of(german, {from_moodle("Rick Roe_12_assignsubmission_file", 1)}).locked,
+    EXPECT_THAT(import_into_moodle(german, {from_moodle("Rick Roe_12_assignsubmission_file", 1)}).locked,
                 ElementsAre("Rick Roe_12_assignsubmission_file"));
 }
 
 TEST_F(MoodleImportTest, NeverExceedsTheMaximumAndReportsLoweredMarks) {
-    const MoodleImport import = import_of(english, {from_moodle("Jane Doe_11_assignsubmission_file", 100.006),
-                                                    from_moodle("Jane Doe_12_assignsubmission_file", 89.999),
-                                                    from_moodle("Rick Roe_14_assignsubmission_file", 100.004),
-                                                    from_moodle("Pat Poe_15_assignsubmission_file", 54.99)});
+    const MoodleImport import = import_into_moodle(english, {from_moodle("Jane Doe_11_assignsubmission_file", 100.006),
+                                                             from_moodle("Jane Doe_12_assignsubmission_file", 89.999),
+                                                             from_moodle("Rick Roe_14_assignsubmission_file", 100.004),
+                                                             from_moodle("Pat Poe_15_assignsubmission_file", 54.99)});
     EXPECT_EQ(changes(english, import.csv),
               json::parse(R"([[4, "Grade", "", "100.00"], [5, "Grade", "55.00", "54.99"]])"));
     EXPECT_THAT(import.above, ElementsAre("Jane Doe_11_assignsubmission_file: 100.01 of at most 100.00"));
@@ -182,8 +181,8 @@ TEST_F(MoodleImportTest, NeverExceedsTheMaximumAndReportsLoweredMarks) {
 }
 
 TEST_F(MoodleImportTest, ReportsAMaximumThatDiffersFromTheAssignment) {
-    const MoodleImport import = import_of("Identifier,Grade,Maximum grade\nParticipant 1,,50\n",
-                                          {from_moodle("Participant_1_assignsubmission_file", 40)});
+    const MoodleImport import = import_into_moodle("Identifier,Grade,Maximum grade\nParticipant 1,,50\n",
+                                                   {from_moodle("Participant_1_assignsubmission_file", 40)});
     ASSERT_TRUE(import.other_maximum);
     EXPECT_EQ(*import.other_maximum, 50);
     EXPECT_EQ(import.matched, 1U);
@@ -192,7 +191,7 @@ TEST_F(MoodleImportTest, ReportsAMaximumThatDiffersFromTheAssignment) {
 TEST_F(MoodleImportTest, DeductsPointsForLateness) {
     Graded late = graded("Rick Roe", output_with_a_mistake());
     late.late_share = 0.5;
-    EXPECT_THAT(import_of(english, {late}).csv, HasSubstr(",49.17,100.00,")) << "half of 98.33";
+    EXPECT_THAT(import_into_moodle(english, {late}).csv, HasSubstr(",49.17,100.00,")) << "half of 98.33";
 }
 
 TEST_F(MoodleWorksheetTest, FindsColumnsByEnglishHeadings) {
@@ -235,7 +234,7 @@ TEST_F(MoodleWorksheetTest, FindsColumnsInOtherLanguagesByTheirContents) {
 TEST_F(MoodleWorksheetTest, TakesAmbiguousColumnsFromOptions) {
     // With a single student, a matriculation number could be the maximum grade.
     constexpr const char* single = "Kennung,Telefon,Matrikel,Bewertung,Bestwertung\nTeilnehmer/in1,,4711,,\"100,00\"\n";
-    EXPECT_THAT(why_not(single), HasSubstr("--moodle-column grade="));
+    EXPECT_THAT(refusal_of_worksheet(single), HasSubstr("--moodle-column grade="));
     EXPECT_EQ(read_moodle_worksheet(single, {"grade=Bewertung"}).maximum, 4U);
     EXPECT_EQ(read_moodle_worksheet(single, {"maximum=Bestwertung"}).grade, 3U);
 }
@@ -255,14 +254,18 @@ TEST_F(MoodleWorksheetTest, NamesItsParticipants) {
 }
 
 TEST_F(MoodleWorksheetTest, SaysWhyItIsUnusable) {
-    EXPECT_THAT(why_not(""), HasSubstr("no participants"));
-    EXPECT_THAT(why_not("Identifier,Grade,Maximum grade\n"), HasSubstr("no participants"));
-    EXPECT_THAT(why_not("Name,Grade,Maximum grade\nJane,1,2\n"), HasSubstr("no column that is called \"Identifier\""));
-    EXPECT_THAT(why_not("Identifier,Grade,Scale\nParticipant 1,,\"A\nB\"\n"), HasSubstr("a scale can't be filled in"));
-    EXPECT_THAT(why_not(english, {"grade=Note"}), HasSubstr("no column \"Note\"; there are: \"Identifier\""));
-    EXPECT_THAT(why_not(english, {"points=Grade"}), HasSubstr("give identifier, name, grade, maximum or changeable"));
-    EXPECT_THAT(why_not(english, {"grade"}), HasSubstr("give identifier"));
-    EXPECT_THAT(why_not(english, {"grade=Maximum grade"}), HasSubstr("for two purposes"));
+    EXPECT_THAT(refusal_of_worksheet(""), HasSubstr("no participants"));
+    EXPECT_THAT(refusal_of_worksheet("Identifier,Grade,Maximum grade\n"), HasSubstr("no participants"));
+    EXPECT_THAT(refusal_of_worksheet("Name,Grade,Maximum grade\nJane,1,2\n"),
+                HasSubstr("no column that is called \"Identifier\""));
+    EXPECT_THAT(refusal_of_worksheet("Identifier,Grade,Scale\nParticipant 1,,\"A\nB\"\n"),
+                HasSubstr("a scale can't be filled in"));
+    EXPECT_THAT(refusal_of_worksheet(english, {"grade=Note"}),
+                HasSubstr("no column \"Note\"; there are: \"Identifier\""));
+    EXPECT_THAT(refusal_of_worksheet(english, {"points=Grade"}),
+                HasSubstr("give identifier, name, grade, maximum or changeable"));
+    EXPECT_THAT(refusal_of_worksheet(english, {"grade"}), HasSubstr("give identifier"));
+    EXPECT_THAT(refusal_of_worksheet(english, {"grade=Maximum grade"}), HasSubstr("for two purposes"));
 }
 
 }  // namespace

@@ -3,19 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/harness/report/exchange/refusal.h"
+
 namespace harness::report {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::string error_of(std::string_view csv) {
-    try {
-        students_in(csv);
-    } catch (const RosterError& error) {
-        return error.what();
-    }
-    return "no error";
+std::string refusal_of_ids(std::string_view csv) {
+    return refusal([&] { students_in(csv); });
 }
 
 TEST(StudentsInRoster, AreThoseOfItsIds) {
@@ -27,11 +24,11 @@ TEST(StudentsInRoster, AreThoseOfItsIds) {
 }
 
 TEST(StudentsInRoster, AreNotGuessed) {
-    EXPECT_THAT(error_of(""), HasSubstr("no column id"));
-    EXPECT_THAT(error_of("name\nada\n"), HasSubstr("no column id"));
-    EXPECT_THAT(error_of("id\n"), HasSubstr("names no students"));
-    EXPECT_THAT(error_of("id\nada\nben\nada\n"), HasSubstr("line 4: ada stands twice"));
-    EXPECT_THAT(error_of("id\na\x1b[31m\n"), HasSubstr("line 2: the id is not printable"));
+    EXPECT_THAT(refusal_of_ids(""), HasSubstr("no column id"));
+    EXPECT_THAT(refusal_of_ids("name\nada\n"), HasSubstr("no column id"));
+    EXPECT_THAT(refusal_of_ids("id\n"), HasSubstr("names no students"));
+    EXPECT_THAT(refusal_of_ids("id\nada\nben\nada\n"), HasSubstr("line 4: ada stands twice"));
+    EXPECT_THAT(refusal_of_ids("id\na\x1b[31m\n"), HasSubstr("line 2: the id is not printable"));
 }
 
 }  // namespace
