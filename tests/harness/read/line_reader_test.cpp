@@ -2,15 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/harness/read/numbers.h"
+
 namespace harness {
 namespace {
 
-std::vector<double> read(std::string_view line) {
-    std::vector<double> numbers;
-    for (const PrintedValue& value : read_line(line).values) {
-        for (const PrintedNumber& number : value.numbers) numbers.push_back(number.value);
-    }
-    return numbers;
+Numbers numbers_of_line(std::string_view line) {
+    return numbers_of(read_line(line).values);
 }
 
 PrintedValue only(std::string_view line) {
@@ -19,42 +17,40 @@ PrintedValue only(std::string_view line) {
     return reading.values.empty() ? PrintedValue{} : reading.values.front();
 }
 
-using Numbers = std::vector<double>;
-
 TEST(ReadLine, ReadsNoValueFromProse) {
     for (const std::string_view line :
          {"if there are 2 positive roots, pick the smaller one", "0 <= u <= 1", "a 3x3 linear system", "u + v <= 1",
           "(P - C) . (P - C) = R^2", "-------- ****", ""}) {
-        EXPECT_EQ(read(line), Numbers{}) << line;
+        EXPECT_EQ(numbers_of_line(line), Numbers{}) << line;
     }
 }
 
 TEST(ReadLine, MultipliesABracketByWhatStandsBeforeIt) {
-    EXPECT_EQ(read("N = -(1, 2, 3)"), (Numbers{-1, -2, -3}));
-    EXPECT_EQ(read("N = -vec3(1, 2, 3)"), (Numbers{-1, -2, -3}));
-    EXPECT_EQ(read("V: 2 * vec3(1, 2, 3)"), (Numbers{2, 4, 6}));
-    EXPECT_EQ(read("V = -1 * (1, 2, 3)"), (Numbers{-1, -2, -3}));
+    EXPECT_EQ(numbers_of_line("N = -(1, 2, 3)"), (Numbers{-1, -2, -3}));
+    EXPECT_EQ(numbers_of_line("N = -vec3(1, 2, 3)"), (Numbers{-1, -2, -3}));
+    EXPECT_EQ(numbers_of_line("V: 2 * vec3(1, 2, 3)"), (Numbers{2, 4, 6}));
+    EXPECT_EQ(numbers_of_line("V = -1 * (1, 2, 3)"), (Numbers{-1, -2, -3}));
     EXPECT_EQ(only("N = -(1, 2, 3)").label, "N");
-    EXPECT_EQ(read("N - (1, 2, 3)"), (Numbers{1, 2, 3})) << "a dash";
-    EXPECT_EQ(read("- (1, 2, 3)"), (Numbers{1, 2, 3})) << "the mark of a list";
-    EXPECT_EQ(read("t: minus 3.5"), Numbers{-3.5});
+    EXPECT_EQ(numbers_of_line("N - (1, 2, 3)"), (Numbers{1, 2, 3})) << "a dash";
+    EXPECT_EQ(numbers_of_line("- (1, 2, 3)"), (Numbers{1, 2, 3})) << "the mark of a list";
+    EXPECT_EQ(numbers_of_line("t: minus 3.5"), Numbers{-3.5});
 }
 
 TEST(ReadLine, KeepsTheNumberThatTheLineSaysIsTaken) {
-    EXPECT_EQ(read("t1 = 3.5, t2 = 6.5, using t2"), Numbers{6.5});
-    EXPECT_EQ(read("a = 1, t_min = 3.5, t_max = 6.5, picked t_min"), (Numbers{1, 3.5}));
-    EXPECT_EQ(read("t = 3.5 or 6.5, so we take 6.5"), Numbers{6.5});
+    EXPECT_EQ(numbers_of_line("t1 = 3.5, t2 = 6.5, using t2"), Numbers{6.5});
+    EXPECT_EQ(numbers_of_line("a = 1, t_min = 3.5, t_max = 6.5, picked t_min"), (Numbers{1, 3.5}));
+    EXPECT_EQ(numbers_of_line("t = 3.5 or 6.5, so we take 6.5"), Numbers{6.5});
     EXPECT_EQ(only("t = 3.5 or 6.5, so we take 6.5").label, "t");
-    EXPECT_EQ(read("d = 8, t1 = 3.5, t2 = 6.5, take 6.5"), (Numbers{8, 6.5}));
-    EXPECT_EQ(read("t1 = 3.5, t2 = 6.5, using doubles"), (Numbers{3.5, 6.5}));
+    EXPECT_EQ(numbers_of_line("d = 8, t1 = 3.5, t2 = 6.5, take 6.5"), (Numbers{8, 6.5}));
+    EXPECT_EQ(numbers_of_line("t1 = 3.5, t2 = 6.5, using doubles"), (Numbers{3.5, 6.5}));
 }
 
 TEST(ReadLine, ReadsTheResultOfAFormula) {
-    EXPECT_EQ(read("c = 5/3 = 1.66667"), Numbers{1.66667});
-    EXPECT_EQ(read("t = 3 - sqrt2 = 1.5858"), Numbers{1.5858});
-    EXPECT_EQ(read("t = 1/sqrt(2) = 0.707"), Numbers{0.707});
-    EXPECT_EQ(read("d = b*b - 4*a*c = 8"), Numbers{8});
-    EXPECT_EQ(read("d = 0.585786 = 2 - sqrt(2)"), Numbers{0.585786});
+    EXPECT_EQ(numbers_of_line("c = 5/3 = 1.66667"), Numbers{1.66667});
+    EXPECT_EQ(numbers_of_line("t = 3 - sqrt2 = 1.5858"), Numbers{1.5858});
+    EXPECT_EQ(numbers_of_line("t = 1/sqrt(2) = 0.707"), Numbers{0.707});
+    EXPECT_EQ(numbers_of_line("d = b*b - 4*a*c = 8"), Numbers{8});
+    EXPECT_EQ(numbers_of_line("d = 0.585786 = 2 - sqrt(2)"), Numbers{0.585786});
 }
 
 TEST(ReadLine, ReadsWhatFollowsAQuadratic) {
@@ -68,11 +64,11 @@ TEST(ReadLine, ReadsWhatFollowsAQuadratic) {
 
 TEST(ReadLine, ReadsThreeNumbersBetweenSlashesAsAList) {
     EXPECT_EQ(only("abc = 1/-4/2").label, "abc");
-    EXPECT_EQ(read("abc = 1/-4/2"), (Numbers{1, -4, 2}));
-    EXPECT_EQ(read("a / b / c: 1.5 / -4 / 2.25"), (Numbers{1.5, -4, 2.25}));
-    EXPECT_EQ(read("d = 16/2/1 = 8"), Numbers{8});
-    EXPECT_EQ(read("d = 2*16/2/1"), Numbers{}) << "a formula";
-    EXPECT_EQ(read("d = 16/2/1 - 3"), Numbers{}) << "a formula";
+    EXPECT_EQ(numbers_of_line("abc = 1/-4/2"), (Numbers{1, -4, 2}));
+    EXPECT_EQ(numbers_of_line("a / b / c: 1.5 / -4 / 2.25"), (Numbers{1.5, -4, 2.25}));
+    EXPECT_EQ(numbers_of_line("d = 16/2/1 = 8"), Numbers{8});
+    EXPECT_EQ(numbers_of_line("d = 2*16/2/1"), Numbers{}) << "a formula";
+    EXPECT_EQ(numbers_of_line("d = 16/2/1 - 3"), Numbers{}) << "a formula";
 }
 
 TEST(ReadLine, ReadsTheResultOfAFormulaWithNumbersPutIn) {
@@ -82,29 +78,29 @@ TEST(ReadLine, ReadsTheResultOfAFormulaWithNumbersPutIn) {
           "P_s: vec3(0, 0, 1) + 2.0 * vec3(1, 0, 0) = vec3(2, 0, 1)", "P_s = S + (1, 0, 0) * 2 = (2, 0, 1)",
           "P_s (0, 0, 1) + 2 * (1, 0, 0) = (2, 0, 1)", "P_s = (1.5 + 0.5, 2 - 2, 1) = (2, 0, 1)",
           "P_s = (2, 0, 1) = (0, 0, 1) + 2 * (1, 0, 0)"}) {
-        EXPECT_EQ(read(line), point) << line;
+        EXPECT_EQ(numbers_of_line(line), point) << line;
         EXPECT_EQ(only(line).label.substr(0, 3), "P_s") << line;
     }
     for (const std::string_view line :
          {"b = 2 V.(S - C) = -13.46", "b = 2 (S - C) . V = -13.46", "b = 2 dot(V, S - C) = -13.46",
           "b = 2 * (S - C).V = -13.46", "b = (-2)^2 - 4(1)(4.365) = -13.46",
           "b = 2 (-0.5 * 3 + 4 * 1.5) * V.x = - 13.46"}) {
-        EXPECT_EQ(read(line), Numbers{-13.46}) << line;
+        EXPECT_EQ(numbers_of_line(line), Numbers{-13.46}) << line;
         EXPECT_EQ(only(line).label, "b") << line;
     }
 }
 
 TEST(ReadLine, TakesNoLabelForAFormula) {
-    EXPECT_EQ(read("a = 1 (V has length 1). b = -4"), (Numbers{1, -4}));
-    EXPECT_EQ(read("t = 2 P_s = S + tV = (2, 0, 1)"), (Numbers{2, 2, 0, 1}));
-    EXPECT_EQ(read("u = 0 v = 1 u+v = 1"), (Numbers{0, 1, 1}));
-    EXPECT_EQ(read("X = (1, 0, 0) / Y = (0, 1, 0)"), (Numbers{1, 0, 0, 0, 1, 0}));
-    EXPECT_EQ(read("P: (1, 0, 0) - V: (0, 1, 0)"), (Numbers{1, 0, 0, 0, 1, 0}));
+    EXPECT_EQ(numbers_of_line("a = 1 (V has length 1). b = -4"), (Numbers{1, -4}));
+    EXPECT_EQ(numbers_of_line("t = 2 P_s = S + tV = (2, 0, 1)"), (Numbers{2, 2, 0, 1}));
+    EXPECT_EQ(numbers_of_line("u = 0 v = 1 u+v = 1"), (Numbers{0, 1, 1}));
+    EXPECT_EQ(numbers_of_line("X = (1, 0, 0) / Y = (0, 1, 0)"), (Numbers{1, 0, 0, 0, 1, 0}));
+    EXPECT_EQ(numbers_of_line("P: (1, 0, 0) - V: (0, 1, 0)"), (Numbers{1, 0, 0, 0, 1, 0}));
 }
 
 TEST(ReadLine, ReadsBothSidesOfASystem) {
-    EXPECT_EQ(read("[0 2 -2] * [t] = [1.5]"), (Numbers{0, 2, -2, 1.5}));
-    EXPECT_EQ(read("((0, 0, 1), (2, 4, 0), (-2, 4, 0)) * (t, u, v) = (0, 2, 0)"),
+    EXPECT_EQ(numbers_of_line("[0 2 -2] * [t] = [1.5]"), (Numbers{0, 2, -2, 1.5}));
+    EXPECT_EQ(numbers_of_line("((0, 0, 1), (2, 4, 0), (-2, 4, 0)) * (t, u, v) = (0, 2, 0)"),
               (Numbers{0, 0, 1, 2, 4, 0, -2, 4, 0, 0, 2, 0}));
 }
 
@@ -115,14 +111,14 @@ TEST(ReadLine, ReadsALoneFractionExactly) {
 }
 
 TEST(ReadLine, KeepsTheValueOfAComparison) {
-    EXPECT_EQ(read("t = 0.9 > 0 ok"), Numbers{0.9});
-    EXPECT_EQ(read("u = 0.2, 0 <= u <= 1"), Numbers{0.2});
+    EXPECT_EQ(numbers_of_line("t = 0.9 > 0 ok"), Numbers{0.9});
+    EXPECT_EQ(numbers_of_line("u = 0.2, 0 <= u <= 1"), Numbers{0.2});
 }
 
 TEST(ReadLine, LeavesOutRemarks) {
-    EXPECT_EQ(read("t = 0.333 (= 1/3)"), Numbers{0.333});
-    EXPECT_EQ(read("a = 1 (a unit vector, so 1)"), Numbers{1});
-    EXPECT_EQ(read("(0.667 (= 2/3), 0, 1)"), (Numbers{0.667, 0, 1}));
+    EXPECT_EQ(numbers_of_line("t = 0.333 (= 1/3)"), Numbers{0.333});
+    EXPECT_EQ(numbers_of_line("a = 1 (a unit vector, so 1)"), Numbers{1});
+    EXPECT_EQ(numbers_of_line("(0.667 (= 2/3), 0, 1)"), (Numbers{0.667, 0, 1}));
 }
 
 TEST(ReadLine, ReadsNestingTypesAndBars) {
@@ -151,9 +147,9 @@ TEST(ReadLine, ReadsALabelWithoutAValue) {
 }
 
 TEST(ReadLine, SurvivesUnmatchedBrackets) {
-    EXPECT_EQ(read("((((((1, 2, 3"), (Numbers{1, 2, 3}));
-    EXPECT_EQ(read("1, 2, 3))))"), (Numbers{1, 2, 3}));
-    EXPECT_EQ(read("(1, 2, 3] }"), (Numbers{1, 2, 3}));
+    EXPECT_EQ(numbers_of_line("((((((1, 2, 3"), (Numbers{1, 2, 3}));
+    EXPECT_EQ(numbers_of_line("1, 2, 3))))"), (Numbers{1, 2, 3}));
+    EXPECT_EQ(numbers_of_line("(1, 2, 3] }"), (Numbers{1, 2, 3}));
 }
 
 }  // namespace

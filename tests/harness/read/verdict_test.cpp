@@ -7,7 +7,8 @@ namespace {
 
 using reference::Verdict;
 
-std::optional<Verdict> read(const std::vector<std::string>& texts, VerdictPlace place = VerdictPlace::own_section) {
+std::optional<Verdict> verdict_of(const std::vector<std::string>& texts,
+                                  VerdictPlace place = VerdictPlace::own_section) {
     std::vector<PrintedLine> lines;
     for (const std::string& text : texts) lines.push_back({text, 40 + static_cast<int>(lines.size())});
     const auto verdict = read_verdict(lines, place);
@@ -15,50 +16,55 @@ std::optional<Verdict> read(const std::vector<std::string>& texts, VerdictPlace 
 }
 
 TEST(ReadVerdict, IgnoresTheTextOfTheQuestion) {
-    EXPECT_EQ(read({"Print triangle first or sphere first"}), std::nullopt);
-    EXPECT_EQ(read({"Which is hit first, the sphere or the triangle?", "the sphere"}),
+    EXPECT_EQ(verdict_of({"Print triangle first or sphere first"}), std::nullopt);
+    EXPECT_EQ(verdict_of({"Which is hit first, the sphere or the triangle?", "the sphere"}),
               Verdict(reference::Subject::sphere));
-    EXPECT_EQ(read({"- ray hits triangle first", "- ray hits sphere first", "ray hits triangle first"}),
+    EXPECT_EQ(verdict_of({"- ray hits triangle first", "- ray hits sphere first", "ray hits triangle first"}),
               Verdict(reference::Subject::triangle));
 }
 
 TEST(ReadVerdict, TakesANegatedFirstAsTheOtherObject) {
-    EXPECT_EQ(read({"ray does not hit triangle first, it hits sphere first"}), Verdict(reference::Subject::sphere));
-    EXPECT_EQ(read({"ray does not hit the sphere first; it hits the triangle"}), Verdict(reference::Subject::triangle));
-    EXPECT_EQ(read({"The triangle is no true hit, so ray hits sphere first"}), Verdict(reference::Subject::sphere));
-    EXPECT_EQ(read({"The triangle is hit after the sphere"}), Verdict(reference::Subject::sphere));
-    EXPECT_EQ(read({"Closest object: sphere (t = 2.1), triangle is behind it"}), Verdict(reference::Subject::sphere));
+    EXPECT_EQ(verdict_of({"ray does not hit triangle first, it hits sphere first"}),
+              Verdict(reference::Subject::sphere));
+    EXPECT_EQ(verdict_of({"ray does not hit the sphere first; it hits the triangle"}),
+              Verdict(reference::Subject::triangle));
+    EXPECT_EQ(verdict_of({"The triangle is no true hit, so ray hits sphere first"}),
+              Verdict(reference::Subject::sphere));
+    EXPECT_EQ(verdict_of({"The triangle is hit after the sphere"}), Verdict(reference::Subject::sphere));
+    EXPECT_EQ(verdict_of({"Closest object: sphere (t = 2.1), triangle is behind it"}),
+              Verdict(reference::Subject::sphere));
 }
 
 TEST(ReadVerdict, TellsThreeObjectsApart) {
-    EXPECT_EQ(read({"ray hits cylinder first"}), Verdict(reference::Subject::cylinder));
-    EXPECT_EQ(read({"cylinder"}), Verdict(reference::Subject::cylinder));
-    EXPECT_EQ(read({"closest is the cylinder with t = 1"}), Verdict(reference::Subject::cylinder));
-    EXPECT_EQ(read({"the order is cylinder (1), sphere (1.58579), triangle (2)"}),
+    EXPECT_EQ(verdict_of({"ray hits cylinder first"}), Verdict(reference::Subject::cylinder));
+    EXPECT_EQ(verdict_of({"cylinder"}), Verdict(reference::Subject::cylinder));
+    EXPECT_EQ(verdict_of({"closest is the cylinder with t = 1"}), Verdict(reference::Subject::cylinder));
+    EXPECT_EQ(verdict_of({"the order is cylinder (1), sphere (1.58579), triangle (2)"}),
               Verdict(reference::Subject::cylinder));
-    EXPECT_EQ(read({"triangle, then cylinder, then sphere"}), Verdict(reference::Subject::triangle));
-    EXPECT_EQ(read({"The cylinder is nearer than the sphere and the triangle"}), Verdict(reference::Subject::cylinder));
-    EXPECT_EQ(read({"ray does not hit the cylinder first; it hits the sphere first"}),
+    EXPECT_EQ(verdict_of({"triangle, then cylinder, then sphere"}), Verdict(reference::Subject::triangle));
+    EXPECT_EQ(verdict_of({"The cylinder is nearer than the sphere and the triangle"}),
+              Verdict(reference::Subject::cylinder));
+    EXPECT_EQ(verdict_of({"ray does not hit the cylinder first; it hits the sphere first"}),
               Verdict(reference::Subject::sphere));
-    EXPECT_EQ(read({"ray hits triangle first / sphere first / cylinder first"}), std::nullopt) << "the question";
+    EXPECT_EQ(verdict_of({"ray hits triangle first / sphere first / cylinder first"}), std::nullopt) << "the question";
 }
 
 TEST(ReadVerdict, TakesTheObjectThatAnotherIsBehind) {
-    EXPECT_EQ(read({"the triangle is behind the sphere"}), Verdict(reference::Subject::sphere));
-    EXPECT_EQ(read({"the sphere is hit, the triangle is behind"}), Verdict(reference::Subject::sphere));
+    EXPECT_EQ(verdict_of({"the triangle is behind the sphere"}), Verdict(reference::Subject::sphere));
+    EXPECT_EQ(verdict_of({"the sphere is hit, the triangle is behind"}), Verdict(reference::Subject::sphere));
 }
 
 TEST(ReadVerdict, ReadsTheWordsStudentsUse) {
-    EXPECT_EQ(read({"ray hits sphere first"}), Verdict(reference::Subject::sphere));
-    EXPECT_EQ(read({"RAY HITS TRIANGLE FIRST!!!"}), Verdict(reference::Subject::triangle));
-    EXPECT_EQ(read({"The first object hit is the triangle"}), Verdict(reference::Subject::triangle));
-    EXPECT_EQ(read({"sphere is closer than the triangle"}), Verdict(reference::Subject::sphere));
-    EXPECT_EQ(read({"triangle beats sphere"}), Verdict(reference::Subject::triangle));
-    EXPECT_EQ(read({"Closest: triangle"}), Verdict(reference::Subject::triangle));
-    EXPECT_EQ(read({"sphere"}), Verdict(reference::Subject::sphere));
-    EXPECT_EQ(read({"The ray hits neither"}), Verdict::no_hit);
-    EXPECT_EQ(read({"ray does not hit the sphere or the triangle"}), Verdict::no_hit);
-    EXPECT_EQ(read({"it's a tie"}), Verdict::tie);
+    EXPECT_EQ(verdict_of({"ray hits sphere first"}), Verdict(reference::Subject::sphere));
+    EXPECT_EQ(verdict_of({"RAY HITS TRIANGLE FIRST!!!"}), Verdict(reference::Subject::triangle));
+    EXPECT_EQ(verdict_of({"The first object hit is the triangle"}), Verdict(reference::Subject::triangle));
+    EXPECT_EQ(verdict_of({"sphere is closer than the triangle"}), Verdict(reference::Subject::sphere));
+    EXPECT_EQ(verdict_of({"triangle beats sphere"}), Verdict(reference::Subject::triangle));
+    EXPECT_EQ(verdict_of({"Closest: triangle"}), Verdict(reference::Subject::triangle));
+    EXPECT_EQ(verdict_of({"sphere"}), Verdict(reference::Subject::sphere));
+    EXPECT_EQ(verdict_of({"The ray hits neither"}), Verdict::no_hit);
+    EXPECT_EQ(verdict_of({"ray does not hit the sphere or the triangle"}), Verdict::no_hit);
+    EXPECT_EQ(verdict_of({"it's a tie"}), Verdict::tie);
 }
 
 const Verdict sphere(reference::Subject::sphere);
@@ -75,9 +81,9 @@ TEST(ReadVerdict, ReadsWhatStandsBeforeOrBehindAllElse) {
           "the sphere is hidden by the triangle", "The sphere is farther away than the triangle",
           "sphere 1.2, triangle 0.9 -> triangle", "the sphere is not visible because the triangle hides it",
           "The sphere is occluded by the triangle"})
-        EXPECT_EQ(read({line}), triangle) << line;
-    EXPECT_EQ(read({"The cylinder is in front of the triangle and the sphere."}), cylinder);
-    EXPECT_EQ(read({"The sphere is not closer than the triangle"}), triangle);
+        EXPECT_EQ(verdict_of({line}), triangle) << line;
+    EXPECT_EQ(verdict_of({"The cylinder is in front of the triangle and the sphere."}), cylinder);
+    EXPECT_EQ(verdict_of({"The sphere is not closer than the triangle"}), triangle);
 }
 
 TEST(ReadVerdict, ReadsTheObjectThatIsNotDenied) {
@@ -86,18 +92,18 @@ TEST(ReadVerdict, ReadsTheObjectThatIsNotDenied) {
           "The sphere is not hit first, the triangle is.", "not the sphere, but the triangle first",
           "The ray misses the sphere and the cylinder, so it hits the triangle", "not the sphere but the triangle",
           "The ray does not hit the sphere first, but the triangle."})
-        EXPECT_EQ(read({line}), triangle) << line;
-    EXPECT_EQ(read({"The sphere is not hit first"}), std::nullopt);
+        EXPECT_EQ(verdict_of({line}), triangle) << line;
+    EXPECT_EQ(verdict_of({"The sphere is not hit first"}), std::nullopt);
 }
 
 TEST(ReadVerdict, ReadsTheOrderOfTheObjects) {
     for (const char* line : {"triangle, cylinder, sphere", "triangle (0.99), cylinder (3.66), sphere (5.78)",
                              "t_triangle < t_cylinder < t_sphere", "t_sphere > t_triangle", "triangle -> sphere",
                              "Sphere second, triangle first, cylinder third", "triangle then sphere"})
-        EXPECT_EQ(read({line}), triangle) << line;
+        EXPECT_EQ(verdict_of({line}), triangle) << line;
     for (const char* line : {"sphere and triangle", "sphere: hit, triangle: hit, cylinder: hit", "sphere or triangle",
                              "sphere, triangle and cylinder are objects"})
-        EXPECT_EQ(read({line}), std::nullopt) << line;
+        EXPECT_EQ(verdict_of({line}), std::nullopt) << line;
 }
 
 TEST(ReadVerdict, ReadsThatNothingIsHit) {
@@ -105,7 +111,7 @@ TEST(ReadVerdict, ReadsThatNothingIsHit) {
          {"ray hits nothing first", "winner=NULL", "first: none", "The ray doesn't hit anything.",
           "no object is hit first", "miss", "The ray misses the sphere, the triangle and the cylinder",
           "the sphere and the triangle are not hit", "neither the sphere nor the triangle is hit"})
-        EXPECT_EQ(read({line}), Verdict::no_hit) << line;
+        EXPECT_EQ(verdict_of({line}), Verdict::no_hit) << line;
 }
 
 TEST(ReadVerdict, ReadsOtherLanguagesAndWordsWithALetterWrong) {
@@ -113,47 +119,47 @@ TEST(ReadVerdict, ReadsOtherLanguagesAndWordsWithALetterWrong) {
          {"Der Strahl trifft zuerst das Dreieck", "le rayon touche le triangle en premier",
           "El rayo toca primero el tri\u00e1ngulo", "il triangolo viene prima", "das Dreieck liegt vor der Kugel",
           "O raio atinge primeiro o tri\u00e2ngulo", "ray hits traingle first"})
-        EXPECT_EQ(read({line}), triangle) << line;
+        EXPECT_EQ(verdict_of({line}), triangle) << line;
     for (const char* line : {"le rayon ne touche rien", "El primero: ninguno", "Der Strahl trifft nichts"})
-        EXPECT_EQ(read({line}), Verdict::no_hit) << line;
+        EXPECT_EQ(verdict_of({line}), Verdict::no_hit) << line;
 }
 
 TEST(ReadVerdict, ReadsNothingFromAQuestionOrACondition) {
     for (const char* line :
          {"Is the sphere first?", "If the sphere is closer it is first", "Everything is before the sphere",
           "The triangle is hit after everything else", "the sphere is missed"})
-        EXPECT_EQ(read({line}), std::nullopt) << line;
-    EXPECT_EQ(read({"Which is hit first? The sphere."}), sphere);
+        EXPECT_EQ(verdict_of({line}), std::nullopt) << line;
+    EXPECT_EQ(verdict_of({"Which is hit first? The sphere."}), sphere);
 }
 
 TEST(ReadVerdict, PrefersTheSentenceToTheValues) {
-    EXPECT_EQ(read({"sphere hit at t = 0.58", "ray hits triangle first", "triangle: hit, t = 0"}),
+    EXPECT_EQ(verdict_of({"sphere hit at t = 0.58", "ray hits triangle first", "triangle: hit, t = 0"}),
               Verdict(reference::Subject::triangle));
 }
 
 TEST(ReadVerdict, TakesNoLaterPlaceForTheFirst) {
-    EXPECT_EQ(read({"ray hits sphere first", "ray hits triangle second"}), sphere);
-    EXPECT_EQ(read({"first: sphere", "second: triangle"}), sphere);
-    EXPECT_EQ(read({"First hit: sphere", "Second hit: triangle"}), sphere);
-    EXPECT_EQ(read({"Order along the ray:", "  1. sphere", "  2. triangle"}), sphere);
-    EXPECT_EQ(read({"the ray hits the triangle second"}), std::nullopt);
-    EXPECT_EQ(read({"The second object, the triangle, is hit first"}), triangle);
+    EXPECT_EQ(verdict_of({"ray hits sphere first", "ray hits triangle second"}), sphere);
+    EXPECT_EQ(verdict_of({"first: sphere", "second: triangle"}), sphere);
+    EXPECT_EQ(verdict_of({"First hit: sphere", "Second hit: triangle"}), sphere);
+    EXPECT_EQ(verdict_of({"Order along the ray:", "  1. sphere", "  2. triangle"}), sphere);
+    EXPECT_EQ(verdict_of({"the ray hits the triangle second"}), std::nullopt);
+    EXPECT_EQ(verdict_of({"The second object, the triangle, is hit first"}), triangle);
 }
 
 TEST(ReadVerdict, TakesAFlagOfZeroForFalse) {
-    EXPECT_EQ(read({"sphereFirst = 0"}), read({"sphereFirst = false"}));
-    EXPECT_NE(read({"hits sphere first: 0"}), sphere);
-    EXPECT_EQ(read({"sphereFirst = 1"}), sphere);
-    EXPECT_EQ(read({"sphere first, t = 0"}), sphere);
+    EXPECT_EQ(verdict_of({"sphereFirst = 0"}), verdict_of({"sphereFirst = false"}));
+    EXPECT_NE(verdict_of({"hits sphere first: 0"}), sphere);
+    EXPECT_EQ(verdict_of({"sphereFirst = 1"}), sphere);
+    EXPECT_EQ(verdict_of({"sphere first, t = 0"}), sphere);
 }
 
 TEST(ReadVerdict, IgnoresDebugLines) {
-    EXPECT_EQ(read({"DEBUG: sphere first"}), std::nullopt);
+    EXPECT_EQ(verdict_of({"DEBUG: sphere first"}), std::nullopt);
 }
 
 TEST(ReadVerdict, RequiresTheWordFirstOutsideQuestion10) {
-    EXPECT_EQ(read({"the ray hits the sphere"}, VerdictPlace::elsewhere), std::nullopt);
-    EXPECT_EQ(read({"ray hits sphere first"}, VerdictPlace::elsewhere), Verdict(reference::Subject::sphere));
+    EXPECT_EQ(verdict_of({"the ray hits the sphere"}, VerdictPlace::elsewhere), std::nullopt);
+    EXPECT_EQ(verdict_of({"ray hits sphere first"}, VerdictPlace::elsewhere), Verdict(reference::Subject::sphere));
 }
 
 TEST(ReadVerdict, GivesTheLineOfTheOutput) {
