@@ -4,10 +4,11 @@
 
 #include "reference/key/answer_key.h"
 #include "tests/given/render/scenes.h"
+#include "tests/reference/toml/complaint.h"
 
+namespace reference {
 namespace {
 
-using namespace reference;
 using scenes::cylinder;
 using scenes::material;
 using scenes::sphere;
@@ -15,17 +16,12 @@ using scenes::triangle;
 using testing::AllOf;
 using testing::HasSubstr;
 
-Appearance read(const std::string& rest) {
+Appearance appearance_with(const std::string& rest) {
     return parse_assignment(scenes::with_camera(rest), "folder/scene.toml").appearance;
 }
 
-std::string complaint(const std::string& rest) {
-    try {
-        read(rest);
-    } catch (const AssignmentError& error) {
-        return error.what();
-    }
-    return "accepted";
+std::string complaint_about_appearance(const std::string& rest) {
+    return complaint_about(scenes::with_camera(rest), "folder/scene.toml");
 }
 
 TEST(AppearanceReader, ReadsNothingFromASceneWithoutItsTables) {
@@ -42,7 +38,7 @@ TEST(AppearanceReader, ReadsNothingFromASceneWithoutItsTables) {
 }
 
 TEST(AppearanceReader, ReadsEveryTable) {
-    const Appearance appearance = read(
+    const Appearance appearance = appearance_with(
         "[render]\nambient_light = [0.1, 0.2, 0.3]\nbackground = [0.4, 0.5, 0.6]\nsamples_per_pixel = 9\n"
         "[[light]]\nposition = [1, 2, 3]\ncolor = [4, 5, 6]\n[[light]]\ndirection = [0, -1, 0]\ncolor = [1, 1, 1]\n" +
         material("clay", "diffuse = [1, 0, 0.5]") +
@@ -79,32 +75,46 @@ TEST(AppearanceReader, NamesLineKeyAndRemedy) {
         return AllOf(HasSubstr("folder/scene.toml:"), HasSubstr(key), HasSubstr(what));
     };
     const std::string white = "color = [1, 1, 1]\n";
-    EXPECT_THAT(complaint("[[light]]\n" + white), says("light[1].position", "one of the two"));
-    EXPECT_THAT(complaint("[[light]]\nposition = [0, 0, 0]\ndirection = [0, 0, 1]\n" + white),
+    EXPECT_THAT(complaint_about_appearance("[[light]]\n" + white), says("light[1].position", "one of the two"));
+    EXPECT_THAT(complaint_about_appearance("[[light]]\nposition = [0, 0, 0]\ndirection = [0, 0, 1]\n" + white),
                 says("light[1]", "one of"));
-    EXPECT_THAT(complaint("[[light]]\ndirection = [0, 0, 0]\n" + white), says("light[1].direction", "is zero"));
-    EXPECT_THAT(complaint("[[light]]\nposition = [0, 0, 0]\n"), says("light[1].color", "is missing"));
-    EXPECT_THAT(complaint("[[light]]\nposition = [0, 0, 0]\ncolor = [-1, 0, 0]\n"), says("color", "from 0 to"));
-    EXPECT_THAT(complaint("[[light]]\nplace = [0, 0, 0]\n" + white), says("light[1].place", "is not a key"));
-    EXPECT_THAT(complaint(material("m", "diffuse = [1, 2, 0]")), says("material[1].diffuse", "from 0 to 1"));
-    EXPECT_THAT(complaint(material("m", "ambient = [0, 0, 1.5]")), says("material[1].ambient", "from 0 to 1"));
-    EXPECT_THAT(complaint(material("m", "specular = [1.5, 0, 0]")), says("material[1].specular", "from 0 to 1"));
-    EXPECT_THAT(complaint(material("m", "reflectivity = 1.5")), says("material[1].reflectivity", "from 0 to 1"));
-    EXPECT_THAT(complaint(material("m", "gloss = 1")), says("material[1].gloss", "is not a key"));
-    EXPECT_THAT(complaint("[render]\nbackground = [0, 2, 0]\n"), says("render.background", "from 0 to 1"));
-    EXPECT_THAT(complaint("[[mesh]]\nfile = \"a.obj\"\nscale = 2\n"), says("mesh[1].scale", "is not a key"));
-    EXPECT_THAT(complaint(material("m", "shininess = 0")), says("shininess", "whole number from 1"));
-    EXPECT_THAT(complaint(material("m", "reflectivity = 0.5\ntransparency = 0.6")), says("reflectivity", "together"));
-    EXPECT_THAT(complaint(material("m", "refractive_index = 0")), says("refractive_index", "0.01"));
-    EXPECT_THAT(complaint("[[material]]\ndiffuse = [1, 1, 1]\n"), says("material[1].name", "is missing"));
-    EXPECT_THAT(complaint(material("m", "") + material("m", "")), says("material[2].name", "another material's"));
-    EXPECT_THAT(complaint(sphere("[0, 0, 0]", "1", "gold")), says("sphere[1].material", "is nowhere"));
-    EXPECT_THAT(complaint(material("tin", "") + sphere("[0, 0, 0]", "1", "gold")),
+    EXPECT_THAT(complaint_about_appearance("[[light]]\ndirection = [0, 0, 0]\n" + white),
+                says("light[1].direction", "is zero"));
+    EXPECT_THAT(complaint_about_appearance("[[light]]\nposition = [0, 0, 0]\n"), says("light[1].color", "is missing"));
+    EXPECT_THAT(complaint_about_appearance("[[light]]\nposition = [0, 0, 0]\ncolor = [-1, 0, 0]\n"),
+                says("color", "from 0 to"));
+    EXPECT_THAT(complaint_about_appearance("[[light]]\nplace = [0, 0, 0]\n" + white),
+                says("light[1].place", "is not a key"));
+    EXPECT_THAT(complaint_about_appearance(material("m", "diffuse = [1, 2, 0]")),
+                says("material[1].diffuse", "from 0 to 1"));
+    EXPECT_THAT(complaint_about_appearance(material("m", "ambient = [0, 0, 1.5]")),
+                says("material[1].ambient", "from 0 to 1"));
+    EXPECT_THAT(complaint_about_appearance(material("m", "specular = [1.5, 0, 0]")),
+                says("material[1].specular", "from 0 to 1"));
+    EXPECT_THAT(complaint_about_appearance(material("m", "reflectivity = 1.5")),
+                says("material[1].reflectivity", "from 0 to 1"));
+    EXPECT_THAT(complaint_about_appearance(material("m", "gloss = 1")), says("material[1].gloss", "is not a key"));
+    EXPECT_THAT(complaint_about_appearance("[render]\nbackground = [0, 2, 0]\n"),
+                says("render.background", "from 0 to 1"));
+    EXPECT_THAT(complaint_about_appearance("[[mesh]]\nfile = \"a.obj\"\nscale = 2\n"),
+                says("mesh[1].scale", "is not a key"));
+    EXPECT_THAT(complaint_about_appearance(material("m", "shininess = 0")), says("shininess", "whole number from 1"));
+    EXPECT_THAT(complaint_about_appearance(material("m", "reflectivity = 0.5\ntransparency = 0.6")),
+                says("reflectivity", "together"));
+    EXPECT_THAT(complaint_about_appearance(material("m", "refractive_index = 0")), says("refractive_index", "0.01"));
+    EXPECT_THAT(complaint_about_appearance("[[material]]\ndiffuse = [1, 1, 1]\n"),
+                says("material[1].name", "is missing"));
+    EXPECT_THAT(complaint_about_appearance(material("m", "") + material("m", "")),
+                says("material[2].name", "another material's"));
+    EXPECT_THAT(complaint_about_appearance(sphere("[0, 0, 0]", "1", "gold")), says("sphere[1].material", "is nowhere"));
+    EXPECT_THAT(complaint_about_appearance(material("tin", "") + sphere("[0, 0, 0]", "1", "gold")),
                 says("sphere[1].material", "none of tin"));
-    EXPECT_THAT(complaint("[render]\nsamples_per_pixel = 5\n"), says("render.samples_per_pixel", "a square"));
-    EXPECT_THAT(complaint("[render]\nsamples_per_pixel = 289\n"), says("render.samples_per_pixel", "256"));
-    EXPECT_THAT(complaint("[render]\nfog = 1\n"), says("render.fog", "is not a key"));
-    EXPECT_THAT(complaint("[[mesh]]\nmaterial = \"m\"\n"), says("mesh[1].file", "is missing"));
+    EXPECT_THAT(complaint_about_appearance("[render]\nsamples_per_pixel = 5\n"),
+                says("render.samples_per_pixel", "a square"));
+    EXPECT_THAT(complaint_about_appearance("[render]\nsamples_per_pixel = 289\n"),
+                says("render.samples_per_pixel", "256"));
+    EXPECT_THAT(complaint_about_appearance("[render]\nfog = 1\n"), says("render.fog", "is not a key"));
+    EXPECT_THAT(complaint_about_appearance("[[mesh]]\nmaterial = \"m\"\n"), says("mesh[1].file", "is missing"));
 }
 
 /// All optional tables together change nothing in an assignment's key. The mesh is not even opened.
@@ -123,30 +133,34 @@ TEST(AppearanceReader, LeavesTheAnswerKeyUnchanged) {
 
 TEST(AppearanceReader, ReadsAreaLights) {
     const std::string lamp = "[[light]]\nposition = [1, 2, 3]\ncolor = [4, 5, 6]\n";
-    const Appearance appearance =
-        read(lamp + "sides = [[1, 0, 0], [0, 0, 2]]\n" + lamp + "sides = [[1, 0, 0], [0, 0, 2]]\nsamples = 9\n");
+    const Appearance appearance = appearance_with(lamp + "sides = [[1, 0, 0], [0, 0, 2]]\n" + lamp +
+                                                  "sides = [[1, 0, 0], [0, 0, 2]]\nsamples = 9\n");
     ASSERT_EQ(appearance.area_lights.size(), 2U);
     EXPECT_TRUE(appearance.point_lights.empty());
     EXPECT_EQ(appearance.area_lights[0].sides[1], Vec3<double>(0, 0, 2));
     EXPECT_EQ(appearance.area_lights[0].samples_per_side, 4);
     EXPECT_EQ(appearance.area_lights[1].samples_per_side, 3);
-    EXPECT_THAT(complaint(lamp + "samples = 4\n"), AllOf(HasSubstr("light[1].samples"), HasSubstr("with sides")));
-    EXPECT_THAT(complaint(lamp + "sides = [[1, 0, 0], [0, 0, 2]]\nsamples = 10\n"), HasSubstr("must be a square"));
-    EXPECT_THAT(complaint(lamp + "sides = [[1, 0, 0]]\n"), HasSubstr("light[1].sides"));
-    EXPECT_THAT(complaint(lamp + "sides = [[1, 0, 0], [0, 1e31, 0]]\n"), HasSubstr("up to 1e30"));
-    EXPECT_THAT(complaint("[[light]]\ndirection = [1, 2, 3]\ncolor = [4, 5, 6]\nsides = [[1, 0, 0], [0, 0, 2]]\n"),
+    EXPECT_THAT(complaint_about_appearance(lamp + "samples = 4\n"),
+                AllOf(HasSubstr("light[1].samples"), HasSubstr("with sides")));
+    EXPECT_THAT(complaint_about_appearance(lamp + "sides = [[1, 0, 0], [0, 0, 2]]\nsamples = 10\n"),
+                HasSubstr("must be a square"));
+    EXPECT_THAT(complaint_about_appearance(lamp + "sides = [[1, 0, 0]]\n"), HasSubstr("light[1].sides"));
+    EXPECT_THAT(complaint_about_appearance(lamp + "sides = [[1, 0, 0], [0, 1e31, 0]]\n"), HasSubstr("up to 1e30"));
+    EXPECT_THAT(complaint_about_appearance(
+                    "[[light]]\ndirection = [1, 2, 3]\ncolor = [4, 5, 6]\nsides = [[1, 0, 0], [0, 0, 2]]\n"),
                 HasSubstr("of a light with a position"));
 }
 
 TEST(AppearanceReader, ReadsTextures) {
-    const Appearance appearance = read(material("plain", "texture = \"a.png\"") +
-                                       material("floor", "texture = \"b.png\"\ntexture_up = [0, 0, -0.5]"));
+    const Appearance appearance = appearance_with(material("plain", "texture = \"a.png\"") +
+                                                  material("floor", "texture = \"b.png\"\ntexture_up = [0, 0, -0.5]"));
     EXPECT_EQ(appearance.materials.at(0).texture->path, "folder/a.png");
     EXPECT_EQ(appearance.materials.at(0).texture->plane, std::nullopt);
     EXPECT_EQ(appearance.materials.at(1).texture->plane->across, Vec3<double>(1, 0, 0));
     EXPECT_EQ(appearance.materials.at(1).texture->plane->up, Vec3<double>(0, 0, -0.5));
-    EXPECT_THAT(complaint(material("m", "texture_across = [1, 0, 0]")),
+    EXPECT_THAT(complaint_about_appearance(material("m", "texture_across = [1, 0, 0]")),
                 HasSubstr("where a texture lies; there is none"));
 }
 
 }  // namespace
+}  // namespace reference

@@ -9,6 +9,7 @@
 
 #include "reference/toml/scene_toml.h"
 #include "tests/given/student/scenes.h"
+#include "tests/reference/toml/complaint.h"
 
 namespace reference {
 namespace {
@@ -18,20 +19,16 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-const std::string scene = student::camera_on_the_axis(4) + "[[sphere]]\ncenter = [1, 1, 0]\nradius = 2.50\n";
+const std::string scene_of_a_sphere =
+    student::camera_on_the_axis(4) + "[[sphere]]\ncenter = [1, 1, 0]\nradius = 2.50\n";
 
-std::string error_of(const std::string& variant) {
-    try {
-        parse_assignment(scene + variant, "a.toml");
-    } catch (const AssignmentError& error) {
-        return error.what();
-    }
-    return "no error";
+std::string complaint_about_variant(const std::string& variant) {
+    return complaint_about(scene_of_a_sphere + variant, "a.toml");
 }
 
 TEST(OtherScenesReader, OverridesTheGivenKeys) {
     const Assignment assignment =
-        parse_assignment(scene +
+        parse_assignment(scene_of_a_sphere +
                              "[[variant]]\nname = \"aside\"\ncamera.eye = [1, 2, 3.50]\nsphere.radius = "
                              "3\n[[variant]]\nwindow.pixel = [0, 200]\n",
                          "a.toml");
@@ -48,7 +45,8 @@ TEST(OtherScenesReader, OverridesTheGivenKeys) {
 
 TEST(DealtScenes, AreThoseOfTheStudents) {
     const Assignment assignment = parse_assignment(
-        scene + "[[student]]\nid = \"s7\"\nwindow.pixel = [3, 4]\nsphere.radius = 3\n[[student]]\nid = \"s8\"\n",
+        scene_of_a_sphere +
+            "[[student]]\nid = \"s7\"\nwindow.pixel = [3, 4]\nsphere.radius = 3\n[[student]]\nid = \"s8\"\n",
         "a.toml");
     const Assignment own = of_student(assignment, "s7");
     EXPECT_EQ(own.name, "a@s7");
@@ -61,14 +59,14 @@ TEST(DealtScenes, AreThoseOfTheStudents) {
 }
 
 TEST(DealtScenes, RefuseWhatNobodyCouldUse) {
-    EXPECT_THAT(error_of("[[student]]\nsphere.radius = 3\n"), HasSubstr("student[1].id"));
-    EXPECT_THAT(error_of("[[student]]\nid = \"\"\n"), HasSubstr("is empty"));
-    EXPECT_THAT(error_of("[[student]]\nid = \"s7\"\n[[student]]\nid = \"s7\"\n"),
+    EXPECT_THAT(complaint_about_variant("[[student]]\nsphere.radius = 3\n"), HasSubstr("student[1].id"));
+    EXPECT_THAT(complaint_about_variant("[[student]]\nid = \"\"\n"), HasSubstr("is empty"));
+    EXPECT_THAT(complaint_about_variant("[[student]]\nid = \"s7\"\n[[student]]\nid = \"s7\"\n"),
                 AllOf(HasSubstr("student[2].id"), HasSubstr("stands twice")));
-    EXPECT_THAT(error_of("[[student]]\nid = \"s7\"\nsphere.radius = -3\n"),
+    EXPECT_THAT(complaint_about_variant("[[student]]\nid = \"s7\"\nsphere.radius = -3\n"),
                 AllOf(HasSubstr("student[1].sphere.radius"), HasSubstr("\"s7\"")));
     try {
-        of_student(parse_assignment(scene + "[[student]]\nid = \"s7\"\n", "a.toml"), "s77");
+        of_student(parse_assignment(scene_of_a_sphere + "[[student]]\nid = \"s7\"\n", "a.toml"), "s77");
         ADD_FAILURE() << "a scene for nobody";
     } catch (const AssignmentError& error) {
         EXPECT_THAT(error.what(), HasSubstr("did you mean s7"));
@@ -76,35 +74,38 @@ TEST(DealtScenes, RefuseWhatNobodyCouldUse) {
 }
 
 TEST(OtherScenesReader, ReadsNoneWithoutATable) {
-    EXPECT_THAT(parse_assignment(scene, "a.toml").variants, IsEmpty());
+    EXPECT_THAT(parse_assignment(scene_of_a_sphere, "a.toml").variants, IsEmpty());
 }
 
 TEST(OtherScenesReader, RefusesOverridesThatDoNotFitTheScene) {
-    EXPECT_THAT(error_of("[[variant]]\ncamera.eyes = [1, 2, 3]\n"), AllOf(HasSubstr("a.toml"), HasSubstr("eyes")));
-    EXPECT_THAT(error_of("[[variant]]\nwindow.width = 3\n"), HasSubstr("width"));
-    EXPECT_THAT(error_of("[[variant]]\nwindow.pixel = [301, 0]\n"), HasSubstr("301 is not a pixel"));
-    EXPECT_THAT(error_of("[[variant]]\nwindow.pixel = [1.5, 0]\n"), HasSubstr("1.5 is not a pixel"));
-    EXPECT_THAT(error_of("[[variant]]\nname = \"same\"\nsphere.radius = 2.50\n"),
+    EXPECT_THAT(complaint_about_variant("[[variant]]\ncamera.eyes = [1, 2, 3]\n"),
+                AllOf(HasSubstr("a.toml"), HasSubstr("eyes")));
+    EXPECT_THAT(complaint_about_variant("[[variant]]\nwindow.width = 3\n"), HasSubstr("width"));
+    EXPECT_THAT(complaint_about_variant("[[variant]]\nwindow.pixel = [301, 0]\n"), HasSubstr("301 is not a pixel"));
+    EXPECT_THAT(complaint_about_variant("[[variant]]\nwindow.pixel = [1.5, 0]\n"), HasSubstr("1.5 is not a pixel"));
+    EXPECT_THAT(complaint_about_variant("[[variant]]\nname = \"same\"\nsphere.radius = 2.50\n"),
                 HasSubstr("\"same\" changes nothing"));
-    EXPECT_THAT(error_of("[[variant]]\nname = \"near\"\nsphere.radius = 2\n"
-                         "[[variant]]\nname = \"near\"\nsphere.radius = 3\n"),
+    EXPECT_THAT(complaint_about_variant("[[variant]]\nname = \"near\"\nsphere.radius = 2\n"
+                                        "[[variant]]\nname = \"near\"\nsphere.radius = 3\n"),
                 AllOf(HasSubstr("variant[2].name"), HasSubstr("\"near\" stands twice")));
-    EXPECT_THAT(error_of("[[variant]]\ntriangle.vertices = [[0,0,0],[1,0,0],[0,1,0]]\n"), HasSubstr("no triangle"));
+    EXPECT_THAT(complaint_about_variant("[[variant]]\ntriangle.vertices = [[0,0,0],[1,0,0],[0,1,0]]\n"),
+                HasSubstr("no triangle"));
 }
 
 TEST(OtherScenesReader, RefusesASceneThatCantBeMarked) {
     const auto line = [](int of_variant) {
-        return fmt::format("a.toml:{}: ", std::count(scene.begin(), scene.end(), '\n') + of_variant);
+        return fmt::format("a.toml:{}: ",
+                           std::count(scene_of_a_sphere.begin(), scene_of_a_sphere.end(), '\n') + of_variant);
     };
-    EXPECT_THAT(error_of("[[variant]]\nname = \"blind\"\ncamera.eye = [0, 0, 0]\n"),
+    EXPECT_THAT(complaint_about_variant("[[variant]]\nname = \"blind\"\ncamera.eye = [0, 0, 0]\n"),
                 AllOf(HasSubstr(line(3) + "variant[1].camera"), HasSubstr("\"blind\""),
                       HasSubstr("camera.lookat is the eye itself")));
-    EXPECT_THAT(error_of("[[variant]]\nname = \"small\"\nsphere.radius = -1\n"),
+    EXPECT_THAT(complaint_about_variant("[[variant]]\nname = \"small\"\nsphere.radius = -1\n"),
                 AllOf(HasSubstr(line(3) + "variant[1].sphere.radius: is -1"), HasSubstr("\"small\"")));
 }
 
 TEST(SceneToml, ReadsBackAsTheSameScene) {
-    const Assignment assignment = parse_assignment(scene, "a.toml");
+    const Assignment assignment = parse_assignment(scene_of_a_sphere, "a.toml");
     EXPECT_EQ(scene_toml(parse_assignment(scene_toml(assignment.scene), "b.toml").scene), scene_toml(assignment.scene));
     EXPECT_THAT(scene_toml(assignment.scene), HasSubstr("radius = 2.50"));
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/given/student/scenes.h"
+#include "tests/reference/toml/complaint.h"
 
 namespace reference {
 namespace {
@@ -14,21 +15,16 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string sphere = "[[sphere]]\ncenter = [1, 1, 0]\nradius = 2\n";
-const std::string triangle = "[[triangle]]\nvertices = [[0, -2, 2], [2, 2, 2], [-2, 2, 2]]\n";
-const std::string cylinder = "[[cylinder]]\ncenter = [2, 0, 0]\nradius = 1\nheight = 4\n";
+const std::string a_sphere = "[[sphere]]\ncenter = [1, 1, 0]\nradius = 2\n";
+const std::string a_triangle = "[[triangle]]\nvertices = [[0, -2, 2], [2, 2, 2], [-2, 2, 2]]\n";
+const std::string a_cylinder = "[[cylinder]]\ncenter = [2, 0, 0]\nradius = 1\nheight = 4\n";
 
-Assignment with(const std::string& rest) {
+Assignment assignment_with(const std::string& rest) {
     return parse_assignment(student::camera_on_the_axis(4) + rest, "a.toml");
 }
 
-std::string error_of(const std::string& rest) {
-    try {
-        with(rest);
-    } catch (const AssignmentError& error) {
-        return error.what();
-    }
-    return "no error";
+std::string complaint_about_questions(const std::string& rest) {
+    return complaint_about(student::camera_on_the_axis(4) + rest, "a.toml");
 }
 
 std::vector<std::string> asked(const Assignment& assignment) {
@@ -39,17 +35,18 @@ std::vector<std::string> asked(const Assignment& assignment) {
 }
 
 TEST(Questions, AreThoseOf2021ThatTheSceneCallsForIfNoneAreListed) {
-    EXPECT_EQ(with(sphere + triangle).questions.size(), 10U);
-    EXPECT_THAT(asked(with(sphere)),
+    EXPECT_EQ(assignment_with(a_sphere + a_triangle).questions.size(), 10U);
+    EXPECT_THAT(asked(assignment_with(a_sphere)),
                 ElementsAre("1.P_VCS", "2.X_vcs", "2.Y_vcs", "2.Z_vcs", "3.M_VCS_to_WCS", "4.P_WCS", "5.V", "6.a",
                             "6.b", "6.c", "6.d", "6.t", "6.hit", "7.normal"));
 }
 
 TEST(Questions, AskForItemsByName) {
-    const Assignment assignment = with(sphere + cylinder +
-                                       "[[question]]\ntitle = \"the ray\"\nitems = [\"V\"]\npoints = 4\n"
-                                       "[[question]]\nitems = [\"cylinder.t\", \"sphere.t\", \"sphere.hit\"]\n"
-                                       "[[question]]\nnumber = 7\nitems = [\"first_hit\"]\n");
+    const Assignment assignment =
+        assignment_with(a_sphere + a_cylinder +
+                        "[[question]]\ntitle = \"the ray\"\nitems = [\"V\"]\npoints = 4\n"
+                        "[[question]]\nitems = [\"cylinder.t\", \"sphere.t\", \"sphere.hit\"]\n"
+                        "[[question]]\nnumber = 7\nitems = [\"first_hit\"]\n");
     EXPECT_THAT(asked(assignment), ElementsAre("1.V", "2.cylinder.t", "2.sphere.t", "2.hit", "7.verdict"))
         << "a name that two items of a question have is told by its object";
     EXPECT_EQ(assignment.questions[0].title, "the ray");
@@ -62,7 +59,7 @@ const std::string two_parts =
     "  {items = [\"sphere.t\", \"cylinder.t\"], points = 8}]\n";
 
 TEST(Questions, HavePartsWithPointsOfTheirOwn) {
-    const Assignment assignment = with(sphere + cylinder + two_parts);
+    const Assignment assignment = assignment_with(a_sphere + a_cylinder + two_parts);
     EXPECT_THAT(asked(assignment), ElementsAre("1.a", "1.b", "1.sphere.t", "1.cylinder.t"));
     ASSERT_EQ(assignment.questions[0].parts.size(), 2U);
     EXPECT_EQ(assignment.questions[0].parts[0].title, "the quadratic");
@@ -78,46 +75,53 @@ TEST(Questions, HavePartsWithPointsOfTheirOwn) {
 
 TEST(Questions, ShareTheirPointsEquallyWhereNoPartHasAny) {
     const Assignment assignment =
-        with(sphere +
-             "[[question]]\npoints = 6\n[[question.parts]]\nitems = [\"sphere.a\", \"sphere.b\"]\n"
-             "[[question.parts]]\nitems = [\"sphere.t\"]\n");
+        assignment_with(a_sphere +
+                        "[[question]]\npoints = 6\n[[question.parts]]\nitems = [\"sphere.a\", \"sphere.b\"]\n"
+                        "[[question.parts]]\nitems = [\"sphere.t\"]\n");
     EXPECT_EQ(assignment.rubric.points_of(1), 6);
     EXPECT_FALSE(assignment.rubric.item_points.contains(1));
 }
 
 TEST(Questions, RefuseBadParts) {
-    EXPECT_THAT(error_of(sphere + "[[question]]\nitems = [\"V\"]\nparts = [{items = [\"sphere.a\"]}]\n"),
-                HasSubstr("put each item into its part"));
-    EXPECT_THAT(error_of(sphere + "[[question]]\nparts = []\n"), HasSubstr("at least one part"));
-    EXPECT_THAT(error_of(sphere + "[[question]]\nparts = [{items = []}]\n"), HasSubstr("at least one item"));
-    EXPECT_THAT(error_of(sphere + "[[question]]\npoints = 3\nparts = [{items = [\"sphere.a\"], points = 3}]\n"),
+    EXPECT_THAT(
+        complaint_about_questions(a_sphere + "[[question]]\nitems = [\"V\"]\nparts = [{items = [\"sphere.a\"]}]\n"),
+        HasSubstr("put each item into its part"));
+    EXPECT_THAT(complaint_about_questions(a_sphere + "[[question]]\nparts = []\n"), HasSubstr("at least one part"));
+    EXPECT_THAT(complaint_about_questions(a_sphere + "[[question]]\nparts = [{items = []}]\n"),
+                HasSubstr("at least one item"));
+    EXPECT_THAT(complaint_about_questions(a_sphere +
+                                          "[[question]]\npoints = 3\nparts = [{items = [\"sphere.a\"], points = 3}]\n"),
                 HasSubstr("state them once"));
-    EXPECT_THAT(error_of(sphere + "[[question]]\nparts = [{items = [\"sphere.a\"], points = 3},\n"
-                                  "{items = [\"sphere.b\"]}]\n"),
+    EXPECT_THAT(complaint_about_questions(a_sphere + "[[question]]\nparts = [{items = [\"sphere.a\"], points = 3},\n"
+                                                     "{items = [\"sphere.b\"]}]\n"),
                 HasSubstr("give each part its points"));
-    EXPECT_THAT(error_of(sphere + "[[question]]\nparts = [{items = [\"sphere.a\"]}, {items = [\"sphere.a\"]}]\n"),
+    EXPECT_THAT(complaint_about_questions(
+                    a_sphere + "[[question]]\nparts = [{items = [\"sphere.a\"]}, {items = [\"sphere.a\"]}]\n"),
                 HasSubstr("asked twice"));
-    EXPECT_THAT(error_of(sphere + cylinder + two_parts + "[rubric.points]\n1 = 5\n"), HasSubstr("state them once"));
+    EXPECT_THAT(complaint_about_questions(a_sphere + a_cylinder + two_parts + "[rubric.points]\n1 = 5\n"),
+                HasSubstr("state them once"));
 }
 
 TEST(Questions, RefuseWhatCannotBeAsked) {
     const auto asks = [](const std::string& items) { return "[[question]]\nitems = " + items + "\n"; };
-    EXPECT_THAT(error_of(sphere + asks("[\"sphere.x\"]")),
+    EXPECT_THAT(complaint_about_questions(a_sphere + asks("[\"sphere.x\"]")),
                 AllOf(HasSubstr("question[1].items"), HasSubstr("\"sphere.x\" is no item; did you mean sphere.a")));
-    EXPECT_THAT(error_of(sphere + asks("[\"cylinder.t\"]")), HasSubstr("add [[cylinder]]"));
-    EXPECT_THAT(error_of(sphere + asks("[\"first_hit\"]")), HasSubstr("two kinds"));
-    EXPECT_THAT(error_of(sphere + asks("[\"V\"]") + asks("[\"V\"]")), HasSubstr("asked twice"));
-    EXPECT_THAT(error_of(sphere + asks("[]")), HasSubstr("at least one item"));
+    EXPECT_THAT(complaint_about_questions(a_sphere + asks("[\"cylinder.t\"]")), HasSubstr("add [[cylinder]]"));
+    EXPECT_THAT(complaint_about_questions(a_sphere + asks("[\"first_hit\"]")), HasSubstr("two kinds"));
+    EXPECT_THAT(complaint_about_questions(a_sphere + asks("[\"V\"]") + asks("[\"V\"]")), HasSubstr("asked twice"));
+    EXPECT_THAT(complaint_about_questions(a_sphere + asks("[]")), HasSubstr("at least one item"));
     EXPECT_THAT(
-        error_of(sphere + "[[question]]\nnumber = 2\nitems = [\"V\"]\n[[question]]\nnumber = 2\nitems = [\"P_WCS\"]\n"),
+        complaint_about_questions(
+            a_sphere + "[[question]]\nnumber = 2\nitems = [\"V\"]\n[[question]]\nnumber = 2\nitems = [\"P_WCS\"]\n"),
         AllOf(HasSubstr("question[2].number"), HasSubstr("upwards")));
 }
 
 TEST(Questions, TakeNoPointsForWhatIsNotAsked) {
-    EXPECT_THAT(error_of(sphere + "[rubric.points]\n8 = 10\n"),
+    EXPECT_THAT(complaint_about_questions(a_sphere + "[rubric.points]\n8 = 10\n"),
                 AllOf(HasSubstr("rubric.points.8"), HasSubstr("asks 1, 2, 3, 4, 5, 6, 7")));
-    EXPECT_THAT(error_of(sphere + "[[question]]\nitems = [\"V\"]\npoints = 3\n[rubric.points]\n1 = 4\n"),
-                HasSubstr("state them once"));
+    EXPECT_THAT(
+        complaint_about_questions(a_sphere + "[[question]]\nitems = [\"V\"]\npoints = 3\n[rubric.points]\n1 = 4\n"),
+        HasSubstr("state them once"));
 }
 
 TEST(Questions, GivePointsForSomething) {
@@ -125,16 +129,17 @@ TEST(Questions, GivePointsForSomething) {
     const auto at = [&](const std::string& place) {
         return AllOf(HasSubstr("a.toml:"), HasSubstr(place + ": " + none));
     };
-    const std::string nothing_but_V = sphere + "[[question]]\nitems = [\"V\"]\n";
-    EXPECT_THAT(error_of(nothing_but_V + "points = 0\n"), at("question[1].points"));
-    EXPECT_THAT(error_of(nothing_but_V + "[rubric.points]\n1 = 0\n"), at("rubric.points"));
-    EXPECT_THAT(error_of(nothing_but_V + "[rubric.points.1]\nV = 0\n"), at("rubric.points"));
-    EXPECT_THAT(error_of(sphere + "[[question]]\nparts = [{items = [\"V\"], points = 0}]\n"),
+    const std::string nothing_but_V = a_sphere + "[[question]]\nitems = [\"V\"]\n";
+    EXPECT_THAT(complaint_about_questions(nothing_but_V + "points = 0\n"), at("question[1].points"));
+    EXPECT_THAT(complaint_about_questions(nothing_but_V + "[rubric.points]\n1 = 0\n"), at("rubric.points"));
+    EXPECT_THAT(complaint_about_questions(nothing_but_V + "[rubric.points.1]\nV = 0\n"), at("rubric.points"));
+    EXPECT_THAT(complaint_about_questions(a_sphere + "[[question]]\nparts = [{items = [\"V\"], points = 0}]\n"),
                 at("question[1].parts[1].points"));
-    EXPECT_THAT(error_of(nothing_but_V + "points = 0\n[rubric]\nvariant_points = 5\n"), at("question[1].points"))
+    EXPECT_THAT(complaint_about_questions(nothing_but_V + "points = 0\n[rubric]\nvariant_points = 5\n"),
+                at("question[1].points"))
         << "on other scenes a share of nothing is earned";
-    EXPECT_EQ(error_of(nothing_but_V + "points = 0\n[[question]]\nitems = [\"P_WCS\"]\n"), "no error");
-    EXPECT_EQ(error_of(nothing_but_V + "points = 0.5\n"), "no error");
+    EXPECT_EQ(complaint_about_questions(nothing_but_V + "points = 0\n[[question]]\nitems = [\"P_WCS\"]\n"), "no error");
+    EXPECT_EQ(complaint_about_questions(nothing_but_V + "points = 0.5\n"), "no error");
 }
 
 }  // namespace
