@@ -5,11 +5,13 @@
 #include "reference/render/picture/picture.h"
 #include "tests/given/render/scenes.h"
 #include "tests/given/temporary_folder.h"
+#include "tests/reference/render/trace/scene_parts.h"
 
 namespace {
 
 using namespace reference;
 using namespace reference::render;
+using scenes::clay;
 using scenes::colors_of;
 using scenes::material;
 using scenes::prepared;
@@ -21,20 +23,21 @@ std::vector<Color> as_called_for(const PreparedScene& scene) {
     return colors_of(scene, effects_of(decide_effects(scene)));
 }
 
-const std::string clay = material("clay", "diffuse = [1, 1, 1]");
 const std::string wall = triangle("[[-99, -99, -4], [99, -99, -4], [0, 99, -4]]", "clay");
 
-std::string lamp(const std::string& more) {
+std::string lamp_with(const std::string& more) {
     return "[[light]]\nposition = [0, 0, 8]\ncolor = [1, 0.5, 1]\n" + more;
 }
 
 TEST(AreaLights, WithOneSampleAreAPointLight) {
     const std::string objects = clay + wall + sphere("[0.6, 0.5, -2]", "0.75", "clay");
-    const auto point = as_called_for(prepared(with_camera(lamp("") + objects)));
-    EXPECT_EQ(as_called_for(prepared(with_camera(lamp("sides = [[1, 0, 0], [0, 1, 0]]\nsamples = 1\n") + objects))),
-              point);
-    EXPECT_EQ(as_called_for(prepared(with_camera(lamp("sides = [[0, 0, 0], [0, 0, 0]]\nsamples = 4\n") + objects))),
-              point);
+    const auto point = as_called_for(prepared(with_camera(lamp_with("") + objects)));
+    EXPECT_EQ(
+        as_called_for(prepared(with_camera(lamp_with("sides = [[1, 0, 0], [0, 1, 0]]\nsamples = 1\n") + objects))),
+        point);
+    EXPECT_EQ(
+        as_called_for(prepared(with_camera(lamp_with("sides = [[0, 0, 0], [0, 0, 0]]\nsamples = 4\n") + objects))),
+        point);
 }
 
 /// A screen with a straight edge at x = 0, halfway between a lamp of width 2 and the wall 12 behind it: the shadow's

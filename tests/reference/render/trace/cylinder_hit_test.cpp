@@ -9,6 +9,7 @@
 #include "tests/given/cases.h"
 #include "tests/given/cylinder_parts.h"
 #include "tests/given/render/scenes.h"
+#include "tests/reference/render/trace/scene_parts.h"
 
 namespace {
 
@@ -18,9 +19,12 @@ using namespace reference;
 using namespace reference::render;
 using accuracy::Random;
 using kernel::CylinderPart;
+using scenes::above;
+using scenes::level_at;
+using scenes::level_at_5;
 using Place = Vec3<double>;
 
-constexpr std::uint64_t seed = 20241101;
+constexpr std::uint64_t cylinder_seed = 20241101;
 
 /// In halves, so that rays often meet the rim, run along a surface or start on it.
 Cylinder<double> small_cylinder(Random& random) {
@@ -52,7 +56,7 @@ void expect_hit(const ObjectHit& given, const std::optional<cylinder_parts::Hit>
 }
 
 TEST(CylinderHit, IsThatOfTheHandoutsPartsForCameraRays) {
-    Random random(seed);
+    Random random(cylinder_seed);
     std::uint64_t hits = 0;
     for (std::uint64_t i = 0; i < cases(4000); ++i) {
         SCOPED_TRACE(i);
@@ -73,7 +77,7 @@ TEST(CylinderHit, IsThatOfTheHandoutsPartsForCameraRays) {
 
 /// From the exact point of a triangle whose coordinates are rounded: what is decided is about the exact point.
 TEST(CylinderHit, IsThatOfTheHandoutsPartsForRaysFromATriangle) {
-    Random random(seed + 1);
+    Random random(cylinder_seed + 1);
     std::uint64_t hits = 0;
     std::uint64_t rounded = 0;
     for (std::uint64_t i = 0; i < cases(3000); ++i) {
@@ -112,7 +116,7 @@ TEST(CylinderHit, IsThatOfTheHandoutsPartsForRaysFromATriangle) {
 /// above the tube, at such a distance.
 TEST(CylinderHit, IsDecidedByTheExactStartOnATriangle) {
     constexpr double size = 1e6;
-    Random random(seed + 4);
+    Random random(cylinder_seed + 4);
     std::array<std::uint64_t, 2> hits{};
     std::uint64_t decided_otherwise = 0;
     for (std::uint64_t i = 0; i < cases(400); ++i) {
@@ -150,7 +154,7 @@ TEST(CylinderHit, IsDecidedByTheExactStartOnATriangle) {
 
 /// A start just outside a cap leaves few digits of t.
 TEST(CylinderHit, KnowsASmallT) {
-    Random random(seed + 5);
+    Random random(cylinder_seed + 5);
     for (std::uint64_t i = 0; i < cases(500); ++i) {
         const Cylinder<double> cylinder{random.point(3), random.between(1, 2), random.between(1, 2)};
         PreparedScene scene{};
@@ -167,7 +171,7 @@ TEST(CylinderHit, KnowsASmallT) {
 
 /// The start is on the top by definition, so the way down to the bottom is the height, whatever the top rounds to.
 TEST(CylinderHit, MeasuresTheWayOutFromThePartThatItStartsOn) {
-    Random random(seed + 6);
+    Random random(cylinder_seed + 6);
     std::array<std::uint64_t, 2> first{};
     for (std::uint64_t i = 0; i < cases(400); ++i) {
         const Cylinder<double> cylinder{Place(0, random.between(0.1, 0.9), 0), 1, random.between(0.1, 0.9)};
@@ -190,7 +194,7 @@ TEST(CylinderHit, MeasuresTheWayOutFromThePartThatItStartsOn) {
 
 /// A ray from a cylinder's surface goes through the inside to the surface, or stays outside and never meets it again.
 TEST(CylinderHit, FindsTheWayOutOfItsOwnCylinder) {
-    Random random(seed + 2);
+    Random random(cylinder_seed + 2);
     std::array<std::uint64_t, 3> left_by{};
     for (std::uint64_t i = 0; i < cases(3000); ++i) {
         SCOPED_TRACE(i);
@@ -266,19 +270,13 @@ TEST(CylinderHit, HasTheNormalOfItsPart) {
     EXPECT_EQ(from("-7"), Color(0.5, 0, 0.5));
 }
 
-const std::string floor_at_5 = scenes::triangle("[[-9, -9, 5], [9, -9, 5], [0, 9, 5]]");
-const Place above(0.125, 0.25, 5);
-
 /// Its side is met at z along the ray from above(5) straight down -z: the center is 1 behind.
 std::string tube_at(const std::string& z) {
     return scenes::cylinder(fmt::format("[0.125, 0, {}]", z), "1", "2");
 }
-std::string level_at(const std::string& z) {
-    return scenes::triangle(fmt::format("[[-9, -9, {0}], [9, -9, {0}], [0, 9, {0}]]", z));
-}
 
-std::uint32_t first_below(const std::string& objects) {
-    const PreparedScene scene = scenes::prepared(scenes::with_camera(objects + floor_at_5));
+std::uint32_t object_below(const std::string& objects) {
+    const PreparedScene scene = scenes::prepared(scenes::with_camera(objects + level_at_5));
     const CameraRay ray{{above - Place(0, 0, 1), Place(0, 0, -1)}};
     const Nearest nearest = ObjectList::first_hit(scene, ray);
     EXPECT_TRUE(nearest.is_hit());
@@ -287,15 +285,15 @@ std::uint32_t first_below(const std::string& objects) {
 
 /// Objects are numbered with cylinders last, so that of two at the same t a cylinder is the second.
 TEST(CylinderHit, IsOrderedWhereTwoAreTooCloseForDoubles) {
-    EXPECT_EQ(first_below(tube_at("0") + tube_at("1e-10")), 2U);
-    EXPECT_EQ(first_below(tube_at("1e-10") + tube_at("0")), 1U);
-    EXPECT_EQ(first_below(tube_at("0") + level_at("0.9999999999")), 2U);
-    EXPECT_EQ(first_below(tube_at("0") + level_at("1.0000000001")), 0U);
-    EXPECT_EQ(first_below(tube_at("0") + level_at("1")), 0U);
+    EXPECT_EQ(object_below(tube_at("0") + tube_at("1e-10")), 2U);
+    EXPECT_EQ(object_below(tube_at("1e-10") + tube_at("0")), 1U);
+    EXPECT_EQ(object_below(tube_at("0") + level_at("0.9999999999")), 2U);
+    EXPECT_EQ(object_below(tube_at("0") + level_at("1.0000000001")), 0U);
+    EXPECT_EQ(object_below(tube_at("0") + level_at("1")), 0U);
     const auto ball_at = [](const std::string& z) { return scenes::sphere("[0.125, 0.25, " + z + "]", "1"); };
-    EXPECT_EQ(first_below(tube_at("0") + ball_at("-0.0000000001")), 2U);
-    EXPECT_EQ(first_below(tube_at("0") + ball_at("0.0000000001")), 0U);
-    EXPECT_EQ(first_below(tube_at("0") + ball_at("0")), 0U);
+    EXPECT_EQ(object_below(tube_at("0") + ball_at("-0.0000000001")), 2U);
+    EXPECT_EQ(object_below(tube_at("0") + ball_at("0.0000000001")), 0U);
+    EXPECT_EQ(object_below(tube_at("0") + ball_at("0")), 0U);
 }
 
 /// A ray inside the cylinder x² + z² = 1, |y| <= 1 goes from its top to its bottom, and from one side to the other. At
@@ -326,7 +324,7 @@ TEST(CylinderHit, IsOrderedAmongTheOthersWhereTheRayLeavesItsOwn) {
 /// The lamp is at z = 1, at t = 1. A cylinder 1e-10 before it casts a shadow, and one 1e-10 behind it does not.
 TEST(Shadows, OfACylinderEndExactlyAtTheLamp) {
     const auto is_dark = [](const std::string& object) {
-        const PreparedScene scene = scenes::prepared(scenes::with_camera(object + floor_at_5));
+        const PreparedScene scene = scenes::prepared(scenes::with_camera(object + level_at_5));
         const Start start = start_on(scene.triangles.back(), 0, above);
         return ObjectList::is_blocked(scene, {{start.point, Place(0, 0, -4)}, start}, 1);
     };
@@ -337,7 +335,7 @@ TEST(Shadows, OfACylinderEndExactlyAtTheLamp) {
 
 /// So many cylinders that the renderer builds a tree, met across, along their axes and in their caps' planes.
 TEST(Tree, LosesNoCylinder) {
-    Random random(seed + 3);
+    Random random(cylinder_seed + 3);
     std::string text;
     for (int i = 0; i < 60; ++i) text += text_of(small_cylinder(random)) + text_of({random.point(4), 0.3, 0.5});
     const PreparedScene scene = scenes::prepared(scenes::with_camera(text));

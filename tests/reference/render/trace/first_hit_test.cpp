@@ -8,19 +8,23 @@
 #include "reference/numbers/rational.h"
 #include "reference/render/trace/visibility.h"
 #include "tests/given/render/scenes.h"
+#include "tests/reference/render/trace/scene_parts.h"
 
 namespace {
 
 using namespace reference;
 using namespace reference::render;
 using accuracy::Random;
+using scenes::above;
+using scenes::level_at;
+using scenes::level_at_5;
 using Point = Vec3<double>;
 
-constexpr std::uint64_t seed = 20211101;
+constexpr std::uint64_t start_seed = 20211101;
 
 /// The start is exact for any requested point, even outside the triangle, as start.h promises.
 TEST(StartOn, IsExactlyOnItsTriangle) {
-    Random random(seed);
+    Random random(start_seed);
     int off = 0;
     for (int i = 0; i < 1000; ++i) {
         const Triangle<double> corners{random.point(2), random.point(2), random.point(2)};
@@ -45,7 +49,7 @@ TEST(StartOn, IsExactlyOnItsTriangle) {
 
 /// The second triangle surrounds the triangle that the rays start on, in the same plane 3x + 5y + 7z = 0.
 TEST(FirstHit, IgnoresThePlaneOfTheTriangleItStartsOn) {
-    Random random(seed);
+    Random random(start_seed);
     const PreparedScene scene =
         scenes::prepared(scenes::with_camera(scenes::triangle("[[0, 0, 0], [7, 0, -3], [0, 7, -5]]") +
                                              scenes::triangle("[[-63, -63, 72], [140, 0, -60], [0, 140, -100]]")));
@@ -57,12 +61,6 @@ TEST(FirstHit, IgnoresThePlaneOfTheTriangleItStartsOn) {
     }
 }
 
-const std::string start_at_5 = scenes::triangle("[[-9, -9, 5], [9, -9, 5], [0, 9, 5]]");
-const Point above(0.125, 0.25, 5);
-
-std::string level_at(const std::string& z) {
-    return scenes::triangle(fmt::format("[[-9, -9, {0}], [9, -9, {0}], [0, 9, {0}]]", z));
-}
 std::string ball_at(const std::string& z, const std::string& radius = "1") {
     return scenes::sphere(fmt::format("[0.125, 0.25, {}]", z), radius);
 }
@@ -76,8 +74,8 @@ std::string far_beside() {
 }
 
 /// The first hits of rays straight down: from z = 4, and from a triangle at z = 5.
-std::pair<std::uint32_t, std::uint32_t> first_below(const std::string& objects) {
-    const PreparedScene scene = scenes::prepared(scenes::with_camera(objects + far_beside() + start_at_5));
+std::pair<std::uint32_t, std::uint32_t> objects_below(const std::string& objects) {
+    const PreparedScene scene = scenes::prepared(scenes::with_camera(objects + far_beside() + level_at_5));
     const CameraRay from_camera{{above - Point(0, 0, 1), Point(0, 0, -1)}};
     const Start start = start_on(scene.triangles.back(), scene.object_count - 1, above);
     const SurfaceRay from_surface{{start.point, Point(0, 0, -1)}, start};
@@ -91,26 +89,26 @@ std::pair<std::uint32_t, std::uint32_t> first_below(const std::string& objects) 
 
 TEST(FirstHit, IsTheNearerOfTwoTooCloseForDoubles) {
     const auto object = [](std::uint32_t i) { return std::pair(i, i); };
-    EXPECT_EQ(first_below(level_at("1e-10") + level_at("0")), object(0));
-    EXPECT_EQ(first_below(level_at("0") + level_at("1e-10")), object(1));
-    EXPECT_EQ(first_below(ball_at("1e-10") + ball_at("0")), object(0));
-    EXPECT_EQ(first_below(ball_at("0") + ball_at("1e-10")), object(1));
-    EXPECT_EQ(first_below(ball_at("0") + level_at("0.9999999999")), object(0));
-    EXPECT_EQ(first_below(ball_at("0") + level_at("1.0000000001")), object(1));
+    EXPECT_EQ(objects_below(level_at("1e-10") + level_at("0")), object(0));
+    EXPECT_EQ(objects_below(level_at("0") + level_at("1e-10")), object(1));
+    EXPECT_EQ(objects_below(ball_at("1e-10") + ball_at("0")), object(0));
+    EXPECT_EQ(objects_below(ball_at("0") + ball_at("1e-10")), object(1));
+    EXPECT_EQ(objects_below(ball_at("0") + level_at("0.9999999999")), object(0));
+    EXPECT_EQ(objects_below(ball_at("0") + level_at("1.0000000001")), object(1));
 }
 
 TEST(FirstHit, IsTheFirstListedOfTwoAtTheSameT) {
     const std::string one = scenes::triangle("[[-9, -9, 1], [9, -9, 1], [0, 9, 1]]");
     const std::string other = scenes::triangle("[[-8, -8, 1], [8, -8, 1], [0, 8, 1]]");
-    EXPECT_EQ(first_below(one + other), std::pair(0U, 0U));
-    EXPECT_EQ(first_below(other + one + one), std::pair(0U, 0U));
-    EXPECT_EQ(first_below(ball_at("0") + one).first, 0U);
+    EXPECT_EQ(objects_below(one + other), std::pair(0U, 0U));
+    EXPECT_EQ(objects_below(other + one + one), std::pair(0U, 0U));
+    EXPECT_EQ(objects_below(ball_at("0") + one).first, 0U);
 }
 
 /// The lamp is at z = 1. An object 1e-10 before the lamp casts a shadow, an object 1e-10 behind it does not.
 TEST(Shadows, EndExactlyAtTheLamp) {
     const auto is_dark = [](const std::string& object) {
-        const PreparedScene scene = scenes::prepared(scenes::with_camera(object + start_at_5));
+        const PreparedScene scene = scenes::prepared(scenes::with_camera(object + level_at_5));
         const Start start = start_on(scene.triangles.back(), scene.object_count - 1, above);
         const SurfaceRay ray{{start.point, Point(0, 0, -4)}, start};
         return ObjectList::is_blocked(scene, ray, 1);

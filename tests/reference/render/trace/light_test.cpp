@@ -7,6 +7,7 @@
 #include "reference/render/picture/picture.h"
 #include "reference/render/trace/fresnel.h"
 #include "tests/given/render/scenes.h"
+#include "tests/reference/render/trace/scene_parts.h"
 
 namespace {
 
@@ -19,9 +20,8 @@ using scenes::prepared;
 using scenes::sphere;
 using scenes::triangle;
 using scenes::with_camera;
+using scenes::with_shadows;
 using Point = Vec3<double>;
-
-constexpr Effects with_shadows{true, true, false, false, false};
 
 /// The point at z = 2 where the ray of pixel (x, y) crosses the window of with_camera().
 Point on_window(std::size_t x, std::size_t y) {

@@ -9,17 +9,19 @@
 #include "reference/accuracy/rays/random_numbers.h"
 #include "reference/render/trace/rows.h"
 #include "tests/given/render/scenes.h"
+#include "tests/reference/render/trace/scene_parts.h"
 
 namespace {
 
 using namespace reference;
 using namespace reference::render;
 using accuracy::Random;
+using scenes::clay;
 using scenes::colors_of;
+using scenes::with_shadows;
 using Point = Vec3<double>;
 
-constexpr std::uint64_t seed = 20211101;
-constexpr Effects with_shadows{true, true, false, false, false};
+constexpr std::uint64_t mesh_seed = 20211101;
 constexpr Effects without_shadows{true, false, false, false, false};
 
 struct Mesh {
@@ -100,7 +102,6 @@ std::string text_of(const Mesh& mesh) {
     return text;
 }
 
-const std::string clay = scenes::material("clay", "diffuse = [1, 1, 1]");
 const std::string lights =
     "[[light]]\nposition = [3, 2, 5]\ncolor = [0.5, 0.5, 0.5]\n"
     "[[light]]\ndirection = [-1, -0.125, -0.25]\ncolor = [0.5, 0.5, 0.5]\n";
@@ -133,7 +134,7 @@ int holes_of(const Mesh& mesh, const PreparedScene& scene, Random& random) {
 }
 
 TEST(Watertight, CameraRaysFindNoHoleAtEdgesAndVertices) {
-    Random random(seed);
+    Random random(mesh_seed);
     for (const Mesh& mesh : {ball(), cube(6), moved(cube(6), {0, 0, 0}, 1, random)}) {
         const PreparedScene scene = scene_of(mesh);
         ASSERT_TRUE(scene.tree);
@@ -143,7 +144,7 @@ TEST(Watertight, CameraRaysFindNoHoleAtEdgesAndVertices) {
 }
 
 TEST(Watertight, TheTestDetectsAHole) {
-    Random random(seed);
+    Random random(mesh_seed);
     Mesh mesh = ball();
     mesh.faces.pop_back();
     EXPECT_GT(holes_of<ObjectTree>(mesh, scene_of(mesh), random), 0);
@@ -152,7 +153,7 @@ TEST(Watertight, TheTestDetectsAHole) {
 /// Shoots rays from points on the inner side of each face at the vertices and edges of the whole mesh, including the
 /// face's own.
 TEST(Watertight, RaysFromASurfaceFindNoHole) {
-    Random random(seed);
+    Random random(mesh_seed);
     const Mesh mesh = moved(ball(), {0.1, 0.2, 0.3}, 1, random);
     const PreparedScene scene = scene_of(mesh);
     int rays = 0;
@@ -179,7 +180,7 @@ TEST(Watertight, RaysFromASurfaceFindNoHole) {
 /// A convex body shades none of its own points that face the light, so its picture is exactly the same with and without
 /// shadows. The cube's sides consist of many triangles, exact or rounded; the light grazes some of them.
 TEST(Shadows, NeverFallOnTheLitSideOfAConvexBody) {
-    Random random(seed);
+    Random random(mesh_seed);
     std::vector<Mesh> bodies{ball(), cube(8), moved(cube(8), {0.3, -0.2, 0}, 1, random),
                              moved(ball(), {0.1, 0, -900}, 300, random), moved(cube(8), {0, 0, -1e6}, 3e5, random)};
     for (int i = 0; i < 10; ++i) bodies.push_back(moved(ball(), random.point(0.5), random.between(0.1, 1), random));
@@ -207,7 +208,7 @@ TEST(Shadows, NeverFallOnTheLitSideOfABall) {
 
 /// A lamp inside closed walls lights nothing outside, not even through an edge or a corner.
 TEST(Shadows, HaveNoLeaksAtClosedWalls) {
-    Random random(seed);
+    Random random(mesh_seed);
     for (const Mesh& walls : {cube(5), ball(), moved(cube(5), {0.1, 0.1, 0}, 1, random)}) {
         const PreparedScene scene = scenes::prepared(scenes::with_camera(
             "[[light]]\nposition = [0.125, 0.0625, 0.25]\ncolor = [1, 1, 1]\n" + clay + text_of(walls) +
@@ -240,7 +241,7 @@ TEST(Tree, IsNotBuiltForAFewObjectsWithoutACylinder) {
 
 /// Rays in the planes of the boxes' sides, through their corners and parallel to axes; also with flat objects.
 TEST(Tree, LosesNoHitInThePlanesOfItsBoxes) {
-    Random random(seed);
+    Random random(mesh_seed);
     const Mesh mesh = cube(6);
     const PreparedScene scene = scene_of(mesh);
     for (int i = 0; i < 2000; ++i) {

@@ -7,11 +7,13 @@
 
 #include "reference/render/picture/picture.h"
 #include "tests/given/render/scenes.h"
+#include "tests/reference/render/trace/scene_parts.h"
 
 namespace {
 
 using namespace reference;
 using namespace reference::render;
+using scenes::clay;
 using scenes::material;
 using scenes::prepared;
 using scenes::sphere;
@@ -20,7 +22,6 @@ using scenes::with_camera;
 constexpr std::uint64_t all = ~std::uint64_t{0};
 
 const std::string lamp = "[[light]]\nposition = [2, 3, 3]\ncolor = [1, 1, 1]\n";
-const std::string clay = material("clay", "diffuse = [1, 1, 1]");
 const std::string black = material("black", "ambient = [1, 1, 1]");
 const std::string mirror = material("mirror", "diffuse = [1, 1, 1]\nreflectivity = 1");
 
