@@ -19,7 +19,7 @@ using testing::IsEmpty;
 const HeaderLines vectors{"#include <vector>"};
 const std::string use_of_vectors = "#include <vector>\nint main() { std::vector<int> v(3); return v[0]; }\n";
 
-struct Machine {
+struct CachedHeaders {
     harness::BuildSettings settings = harness::default_build_settings(harness::read_limits({}, {}).compile);
     harness::Sandbox sandbox{strongest_tier()};
     TemporaryFolder folder;
@@ -36,7 +36,7 @@ struct Machine {
 };
 
 TEST(HeaderCache, MakesAHeaderThatTheCompilerAccepts) {
-    const Machine here;
+    const CachedHeaders here;
     const auto header = here.headers().get(vectors);
     ASSERT_TRUE(header);
     EXPECT_EQ(header->directives, 1U);
@@ -53,7 +53,7 @@ TEST(HeaderCache, MakesAHeaderThatTheCompilerAccepts) {
 }
 
 TEST(HeaderCache, KeepsAHeaderForTheNextRun) {
-    const Machine here;
+    const CachedHeaders here;
     EXPECT_THAT(here.headers().made(), IsEmpty());
     ASSERT_TRUE(here.headers().get(vectors));
     EXPECT_THAT(here.headers().made(), ElementsAre(vectors));
@@ -67,7 +67,7 @@ TEST(HeaderCache, KeepsAHeaderForTheNextRun) {
 }
 
 TEST(HeaderCache, IgnoresHeadersOfADifferentToolchainOrFlags) {
-    Machine here;
+    CachedHeaders here;
     ASSERT_TRUE(here.headers().get(vectors));
     EXPECT_THAT(here.headers("g++ 13").made(), IsEmpty());
     here.settings.flags.emplace_back("-DA");
@@ -75,7 +75,7 @@ TEST(HeaderCache, IgnoresHeadersOfADifferentToolchainOrFlags) {
 }
 
 TEST(HeaderCache, IgnoresAHeaderWhoseTextWasChanged) {
-    const Machine here;
+    const CachedHeaders here;
     ASSERT_TRUE(here.headers().get(vectors));
     for (const auto& entry : std::filesystem::directory_iterator(here.folder.path() / "headers")) {
         if (entry.path().extension() == ".h") here.folder.write(entry.path(), "#include <list>\n");
@@ -84,7 +84,7 @@ TEST(HeaderCache, IgnoresAHeaderWhoseTextWasChanged) {
 }
 
 TEST(HeaderCache, MakesNoHeaderThatTheCompilerWarnsAboutOrRejects) {
-    const Machine here;
+    const CachedHeaders here;
     for (const HeaderLines& lines :
          {HeaderLines{"#include <no/such/header>"}, HeaderLines{"#define GLM_ENABLE_EXPERIMENTAL 1"},
           HeaderLines{"#define __FILE__ 1"}}) {
@@ -95,7 +95,7 @@ TEST(HeaderCache, MakesNoHeaderThatTheCompilerWarnsAboutOrRejects) {
 }
 
 TEST(HeaderCache, WorksWithoutAWritableFolder) {
-    const Machine here;
+    const CachedHeaders here;
     for (const auto& folder : {std::optional<std::filesystem::path>("/proc/raygrade"), {}}) {
         const HeaderCache cache(folder, here.settings, "g++ 12", here.sandbox);
         EXPECT_TRUE(cache.get(vectors));
@@ -104,7 +104,7 @@ TEST(HeaderCache, WorksWithoutAWritableFolder) {
 }
 
 TEST(HeaderCache, RemovesHeadersBeyondItsBounds) {
-    const Machine here;
+    const CachedHeaders here;
     ASSERT_TRUE(here.headers().get(vectors));
     EXPECT_THAT(here.headers("g++ 12", {.bytes = 1000, .age = 24h}).made(), IsEmpty());
     EXPECT_TRUE(std::filesystem::is_empty(here.folder.path() / "headers"));

@@ -23,10 +23,10 @@ std::filesystem::path compiler_in(const TemporaryFolder& folder, const std::stri
     return file;
 }
 
-struct Machine {
+struct FakeToolchain {
     TemporaryFolder folder;
     std::filesystem::path compiler = compiler_in(folder, "1");
-    Machine() {
+    FakeToolchain() {
         folder.write("headers/glm/glm.hpp", "glm");
         folder.write("parts/cc1plus", "compiler");
     }
@@ -34,75 +34,77 @@ struct Machine {
 };
 
 TEST(ToolchainFingerprint, IsTheSameWhileNothingChanges) {
-    const Machine machine;
-    EXPECT_EQ(machine.fingerprint(), machine.fingerprint());
+    const FakeToolchain toolchain;
+    EXPECT_EQ(toolchain.fingerprint(), toolchain.fingerprint());
     const auto real = harness::default_build_settings({}).compiler;
     EXPECT_EQ(toolchain_fingerprint(real), toolchain_fingerprint(real));
-    EXPECT_NE(toolchain_fingerprint(real), machine.fingerprint());
+    EXPECT_NE(toolchain_fingerprint(real), toolchain.fingerprint());
 }
 
 TEST(ToolchainFingerprint, ChangesWithTheCompilersDescription) {
-    const Machine machine;
-    const std::string before = machine.fingerprint();
-    const auto time = std::filesystem::last_write_time(machine.compiler);
-    compiler_in(machine.folder, "2");
-    std::filesystem::last_write_time(machine.compiler, time);
-    EXPECT_NE(machine.fingerprint(), before);
+    const FakeToolchain toolchain;
+    const std::string before = toolchain.fingerprint();
+    const auto time = std::filesystem::last_write_time(toolchain.compiler);
+    compiler_in(toolchain.folder, "2");
+    std::filesystem::last_write_time(toolchain.compiler, time);
+    EXPECT_NE(toolchain.fingerprint(), before);
 }
 
 TEST(ToolchainFingerprint, ChangesWithAPartOfTheCompiler) {
-    const Machine machine;
-    const std::string before = machine.fingerprint();
-    machine.folder.write("parts/cc1plus", "another");
-    EXPECT_NE(machine.fingerprint(), before);
+    const FakeToolchain toolchain;
+    const std::string before = toolchain.fingerprint();
+    toolchain.folder.write("parts/cc1plus", "another");
+    EXPECT_NE(toolchain.fingerprint(), before);
 }
 
 TEST(ToolchainFingerprint, ChangesWithAHeader) {
-    const Machine machine;
-    const std::string before = machine.fingerprint();
-    const auto file = machine.folder.write("headers/glm/glm.hpp", "GLM");
-    const std::string edited = machine.fingerprint();
+    const FakeToolchain toolchain;
+    const std::string before = toolchain.fingerprint();
+    const auto file = toolchain.folder.write("headers/glm/glm.hpp", "GLM");
+    const std::string edited = toolchain.fingerprint();
     EXPECT_NE(edited, before);
     std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
-    EXPECT_NE(machine.fingerprint(), edited);
+    EXPECT_NE(toolchain.fingerprint(), edited);
 }
 
 TEST(ToolchainFingerprint, ChangesWithAnAddedOrRemovedHeader) {
-    const Machine machine;
-    const std::string before = machine.fingerprint();
-    const auto file = machine.folder.write("headers/glm/new.hpp", "");
-    EXPECT_NE(machine.fingerprint(), before);
+    const FakeToolchain toolchain;
+    const std::string before = toolchain.fingerprint();
+    const auto file = toolchain.folder.write("headers/glm/new.hpp", "");
+    EXPECT_NE(toolchain.fingerprint(), before);
     std::filesystem::remove(file);
     // The folder's own time has changed too, so the fingerprint stays different. That recompiles too much, never too
     // little.
-    std::filesystem::remove(machine.folder.path() / "headers/glm/glm.hpp");
-    EXPECT_NE(machine.fingerprint(), before);
+    std::filesystem::remove(toolchain.folder.path() / "headers/glm/glm.hpp");
+    EXPECT_NE(toolchain.fingerprint(), before);
 }
 
 TEST(ToolchainFingerprint, EndsIfFoldersAreLinkedInACircle) {
-    const Machine machine;
-    std::filesystem::create_directory_symlink("..", machine.folder.path() / "headers/glm/circle");
-    EXPECT_EQ(machine.fingerprint(), machine.fingerprint());
+    const FakeToolchain toolchain;
+    std::filesystem::create_directory_symlink("..", toolchain.folder.path() / "headers/glm/circle");
+    EXPECT_EQ(toolchain.fingerprint(), toolchain.fingerprint());
 }
 
 TEST(ToolchainFingerprint, IsTheSameWhicheverThreadFindsAFolderFirst) {
-    const Machine machine;
-    machine.folder.write("elsewhere/deeper/y.hpp", "");
+    const FakeToolchain toolchain;
+    toolchain.folder.write("elsewhere/deeper/y.hpp", "");
     for (const std::string folder : {"a", "b", "c", "d", "e", "f"}) {
-        for (int i = 0; i < 50; ++i) machine.folder.write("headers/" + folder + "/x" + std::to_string(i) + ".hpp", "");
-        std::filesystem::create_directory_symlink("../../elsewhere", machine.folder.path() / "headers" / folder / "to");
+        for (int i = 0; i < 50; ++i)
+            toolchain.folder.write("headers/" + folder + "/x" + std::to_string(i) + ".hpp", "");
+        std::filesystem::create_directory_symlink("../../elsewhere",
+                                                  toolchain.folder.path() / "headers" / folder / "to");
     }
-    const std::string first = machine.fingerprint();
-    for (int i = 0; i < 50; ++i) ASSERT_EQ(machine.fingerprint(), first);
+    const std::string first = toolchain.fingerprint();
+    for (int i = 0; i < 50; ++i) ASSERT_EQ(toolchain.fingerprint(), first);
 }
 
 TEST(ToolchainFingerprint, FollowsALinkToAFolder) {
-    const Machine machine;
-    machine.folder.write("elsewhere/linked.hpp", "a");
-    std::filesystem::create_directory_symlink("../elsewhere", machine.folder.path() / "headers/linked");
-    const std::string before = machine.fingerprint();
-    machine.folder.write("elsewhere/linked.hpp", "ab");
-    EXPECT_NE(machine.fingerprint(), before);
+    const FakeToolchain toolchain;
+    toolchain.folder.write("elsewhere/linked.hpp", "a");
+    std::filesystem::create_directory_symlink("../elsewhere", toolchain.folder.path() / "headers/linked");
+    const std::string before = toolchain.fingerprint();
+    toolchain.folder.write("elsewhere/linked.hpp", "ab");
+    EXPECT_NE(toolchain.fingerprint(), before);
 }
 
 TEST(ToolchainFingerprint, ReportsAMissingCompiler) {

@@ -9,9 +9,11 @@
 namespace harness {
 namespace {
 
-constexpr reference::ItemId t = reference::item::sphere::t, hit = reference::item::sphere::hit,
-                            P_WCS = reference::item::P_WCS, M = reference::item::M_VCS_to_WCS,
-                            matrix = reference::item::triangle::matrix;
+using reference::item::M_VCS_to_WCS;
+using reference::item::P_WCS;
+using reference::item::sphere::hit;
+using reference::item::sphere::t;
+using reference::item::triangle::matrix;
 
 bool within(std::string_view text, const Interval& target, double allowance = 0, int min_decimals = 2) {
     return is_within(printed_number(text), target, allowance, min_decimals);
@@ -171,7 +173,9 @@ TEST(EnclosureOf, IsTheWholeLineForNan) {
 TEST(ByColumns, TransposesRows) {
     const auto numbers = by_columns(printed_item(matrix, "1 2 3 4 5 6 7 8 9", MatrixOrder::rows));
     EXPECT_EQ(numbers[1].value, 4.0);
-    EXPECT_EQ(by_columns(printed_item(M, "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16", MatrixOrder::rows))[1].value, 5.0);
+    EXPECT_EQ(
+        by_columns(printed_item(M_VCS_to_WCS, "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16", MatrixOrder::rows))[1].value,
+        5.0);
     EXPECT_EQ(by_columns(printed_item(matrix, "1 2 3 4 5 6 7 8 9"))[1].value, 2.0);
 }
 

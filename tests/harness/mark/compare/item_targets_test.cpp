@@ -7,8 +7,10 @@
 namespace harness {
 namespace {
 
-constexpr ItemId t = reference::item::sphere::t, V = reference::item::V, M = reference::item::M_VCS_to_WCS,
-                 matrix = reference::item::triangle::matrix;
+using reference::item::M_VCS_to_WCS;
+using reference::item::V;
+using reference::item::sphere::t;
+using reference::item::triangle::matrix;
 
 TEST(ItemTargets, GivesNothingForAnUnknownItemOrNoValue) {
     ItemTargets known;
@@ -37,9 +39,10 @@ TEST(ItemTargets, StoresAMatrixByColumns) {
 
 TEST(ItemTargets, TurnsAMatrixPrintedByRowsIntoColumns) {
     ItemTargets known;
-    known.set(
-        M, printed_target(printed_item(M, "1 0 0 7 0 1 0 8 0 0 1 9 0 0 0 1", MatrixOrder::rows), Digits::as_printed));
-    const auto m = known.matrix4(M);
+    known.set(M_VCS_to_WCS,
+              printed_target(printed_item(M_VCS_to_WCS, "1 0 0 7 0 1 0 8 0 0 1 9 0 0 0 1", MatrixOrder::rows),
+                             Digits::as_printed));
+    const auto m = known.matrix4(M_VCS_to_WCS);
     ASSERT_TRUE(m);
     EXPECT_TRUE((*m)[3][0].contains(7.0));
     EXPECT_TRUE((*m)[0][3].is_zero());

@@ -9,7 +9,8 @@
 namespace harness {
 namespace {
 
-constexpr ItemId t = reference::item::sphere::t, P_VCS = reference::item::P_VCS;
+using reference::item::P_VCS;
+using reference::item::sphere::t;
 
 const reference::ItemSpec& spec_of_t() {
     static const reference::ItemSpec spec = printed_item(t, "0").spec;

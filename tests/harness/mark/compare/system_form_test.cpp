@@ -7,7 +7,8 @@
 namespace harness {
 namespace {
 
-constexpr ItemId matrix = reference::item::triangle::matrix, rhs = reference::item::triangle::rhs;
+using reference::item::triangle::matrix;
+using reference::item::triangle::rhs;
 
 // The columns (0, 0, -1), (2, 4, 0.5), (-2, 4, 1.5) and the right-hand side (0, 2, 3).
 Target system_matrix() {

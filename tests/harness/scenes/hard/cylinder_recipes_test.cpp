@@ -12,6 +12,7 @@
 #include "reference/key/answer_key.h"
 #include "reference/stages/scene_answers.h"
 #include "reference/toml/scene_toml.h"
+#include "tests/harness/scenes/hard/generated.h"
 
 namespace harness::scenes {
 namespace {
@@ -24,31 +25,12 @@ reference::Assignment handout() {
     return reference::load_assignment("a6-2024", RAYGRADE_ASSIGNMENTS);
 }
 
-reference::Decimal decimal(const char* text) {
-    return reference::Decimal::parse(text).value();
-}
-
 /// The handout's objects seen from above, through a pixel off the middle: the ray is parallel to nothing.
 reference::Assignment off_axis() {
     reference::Assignment assignment = handout();
     assignment.scene.camera.eye = {decimal("7"), decimal("6"), decimal("5")};
     assignment.scene.pixel = {150, 190};
     return assignment;
-}
-
-PartSet everything() {
-    PartSet set;
-    for (const ScenePart part : all_parts()) set.insert(part);
-    return set;
-}
-
-std::map<std::string, HardScene> by_name(const reference::Assignment& assignment, const PartSet& located) {
-    std::map<std::string, HardScene> scenes;
-    for (HardScene& hard : hard_scenes(assignment, reference::PixelConvention::centre, located)) {
-        const std::string name = hard.name;
-        scenes.emplace(name, std::move(hard));
-    }
-    return scenes;
 }
 
 reference::SceneAnswers<Certified> exact(const DecimalScene& scene) {

@@ -15,13 +15,12 @@
 #include "reference/key/answer_key.h"
 #include "reference/stages/scene_answers.h"
 #include "reference/toml/scene_toml.h"
+#include "tests/harness/scenes/hard/generated.h"
 
 namespace harness::scenes {
 namespace {
 
 using reference::PixelConvention;
-using scenes::PartSet;
-using scenes::ScenePart;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -33,22 +32,6 @@ PartSet parts(std::initializer_list<ScenePart> some) {
     PartSet set;
     for (const ScenePart part : some) set.insert(part);
     return set;
-}
-
-PartSet everything() {
-    PartSet set;
-    for (const ScenePart part : scenes::all_parts()) set.insert(part);
-    return set;
-}
-
-std::map<std::string, HardScene> by_name(const reference::Assignment& assignment, const PartSet& located,
-                                         PixelConvention convention = PixelConvention::centre) {
-    std::map<std::string, HardScene> scenes;
-    for (HardScene& hard : hard_scenes(assignment, convention, located)) {
-        const std::string name = hard.name;
-        scenes.emplace(name, std::move(hard));
-    }
-    return scenes;
 }
 
 reference::AnswerKey key_of(reference::Assignment assignment, const HardScene& hard,
@@ -203,10 +186,6 @@ TEST(HardScenes, LeaveOutObjectsThatTheSceneLacks) {
         EXPECT_THAT(title, Not(HasSubstr("sphere")));
         EXPECT_TRUE(hard.scene.has_value()) << title << ": " << hard.why_not;
     }
-}
-
-reference::Decimal decimal(const char* text) {
-    return reference::Decimal::parse(text).value();
 }
 
 /// The number of scenes with `word` in their name that are left out because the ray hits a different object first.
