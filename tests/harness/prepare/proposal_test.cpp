@@ -5,13 +5,10 @@
 
 #include "reference/accuracy/measure/assignment_accuracy.h"
 #include "reference/toml/scene_toml.h"
+#include "tests/harness/prepare/named.h"
 
 namespace harness::prepare {
 namespace {
-
-reference::Assignment named(const char* name) {
-    return reference::load_assignment(name, RAYGRADE_ASSIGNMENTS);
-}
 
 TEST(Proposal, ShowsMoreMistakesWithoutABoundaryCase) {
     for (const char* name : {"a6-2021", "a6-2024"}) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/given/student/scenes.h"
+#include "tests/harness/prepare/named.h"
 
 namespace harness::prepare {
 namespace {
@@ -14,10 +15,6 @@ using testing::UnorderedElementsAre;
 
 ShownMistakes of(const reference::Assignment& assignment) {
     return shown_mistakes(assignment, reference::make_key(assignment, reference::Precision::certified));
-}
-
-reference::Assignment named(const char* name) {
-    return reference::load_assignment(name, RAYGRADE_ASSIGNMENTS);
 }
 
 TEST(ShownMistakes, AreNotThoseThatTheHandoutsPixelHides) {

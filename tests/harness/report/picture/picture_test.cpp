@@ -14,6 +14,7 @@
 #include "tests/given/report/drawn.h"
 #include "tests/given/report/picture_scenes.h"
 #include "tests/given/temporary_folder.h"
+#include "tests/harness/report/picture/picture_of.h"
 
 namespace {
 
@@ -29,11 +30,6 @@ const int random_scenes = static_cast<int>(cases(30));
 
 std::string picture(const Marking& marking, bool with_answers = true) {
     return explaining_picture(marking, nullptr, with_answers, "p-");
-}
-
-std::string picture_of(const Marking& marking, const std::string& output, bool with_answers = true) {
-    const Graded graded = picture_scenes::graded(output, marking);
-    return explaining_picture(marking, &graded, with_answers, "p-");
 }
 
 struct Picture {

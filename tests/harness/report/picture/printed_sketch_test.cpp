@@ -12,6 +12,7 @@
 #include "harness/report/picture/view.h"
 #include "tests/given/report/drawn.h"
 #include "tests/given/report/picture_scenes.h"
+#include "tests/harness/report/picture/picture_of.h"
 
 namespace {
 
@@ -23,11 +24,6 @@ using picture_scenes::marking_of;
 using picture_scenes::Named;
 using picture_scenes::random_marking;
 using testing::HasSubstr;
-
-std::string picture_of(const Marking& marking, const std::string& output, bool with_answers = true) {
-    const Graded student = graded(output, marking);
-    return explaining_picture(marking, &student, with_answers, "p-");
-}
 
 constexpr const char* printed_colour = "#c23f9a";
 

@@ -9,10 +9,9 @@
 
 #include "tests/given/bytes_of.h"
 
+namespace reference::accuracy {
 namespace {
 
-using namespace reference;
-using namespace reference::accuracy;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -186,3 +185,4 @@ TEST(Costs, AreGivenForEveryScalarRelativeToFloat) {
 }
 
 }  // namespace
+}  // namespace reference::accuracy

@@ -29,12 +29,12 @@ std::vector<std::string> names_of(const std::vector<Decision>& decisions, const 
     return names;
 }
 
-std::vector<Decision> decisions_in(const Assignment& assignment) {
+std::vector<Decision> decisions_at_the_centre(const Assignment& assignment) {
     return decisions_of(assignment, {PixelConvention::centre, Boundary::positive});
 }
 
 TEST(CylinderSigns, AreThoseOfALevelRayInTheHandout) {
-    const std::vector<Decision> decisions = decisions_in(handout());
+    const std::vector<Decision> decisions = decisions_at_the_centre(handout());
     EXPECT_THAT(names_of(decisions, "cylinder: "), ElementsAre("a", "d", "V.y", "top cap", "bottom cap", "c", "b"));
     EXPECT_THAT(names_of(decisions, "order: "),
                 UnorderedElementsAre("sphere, triangle", "sphere, cylinder", "triangle, cylinder"));
@@ -75,7 +75,7 @@ TEST(CylinderSigns, AreAllThatDecide) {
     int wrong_somewhere = 0, undecided = 0;
     for (std::uint64_t seed = 1; seed <= 600; ++seed) {
         const Assignment assignment = random_assignment(seed);
-        const std::vector<Decision> decisions = decisions_in(assignment);
+        const std::vector<Decision> decisions = decisions_at_the_centre(assignment);
         const auto is_wrong = [](const Decision& one) {
             return std::ranges::find(one.wrong, "float") != one.wrong.end();
         };

@@ -13,9 +13,9 @@
 #include "reference/kernel/sphere.h"
 #include "reference/kernel/triangle.h"
 
+namespace reference::accuracy {
 namespace {
 
-using namespace reference::accuracy;
 using testing::Each;
 using testing::HasSubstr;
 
@@ -180,3 +180,4 @@ TEST(MethodNames, AreUniqueWithinAPrimitive) {
 }
 
 }  // namespace
+}  // namespace reference::accuracy

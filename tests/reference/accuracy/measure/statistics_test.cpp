@@ -5,9 +5,8 @@
 #include <array>
 #include <cmath>
 
+namespace reference::accuracy {
 namespace {
-
-using namespace reference::accuracy;
 
 struct Published {
     std::uint64_t count, total;
@@ -107,3 +106,4 @@ TEST(Pareto, MarksWhatNoOtherRowIsBetterThan) {
 }
 
 }  // namespace
+}  // namespace reference::accuracy

@@ -7,13 +7,13 @@
 
 #include "reference/accuracy/rays/truth.h"
 
+namespace reference::accuracy {
 namespace {
 
-using namespace reference::accuracy;
 using reference::Sphere;
 using reference::Triangle;
 
-constexpr int rays_of_each = 2'000;
+constexpr int draws_of_each = 2'000;
 
 /// Goes through memory, because g++ 12 may omit a rounding to float and back.
 void expect_float(double x) {
@@ -45,7 +45,7 @@ template <class Case, class Check>
 void for_each_in_floats(const std::vector<Distribution<Case>>& distributions, Check check) {
     for (const auto& distribution : distributions) {
         if (distribution.exists == Exists::in_doubles_only) continue;
-        for (std::uint64_t seed = 0; seed < rays_of_each && !testing::Test::HasFailure(); ++seed) {
+        for (std::uint64_t seed = 0; seed < draws_of_each && !testing::Test::HasFailure(); ++seed) {
             SCOPED_TRACE(testing::Message() << distribution.name << ", seed " << seed);
             check(distribution.make_in_floats(seed));
         }
@@ -78,7 +78,7 @@ Distribution<Case> named(const std::vector<Distribution<Case>>& distributions, s
 
 TEST(DistributionsInFloats, AnExactTangentStaysExact) {
     const auto distribution = named(sphere_distributions(), "exact tangent");
-    for (std::uint64_t seed = 0; seed < rays_of_each; ++seed) {
+    for (std::uint64_t seed = 0; seed < draws_of_each; ++seed) {
         const SphereCase c = distribution.make_in_floats(seed);
         const truth::SphereTruth found = truth::sphere(c.ray, c.sphere);
         ASSERT_EQ(found.h * found.h, found.a * found.c) << "seed " << seed;
@@ -91,10 +91,10 @@ void expect_both_answers(const std::vector<Distribution<Case>>& distributions, I
     for (const auto& distribution : distributions) {
         if (distribution.exists == Exists::in_doubles_only) continue;
         int hits = 0;
-        for (std::uint64_t seed = 0; seed < rays_of_each; ++seed) hits += is_hit(distribution.make_in_floats(seed));
-        EXPECT_GT(hits, rays_of_each / 100) << distribution.name;
+        for (std::uint64_t seed = 0; seed < draws_of_each; ++seed) hits += is_hit(distribution.make_in_floats(seed));
+        EXPECT_GT(hits, draws_of_each / 100) << distribution.name;
         if (distribution.name == "huge and near") continue;  // all rays hit; only t is hard
-        EXPECT_LT(hits, rays_of_each - rays_of_each / 100) << distribution.name;
+        EXPECT_LT(hits, draws_of_each - draws_of_each / 100) << distribution.name;
     }
 }
 
@@ -108,3 +108,4 @@ TEST(DistributionsInFloats, HoldHitsAndMisses) {
 }
 
 }  // namespace
+}  // namespace reference::accuracy

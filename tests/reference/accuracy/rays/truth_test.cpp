@@ -9,9 +9,9 @@
 #include "tests/given/hard_cases.h"
 #include "tests/given/second_derivation.h"
 
+namespace reference::accuracy {
 namespace {
 
-using namespace reference::accuracy;
 using reference::Vec3;
 using reference::kernel::as_double;
 using reference::kernel::SphereResult;
@@ -131,3 +131,4 @@ TEST(TrueAnswer, KnowsTToTwiceTheDigitsOfADouble) {
 }
 
 }  // namespace
+}  // namespace reference::accuracy
