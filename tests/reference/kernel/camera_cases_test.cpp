@@ -8,9 +8,8 @@
 #include "reference/key/certified_answers.h"
 #include "reference/stages/scene_numbers.h"
 
+namespace reference {
 namespace {
-
-using namespace reference;
 
 using Written = std::array<std::string, 3>;
 
@@ -128,3 +127,4 @@ TEST(HardCases, H63_NonSquarePixels) {
 }
 
 }  // namespace
+}  // namespace reference

@@ -23,7 +23,7 @@ using reference::accuracy::P;
 using reference::accuracy::Random;
 
 /// Rays of each kind, unless RC_PARAMS says otherwise.
-constexpr int rays_in_ci = 5000;
+constexpr int cylinder_rays_in_ci = 5000;
 
 struct CylinderCase {
     Ray<double> ray;
@@ -168,7 +168,7 @@ class KernelCylinder : public testing::TestWithParam<Kind> {};
 
 TEST_P(KernelCylinder, DecidesAsTheHandoutsPartsDo) {
     std::array<int, 5> met{};  // misses, tubes, caps, tangents, starts on it
-    any_precision::for_seeds(GetParam().name, rays_in_ci, [&](std::uint64_t seed) {
+    any_precision::for_seeds(GetParam().name, cylinder_rays_in_ci, [&](std::uint64_t seed) {
         const auto [ray, cylinder] = GetParam().make(seed);
         const auto first = cylinder_parts::first_hit(ray, cylinder, Boundary::nonnegative);
         const CylinderHit given = intersect(ray, cylinder);
@@ -260,7 +260,7 @@ struct TrueFirst {
 TEST(KernelCylinderOrder, IsThatOfFractionsAndAThousandDigits) {
     std::map<std::optional<Subject>, int> met;
     int ties = 0;
-    any_precision::for_seeds("order", 4 * rays_in_ci, [&](std::uint64_t seed) {
+    any_precision::for_seeds("order", 4 * cylinder_rays_in_ci, [&](std::uint64_t seed) {
         const OrderCase c(seed);
         TrueFirst first;
         first.meet(c.ray, c.objects.spheres, Subject::sphere);

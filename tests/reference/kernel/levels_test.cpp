@@ -16,7 +16,7 @@ using namespace any_precision;
 using reference::accuracy::P;
 using reference::accuracy::Random;
 
-constexpr int rays_in_ci = 5000;
+constexpr int level_rays_in_ci = 5000;
 
 SphereResult true_result(const Ray<double>& ray, const Sphere<double>& sphere) {
     const bool valid = is_valid(ray) && is_finite(sphere.center) && std::isfinite(sphere.radius) && sphere.radius > 0;
@@ -58,7 +58,7 @@ void check_levels(const Ray<T>& ray, const Object& object) {
 template <class T>
 void check_spheres() {
     for (const auto& distribution : accuracy::sphere_distributions()) {
-        for_seeds(distribution.name, rays_in_ci, [&](std::uint64_t seed) {
+        for_seeds(distribution.name, level_rays_in_ci, [&](std::uint64_t seed) {
             const accuracy::SphereCase c = distribution.make(seed);
             check_levels(ray_of<T>(c.ray), object_of<T>(c.sphere));
         });
@@ -74,7 +74,7 @@ TEST(Levels, DecideSpheresInDoubles) {
 template <class T>
 void check_triangles() {
     for (const auto& distribution : accuracy::triangle_distributions()) {
-        for_seeds(distribution.name, rays_in_ci, [&](std::uint64_t seed) {
+        for_seeds(distribution.name, level_rays_in_ci, [&](std::uint64_t seed) {
             const accuracy::TriangleCase c = distribution.make(seed);
             check_levels(ray_of<T>(c.ray), object_of<T>(c.triangle));
         });
@@ -88,7 +88,7 @@ TEST(Levels, DecideTrianglesInDoubles) {
 }
 
 template <class T>
-FirstHit::Kind true_first(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
+FirstHit::Kind true_first_hit(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
     const auto at_sphere = true_result(as_double(ray), as_double(sphere));
     const auto at_triangle = true_result(as_double(ray), as_double(triangle));
     if (at_sphere == SphereResult::invalid || at_triangle == TriangleResult::invalid) return FirstHit::Kind::invalid;
@@ -103,7 +103,7 @@ FirstHit::Kind true_first(const Ray<T>& ray, const Sphere<T>& sphere, const Tria
 template <class T>
 void check_first(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
     const FirstHit given = first_of(ray, sphere, triangle);
-    RC_ASSERT(given.kind == true_first(ray, sphere, triangle));
+    RC_ASSERT(given.kind == true_first_hit(ray, sphere, triangle));
     if (given.kind == FirstHit::Kind::sphere || given.kind == FirstHit::Kind::tie) {
         RC_ASSERT(is_within_a_quarter_of_a_float(given.t, true_t(as_double(ray), as_double(sphere))));
     } else if (given.kind == FirstHit::Kind::triangle) {
@@ -115,7 +115,7 @@ void check_first(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& 
 
 TEST(Levels, OrderASphereAndATriangle) {
     for (const auto& distribution : accuracy::order_distributions()) {
-        for_seeds(distribution.name, rays_in_ci, [&](std::uint64_t seed) {
+        for_seeds(distribution.name, level_rays_in_ci, [&](std::uint64_t seed) {
             const accuracy::OrderCase c = distribution.make(seed);
             check_first(c.ray, c.sphere, c.triangle);
             check_first(ray_of<float>(c.ray), object_of<float>(c.sphere), object_of<float>(c.triangle));

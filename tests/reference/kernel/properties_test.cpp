@@ -21,14 +21,14 @@ using reference::Subject;
 using reference::Verdict;
 
 /// Rays per distribution, unless RC_PARAMS says otherwise.
-constexpr int rays_in_ci = 20000;
+constexpr int rays_of_each_in_ci = 20000;
 
 template <class Case>
 class Kernel : public testing::TestWithParam<accuracy::Distribution<Case>> {
   protected:
     template <class Check>
     void check_all(Check check) {
-        any_precision::for_seeds(this->GetParam().name, rays_in_ci,
+        any_precision::for_seeds(this->GetParam().name, rays_of_each_in_ci,
                                  [&](std::uint64_t seed) { check(this->GetParam().make(seed)); });
     }
 };

@@ -88,20 +88,20 @@ int holes_of(const Mesh& mesh, Random& random) {
     return holes;
 }
 
-constexpr std::uint64_t seed = 20211101;
+constexpr std::uint64_t mesh_seed = 20211101;
 
 TEST(Watertight, NoRayInFloatsLeavesAClosedMesh) {
-    Random random(seed);
+    Random random(mesh_seed);
     for (int round = 0; round < 5; ++round) EXPECT_EQ(holes_of<float>(dented_ball<float>(random), random), 0);
 }
 
 TEST(Watertight, NoRayInDoublesLeavesAClosedMesh) {
-    Random random(seed + 1);
+    Random random(mesh_seed + 1);
     for (int round = 0; round < 5; ++round) EXPECT_EQ(holes_of<double>(dented_ball<double>(random), random), 0);
 }
 
 TEST(Watertight, TheTestDetectsAHole) {
-    Random random(seed + 2);
+    Random random(mesh_seed + 2);
     Mesh mesh = dented_ball<float>(random);
     mesh.faces.pop_back();
     EXPECT_GT(holes_of<float>(mesh, random), 0);
