@@ -19,7 +19,7 @@ using reference::render::PreparedScene;
 using Kind = FirstHit::Kind;
 
 /// A step pyramid of triangles that share edges, a ball on it and a column through it.
-const PreparedScene& scene() {
+const PreparedScene& scene_to_cast_at() {
     static const PreparedScene prepared = [] {
         std::string toml =
             "[camera]\neye = [0, 0, 4]\nlookat = [0, 0, 0]\nvup = [0, 1, 0]\n[window]\nclip_left = -1\nclip_right = 1\n"
@@ -45,9 +45,9 @@ const PreparedScene& scene() {
 const char* wrong_with(const FirstHit& hit, const reference::kernel::Ray<double>& ray) {
     static reference::kernel::Objects objects;
     if (objects.spheres.empty()) {
-        objects.spheres = scene().spheres;
-        objects.cylinders = scene().cylinders;
-        for (const auto& triangle : scene().triangles) objects.triangles.push_back(triangle.triangle);
+        objects.spheres = scene_to_cast_at().spheres;
+        objects.cylinders = scene_to_cast_at().cylinders;
+        for (const auto& triangle : scene_to_cast_at().triangles) objects.triangles.push_back(triangle.triangle);
     }
     reference::kernel::Cast all;
     cast_ray(ray, objects, all);
@@ -97,10 +97,10 @@ double double_at(std::string_view bytes, std::size_t at) {
 std::string check_records(std::string_view records) {
     std::istringstream in{std::string(records)};
     std::ostringstream out;
-    const auto read = answer_records(scene(), in, out, 1);
+    const auto read = answer_records(scene_to_cast_at(), in, out, 1);
     std::istringstream again{std::string(records)};
     std::ostringstream by_two;
-    answer_records(scene(), again, by_two, 2);
+    answer_records(scene_to_cast_at(), again, by_two, 2);
     if (out.str() != by_two.str()) return "two threads answer records otherwise";
     using reference::cast::answer_bytes;
     using reference::cast::ray_bytes;
@@ -115,7 +115,7 @@ std::string check_records(std::string_view records) {
             return reference::Vec3<double>(double_at(record, at), double_at(record, at + 8),
                                            double_at(record, at + 16));
         };
-        const FirstHit hit = first_hit(scene(), {point(0), point(24)});
+        const FirstHit hit = first_hit(scene_to_cast_at(), {point(0), point(24)});
         if (!(hit.t >= 0 && hit.u >= 0 && hit.u <= most && hit.v >= 0 && hit.v <= most)) return "a hit that is nowhere";
         if (const char* const wrong = wrong_with(hit, {point(0), point(24)})) return wrong;
     }
@@ -128,7 +128,7 @@ std::string check_cast(std::string_view bytes) {
     const auto own_objects = [](auto& in, auto& out, int jobs) {
         return reference::cast::answer_queries(in, out, jobs);
     };
-    const auto to_scene = [](auto& in, auto& out, int jobs) { return answer_lines(scene(), in, out, jobs); };
+    const auto to_scene = [](auto& in, auto& out, int jobs) { return answer_lines(scene_to_cast_at(), in, out, jobs); };
     if (std::string broken = check_lines(bytes, own_objects); !broken.empty()) return broken;
     if (std::string broken = check_lines(bytes, to_scene); !broken.empty()) return broken;
     return check_records(bytes);

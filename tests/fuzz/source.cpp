@@ -15,7 +15,7 @@ namespace {
 
 using namespace harness::scenes;
 
-const DecimalScene& scene() {
+const DecimalScene& scene_of_the_assignment() {
     static const reference::Assignment a6 = reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS);
     return a6.scene;
 }
@@ -33,7 +33,7 @@ DecimalScene other_scene(bool whole) {
         const auto x = number(), y = number(), z = number();
         return reference::Vec3<reference::Decimal>(x, y, z);
     };
-    DecimalScene other = scene();
+    DecimalScene other = scene_of_the_assignment();
     other.camera = {vector(), vector(), vector()};
     other.spheres.front() = {vector(), reference::Decimal::parse(whole ? "24" : "24.25").value()};
     other.triangles.front() = {vector(), vector(), vector()};
@@ -113,7 +113,7 @@ std::string check_rewritten(std::string_view source, const SceneLiterals& found,
 }
 
 std::string check_literals(std::string_view source) {
-    const SceneLiterals found = find_scene(source, scene());
+    const SceneLiterals found = find_scene(source, scene_of_the_assignment());
     std::size_t end = 0;
     PartSet parts;
     for (const SceneLiteral& literal : found.literals) {
@@ -122,26 +122,28 @@ std::string check_literals(std::string_view source) {
         end = literal.end;
         parts.insert(literal.part);
         if (literal.component >= size_of(literal.part)) return "a component that the part has not";
-        const double stated = value_of(scene(), literal.part).at(literal.component) + literal.offset;
+        const double stated = value_of(scene_of_the_assignment(), literal.part).at(literal.component) + literal.offset;
         if (literal.constant.value != stated) return "a number that is not the scene's";
     }
     if (!(parts == found.located)) return "a part that is located nowhere";
     for (const bool whole : {true, false}) {
         if (std::string broken = check_rewritten(source, found, other_scene(whole)); !broken.empty()) return broken;
     }
-    const auto same = with_scene(source, found, scene());
+    const auto same = with_scene(source, found, scene_of_the_assignment());
     if (!same) return "the scene's own numbers can't be written in their places";
-    if (find_scene(*same, scene()).located != found.located) return "the scene is found no more where it was written";
+    if (find_scene(*same, scene_of_the_assignment()).located != found.located)
+        return "the scene is found no more where it was written";
     return {};
 }
 
 std::string check_stated(std::string_view source) {
     constexpr std::size_t most = 12;
-    const std::vector<StatedScene> stated = stated_scenes(source, scene());
+    const std::vector<StatedScene> stated = stated_scenes(source, scene_of_the_assignment());
     if (stated.size() > most) return "more stated scenes than the limit";
     for (const StatedScene& one : stated) {
         if (one.parts.empty()) return "a stated scene that states nothing else";
-        if (scene_toml(one.scene) == scene_toml(scene())) return "a stated scene that is the assignment's";
+        if (scene_toml(one.scene) == scene_toml(scene_of_the_assignment()))
+            return "a stated scene that is the assignment's";
         for (const OtherPart& part : one.parts) {
             if (part.stated == part.given) return "a part that is stated as it was given: " + part.name;
         }
