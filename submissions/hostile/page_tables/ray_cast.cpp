@@ -1,4 +1,4 @@
-// Tries: to fill memory with the kernel's page tables, by looking at one byte in every 2 MiB. Outcome: memory_limit.
+// Tries: to fill memory with the kernel's page tables, by looking at one byte in every 2 MiB. Outcome: memory_limit or timed_out.
 #include <sys/mman.h>
 #include <unistd.h>
 
