@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/machine/errors.h"
+#include "tests/given/message_of.h"
 #include "tests/given/report/graded_samples.h"
 
 namespace harness {
@@ -15,13 +16,8 @@ using testing::HasSubstr;
 using testing::SizeIs;
 
 template <class Work>
-std::string refusal(Work work) {
-    try {
-        work();
-    } catch (const UsageError& error) {
-        return error.what();
-    }
-    return "(taken)";
+std::string refusal(const Work& work) {
+    return message_of<UsageError>(work, "(taken)");
 }
 
 std::string refused_place(std::string_view text, const Graded& one) {

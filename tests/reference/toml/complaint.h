@@ -4,17 +4,13 @@
 #include <string>
 
 #include "reference/toml/assignment.h"
+#include "tests/given/message_of.h"
 
 namespace reference {
 
 /// The message of the AssignmentError; "accepted" if there is none.
 inline std::string complaint_about(const std::string& toml, const std::string& file) {
-    try {
-        parse_assignment(toml, file);
-    } catch (const AssignmentError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return message_of<AssignmentError>([&] { parse_assignment(toml, file); }, "accepted");
 }
 
 }  // namespace reference

@@ -4,18 +4,14 @@
 #include <string>
 
 #include "harness/report/exchange/roster.h"
+#include "tests/given/message_of.h"
 
 namespace harness::report {
 
 /// The message of the RosterError that `read` throws.
 template <typename Read>
 std::string refusal(Read read) {
-    try {
-        read();
-    } catch (const RosterError& error) {
-        return error.what();
-    }
-    return "no RosterError";
+    return message_of<RosterError>(read, "no RosterError");
 }
 
 }  // namespace harness::report
