@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "harness/prepare/shown_mistakes.h"
-#include "harness/scenes/source/drawing.h"
+#include "harness/scenes/random/draw.h"
 #include "reference/toml/assignment.h"
 
 namespace harness::prepare {

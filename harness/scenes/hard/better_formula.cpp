@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "harness/scenes/hard/losses.h"
-#include "harness/scenes/source/drawing.h"
+#include "harness/scenes/random/draw.h"
 #include "reference/accuracy/measure/assignment_accuracy.h"
 #include "reference/accuracy/methods/method.h"
 

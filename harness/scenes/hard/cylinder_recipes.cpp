@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "harness/scenes/hard/recipe.h"
-#include "harness/scenes/source/cylinder_meeting.h"
+#include "harness/scenes/random/cylinder_meeting.h"
 #include "harness/scenes/source/cylinder_parts.h"
 
 namespace harness::scenes {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/run/timeline.h"
-#include "harness/scenes/source/drawing.h"
+#include "harness/scenes/random/draw.h"
 #include "reference/stages/scene_answers.h"
 
 namespace harness::scenes {

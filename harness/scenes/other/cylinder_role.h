@@ -1,8 +1,8 @@
 // How the ray meets the cylinder in the other scenes: clearly, so that no float program mistakes it.
 #pragma once
 
-#include "harness/scenes/source/cylinder_meeting.h"
-#include "harness/scenes/source/drawing.h"
+#include "harness/scenes/random/cylinder_meeting.h"
+#include "harness/scenes/random/draw.h"
 
 namespace harness::scenes {
 

@@ -8,7 +8,7 @@
 
 #include "harness/scenes/other/kind.h"
 #include "harness/scenes/other/object_in_kinds.h"
-#include "harness/scenes/source/drawing.h"
+#include "harness/scenes/random/draw.h"
 #include "reference/stages/item_values.h"
 #include "reference/toml/scene_toml.h"
 

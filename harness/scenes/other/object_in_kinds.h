@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "harness/scenes/other/kind.h"
-#include "harness/scenes/source/drawing.h"
+#include "harness/scenes/random/draw.h"
 #include "reference/stages/scene_answers.h"
 
 namespace harness::scenes {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "harness/scenes/hard/generate.h"
+#include "harness/scenes/random/draw.h"
 #include "harness/scenes/source/cylinder_parts.h"
-#include "harness/scenes/source/drawing.h"
 #include "reference/key/answer_key.h"
 #include "reference/stages/scene_answers.h"
 #include "reference/toml/scene_toml.h"

@@ -8,8 +8,8 @@
 #include <map>
 #include <string>
 
+#include "harness/scenes/random/draw.h"
 #include "harness/scenes/run/run_rewritten.h"
-#include "harness/scenes/source/drawing.h"
 #include "harness/scenes/source/sphere_parts.h"
 #include "harness/scenes/source/triangle_parts.h"
 #include "reference/key/answer_key.h"

@@ -1,4 +1,4 @@
-#include "harness/scenes/source/cylinder_meeting.h"
+#include "harness/scenes/random/cylinder_meeting.h"
 
 #include <cmath>
 

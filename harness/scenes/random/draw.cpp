@@ -1,4 +1,4 @@
-#include "harness/scenes/source/drawing.h"
+#include "harness/scenes/random/draw.h"
 
 #include <fmt/format.h>
 
