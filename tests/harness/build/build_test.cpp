@@ -9,6 +9,7 @@
 
 #include "harness/machine/errors.h"
 #include "harness/run/limits.h"
+#include "tests/given/message_of.h"
 #include "tests/given/strongest_tier.h"
 #include "tests/given/temporary_folder.h"
 
@@ -119,14 +120,9 @@ TEST(Build, SkipsASubmissionWithAProblem) {
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
-/// What the HarnessError says that a build throws; empty if it throws none.
+/// What the HarnessError says that a build throws.
 std::string blame(const std::string& source, const harness::BuildSettings& settings) {
-    try {
-        Folder().build(with_source(source), settings);
-        return "";
-    } catch (const harness::HarnessError& error) {
-        return error.what();
-    }
+    return message_of<harness::HarnessError>([&] { Folder().build(with_source(source), settings); }, "(built)");
 }
 
 TEST(Build, ReportsThatTheCompilerRanOutOfTime) {
@@ -150,7 +146,7 @@ TEST(Build, BlamesTheMachineWhereAKnownProgramDoesNotCompileEither) {
     settings.limits.cpu = 20s;
     settings.limits.wall = 50ms;
     EXPECT_THAT(blame("#include <bits/stdc++.h>\nint main() {}\n", settings), HasSubstr("compile.wall_seconds=0.05"));
-    EXPECT_EQ(blame("int main() { return x; }\n", default_settings()), "") << "that is the source's fault";
+    EXPECT_EQ(blame("int main() { return x; }\n", default_settings()), "(built)") << "that is the source's fault";
 }
 
 /// Builds a right source with a compiler that fails so often with these words, and then is g++. Outside of sandboxes,
@@ -344,12 +340,8 @@ TEST(Build, SaysHowToGetACompiler) {
     const std::string path = getenv("PATH");
     setenv("PATH", "/nonexistent", 1);
     const auto settings = default_settings();
-    std::string message;
-    try {
-        folder.build(with_source("int main() {}"), settings);
-    } catch (const harness::HarnessError& error) {
-        message = error.what();
-    }
+    const auto message =
+        message_of<harness::HarnessError>([&] { folder.build(with_source("int main() {}"), settings); }, "(built)");
     setenv("PATH", path.c_str(), 1);
     EXPECT_THAT(message, HasSubstr("apt install g++"));
 }

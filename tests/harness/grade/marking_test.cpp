@@ -5,20 +5,20 @@
 
 #include <string>
 
+#include "tests/given/message_of.h"
+
 namespace harness {
 namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 std::string error_of(const std::string& mistakes) {
     const auto file = reference::read_assignment_file("a6-2024", RAYGRADE_ASSIGNMENTS);
-    try {
-        make_marking(reference::parse_assignment(file.toml + "[rubric.mistakes]\n" + mistakes + "\n", "a.toml"));
-    } catch (const reference::AssignmentError& error) {
-        return error.what();
-    }
-    return "no error";
+    const std::string toml = file.toml + "[rubric.mistakes]\n" + mistakes + "\n";
+    return message_of<reference::AssignmentError>([&] { make_marking(reference::parse_assignment(toml, "a.toml")); },
+                                                  "no error");
 }
 
 TEST(Marking, TakesNamesOfMistakesInEitherSpelling) {
@@ -67,12 +67,8 @@ TEST(Marking, IsEachStudentsOwnWhereScenesAreDealt) {
 }
 
 TEST(Marking, OfOneSceneRefusesAnAssignmentThatDealsSeveral) {
-    try {
-        make_marking(of_two_students().assignment);
-        ADD_FAILURE() << "which scene?";
-    } catch (const reference::AssignmentError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("name whose, as in a.toml@7"));
-    }
+    EXPECT_THAT([] { make_marking(of_two_students().assignment); },
+                ThrowsMessage<reference::AssignmentError>(HasSubstr("name whose, as in a.toml@7")));
 }
 
 }  // namespace

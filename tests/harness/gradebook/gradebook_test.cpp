@@ -9,6 +9,7 @@
 #include "harness/machine/errors.h"
 #include "harness/report/data/grades_json.h"
 #include "tests/given/bytes_of.h"
+#include "tests/given/message_of.h"
 #include "tests/given/report/graded_samples.h"
 #include "tests/given/saved_class.h"
 #include "tests/given/temporary_folder.h"
@@ -29,12 +30,7 @@ void alter(const TemporaryFolder& folder, const std::string& sql) {
 }
 
 std::string refusal(const TemporaryFolder& folder) {
-    try {
-        const Gradebook gradebook(folder.path());
-    } catch (const UsageError& error) {
-        return error.what();
-    }
-    return "(taken)";
+    return message_of<UsageError>([&] { const Gradebook gradebook(folder.path()); }, "(taken)");
 }
 
 TEST(Gradebook, IsCreatedByTheFirstSave) {
@@ -313,14 +309,7 @@ TEST(Gradebook, ReportsARecordThatTheDiskHasGarbled) {
     save(folder.path(), three());
     alter(folder, "UPDATE submissions SET record = x'a0' WHERE id = 'ben'");
     const Gradebook gradebook(folder.path());
-    const auto damage = [](auto work) -> std::string {
-        try {
-            work();
-        } catch (const HarnessError& error) {
-            return error.what();
-        }
-        return "(nothing thrown)";
-    };
+    const auto damage = [](const auto& work) { return message_of<HarnessError>(work, "(nothing thrown)"); };
     EXPECT_THAT(damage([&] { gradebook.restore(); }), AllOf(HasSubstr("is damaged"), HasSubstr("ben")));
     EXPECT_THAT(damage([&] { gradebook.compare(three()); }), AllOf(HasSubstr("is damaged"), HasSubstr("ben")));
     alter(folder, "UPDATE submissions SET record = x'a0' WHERE id = 'cy'");

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "tests/given/message_of.h"
 #include "tests/given/packed.h"
 #include "tests/given/temporary_folder.h"
 
@@ -34,12 +35,8 @@ class Archive : public testing::TestWithParam<const char*> {
         return pack(folder_.path() / (std::string("class") + GetParam()), entries, password);
     }
     std::string why_not_read(const std::filesystem::path& archive, const ArchiveLimits& limits = {}) const {
-        try {
-            read_archive(archive, Links::follow, everything, limits);
-        } catch (const ArchiveError& error) {
-            return error.what();
-        }
-        return "no ArchiveError";
+        return message_of<ArchiveError>([&] { read_archive(archive, Links::follow, everything, limits); },
+                                        "no ArchiveError");
     }
     std::string why_not(const std::vector<PackedEntry>& entries, const ArchiveLimits& limits = {}) const {
         return why_not_read(archive(entries), limits);

@@ -15,6 +15,7 @@ using harness::Submission;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
+using testing::ThrowsMessage;
 using Type = PackedEntry::Type;
 
 /// A system's download, with the path of a student's file in it.
@@ -185,12 +186,9 @@ TEST(ClassArchiveLimits, HoldForAllStudentsTogether) {
             entries.push_back({"submission_" + std::to_string(student) + "/" + std::to_string(i), ""});
     }
     const auto archive = pack(folder.path() / "class.zip", entries);
-    try {
-        harness::take_in(archive);
-        FAIL() << "is read";
-    } catch (const harness::UsageError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("holds too much of 12 students together: more than 212000 entries"));
-    }
+    EXPECT_THAT([&] { harness::take_in(archive); },
+                ThrowsMessage<harness::UsageError>(
+                    HasSubstr("holds too much of 12 students together: more than 212000 entries")));
 }
 
 TEST(ClassArchiveLimits, OfWhatIsNobodysHoldForTheWhole) {

@@ -6,6 +6,7 @@
 #include "harness/intake/source_file.h"
 #include "harness/machine/errors.h"
 #include "tests/given/as_nobody.h"
+#include "tests/given/message_of.h"
 #include "tests/given/packed.h"
 #include "tests/given/temporary_folder.h"
 #include "tests/harness/intake/taken.h"
@@ -26,12 +27,7 @@ std::string problem_of_only(const std::vector<Submission>& submissions) {
 }
 
 std::string why_not(const std::filesystem::path& path) {
-    try {
-        take_in(path);
-    } catch (const UsageError& error) {
-        return error.what();
-    }
-    return "no UsageError";
+    return message_of<UsageError>([&] { take_in(path); }, "no UsageError");
 }
 
 TEST(TakeIn, TakesAFolderOfStudentFoldersSortedById) {

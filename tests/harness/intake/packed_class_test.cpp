@@ -12,6 +12,7 @@ namespace {
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 TEST(PackedClass, GivesTheSameAsAFolder) {
     const TemporaryFolder folder;
@@ -42,12 +43,10 @@ TEST(PackedClass, OfGradescopeIgnoresMetadataThatStudentsHandIn) {
 
 TEST(PackedClass, IsRefusedWithTheNameOfAHostileEntry) {
     const TemporaryFolder folder;
-    try {
-        harness::take_in(pack(folder.path() / "class.zip", {{"a.cpp", "a"}, {"../../../etc/cron.d/evil.cpp", "e"}}));
-        FAIL();
-    } catch (const harness::UsageError& error) {
-        EXPECT_THAT(error.what(), AllOf(HasSubstr("class.zip"), HasSubstr("../../../etc/cron.d/evil.cpp")));
-    }
+    const auto archive = pack(folder.path() / "class.zip", {{"a.cpp", "a"}, {"../../../etc/cron.d/evil.cpp", "e"}});
+    EXPECT_THAT(
+        [&] { harness::take_in(archive); },
+        ThrowsMessage<harness::UsageError>(AllOf(HasSubstr("class.zip"), HasSubstr("../../../etc/cron.d/evil.cpp"))));
 }
 
 TEST(PackedClass, KeepsTwoEntriesOfTheSameName) {

@@ -4,6 +4,7 @@
 
 #include "harness/machine/errors.h"
 #include "tests/given/bytes_of.h"
+#include "tests/given/message_of.h"
 #include "tests/given/temporary_folder.h"
 
 namespace harness {
@@ -14,12 +15,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 std::string failure_of_writing(const fs::path& file) {
-    try {
-        write_file(file, "text");
-    } catch (const HarnessError& error) {
-        return error.what();
-    }
-    return "(nothing thrown)";
+    return message_of<HarnessError>([&] { write_file(file, "text"); }, "(nothing thrown)");
 }
 
 TEST(WriteFile, ReplacesAnExistingFile) {

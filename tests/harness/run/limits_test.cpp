@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "tests/given/bytes_of.h"
+#include "tests/given/message_of.h"
 
 namespace {
 
@@ -22,12 +23,7 @@ reference::LimitEntry entry(const std::string& name, double value) {
 
 std::string why_not(const std::vector<reference::LimitEntry>& from_assignment,
                     const std::vector<std::string>& from_command_line) {
-    try {
-        read_limits(from_assignment, from_command_line);
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
-    return "accepted";
+    return message_of<std::runtime_error>([&] { read_limits(from_assignment, from_command_line); }, "accepted");
 }
 
 TEST(ReadLimits, HasTheHandbooksDefaults) {

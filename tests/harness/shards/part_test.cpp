@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "harness/gradebook/record.h"
+#include "tests/given/message_of.h"
 
 namespace harness {
 namespace {
@@ -40,13 +41,11 @@ class PartFile : public testing::Test {
     void put(const std::string& bytes) const { std::ofstream(file, std::ios::binary) << bytes; }
     /// What reading it throws; empty if nothing.
     std::string damage() const {
-        try {
+        const auto read = [&] {
             read_part_head(file);
             read_part(file);
-            return "";
-        } catch (const DamagedFile& error) {
-            return error.what();
-        }
+        };
+        return message_of<DamagedFile>(read, "");
     }
 
     const fs::path file = fs::temp_directory_path() / ("part-test." + std::to_string(getpid()));

@@ -13,6 +13,7 @@ namespace {
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 /// The tests below refer to these line numbers.
 const std::string whole_scene =
@@ -251,12 +252,9 @@ TEST(SceneReader, AsksAboutTheFirstTriangleThatIsHit) {
 
 TEST(Rubric, RefusesANarrowToleranceWithTheItemAndBothNumbers) {
     const Assignment narrow = assignment_in(whole_scene + "[rubric.tolerance]\n6.t = 1e-9\n");
-    try {
-        make_key(narrow, Precision::certified);
-        FAIL() << "accepted";
-    } catch (const AssignmentError& error) {
-        EXPECT_THAT(error.what(), AllOf(HasSubstr("question 6, t"), HasSubstr("1e-09"), HasSubstr("may be off by")));
-    }
+    EXPECT_THAT([&] { make_key(narrow, Precision::certified); },
+                ThrowsMessage<AssignmentError>(
+                    AllOf(HasSubstr("question 6, t"), HasSubstr("1e-09"), HasSubstr("may be off by"))));
     EXPECT_NO_THROW(make_key(narrow, Precision::double_));
     EXPECT_NO_THROW(make_key(assignment_in(whole_scene + "[rubric.tolerance]\n6.t = 0.01\n"), Precision::certified));
 }

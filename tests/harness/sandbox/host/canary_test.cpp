@@ -14,7 +14,9 @@ using harness::Sandbox;
 using harness::Tier;
 using harness::try_canary;
 using harness::WithoutSandbox;
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 const harness::Attempt& attempt(const CanaryReport& report, const std::string& what) {
     for (const auto& one : report.attempts) {
@@ -72,13 +74,8 @@ TEST_F(WithoutBwrap, TakesTheNextTierThatWorks) {
 }
 
 TEST_F(WithoutBwrap, RunsNothingUnsafeUnlessAllowed) {
-    try {
-        choose_sandbox(Tier::bwrap, WithoutSandbox::refuse);
-        FAIL() << "chose a sandbox";
-    } catch (const HarnessError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("bwrap+shim: There is no bwrap"));
-        EXPECT_THAT(error.what(), HasSubstr("--unsafe"));
-    }
+    EXPECT_THAT([] { choose_sandbox(Tier::bwrap, WithoutSandbox::refuse); },
+                ThrowsMessage<HarnessError>(AllOf(HasSubstr("bwrap+shim: There is no bwrap"), HasSubstr("--unsafe"))));
     EXPECT_EQ(choose_sandbox(Tier::bwrap, WithoutSandbox::run_unsafe).sandbox->tier(), Tier::unsafe);
 }
 

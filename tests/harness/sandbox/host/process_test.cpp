@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "harness/machine/errors.h"
+#include "tests/given/message_of.h"
 #include "tests/given/sandbox/stranger.h"
 
 namespace {
@@ -26,12 +27,7 @@ using testing::AnyOf;
 using testing::HasSubstr;
 
 std::string why_not(const Stranger& run) {
-    try {
-        run();
-    } catch (const HarnessError& error) {
-        return error.what();
-    }
-    return "no HarnessError";
+    return message_of<HarnessError>(run, "no HarnessError");
 }
 
 std::ptrdiff_t open_descriptors() {

@@ -12,6 +12,7 @@
 
 #include "harness/machine/errors.h"
 #include "harness/sandbox/host/scratch.h"
+#include "tests/given/message_of.h"
 #include "tests/given/temporary_folder.h"
 
 namespace {
@@ -100,12 +101,7 @@ TEST(Workspace, FollowsNoLink) {
 
 TEST(Workspace, SaysWhereItCouldNotBeCreatedAndWhatToDo) {
     setenv("TMPDIR", "/no/such/folder", 1);
-    std::string message;
-    try {
-        const Workspace workspace;
-    } catch (const harness::HarnessError& error) {
-        message = error.what();
-    }
+    const std::string message = message_of<harness::HarnessError>([] { const Workspace workspace; }, "made");
     unsetenv("TMPDIR");
     EXPECT_EQ(
         message,

@@ -14,6 +14,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::ThrowsMessage;
 
 /// Half of 20 points on the assignment's own scene.
 Graded half_right() {
@@ -169,12 +170,9 @@ TEST(OtherScenePoints, AreRefusedWithoutOtherScenes) {
     EXPECT_NO_THROW(require_other_scenes(assignment, 0));
     assignment.rubric = five_points();
     EXPECT_NO_THROW(require_other_scenes(assignment, 1));
-    try {
-        require_other_scenes(assignment, 0);
-        FAIL() << "no complaint";
-    } catch (const reference::AssignmentError& error) {
-        EXPECT_THAT(error.what(), AllOf(HasSubstr("mine"), HasSubstr("5 points"), HasSubstr("--variants 4")));
-    }
+    EXPECT_THAT([&] { require_other_scenes(assignment, 0); },
+                ThrowsMessage<reference::AssignmentError>(
+                    AllOf(HasSubstr("mine"), HasSubstr("5 points"), HasSubstr("--variants 4"))));
 }
 
 }  // namespace

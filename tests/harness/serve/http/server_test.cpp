@@ -8,6 +8,7 @@
 #include <random>
 #include <thread>
 
+#include "tests/given/message_of.h"
 #include "tests/given/serve/running_server.h"
 
 namespace harness::serve {
@@ -284,13 +285,8 @@ TEST(Server, DoesNotWaitForSilentClientsWhenStopped) {
 TEST(Server, SaysThatAPortIsInUseAndWhatToDo) {
     RunningServer first;
     Site site({}, first.queue());
-    const auto why = [&](const std::string& address, std::uint16_t port) -> std::string {
-        try {
-            const Server second(address, port, {}, false, site);
-            return "";
-        } catch (const ListenError& error) {
-            return error.what();
-        }
+    const auto why = [&](const std::string& address, std::uint16_t port) {
+        return message_of<ListenError>([&] { const Server second(address, port, {}, false, site); }, "listens");
     };
     EXPECT_THAT(why("127.0.0.1", first.port()), HasSubstr("--port"));
     EXPECT_THAT(why("example.edu", 0), HasSubstr("IP address"));

@@ -10,6 +10,7 @@
 
 #include "harness/machine/errors.h"
 #include "tests/given/as_nobody.h"
+#include "tests/given/message_of.h"
 #include "tests/given/temporary_folder.h"
 
 namespace harness::serve {
@@ -20,6 +21,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
+using testing::ThrowsMessage;
 using namespace std::chrono_literals;
 
 class SpoolTest : public testing::Test {
@@ -70,23 +72,14 @@ TEST_F(SpoolTest, AResultIsRemovedAfterItsTime) {
 
 TEST_F(SpoolTest, AFolderIsUsedByOneProcessAtATime) {
     const KeptPrograms kept_programs(folder);
-    try {
-        const KeptPrograms second(folder);
-        FAIL() << "two at a time";
-    } catch (const HarnessError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("--state"));
-    }
+    EXPECT_THAT([&] { const KeptPrograms second(folder); }, ThrowsMessage<HarnessError>(HasSubstr("--state")));
 }
 
 TEST_F(SpoolTest, AForeignFolderIsRefusedAndLeftUnchanged) {
     fs::permissions(folder, static_cast<fs::perms>(0755));
     std::ofstream(folder / "mine.txt") << "mine";
-    try {
-        const KeptPrograms kept_programs(folder);
-        FAIL() << "a folder of somebody else's";
-    } catch (const UsageError& error) {
-        EXPECT_THAT(error.what(), AllOf(HasSubstr("is not empty and holds no queue"), HasSubstr("--state")));
-    }
+    EXPECT_THAT([&] { const KeptPrograms kept_programs(folder); },
+                ThrowsMessage<UsageError>(AllOf(HasSubstr("is not empty and holds no queue"), HasSubstr("--state"))));
     EXPECT_EQ(fs::status(folder).permissions(), static_cast<fs::perms>(0755));
     EXPECT_THAT(names_in(folder), ElementsAre("mine.txt"));
     EXPECT_THROW(const KeptPrograms kept_programs(folder / "mine.txt"), UsageError);
@@ -121,22 +114,17 @@ TEST_F(SpoolTest, ProgramsWaitingForADifferentAssignmentAreRefused) {
         kept_programs.finish("done", {"page of a6", 1, 1});
         kept_programs.add("waiting", "source");
     }
-    const auto why_not = [&](const char* assignment, const char* toml) -> std::string {
+    const auto why_not = [&](const char* assignment, const char* toml) {
         KeptPrograms kept_programs(folder);
-        try {
-            kept_programs.take_for(assignment, toml);
-        } catch (const UsageError& error) {
-            return error.what();
-        }
-        return "";
+        return message_of<UsageError>([&] { kept_programs.take_for(assignment, toml); }, "taken");
     };
     EXPECT_THAT(why_not("a7", "pixel = 2"),
                 AllOf(StartsWith('"' + folder.string() + "\": 1 program waits there for the assignment a6."),
                       HasSubstr("--state")));
     EXPECT_THAT(why_not("a6", "pixel = 2"), HasSubstr("for the assignment a6, whose file has changed since."));
-    EXPECT_EQ(why_not("a6", "pixel = 1"), "");
+    EXPECT_EQ(why_not("a6", "pixel = 1"), "taken");
     KeptPrograms(folder).finish("waiting", {"page", 1, 1});
-    EXPECT_EQ(why_not("a7", "pixel = 2"), "") << "nothing waits any more";
+    EXPECT_EQ(why_not("a7", "pixel = 2"), "taken") << "nothing waits any more";
     EXPECT_EQ(KeptPrograms(folder).result("done")->page, "page of a6");
     KeptPrograms(folder).add("new", "source");
     EXPECT_THAT(why_not("a6", "pixel = 1"), HasSubstr("for the assignment a7."));

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "reference/toml/assignment.h"
+#include "tests/given/message_of.h"
 
 namespace {
 
@@ -16,6 +17,7 @@ using namespace reference::render;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
+using testing::ThrowsMessage;
 
 std::vector<Triangle<double>> read(const std::string& text) {
     std::istringstream obj(text);
@@ -23,12 +25,7 @@ std::vector<Triangle<double>> read(const std::string& text) {
 }
 
 std::string complaint(const std::string& text) {
-    try {
-        read(text);
-    } catch (const AssignmentError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return message_of<AssignmentError>([&] { read(text); }, "accepted");
 }
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
@@ -97,12 +94,9 @@ TEST(MeshReader, NamesTheFileAndWhatIsWrongWithIt) {
 
 TEST(MeshReader, ReportsAMissingFileWithItsPlaceInTheScene) {
     const MeshFile mesh{"nowhere/bunny.obj", {}, "scene.toml:7: mesh[1].file"};
-    try {
-        load_mesh(mesh);
-        FAIL();
-    } catch (const AssignmentError& error) {
-        EXPECT_THAT(error.what(), AllOf(HasSubstr("scene.toml:7"), HasSubstr("nowhere/bunny.obj: no such file")));
-    }
+    EXPECT_THAT(
+        [&] { load_mesh(mesh); },
+        ThrowsMessage<AssignmentError>(AllOf(HasSubstr("scene.toml:7"), HasSubstr("nowhere/bunny.obj: no such file"))));
 }
 
 /// A file cut off anywhere is read or refused.

@@ -10,6 +10,7 @@
 #include "reference/render/picture/picture.h"
 #include "reference/render/scene/srgb.h"
 #include "reference/toml/assignment.h"
+#include "tests/given/message_of.h"
 #include "tests/given/temporary_folder.h"
 
 namespace {
@@ -20,12 +21,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 std::string complaint(const std::filesystem::path& path) {
-    try {
-        Texture::load({path, "scene.toml:7: material[1].texture", {}}, ColorSpace::as_written);
-    } catch (const AssignmentError& error) {
-        return error.what();
-    }
-    return "accepted";
+    const TextureFile file{path, "scene.toml:7: material[1].texture", {}};
+    return message_of<AssignmentError>([&] { Texture::load(file, ColorSpace::as_written); }, "accepted");
 }
 
 /// Red and green above, blue and white below.
