@@ -83,8 +83,11 @@ std::string reading_json(std::string_view output, const Score& score) {
                              {"look_at", or_null(item.doubt ? item.doubt->line : 0)}});
         }
     }
-    const ordered_json all{
-        {"points", score.points}, {"max_points", score.max_points}, {"lines", lines}, {"items", items}};
+    const ordered_json all{{"schema", "raygrade/reading/1"},
+                           {"points", score.points},
+                           {"max_points", score.max_points},
+                           {"lines", lines},
+                           {"items", items}};
     return all.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

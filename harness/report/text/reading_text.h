@@ -12,8 +12,8 @@ namespace harness::report {
 /// found or that were doubtful. For a terminal: the student's text is escaped and cut to a width.
 std::string reading_text(std::string_view output, const Score& score);
 
-/// The same as JSON: `points`, `max_points`, `lines` (number, text, read_as) and `items` (question, name, verdict,
-/// printed, line, last_line, doubt, look_at).
+/// The same as JSON: `schema`, `points`, `max_points`, `lines` (number, text, read_as) and `items` (question, name,
+/// verdict, printed, line, last_line, doubt, look_at).
 std::string reading_json(std::string_view output, const Score& score);
 
 }  // namespace harness::report
