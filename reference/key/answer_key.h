@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "reference/key/allowance.h"
 #include "reference/stages/decisions.h"
 #include "reference/stages/item_values.h"
 #include "reference/stages/items.h"

@@ -10,7 +10,7 @@
 namespace harness::report {
 namespace {
 
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
     std::string quoted(2 * text.size() + 2, '\0');
     quoted.resize(csv_write(quoted.data(), quoted.size(), text.data(), text.size()));
     return quoted;
@@ -47,14 +47,14 @@ std::string csv_cell(const std::string& text) {
     // A control character is text by now, "\x00", and no formula begins after it.
     std::string safe = escape_control(text);
     if (looks_like_a_formula(safe)) safe.insert(0, 1, '\'');
-    return quoted(safe);
+    return in_quotes(safe);
 }
 
 std::string csv_cell_as_it_is(const std::string& text, char separator) {
     // A byte order mark without quotes would be the file's if the cell is its first.
     const bool plain = text.find_first_of(std::string("\"\r\n") + separator) == std::string::npos &&
                        !text.starts_with(' ') && !text.ends_with(' ') && !text.starts_with("\xef\xbb\xbf");
-    return plain ? text : quoted(text);
+    return plain ? text : in_quotes(text);
 }
 
 }  // namespace harness::report
