@@ -139,9 +139,9 @@ export async function screenshot(page, name, { whole = true } = {}) {
   await page.screenshot({ path: path.join(screenshots, `${name}.png`), fullPage: whole });
 }
 
-/** Runs raygrade; what it printed, and its exit status. What it compiles is kept in the build folder for the next time. */
+/** Runs raygrade; what it printed, and its exit status. What programs print is kept for all tests of the build. */
 export async function raygrade(...words) {
-  const environment = { ...process.env, XDG_CACHE_HOME: path.join(folder, 'cache') };
+  const environment = { ...process.env, XDG_CACHE_HOME: path.join(folder, '../test-cache') };
   try {
     const { stdout, stderr } = await promisify(execFile)(raygradeBinary, words, { env: environment, maxBuffer: 1 << 28 });
     return { status: 0, stdout, stderr };

@@ -40,12 +40,11 @@ struct Class {
     Result grade(const std::string& out, std::vector<std::string> more = {}) const {
         std::vector<std::string> arguments{"grade", (folder / "class").string(), "--out", (folder / out).string()};
         arguments.insert(arguments.end(), more.begin(), more.end());
-        return with_cache(std::move(arguments));
+        return with_cache(arguments);
     }
     Result check() const { return with_cache({"check", (folder / "class/s100/ray_cast.cpp").string()}); }
-    Result with_cache(std::vector<std::string> arguments) const {
-        const std::string place = cache.string();
-        return raygrade(std::move(arguments), [place] { return setenv("XDG_CACHE_HOME", place.c_str(), 1) == 0; });
+    Result with_cache(const std::vector<std::string>& arguments) const {
+        return raygrade(arguments, scenario::with_cache(cache));
     }
     std::string report(const std::string& out, const std::string& name) const { return read(folder / out / name); }
     fs::path database() const { return cache / "raygrade" / "results.sqlite"; }

@@ -244,7 +244,7 @@ TEST(Grade, GivesTheSameResultsWhateverTheNumberOfJobs) {
         std::vector<std::string> arguments = {"grade", "--assignment",          "a6-2021", "-j", jobs,
                                               "--out", (folder / jobs).string()};
         for (const std::string& who : students) arguments.push_back(sample(who).string());
-        const Result result = raygrade(arguments);
+        const Result result = raygrade_from_scratch(arguments);
         ASSERT_EQ(result.status, 0) << result.both();
         if (jobs == "1") alone = files_in(folder / jobs);
     }

@@ -1,4 +1,4 @@
-// The real raygrade grades the sample class and the model solution. Each submissions/<who>/expected.json holds a
+// The real raygrade grades the sample classes and the model solution. Each submissions/<who>/expected.json holds a
 // marker's marks, found by reading the source and its output:
 //   outcome  as in grades.json
 //   points   a number, or [least, most] if more than one verdict is fair
@@ -14,7 +14,6 @@
 #include <string>
 #include <vector>
 
-#include "tests/scenario/sample_class.h"
 #include "tests/scenario/scenario.h"
 
 namespace scenario {
@@ -84,25 +83,33 @@ json grade_alone(const fs::path& path, const std::string& assignment = "a6-2021"
     return grades.at("submissions").at(0);
 }
 
-std::vector<Sample> marked_samples() {
-    std::vector<Sample> samples;
+std::vector<std::string> marked_samples() {
+    std::vector<std::string> samples;
     for (const char* year : {"", "2024/"}) {
         for (const auto& entry : fs::directory_iterator(project_folder() / "submissions" / year)) {
-            if (fs::exists(entry.path() / "expected.json"))
-                samples.push_back({year + entry.path().filename().string()});
+            if (fs::exists(entry.path() / "expected.json")) samples.push_back(year + entry.path().filename().string());
         }
     }
-    std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.name < b.name; });
+    std::sort(samples.begin(), samples.end());
     return samples;
 }
 
-class SampleClass : public testing::TestWithParam<Sample> {};
+/// Grades the samples of a year in one run; what grades.json says, by id.
+std::map<std::string, json> grade_together(const std::vector<std::string>& samples, const std::string& assignment) {
+    const TemporaryFolder folder;
+    std::vector<std::string> words{"grade", "--assignment", assignment, "--out", (folder / "out").string()};
+    for (const std::string& who : samples) words.push_back(sample(who).string());
+    const Result result = raygrade(words);
+    EXPECT_EQ(result.status, 0) << result.both();
+    const json grades = read_json(folder / "out/grades.json");
+    EXPECT_EQ(grades.at("schema"), "raygrade/grades/1");
+    std::map<std::string, json> graded;
+    for (const json& submission : grades.at("submissions")) graded[submission.at("id")] = submission;
+    return graded;
+}
 
-TEST_P(SampleClass, GetsTheMarksThatAMarkerGives) {
-    const json expected = read_json(sample(GetParam().name) / "expected.json");
-    const std::string& who = GetParam().name;
-    const json submission = grade_alone(sample(who), is_of_2024(who) ? "a6-2024" : "a6-2021");
-    EXPECT_EQ(submission.at("id"), fs::path(who).filename().string());
+void expect_a_markers_marks(const std::string& who, const json& submission) {
+    const json expected = read_json(sample(who) / "expected.json");
     EXPECT_EQ(submission.at("outcome"), expected.at("outcome"));
 
     const std::map<std::string, json> graded = graded_items(submission);
@@ -128,12 +135,28 @@ TEST_P(SampleClass, GetsTheMarksThatAMarkerGives) {
     EXPECT_EQ(submission.at("max_points").get<double>(), 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(Submissions, SampleClass, testing::ValuesIn(marked_samples()),
-                         [](const auto& sample) { return test_name(sample.param); });
+class SampleClass : public testing::TestWithParam<const char*> {};
+
+TEST_P(SampleClass, GetsTheMarksThatAMarkerGives) {
+    const std::string year = GetParam();
+    std::vector<std::string> samples = marked_samples();
+    std::erase_if(samples, [&](const std::string& who) { return is_of_2024(who) != (year == "2024"); });
+    const std::map<std::string, json> graded = grade_together(samples, "a6-" + year);
+    EXPECT_EQ(graded.size(), samples.size());
+    for (const std::string& who : samples) {
+        SCOPED_TRACE(who);
+        const std::string id = fs::path(who).filename().string();
+        ASSERT_TRUE(graded.contains(id));
+        expect_a_markers_marks(who, graded.at(id));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Years, SampleClass, testing::Values("2021", "2024"),
+                         [](const auto& year) { return std::string(year.param); });
 
 TEST(SampleClassItself, NamesOnlyItemsAndVerdictsThatExist) {
     const std::set<std::string> verdicts = {"follow", "wrong", "missing", "unreadable", "right"};
-    for (const auto& [who] : marked_samples()) {
+    for (const std::string& who : marked_samples()) {
         const json expected = read_json(sample(who) / "expected.json");
         const std::vector<std::string> names = items_of(who);
         for (const auto& [name, ignored] : expected.at("items").items()) {

@@ -147,7 +147,7 @@ TEST(HardScenes, GiveFeedbackInAClassAndAreCompiledOnce) {
     const std::vector<std::string> arguments = {
         "grade", sample("ada").string(),   "--assignment", "a6-2021", "--stress", "--apply",
         "--out", (folder / "out").string()};
-    const auto with_one_cache = [&] { return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0; };
+    const auto with_one_cache = with_cache(folder / "cache");
     EXPECT_THAT(raygrade(arguments, with_one_cache).voice, HasSubstr("hard scenes: "));
     const json submission = read_json(folder / "out/grades.json").at("submissions").at(0);
     EXPECT_EQ(submission.at("points"), 100) << "feedback alone";

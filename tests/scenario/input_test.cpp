@@ -29,7 +29,8 @@ class BadInput : public testing::Test {
     fs::path students() const { return folder / "class"; }
     fs::path out() const { return folder / "out"; }
     Result grade(const Preparation& prepare = {}) const {
-        return raygrade({"grade", students().string(), "--assignment", "a6-2021", "--out", out().string()}, prepare);
+        return raygrade_from_scratch({"grade", students().string(), "--assignment", "a6-2021", "--out", out().string()},
+                                     prepare);
     }
     json graded(const std::string& id) const { return submission_in(read_json(out() / "grades.json"), id); }
 

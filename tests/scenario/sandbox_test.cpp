@@ -39,7 +39,7 @@ class Sandboxed : public testing::Test {
     Result grade(std::vector<std::string> more, const Preparation& prepare = {}) const {
         more.insert(more.begin(), {"grade", "--out", out().string(), "--apply"});
         more.push_back(students().string());
-        return raygrade(more, prepare);
+        return raygrade_from_scratch(more, prepare);
     }
     json grades() const { return read_json(out() / "grades.json"); }
     /// A PATH with a compiler and without bwrap.
@@ -107,7 +107,7 @@ bool cover_a_part_of_proc() {
 
 TEST_F(Sandboxed, TheDoctorSaysWhatForbidsNamespacesAndThatLandlockHolds) {
     if (!holds_bwrap()) GTEST_SKIP() << "no bwrap here";
-    const Result filtered = raygrade({"doctor"}, forbid_user_namespaces);
+    const Result filtered = raygrade_from_scratch({"doctor"}, forbid_user_namespaces);
     EXPECT_EQ(filtered.status, 0) << filtered.both();
     EXPECT_THAT(
         filtered.output,
@@ -118,7 +118,7 @@ TEST_F(Sandboxed, TheDoctorSaysWhatForbidsNamespacesAndThatLandlockHolds) {
               HasSubstr("Until then programs run in the other sandbox, which holds."),
               HasSubstr("programs run in: landlock+shim"), Not(HasSubstr("free memory"))));
     if (geteuid() != 0) return;  // only root may mount
-    const Result covered = raygrade({"doctor"}, cover_a_part_of_proc);
+    const Result covered = raygrade_from_scratch({"doctor"}, cover_a_part_of_proc);
     EXPECT_THAT(covered.output,
                 AllOf(HasSubstr("-> Parts of /proc are covered here"), HasSubstr("systempaths=unconfined"),
                       HasSubstr("programs run in: landlock+shim"), Not(HasSubstr("free memory"))));
@@ -153,7 +153,7 @@ TEST_F(Sandboxed, EveryReportOfMarksMadeWithoutASandboxSaysSo) {
     EXPECT_THAT(read(out() / "feedback/prints.html"), HasSubstr(warning));
     EXPECT_THAT(read(out() / "report.html"), HasSubstr(warning));
     EXPECT_THAT(read(out() / "grades.csv"), HasSubstr(",unsafe,"));
-    const Result check = raygrade(
+    const Result check = raygrade_from_scratch(
         {"check", (students() / "prints/ray_cast.cpp").string(), "--sandbox", "bwrap", "--unsafe"}, without_bwrap());
     EXPECT_THAT(check.output, HasSubstr(warning));
 }

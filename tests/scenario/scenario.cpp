@@ -38,7 +38,7 @@ bool become_root_of_a_namespace() {
 
 int wait_for(pid_t child) {
     using namespace std::chrono_literals;
-    const auto deadline = std::chrono::steady_clock::now() + 120s;
+    const auto deadline = std::chrono::steady_clock::now() + 240s;
     int status = 0;
     while (waitpid(child, &status, WNOHANG) == 0) {
         if (std::chrono::steady_clock::now() > deadline) {
@@ -99,7 +99,7 @@ fs::path sample(std::string_view who) {
     const int out = open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const int err = open(voice.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     if (dup2(in, 0) < 0 || dup2(out, 1) < 0 || dup2(err, 2) < 0) _exit(could_not_start);
-    // A separate cache, so that no test sees results of a different test or of the person who runs the tests.
+    // A cache of its own, if `prepare` names none.
     setenv("XDG_CACHE_HOME", (voice.parent_path() / "cache").c_str(), 1);
     if (prepare && !prepare()) _exit(could_not_prepare);
     std::string name = RAYGRADE_BINARY;
@@ -111,7 +111,9 @@ fs::path sample(std::string_view who) {
     _exit(could_not_start);
 }
 
-Result raygrade(const std::vector<std::string>& arguments, const Preparation& prepare) {
+namespace {
+
+Result run(const std::vector<std::string>& arguments, const Preparation& prepare) {
     const TemporaryFolder folder;
     const fs::path output = folder / "stdout";
     const fs::path voice = folder / "stderr";
@@ -122,6 +124,25 @@ Result raygrade(const std::vector<std::string>& arguments, const Preparation& pr
     if (status == could_not_prepare) throw std::runtime_error("this machine does not allow what the test prepares");
     if (status == could_not_start) throw std::runtime_error("could not start " RAYGRADE_BINARY);
     return {status, read(output), read(voice)};
+}
+
+Preparation both(const Preparation& first, const Preparation& second) {
+    return [first, second] { return first() && (!second || second()); };
+}
+
+}  // namespace
+
+Result raygrade(const std::vector<std::string>& arguments, const Preparation& prepare) {
+    return run(arguments, both(with_cache(RAYGRADE_TEST_CACHE), prepare));
+}
+
+Result raygrade_from_scratch(const std::vector<std::string>& arguments, const Preparation& prepare) {
+    const TemporaryFolder cache;
+    return run(arguments, both(with_cache(cache.path()), prepare));
+}
+
+Preparation with_cache(const fs::path& folder) {
+    return [folder] { return setenv("XDG_CACHE_HOME", folder.c_str(), 1) == 0; };
 }
 
 bool obey_permissions() {

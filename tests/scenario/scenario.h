@@ -53,12 +53,18 @@ struct Result {
 /// Called in the new process before it executes raygrade. Returns false on failure.
 using Preparation = std::function<bool()>;
 
-/// Runs build/raygrade with stdin from /dev/null; kills it after two minutes.
+/// Runs build/raygrade with stdin from /dev/null; kills it after four minutes. What programs print is kept for all
+/// tests, so that each of them is compiled once.
 Result raygrade(const std::vector<std::string>& arguments, const Preparation& prepare = {});
+/// The same, but everything is compiled and run.
+Result raygrade_from_scratch(const std::vector<std::string>& arguments, const Preparation& prepare = {});
+/// Lets raygrade keep its results in this folder.
+Preparation with_cache(const std::filesystem::path& folder);
 
 /// Makes file permissions apply to root too, by dropping CAP_DAC_OVERRIDE.
 bool obey_permissions();
-/// Replaces this process by raygrade. Writes stdout and stderr to the two files, which may be /dev/null.
+/// Replaces this process by raygrade. Writes stdout and stderr to the two files, which may be /dev/null. Its cache is
+/// beside the second one, unless `prepare` says otherwise.
 [[noreturn]] void become_raygrade(const std::vector<std::string>& arguments, const Preparation& prepare,
                                   const std::filesystem::path& output, const std::filesystem::path& voice);
 

@@ -154,9 +154,7 @@ TEST_F(RealDay, PagesTellMoreOnceTheDeadlineHasPassedAndNoMarkChanges) {
     const std::string assignment =
         rubric("due = \"" + now + "\"\nfeedback = \"hint\"\nfeedback_after_due = \"expected\"\n");
     const auto in_zone = [&](const char* zone, const std::vector<std::string>& words) {
-        return raygrade(words, [&] {
-            return setenv("TZ", zone, 1) == 0 && setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0;
-        });
+        return raygrade(words, [&] { return setenv("TZ", zone, 1) == 0 && with_cache(folder / "cache")(); });
     };
     constexpr auto before = "WEST+10", after = "EAST-10";
     const std::vector<std::string> regrade{"grade",        students().string(), "--out",

@@ -99,7 +99,7 @@ TEST_F(Shards, AreWholeOrNotThereHoweverOftenTheyAreKilled) {
     using namespace std::chrono_literals;
     hand_in_three();
     ASSERT_EQ(grade().status, 0);
-    fs::remove_all(folder / "cache");
+    fs::remove_all(cache);
     const std::vector<std::string> words =
         on_class("grade", {"--shard", "1/2", "--out", part(1, 2), "--merge-into", place("merged")});
     // A part that was there before stays whole too.
@@ -107,9 +107,7 @@ TEST_F(Shards, AreWholeOrNotThereHoweverOftenTheyAreKilled) {
         const pid_t child = fork();
         ASSERT_GE(child, 0);
         if (child == 0) {
-            become_raygrade(
-                words, [this] { return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0; }, "/dev/null",
-                "/dev/null");
+            become_raygrade(words, with_cache(cache), "/dev/null", "/dev/null");
         }
         std::this_thread::sleep_for(delay);
         kill(child, SIGKILL);
@@ -126,9 +124,8 @@ TEST_F(Shards, AreWholeOrNotThereHoweverOftenTheyAreKilled) {
 TEST_F(Shards, AreNotThereIfTheDiskIsFull) {
     hand_in("ada", std::string(small_program) + "//" + std::string(20'000, '.') + "\n");
     fs::create_directory(folder / "parts");
-    const Result result = raygrade(on_class("grade", {"--shard", "1/1", "--out", part(1, 1)}), [this] {
-        return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0 && mount_tiny_disk(folder / "parts");
-    });
+    const Result result = raygrade(on_class("grade", {"--shard", "1/1", "--out", part(1, 1)}),
+                                   [this] { return with_cache(cache)() && mount_tiny_disk(folder / "parts"); });
     EXPECT_EQ(result.status, some_not_graded) << result.both();
     EXPECT_THAT(result.voice, HasSubstr("1-of-1.part: can't be written: No space left on device"));
     EXPECT_THAT(result.output, Not(HasSubstr("part:")));

@@ -30,12 +30,14 @@ TEST_F(Shards, OfTheSampleClassMakeTheResultsOfOneMachine) {
     }
     hand_in("nothing", "");
     fs::create_directory(hand_ins / "empty");
+    cache = RAYGRADE_TEST_CACHE;
     options = {"--assignment", "a6-2021"};
     ASSERT_LE(grade().status, some_not_graded);
     for (const int count : counts(5)) expect_alike(count);
 }
 
 TEST_F(Shards, OfLabelledClassesMakeTheResultsOfOneMachine) {
+    cache = RAYGRADE_TEST_CACHE;
     std::vector<std::string> names{"miss"};
     if (is_nightly()) names.insert(names.end(), {"edge", "offaxis"});
     for (const std::string& name : names) {
@@ -139,7 +141,7 @@ TEST_F(Shards, MoreThanThereAreSubmissionsAreEmpty) {
 TEST_F(Shards, UseTheResultsThatADifferentMachineHasKept) {
     hand_in_three();
     ASSERT_EQ(grade().status, 0);
-    fs::rename(folder / "cache", folder / "theirs");
+    fs::rename(cache, folder / "theirs");
     options = {"--cache-from", place("theirs/raygrade")};
     EXPECT_THAT(grade_shard(1, 1).voice, HasSubstr("3 of 3 from earlier runs"));
     options = {"--cache-from", place("nowhere")};

@@ -30,9 +30,7 @@ class Shards : public testing::Test {
         std::filesystem::permissions(folder.path(), static_cast<std::filesystem::perms>(0755));
     }
 
-    Result run(const std::vector<std::string>& words) const {
-        return raygrade(words, [this] { return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0; });
-    }
+    Result run(const std::vector<std::string>& words) const { return raygrade(words, with_cache(cache)); }
     std::string place(const std::string& name) const { return (folder / name).string(); }
     std::string part(int number, int count) const {
         return place("parts/" + std::to_string(number) + "-of-" + std::to_string(count) + ".part");
@@ -113,7 +111,7 @@ class Shards : public testing::Test {
         const pid_t child = fork();
         if (child == 0) {
             const std::string whole = "cd " + place("scripts") + " && exec >/dev/null 2>&1 && bash " + command;
-            if (setenv("XDG_CACHE_HOME", place("cache").c_str(), 1) == 0 && prepare())
+            if (with_cache(cache)() && prepare())
                 execlp("bash", "bash", "-c", whole.c_str(), static_cast<char*>(nullptr));
             _exit(127);
         }
@@ -124,6 +122,7 @@ class Shards : public testing::Test {
 
     TemporaryFolder folder;
     std::filesystem::path hand_ins = folder / "class";
+    std::filesystem::path cache = folder / "cache";
     std::vector<std::string> options{};  ///< of every grading
 };
 

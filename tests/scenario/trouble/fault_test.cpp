@@ -94,14 +94,13 @@ class Fault : public testing::Test {
     json graded(const std::string& id) const { return submission_in(read_json(out() / "grades.json"), id); }
 
     Preparation with_own_cache(Preparation more = {}) const {
-        return in_temporary(
-            [this, more] { return setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1) == 0 && (!more || more()); });
+        return in_temporary([this, more] { return with_cache(folder / "cache")() && (!more || more()); });
     }
     /// Grades where the machine lacks something. Then raygrade says why it does not begin, or "honest" has its points
     /// or is not graded.
     void grade_fairly(const Preparation& lacking) const {
         fs::remove_all(out());
-        const Result result = raygrade(command({"-j", "2"}), with_own_cache(lacking));
+        const Result result = raygrade_from_scratch(command({"-j", "2"}), with_own_cache(lacking));
         if (!fs::exists(out() / "grades.json")) {
             EXPECT_NE(result.voice, "");
             return;
@@ -110,7 +109,7 @@ class Fault : public testing::Test {
         EXPECT_TRUE(one.at("points") == 10.0 || one.at("outcome") == "not_graded") << one.dump(2) << result.both();
     }
     void expect_that_nothing_is_kept() const {
-        ASSERT_EQ(raygrade(command(), with_own_cache()).status, 0);
+        ASSERT_EQ(raygrade_from_scratch(command(), with_own_cache()).status, 0);
         EXPECT_EQ(graded("honest").at("points"), 10.0);
     }
 
@@ -139,7 +138,8 @@ TEST_P(Killed, LeavesNoProcessAndTheNextRunRemovesItsFolder) {
         ASSERT_TRUE(all_gone_within(5s)) << "killed after " << moment.count() << " ms, seed " << GetParam();
         ASSERT_LE(entries(temporary()), 1) << "what an earlier run left is still there";
     }
-    EXPECT_EQ(raygrade({"check", (students() / "honest/ray_cast.cpp").string()}, in_temporary()).status, 0);
+    EXPECT_EQ(raygrade_from_scratch({"check", (students() / "honest/ray_cast.cpp").string()}, in_temporary()).status,
+              0);
     EXPECT_EQ(entries(temporary()), 0);
 }
 
@@ -184,7 +184,7 @@ TEST_F(Fault, ADiskThatFillsUpLeavesASubmissionNotGraded) {
     add("fills", "char big[30000000] = {1};\nint main() { return big[1]; }\n");
     add("honest", small_program);
     const Result result =
-        raygrade(command({"-j", "1"}), in_temporary([this] { return mount_disk(temporary(), "16m"); }));
+        raygrade_from_scratch(command({"-j", "1"}), in_temporary([this] { return mount_disk(temporary(), "16m"); }));
     EXPECT_EQ(result.status, some_not_graded) << result.both();
     EXPECT_THAT(result.both(), HasSubstr("TMPDIR"));
     EXPECT_EQ(graded("fills").at("outcome"), "not_graded");
@@ -214,10 +214,11 @@ TEST_F(Fault, EveryCommandSaysThatMemoryIsScarce) {
     constexpr rlim_t kibibyte = 1024;
     for (const rlim_t kibibytes : {72'000, 80'000}) {
         for (const auto& words : commands) {
-            const Result result = raygrade(words, with_own_cache([&] {
-                                               const rlimit addresses{kibibytes * kibibyte, kibibytes * kibibyte};
-                                               return setrlimit(RLIMIT_AS, &addresses) == 0;
-                                           }));
+            const Result result =
+                raygrade_from_scratch(words, with_own_cache([&] {
+                                          const rlimit addresses{kibibytes * kibibyte, kibibytes * kibibyte};
+                                          return setrlimit(RLIMIT_AS, &addresses) == 0;
+                                      }));
             EXPECT_NE(result.both(), "") << words.front();
             EXPECT_LE(result.status, 2) << words.front() << '\n' << result.both();
         }
@@ -241,7 +242,8 @@ TEST_F(Fault, ScarceMemoryIsNobodysCompileError) {
 
 TEST_F(Fault, AFullDiskIsReportedBeforeTheFirstSubmission) {
     add("honest", small_program);
-    const Result result = raygrade(command(), in_temporary([this] { return mount_tiny_disk(temporary()); }));
+    const Result result =
+        raygrade_from_scratch(command(), in_temporary([this] { return mount_tiny_disk(temporary()); }));
     EXPECT_EQ(result.status, some_not_graded) << result.both();
     EXPECT_THAT(result.voice, HasSubstr("TMPDIR"));
     EXPECT_FALSE(fs::exists(out() / "grades.json"));
@@ -264,9 +266,9 @@ TEST_F(Fault, ABwrapRemovedDuringTheRunLeavesTheRestNotGraded) {
     for (const char* id : {"a", "b", "c"}) add(id, small_program);
     // The first use is the canary, the next are some of the six compilations and runs.
     const fs::path bin = path_with_vanishing(folder / "vanishing", "bwrap", 4);
-    const Result result =
-        raygrade(command({"-j", "1"}),
-                 in_temporary([&] { return setenv("PATH", (bin.string() + ":/usr/bin:/bin").c_str(), 1) == 0; }));
+    const Result result = raygrade_from_scratch(
+        command({"-j", "1"}),
+        in_temporary([&] { return setenv("PATH", (bin.string() + ":/usr/bin:/bin").c_str(), 1) == 0; }));
     EXPECT_EQ(result.status, some_not_graded) << result.both();
     int not_graded = 0;
     for (const char* id : {"a", "b", "c"}) {
@@ -301,7 +303,7 @@ TEST_F(Fault, WhatWasPrintedBeforeACrashCountsHoweverItsLinesEnd) {
         write(folder / "class" / name / "ray_cast.cpp", source);
         words.push_back((folder / "class" / name).string());
     }
-    ASSERT_EQ(raygrade(words).status, 0);
+    ASSERT_EQ(raygrade_from_scratch(words).status, 0);
     for (const auto& [name, source] : sources) {
         EXPECT_EQ(graded(name).at("outcome"), "crashed") << name;
         EXPECT_EQ(graded(name).at("points").get<double>(), 10) << name;
@@ -325,7 +327,7 @@ TEST_F(Fault, FourBusyLoopsDoNotChangeAMark) {
     for (const char* who : {"ada", "ben", "mateo", "nadia", "oskar", "priya", "quentin", "rosa"}) {
         words.push_back(sample(who).string());
     }
-    ASSERT_EQ(raygrade(words).status, 0);
+    ASSERT_EQ(raygrade_from_scratch(words).status, 0);
     const json quiet = marks(out() / "grades.json");
     std::vector<pid_t> loops;
     for (int i = 0; i < 4; ++i) {
@@ -335,7 +337,7 @@ TEST_F(Fault, FourBusyLoopsDoNotChangeAMark) {
             for (;;) getppid();
         }
     }
-    const int status = raygrade(words).status;
+    const int status = raygrade_from_scratch(words).status;
     for (const pid_t loop : loops) {
         kill(loop, SIGKILL);
         waitpid(loop, nullptr, 0);
