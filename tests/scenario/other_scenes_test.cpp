@@ -151,7 +151,7 @@ class PointsForOtherScenes : public testing::Test {
                                      "[[variant]]\nname = \"right\"\ncamera.eye = [3, 0, 5]\n");
     }
     Result run(const std::vector<std::string>& words) const {
-        Result result = raygrade(words);
+        Result result = raygrade(words, with_cache(folder / "cache"));
         EXPECT_EQ(result.status, 0) << result.both();
         return result;
     }

@@ -32,7 +32,7 @@ class Reread : public testing::Test {
     }
 
     fs::path student(const std::string& id) const { return folder / "class" / id / "ray_cast.cpp"; }
-    Result run(std::vector<std::string> words) const { return raygrade(words); }
+    Result run(std::vector<std::string> words) const { return raygrade(words, with_cache(folder / "cache")); }
     Result grade() const {
         return run({"grade", (folder / "class").string(), "--out", (folder / "out").string(), "--apply"});
     }

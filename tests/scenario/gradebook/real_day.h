@@ -34,7 +34,7 @@ class RealDay : public testing::Test {
     std::filesystem::path students() const { return folder / "class"; }
     std::filesystem::path out() const { return folder / "out"; }
     std::filesystem::path gradebook() const { return out() / "gradebook.sqlite"; }
-    Result run(const std::vector<std::string>& words) const { return raygrade(words); }
+    Result run(const std::vector<std::string>& words) const { return raygrade(words, with_cache(folder / "cache")); }
     Result grade(const std::vector<std::string>& more = {}) const {
         std::vector<std::string> words = {"grade", students().string(), "--out", out().string()};
         words.insert(words.end(), more.begin(), more.end());

@@ -31,7 +31,7 @@ class Review : public testing::Test {
 
     std::filesystem::path student(const std::string& id) const { return folder / "class" / id / "ray_cast.cpp"; }
     std::filesystem::path out() const { return folder / "out"; }
-    Result run(const std::vector<std::string>& words) const { return raygrade(words); }
+    Result run(const std::vector<std::string>& words) const { return raygrade(words, with_cache(folder / "cache")); }
     Result grade() const { return run({"grade", (folder / "class").string(), "--out", out().string(), "--apply"}); }
     nlohmann::json graded(const std::string& id) const { return submission_in(read_json(out() / "grades.json"), id); }
     double points(const std::string& id) const { return graded(id).at("points").get<double>(); }

@@ -30,14 +30,12 @@ TEST_F(Shards, OfTheSampleClassMakeTheResultsOfOneMachine) {
     }
     hand_in("nothing", "");
     fs::create_directory(hand_ins / "empty");
-    cache = RAYGRADE_TEST_CACHE;
     options = {"--assignment", "a6-2021"};
     ASSERT_LE(grade().status, some_not_graded);
     for (const int count : counts(5)) expect_alike(count);
 }
 
 TEST_F(Shards, OfLabelledClassesMakeTheResultsOfOneMachine) {
-    cache = RAYGRADE_TEST_CACHE;
     std::vector<std::string> names{"miss"};
     if (is_nightly()) names.insert(names.end(), {"edge", "offaxis"});
     for (const std::string& name : names) {
