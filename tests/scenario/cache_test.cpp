@@ -149,11 +149,10 @@ std::size_t kept_in(const fs::path& database) {
 void grade_and_kill(const Class& some, std::size_t enough) {
     const std::string folder = (some.folder / "class").string();
     const std::string out = (some.folder / "killed").string();
-    const std::string cache = some.cache.string();
     const pid_t child = fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
-        setenv("XDG_CACHE_HOME", cache.c_str(), 1);
+        scenario::with_cache(some.cache)();
         if (freopen("/dev/null", "w", stdout) == nullptr || freopen("/dev/null", "w", stderr) == nullptr) _exit(1);
         execl(RAYGRADE_BINARY, RAYGRADE_BINARY, "grade", folder.c_str(), "--out", out.c_str(), "--apply", nullptr);
         _exit(1);

@@ -126,10 +126,6 @@ Result run(const std::vector<std::string>& arguments, const Preparation& prepare
     return {status, read(output), read(voice)};
 }
 
-Preparation both(const Preparation& first, const Preparation& second) {
-    return [first, second] { return first() && (!second || second()); };
-}
-
 }  // namespace
 
 Result raygrade(const std::vector<std::string>& arguments, const Preparation& prepare) {
@@ -139,6 +135,10 @@ Result raygrade(const std::vector<std::string>& arguments, const Preparation& pr
 Result raygrade_from_scratch(const std::vector<std::string>& arguments, const Preparation& prepare) {
     const TemporaryFolder cache;
     return run(arguments, both(with_cache(cache.path()), prepare));
+}
+
+Preparation both(const Preparation& first, const Preparation& second) {
+    return [first, second] { return first() && (!second || second()); };
 }
 
 Preparation with_cache(const fs::path& folder) {

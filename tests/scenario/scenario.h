@@ -58,8 +58,11 @@ using Preparation = std::function<bool()>;
 Result raygrade(const std::vector<std::string>& arguments, const Preparation& prepare = {});
 /// The same, but everything is compiled and run.
 Result raygrade_from_scratch(const std::vector<std::string>& arguments, const Preparation& prepare = {});
-/// Lets raygrade keep its results in this folder.
+/// Lets raygrade keep its results in this folder. For a test that compares what runs measured: in the folder of all
+/// tests another test may replace it in between.
 Preparation with_cache(const std::filesystem::path& folder);
+/// One after the other; the second may be empty.
+Preparation both(const Preparation& first, const Preparation& second);
 
 /// Makes file permissions apply to root too, by dropping CAP_DAC_OVERRIDE.
 bool obey_permissions();

@@ -63,8 +63,7 @@ std::vector<Graded> class_of_run(int n) {
 /// Kills the writer at some 25 moments, drawn from a fixed seed, while it saves one run after the other.
 TEST(Gradebook, HoldsTheOldOrTheNewRunWhenItsWriterIsKilled) {
     const TemporaryFolder folder;
-    // The writer is killed within the time of about three saves, as measured in this build of a process that was
-    // forked.
+    // The writer is killed within about three times what a forked process of this build takes to save.
     const auto begun = std::chrono::steady_clock::now();
     const pid_t first = fork();
     ASSERT_GE(first, 0);

@@ -94,13 +94,13 @@ class Fault : public testing::Test {
     json graded(const std::string& id) const { return submission_in(read_json(out() / "grades.json"), id); }
 
     Preparation with_own_cache(Preparation more = {}) const {
-        return in_temporary([this, more] { return with_cache(folder / "cache")() && (!more || more()); });
+        return in_temporary(both(with_cache(folder / "cache"), more));
     }
     /// Grades where the machine lacks something. Then raygrade says why it does not begin, or "honest" has its points
     /// or is not graded.
     void grade_fairly(const Preparation& lacking) const {
         fs::remove_all(out());
-        const Result result = raygrade_from_scratch(command({"-j", "2"}), with_own_cache(lacking));
+        const Result result = raygrade(command({"-j", "2"}), with_own_cache(lacking));
         if (!fs::exists(out() / "grades.json")) {
             EXPECT_NE(result.voice, "");
             return;
@@ -109,7 +109,7 @@ class Fault : public testing::Test {
         EXPECT_TRUE(one.at("points") == 10.0 || one.at("outcome") == "not_graded") << one.dump(2) << result.both();
     }
     void expect_that_nothing_is_kept() const {
-        ASSERT_EQ(raygrade_from_scratch(command(), with_own_cache()).status, 0);
+        ASSERT_EQ(raygrade(command(), with_own_cache()).status, 0);
         EXPECT_EQ(graded("honest").at("points"), 10.0);
     }
 
@@ -214,11 +214,10 @@ TEST_F(Fault, EveryCommandSaysThatMemoryIsScarce) {
     constexpr rlim_t kibibyte = 1024;
     for (const rlim_t kibibytes : {72'000, 80'000}) {
         for (const auto& words : commands) {
-            const Result result =
-                raygrade_from_scratch(words, with_own_cache([&] {
-                                          const rlimit addresses{kibibytes * kibibyte, kibibytes * kibibyte};
-                                          return setrlimit(RLIMIT_AS, &addresses) == 0;
-                                      }));
+            const Result result = raygrade(words, with_own_cache([&] {
+                                               const rlimit addresses{kibibytes * kibibyte, kibibytes * kibibyte};
+                                               return setrlimit(RLIMIT_AS, &addresses) == 0;
+                                           }));
             EXPECT_NE(result.both(), "") << words.front();
             EXPECT_LE(result.status, 2) << words.front() << '\n' << result.both();
         }

@@ -151,7 +151,7 @@ class MachineInTrouble : public testing::Test {
     std::string try_error(const KernelError& error, long& reached) const {
         start_anew();
         CountedCalls counted;
-        const Result in_trouble = raygrade_from_scratch(command(), counted.fail(error, with_own_folders()));
+        const Result in_trouble = raygrade(command(), counted.fail(error, with_own_folders()));
         reached += counted.of(error.call) >= error.first ? 1 : 0;
         constexpr int not_even_loaded = 127;  // the dynamic linker says why
         if (in_trouble.status > 3 && in_trouble.status != not_even_loaded) return all_of(in_trouble);
@@ -161,7 +161,7 @@ class MachineInTrouble : public testing::Test {
             return "says nothing\n" + all_of(in_trouble);
         }
         fs::remove_all(out());
-        const Result afterwards = raygrade_from_scratch(command(), with_own_folders());
+        const Result afterwards = raygrade(command(), with_own_folders());
         if (afterwards.status != 0) return "afterwards: " + all_of(afterwards);
         const std::string wrong = wrong_marks(false);
         return wrong.empty() ? "" : "afterwards: " + wrong;
@@ -183,7 +183,7 @@ TEST_F(MachineInTrouble, NeverCostsAnHonestProgramItsMark) {
     std::vector<std::string> names;
     for (const Call& call : calls()) names.push_back(call.name);
     CountedCalls counted;
-    ASSERT_EQ(raygrade_from_scratch(command(), counted.count(names, with_own_folders())).status, 0);
+    ASSERT_EQ(raygrade(command(), counted.count(names, with_own_folders())).status, 0);
     ASSERT_EQ(wrong_marks(false), "");
     std::vector<Call> made;
     std::copy_if(calls().begin(), calls().end(), std::back_inserter(made),
