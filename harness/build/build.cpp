@@ -25,6 +25,7 @@ namespace {
 constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
 constexpr const char* source_name = "ray_cast.cpp";
 constexpr const char* program_name = "ray_cast";
+constexpr const char* no_macros_name = "no_macros.h";
 
 /// ICE_EXIT_CODE in gcc/system.h: a signal, e.g. for a file that grew too large, ended the compiler, its assembler or
 /// its linker, or the compiler had an internal error.
@@ -154,31 +155,62 @@ Command compiler_command(const BuildSettings& settings, const Sandbox& sandbox, 
     return command;
 }
 
-/// The last line of the first `count` directives, which a header replaces; from 1.
-std::size_t last_line(std::string_view source, const std::vector<Directive>& block, std::size_t count) {
-    if (count == 0) return 0;
-    const auto end = source.begin() + static_cast<std::ptrdiff_t>(block[count - 1].end);
-    return 1 + static_cast<std::size_t>(std::count(source.begin(), end, '\n'));
+/// A source whose directives a header replaces.
+struct Shortened {
+    std::string source;
+    std::filesystem::path header;
+    std::vector<std::string> own_macros;  ///< as in HeaderUse
+    std::size_t last_line;                ///< of the directives; from 1
+};
+
+/// Empty if the header does not fit.
+std::optional<Shortened> shortened(const std::string& source, const PrecompiledHeader& header) {
+    const std::vector<Directive> block = include_block(source);
+    auto use = use_of_header(header.lines, block);
+    if (!use) return {};
+    Shortened result{without_directives(source, block, use->replaced), header.file, std::move(use->own_macros), 0};
+    if (!use->replaced.empty()) {
+        const auto end = source.begin() + static_cast<std::ptrdiff_t>(block[use->replaced.back()].end);
+        result.last_line = 1 + static_cast<std::size_t>(std::count(source.begin(), end, '\n'));
+    }
+    return result;
 }
 
 bool has_nothing_to_say(const ProcessResult& result) {
     return result.ended == Ended::exited && result.exit_code == 0 && result.errors.empty() && result.output.empty();
 }
 
-/// Compiles `source` to the program.
-ProcessResult compile(const std::string& source, const BuildSettings& settings, const Sandbox& sandbox,
-                      const Scratch& scratch, const std::optional<PrecompiledHeader>& header) {
-    write_source(source, scratch.path() / source_name);
-    Command command = compiler_command(settings, sandbox, scratch);
-    if (header) {
-        command.readable.push_back(header->file.parent_path());
-        // Without the warning, g++ silently reads a header that does not fit as text.
-        command.argv.insert(command.argv.end(), {"-Winvalid-pch", "-include", header->file.string()});
-    }
+/// Compiles the source in the command's folder to the program.
+ProcessResult compile(Command command, const BuildSettings& settings, const Sandbox& sandbox) {
     command.argv.insert(command.argv.end(), settings.linker.begin(), settings.linker.end());
     // Relative names, so that the messages are the same wherever the scratch folder lies.
     command.argv.insert(command.argv.end(), {"-o", program_name, source_name});
     return run_process(command, sandbox);
+}
+
+ProcessResult compile(const std::string& source, const BuildSettings& settings, const Sandbox& sandbox,
+                      const Scratch& scratch) {
+    write_source(source, scratch.path() / source_name);
+    return compile(compiler_command(settings, sandbox, scratch), settings, sandbox);
+}
+
+/// Compiles the source with a header. g++ takes a precompiled header only where every macro that is defined before it
+/// is none of the header's words. So the source's own macros are, until the source itself defines them.
+ProcessResult compile(const Shortened& source, const BuildSettings& settings, const Sandbox& sandbox,
+                      const Scratch& scratch) {
+    write_source(source.source, scratch.path() / source_name);
+    Command command = compiler_command(settings, sandbox, scratch);
+    command.readable.push_back(source.header.parent_path());
+    for (const std::string& macro : source.own_macros) command.argv.push_back("-D" + macro);
+    // Without the warning, g++ silently reads a header that does not fit as text.
+    command.argv.insert(command.argv.end(), {"-Winvalid-pch", "-include", source.header.string()});
+    if (!source.own_macros.empty()) {
+        std::string text;
+        for (const std::string& macro : source.own_macros) text += "#undef " + macro_name(macro) + '\n';
+        write_source(text, scratch.path() / no_macros_name);
+        command.argv.insert(command.argv.end(), {"-include", no_macros_name});
+    }
+    return compile(std::move(command), settings, sandbox);
 }
 
 /// The number at the beginning of `text`; empty if there is none.
@@ -251,7 +283,7 @@ std::string beginning(std::string text) {
 /// A failure counts only where a program that is known to compile does so, in the same place under the same limits.
 void require_that_programs_compile(const BuildSettings& settings, const Sandbox& sandbox) {
     const Scratch scratch(sandbox.workspace());
-    const ProcessResult result = compile(known_source, settings, sandbox, scratch, {});
+    const ProcessResult result = compile(known_source, settings, sandbox, scratch);
     if (is_program(result, scratch.path() / program_name)) return;
     throw HarnessError(
         "The source does not compile, but neither does a program that is known to be right, so it is not "
@@ -307,14 +339,10 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
         build.compiled = true;
     };
     bool has_failed = false;
-    if (header) {
-        const std::string& source = submission.source;
-        const auto block = include_block(source);
-        const ProcessResult result =
-            compile(without_directives(source, block, header->directives), settings, sandbox, scratch, header);
+    if (const auto source = header ? shortened(submission.source, *header) : std::nullopt) {
+        const ProcessResult result = compile(*source, settings, sandbox, scratch);
         build.wall = result.wall;
-        const bool same_messages =
-            is_ours || are_about_lines_below(last_line(source, block, header->directives), result.errors);
+        const bool same_messages = is_ours || are_about_lines_below(source->last_line, result.errors);
         if (is_program(result, program) && result.output.empty() && same_messages) {
             succeed();
             build.by_header = true;
@@ -327,7 +355,7 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
     }
     ProcessResult result;
     if (!has_failed) {
-        result = compile(submission.source, settings, sandbox, scratch, {});
+        result = compile(submission.source, settings, sandbox, scratch);
         has_failed = !is_program(result, program) && failed(result) && !is_ours;
         if (has_failed) empty_folder(scratch.path());
     }
@@ -335,7 +363,7 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
         // The machine can cause any error: where it fails to read a file of the compiler's, a name is undefined.
         static std::mutex one_at_a_time;  // what was short for several may do for one
         const std::lock_guard lock(one_at_a_time);
-        result = compile(submission.source, settings, sandbox, scratch, {});
+        result = compile(submission.source, settings, sandbox, scratch);
     }
     const bool broke_down = has_broken_down(result);
     build.reached_limit = !reached_limit(result.ended, settings.limits).empty() || broke_down;

@@ -122,7 +122,7 @@ std::optional<PrecompiledHeader> HeaderCache::get(const HeaderLines& lines) cons
     const std::string name = name_of(lines);
     const fs::path folder = sandbox_.workspace().path() / ("header-" + name);
     const fs::path target = folder / (name + header_ending);
-    const PrecompiledHeader header{folder / (name + text_ending), lines.size()};
+    const PrecompiledHeader header{folder / (name + text_ending), lines};
     std::error_code error;
     if (fs::exists(target, error)) return header;
     if (!kept_.empty() && fs::exists(kept_ / (name + refused_ending), error)) return {};

@@ -1,11 +1,11 @@
-// Sorting the blocks lexicographically makes those that begin alike neighbours, and so yields a tree. A node is a range
-// of blocks with the lines they all begin with. Whether to make the node's header depends only on the shorter header
-// that the blocks would use otherwise, so the best choice is found from the leaves up.
+// Which headers are best is the problem of where to build warehouses: it is NP-hard, and well solved by adding,
+// dropping and exchanging one at a time for as long as that saves something.
 #include "harness/build/header_plan.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
-#include <numeric>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -17,8 +17,10 @@ namespace {
 constexpr double making = 3.5;
 /// A smaller saving can't be measured.
 constexpr double worthwhile_ms = 20;
-/// The most lines of a block that count. Students have a dozen; of a longer block, the beginning can still be replaced.
-constexpr std::size_t longest = 64;
+/// Blocks that differ from each other, the most used ones, for which headers are considered; and those of which also
+/// the includes that two have in common are.
+constexpr std::size_t most_blocks = 100;
+constexpr std::size_t most_paired = 12;
 
 struct Weight {
     std::string_view prefix;  ///< of the directive
@@ -50,98 +52,131 @@ constexpr Weight weights[] = {
     {"#include", "containers", 60, 10},
 };
 
-HeaderLines beginning(const HeaderLines& lines, std::size_t count) {
-    return {lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(count)};
+bool is_part_of(const HeaderLines& some, const HeaderLines& all) {
+    return std::includes(all.begin(), all.end(), some.begin(), some.end());
 }
 
-struct Choice {
-    double worth = 0;        ///< savings less costs, in milliseconds
-    std::size_t length = 0;  ///< lines of the header in use from this node on; 0 for none
+/// Sources that include the same, with the same settings.
+struct Alike {
+    HeaderLines includes;
+    std::vector<std::size_t> blocks;
 };
 
-struct Node {
-    std::size_t begin = 0, end = 0;  ///< in the sorted blocks
-    std::size_t length = 0;          ///< number of lines they all begin with
-    std::size_t whole = 0;           ///< how many of them are no longer than `length`
-    std::size_t made = 0;            ///< length of the longest existing header that fits; 0 for none
-    std::vector<Node> children;
-    std::map<std::size_t, Choice> best;  ///< by the length of the header in use above
+struct Candidate {
+    HeaderLines includes;
+    double saves = 0;  ///< for each source that it fits, in milliseconds
+    double costs = 0;
+    std::vector<bool> fits;  ///< for each kind of sources
 };
 
+/// Plans for sources of the same settings.
 class Planner {
   public:
-    Planner(std::vector<HeaderLines> sorted, const std::set<HeaderLines>& made)
-        : blocks_(std::move(sorted)), made_(made), header_of_(blocks_.size(), 0) {}
+    /// `alike`: the most used first. `made`: the includes of headers that exist.
+    Planner(const std::vector<Alike>& alike, const std::set<HeaderLines>& made) : alike_(alike) {
+        std::set<HeaderLines> considered = made;
+        for (std::size_t i = 0; i < std::min(alike.size(), most_blocks); ++i) {
+            considered.insert(alike[i].includes);
+            for (std::size_t j = 0; j < std::min(i, most_paired); ++j) considered.insert(shared(alike[i], alike[j]));
+        }
+        for (const HeaderLines& includes : considered) {
+            const double saves = reading_time_ms(includes);
+            const bool exists = made.contains(includes);
+            if (!exists && saves < worthwhile_ms) continue;
+            Candidate candidate{includes, saves, exists ? 0 : making * saves, {}};
+            for (const Alike& kind : alike) candidate.fits.push_back(is_part_of(includes, kind.includes));
+            candidates_.push_back(std::move(candidate));
+        }
+    }
 
-    /// For each sorted block, how many of its lines a header replaces.
-    std::vector<std::size_t> plan() {
-        Node root = node(0, blocks_.size(), 0);
-        best(root, 0);
-        assign(root, 0);
-        return header_of_;
+    /// For each kind of sources, the includes of its header.
+    std::vector<HeaderLines> plan() {
+        while (improve()) {
+        }
+        std::vector<HeaderLines> header_of;
+        for (std::size_t kind = 0; kind < alike_.size(); ++kind) {
+            const Candidate* best = nullptr;
+            for (const std::size_t i : chosen_) {
+                const Candidate& candidate = candidates_[i];
+                if (candidate.fits[kind] && (best == nullptr || candidate.saves > best->saves)) best = &candidate;
+            }
+            header_of.push_back(best != nullptr ? best->includes : HeaderLines());
+        }
+        return header_of;
     }
 
   private:
-    Node node(std::size_t begin, std::size_t end, std::size_t from) {
-        Node node;
-        node.begin = begin;
-        node.end = end;
-        const HeaderLines& first = blocks_[begin];
-        const HeaderLines& last = blocks_[end - 1];  // sorted, so lines that first and last share, all share
-        std::size_t length = from;
-        while (length < first.size() && length < last.size() && first[length] == last[length]) ++length;
-        node.length = length;
-        for (std::size_t made = length; made > from && node.made == 0; --made) {
-            if (made_.contains(beginning(first, made))) node.made = made;
-        }
-        for (std::size_t i = begin; i < end;) {
-            std::size_t next = i + 1;
-            if (blocks_[i].size() == length) {
-                ++node.whole;
-            } else {
-                while (next < end && blocks_[next].size() > length && blocks_[next][length] == blocks_[i][length])
-                    ++next;
-                node.children.push_back(this->node(i, next, length));
+    static HeaderLines shared(const Alike& one, const Alike& other) {
+        HeaderLines both;
+        std::set_intersection(one.includes.begin(), one.includes.end(), other.includes.begin(), other.includes.end(),
+                              std::back_inserter(both));
+        return both;
+    }
+
+    /// What each kind's header saves for one source, where these headers are made.
+    std::vector<double> savings(const std::set<std::size_t>& headers) const {
+        std::vector<double> saved(alike_.size(), 0);
+        for (const std::size_t i : headers) {
+            for (std::size_t kind = 0; kind < saved.size(); ++kind) {
+                if (candidates_[i].fits[kind]) saved[kind] = std::max(saved[kind], candidates_[i].saves);
             }
-            i = next;
         }
-        return node;
+        return saved;
     }
 
-    double reading_time(const Node& node, std::size_t length) const {
-        return length == 0 ? 0 : reading_time_ms(beginning(blocks_[node.begin], length));
-    }
-
-    double worth(Node& node, std::size_t length, double spent) {
-        double worth = static_cast<double>(node.whole) * reading_time(node, length) - spent;
-        for (Node& child : node.children) worth += best(child, length).worth;
+    double worth(const std::set<std::size_t>& headers) const {
+        const std::vector<double> saved = savings(headers);
+        double worth = 0;
+        for (std::size_t kind = 0; kind < saved.size(); ++kind)
+            worth += saved[kind] * static_cast<double>(alike_[kind].blocks.size());
+        for (const std::size_t i : headers) worth -= candidates_[i].costs;
         return worth;
     }
 
-    const Choice& best(Node& node, std::size_t above) {
-        const auto known = node.best.find(above);
-        if (known != node.best.end()) return known->second;
-        Choice best{worth(node, above, 0), above};
-        const auto consider = [&](std::size_t length, double spent) {
-            const double gain = worth(node, length, spent);
-            if (gain > best.worth) best = {gain, length};
+    /// What one more header is worth where `saved` is saved without it.
+    double gain(const Candidate& more, const std::vector<double>& saved) const {
+        double gain = -more.costs;
+        for (std::size_t kind = 0; kind < saved.size(); ++kind) {
+            if (more.fits[kind] && more.saves > saved[kind])
+                gain += (more.saves - saved[kind]) * static_cast<double>(alike_[kind].blocks.size());
+        }
+        return gain;
+    }
+
+    /// Takes the change of one header that is worth the most. Returns false if none is worth anything.
+    bool improve() {
+        constexpr double noticeable = 1e-6;
+        const double before = worth(chosen_);
+        double best = before + noticeable;
+        std::optional<std::set<std::size_t>> better;
+        const auto consider = [&](std::set<std::size_t> headers) {
+            const double without = worth(headers);
+            if (without > best) {
+                best = without;
+                better = headers;
+            }
+            const std::vector<double> saved = savings(headers);
+            for (std::size_t i = 0; i < candidates_.size(); ++i) {
+                const double with = without + gain(candidates_[i], saved);
+                if (with <= best) continue;
+                best = with;
+                better = headers;
+                better->insert(i);
+            }
         };
-        if (node.made > above) consider(node.made, 0);
-        const double saved = reading_time(node, node.length);
-        if (node.length > std::max(above, node.made) && saved >= worthwhile_ms) consider(node.length, making * saved);
-        return node.best.emplace(above, best).first->second;
+        consider(chosen_);
+        for (const std::size_t i : chosen_) {
+            std::set<std::size_t> fewer = chosen_;
+            fewer.erase(i);
+            consider(std::move(fewer));
+        }
+        if (better) chosen_ = std::move(*better);
+        return better.has_value();
     }
 
-    void assign(Node& node, std::size_t above) {
-        const std::size_t length = best(node, above).length;
-        std::fill(header_of_.begin() + static_cast<std::ptrdiff_t>(node.begin),
-                  header_of_.begin() + static_cast<std::ptrdiff_t>(node.end), length);
-        for (Node& child : node.children) assign(child, length);
-    }
-
-    std::vector<HeaderLines> blocks_;
-    const std::set<HeaderLines>& made_;
-    std::vector<std::size_t> header_of_;
+    const std::vector<Alike>& alike_;
+    std::vector<Candidate> candidates_;
+    std::set<std::size_t> chosen_;
 };
 
 }  // namespace
@@ -160,24 +195,37 @@ double reading_time_ms(const HeaderLines& lines) {
 }
 
 HeaderPlan plan_headers(const std::vector<HeaderLines>& blocks, const std::set<HeaderLines>& made) {
-    HeaderPlan plan;
-    plan.header_of.resize(blocks.size());
-    if (blocks.empty()) return plan;
-    std::vector<std::size_t> order(blocks.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return blocks[a] < blocks[b]; });
-    std::vector<HeaderLines> sorted;
-    sorted.reserve(blocks.size());
-    for (const std::size_t i : order) sorted.push_back(beginning(blocks[i], std::min(longest, blocks[i].size())));
-    const std::vector<std::size_t> lengths = Planner(sorted, made).plan();
-
+    // By settings, then by includes.
+    std::map<HeaderLines, std::map<HeaderLines, Alike>> sources;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        HeaderParts parts = header_parts(blocks[i]);
+        Alike& alike = sources[parts.settings][parts.includes];
+        alike.includes = std::move(parts.includes);
+        alike.blocks.push_back(i);
+    }
     std::map<HeaderLines, std::vector<std::size_t>> users;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        if (lengths[i] > 0) users[beginning(sorted[i], lengths[i])].push_back(order[i]);
+    for (const auto& [settings, by_includes] : sources) {
+        std::set<HeaderLines> made_includes;
+        for (const HeaderLines& lines : made) {
+            HeaderParts parts = header_parts(lines);
+            if (parts.settings == settings && lines_of(parts) == lines) made_includes.insert(std::move(parts.includes));
+        }
+        std::vector<Alike> alike;
+        for (const auto& [includes, kind] : by_includes) alike.push_back(kind);
+        std::stable_sort(alike.begin(), alike.end(),
+                         [](const Alike& a, const Alike& b) { return a.blocks.size() > b.blocks.size(); });
+        const std::vector<HeaderLines> header_of = Planner(alike, made_includes).plan();
+        for (std::size_t kind = 0; kind < alike.size(); ++kind) {
+            if (header_of[kind].empty()) continue;
+            std::vector<std::size_t>& of_header = users[lines_of({settings, header_of[kind]})];
+            of_header.insert(of_header.end(), alike[kind].blocks.begin(), alike[kind].blocks.end());
+        }
     }
     std::vector<std::pair<HeaderLines, std::vector<std::size_t>>> headers(users.begin(), users.end());
     std::stable_sort(headers.begin(), headers.end(),
                      [](const auto& a, const auto& b) { return a.second.size() > b.second.size(); });
+    HeaderPlan plan;
+    plan.header_of.resize(blocks.size());
     for (const auto& [lines, blocks_of] : headers) {
         for (const std::size_t block : blocks_of) plan.header_of[block] = plan.headers.size();
         plan.headers.push_back(lines);

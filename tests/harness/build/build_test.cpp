@@ -184,7 +184,7 @@ TEST(Build, TriesEveryFailureOnceMoreAndBelievesTheSecondUnlessItNamesTheMachine
 }
 
 TEST(Build, CountsAFailureWithAHeaderAsTheFirst) {
-    const harness::PrecompiledHeader header{"/usr/include/stdio.h", 0};
+    const harness::PrecompiledHeader header{"/usr/include/stdio.h", {}};
     const std::string words = "ray_cast.cpp:1:5: error: no x";
     EXPECT_TRUE(build_after_failures(1, words, header).program);
     EXPECT_FALSE(build_after_failures(2, words, header).program) << "the third compile is that of the known program";
@@ -254,19 +254,20 @@ TEST(Build, GivesTheCompilerHugePages) {
 /// A header of these lines in a folder that every account may read.
 class Header {
   public:
-    Header(const std::string& text, const std::string& flags) {
+    Header(harness::HeaderLines lines, const std::string& flags) : lines_(std::move(lines)) {
+        std::string text;
+        for (const std::string& line : lines_) text += line + '\n';
         const std::string file = folder_.write("made/block.h", text).string();
         for (const auto& path : {folder_.path(), folder_.path() / "made"})
             std::filesystem::permissions(path, static_cast<std::filesystem::perms>(0755));
         const std::string command = "g++ " + flags + " -x c++-header " + file + " -o " + file + ".gch";
         if (system(command.c_str()) != 0) throw std::runtime_error(command);
     }
-    harness::PrecompiledHeader of(std::size_t directives) const {
-        return {folder_.path() / "made/block.h", directives};
-    }
+    harness::PrecompiledHeader made() const { return {folder_.path() / "made/block.h", lines_}; }
 
   private:
     TemporaryFolder folder_;
+    harness::HeaderLines lines_;
 };
 
 std::string default_flags() {
@@ -281,14 +282,14 @@ Build compile_with(const std::string& source, const harness::PrecompiledHeader& 
 }
 
 TEST(BuildWithAHeader, GivesTheSameProgramAndTheSameLineNumbers) {
-    const Header header("#include <cassert>\n#include <cstdio>\n", default_flags());
+    const Header header({"#include <cassert>", "#include <cstdio>"}, default_flags());
     const std::string source = "// mine\n#include <cassert>\n#include <cstdio>\nint main() { return __LINE__; }\n";
-    const Build built = compile_with(source, header.of(2));
+    const Build built = compile_with(source, header.made());
     EXPECT_TRUE(built.by_header) << built.diagnostics;
     const Folder plain_folder, folder;
     const Build plain = compile(source, plain_folder);
     EXPECT_FALSE(plain.by_header);
-    const Build fast = folder.build(with_source(source), default_settings(), header.of(2));
+    const Build fast = folder.build(with_source(source), default_settings(), header.made());
     const auto bytes = [](const std::filesystem::path& file) {
         std::ostringstream text;
         text << std::ifstream(file, std::ios::binary).rdbuf();
@@ -298,7 +299,7 @@ TEST(BuildWithAHeader, GivesTheSameProgramAndTheSameLineNumbers) {
 }
 
 TEST(BuildWithAHeader, GivesTheMessagesOfAPlainBuild) {
-    const Header header("#include <cstdio>\n", default_flags());
+    const Header header({"#include <cstdio>"}, default_flags());
     const std::pair<const char*, bool> sources[] = {
         {"int main() { int unused; }\n", true},
         {"int main() {\n  int sum;\n  printf(\"%d\", 1.5);\n  return sum;\n}\n", true},
@@ -314,7 +315,7 @@ TEST(BuildWithAHeader, GivesTheMessagesOfAPlainBuild) {
         const std::string source = std::string("#include <cstdio>\n") + rest;
         const Folder folder;
         const Build plain = compile(source, folder);
-        const Build built = compile_with(source, header.of(1));
+        const Build built = compile_with(source, header.made());
         EXPECT_EQ(built.by_header, by_header) << rest << built.diagnostics;
         EXPECT_NE(built.diagnostics, "") << rest;
         EXPECT_EQ(built.diagnostics, plain.diagnostics);
@@ -322,13 +323,54 @@ TEST(BuildWithAHeader, GivesTheMessagesOfAPlainBuild) {
     }
 }
 
+TEST(BuildWithAHeader, ReadsTheOtherHeadersWithTheMacrosBeforeThemAlone) {
+    const Header header({"#include <cassert>", "#include <cstdio>"}, default_flags());
+    const std::string source =
+        "#include <cstdio>\n#include <list>\n#define splice 3\n#define TWICE(x) (2 * (x))\n#include <cassert>\n"
+        "#include <array>\nint main() { assert(true); return std::list<int>{TWICE(splice)}.front(); }\n";
+    const Build built = compile_with(source, header.made());
+    EXPECT_TRUE(built.by_header) << built.diagnostics;
+    EXPECT_EQ(built.diagnostics, "");
+}
+
+TEST(BuildWithAHeader, GivesWarningsBelowItInTheirPlace) {
+    const Header header({"#include <cmath>", "#include <cstdio>"}, default_flags());
+    const std::string source =
+        "#include <vector>\n#include <cstdio>\n#define N 2\n#include <cmath>\nint main() { int unused = N; }\n";
+    const Folder folder;
+    const Build plain = compile(source, folder);
+    const Build built = compile_with(source, header.made());
+    EXPECT_TRUE(built.by_header);
+    EXPECT_THAT(built.diagnostics, HasSubstr("ray_cast.cpp:5:"));
+    EXPECT_EQ(built.diagnostics, plain.diagnostics);
+}
+
+TEST(BuildWithAHeader, FallsBackToAPlainBuildIfAMacroChangesTheHeader) {
+    const Header header({"#include <stdio.h>"}, default_flags());
+    // An int to programs that read <stdio.h> with the macro, a char to all others.
+    const Build built = compile_with(
+        "#define rename renamed\n#include <stdio.h>\nchar renamed(...);\n"
+        "int main() { return sizeof(renamed(\"\", \"\")); }\n",
+        header.made());
+    EXPECT_TRUE(built.compiled) << built.diagnostics;
+    EXPECT_FALSE(built.by_header);
+    EXPECT_EQ(built.diagnostics, "");
+}
+
+TEST(BuildWithAHeader, FallsBackToAPlainBuildIfTheSourceIncludesLess) {
+    const Header header({"#include <cmath>", "#include <cstdio>"}, default_flags());
+    const Build built = compile_with("#include <cstdio>\nint main() { std::puts(\"1\"); }\n", header.made());
+    EXPECT_TRUE(built.compiled);
+    EXPECT_FALSE(built.by_header);
+}
+
 TEST(BuildWithAHeader, FallsBackToAPlainBuildIfTheHeaderDoesNotFit) {
     const std::string source = "#include <cstdio>\nint main() {}\n";
-    const Header other_flags("#include <cstdio>\n", "-std=c++20 -O3");
-    const Header cut_off("#include <cstdio>\n", default_flags());
-    std::filesystem::resize_file(cut_off.of(1).file.string() + ".gch", 100000);
+    const Header other_flags({"#include <cstdio>"}, "-std=c++20 -O3");
+    const Header cut_off({"#include <cstdio>"}, default_flags());
+    std::filesystem::resize_file(cut_off.made().file.string() + ".gch", 100000);
     for (const Header* header : {&other_flags, &cut_off}) {
-        const Build built = compile_with(source, header->of(1));
+        const Build built = compile_with(source, header->made());
         EXPECT_TRUE(built.compiled);
         EXPECT_FALSE(built.by_header);
         EXPECT_EQ(built.diagnostics, "");

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <numeric>
+
 namespace {
 
 using harness::include_block;
@@ -17,7 +19,9 @@ std::vector<std::string> texts(std::string_view source) {
 /// The source without its whole include block.
 std::string rest(std::string_view source) {
     const auto block = include_block(source);
-    return harness::without_directives(source, block, block.size());
+    std::vector<std::size_t> all(block.size());
+    std::iota(all.begin(), all.end(), 0);
+    return harness::without_directives(source, block, all);
 }
 
 TEST(IncludeBlock, TakesTheLeadingDirectivesInTheirOrder) {
@@ -115,10 +119,10 @@ TEST(WithoutDirectives, KeepsEveryLineColumnAndComment) {
               "// a\n               // c\r\n           \nint e;\n");
 }
 
-TEST(WithoutDirectives, RemovesTheGivenNumberOfDirectives) {
+TEST(WithoutDirectives, RemovesTheDirectivesAtTheGivenPlaces) {
     const std::string source = "#include <a>\n#include <b>\nint c;\n";
-    EXPECT_EQ(harness::without_directives(source, include_block(source), 0), source);
-    EXPECT_EQ(harness::without_directives(source, include_block(source), 1), "            \n#include <b>\nint c;\n");
+    EXPECT_EQ(harness::without_directives(source, include_block(source), {}), source);
+    EXPECT_EQ(harness::without_directives(source, include_block(source), {1}), "#include <a>\n            \nint c;\n");
 }
 
 }  // namespace
