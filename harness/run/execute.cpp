@@ -77,16 +77,25 @@ bool lacks_something(const ProcessResult& run) {
                        [&](const std::string& word) { return run.errors.find(word) != std::string::npos; });
 }
 
-/// Runs a program, and once more by itself if the machine may have ended it. Then the second run counts, if a program
-/// that is known to be right runs in the same place.
-void run_fairly(Execution& execution, const Runner& runner, const Scratch& program, const std::string& input) {
-    execution.run = run(execution.build, runner.run, *runner.sandbox, program, input);
-    if (!may_be_the_machine(execution.run)) return;
+/// Runs a program once more by itself, because the machine may have ended it. That run counts, if a program that is
+/// known to be right runs in the same place.
+void run_again(Execution& execution, const Runner& runner, const Scratch& program, const std::string& input) {
     static std::mutex one_at_a_time;
     const std::lock_guard lock(one_at_a_time);
-    execution.run = run(execution.build, runner.run, *runner.sandbox, program, input);
+    execution.run = run_on_each({input}, execution.build, runner.run, *runner.sandbox, program).front();
     if (may_be_the_machine(execution.run)) runner.known_program->require_that_it_runs(runner.run);
     execution.depends_on_machine = !may_be_the_machine(execution.run) || lacks_something(execution.run);
+}
+
+/// Runs a program on each of the inputs. `executions`: one for each, with the build.
+void run_fairly(std::vector<Execution>& executions, const Runner& runner, const Scratch& program,
+                const std::vector<std::string>& inputs) {
+    std::vector<ProcessResult> runs =
+        run_on_each(inputs, executions.front().build, runner.run, *runner.sandbox, program);
+    for (std::size_t i = 0; i < executions.size(); ++i) {
+        executions[i].run = std::move(runs[i]);
+        if (may_be_the_machine(executions[i].run)) run_again(executions[i], runner, program, inputs[i]);
+    }
 }
 
 }  // namespace
@@ -132,13 +141,12 @@ Executions run_compiled(Compiled compiled, const Submission& submission, const R
     if (executions.from_cache) return std::move(executions);
     {
         const Timeline::Span span(timeline, Stage::run, submission.id);
-        for (std::size_t i = 0; i < executions.runs.size(); ++i) {
-            const std::string input = submission.inputs.empty() ? "" : submission.inputs[i];
-            run_fairly(executions.runs[i], runner, *compiled.program, input);
-        }
+        const bool has_inputs = !submission.inputs.empty();
+        run_fairly(executions.runs, runner, *compiled.program,
+                   has_inputs ? submission.inputs : std::vector<std::string>(executions.runs.size()));
         if (executions.sanitized) {
             executions.sanitized->run = run(executions.sanitized->build, sanitizer_limits(runner.run), *runner.sandbox,
-                                            *compiled.sanitized_program, {}, sanitizer_environment());
+                                            *compiled.sanitized_program, sanitizer_environment());
         }
     }
     keep(executions, submission, runner);

@@ -7,9 +7,13 @@
 
 namespace harness {
 
-/// Runs the build's program, a file in `scratch`, with `input` as its stdin, at most longest_input bytes. Its output is
-/// line buffered, as on a terminal. Returns Ended::not_started for a build without a program. Throws HarnessError.
+/// Runs the build's program, a file in `scratch`, without input. Its output is line buffered, as on a terminal. Returns
+/// Ended::not_started for a build without a program. Throws HarnessError.
 ProcessResult run(const Build& build, const Limits& limits, const Sandbox& sandbox, const Scratch& scratch,
-                  const std::string& input = {}, const std::vector<std::string>& more_environment = {});
+                  const std::vector<std::string>& more_environment = {});
+
+/// The same for each of the inputs, as its stdin, as run_process_on_each has them.
+std::vector<ProcessResult> run_on_each(const std::vector<std::string>& inputs, const Build& build, const Limits& limits,
+                                       const Sandbox& sandbox, const Scratch& scratch);
 
 }  // namespace harness

@@ -76,17 +76,16 @@ void keep_standard_descriptors_taken() {
 /// Prepares the child between vfork and exec. The child has its own descriptors and credentials but shares this
 /// process's memory.
 struct SupervisorSetup {
-    int input_fd, output_fd, error_fd, status_fd, lifeline_fd;
+    StandardDescriptors standard;
+    /// What else it inherits; among them a lock that keeps the workspace until the last process in it is gone.
+    const std::vector<int>& inherited;
     const char* const* environment;
-    int lock_fd;             ///< keeps the workspace until the last process in it is gone
     const Account* account;  ///< the account to change to before exec; null for no change
 
     template <class Launcher>
     error_code on_setup(Launcher& launcher, const std::filesystem::path&, const char* const*&) const {
         launcher.env = environment;
-        launcher.fd_whitelist.push_back(status_fd);
-        launcher.fd_whitelist.push_back(lifeline_fd);
-        launcher.fd_whitelist.push_back(lock_fd);
+        launcher.fd_whitelist.insert(launcher.fd_whitelist.end(), inherited.begin(), inherited.end());
         return {};
     }
 
@@ -102,11 +101,10 @@ struct SupervisorSetup {
     error_code on_exec_setup(Launcher&, const std::filesystem::path&, const char* const*&) const {
         errno = 0;
         be_the_first_to_go();
-        const bool ready = setsid() >= 0 && (account == nullptr || become(*account)) &&
-                           dup2(input_fd, STDIN_FILENO) >= 0 && dup2(output_fd, STDOUT_FILENO) >= 0 &&
-                           dup2(error_fd, STDERR_FILENO) >= 0 && close_range(3, ~0U, CLOSE_RANGE_CLOEXEC) == 0 &&
-                           fcntl(status_fd, F_SETFD, 0) == 0 && fcntl(lifeline_fd, F_SETFD, 0) == 0 &&
-                           fcntl(lock_fd, F_SETFD, 0) == 0;
+        bool ready = setsid() >= 0 && (account == nullptr || become(*account)) &&
+                     dup2(standard.input, STDIN_FILENO) >= 0 && dup2(standard.output, STDOUT_FILENO) >= 0 &&
+                     dup2(standard.errors, STDERR_FILENO) >= 0 && close_range(3, ~0U, CLOSE_RANGE_CLOEXEC) == 0;
+        for (const int descriptor : inherited) ready = ready && fcntl(descriptor, F_SETFD, 0) == 0;
         return ready ? error_code() : error_code(errno, boost::system::system_category());
     }
 
@@ -149,15 +147,12 @@ std::vector<std::string> readable_by(const Command& command) {
     return paths;
 }
 
-std::vector<std::string> command_line(const Command& command, const Sandbox& sandbox, int status_fd, int lifeline_fd) {
-    SupervisorOrders orders;
-    orders.status_fd = status_fd;
-    orders.lifeline_fd = lifeline_fd;
+/// Completes the orders, which hold the descriptors.
+std::vector<std::string> command_line(SupervisorOrders orders, const Command& command, const Sandbox& sandbox) {
     orders.tier = sandbox.tier();
     orders.purpose = command.purpose;
     // The kernel counts an account's processes separately in each user namespace.
     orders.counted_alone = sandbox.tier() == Tier::bwrap || command.account;
-    orders.has_input = !command.input.empty();
     orders.limits = command.limits;
     orders.working_directory = sandbox.inside(command.working_directory).string();
     orders.argv = command.argv;
@@ -181,21 +176,36 @@ void Supervisor::end() {
     if (pid > 0) waitpid(std::exchange(pid, -1), nullptr, 0);
 }
 
-void launch(Supervisor& supervisor, const Command& command, const Sandbox& sandbox) {
+void launch(Supervisor& supervisor, std::span<const std::string> inputs, const Command& command,
+            const Sandbox& sandbox) {
     keep_standard_descriptors_taken();
-    Pipe output = make_pipe(), errors = make_pipe(), status = make_pipe(), lifeline = make_pipe();
+    Pipe status = make_pipe(), lifeline = make_pipe();
+    std::vector<int> inherited = {status.write_end.get(), lifeline.read_end.get(), sandbox.workspace().lock().get()};
+    SupervisorOrders orders;
+    orders.status_fd = status.write_end.get();
+    orders.lifeline_fd = lifeline.read_end.get();
+    orders.has_input = !inputs.front().empty();
+    StandardDescriptors first_run;
+    std::vector<FileDescriptor> theirs;  // closed here once the supervisor has them
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        Pipe output = make_pipe(), errors = make_pipe();
+        theirs.push_back(open_input(inputs[i]));
+        theirs.push_back(std::move(output.write_end));
+        theirs.push_back(std::move(errors.write_end));
+        supervisor.runs.push_back({std::move(output.read_end), std::move(errors.read_end)});
+        const FileDescriptor* const run = &theirs[3 * i];
+        const StandardDescriptors descriptors{run[0].get(), run[1].get(), run[2].get()};
+        if (i == 0) {
+            first_run = descriptors;
+        } else {
+            orders.further_runs.push_back(descriptors);
+            inherited.insert(inherited.end(), {descriptors.input, descriptors.output, descriptors.errors});
+        }
+    }
     const auto variables = environment_of(command, sandbox);
     const auto environment = pointers_to(variables);
-    const auto words = command_line(command, sandbox, status.write_end.get(), lifeline.read_end.get());
-    const FileDescriptor input = open_input(command.input);
-    const SupervisorSetup setup = {input.get(),
-                                   output.write_end.get(),
-                                   errors.write_end.get(),
-                                   status.write_end.get(),
-                                   lifeline.read_end.get(),
-                                   environment.data(),
-                                   sandbox.workspace().lock().get(),
-                                   account_before_exec(command, sandbox)};
+    const auto words = command_line(std::move(orders), command, sandbox);
+    const SupervisorSetup setup = {first_run, inherited, environment.data(), account_before_exec(command, sandbox)};
     const std::filesystem::path program = words.front();
     const std::vector<std::string> arguments(words.begin() + 1, words.end());
     boost::process::v2::posix::vfork_launcher launcher;
@@ -211,8 +221,6 @@ void launch(Supervisor& supervisor, const Command& command, const Sandbox& sandb
     }
     supervisor.pid = launcher.pid;
     supervisor.lifeline = std::move(lifeline.write_end);
-    supervisor.output = std::move(output.read_end);
-    supervisor.errors = std::move(errors.read_end);
     supervisor.status = std::move(status.read_end);
     if (!error) supervisor.gone = FileDescriptor(static_cast<int>(syscall(SYS_pidfd_open, supervisor.pid, 0)));
     if (!error && !supervisor.gone) error = error_code(errno, boost::system::system_category());

@@ -3,6 +3,10 @@
 
 #include <sys/types.h>
 
+#include <span>
+#include <string>
+#include <vector>
+
 #include "harness/machine/file_descriptor.h"
 #include "harness/sandbox/host/sandbox.h"
 
@@ -10,12 +14,16 @@ namespace harness {
 
 /// A running supervisor, perhaps inside bwrap, with this process's ends of its pipes. The destructor ends and reaps it.
 struct Supervisor {
-    pid_t pid = -1;           ///< of the supervisor or of bwrap, a child of this process; negative once reaped
-    FileDescriptor gone;      ///< a pidfd: readable once it has ended
-    FileDescriptor output;    ///< the program's stdout
-    FileDescriptor errors;    ///< the program's stderr
-    FileDescriptor status;    ///< one line of protocol.h
-    FileDescriptor lifeline;  ///< when this closes, the supervisor kills everything and ends
+    /// What a run of the program writes to its stdout and stderr.
+    struct Written {
+        FileDescriptor output, errors;
+    };
+
+    pid_t pid = -1;             ///< of the supervisor or of bwrap, a child of this process; negative once reaped
+    FileDescriptor gone;        ///< a pidfd: readable once it has ended
+    std::vector<Written> runs;  ///< for each input
+    FileDescriptor status;      ///< a line of protocol.h for each run
+    FileDescriptor lifeline;    ///< when this closes, the supervisor kills everything and ends
 
     Supervisor() = default;
     Supervisor(const Supervisor&) = delete;
@@ -26,8 +34,9 @@ struct Supervisor {
     void end();
 };
 
-/// Starts the supervisor with its orders for `command` in the sandbox and fills in `supervisor`, which must be new.
-/// Throws HarnessError.
-void launch(Supervisor& supervisor, const Command& command, const Sandbox& sandbox);
+/// Starts the supervisor with its orders to run `command` in the sandbox on each of the inputs, and fills in
+/// `supervisor`, which must be new. Throws HarnessError.
+void launch(Supervisor& supervisor, std::span<const std::string> inputs, const Command& command,
+            const Sandbox& sandbox);
 
 }  // namespace harness

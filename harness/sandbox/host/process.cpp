@@ -1,12 +1,12 @@
 // Runs a student's program.
 //
-// Theory of operation. run_process starts the supervisor (supervisor.cpp), not the program. Four pipes join them: the
-// program's stdout and stderr, the supervisor's status line, and the lifeline, whose write end only this process holds;
-// closing it, or dying, makes the supervisor kill everything. One io_context per run reads the three pipes in bounded
-// pieces, waits for the supervisor through a pidfd, and keeps one timer. While the supervisor lives, the timer is its
-// last-resort deadline; once it is gone, the timer gives the pipes 250 ms to run empty. The supervisor decides how the
-// program ended; only the output limit is noticed here.
-//
+// Theory of operation. run_process starts the supervisor (supervisor/main.cpp), not the program. Pipes join them: each
+// run's stdout and stderr, the supervisor's status lines, and the lifeline, whose write end only this process holds;
+// closing it, or dying, makes the supervisor kill everything. One io_context per supervisor reads the other pipes in
+// bounded pieces, waits for the supervisor through a pidfd, and keeps one timer. While the supervisor lives, the timer
+// is its last-resort deadline; once it is gone, the timer gives the pipes 250 ms to run empty. The supervisor decides
+// how a run ended; only the output limit is noticed here. It ends the supervisor, and the runs that are left get
+// another one.
 #include <signal.h>
 #include <unistd.h>
 
@@ -17,8 +17,12 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/system/system_error.hpp>
 #include <cerrno>
+#include <deque>
 #include <optional>
+#include <span>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "harness/machine/errors.h"
 #include "harness/sandbox/host/capture.h"
@@ -38,49 +42,66 @@ constexpr std::chrono::milliseconds drain_time{250};
 /// Time beyond the wall limit, in case the supervisor can't kill or was itself stopped.
 constexpr std::chrono::seconds grace_for_the_supervisor{10};
 constexpr std::uint64_t longest_status = 1024;
+/// The most runs of one supervisor. Each takes five descriptors while it starts, of the 1,024 that a process usually
+/// has.
+constexpr std::size_t most_runs = 8;
 
 /// One supervisor from start to end.
 class Supervision {
   public:
-    Supervision(const Command& command, const Sandbox& sandbox);
+    Supervision(std::span<const std::string> inputs, const Command& command, const Sandbox& sandbox);
     Supervision(const Supervision&) = delete;
     Supervision& operator=(const Supervision&) = delete;
 
     /// Returns when the supervisor is reaped and its pipes are read.
     void wait();
-    ProcessResult result();
+    /// Of the first inputs, at least one. Fewer than all if a run was ended together with the supervisor.
+    std::vector<ProcessResult> results();
 
   private:
+    /// What a run writes.
+    struct Written {
+        Capture output, errors;
+    };
+
+    ProcessResult result(const SupervisorStatus& status, Written& written);
     void reap_supervisor();
     void force_end();
     void pipe_ended();
-    void output_limit_reached();
+    void output_limit_reached(Capture& output);
 
     const Command& command_;
     boost::asio::io_context io_{1};
     boost::asio::steady_timer timer_{io_};
     Supervisor supervisor_;
-    std::optional<Capture> output_, errors_, status_;
+    std::deque<Written> runs_;  // whose elements stay where they are
+    std::optional<Capture> status_;
     stream_descriptor supervisor_gone_{io_};
-    int open_pipes_ = 3;
+    std::size_t open_pipes_ = 0;
 };
 
-Supervision::Supervision(const Command& command, const Sandbox& sandbox) : command_(command) {
-    launch(supervisor_, command, sandbox);
-    output_.emplace(io_, std::move(supervisor_.output), command.limits.output_bytes);
-    errors_.emplace(io_, std::move(supervisor_.errors), command.limits.error_bytes);
-    status_.emplace(io_, std::move(supervisor_.status), longest_status);
+Supervision::Supervision(std::span<const std::string> inputs, const Command& command, const Sandbox& sandbox)
+    : command_(command) {
+    launch(supervisor_, inputs, command, sandbox);
+    for (Supervisor::Written& run : supervisor_.runs) {
+        runs_.emplace_back(Capture(io_, std::move(run.output), command.limits.output_bytes),
+                           Capture(io_, std::move(run.errors), command.limits.error_bytes));
+    }
+    status_.emplace(io_, std::move(supervisor_.status), runs_.size() * longest_status);
+    open_pipes_ = 2 * runs_.size() + 1;
     supervisor_gone_.assign(supervisor_.gone.release());
 }
 
 void Supervision::wait() {
     const auto nothing = [] {};
     const auto ended = [this] { pipe_ended(); };
-    output_->start([this] { output_limit_reached(); }, ended);
-    errors_->start(nothing, ended);
+    for (Written& run : runs_) {
+        run.output.start([this, &run] { output_limit_reached(run.output); }, ended);
+        run.errors.start(nothing, ended);
+    }
     status_->start(nothing, ended);
     supervisor_gone_.async_wait(stream_descriptor::wait_read, [this](error_code) { reap_supervisor(); });
-    timer_.expires_after(command_.limits.wall + grace_for_the_supervisor);
+    timer_.expires_after(command_.limits.wall * runs_.size() + grace_for_the_supervisor);
     timer_.async_wait([this](error_code error) {
         if (!error) force_end();
     });
@@ -96,8 +117,10 @@ void Supervision::reap_supervisor() {
     timer_.expires_after(drain_time);
     timer_.async_wait([this](error_code error) {
         if (error) return;
-        output_->stop();
-        errors_->stop();
+        for (Written& run : runs_) {
+            run.output.stop();
+            run.errors.stop();
+        }
         status_->stop();
     });
 }
@@ -112,9 +135,9 @@ void Supervision::pipe_ended() {
     if (--open_pipes_ == 0 && supervisor_.pid < 0) timer_.cancel();
 }
 
-void Supervision::output_limit_reached() {
+void Supervision::output_limit_reached(Capture& output) {
     supervisor_.lifeline.close();
-    output_->stop();
+    output.stop();
 }
 
 [[noreturn]] void throw_not_executed(const Command& command, const SupervisorStatus& status) {
@@ -173,35 +196,62 @@ Ended ended(const Command& command, const SupervisorStatus& status, const std::s
     throw_cut_short(command, errors);
 }
 
-ProcessResult Supervision::result() {
-    const auto status = from_line(status_->take());
+ProcessResult Supervision::result(const SupervisorStatus& status, Written& written) {
     ProcessResult result;
-    result.errors = errors_->take();
-    if (!status) throw_cut_short(command_, result.errors);
+    result.errors = written.errors.take();
     // The output limit comes first, whatever else ended the program: the output is cut off.
-    result.ended = output_->truncated() ? Ended::output_limit : ended(command_, *status, result.errors);
-    if (result.ended == Ended::exited) result.exit_code = status->number;
-    if (result.ended == Ended::signalled) result.signal = status->number;
-    if (result.ended == Ended::refused) result.error = status->number;
-    result.cpu = std::chrono::ceil<std::chrono::milliseconds>(status->cpu);
-    result.wall = std::chrono::ceil<std::chrono::milliseconds>(status->wall);
-    result.peak_memory_bytes = status->peak_memory_bytes;
-    result.output = output_->take();
-    result.errors_truncated = errors_->truncated();
+    const bool is_cut_off = written.output.truncated();
+    result.ended = is_cut_off ? Ended::output_limit : ended(command_, status, result.errors);
+    if (result.ended == Ended::exited) result.exit_code = status.number;
+    if (result.ended == Ended::signalled) result.signal = status.number;
+    if (result.ended == Ended::refused) result.error = status.number;
+    result.cpu = std::chrono::ceil<std::chrono::milliseconds>(status.cpu);
+    result.wall = std::chrono::ceil<std::chrono::milliseconds>(status.wall);
+    result.peak_memory_bytes = status.peak_memory_bytes;
+    result.output = written.output.take();
+    result.errors_truncated = written.errors.truncated();
     return result;
+}
+
+std::vector<ProcessResult> Supervision::results() {
+    const std::string lines = status_->take();
+    std::vector<ProcessResult> results;
+    std::size_t begin = 0;
+    for (Written& written : runs_) {
+        const std::size_t end = std::min(lines.find('\n', begin), lines.size() - 1) + 1;
+        const auto status = from_line(std::string_view(lines).substr(begin, end - begin));
+        begin = end;
+        // Ended with the supervisor, because an earlier run printed too much.
+        const bool is_ended_too = !results.empty() && !written.output.truncated() &&
+                                  (!status || status->how == SupervisorStatus::How::lifeline_cut);
+        if (is_ended_too) break;
+        if (!status) throw_cut_short(command_, written.errors.take());
+        results.push_back(result(*status, written));
+    }
+    return results;
 }
 
 }  // namespace
 
-ProcessResult run_process(const Command& command, const Sandbox& sandbox) {
+std::vector<ProcessResult> run_process_on_each(const std::vector<std::string>& inputs, const Command& command,
+                                               const Sandbox& sandbox) {
+    std::vector<ProcessResult> results;
     try {
-        Supervision supervision(command, sandbox);
-        supervision.wait();
-        return supervision.result();
+        while (results.size() < inputs.size()) {
+            const auto left = std::span(inputs).subspan(results.size());
+            Supervision supervision(left.first(std::min(left.size(), most_runs)), command, sandbox);
+            supervision.wait();
+            for (ProcessResult& result : supervision.results()) results.push_back(std::move(result));
+        }
     } catch (const boost::system::system_error& failure) {
         throw HarnessError("Could not watch over " + in_quotes(command.argv.at(0)) + ": " + failure.what() +
                            ". Grade fewer submissions at a time (-j).");
     }
+    return results;
+}
+
+ProcessResult run_process(const Command& command, const Sandbox& sandbox) {
+    return run_process_on_each({""}, command, sandbox).front();
 }
 
 }  // namespace harness

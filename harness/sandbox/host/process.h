@@ -24,7 +24,6 @@ struct Command {
     std::vector<std::filesystem::path> readable;  ///< what else it may read, under the same path: absolute, existing
     std::vector<std::string> environment;         ///< "NAME=value"; HOME and TMPDIR, the working directory, are added
     std::filesystem::path preload;                ///< a library of the sandbox's; empty for none
-    std::string input;                            ///< its stdin, at most longest_input bytes; empty for /dev/null
     Limits limits;
 };
 

@@ -52,4 +52,9 @@ std::vector<std::filesystem::path> system_folders(Purpose purpose);
 /// tell how it ended.
 ProcessResult run_process(const Command& command, const Sandbox& sandbox);
 
+/// The same for each of the inputs in turn: the program's stdin, at most longest_input bytes; empty for /dev/null. The
+/// command's purpose is Purpose::run. The runs share a sandbox, in which none finds anything of another.
+std::vector<ProcessResult> run_process_on_each(const std::vector<std::string>& inputs, const Command& command,
+                                               const Sandbox& sandbox);
+
 }  // namespace harness

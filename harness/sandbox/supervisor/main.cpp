@@ -1,13 +1,15 @@
 // The supervisor: a small process between the harness and a student's program.
 //
-// Theory of operation. The harness starts one supervisor per run. The supervisor makes itself the reaper of all its
+// Theory of operation. The harness starts one supervisor for a program, which runs it once or several times, one after
+// the other, each time with other descriptors. The supervisor makes itself the reaper of all its
 // descendants, so that a daemon that leaves its parent and its session becomes a child of the supervisor and not of
 // init. As long as a process of the program lives, the supervisor has a child; when wait reports no child, no process
 // is left. It starts the program (program.cpp) and then sleeps until a child ends, 20 ms are over, or the lifeline
 // closes. The lifeline is a pipe whose other end only the harness holds: it closes when the harness wants to end the
 // run and when the harness dies, even of SIGKILL. Every 20 ms the supervisor adds up the processor time, memory and
 // tasks of the whole tree. When the program ends or a limit is reached, it kills and reaps until nothing is left, and
-// writes one status line to a descriptor the program never had.
+// writes one status line to a descriptor the program never had. So a run finds nothing of the run before: no process of
+// it lives, and no sandbox lets a program write a file or make an object that outlives its processes.
 //
 // The supervisor measures because no other process can: a child's peak memory starts at that of the process it was
 // forked from, and the harness is big; only the process that reaps the whole tree learns its processor time. Statically
@@ -36,6 +38,7 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "harness/machine/file_descriptor.h"
@@ -78,6 +81,7 @@ struct Watch {
     std::optional<int> wait_status{};  ///< of the program, once it has ended
     std::uint64_t peak_memory_bytes = 0;
     std::uint64_t kills_before = 0;  ///< out_of_memory_kills
+    microseconds cpu_before{0};      ///< reaped_cpu, of earlier runs
 };
 
 /// Reaps every child that has ended. Returns false if no child is left.
@@ -103,7 +107,7 @@ microseconds reaped_cpu() {
 
 /// The limit that the living tree has exceeded, if any.
 std::optional<How> check_tree(Watch& watch) {
-    microseconds cpu = reaped_cpu();
+    microseconds cpu = reaped_cpu() - watch.cpu_before;
     std::uint64_t memory_bytes = 0;
     int tasks = 0;
     for (const auto& process : below(getpid(), list_processes_except(watch.strangers))) {
@@ -159,7 +163,7 @@ void end_tree(Watch& watch, int child_fd, int lifeline_fd) {
 /// program always gets the same verdict.
 SupervisorStatus conclude(const Watch& watch, std::optional<How> cause, microseconds wall) {
     SupervisorStatus status;
-    status.cpu = reaped_cpu();
+    status.cpu = reaped_cpu() - watch.cpu_before;
     status.wall = wall;
     status.peak_memory_bytes = watch.peak_memory_bytes;
     status.machine_ran_out_of_memory = out_of_memory_kills() != watch.kills_before;
@@ -217,15 +221,11 @@ SupervisorStatus not_executed(int error, const std::string& step) {
     return status;
 }
 
-SupervisorStatus supervise(const SupervisorOrders& orders) {
-    fcntl(orders.status_fd, F_SETFD, FD_CLOEXEC);
-    fcntl(orders.lifeline_fd, F_SETFD, FD_CLOEXEC);
-    if (const char* failed = harden()) return not_executed(errno, failed);
-    const FileDescriptor child_fd = listen_for_children();
-    if (!child_fd) return not_executed(errno, "signalfd");
-    if (!orders.has_input && !silence(STDIN_FILENO)) return not_executed(errno, "open-dev-null");
+/// Runs the program once, with the standard descriptors as they are.
+SupervisorStatus supervise(const SupervisorOrders& orders, int child_fd) {
     const auto strangers = running_now();
     const auto kills_before = out_of_memory_kills();
+    const auto cpu_before = reaped_cpu();
     const auto start = Clock::now();
     const StartedProgram program = start_program(orders);
     if (program.pid < 0) return not_executed(program.failed_errno, program.failed_step);
@@ -234,12 +234,47 @@ SupervisorStatus supervise(const SupervisorOrders& orders) {
     silence(STDERR_FILENO);
     Watch watch{orders.limits, program.pid, strangers, start};
     watch.kills_before = kills_before;
-    auto cause = watch_tree(watch, child_fd.get(), orders.lifeline_fd);
+    watch.cpu_before = cpu_before;
+    auto cause = watch_tree(watch, child_fd, orders.lifeline_fd);
     // The processes that an ended program leaves behind are checked against the limits, too.
     if (!cause && reap(watch)) cause = check_tree(watch);
     const auto wall = std::chrono::duration_cast<microseconds>(Clock::now() - start);
-    end_tree(watch, child_fd.get(), orders.lifeline_fd);
+    end_tree(watch, child_fd, orders.lifeline_fd);
     return conclude(watch, cause, wall);
+}
+
+/// Makes these the standard descriptors, and closes them under their own numbers.
+bool use(const StandardDescriptors& descriptors) {
+    for (const auto& [from, to] :
+         {std::pair(descriptors.input, STDIN_FILENO), std::pair(descriptors.output, STDOUT_FILENO),
+          std::pair(descriptors.errors, STDERR_FILENO)}) {
+        if (dup2(from, to) < 0) return false;
+        close(from);
+    }
+    return true;
+}
+
+bool tell(const SupervisorStatus& status, int status_fd) {
+    const std::string line = to_line(status);
+    return write(status_fd, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+}
+
+/// Runs the program as often as ordered, or until a run is cut short. Returns false if that can't be told.
+bool supervise_all(const SupervisorOrders& orders) {
+    fcntl(orders.status_fd, F_SETFD, FD_CLOEXEC);
+    fcntl(orders.lifeline_fd, F_SETFD, FD_CLOEXEC);
+    const auto fail = [&](const char* step) { return tell(not_executed(errno, step), orders.status_fd); };
+    if (const char* failed = harden()) return fail(failed);
+    const FileDescriptor child_fd = listen_for_children();
+    if (!child_fd) return fail("signalfd");
+    if (!orders.has_input && !silence(STDIN_FILENO)) return fail("open-dev-null");
+    for (std::size_t run = 0; run <= orders.further_runs.size(); ++run) {
+        if (run > 0 && !use(orders.further_runs[run - 1])) return fail("dup2");
+        const SupervisorStatus status = supervise(orders, child_fd.get());
+        if (!tell(status, orders.status_fd)) return false;
+        if (status.how == How::lifeline_cut) break;
+    }
+    return true;
 }
 
 }  // namespace
@@ -248,7 +283,5 @@ SupervisorStatus supervise(const SupervisorOrders& orders) {
 int main(int argc, char** argv) {
     const auto orders = harness::from_arguments(std::vector<std::string>(argv + 1, argv + argc));
     if (!orders) return 2;
-    const std::string line = harness::to_line(harness::supervise(*orders));
-    const ssize_t written = write(orders->status_fd, line.data(), line.size());
-    return written == static_cast<ssize_t>(line.size()) ? 0 : 1;
+    return harness::supervise_all(*orders) ? 0 : 1;
 }

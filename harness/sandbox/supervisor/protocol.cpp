@@ -39,6 +39,19 @@ bool take_duration(const Words& words, std::string_view name, Duration& value) {
     return ok;
 }
 
+/// Reads "3,4,5".
+bool take_descriptors(std::string_view text, StandardDescriptors& descriptors) {
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    for (int* const number : {&descriptors.input, &descriptors.output, &descriptors.errors}) {
+        const auto [stop, error] = std::from_chars(at, end, *number);
+        const bool is_last = number == &descriptors.errors;
+        if (error != std::errc{} || (is_last ? stop != end : stop == end || *stop != ',')) return false;
+        at = stop + 1;
+    }
+    return true;
+}
+
 bool take_tier(const Words& words, Tier& tier) {
     const auto word = words.find("tier");
     for (const Tier known : {Tier::bwrap, Tier::landlock, Tier::unsafe}) {
@@ -79,6 +92,10 @@ std::vector<std::string> to_arguments(const SupervisorOrders& orders) {
         arguments.push_back(word("gid", orders.account->gid));
     }
     for (const auto& path : orders.readable) arguments.push_back("readable=" + path);
+    for (const StandardDescriptors& run : orders.further_runs) {
+        arguments.push_back(word("further-run", run.input) + ',' + std::to_string(run.output) + ',' +
+                            std::to_string(run.errors));
+    }
     arguments.emplace_back("--");
     arguments.insert(arguments.end(), orders.argv.begin(), orders.argv.end());
     return arguments;
@@ -98,6 +115,10 @@ std::optional<SupervisorOrders> from_arguments(const std::vector<std::string>& a
     orders.argv.assign(arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1, arguments.end());
     const auto [first, last] = words.equal_range("readable");
     for (auto word = first; word != last; ++word) orders.readable.push_back(word->second);
+    const auto [first_run, last_run] = words.equal_range("further-run");
+    for (auto word = first_run; word != last_run; ++word) {
+        if (!take_descriptors(word->second, orders.further_runs.emplace_back())) return std::nullopt;
+    }
     int compiling = 0;
     int counted_alone = 0;
     int has_input = 0;

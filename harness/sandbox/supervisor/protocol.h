@@ -14,16 +14,25 @@
 
 namespace harness {
 
-/// What the supervisor should run, and the two descriptors that it inherits.
+/// A program's stdin, stdout and stderr.
+struct StandardDescriptors {
+    int input = -1;
+    int output = -1;
+    int errors = -1;
+};
+
+/// What the supervisor should run, and the descriptors that it inherits.
 struct SupervisorOrders {
-    int status_fd = -1;    ///< the supervisor writes its status here once
+    int status_fd = -1;    ///< the supervisor writes its status here, once for each run
     int lifeline_fd = -1;  ///< read end of a pipe; when its other end closes, everything is killed
     Tier tier = Tier::unsafe;
     Purpose purpose = Purpose::run;
     std::optional<Account> account;  ///< the program's; with namespaces also the supervisor's
     /// The program's account has no other processes, so the kernel counts the program's processes exactly.
     bool counted_alone = false;
-    bool has_input = false;             ///< the supervisor's stdin is the program's; else that is /dev/null
+    bool has_input = false;  ///< the supervisor's stdin is that of the first run; else that is /dev/null
+    /// Those of each run after the first one, which has the supervisor's own.
+    std::vector<StandardDescriptors> further_runs;
     std::vector<std::string> readable;  ///< absolute; for Landlock only
     Limits limits{};
     std::string working_directory;

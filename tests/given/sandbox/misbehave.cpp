@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -139,6 +140,15 @@ int read_stdin() {
     return read(STDIN_FILENO, &byte, 1) == 0 ? 0 : 1;
 }
 
+/// All of its stdin, up to a kilobyte.
+std::string stdin_text() {
+    char text[1024];
+    std::size_t size = 0;
+    for (ssize_t more = 1; more > 0; size += static_cast<std::size_t>(std::max<ssize_t>(more, 0)))
+        more = read(STDIN_FILENO, text + size, sizeof text - size);
+    return {text, size};
+}
+
 int close_outputs() {
     say("before");
     close(STDOUT_FILENO);
@@ -227,8 +237,15 @@ int stop_supervisor() {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::string mode = argc > 1 ? argv[1] : "";
-    const char* const value = argc > 2 ? argv[2] : "0";
+    std::string mode = argc > 1 ? argv[1] : "";
+    std::string stated = argc > 2 ? argv[2] : "0";
+    if (mode == "as-told") {
+        mode = stdin_text();
+        const std::size_t blank = std::min(mode.find(' '), mode.size());
+        stated = mode.substr(std::min(blank + 1, mode.size()));
+        mode.resize(blank);
+    }
+    const char* const value = stated.c_str();
     const std::map<std::string, std::function<int()>> modes = {
         {"exit", [&] { return std::atoi(value); }},
         {"spin", [] { return spin(), 0; }},
@@ -248,6 +265,7 @@ int main(int argc, char** argv) {
         {"write-bytes", [&] { return write_bytes(value); }},
         {"big-file", write_big_file},
         {"read-stdin", read_stdin},
+        {"say", [&] { return say(value), 0; }},
         {"close-outputs", close_outputs},
         {"list-descriptors", list_descriptors},
         {"forge-status", forge_status},

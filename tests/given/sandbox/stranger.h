@@ -29,6 +29,9 @@ class Stranger {
     Stranger(std::shared_ptr<harness::Sandbox> sandbox, std::vector<std::string> arguments);
 
     harness::ProcessResult operator()() const { return harness::run_process(command, *sandbox_); }
+    std::vector<harness::ProcessResult> on_each(const std::vector<std::string>& inputs) const {
+        return harness::run_process_on_each(inputs, command, *sandbox_);
+    }
 
     /// The number of this run's processes, including the supervisor.
     int alive() const;

@@ -14,8 +14,11 @@ using harness::ProcessResult;
 
 class Run : public testing::Test {
   protected:
-    ProcessResult run(const Build& build, const std::string& input = {}) const {
-        return harness::run(build, harness::read_limits({}, {}).run, sandbox_, scratch_, input);
+    ProcessResult run(const Build& build) const {
+        return harness::run(build, harness::read_limits({}, {}).run, sandbox_, scratch_);
+    }
+    std::vector<ProcessResult> run_on_each(const std::vector<std::string>& inputs, const Build& build) const {
+        return harness::run_on_each(inputs, build, harness::read_limits({}, {}).run, sandbox_, scratch_);
     }
     /// A build that looks as if the program had been compiled in the scratch folder.
     Build copy_of(const std::filesystem::path& program) const {
@@ -36,6 +39,7 @@ class Run : public testing::Test {
 
 TEST_F(Run, DoesNotStartABuildWithoutAProgram) {
     EXPECT_EQ(run(Build{}).ended, Ended::not_started);
+    EXPECT_EQ(run_on_each({"a", "b"}, Build{}).at(1).ended, Ended::not_started);
 }
 
 TEST_F(Run, RunsTheProgramInItsScratchFolderWithAFreshEnvironment) {
@@ -51,13 +55,15 @@ TEST_F(Run, RunsTheProgramInItsScratchFolderWithAFreshEnvironment) {
 
 TEST_F(Run, GivesTheProgramItsInputAndThenTheEnd) {
     const std::string longest(harness::longest_input, 'x');
-    for (const std::string& input : {std::string("a\0b\n", 4), longest}) {
-        const harness::ProcessResult cat = run(copy_of("/bin/cat"), input);
-        EXPECT_EQ(cat.ended, Ended::exited);
-        EXPECT_EQ(cat.output, input);
+    const std::vector<std::string> inputs{std::string("a\0b\n", 4), longest, "", "c"};
+    const auto results = run_on_each(inputs, copy_of("/bin/cat"));
+    ASSERT_EQ(results.size(), inputs.size());
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        EXPECT_EQ(results[i].ended, Ended::exited);
+        EXPECT_EQ(results[i].output, inputs[i]);
     }
     EXPECT_EQ(run(copy_of("/bin/cat")).output, "");
-    EXPECT_THROW(run(copy_of("/bin/cat"), longest + "x"), harness::HarnessError);
+    EXPECT_THROW(run_on_each({"a", longest + "x"}, copy_of("/bin/cat")), harness::HarnessError);
 }
 
 }  // namespace

@@ -77,8 +77,8 @@ TEST_P(SanitizedRun, ReportsFindingsInEveryTier) {
     const harness::Scratch scratch(sandbox.workspace());
     const harness::Build built = harness::build(submission, settings, sandbox, scratch);
     ASSERT_TRUE(built.compiled) << built.diagnostics;
-    const harness::ProcessResult result = harness::run(built, harness::sanitizer_limits(limits.run), sandbox, scratch,
-                                                       {}, harness::sanitizer_environment());
+    const harness::ProcessResult result =
+        harness::run(built, harness::sanitizer_limits(limits.run), sandbox, scratch, harness::sanitizer_environment());
     EXPECT_THAT(harness::sanitizer_findings(result.errors), SizeIs(1)) << result.errors;
 }
 

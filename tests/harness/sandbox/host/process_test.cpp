@@ -86,6 +86,71 @@ TEST_P(RunProcess, GivesOnlyTheThreeStandardDescriptors) {
     close(inheritable);
 }
 
+TEST_P(RunProcess, RunsOnEachInputInTurn) {
+    const Stranger run = stranger({"as-told"});
+    std::vector<std::string> inputs;
+    for (int i = 0; i < 20; ++i)
+        inputs.push_back(i % 2 == 0 ? "say " + std::to_string(i) : "exit " + std::to_string(i));
+    const auto results = run.on_each(inputs);
+    ASSERT_EQ(results.size(), inputs.size());
+    for (int i = 0; i < 20; ++i) {
+        const auto& result = results[static_cast<std::size_t>(i)];
+        EXPECT_EQ(result.ended, Ended::exited) << i;
+        EXPECT_EQ(result.output, i % 2 == 0 ? std::to_string(i) : "") << i;
+        EXPECT_EQ(result.exit_code, i % 2 == 0 ? 0 : i) << i;
+    }
+    EXPECT_EQ(run.alive(), 0);
+}
+
+TEST_P(RunProcess, GivesEachOfSeveralRunsItsOwnLimitsAndEnd) {
+    Stranger run = stranger({"as-told"});
+    run.command.limits.cpu = 1s;
+    run.command.limits.output_bytes = 10000;
+    run.command.limits.memory_bytes = 50 * mebibyte;
+    const auto results = run.on_each({"", "spin", "say a", "touch-memory 80", "say b", "endless-output", "segv",
+                                      "say c", "daemonise", "endless-errors", "say d"});
+    std::vector<Ended> ends;
+    std::string said;
+    for (const auto& result : results) {
+        ends.push_back(result.ended);
+        if (result.output.size() == 1) said += result.output;
+    }
+    EXPECT_THAT(ends, testing::ElementsAre(Ended::exited, Ended::cpu_limit, Ended::exited, Ended::memory_limit,
+                                           Ended::exited, Ended::output_limit, Ended::signalled, Ended::exited,
+                                           Ended::exited, Ended::cpu_limit, Ended::exited));
+    EXPECT_EQ(said, "abcd");
+    EXPECT_EQ(results[0].exit_code, 93) << "no input";
+    EXPECT_LT(results[2].cpu, 1s) << "not what earlier runs took";
+    EXPECT_LT(results[4].peak_memory_bytes, 50 * mebibyte);
+    EXPECT_EQ(results[5].output.size(), 10000U);
+    EXPECT_EQ(results[8].output, "done\n");
+    EXPECT_EQ(run.alive(), 0);
+}
+
+TEST_P(RunProcess, KeepsSeveralRunsApart) {
+    const Stranger run = stranger({"as-told"});
+    const auto results =
+        run.on_each({"replace-itself", "list-descriptors", "daemonise", "list-descriptors", "forge-status", "exit 4"});
+    ASSERT_EQ(results.size(), 6U);
+    EXPECT_EQ(results[1].output, "0 1 2 ");
+    EXPECT_EQ(results[3].output, "0 1 2 ");
+    EXPECT_EQ(results[4].exit_code, 7);
+    EXPECT_EQ(results[5].exit_code, 4);
+    EXPECT_EQ(run.alive(), 0);
+}
+
+TEST_P(RunProcess, KeepsTheSupervisorOfSeveralRunsOutOfReach) {
+    Stranger run = stranger({"as-told"});
+    if (GetParam() == Tier::unsafe && !run.command.account) return;
+    run.command.limits.wall = 300ms;
+    const auto results = run.on_each({"kill-supervisor", "say a", "stop-supervisor", "say b"});
+    ASSERT_EQ(results.size(), 4U);
+    EXPECT_EQ(results[0].ended, Ended::wall_limit);
+    EXPECT_EQ(results[1].output, "a");
+    EXPECT_EQ(results[2].ended, Ended::wall_limit);
+    EXPECT_EQ(results[3].output, "b");
+}
+
 TEST_P(RunProcess, IgnoresAStatusThatTheProgramForged) {
     EXPECT_EQ(stranger({"forge-status"})().exit_code, 7);
 }
@@ -132,6 +197,7 @@ TEST_P(RunProcess, BlamesTheMachineWhenThereIsNoProgram) {
     run.command.argv = {"./text"};
     EXPECT_THAT(why_not(run), HasSubstr("\"./text\": Permission denied"));
     EXPECT_EQ(run.alive(), 0);
+    EXPECT_THROW(run.on_each({"a", "b"}), HarnessError);
 }
 
 TEST_P(RunProcess, BlamesAProgramThatTheKernelDoesNotStart) {
@@ -142,6 +208,7 @@ TEST_P(RunProcess, BlamesAProgramThatTheKernelDoesNotStart) {
     const auto result = run();
     EXPECT_EQ(result.ended, Ended::refused);
     EXPECT_EQ(result.error, ENOENT);
+    for (const auto& each : run.on_each({"a", "b", "c"})) EXPECT_EQ(each.ended, Ended::refused);
     run.command.purpose = harness::Purpose::compile;
     EXPECT_THAT(why_not(run), HasSubstr("\"./script\": No such file or directory")) << "a compiler is the machine's";
 }
@@ -174,6 +241,8 @@ TEST(RunProcessWithoutASandbox, DoesNotBlameTheStudentWhenTheSupervisorWasKilled
     Stranger run(sandbox_of(Tier::unsafe), {"kill-supervisor"});
     run.command.account.reset();
     EXPECT_THAT(why_not(run), HasSubstr("No word from the supervisor"));
+    run.command.argv.back() = "as-told";
+    EXPECT_THROW(run.on_each({"say a", "kill-supervisor", "say b"}), HarnessError);
     EXPECT_TRUE(run.waits_for([](int alive) { return alive == 0; }));
 }
 
@@ -228,6 +297,7 @@ TEST_P(RunProcess, LeaksNoDescriptorWhenItFails) {
     why_not(run);
     const auto before = open_descriptors();
     for (int i = 0; i < 20; ++i) why_not(run);
+    EXPECT_THROW(run.on_each(std::vector<std::string>(20)), HarnessError);
     EXPECT_EQ(open_descriptors(), before);
 }
 

@@ -20,6 +20,7 @@ SupervisorOrders some_orders() {
             .account = harness::Account{70000, 80000},
             .counted_alone = true,
             .has_input = true,
+            .further_runs = {{10, 11, 12}, {13, 4, 5}},
             .readable = {"/usr/lib", "/a=b c"},
             .limits = {2s, 10s, 1ULL << 40, 3, 4, 0, 0, 16, 64},
             .working_directory = "/a folder=odd",
@@ -40,6 +41,10 @@ TEST(SupervisorProtocol, ReadsOrdersBackUnchanged) {
     EXPECT_TRUE(orders->counted_alone);
     EXPECT_TRUE(orders->has_input);
     EXPECT_EQ(orders->readable, some_orders().readable);
+    ASSERT_EQ(orders->further_runs.size(), 2U);
+    EXPECT_EQ(orders->further_runs[1].input, 13);
+    EXPECT_EQ(orders->further_runs[1].output, 4);
+    EXPECT_EQ(orders->further_runs[1].errors, 5);
     EXPECT_EQ(orders->limits.memory_bytes, 1ULL << 40);
     EXPECT_EQ(orders->limits.wall, 10s);
 }
@@ -48,13 +53,20 @@ TEST(SupervisorProtocol, RefusesIncompleteOrders) {
     const auto complete = to_arguments(some_orders());
     const auto end_of_words = std::find(complete.begin(), complete.end(), "--");
     for (auto left_out = complete.begin(); left_out != end_of_words; ++left_out) {
-        if (left_out->starts_with("readable=") || left_out->starts_with("uid=")) continue;
+        if (left_out->starts_with("readable=") || left_out->starts_with("uid=") ||
+            left_out->starts_with("further-run="))
+            continue;
         auto arguments = complete;
         arguments.erase(arguments.begin() + (left_out - complete.begin()));
         EXPECT_FALSE(from_arguments(arguments)) << *left_out;
     }
     EXPECT_FALSE(from_arguments({complete.begin(), end_of_words + 1})) << "no program";
     EXPECT_FALSE(from_arguments({}));
+    for (const char* run : {"", "1", "1,2", "1,2,", "1,2,3,", "1,2,x", "1,2,3,4", ",1,2", "1;2;3"}) {
+        auto arguments = complete;
+        arguments.insert(arguments.begin(), std::string("further-run=") + run);
+        EXPECT_FALSE(from_arguments(arguments)) << run;
+    }
 }
 
 TEST(SupervisorProtocol, ReadsEveryStatusBackUnchanged) {
