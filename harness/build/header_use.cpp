@@ -13,6 +13,8 @@ using std::string_view_literals::operator""sv;
 
 /// The most directives of a block that count. Students have a dozen.
 constexpr std::size_t longest = 64;
+/// The longest #define of a source's own, which becomes a word of the compiler's command line.
+constexpr std::size_t longest_macro = 200;
 
 /// The headers of C++17, and those of C that C++ defines again, but for <complex.h> and <tgmath.h>, whose macros have
 /// names as short as I.
@@ -165,7 +167,10 @@ Understood understand(std::size_t count, TextOf text_of) {
     for (; result.directives < std::min(count, longest); ++result.directives) {
         const std::string& directive = text_of(result.directives);
         if (is_define(directive)) {
-            if (!is_setting(defined_name(directive))) continue;
+            if (!is_setting(defined_name(directive))) {
+                if (directive.size() > longest_macro) break;
+                continue;
+            }
             if (!includes.empty()) break;
             result.parts.settings.push_back(directive);
         } else {

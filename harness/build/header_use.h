@@ -27,7 +27,8 @@ struct HeaderParts {
     friend bool operator==(const HeaderParts&, const HeaderParts&) = default;
 };
 
-/// The parts of a source's leading directives. What follows another header, or a setting behind a header, is left out.
+/// The parts of a source's leading directives. What follows another header, a setting behind a header, or a very long
+/// macro is left out.
 HeaderParts header_parts(const HeaderLines& directives);
 
 /// A header's lines: its settings, then its includes.

@@ -43,6 +43,16 @@ TEST(HeaderParts, DoNotHoldTheMacroOfTheCoursesFlags) {
     EXPECT_THAT(parts.settings, IsEmpty());
 }
 
+TEST(HeaderParts, EndBeforeAMacroThatIsTooLongForACommandLine) {
+    const std::string macro = "#define A " + std::string(200000, '1');
+    EXPECT_THAT(header_parts({"#include <cmath>", macro, "#include <vector>"}).includes,
+                ElementsAre("#include <cmath>"));
+    const auto block = include_block("#include <cmath>\n" + macro + "\n#include <vector>\n");
+    EXPECT_FALSE(use_of_header({"#include <cmath>", "#include <vector>"}, block));
+    ASSERT_TRUE(use_of_header({"#include <cmath>"}, block));
+    EXPECT_THAT(use_of_header({"#include <cmath>"}, block)->own_macros, IsEmpty());
+}
+
 TEST(HeaderParts, AreOfTheFirst64Directives) {
     HeaderLines lines(63, "#define A");
     lines.insert(lines.end(), {"#include <cmath>", "#include <vector>"});
