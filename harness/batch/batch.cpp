@@ -19,6 +19,7 @@
 #include <thread>
 #include <utility>
 
+#include "harness/build/header_plan.h"
 #include "harness/machine/errors.h"
 
 namespace harness {
@@ -42,7 +43,7 @@ BatchPlan plan_batch(const std::vector<Submission>& submissions, const Runner& r
             continue;
         }
         to_compile.push_back(i);
-        blocks.push_back(header_lines(submissions[i].source));
+        blocks.push_back(header_lines(include_block(submissions[i].source)));
     }
     if (to_compile.empty()) return plan;
     HeaderPlan header_plan = plan_headers(blocks, runner.headers->made());

@@ -159,14 +159,14 @@ Command compiler_command(const BuildSettings& settings, const Sandbox& sandbox, 
 struct Shortened {
     std::string source;
     std::filesystem::path header;
-    std::vector<std::string> own_macros;  ///< as in HeaderUse
-    std::size_t last_line;                ///< of the directives; from 1
+    std::vector<Macro> own_macros;  ///< as in HeaderUse
+    std::size_t last_line;          ///< of the directives; from 1
 };
 
 /// Empty if the header does not fit.
 std::optional<Shortened> shortened(const std::string& source, const PrecompiledHeader& header) {
     const std::vector<Directive> block = include_block(source);
-    auto use = use_of_header(header.lines, block);
+    auto use = use_of_header(header.lines, header_lines(block));
     if (!use) return {};
     Shortened result{without_directives(source, block, use->replaced), header.file, std::move(use->own_macros), 0};
     if (!use->replaced.empty()) {
@@ -201,12 +201,12 @@ ProcessResult compile(const Shortened& source, const BuildSettings& settings, co
     write_source(source.source, scratch.path() / source_name);
     Command command = compiler_command(settings, sandbox, scratch);
     command.readable.push_back(source.header.parent_path());
-    for (const std::string& macro : source.own_macros) command.argv.push_back("-D" + macro);
+    for (const Macro& macro : source.own_macros) command.argv.push_back(macro.option);
     // Without the warning, g++ silently reads a header that does not fit as text.
     command.argv.insert(command.argv.end(), {"-Winvalid-pch", "-include", source.header.string()});
     if (!source.own_macros.empty()) {
         std::string text;
-        for (const std::string& macro : source.own_macros) text += "#undef " + macro_name(macro) + '\n';
+        for (const Macro& macro : source.own_macros) text += "#undef " + macro.name + '\n';
         write_source(text, scratch.path() / no_macros_name);
         command.argv.insert(command.argv.end(), {"-include", no_macros_name});
     }

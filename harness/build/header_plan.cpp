@@ -124,8 +124,7 @@ class Planner {
         return saved;
     }
 
-    double worth(const std::set<std::size_t>& headers) const {
-        const std::vector<double> saved = savings(headers);
+    double worth(const std::set<std::size_t>& headers, const std::vector<double>& saved) const {
         double worth = 0;
         for (std::size_t kind = 0; kind < saved.size(); ++kind)
             worth += saved[kind] * static_cast<double>(alike_[kind].blocks.size());
@@ -146,16 +145,15 @@ class Planner {
     /// Takes the change of one header that is worth the most. Returns false if none is worth anything.
     bool improve() {
         constexpr double noticeable = 1e-6;
-        const double before = worth(chosen_);
-        double best = before + noticeable;
+        double best = worth(chosen_, savings(chosen_)) + noticeable;
         std::optional<std::set<std::size_t>> better;
         const auto consider = [&](std::set<std::size_t> headers) {
-            const double without = worth(headers);
+            const std::vector<double> saved = savings(headers);
+            const double without = worth(headers, saved);
             if (without > best) {
                 best = without;
                 better = headers;
             }
-            const std::vector<double> saved = savings(headers);
             for (std::size_t i = 0; i < candidates_.size(); ++i) {
                 const double with = without + gain(candidates_[i], saved);
                 if (with <= best) continue;

@@ -160,12 +160,11 @@ struct Understood {
     std::size_t directives = 0;
 };
 
-template <class TextOf>
-Understood understand(std::size_t count, TextOf text_of) {
+Understood understand(const HeaderLines& lines) {
     Understood result;
     HeaderLines& includes = result.parts.includes;
-    for (; result.directives < std::min(count, longest); ++result.directives) {
-        const std::string& directive = text_of(result.directives);
+    for (; result.directives < std::min(lines.size(), longest); ++result.directives) {
+        const std::string& directive = lines[result.directives];
         if (is_define(directive)) {
             if (!is_setting(defined_name(directive))) {
                 if (directive.size() > longest_macro) break;
@@ -184,18 +183,25 @@ Understood understand(std::size_t count, TextOf text_of) {
     return result;
 }
 
-/// "SQUARE(x)=x*x" of "#define SQUARE(x) x*x". As the compiler reads it, the first = ends the name and its parameters.
-std::string as_option(std::string_view directive) {
+/// As the compiler reads the option, the first = ends the name and its parameters.
+Macro macro_of(std::string_view directive) {
+    const std::string_view name = defined_name(directive);
     const std::string_view rest = directive.substr(define.size());
-    std::size_t head = defined_name(directive).size();
+    std::size_t head = name.size();
     if (head < rest.size() && rest[head] == '(') head = std::min(rest.find(')', head), rest.size() - 1) + 1;
-    return fmt::format("{}={}", rest.substr(0, head), rest.substr(head));
+    return {std::string(name), fmt::format("-D{}={}", rest.substr(0, head), rest.substr(head))};
 }
 
 }  // namespace
 
+HeaderLines header_lines(const std::vector<Directive>& block) {
+    HeaderLines lines;
+    for (const Directive& directive : block) lines.push_back(directive.text);
+    return lines;
+}
+
 HeaderParts header_parts(const HeaderLines& directives) {
-    return understand(directives.size(), [&](std::size_t i) -> const std::string& { return directives[i]; }).parts;
+    return understand(directives).parts;
 }
 
 HeaderLines lines_of(const HeaderParts& parts) {
@@ -204,19 +210,19 @@ HeaderLines lines_of(const HeaderParts& parts) {
     return lines;
 }
 
-std::optional<HeaderUse> use_of_header(const HeaderLines& header, const std::vector<Directive>& block) {
+std::optional<HeaderUse> use_of_header(const HeaderLines& header, const HeaderLines& directives) {
     const HeaderParts held = header_parts(header);
-    const Understood own = understand(block.size(), [&](std::size_t i) -> const std::string& { return block[i].text; });
+    const Understood own = understand(directives);
     const HeaderLines& includes = own.parts.includes;
     if (held.settings != own.parts.settings ||
         !std::includes(includes.begin(), includes.end(), held.includes.begin(), held.includes.end()))
         return {};
     HeaderUse use;
-    std::vector<std::string> macros;
+    std::vector<Macro> macros;
     for (std::size_t i = 0; i < own.directives; ++i) {
-        const std::string& text = block[i].text;
+        const std::string& text = directives[i];
         if (is_define(text) && !is_setting(defined_name(text))) {
-            macros.push_back(as_option(text));
+            macros.push_back(macro_of(text));
         } else if (is_define(text) ||
                    std::binary_search(held.includes.begin(), held.includes.end(), *in_any_order(text))) {
             use.replaced.push_back(i);
@@ -224,10 +230,6 @@ std::optional<HeaderUse> use_of_header(const HeaderLines& header, const std::vec
         }
     }
     return use;
-}
-
-std::string macro_name(const std::string& definition) {
-    return definition.substr(0, definition.find_first_of("(="));
 }
 
 }  // namespace harness

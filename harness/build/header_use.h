@@ -19,6 +19,8 @@ namespace harness {
 /// Directives as in Directive::text, in order.
 using HeaderLines = std::vector<std::string>;
 
+HeaderLines header_lines(const std::vector<Directive>& block);
+
 /// The directives that precompiled headers may replace in a source.
 struct HeaderParts {
     HeaderLines settings;  ///< #define lines of macros that headers read, in order
@@ -34,17 +36,18 @@ HeaderParts header_parts(const HeaderLines& directives);
 /// A header's lines: its settings, then its includes.
 HeaderLines lines_of(const HeaderParts& parts);
 
+struct Macro {
+    std::string name;
+    std::string option;  ///< "-DSQUARE(x)= x*x": the option of the compiler that defines it
+};
+
 /// A precompiled header in place of some of a source's leading directives.
 struct HeaderUse {
     std::vector<std::size_t> replaced;  ///< the places of the directives that it replaces, in order
-    /// Macros that the source defines before the last of these. Each as the compiler's option -D has it behind the D.
-    std::vector<std::string> own_macros;
+    std::vector<Macro> own_macros;      ///< that the source defines before the last of these
 };
 
-/// Empty if a source with this block does not include all that the header holds, or has other settings.
-std::optional<HeaderUse> use_of_header(const HeaderLines& header, const std::vector<Directive>& block);
-
-/// The name of a macro, from what stands behind -D.
-std::string macro_name(const std::string& definition);
+/// Empty if a source with these leading directives does not include all that the header holds, or has other settings.
+std::optional<HeaderUse> use_of_header(const HeaderLines& header, const HeaderLines& directives);
 
 }  // namespace harness

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-#include "harness/build/include_block.h"
+#include "harness/build/header_plan.h"
 #include "harness/run/run.h"
 #include "harness/run/sanitizer.h"
 
@@ -58,7 +58,7 @@ void keep(const Executions& executions, const Submission& submission, const Runn
 /// The precompiled header that an earlier run made for this source, if there is one. For a single source none is made.
 std::optional<PrecompiledHeader> kept_header(const Submission& submission, const Runner& runner) {
     if (!runner.headers || submission.problem) return {};
-    const HeaderPlan plan = plan_headers({header_lines(submission.source)}, runner.headers->made());
+    const HeaderPlan plan = plan_headers({header_lines(include_block(submission.source))}, runner.headers->made());
     if (plan.headers.empty()) return {};
     return runner.headers->get(plan.headers.front());
 }
@@ -99,12 +99,6 @@ void run_fairly(std::vector<Execution>& executions, const Runner& runner, const 
 }
 
 }  // namespace
-
-HeaderLines header_lines(const std::string& source) {
-    HeaderLines lines;
-    for (const Directive& directive : include_block(source)) lines.push_back(directive.text);
-    return lines;
-}
 
 bool is_in_cache(const Submission& submission, const Runner& runner) {
     if (!runner.result_cache || runner.fresh || submission.problem) return false;

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "harness/build/build.h"
-#include "harness/build/header_plan.h"
 #include "harness/execution/execution.h"
 #include "harness/intake/submission.h"
 #include "harness/run/runner.h"
@@ -40,8 +39,5 @@ Executions run_compiled(Compiled compiled, const Submission& submission, const R
 
 /// Whether the cache holds every run of this source. False if the runner has no cache or must not look into it.
 bool is_in_cache(const Submission& submission, const Runner& runner);
-
-/// The include directives at the beginning of the source, which a precompiled header can stand for.
-HeaderLines header_lines(const std::string& source);
 
 }  // namespace harness

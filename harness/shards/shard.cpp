@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "harness/build/header_use.h"
 #include "harness/machine/fingerprint.h"
-#include "harness/run/execute.h"
 
 namespace harness {
 namespace {
@@ -24,7 +24,7 @@ std::optional<int> read_number(std::string_view text) {
 std::pair<std::string, std::string> place_of(const Submission& submission) {
     if (submission.problem) return {};
     Fingerprint block("raygrade/shard/1");
-    for (const std::string& line : header_lines(submission.source)) block.add(line);
+    for (const std::string& line : header_lines(include_block(submission.source))) block.add(line);
     return {block.hex(), Fingerprint("raygrade/shard/1").add(submission.source).hex()};
 }
 

@@ -48,9 +48,9 @@ TEST(HeaderParts, EndBeforeAMacroThatIsTooLongForACommandLine) {
     EXPECT_THAT(header_parts({"#include <cmath>", macro, "#include <vector>"}).includes,
                 ElementsAre("#include <cmath>"));
     const auto block = include_block("#include <cmath>\n" + macro + "\n#include <vector>\n");
-    EXPECT_FALSE(use_of_header({"#include <cmath>", "#include <vector>"}, block));
-    ASSERT_TRUE(use_of_header({"#include <cmath>"}, block));
-    EXPECT_THAT(use_of_header({"#include <cmath>"}, block)->own_macros, IsEmpty());
+    EXPECT_FALSE(use_of_header({"#include <cmath>", "#include <vector>"}, header_lines(block)));
+    ASSERT_TRUE(use_of_header({"#include <cmath>"}, header_lines(block)));
+    EXPECT_THAT(use_of_header({"#include <cmath>"}, header_lines(block))->own_macros, IsEmpty());
 }
 
 TEST(HeaderParts, AreOfTheFirst64Directives) {
@@ -65,7 +65,7 @@ TEST(UseOfHeader, ReplacesItsLinesWhereverTheyStand) {
     const auto block = include_block(
         "#include <vector>\n#include <iostream>\n#include <string>\n#include <cmath>\n#include <iostream>\n"
         "#include <array>\n");
-    const auto use = use_of_header(header, block);
+    const auto use = use_of_header(header, header_lines(block));
     ASSERT_TRUE(use);
     EXPECT_THAT(use->replaced, ElementsAre(1, 3, 4));
     EXPECT_THAT(use->own_macros, IsEmpty());
@@ -75,19 +75,22 @@ TEST(UseOfHeader, NamesTheMacrosDefinedBeforeItsLastLine) {
     const auto block = include_block(
         "#define PI 3.14\n#define SQUARE(x) ((x)*(x))\n#include <cmath>\n#define EMPTY\n#define NONE()\n"
         "#define CALL (1)\n#include <iostream>\n#define BEHIND 1\n#include <vector>\n");
-    const auto use = use_of_header(header, block);
+    const auto use = use_of_header(header, header_lines(block));
     ASSERT_TRUE(use);
     EXPECT_THAT(use->replaced, ElementsAre(2, 6));
-    EXPECT_THAT(use->own_macros, ElementsAre("PI= 3.14", "SQUARE(x)= ((x)*(x))", "EMPTY=", "NONE()=", "CALL= (1)"));
-    std::vector<std::string> names;
-    for (const std::string& macro : use->own_macros) names.push_back(harness::macro_name(macro));
+    std::vector<std::string> names, options;
+    for (const harness::Macro& macro : use->own_macros) {
+        names.push_back(macro.name);
+        options.push_back(macro.option);
+    }
+    EXPECT_THAT(options, ElementsAre("-DPI= 3.14", "-DSQUARE(x)= ((x)*(x))", "-DEMPTY=", "-DNONE()=", "-DCALL= (1)"));
     EXPECT_THAT(names, ElementsAre("PI", "SQUARE", "EMPTY", "NONE", "CALL"));
 }
 
 TEST(UseOfHeader, ReplacesSettingsToo) {
     const HeaderLines left_handed{"#define GLM_FORCE_LEFT_HANDED", "#include <glm/glm.hpp>"};
     const auto block = include_block("#define GLM_FORCE_LEFT_HANDED\n#include <vector>\n#include <glm/glm.hpp>\n");
-    const auto use = use_of_header(left_handed, block);
+    const auto use = use_of_header(left_handed, header_lines(block));
     ASSERT_TRUE(use);
     EXPECT_THAT(use->replaced, ElementsAre(0, 2));
     EXPECT_THAT(use->own_macros, IsEmpty());
@@ -101,8 +104,9 @@ TEST(UseOfHeader, FitsNoSourceThatIncludesLessOrHasOtherSettings) {
              "#include <cmath>\n#define NDEBUG\n#include <iostream>\n",
              "#include <cmath>\nint x;\n#include <iostream>\n",
          })
-        EXPECT_FALSE(use_of_header(header, include_block(source))) << source;
-    EXPECT_FALSE(use_of_header({"#define NDEBUG", "#include <cmath>"}, include_block("#include <cmath>\n")));
+        EXPECT_FALSE(use_of_header(header, header_lines(include_block(source)))) << source;
+    EXPECT_FALSE(
+        use_of_header({"#define NDEBUG", "#include <cmath>"}, header_lines(include_block("#include <cmath>\n"))));
 }
 
 }  // namespace

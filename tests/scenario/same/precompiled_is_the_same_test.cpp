@@ -140,9 +140,7 @@ class FastWay : public testing::TestWithParam<fs::path> {
     }
 
     static std::optional<PrecompiledHeader> own_header(const std::string& source) {
-        HeaderLines lines;
-        for (const auto& directive : harness::include_block(source)) lines.push_back(directive.text);
-        const harness::HeaderParts parts = harness::header_parts(lines);
+        const auto parts = harness::header_parts(header_lines(harness::include_block(source)));
         return parts.includes.empty() ? std::nullopt : machine().cache.get(lines_of(parts));
     }
 };
