@@ -240,15 +240,12 @@ void check_size(const Assignment& assignment, const PreparedScene& prepared) {
 }  // namespace
 
 void add_tree(PreparedScene& prepared) {
-    InHugePages<BoxedObject> objects;
-    objects.reserve(prepared.spheres.size() + prepared.triangles.size() + prepared.cylinders.size());
-    const auto add = [&](const auto& object) {
-        objects.push_back({box_of(object), static_cast<std::uint32_t>(objects.size())});
-    };
-    for (const Sphere<double>& sphere : prepared.spheres) add(sphere);
-    for (const auto& triangle : prepared.triangles) add(triangle.triangle);
-    for (const Cylinder<double>& cylinder : prepared.cylinders) add(cylinder);
-    prepared.tree = build_tree(std::move(objects), prepared.triangles, prepared.sphere_count);
+    InHugePages<Box> boxes;
+    boxes.reserve(prepared.spheres.size() + prepared.triangles.size() + prepared.cylinders.size());
+    for (const Sphere<double>& sphere : prepared.spheres) boxes.push_back(box_of(sphere));
+    for (const auto& triangle : prepared.triangles) boxes.push_back(box_of(triangle.triangle));
+    for (const Cylinder<double>& cylinder : prepared.cylinders) boxes.push_back(box_of(cylinder));
+    prepared.tree = build_tree(boxes, prepared.triangles, prepared.sphere_count);
 }
 
 PreparedScene prepare_triangles(std::span<const Triangle<double>> triangles) {

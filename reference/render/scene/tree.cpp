@@ -10,162 +10,79 @@
 namespace reference::render {
 namespace {
 
-constexpr std::size_t most_bins = 16;
-/// From this depth on, a node is cut in the middle of its objects, which limits the depth of the tree.
-constexpr std::size_t deepest_by_cost = 32;
-
-/// Objects with the box around them.
-struct Part {
-    std::span<BoxedObject> objects;
-    Box box;
-};
-
-Part part_of(std::span<BoxedObject> objects) {
-    Part part{objects, {}};
-    for (const BoxedObject& object : objects) part.box.cover(object.box);
-    return part;
-}
-
-/// Twice the middle of its box.
-double middle_of(const BoxedObject& object, int axis) {
-    return object.box.low[axis] + object.box.high[axis];
-}
-
-double leaves_for(std::size_t count) {
-    return static_cast<double>((count + objects_per_leaf - 1) / objects_per_leaf);
-}
-
-/// Bins of equal width along each axis for the middles of objects: the fewer objects, the fewer bins.
-class Bins {
+/// Chooses which boxes of a binary tree become nodes of eight places, so that the areas of these add up to the least: the
+/// larger a box, the more rays meet it (Ylitie, Karras and Laine, 2017). Every place is taken that can be.
+class Places {
   public:
-    explicit Bins(std::span<const BoxedObject> objects) : count_(std::min(most_bins, 4 + objects.size() / 16)) {
-        for (const BoxedObject& object : objects) {
-            const Vec3<double> middle(middle_of(object, 0), middle_of(object, 1), middle_of(object, 2));
-            middles_.cover({middle, middle});
-        }
-        for (int axis = 0; axis < 3; ++axis) {
-            const double width = middles_.high[axis] - middles_.low[axis];
-            per_width_[axis] = width > 0 ? static_cast<double>(count_) * (1 - 0x1p-40) / width : 0;
-            bins_[static_cast<std::size_t>(axis)].resize(count_);
-        }
-        for (const BoxedObject& object : objects) {
-            for (int axis = 0; axis < 3; ++axis) {
-                Bin& bin = bins_[static_cast<std::size_t>(axis)][bin_of(object, axis)];
-                bin.box.cover(object.box);
-                ++bin.count;
-            }
-        }
+    explicit Places(std::span<const BinaryNode> binary) : binary_(binary) {
+        of_first_half_.resize(binary.size());
+        choose(0);
     }
 
-    std::size_t bin_of(const BoxedObject& object, int axis) const {
-        const double place = (middle_of(object, axis) - middles_.low[axis]) * per_width_[axis];
-        return std::min(count_ - 1, static_cast<std::size_t>(place));
-    }
-
-    /// Objects whose bin along the axis is at most `bin` go to one side.
-    struct Cut {
-        double cost = HUGE_VAL;  ///< infinite where all go to one side
-        int axis = 0;
-        std::size_t bin = 0;
-    };
-
-    /// The cut after which a ray is expected to try the fewest leaves: the surface area heuristic of MacDonald and
-    /// Booth (1990).
-    Cut cheapest_cut() const {
-        Cut best;
-        for (int axis = 0; axis < 3; ++axis) improve(best, axis);
-        return best;
-    }
-
-    int widest_axis() const {
-        const Vec3<double> size = middles_.high - middles_.low;
-        if (size.x >= size.y && size.x >= size.z) return 0;
-        return size.y >= size.z ? 1 : 2;
+    /// The binary nodes that stand in the places of the node that a binary node becomes.
+    using Children = boost::container::static_vector<std::uint32_t, children_per_node>;
+    Children children_of(std::uint32_t node) const {
+        Children children;
+        add(node, children_per_node, children);
+        return children;
     }
 
   private:
-    struct Bin {
-        Box box;
-        std::size_t count = 0;
+    template <class T>
+    using ByPlaces = std::array<T, children_per_node + 1>;
 
-        void add(const Bin& other) {
-            box.cover(other.box);
-            count += other.count;
+    /// The least sum of the areas of nodes at and below a binary node, by the places that it may take.
+    ByPlaces<float> choose(std::uint32_t here) {
+        ByPlaces<float> areas{};
+        const BinaryNode& node = binary_[here];
+        if (node.is_leaf()) return areas;
+        const ByPlaces<float> first = choose(node.halves);
+        const ByPlaces<float> second = choose(node.halves + 1);
+        for (std::size_t places = 2; places <= children_per_node; ++places) {
+            areas[places] = HUGE_VALF;
+            for (std::size_t i = 1; i < places; ++i) {
+                const float area = first[i] + second[places - i];
+                if (area < areas[places]) {
+                    areas[places] = area;
+                    of_first_half_[here][places] = static_cast<std::uint8_t>(i);
+                }
+            }
         }
-        double cost() const { return count == 0 ? 0 : box.half_area() * leaves_for(count); }
-    };
+        areas[1] = node.box.half_area() + areas[children_per_node];
+        return areas;
+    }
 
-    void improve(Cut& best, int axis) const {
-        const auto& bins = bins_[static_cast<std::size_t>(axis)];
-        std::array<double, most_bins> cost_of_right;
-        Bin right;
-        for (std::size_t bin = count_ - 1; bin > 0; --bin) {
-            right.add(bins[bin]);
-            cost_of_right[bin - 1] = right.count == 0 ? HUGE_VAL : right.cost();
-        }
-        Bin left;
-        for (std::size_t bin = 0; bin + 1 < count_; ++bin) {
-            left.add(bins[bin]);
-            if (left.count == 0) continue;
-            const double cost = left.cost() + cost_of_right[bin];
-            if (cost < best.cost) best = {cost, axis, bin};
+    void add(std::uint32_t here, std::size_t places, Children& children) const {
+        const BinaryNode& node = binary_[here];
+        if (node.is_leaf() || places == 1) {
+            children.push_back(here);
+        } else {
+            const std::size_t of_first = of_first_half_[here][places];
+            add(node.halves, of_first, children);
+            add(node.halves + 1, places - of_first, children);
         }
     }
 
-    std::size_t count_;
-    Box middles_;
-    Vec3<double> per_width_;
-    std::array<boost::container::static_vector<Bin, most_bins>, 3> bins_;
+    std::span<const BinaryNode> binary_;
+    InHugePages<ByPlaces<std::uint8_t>> of_first_half_;
 };
-
-/// Moves the objects that go left to the front and returns their number.
-std::size_t split(std::span<BoxedObject> objects, std::size_t depth) {
-    const Bins bins(objects);
-    if (depth < deepest_by_cost) {
-        const Bins::Cut cut = bins.cheapest_cut();
-        if (cut.cost < HUGE_VAL) {
-            const auto goes_left = [&](const BoxedObject& object) { return bins.bin_of(object, cut.axis) <= cut.bin; };
-            return static_cast<std::size_t>(std::partition(objects.begin(), objects.end(), goes_left) -
-                                            objects.begin());
-        }
-    }
-    const int axis = bins.widest_axis();
-    const auto key = [&](const BoxedObject& object) { return std::pair(middle_of(object, axis), object.object); };
-    const auto middle = objects.begin() + static_cast<std::ptrdiff_t>(objects.size() / 2);
-    std::nth_element(objects.begin(), middle, objects.end(),
-                     [&](const BoxedObject& one, const BoxedObject& other) { return key(one) < key(other); });
-    return objects.size() / 2;
-}
-
-using Children = boost::container::static_vector<Part, children_per_node>;
-
-/// Cuts the part with the largest box in two, until there are enough children or each is a leaf.
-Children children_of(const Part& whole, std::size_t depth) {
-    Children parts{whole};
-    while (parts.size() < children_per_node) {
-        Part* widest = nullptr;
-        for (Part& part : parts) {
-            if (part.objects.size() <= objects_per_leaf) continue;
-            if (widest == nullptr || part.box.half_area() > widest->box.half_area()) widest = &part;
-        }
-        if (widest == nullptr) break;
-        const std::span<BoxedObject> objects = widest->objects;
-        const std::size_t left = split(objects, depth);
-        *widest = part_of(objects.first(left));
-        parts.push_back(part_of(objects.subspan(left)));
-    }
-    return parts;
-}
 
 class Builder {
   public:
-    Builder(Tree& tree, std::span<const kernel::PreparedTriangle<double>> triangles, std::uint32_t first_triangle)
-        : tree_(tree), triangles_(triangles), first_triangle_(first_triangle) {}
+    Builder(Tree& tree, std::span<const BoxedObject> objects, std::span<const BinaryNode> binary,
+            std::span<const kernel::PreparedTriangle<double>> triangles, std::uint32_t first_triangle)
+        : tree_(tree),
+          objects_(objects),
+          binary_(binary),
+          places_(binary),
+          triangles_(triangles),
+          first_triangle_(first_triangle) {}
 
-    void build(const Part& whole) {
-        add_node(whole, 0);
-        tree_.leaves.reserve(leaves_.size());
-        for (const std::span<const BoxedObject> objects : leaves_) add_leaf(objects);
+    void build() {
+        tree_.leaves.reserve(binary_.size() / 2 + 1);
+        tree_.nodes.reserve(binary_.size() / 8 + 1);
+        tree_.nodes.push_back(empty_node());
+        fill(0, 0);
     }
 
   private:
@@ -178,27 +95,26 @@ class Builder {
         return node;
     }
 
-    void add_node(const Part& whole, std::size_t depth) {
-        const std::size_t here = tree_.nodes.size();
-        tree_.nodes.push_back(empty_node());
-        const Children children = children_of(whole, depth);
+    /// The children of a node stand one after the other, as rays read them.
+    void fill(std::size_t here, std::uint32_t from) {
+        const Places::Children children = places_.children_of(from);
         for (std::size_t i = 0; i < children.size(); ++i) {
-            set_sides(tree_.nodes[here], i, children[i].box);
-            if (children[i].objects.size() <= objects_per_leaf) {
-                tree_.nodes[here].children[i] = first_leaf + static_cast<std::uint32_t>(leaves_.size());
-                leaves_.push_back(children[i].objects);
+            const BinaryNode& child = binary_[children[i]];
+            Node& node = tree_.nodes[here];
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                node.sides[2 * axis][i] = child.box.low[axis];
+                node.sides[2 * axis + 1][i] = child.box.high[axis];
+            }
+            if (child.is_leaf()) {
+                node.children[i] = first_leaf + static_cast<std::uint32_t>(tree_.leaves.size());
+                add_leaf(objects_.subspan(child.first_object, child.object_count));
             } else {
-                tree_.nodes[here].children[i] = static_cast<std::uint32_t>(tree_.nodes.size());
-                add_node(children[i], depth + 1);
+                node.children[i] = static_cast<std::uint32_t>(tree_.nodes.size());
+                tree_.nodes.push_back(empty_node());
             }
         }
-    }
-
-    void set_sides(Node& node, std::size_t child, const Box& box) const {
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto in_tree = [&](double x) { return static_cast<float>((x - tree_.center[axis]) * tree_.scale); };
-            node.sides[2 * static_cast<std::size_t>(axis)][child] = in_tree(box.low[axis]);
-            node.sides[2 * static_cast<std::size_t>(axis) + 1][child] = in_tree(box.high[axis]);
+        for (std::size_t i = 0; i < children.size(); ++i) {
+            if (!binary_[children[i]].is_leaf()) fill(tree_.nodes[here].children[i], children[i]);
         }
     }
 
@@ -206,7 +122,7 @@ class Builder {
         Leaf& leaf = tree_.leaves.emplace_back();
         leaf.count = static_cast<std::uint32_t>(objects.size());
         for (std::size_t lane = 0; lane < objects_per_leaf; ++lane) {
-            const std::uint32_t object = objects[lane < objects.size() ? lane : 0].object;
+            const std::uint32_t object = objects[lane < objects.size() ? lane : 0].number();
             leaf.objects[lane] = object;
             const Triangle<double> triangle = triangle_or_nan(object);
             for (int i = 0; i < 3; ++i) {
@@ -226,9 +142,11 @@ class Builder {
     }
 
     Tree& tree_;
+    std::span<const BoxedObject> objects_;
+    std::span<const BinaryNode> binary_;
+    Places places_;
     std::span<const kernel::PreparedTriangle<double>> triangles_;
     std::uint32_t first_triangle_;
-    std::vector<std::span<const BoxedObject>> leaves_;
 };
 
 /// Puts the box between -1 and 1 in every coordinate.
@@ -275,13 +193,25 @@ Box box_of(const Cylinder<double>& cylinder) {
     return box;
 }
 
-Tree build_tree(InHugePages<BoxedObject> objects, std::span<const kernel::PreparedTriangle<double>> triangles,
+Tree build_tree(std::span<const Box> boxes, std::span<const kernel::PreparedTriangle<double>> triangles,
                 std::uint32_t first_triangle) {
-    const Part whole = part_of(objects);
+    Box whole;
+    for (const Box& box : boxes) whole.cover(box);
     Tree tree{};
     tree.instructions = best_instructions();
-    set_coordinates(tree, whole.box);
-    Builder(tree, triangles, first_triangle).build(whole);
+    set_coordinates(tree, whole);
+    InHugePages<BoxedObject> objects;
+    objects.reserve(boxes.size());
+    const double scale = std::isnan(tree.scale) ? 0 : tree.scale;  // then no ray looks at a box
+    for (const Box& box : boxes) {
+        const auto in_tree = [&](const Vec3<double>& p) {
+            const Vec3<double> moved = (p - tree.center) * scale;
+            return std::array{static_cast<float>(moved.x), static_cast<float>(moved.y), static_cast<float>(moved.z)};
+        };
+        objects.emplace_back(in_tree(box.low), in_tree(box.high), static_cast<std::uint32_t>(objects.size()));
+    }
+    const InHugePages<BinaryNode> binary = binary_tree(objects, objects_per_leaf);
+    Builder(tree, objects, binary, triangles, first_triangle).build();
     return tree;
 }
 

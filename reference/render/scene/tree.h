@@ -12,7 +12,7 @@
 
 #include "reference/kernel/ray.h"
 #include "reference/kernel/triangle.h"
-#include "reference/render/scene/huge_pages.h"
+#include "reference/render/scene/binary_tree.h"
 
 namespace reference::render {
 
@@ -26,22 +26,12 @@ struct Box {
             high[i] = std::max(high[i], other.high[i]);
         }
     }
-
-    double half_area() const {
-        const Vec3<double> size = high - low;
-        return size.x * size.y + size.y * size.z + size.z * size.x;
-    }
 };
 
 /// A sphere's and a cylinder's bounds are rounded outward; a triangle's are coordinates of its vertices.
 Box box_of(const Sphere<double>& sphere);
 Box box_of(const Triangle<double>& triangle);
 Box box_of(const Cylinder<double>& cylinder);
-
-struct BoxedObject {
-    Box box;
-    std::uint32_t object;
-};
 
 constexpr std::size_t children_per_node = 8;
 constexpr std::size_t objects_per_leaf = 4;
@@ -79,12 +69,10 @@ struct Tree {
     Instructions instructions;
 };
 
-/// There is at least one object, and at most first_leaf. Triangles are the objects from `first_triangle` on. The tree
-/// is the same on every machine, but for its instructions.
-Tree build_tree(InHugePages<BoxedObject> objects, std::span<const kernel::PreparedTriangle<double>> triangles,
+/// A box for each object; there is at least one, and at most first_leaf. Triangles are the objects from
+/// `first_triangle` on. The tree is the same on every machine, but for its instructions. A node stands before its
+/// children.
+Tree build_tree(std::span<const Box> boxes, std::span<const kernel::PreparedTriangle<double>> triangles,
                 std::uint32_t first_triangle);
-
-/// The greatest depth of a tree.
-constexpr std::size_t deepest_tree = 64;
 
 }  // namespace reference::render

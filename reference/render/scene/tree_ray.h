@@ -1,22 +1,23 @@
 // A ray in the coordinates of a tree, in floats, so that eight boxes are tried at once.
 //
-// In these coordinates the scene lies between -1 and 1. The ray is o + τ d with 1 <= max |d| < 2; its origin is moved
-// to where it enters the scene, if it starts outside. So every number is near 1, and no box is met beyond τ = 3.
+// In these coordinates the scene lies between -1 and 1. The ray is o + τ d with 1 <= max |d| < 2; where it starts far
+// outside, beyond 16, its origin is moved to where it enters the scene. So no number is much above 1, and no box is met
+// beyond τ = 17.
 //
 // A box is tried by near = low/d - o/d and far = high/d - o/d, in floats. What rounding costs is expressed as a shift
-// of the origin, where it does not depend on how steep the ray is. In units of u = 2^-24, with |low|, |high| <= 1 and
-// |o| <= 1 + 2^-8, and relative to the true (low - o)/d:
+// of the origin, where it does not depend on how steep the ray is. With u = 2^-24, |low|, |high| <= 1 and M = 1, or |o|
+// if that is larger, in units of uM and relative to the true (low - o)/d:
 //   1   low, rounded to a float
 //   1   o, rounded to a float
 //   2   low/d and o/d, as products with 1/d: u of each
 //   2   their difference: u of |low - o|
 //   5   1/d: u for d as a float, u for the quotient, times |low - o|, and what is of second order
-// Less than 12 u with 2^-8 of it for |o| > 1. So the origin is shifted by slack >= 16 u = 2^-20 backwards for `near`
-// and forwards for `far`. Then near and far are bounds, and none of the comparisons needs a margin of its own. Doubles
-// before that cost 2^-53 each, of |o| before it is moved and of τ: 2^-44 of these is part of the slack, beside the
-// uncertainty of the start. A component of d below 2^-100 is taken to be 2^-100: over τ <= 3 it moves the ray by less
-// than 2^-98, and by less than 2^-62 on the way from where it started. So nothing is infinite, NaN, or subnormal but
-// for products that are far below the slack.
+// Less than 12 uM, with 2^-8 of it for an origin that is moved and then only 2^-8 beyond 1. So the origin is shifted by
+// slack >= 16 uM = 2^-20 M backwards for `near` and forwards for `far`. Then near and far are bounds, and none of the
+// comparisons needs a margin of its own. Doubles before that cost 2^-53 each, of |o| before it is moved and of τ: 2^-44
+// of these is part of the slack, beside the uncertainty of the start. A component of d below 2^-100 is taken to be
+// 2^-100: over τ <= 17 it moves the ray by less than 2^-95, and by less than 2^-62 on the way from where it started. So
+// nothing is infinite, NaN, or subnormal but for products that are far below the slack.
 #pragma once
 
 #include <algorithm>
@@ -91,14 +92,15 @@ KERNEL_INLINE TreeRay tree_ray(const Tree& tree, const kernel::Ray<double>& ray,
     const Four steepness = size_of(along) > least ? size_of(along) : least;
     const Four d = signed_as(steepness, backward);
     const double reach = largest_of(size_of(o));
-    result.slack = 0x1p-20 + 0x1p-44 * reach + uncertainty * scale;
+    const bool is_far = reach > 16;
+    result.slack = 0x1p-20 * (is_far ? 1 : std::max(reach, 1.0)) + 0x1p-44 * reach + uncertainty * scale;
     result.start = 0;
     result.way = TreeRay::Way::everywhere;
     // False for a scale that is NaN, and so for a slack that is.
     const bool is_in_range = (0x1p-400 < powers.grow) & (powers.grow < 0x1p400) & (result.slack < 0x1p-9);
     if (!is_in_range) [[unlikely]]
         return result;
-    if (reach > 1) {
+    if (is_far) {
         // It leaves the scene by τ = reach + 1, along its longest component. At `start` it has yet to come between
         // -1 and 1 along the axis of the latest entry. Along another axis it is beyond 1 only if it moves away, or
         // it would enter later: then it never meets the scene.

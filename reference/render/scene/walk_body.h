@@ -22,9 +22,12 @@ struct OpenChild {
     std::uint32_t child;
 };
 
-/// Children that are still to be visited, the nearest of those found together on top.
+/// Children that are still to be visited, the nearest of those found together on top. Each is fetched from memory while
+/// others are visited.
 class OpenChildren {
   public:
+    KERNEL_INLINE OpenChildren(const Node* nodes, const Leaf* leaves) : nodes_(nodes), leaves_(leaves) {}
+
     bool is_empty() const { return count_ == 0; }
     OpenChild take() { return open_[--count_]; }
 
@@ -50,10 +53,19 @@ class OpenChildren {
     }
 
   private:
-    KERNEL_INLINE static OpenChild child(const Node& node, unsigned i, const float* near) {
-        return {near[i], node.children.data()[i]};
+    KERNEL_INLINE OpenChild child(const Node& node, unsigned i, const float* near) const {
+        const std::uint32_t child = node.children.data()[i];
+        const void* const place = child >= first_leaf ? static_cast<const void*>(leaves_ + (child - first_leaf))
+                                                      : static_cast<const void*>(nodes_ + child);
+        constexpr std::size_t cache_line = 64;
+        for (std::size_t at = 0; at < sizeof(Leaf); at += cache_line) {
+            __builtin_prefetch(static_cast<const char*>(place) + at);
+        }
+        return {near[i], child};
     }
 
+    const Node* nodes_;
+    const Leaf* leaves_;
     std::uint32_t count_ = 0;
     OpenChild open_[deepest_tree * children_per_node];
 };
@@ -86,7 +98,7 @@ KERNEL_INLINE bool walk_with(const Tree& tree, const kernel::Ray<double>& ray, d
     const Node* const nodes = tree.nodes.data();
     const Leaf* const leaves = tree.leaves.data();
     float until_tau = in_tree.tau(until);
-    OpenChildren open;
+    OpenChildren open(nodes, leaves);
     std::uint32_t here = 0;
     while (true) {
         if (here >= first_leaf) {
