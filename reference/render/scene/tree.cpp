@@ -10,8 +10,8 @@
 namespace reference::render {
 namespace {
 
-/// Chooses which boxes of a binary tree become nodes of eight places, so that the areas of these add up to the least: the
-/// larger a box, the more rays meet it (Ylitie, Karras and Laine, 2017). Every place is taken that can be.
+/// Chooses which boxes of a binary tree become nodes of eight places, so that the areas of these add up to the least:
+/// the larger a box, the more rays meet it (Ylitie, Karras and Laine, 2017). Every place is taken that can be.
 class Places {
   public:
     explicit Places(std::span<const BinaryNode> binary) : binary_(binary) {
