@@ -83,6 +83,12 @@ export async function open(browser, url, options = {}) {
   return { page, problems, close };
 }
 
+/** Both widths and both themes: what fits depends on the width alone, and colours on the theme. */
+export const windows = [
+  { name: '400-dark', width: 400, dark: true },
+  { name: '1400-light', width: 1400, dark: false },
+];
+
 /** Fails with every fault in its message: not every version of Node adds them to a message of the caller's. */
 function expectNone(faults, what) {
   assert.ok(faults.length === 0, `${what}: ${faults.join('; ')}`);

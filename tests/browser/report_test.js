@@ -5,7 +5,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
-import { expectAccessible, expectNoOverflow, expectWordsApart, folder, open, raygrade, screenshot, startBrowser } from './browser.js';
+import { expectAccessible, expectNoOverflow, expectWordsApart, folder, open, raygrade, screenshot, startBrowser, windows } from './browser.js';
 
 const project = fileURLToPath(new URL('../..', import.meta.url));
 const hostileId = '<img src=x onerror=alert(1)>';
@@ -222,21 +222,19 @@ test('who made the same mistake is named with it', async () => {
   await seen.close();
 });
 
-for (const dark of [false, true]) {
-  for (const width of [400, 1400]) {
-    const name = `report-${width}-${dark ? 'dark' : 'light'}`;
-    test(`${name}: accessible, and it fits`, async () => {
-      const seen = await open(browser, report.url, { width, dark });
-      await expectAccessible(seen.page);
-      await expectNoOverflow(seen.page);
-      await screenshot(seen.page, name);
-      await seen.page.locator('#class').getByRole('link', { name: 's09', exact: true }).click();
-      await expectAccessible(seen.page, `${name}, with a student open`);
-      await expectNoOverflow(seen.page);
-      await screenshot(seen.page, `${name}-student`, { whole: false });
-      await seen.close();
-    });
-  }
+for (const { name: size, ...window } of windows) {
+  const name = `report-${size}`;
+  test(`${name}: accessible, and it fits`, async () => {
+    const seen = await open(browser, report.url, window);
+    await expectAccessible(seen.page);
+    await expectNoOverflow(seen.page);
+    await screenshot(seen.page, name);
+    await seen.page.locator('#class').getByRole('link', { name: 's09', exact: true }).click();
+    await expectAccessible(seen.page, `${name}, with a student open`);
+    await expectNoOverflow(seen.page);
+    await screenshot(seen.page, `${name}-student`, { whole: false });
+    await seen.close();
+  });
 }
 
 test('without its script it says the same', async () => {

@@ -137,7 +137,7 @@ test('keys alone review a class: reread, points, accept, comment, undo', async (
 });
 
 for (const [name, options] of Object.entries({
-  1600: { width: 1600 }, 390: { width: 390, height: 844 }, dark: { width: 1400, dark: true } })) {
+  1600: { width: 1600 }, '390-dark': { width: 390, height: 844, dark: true } })) {
   test(`the pages are accessible and fit, ${name}`, async () => {
     const site = await review();
     const seen = await open(browser, site, { ...options, site });

@@ -5,7 +5,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
-import { expectAccessible, expectNoOverflow, expectWordsApart, folder, open, raygrade, screenshot, startBrowser } from './browser.js';
+import { expectAccessible, expectNoOverflow, expectWordsApart, folder, open, raygrade, screenshot, startBrowser, windows } from './browser.js';
 
 const project = fileURLToPath(new URL('../..', import.meta.url));
 const sample = (who) => path.join(project, 'submissions', who, 'ray_cast.cpp');
@@ -116,17 +116,15 @@ test('a file that is no page of ours is left alone, a page is replaced', async (
 });
 
 for (const who of ['jin', 'nadia', 'mateo', 'ada']) {
-  for (const dark of [false, true]) {
-    for (const width of [400, 1400]) {
-      const name = `student-${who}-${width}-${dark ? 'dark' : 'light'}`;
-      test(`${name}: accessible, and it fits`, async () => {
-        const seen = await open(browser, await check(sample(who), name), { width, dark });
-        await expectAccessible(seen.page);
-        await expectNoOverflow(seen.page);
-        await screenshot(seen.page, name);
-        await seen.close();
-      });
-    }
+  for (const { name: size, ...window } of windows) {
+    const name = `student-${who}-${size}`;
+    test(`${name}: accessible, and it fits`, async () => {
+      const seen = await open(browser, await check(sample(who), name), window);
+      await expectAccessible(seen.page);
+      await expectNoOverflow(seen.page);
+      await screenshot(seen.page, name);
+      await seen.close();
+    });
   }
 }
 
