@@ -62,6 +62,7 @@ export async function open(browser, url, options = {}) {
     problems.push(`asked for ${asked}`);
     return route.abort();
   });
+  context.setDefaultTimeout(120_000);  // a busy machine takes long for a click in a table of thousands
   const page = await context.newPage();
   page.on('console', (message) => {
     if (['error', 'warning', 'assert'].includes(message.type())) problems.push(`${message.type()}: ${message.text()}`);
