@@ -25,10 +25,9 @@ class PlainTree {
         for (std::size_t i = tree.nodes.size(); i-- > 0;) {
             Node& node = nodes_[i];
             for (std::size_t child = 0; child < render::children_per_node; ++child) {
-                const bool is_missing = tree.nodes[i].sides[0][child] > tree.nodes[i].sides[1][child];
                 const std::uint32_t index = tree.nodes[i].children[child];
                 render::Box box;
-                if (!is_missing) {
+                if (!tree.nodes[i].is_missing(child)) {
                     box = index >= render::first_leaf ? bounds_of(tree.leaves[index - render::first_leaf])
                                                       : bounds[index];
                 }

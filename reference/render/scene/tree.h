@@ -50,9 +50,12 @@ struct alignas(64) Leaf {
 };
 
 struct alignas(64) Node {
-    /// By axis the lower sides, then the upper sides, in the tree's coordinates. No ray meets a missing child.
+    /// By axis the lower sides, then the upper sides, in the tree's coordinates. No ray meets a missing child, whose
+    /// lower sides are above its upper ones.
     std::array<std::array<float, children_per_node>, 6> sides;
     std::array<std::uint32_t, children_per_node> children;  ///< a node, or a leaf + first_leaf
+
+    bool is_missing(std::size_t child) const { return sides[0][child] > sides[1][child]; }
 };
 
 constexpr std::uint32_t first_leaf = std::uint32_t{1} << 31U;

@@ -46,8 +46,10 @@ Box side_box(const Node& node, std::size_t child) {
     return box;
 }
 
-bool is_missing(const Node& node, std::size_t child) {
-    return node.sides[0][child] > node.sides[1][child];
+void expect_within(const Box& box, const Box& around) {
+    Box both = around;
+    both.cover(box);
+    EXPECT_TRUE(both.low == around.low && both.high == around.high);
 }
 
 /// Calls visit(leaf, box of the leaf, depth) for each leaf, and expects boxes to lie in the boxes around them.
@@ -55,11 +57,9 @@ void for_each_leaf(const Tree& tree, const auto& visit, std::uint32_t here = 0, 
                    const Box& around = {{-1, -1, -1}, {1, 1, 1}}) {
     const Node& node = tree.nodes[here];
     for (std::size_t i = 0; i < children_per_node; ++i) {
-        if (is_missing(node, i)) continue;
+        if (node.is_missing(i)) continue;
         const Box box = side_box(node, i);
-        Box both = around;
-        both.cover(box);
-        EXPECT_TRUE(both.low == around.low && both.high == around.high);
+        expect_within(box, around);
         if (node.children[i] >= first_leaf) {
             visit(tree.leaves[node.children[i] - first_leaf], box, depth);
         } else {
@@ -83,9 +83,7 @@ void expect_to_hold_all(const std::vector<Box>& boxes) {
         EXPECT_LE(depth, deepest_tree);
         for (std::size_t lane = 0; lane < leaf.count; ++lane) {
             const Box& box = boxes[leaf.objects[lane]];
-            Box both = around;
-            both.cover({in_tree(tree, box.low), in_tree(tree, box.high)});
-            EXPECT_TRUE(both.low == around.low && both.high == around.high);
+            expect_within({in_tree(tree, box.low), in_tree(tree, box.high)}, around);
             ++times[leaf.objects[lane]];
         }
     });
@@ -167,7 +165,7 @@ double area_of_nodes(const Tree& tree) {
     for (const Node& node : tree.nodes) {
         Box box;
         for (std::size_t i = 0; i < children_per_node; ++i) {
-            if (!is_missing(node, i)) box.cover(side_box(node, i));
+            if (!node.is_missing(i)) box.cover(side_box(node, i));
         }
         const Vec3<double> size = box.high - box.low;
         area += size.x * size.y + size.y * size.z + size.z * size.x;
