@@ -14,20 +14,20 @@
 namespace harness {
 namespace {
 
-std::string_view mark(Finding::Level level) {
+std::string_view mark(MachineFinding::Level level) {
     switch (level) {
-        case Finding::Level::good: return "good";
-        case Finding::Level::warning: return "warning";
-        case Finding::Level::bad: return "BAD";
+        case MachineFinding::Level::good: return "good";
+        case MachineFinding::Level::warning: return "warning";
+        case MachineFinding::Level::bad: return "BAD";
     }
     return "";
 }
 
-Color color_of(Finding::Level level) {
+Color color_of(MachineFinding::Level level) {
     switch (level) {
-        case Finding::Level::good: return Color::green;
-        case Finding::Level::warning: return Color::yellow;
-        case Finding::Level::bad: return Color::red;
+        case MachineFinding::Level::good: return Color::green;
+        case MachineFinding::Level::warning: return Color::yellow;
+        case MachineFinding::Level::bad: return Color::red;
     }
     return Color::red;
 }
@@ -40,19 +40,19 @@ std::string indented(const std::string& text) {
 }
 
 /// What every decision and every mark counts on.
-Finding arithmetic() {
+MachineFinding arithmetic() {
     const std::string trouble = reference::kernel::arithmetic_trouble();
-    if (trouble.empty()) return {"arithmetic", Finding::Level::good, "known hard decisions come out right", ""};
-    return {"arithmetic", Finding::Level::bad, trouble, "build raygrade as README.md says"};
+    if (trouble.empty()) return {"arithmetic", MachineFinding::Level::good, "known hard decisions come out right", ""};
+    return {"arithmetic", MachineFinding::Level::bad, trouble, "build raygrade as README.md says"};
 }
 
 struct DoctorOptions {
     bool json = false;
 };
 
-void print_for_people(const std::vector<Finding>& findings, bool bad) {
+void print_for_people(const std::vector<MachineFinding>& findings, bool bad) {
     const Colors colors = colors_of_stdout();
-    for (const Finding& finding : findings) {
+    for (const MachineFinding& finding : findings) {
         const std::string level = fmt::format("{:<8}", mark(finding.level));
         fmt::print("{} {}: {}\n", colored(level, color_of(finding.level), colors), finding.what,
                    indented(finding.detail));
@@ -61,11 +61,11 @@ void print_for_people(const std::vector<Finding>& findings, bool bad) {
     fmt::print("{}\n", bad ? "This machine can't grade yet." : "This machine is ready to grade.");
 }
 
-void print_json(const std::vector<Finding>& findings, bool bad) {
+void print_json(const std::vector<MachineFinding>& findings, bool bad) {
     using Json = nlohmann::ordered_json;
     Json list = Json::array();
-    for (const Finding& finding : findings) {
-        const std::string_view level = finding.level == Finding::Level::bad ? "bad" : mark(finding.level);
+    for (const MachineFinding& finding : findings) {
+        const std::string_view level = finding.level == MachineFinding::Level::bad ? "bad" : mark(finding.level);
         list.push_back({{"what", finding.what},
                         {"level", level},
                         {"detail", finding.detail},
@@ -76,10 +76,10 @@ void print_json(const std::vector<Finding>& findings, bool bad) {
 }
 
 int tell_findings(const DoctorOptions& options) {
-    std::vector<Finding> findings = examine_machine();
+    std::vector<MachineFinding> findings = examine_machine();
     findings.push_back(arithmetic());
-    const bool bad =
-        std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.level == Finding::Level::bad; });
+    const bool bad = std::any_of(findings.begin(), findings.end(),
+                                 [](const MachineFinding& f) { return f.level == MachineFinding::Level::bad; });
     (options.json ? print_json : print_for_people)(findings, bad);
     return bad ? some_not_graded : all_graded;
 }

@@ -25,10 +25,10 @@
 namespace harness {
 namespace {
 
-using Level = Finding::Level;
+using Level = MachineFinding::Level;
 constexpr double bytes_per_mib = 1024.0 * 1024.0;
 
-Finding good(std::string what, std::string detail) {
+MachineFinding good(std::string what, std::string detail) {
     return {std::move(what), Level::good, std::move(detail), {}};
 }
 
@@ -74,7 +74,7 @@ std::string way_to(const CanaryReport& report) {
 }
 
 /// `when_not` is the level if the tier does not hold: only a warning if another tier does.
-Finding finding_of(const CanaryReport& report, Level when_not) {
+MachineFinding finding_of(const CanaryReport& report, Level when_not) {
     const std::string what = "sandbox " + std::string(to_string(report.tier));
     if (report.held()) return good(what, attempts_of(report));
     const std::string meanwhile =
@@ -91,7 +91,7 @@ CanaryReport examine_tier(Tier tier) {
 }
 
 /// Examines each tier and says which one is used for grading.
-std::vector<Finding> examine_sandboxes() {
+std::vector<MachineFinding> examine_sandboxes() {
     if (!missing_parts().empty()) {
         return {
             {"programs run in", Level::bad, "no sandbox was tried, as parts of raygrade are missing", "See above."}};
@@ -99,7 +99,7 @@ std::vector<Finding> examine_sandboxes() {
     std::vector<CanaryReport> reports = {examine_tier(Tier::bwrap), examine_tier(Tier::landlock)};
     const auto best =
         std::find_if(reports.begin(), reports.end(), [](const CanaryReport& report) { return report.held(); });
-    std::vector<Finding> findings;
+    std::vector<MachineFinding> findings;
     for (const CanaryReport& report : reports) {
         findings.push_back(finding_of(report, best == reports.end() ? Level::bad : Level::warning));
     }
@@ -117,7 +117,7 @@ Runner any_runner() {
     return open_runner({.sandbox = "auto", .unsafe = true, .limits = {}}, {});
 }
 
-Finding examine_compiler(const Runner& runner) {
+MachineFinding examine_compiler(const Runner& runner) {
     const BuildSettings& settings = runner.build;
     if (settings.compiler.empty()) return {"compiler", Level::bad, "no g++ in a folder of PATH", "apt install g++"};
     const Scratch scratch(runner.sandbox->workspace());
@@ -137,7 +137,7 @@ Finding examine_compiler(const Runner& runner) {
 }
 
 /// Compiles and runs the smallest program that needs what every submission needs.
-Finding examine_chain(const Runner& runner) {
+MachineFinding examine_chain(const Runner& runner) {
     Submission submission;
     submission.id = "doctor";
     submission.source =
@@ -160,7 +160,7 @@ Finding examine_chain(const Runner& runner) {
                                   static_cast<double>(result.peak_memory_bytes) / bytes_per_mib));
 }
 
-Finding examine_scratch() {
+MachineFinding examine_scratch() {
     const Workspace workspace;
     struct statvfs disk {};
     if (statvfs(workspace.path().c_str(), &disk) != 0) throw HarnessError("Could not ask for the space on the disk.");
@@ -171,19 +171,19 @@ Finding examine_scratch() {
     return {"scratch folder", Level::warning, detail, "Make room there, or set TMPDIR to another folder."};
 }
 
-Finding examine_parts() {
+MachineFinding examine_parts() {
     std::string detail;
     for (const std::string& missing : missing_parts()) detail += (detail.empty() ? "" : "\n") + missing;
     if (detail.empty()) return good("parts of raygrade", "all are there");
     return {"parts of raygrade", Level::bad, detail, "Install or build all of raygrade again."};
 }
 
-Finding examine_cores() {
+MachineFinding examine_cores() {
     const unsigned cores = std::thread::hardware_concurrency();
     return good("cores", fmt::format("{}; grade with -j {}", cores, cores));
 }
 
-Finding examine_memory() {
+MachineFinding examine_memory() {
     std::ifstream file("/proc/meminfo");
     double available_mib = 0;
     for (std::string name, unit; file >> name;) {
@@ -198,7 +198,7 @@ Finding examine_memory() {
     return {"memory", Level::warning, detail, "Grade one submission at a time: -j 1"};
 }
 
-Finding examine_kernel() {
+MachineFinding examine_kernel() {
     struct utsname name {};
     uname(&name);
     return good("kernel", fmt::format("{} {}", name.sysname, name.release));
@@ -206,7 +206,7 @@ Finding examine_kernel() {
 
 struct Examination {
     const char* what;
-    std::function<Finding()> examine;
+    std::function<MachineFinding()> examine;
 };
 
 }  // namespace
@@ -242,7 +242,7 @@ std::string way_to_namespaces(const std::string& failure, const NamespaceSetting
            container + ".";
 }
 
-std::vector<Finding> examine_machine() {
+std::vector<MachineFinding> examine_machine() {
     // If no runner can be opened, get() throws in each check that needs one, and its finding says why.
     const std::shared_future<Runner> runner = std::async(std::launch::deferred, any_runner);
     const Examination examinations[] = {
@@ -254,7 +254,7 @@ std::vector<Finding> examine_machine() {
         {"memory", examine_memory},
         {"kernel", examine_kernel},
     };
-    std::vector<Finding> findings;
+    std::vector<MachineFinding> findings;
     for (const auto& examination : examinations) {
         try {
             findings.push_back(examination.examine());
@@ -262,7 +262,7 @@ std::vector<Finding> examine_machine() {
             findings.push_back({examination.what, Level::bad, failure.what(), "See the message."});
         }
     }
-    const std::vector<Finding> sandboxes = examine_sandboxes();
+    const std::vector<MachineFinding> sandboxes = examine_sandboxes();
     findings.insert(findings.end(), sandboxes.begin(), sandboxes.end());
     return findings;
 }

@@ -6,7 +6,7 @@
 
 namespace harness {
 
-struct Finding {
+struct MachineFinding {
     enum class Level {
         good,
         warning,  ///< grading works, but not as well
@@ -31,6 +31,6 @@ std::string way_to_namespaces(const std::string& failure, const NamespaceSetting
 
 /// Examines the machine: attacks each sandbox from inside, then compiles and runs a small GLM program in the strongest
 /// one. Takes about two seconds. Never throws: a failure becomes a finding.
-std::vector<Finding> examine_machine();
+std::vector<MachineFinding> examine_machine();
 
 }  // namespace harness

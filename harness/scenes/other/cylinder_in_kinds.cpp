@@ -23,10 +23,10 @@ CylinderPlan cylinder_plan(Kind kind) {
 }
 
 /// The role, as far as the ray can play it: a camera that can be turned plays them all.
-CylinderRole role_in(const Setting& setting) {
-    const CylinderRole role = cylinder_plan(setting.kind).role;
-    const bool turns = setting.located.contains(part::eye) || setting.located.contains(part::lookat);
-    return turns ? role : possible_role(role, setting.ray.V);
+CylinderRole role_in(const Situation& situation) {
+    const CylinderRole role = cylinder_plan(situation.kind).role;
+    const bool turns = situation.located.contains(part::eye) || situation.located.contains(part::lookat);
+    return turns ? role : possible_role(role, situation.ray.V);
 }
 
 }  // namespace
@@ -41,8 +41,8 @@ void draw_object(reference::Cylinder<double>& cylinder, const Room& room, Draw& 
 }
 
 bool is_as_wanted(const reference::Cylinder<double>& cylinder, const reference::CylinderAnswers<double>& /*answers*/,
-                  const Setting& setting) {
-    return plays(role_in(setting), cylinder_meeting(setting.ray, cylinder));
+                  const Situation& situation) {
+    return plays(role_in(situation), cylinder_meeting(situation.ray, cylinder));
 }
 
 template <>

@@ -11,14 +11,14 @@
 
 namespace harness::scenes {
 
-struct Setting {
+struct Situation {
     Kind kind;
     const PartSet& located;  ///< only these parts may change
     const reference::CameraAnswers<double>& ray;
 };
 
 /// Where the objects are put.
-struct Room : Setting {
+struct Room : Situation {
     double size;                     ///< lengths grow with it
     double distance;                 ///< from the ray's start, of an object that has no distance of its own
     reference::Vec3<double> beside;  ///< a unit vector perpendicular to the ray, of one that needs no other
@@ -31,11 +31,11 @@ void draw_object(reference::Cylinder<double>& cylinder, const Room& room, Draw& 
 
 // Whether it does so, and clearly: no float program may mistake it. Called for objects whose first part was located.
 bool is_as_wanted(const reference::Sphere<double>& sphere, const reference::SphereAnswers<double>& answers,
-                  const Setting& setting);
+                  const Situation& situation);
 bool is_as_wanted(const reference::Triangle<double>& triangle, const reference::TriangleAnswers<double>& answers,
-                  const Setting& setting);
+                  const Situation& situation);
 bool is_as_wanted(const reference::Cylinder<double>& cylinder, const reference::CylinderAnswers<double>& answers,
-                  const Setting& setting);
+                  const Situation& situation);
 
 struct ObjectInKinds {
     /// What a scene of the kind is called where it is about this object; else empty.

@@ -25,11 +25,11 @@ void draw_object(reference::Sphere<double>& sphere, const Room& room, Draw& draw
 }
 
 bool is_as_wanted(const reference::Sphere<double>& sphere, const reference::SphereAnswers<double>& answers,
-                  const Setting& setting) {
+                  const Situation& situation) {
     // V has length 1, so that d = 4 (R^2 - distance^2): the share of R^2 says how near the rim the ray is.
     const double share = answers.quadratic.d / (4 * sphere.radius * sphere.radius);
     const bool before = answers.t && *answers.t > 0.3;
-    switch (setting.kind) {
+    switch (situation.kind) {
         case Kind::off_axis:
         case Kind::in_front: return share > 0.2 && before;
         case Kind::beside: return share < -0.2;

@@ -26,7 +26,7 @@ void draw_object(reference::Triangle<double>& triangle, const Room& room, Draw& 
 }
 
 bool is_as_wanted(const reference::Triangle<double>& /*triangle*/, const reference::TriangleAnswers<double>& answers,
-                  const Setting& /*setting*/) {
+                  const Situation& /*situation*/) {
     constexpr double margin = 0.05;
     return answers.t && *answers.t > 0.2 && *answers.u > margin && *answers.v > margin &&
            1 - *answers.u - *answers.v > margin;
