@@ -95,14 +95,12 @@ function expectNone(faults, what) {
   assert.ok(faults.length === 0, `${what}: ${faults.join('; ')}`);
 }
 
-/** Every rule of axe, best practices too, on the page as it is now; `exclude`: a selector of what need not be looked at. */
-export async function expectAccessible(page, what = page.url(), { exclude } = {}) {
+/** Every rule of axe, best practices too, on the page as it is now. */
+export async function expectAccessible(page, what = page.url()) {
   // Without resultTypes axe describes each of the thousands of elements that are right.
   // axe is evaluated and not added as an element, because the page's own policy rightly refuses scripts.
   await page.evaluate(axe.source);
-  const result = await page.evaluate(
-    (context) => globalThis.axe.run(context ?? document, { preload: false, resultTypes: ['violations'] }),
-    exclude && { exclude: [[exclude]] });
+  const result = await page.evaluate(() => globalThis.axe.run(document, { preload: false, resultTypes: ['violations'] }));
   const found = result.violations.map(
     ({ id, help, nodes }) => `${id}: ${help}\n    ${nodes.slice(0, 3).map((node) => `${node.html} ${node.failureSummary}`).join('\n    ')}`);
   expectNone(found, `${what}: what axe found`);
