@@ -72,7 +72,7 @@ Order reversed(Order order) {
 
 /// What the words from words[from] to words[to] say about the order of these two objects.
 Order order_between(HitWords words, std::size_t from, std::size_t to) {
-    const bool of_t = from > 0 && words[from - 1].text == "t";
+    const bool of_t = (from > 0 && words[from - 1].text == "t") || words[from + 1].text == "t";
     bool negated = false;
     for (std::size_t i = from + 1; i <= to; ++i) {
         const HitWord& word = words[i];
@@ -120,10 +120,7 @@ std::optional<Subject> concluded(HitWords words, const std::vector<Mention>& men
     const bool is_repeated = std::any_of(mentions.begin(), mentions.end() - 1,
                                          [&](const Mention& each) { return each.object == last.object; });
     const HitWords between = words.subspan(before + 1, last.at - before);
-    const bool concludes =
-        has(between, Meaning::conclusion) || std::ranges::any_of(between, [](const HitWord& word) {
-            return word.signs.find("->") != std::string::npos || word.signs.find("=>") != std::string::npos;
-        });
+    const bool concludes = has(between, Meaning::conclusion) || std::ranges::any_of(between, has_arrow);
     const bool goes_on = last.at + 1 < words.size();
     return is_repeated && concludes && !last.denied && !goes_on ? std::optional(last.object) : std::nullopt;
 }
@@ -133,7 +130,8 @@ std::optional<Subject> first_of(HitWords words, const std::vector<Mention>& ment
     if (const auto object = concluded(words, mentions)) return object;
     for (std::size_t i = 0; i + 1 < mentions.size(); ++i) {
         const Mention &one = mentions[i], &next = mentions[i + 1];
-        if (one.object == next.object) continue;
+        // "misses the sphere, then hits the triangle" tells no order.
+        if (one.object == next.object || one.denied != next.denied) continue;
         switch (order_between(words, one.at, next.at)) {
             case Order::none: continue;
             case Order::first_named_first:
@@ -222,6 +220,11 @@ bool is_of_later_place(HitWords words) {
     return has_ordinal || is_numbered;
 }
 
+bool is_yes(const HitWord& word) {
+    constexpr std::string_view yes[] = {"yes", "true", "y", "1", "ja", "wahr", "oui", "vrai", "si", "sim"};
+    return std::ranges::find(yes, word.text) != std::end(yes);
+}
+
 std::optional<Verdict> verdict_of(std::string_view line, VerdictPlace place) {
     std::vector<HitWord> all = hit_words(line.substr(0, longest_verdict_line));
     deny_by_zero(all);
@@ -232,7 +235,11 @@ std::optional<Verdict> verdict_of(std::string_view line, VerdictPlace place) {
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (all[i].signs.find('?') != std::string::npos) begin = i;
     }
-    const HitWords words = HitWords(all).subspan(begin);
+    HitWords words = HitWords(all).subspan(begin);
+    if (begin > 0 && words.size() == 1) {
+        if (is_yes(words[0])) words = HitWords(all).first(begin);  // "Is the sphere first? yes"
+        if (negates(words[0].meaning)) return std::nullopt;
+    }
     const std::vector<Mention> mentions = mentions_in(words);
     for (const Meaning superlative : {Meaning::first, Meaning::nearest}) {
         if (!has(words, superlative)) continue;

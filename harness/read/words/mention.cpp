@@ -31,13 +31,22 @@ bool is_superlative(Meaning meaning) {
     return meaning == Meaning::first || meaning == Meaning::nearest;
 }
 
+/// Whether "and" at words[at] joins clauses: "the sphere is missed and the triangle is hit".
+bool joins_clauses(HitWords words, std::size_t at) {
+    return is_joint(words[at]) && words[at].meaning != Meaning::either && at > 0 && !object_of(words[at - 1].meaning);
+}
+
 bool is_denied_before(HitWords words, std::size_t object, const std::vector<Mention>& earlier) {
     for (std::size_t i = object; i > 0; --i) {
         const bool is_listed = goes_on_with_list(words, i);
-        if (begins_clause(words[i]) && !is_listed) return false;
+        if ((begins_clause(words[i]) && !is_listed) || joins_clauses(words, i) || has_arrow(words[i])) return false;
         const HitWord& word = words[i - 1];
-        if (object_of(word.meaning))
-            return (is_listed || is_joint(words[i])) && !earlier.empty() && earlier.back().denied;
+        if (object_of(word.meaning)) {
+            // "the sphere and the triangle", but not "misses the sphere and hits the triangle"
+            const bool is_joined =
+                is_listed || words[i].meaning == Meaning::either || joined_object(words, i) == object;
+            return is_joined && !earlier.empty() && earlier.back().denied;
+        }
         // "nothing is hit before the triangle" does not deny the triangle.
         if (word.meaning == Meaning::contrast || word.meaning == Meaning::before || is_superlative(word.meaning))
             return false;
@@ -72,6 +81,10 @@ bool is_denied_behind(HitWords words, std::size_t object) {
 bool is_joint(const HitWord& word) {
     return word.text == "and" || word.text == "und" || word.text == "et" || word.text == "y" || word.text == "e" ||
            word.text == "nor" || word.meaning == Meaning::either;
+}
+
+bool has_arrow(const HitWord& word) {
+    return word.signs.find("->") != std::string::npos || word.signs.find("=>") != std::string::npos;
 }
 
 bool begins_clause(const HitWord& word) {

@@ -28,6 +28,9 @@ std::vector<Mention> not_denied(const std::vector<Mention>& mentions);
 /// Whether the word joins objects: "and", "or".
 bool is_joint(const HitWord& word);
 
+/// Whether an arrow leads to the word.
+bool has_arrow(const HitWord& word);
+
 /// Whether a new clause begins with this word.
 bool begins_clause(const HitWord& word);
 

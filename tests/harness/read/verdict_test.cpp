@@ -96,10 +96,37 @@ TEST(ReadVerdict, ReadsTheObjectThatIsNotDenied) {
     EXPECT_EQ(verdict_of({"The sphere is not hit first"}), std::nullopt);
 }
 
+TEST(ReadVerdict, DeniesOnlyWhatTheNegationIsAbout) {
+    for (const char* line :
+         {"the ray misses the sphere and hits the triangle", "the sphere is missed and the triangle is hit",
+          "The ray does not hit the sphere and hits the triangle",
+          "The ray does not intersect the sphere and intersects the triangle",
+          "misses the sphere then hits the triangle", "misses the sphere, then it hits the triangle",
+          "no intersection with the sphere and an intersection with the triangle", "no sphere hit -> triangle",
+          "no hit with sphere -> triangle", "not sphere -> triangle", "sphere missed => triangle",
+          "Der Strahl verfehlt die Kugel und trifft das Dreieck", "kein Treffer der Kugel -> Dreieck"}) {
+        EXPECT_EQ(verdict_of({line}), triangle) << line;
+    }
+    for (const char* line :
+         {"the ray misses the sphere and the triangle", "The ray does not hit the sphere or the triangle",
+          "the ray does not hit the sphere or touch the triangle",
+          "no hit with the sphere and no hit with the triangle", "it neither hits the sphere nor hits the triangle"}) {
+        EXPECT_EQ(verdict_of({line}), Verdict::no_hit) << line;
+    }
+}
+
+TEST(ReadVerdict, ReadsWhatIsSaidYesTo) {
+    EXPECT_EQ(verdict_of({"Is the sphere first? yes"}), sphere);
+    EXPECT_EQ(verdict_of({"Triangle hit first? true"}), triangle);
+    EXPECT_EQ(verdict_of({"Is the triangle first? no"}), std::nullopt) << "of three objects, another one may be";
+    EXPECT_EQ(verdict_of({"Sphere or triangle first? yes"}), std::nullopt);
+}
+
 TEST(ReadVerdict, ReadsTheOrderOfTheObjects) {
-    for (const char* line : {"triangle, cylinder, sphere", "triangle (0.99), cylinder (3.66), sphere (5.78)",
-                             "t_triangle < t_cylinder < t_sphere", "t_sphere > t_triangle", "triangle -> sphere",
-                             "Sphere second, triangle first, cylinder third", "triangle then sphere"})
+    for (const char* line :
+         {"triangle, cylinder, sphere", "triangle (0.99), cylinder (3.66), sphere (5.78)",
+          "t_triangle < t_cylinder < t_sphere", "t_sphere > t_triangle", "sphere t > triangle t", "triangle -> sphere",
+          "Sphere second, triangle first, cylinder third", "triangle then sphere"})
         EXPECT_EQ(verdict_of({line}), triangle) << line;
     for (const char* line : {"sphere and triangle", "sphere: hit, triangle: hit, cylinder: hit", "sphere or triangle",
                              "sphere, triangle and cylinder are objects"})
