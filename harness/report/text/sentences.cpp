@@ -74,6 +74,25 @@ std::vector<std::string> runs_of(const std::vector<int>& questions) {
     return runs;
 }
 
+/// Leaves of each path in quotes only what it names.
+std::string names_without_folders(std::string_view text) {
+    std::string result;
+    bool is_quoted = false;
+    while (true) {
+        const std::size_t quote = text.find('"');
+        std::string_view part = text.substr(0, quote);
+        if (is_quoted) {
+            while (part.size() > 1 && part.ends_with('/')) part.remove_suffix(1);
+            part.remove_prefix(part.rfind('/') + 1);  // npos + 1 is 0
+        }
+        result += part;
+        if (quote == std::string_view::npos) return result;
+        result += '"';
+        text.remove_prefix(quote + 1);
+        is_quoted = !is_quoted;
+    }
+}
+
 }  // namespace
 
 bool was_cut_short(Outcome outcome) {
@@ -118,12 +137,7 @@ std::string crash_advice(const Graded& graded) {
 
 std::string reason_for_student(const Submission& submission) {
     if (!submission.problem) return "That is not the program's fault: something went wrong here. Ask your instructor.";
-    std::string problem = *submission.problem;
-    const std::string folder = submission.file.parent_path().string() + "/";
-    for (std::size_t at = problem.find(folder); folder != "/" && at != std::string::npos; at = problem.find(folder)) {
-        problem.erase(at, folder.size());
-    }
-    return problem;
+    return names_without_folders(*submission.problem);
 }
 
 std::string doubtful_reading(const Graded& graded) {

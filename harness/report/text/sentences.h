@@ -48,8 +48,9 @@ std::string cap_sentence(double cap);
 /// there.
 std::string crash_advice(const Graded& graded);
 
-/// Tells the student why a submission has no marks, without the machine's problems and folders; the instructor finds
-/// both in the class table. May hold the student's own file names.
+/// Tells the student why a submission has no marks, without the folders of the instructor's machine and without what
+/// failed there while it was graded; the instructor finds both in the class table. May hold the student's own file
+/// names.
 std::string reason_for_student(const Submission& submission);
 
 /// What the instructor said about how answers are to be read, as sentences: "Question 6, t: Read from line 12, …"

@@ -189,6 +189,15 @@ TEST(Feedback, SaysWhyThereAreNoMarksWithoutTheInstructorsPath) {
     EXPECT_THAT(text, Not(HasSubstr("points**")));
 }
 
+TEST(Feedback, NamesNoFolderOfTheInstructorsWhereThereIsNoSource) {
+    Graded bob = not_graded("bob");
+    bob.submission.problem =
+        "\"/home/prof/class/bob/\" holds no C++ source itself; there is one in \"/home/prof/class/bob/src\". Move it "
+        "up.";
+    EXPECT_THAT(feedback_markdown(bob, marking()),
+                HasSubstr("`\"bob\" holds no C++ source itself; there is one in \"src\". Move it up.`"));
+}
+
 TEST(Feedback, HidesTheMachinesFailuresFromTheStudent) {
     Graded bob = not_graded("bob");
     bob.explanation = "The disk of \"/srv/grading\" has less than 256 MiB left.";
