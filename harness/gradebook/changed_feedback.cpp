@@ -62,9 +62,10 @@ json taken(json& record, const char* field) {
     return value;
 }
 
+/// Empty if the flag comes and goes without an option.
 std::string option_of_flag(const std::string& kind) {
-    if (kind == "reading_doubtful") return "";
-    return kind == "nondeterministic" ? "--repeat" : "--variants";
+    if (kind == "nondeterministic") return "--repeat";
+    return kind == "hard_coded" || kind == "variants_not_tried" ? "--variants" : "";
 }
 
 /// The flags by kind. A submission has at most one flag of each kind.
@@ -87,33 +88,35 @@ void add_feedback(FeedbackChanges& changes, const Graded& before, const Graded& 
     if (before.submission.file.filename() == after.submission.file.filename())
         now["submission"]["file"] = then["submission"]["file"];  // no feedback has the folders or the archive
     bool differs = false;
-    const auto compare = [&](const json& one, const json& two, const std::string& part, const std::string& option) {
+    const auto compare = [&](const json& one, const json& two, const std::string& part) {
         if (one == two) return;
         differs = true;
-        if (one.is_null() && !option.empty()) {
-            ++change_of(changes, part, option).fresh;
-        } else if (two.is_null() && !option.empty()) {
-            ++change_of(changes, part, option).gone;
-        } else if (marks == Marks::same) {
-            ++change_of(changes, part, option).other;
-        }
+        if (marks == Marks::same) ++change_of(changes, part, "").other;
+    };
+    const auto compare_optional = [&](const json& one, const json& two, const std::string& part,
+                                      const std::string& option) {
+        if (one.is_null() == two.is_null()) return compare(one, two, part);
+        differs = true;
+        PartChange& change = change_of(changes, part, option);
+        ++(one.is_null() ? change.fresh : change.gone);
     };
     for (const Optional& each : optional_parts)
-        compare(taken(then, each.field), taken(now, each.field), each.part, each.option);
+        compare_optional(taken(then, each.field), taken(now, each.field), each.part, each.option);
     json flags_then = flags_by_kind(taken(then, "flags")), flags_now = flags_by_kind(taken(now, "flags"));
     json kinds = flags_then;
     kinds.update(flags_now);
     for (const auto& [kind, evidence] : kinds.items())
-        compare(taken(flags_then, kind.c_str()), taken(flags_now, kind.c_str()), "flag " + kind, option_of_flag(kind));
+        compare_optional(taken(flags_then, kind.c_str()), taken(flags_now, kind.c_str()), "flag " + kind,
+                         option_of_flag(kind));
     if (marks == Marks::moved) return;
     for (const Always& each : lasting_parts)
-        compare(taken(then[each.group], each.field), taken(now[each.group], each.field), each.part, "");
+        compare(taken(then[each.group], each.field), taken(now[each.group], each.field), each.part);
     for (const auto& [group, field] : measured) {
         taken(then[group], field);
         taken(now[group], field);
     }
-    for (const auto& [field, part] : rest) compare(taken(then, field), taken(now, field), part, "");
-    compare(then, now, "details", "");
+    for (const auto& [field, part] : rest) compare(taken(then, field), taken(now, field), part);
+    compare(then, now, "details");
     ++(differs ? changes.differing : changes.remeasured);
 }
 

@@ -13,7 +13,7 @@ namespace harness {
 /// A part of the feedback, and in how many submissions it is new (`fresh`), gone or different (`other`).
 struct PartChange {
     std::string part;    ///< "hard scenes", "flag hard_coded"
-    std::string option;  ///< the option that adds this part: "--stress"; empty if every submission has it
+    std::string option;  ///< the option that adds this part: "--stress"; empty if none does
     std::size_t fresh = 0;
     std::size_t gone = 0;
     std::size_t other = 0;

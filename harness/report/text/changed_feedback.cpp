@@ -18,7 +18,7 @@ std::string part_text(const PartChange& change) {
     add(change.fresh, "new in");
     add(change.other, "changed in");
     add(change.gone, "gone from");
-    if (change.gone > 0) text += fmt::format(" (see {})", change.option);
+    if (change.gone > 0 && !change.option.empty()) text += fmt::format(" (see {})", change.option);
     return text;
 }
 

@@ -49,6 +49,15 @@ TEST(FeedbackChanges, NameEachAddedOrRemovedPartWithItsOption) {
               "flag nondeterministic gone from 1 (see --repeat).\n");
 }
 
+TEST(FeedbackChanges, NameNoOptionForAFlagThatNoneAdds) {
+    Graded late = plain();
+    late.flags = {{"late_without_date", "Handed in late."}};
+    EXPECT_EQ(told(plain(), late),
+              "Apart from the marks, by number of submissions: flag late_without_date new in 1.\n");
+    EXPECT_EQ(told(late, plain()),
+              "Apart from the marks, by number of submissions: flag late_without_date gone from 1.\n");
+}
+
 TEST(FeedbackChanges, NameEachChangedPart) {
     Graded after = with_all();
     after.other_scenes->moved = 3;
