@@ -75,7 +75,7 @@ SlurmLimits limits_for(const Work& work, SlurmLimits asked) {
     const auto shards = static_cast<std::size_t>(work.shards);
     const auto share = static_cast<std::int64_t>((work.submissions + shards - 1) / shards);
     const std::int64_t rounds = (share + asked.cpus - 1) / asked.cpus;
-    const std::chrono::milliseconds each = work.scenes * (work.compile + work.runs * work.run);
+    const std::chrono::milliseconds each = work.scenes * (work.compile + work.runs * work.run) + work.sanitized;
     constexpr int to_start = 10;  // reading the class, the sandbox's check, headers
     if (asked.minutes == 0) {
         asked.minutes = static_cast<int>(std::chrono::ceil<std::chrono::minutes>(rounds * each).count()) + to_start;
@@ -110,18 +110,16 @@ std::vector<Script> parallel_scripts(const Plan& plan, const fs::path& hosts) {
 void write_scripts(const Plan& plan, const std::vector<Script>& scripts, OldParts old_parts) {
     const fs::path kept = plan.folder / "fingerprint";
     const FolderUse use{"the scripts of a cluster", "--scripts"};
-    if (look_into(plan.folder, {"fingerprint"}, "parts", use) == Holds::earlier_results) {
-        if (old_parts == OldParts::give_up) {
-            give_up_parts(plan.folder);
-        } else if (kept_fingerprint(kept) != plan.fingerprint) {
-            throw UsageError(fmt::format(
-                "{}: holds parts of a different class, assignment or options; grade all again with --again, or name "
-                "another folder with --scripts",
-                plan.folder.string()));
-        }
+    const bool has_old = look_into(plan.folder, {"fingerprint"}, "parts", use) == Holds::earlier_results;
+    if (has_old && old_parts == OldParts::keep && kept_fingerprint(kept) != plan.fingerprint) {
+        throw UsageError(fmt::format(
+            "{}: holds parts of a different class, assignment or options; grade all again with --again, or name "
+            "another folder with --scripts",
+            plan.folder.string()));
     }
-    make_results_folder(plan.folder, "parts");
-    make_results_folder(plan.folder, "logs");
+    make_folder(plan.folder, "parts", use.option);
+    if (has_old && old_parts == OldParts::give_up) give_up_parts(plan.folder);
+    make_folder(plan.folder, "logs", use.option);
     write_file(kept, plan.fingerprint);
     for (const Script& script : scripts) write_file(plan.folder / script.name, script.text);
 }

@@ -39,7 +39,8 @@ struct Work {
     int scenes = 1;  ///< a submission is compiled once for each
     int runs = 1;    ///< of each scene
     std::chrono::milliseconds compile{}, run{};
-    std::uint64_t memory_bytes = 0;  ///< the most that compiler or program may take
+    std::uint64_t memory_bytes = 0;         ///< the most that compiler or program may take
+    std::chrono::milliseconds sanitized{};  ///< to compile and run it under the sanitizers too; 0 if it is not
 };
 
 struct Script {

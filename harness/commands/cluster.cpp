@@ -20,6 +20,8 @@
 #include "harness/machine/fingerprint.h"
 #include "harness/machine/say.h"
 #include "harness/run/limits.h"
+#include "harness/run/sanitizer.h"
+#include "harness/scenes/hard/generate.h"
 #include "harness/shards/conditions.h"
 #include "harness/shards/shard.h"
 #include "harness/text/shell_word.h"
@@ -90,11 +92,18 @@ cluster::Work work_of(const ClusterOptions& options, const StageLimits& stages, 
     cluster::Work work;
     work.submissions = submissions;
     work.shards = options.shards;
-    work.scenes = 1 + options.grading.other_scenes.count + (options.grading.stress ? 25 : 0);
-    work.runs = options.grading.runner.repetitions;
+    const RunnerOptions& runner = options.grading.runner;
+    const std::size_t hard_scenes = options.grading.stress ? scenes::most_hard_scenes() : 0;
+    work.scenes = 1 + options.grading.other_scenes.count + static_cast<int>(hard_scenes);
+    work.runs = runner.repetitions;
     work.compile = stages.compile.wall;
     work.run = stages.run.wall;
     work.memory_bytes = std::max(stages.compile.memory_bytes, stages.run.memory_bytes);
+    if (runner.sanitize) {
+        const Limits sanitized = sanitizer_limits(stages.run);
+        work.sanitized = stages.compile.wall + sanitized.wall;
+        work.memory_bytes = std::max(work.memory_bytes, sanitized.memory_bytes);
+    }
     return work;
 }
 

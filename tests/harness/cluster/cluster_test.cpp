@@ -83,6 +83,8 @@ TEST(SlurmLimits, AreThoseOfAShardWhoseSubmissionsGoToTheirs) {
     EXPECT_EQ(limits.minutes, 14);
     EXPECT_EQ(limits.memory_mib, 1024 + 2 * 512);
     EXPECT_EQ(limits_for({1, 1, 1, 1, seconds(20), seconds(10), 0}, {"", 0, 0, 1}).minutes, 11) << "rounded up";
+    EXPECT_EQ(limits_for({1, 1, 1, 1, seconds(20), seconds(10), 0, seconds(70)}, {"", 0, 0, 1}).minutes, 12)
+        << "under the sanitizers too";
 }
 
 TEST(SlurmLimits, ThatWereAskedForStay) {
