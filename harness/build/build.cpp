@@ -381,6 +381,13 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
     return build;
 }
 
+ProcessResult compiler_version(const BuildSettings& settings, const Sandbox& sandbox) {
+    const Scratch scratch(sandbox.workspace());
+    Command command = compiler_command(settings, sandbox, scratch);
+    command.argv = {settings.compiler.string(), "--version"};
+    return run_process(command, sandbox);
+}
+
 bool precompile(const std::string& text, const std::string& file, const BuildSettings& settings, const Sandbox& sandbox,
                 const Scratch& scratch) {
     if (settings.compiler.empty()) throw_no_compiler();

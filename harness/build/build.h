@@ -44,6 +44,9 @@ struct PrecompiledHeader {
 Build build(const Submission& submission, const BuildSettings& settings, const Sandbox& sandbox, const Scratch& scratch,
             const std::optional<PrecompiledHeader>& header = {});
 
+/// What `g++ --version` does, where and as it compiles. Throws HarnessError.
+ProcessResult compiler_version(const BuildSettings& settings, const Sandbox& sandbox);
+
 /// A program that is known to be right, and what it prints. It uses what most submissions use, so that it takes about
 /// as much memory and room.
 extern const char* const known_source;

@@ -120,15 +120,7 @@ Runner any_runner() {
 MachineFinding examine_compiler(const Runner& runner) {
     const BuildSettings& settings = runner.build;
     if (settings.compiler.empty()) return {"compiler", Level::bad, "no g++ in a folder of PATH", "apt install g++"};
-    const Scratch scratch(runner.sandbox->workspace());
-    Command command;
-    command.argv = {settings.compiler.string(), "--version"};
-    command.working_directory = scratch.path();
-    command.purpose = Purpose::compile;
-    command.account = scratch.account();
-    command.environment = {"LC_ALL=C"};
-    command.limits = settings.limits;
-    const ProcessResult result = run_process(command, *runner.sandbox);
+    const ProcessResult result = compiler_version(settings, *runner.sandbox);
     const std::string name = printable(settings.compiler.native());
     if (result.ended == Ended::exited && result.exit_code == 0) {
         return good("compiler", name + ": " + printable(first_line(result.output)));
