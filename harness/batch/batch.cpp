@@ -171,8 +171,7 @@ void Batch::make_header(std::size_t header) {
     try {
         const Timeline::Span span(timeline_, Stage::header, plan_.headers[header].back());
         made = runner_.headers->get(plan_.headers[header]);
-    } catch (const HarnessError&) {
-        made.reset();
+    } catch (const std::exception&) {
     }
     const std::lock_guard guard(mutex_);
     for (const std::size_t index : waiting_[header]) {
