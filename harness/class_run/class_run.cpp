@@ -22,16 +22,17 @@
 namespace harness {
 namespace {
 
-/// Calls `work` with a timeline and, if wanted, shows its progress meanwhile.
+/// Calls `work`, which fills the timeline and, if wanted, shows its progress meanwhile. `what` begins the line at the
+/// end.
 template <class Work>
-void with_progress(const char* what, std::size_t count, const Runner& runner, bool shows_progress, Work work) {
-    Timeline timeline;
+void with_progress(std::string_view what, std::size_t count, const Runner& runner, bool shows_progress,
+                   Timeline& timeline, Work work) {
     {
         std::optional<Progress> progress;
         if (shows_progress) progress.emplace(timeline, count, after_interrupt(runner));
-        work(timeline);
+        work();
     }
-    if (shows_progress) say("{}: {}\n", what, closing_line(timeline));
+    if (shows_progress) say("{}{}\n", what, closing_line(timeline));
 }
 
 /// Where scenes are dealt, a submission whose student has none can't be graded.
@@ -91,8 +92,9 @@ void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::stri
         count += graded.size() * scenes::most_hard_scenes();
     }
     if (trials.empty()) return;
-    const char* what = !wanted.hard ? "other scenes" : other ? "other and hard scenes" : "hard scenes";
-    with_progress(what, count, run.runner, wanted.shows_progress, [&](Timeline& timeline) {
+    const char* what = !wanted.hard ? "other scenes: " : other ? "other and hard scenes: " : "hard scenes: ";
+    Timeline timeline;
+    with_progress(what, count, run.runner, wanted.shows_progress, timeline, [&] {
         scenes::run_rewritten(graded, sources, run.marking.assignment.scene, run.runner, wanted.jobs, timeline, trials);
     });
     if (other) scenes::award_other_scene_points(graded, run.marking.assignment.rubric);
@@ -107,16 +109,12 @@ std::vector<Graded> grade_submissions(std::vector<Submission> submissions, Class
     }
     Timeline timeline;
     std::vector<Graded> graded;
-    {
-        std::optional<Progress> progress;
-        if (!options.quiet) progress.emplace(timeline, submissions.size(), after_interrupt(run.runner));
-        graded = grade_all(std::move(submissions), run.marking, run.runner, options.jobs, timeline);
-    }
-    if (!options.quiet) say("{}\n", closing_line(timeline));
-    tell_problems(run.runner);
+    with_progress("", submissions.size(), run.runner, /*shows_progress=*/!options.quiet, timeline,
+                  [&] { graded = grade_all(std::move(submissions), run.marking, run.runner, options.jobs, timeline); });
     if (!options.trace.empty()) write_file(options.trace, timeline.chrome_trace());
     run_on_more_scenes(graded, sources, run,
                        {options.other_scenes, options.stress, options.jobs, /*shows_progress=*/!options.quiet});
+    tell_problems(run.runner);
     return graded;
 }
 
