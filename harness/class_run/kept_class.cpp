@@ -103,14 +103,20 @@ void rewrite_reports(Gradebook& gradebook, const KeptClass& kept, const Marking&
         throw HarnessError(
             fmt::format("{}: the roster kept in it {}", (folder / gradebook_name).string(), error.what()));
     }
-    make_results_folder(folder, "feedback");
     const ClassResults results{kept.graded, marking, kept.run.tier, roster, worksheet};
-    if (all || changed.size() > 1) {
-        write_all_reports(gradebook, results, folder);
-        return;
+    try {
+        make_folder(folder, "feedback");
+        if (all || changed.size() > 1) {
+            write_all_reports(gradebook, results, folder);
+            return;
+        }
+        if (!changed.empty()) write_reports(results, folder, changed.front());
+        gradebook.note_reports_written();
+    } catch (const std::runtime_error& error) {
+        throw HarnessError(fmt::format(
+            "What was decided is in the gradebook, but not yet in the reports; the next decision writes them. {}",
+            error.what()));
     }
-    if (!changed.empty()) write_reports(results, folder, changed.front());
-    gradebook.note_reports_written();
 }
 
 void tell_mark(const Graded& before, const Graded& after) {

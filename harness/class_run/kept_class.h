@@ -47,8 +47,8 @@ bool must_rewrite_all(const Gradebook& gradebook, const KeptClass& kept, const M
 /// Writes all reports and notes in the gradebook that they are written.
 HandedBack write_all_reports(Gradebook& gradebook, const ClassResults& results, const std::filesystem::path& folder);
 
-/// Writes all reports, because the last command may have left some unwritten, or only those that a change of these
-/// submissions changes.
+/// After decisions: writes all reports, because the last command may have left some unwritten, or only those that a
+/// change of these submissions changes. Throws HarnessError, which says that the decisions are kept.
 void rewrite_reports(Gradebook& gradebook, const KeptClass& kept, const Marking& marking, bool all,
                      const std::vector<std::size_t>& changed, const std::filesystem::path& folder);
 

@@ -164,7 +164,7 @@ Response Site::take_in(const Head& head, const std::string& body) {
     } catch (const UsageError& error) {
         return refused(error, *form);
     } catch (const HarnessError& error) {
-        return page(500, pages_.message("Not done", error.what()));
+        return page(500, pages_.message("Something failed", error.what()));
     }
 }
 
