@@ -1,8 +1,7 @@
-// Writes the report files and pages that options of grade and check name, without replacing files of anybody else.
+// Where the report files go that options of grade and check name, without replacing files of anybody else.
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <string_view>
 
 namespace harness {
@@ -14,12 +13,5 @@ void require_place_for_report_file(const std::filesystem::path& file, std::strin
 /// Checks the same and removes an earlier report, so that none is there if the new one is never written. A symbolic
 /// link is removed, not followed, because the folder may be a student's.
 void prepare_report_file(const std::filesystem::path& file, std::string_view option, std::string_view ending);
-
-/// Checks, before anything is run, that a page can be written to `file`: it must be missing or an earlier page of
-/// raygrade's, and no symbolic link. Throws UsageError, which says what to do about `option`.
-void require_place_for_page(const std::filesystem::path& file, const std::string& option);
-
-/// Writes the page atomically: the earlier file stays until the new one is complete. Throws HarnessError.
-void write_page(const std::filesystem::path& file, const std::string& page, const std::string& option);
 
 }  // namespace harness

@@ -90,7 +90,7 @@ void prepare_folder(const fs::path& out, bool replace) {
             "{}: holds the results of an earlier run; replace them with --force, or name another folder with --out",
             out.string()));
     }
-    make_results_folder(out);
+    make_folder(out, "");
 }
 
 /// With an assignment or meshes and no output folder, examines only these.

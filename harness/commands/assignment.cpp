@@ -161,7 +161,7 @@ int deal_scenes(const AssignmentOptions& options) {
                         options.out.string(), (options.out / file.path.filename()).string()));
     }
     look_into(options.out, {}, "", {"dealt scenes", "--out"});
-    make_results_folder(options.out, "handouts");
+    make_folder(options.out, "handouts");
     ShareProgress progress;
     const auto scenes =
         prepare::deal(assignment, students, {options.search.seed, [&](double done) { progress.tell(done); }});

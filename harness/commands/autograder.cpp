@@ -10,7 +10,6 @@
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/grade/marking.h"
-#include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/say.h"
@@ -31,25 +30,6 @@ struct AutograderOptions {
     bool unsafe = false;              ///< of gradescope
     scenes::OtherScenesOptions other_scenes{};
 };
-
-/// Throws UsageError unless there is nothing at `zip` or an earlier zip that may be replaced.
-void require_place_for_zip(const fs::path& zip, bool may_replace) {
-    std::error_code error;
-    const fs::path folder = zip.has_parent_path() ? zip.parent_path() : ".";
-    if (!fs::is_directory(folder, error)) {
-        throw UsageError(
-            fmt::format("{}: there is no such folder; make it, or name another file with --out", folder.string()));
-    }
-    if (!fs::exists(fs::symlink_status(zip, error))) return;
-    constexpr std::string_view beginning_of_zip = "PK\x03\x04";
-    if (read_bounded(zip, beginning_of_zip.size(), Links::refuse).bytes != beginning_of_zip) {
-        throw UsageError(fmt::format("{}: is there already and is no zip; name another file with --out", zip.string()));
-    }
-    if (!may_replace) {
-        throw UsageError(fmt::format("{}: is there already; replace it with --force, or name another file with --out",
-                                     zip.string()));
-    }
-}
 
 /// Reads the assignment and checks all that grading would refuse, so that no hand-in meets a broken one.
 autograder::Settings read_settings(const AutograderOptions& options) {
@@ -82,7 +62,7 @@ void bound_compiler(autograder::Settings& settings) {
 }
 
 int write_for_gradescope(const AutograderOptions& options) {
-    require_place_for_zip(options.zip, options.force);
+    require_place({options.zip, "--out", "zip", "PK\x03\x04"}, options.force ? Earlier::replaced : Earlier::kept);
     autograder::Settings settings = read_settings(options);
     bound_compiler(settings);
     if (options.unsafe) settings.options.emplace_back("--unsafe");
@@ -102,7 +82,7 @@ int write_for_classroom50(const AutograderOptions& options) {
                         options.folder.string()));
     }
     const autograder::Settings settings = read_settings(options);
-    make_results_folder(options.folder, "assignment");
+    make_folder(options.folder, "assignment");
     // The script takes the only one.
     for (const auto& entry : fs::directory_iterator(options.folder / "assignment")) fs::remove(entry.path());
     for (const auto& [path, text] : autograder::classroom50_files(settings, options.image))

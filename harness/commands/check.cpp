@@ -18,6 +18,7 @@
 #include "harness/report/exchange/gradescope_results.h"
 #include "harness/report/exchange/junit.h"
 #include "harness/report/exchange/summary_json.h"
+#include "harness/report/page/page_template.h"
 #include "harness/report/page/student_page.h"
 #include "harness/report/text/feedback.h"
 #include "harness/run/runner.h"
@@ -130,7 +131,7 @@ int check_submission(const Submission& submission, const reference::Assignment& 
                    report::check_text(graded, feedback_now(assignment.rubric), colors_of_stdout()));
     }
     files.write(graded, run.marking);
-    if (!options.html.empty()) write_page(options.html, report::student_page(graded, run.marking), "--html");
+    if (!options.html.empty()) write_file(options.html, report::student_page(graded, run.marking));
     if (graded.outcome == Outcome::not_graded) return status_of({graded});
     const bool too_few =
         options.fail_under && graded.score.points < *options.fail_under / 100 * graded.score.max_points;
@@ -141,7 +142,7 @@ int check_source(const CheckOptions& options) {
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
     scenes::require_other_scenes(assignment, options.other_scenes.count);
     const CheckFiles files(options);
-    if (!options.html.empty()) require_place_for_page(options.html, "--html");
+    if (!options.html.empty()) require_place({options.html, "--html", "page of raygrade's", report::page_beginning});
     const Submission submission = take_in_one(options, files);
     try {
         return check_submission(submission, assignment, files, options);

@@ -6,7 +6,6 @@
 #include "harness/commands/printout.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
-#include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/report/picture/picture.h"
@@ -26,38 +25,12 @@ namespace fs = std::filesystem;
 
 constexpr const char* to_stdout = "-";
 
-/// Every picture of raygrade's contains it, and hardly any other file does.
-constexpr std::string_view mark_of_ours = "<title id=\"raygrade-t\">";
-
-/// Throws UsageError unless there is nothing at `out` or an earlier picture that may be replaced.
-void check_out(const fs::path& out, bool may_replace) {
-    std::error_code error;
-    const fs::path folder = out.has_parent_path() ? out.parent_path() : ".";
-    if (!fs::is_directory(folder, error)) {
-        throw UsageError(
-            fmt::format("{}: there is no such folder; make it, or name another file with -o", folder.string()));
-    }
-    const fs::path fresh = place_beside(out);
-    if (fs::exists(fs::symlink_status(fresh, error))) {
-        throw UsageError(fmt::format("{}: is in the way; remove it, or name another file with -o", fresh.string()));
-    }
-    const fs::file_status status = fs::symlink_status(out, error);
-    if (!fs::exists(status)) return;
-    constexpr std::size_t enough = 1000;
-    const bool ours = read_bounded(out, enough, Links::refuse).bytes.find(mark_of_ours) != std::string::npos;
-    if (!ours) {
-        throw UsageError(
-            fmt::format("{}: is there already and is no picture of raygrade; name another file with -o", out.string()));
-    }
-    if (!may_replace) {
-        throw UsageError(fmt::format(
-            "{}: holds an earlier picture; replace it with --force, or name another file with -o", out.string()));
-    }
-}
-
 int draw_explanation(const ExplainOptions& options) {
     const bool writes_file = options.out != to_stdout;
-    if (writes_file) check_out(options.out, options.force);
+    if (writes_file) {
+        require_place({options.out, "-o", "picture of raygrade's", "<title id=\"raygrade-t\">"},
+                      options.force ? Earlier::replaced : Earlier::kept);
+    }
     Graded graded;
     const bool has_transcript = !options.transcript.empty();
     if (has_transcript) graded.run.output = read_printout(options.transcript);

@@ -36,7 +36,7 @@ std::vector<option_table::File> files_of(const std::string& what, const option_t
 }
 
 int generate(const CLI::App& app, const GenerateOptions& options) {
-    make_results_folder(options.out);
+    make_folder(options.out, "");
     for (const auto& [name, text] : files_of(options.what, table_of(app))) {
         write_file(options.out / name, text);
         fmt::print("{}\n", (options.out / name).string());

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
 #include "harness/shards/grade_shard.h"
 
 namespace harness {
@@ -29,20 +29,12 @@ struct GradeOptions {
     fs::path merge_into;  ///< with a shard: the folder of results that its part will be merged into
 };
 
-/// Throws UsageError before a class is graded rather than after.
-void check_trace(const fs::path& trace) {
-    const fs::path folder = fs::absolute(trace).parent_path();
-    std::error_code error;
-    if (fs::is_directory(trace, error) || access(folder.c_str(), W_OK | X_OK) != 0) {
-        throw UsageError(fmt::format("{}: can't be written; name another file with --trace", trace.string()));
-    }
-}
-
 /// `results` is the folder of an earlier run.
 ClassInputs read_inputs(const GradeOptions& options, const fs::path& results) {
     ClassInputs inputs =
         read_class({options.paths, options.assignment, results, options.results.rosters}, options.grading);
-    if (!options.grading.trace.empty()) check_trace(options.grading.trace);
+    if (!options.grading.trace.empty())
+        require_place({options.grading.trace, "--trace", "trace of raygrade's", "\"displayTimeUnit\""});
     return inputs;
 }
 

@@ -7,7 +7,6 @@
 #include "harness/class_run/installation.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
-#include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/say.h"
@@ -52,23 +51,10 @@ std::optional<render::PictureSize> size_of(const std::string& text) {
                                  most_pixels_per_side));
 }
 
-/// Throws unless `out` is missing or an earlier picture that may be replaced: a slip such as -o ray_cast.cpp must not
-/// destroy a source.
-void check_png(const fs::path& out, bool may_replace) {
-    std::error_code error;
-    if (!fs::exists(fs::symlink_status(out, error))) return;
-    constexpr std::string_view beginning_of_png = "\x89PNG\r\n\x1a\n";
-    if (read_bounded(out, beginning_of_png.size(), Links::follow).bytes != beginning_of_png)
-        throw UsageError(
-            fmt::format("{}: is there already and is no PNG picture; name another file with -o", out.string()));
-    if (!may_replace)
-        throw UsageError(fmt::format(
-            "{}: holds an earlier picture; replace it with --force, or name another file with -o", out.string()));
-}
-
 int render_scene(const RenderOptions& options) {
     const std::optional<render::PictureSize> size = size_of(options.size);
-    check_png(options.out, options.force);
+    require_place({options.out, "-o", "PNG picture", "\x89PNG\r\n\x1a\n"},
+                  options.force ? Earlier::replaced : Earlier::kept);
     const reference::Assignment assignment = options.scene.empty()
                                                  ? reference::load_assignment(options.assignment, assignments_folder())
                                                  : reference::load_scene(options.scene);

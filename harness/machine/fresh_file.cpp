@@ -3,20 +3,24 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
+#include <ext/stdio_filebuf.h>
 #include <utility>
 
+#include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
 
 namespace harness {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* unfinished = ".raygrade-new";
 
 /// Whether `out` is missing, or empty except for an empty `first`.
 bool is_without_files(const fs::path& out, const std::string& first) {
@@ -45,22 +49,23 @@ Holds look_into(const fs::path& out, const std::vector<std::string>& marks, cons
                                  out.string(), use.what, use.option));
 }
 
-void make_results_folder(const fs::path& out, const std::string& feedback) {
+void make_folder(const fs::path& folder, const std::string& inner, std::string_view option) {
+    const fs::path innermost = inner.empty() ? folder : folder / inner;
     std::error_code error;
-    const fs::path probe = feedback.empty() ? out : out / feedback;
-    fs::create_directories(probe, error);
-    if (error)
-        throw UsageError(
-            fmt::format("{}: can't be made: {}; name another folder with --out", probe.string(), error.message()));
-    if (access(out.c_str(), W_OK | X_OK) != 0 || access(probe.c_str(), W_OK | X_OK) != 0) {
-        throw UsageError(fmt::format("{}: can't be written: {}; name another folder with --out", out.string(),
-                                     std::strerror(errno)));
+    fs::create_directories(innermost, error);
+    if (error) {
+        throw UsageError(fmt::format("{}: can't be made: {}; name another folder with {}", innermost.string(),
+                                     error.message(), option));
+    }
+    if (access(folder.c_str(), W_OK | X_OK) != 0 || access(innermost.c_str(), W_OK | X_OK) != 0) {
+        throw UsageError(fmt::format("{}: can't be written: {}; name another folder with {}", folder.string(),
+                                     std::strerror(errno), option));
     }
 }
 
 ResultsFolder::ResultsFolder(fs::path out, std::string feedback)
     : out_(std::move(out)), feedback_(std::move(feedback)), is_new_(!fs::exists(out_)) {
-    make_results_folder(out_, feedback_);
+    make_folder(out_, feedback_);
 }
 
 ResultsFolder::~ResultsFolder() {
@@ -76,30 +81,50 @@ FolderLock::FolderLock(const fs::path& folder) : folder_(::open(folder.c_str(), 
         fmt::format("{}: another raygrade is at work on it; run this again when that has ended", folder.string()));
 }
 
+void require_place(const AskedFile& file, Earlier earlier) {
+    const auto fail = [&](std::string_view why) {
+        throw UsageError(fmt::format("{}: {}; name another file with {}", file.path.string(), why, file.option));
+    };
+    struct stat found {};
+    if (lstat(file.path.c_str(), &found) == 0) {
+        constexpr std::size_t enough = 1000;
+        const bool is_ours = S_ISREG(found.st_mode) &&
+                             read_bounded(file.path, enough, Links::refuse).bytes.find(file.mark) != std::string::npos;
+        if (!is_ours) fail(fmt::format("is there already and is no {}", file.what));
+        if (earlier == Earlier::kept) fail("is there already; replace it with --force");
+    } else if (errno != ENOENT) {
+        fail(fmt::format("can't be written: {}", std::strerror(errno)));
+    }
+    const fs::path folder = fs::absolute(file.path).parent_path();
+    if (access(folder.c_str(), W_OK | X_OK) != 0) fail(fmt::format("can't be written: {}", std::strerror(errno)));
+}
+
 void fail_to_write(const fs::path& file, int error) {
-    throw HarnessError(fmt::format("{}: can't be written: {}; free some space or name another folder with --out",
-                                   file.string(), error == 0 ? "writing failed" : std::strerror(error)));
+    throw HarnessError(fmt::format("{}: can't be written: {}; free some space or name another place", file.string(),
+                                   error == 0 ? "writing failed" : std::strerror(error)));
 }
 
 fs::path place_beside(const fs::path& file) {
-    return file.string() + ".new";
+    return file.string() + unfinished;
 }
 
 bool is_unfinished(const fs::path& file) {
-    return file.extension() == ".new";
+    return file.extension() == unfinished;
 }
 
 void write_file(const fs::path& file, const std::function<void(std::ostream&)>& write) {
     const fs::path beside = place_beside(file);
     try {
-        errno = 0;
-        std::error_code ignored;
-        fs::remove(beside, ignored);  // of a killed command; never written through where it is a link
-        std::ofstream stream(beside, std::ios::binary);
-        write(stream);
-        stream.close();
-        if (!stream) fail_to_write(file, errno);
         std::error_code error;
+        fs::remove(beside, error);  // of a killed command
+        errno = 0;
+        const int descriptor = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor < 0) fail_to_write(file, errno);
+        __gnu_cxx::stdio_filebuf<char> buffer(descriptor, std::ios::out | std::ios::binary);
+        std::ostream stream(&buffer);
+        write(stream);
+        stream.flush();
+        if (buffer.close() == nullptr || !stream) fail_to_write(file, errno);
         fs::rename(beside, file, error);
         if (error) fail_to_write(file, error.value());
     } catch (...) {

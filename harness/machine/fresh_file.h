@@ -1,4 +1,5 @@
-// Writes results into a folder. Only one command at a time writes there, and it never overwrites other files.
+// Writes files and folders of results. Only one command at a time writes into a folder, and no other file is
+// overwritten.
 #pragma once
 
 #include <filesystem>
@@ -26,11 +27,11 @@ struct FolderUse {
 Holds look_into(const std::filesystem::path& out, const std::vector<std::string>& marks, const std::string& first = "",
                 const FolderUse& use = {});
 
-/// Makes the folder and, if `feedback` is not empty, the folder of that name in it. Throws UsageError if one of them
-/// can't be made or written.
-void make_results_folder(const std::filesystem::path& out, const std::string& feedback = "");
+/// Makes the folder and, if `inner` is not empty, the folder of that name in it. Throws UsageError, which names
+/// `option`, if one of them can't be made or written.
+void make_folder(const std::filesystem::path& folder, const std::string& inner, std::string_view option = "--out");
 
-/// Makes a folder of results with make_results_folder. One that was not there before goes again if nothing was written
+/// Makes a folder of results with make_folder. One that was not there before goes again if nothing was written
 /// to it, as when the command is refused later.
 class ResultsFolder {
   public:
@@ -56,6 +57,20 @@ class FolderLock {
     FileDescriptor folder_;
 };
 
+/// A file that an option names.
+struct AskedFile {
+    std::filesystem::path path;
+    std::string_view option;  ///< "--html"
+    std::string_view what;    ///< what raygrade writes there: "PNG picture"
+    std::string_view mark;    ///< is in the first 1,000 bytes of each of them, and of hardly another file
+};
+/// What becomes of an earlier file of the same kind. `kept`: unless the option --force is given.
+enum class Earlier { replaced, kept };
+
+/// Throws UsageError, before anything is run, unless a file can be written to the path: nothing may be there, or an
+/// earlier one of its kind that may be replaced, and no symbolic link.
+void require_place(const AskedFile& file, Earlier earlier = Earlier::replaced);
+
 /// Throws the HarnessError for a file of results that can't be written. `error` is an errno, 0 if unknown.
 [[noreturn]] void fail_to_write(const std::filesystem::path& file, int error);
 
@@ -65,8 +80,8 @@ std::filesystem::path place_beside(const std::filesystem::path& file);
 /// Whether the name is one that place_beside gives.
 bool is_unfinished(const std::filesystem::path& file);
 
-/// Writes a file atomically: it is written beside and renamed, so the old one stays until the new one is complete.
-/// Throws HarnessError.
+/// Writes a file atomically: it is written beside and renamed, so the old one stays until the new one is complete. No
+/// symbolic link is followed, because the folder may be a student's. Throws HarnessError.
 void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 void write_file(const std::filesystem::path& file, const std::string& text);
 

@@ -1,7 +1,6 @@
 #include "harness/shards/grade_shard.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <map>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "harness/gradebook/record.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fingerprint.h"
+#include "harness/machine/fresh_file.h"
 #include "harness/run/runner.h"
 #include "harness/shards/conditions.h"
 #include "harness/shards/part.h"
@@ -19,18 +19,6 @@ namespace harness {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Makes the part's folder. Throws UsageError before anything is graded rather than after.
-void require_place_for_part(const fs::path& part) {
-    const fs::path folder = fs::absolute(part).parent_path();
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (fs::exists(part, error) && !fs::is_regular_file(part, error))
-        throw UsageError(fmt::format("{}: is no file; name a file for the part with --out", part.string()));
-    if (access(folder.c_str(), W_OK | X_OK) != 0) {
-        throw UsageError(fmt::format("{}: can't be written; name another file with --out", part.string()));
-    }
-}
 
 /// Of what intake found. The folder in which a machine has the class does not matter.
 std::string fingerprint_of(const std::vector<Submission>& submissions) {
@@ -92,7 +80,8 @@ std::vector<Submission> share_of(std::vector<Submission> submissions, const Shar
 }  // namespace
 
 int grade_shard(ClassInputs inputs, const ShardOptions& options) {
-    require_place_for_part(options.part);
+    make_folder(fs::absolute(options.part).parent_path(), "");
+    require_place({options.part, "--out", "part of a class", part_schema});
     Part part;
     part.head.shard = options.shard;
     part.head.class_size = inputs.submissions.size();

@@ -15,10 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* schema = "raygrade/part/1";
-
 std::string head_line(const PartHead& head) {
-    const Json json{{"schema", schema},         {"shard", head.shard.number},      {"shards", head.shard.count},
+    const Json json{{"schema", part_schema},    {"shard", head.shard.number},      {"shards", head.shard.count},
                     {"class", head.class_size}, {"submissions", head.submissions}, {"alike", to_json(head.alike)}};
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -37,7 +35,7 @@ std::size_t count_in(const Json& json, const char* name) {
 PartHead head_of(const std::string& line) {
     try {
         const Json json = Json::parse(line);
-        if (json.at("schema").get<std::string>() != schema) refuse_part();
+        if (json.at("schema").get<std::string>() != part_schema) refuse_part();
         PartHead head;
         const std::size_t number = count_in(json, "shard"), count = count_in(json, "shards");
         if (number < 1 || number > count || count > Shard::most) refuse_part();

@@ -123,7 +123,7 @@ TEST_F(Exchange, NeverOverwritesAForeignFile) {
     // A student's checkout may contain links at the paths that raygrade writes.
     write(folder / "precious.json", "precious");
     fs::create_symlink(folder / "precious.json", folder / "results.json");
-    fs::create_symlink(folder / "precious.json", folder / "results.json.new");
+    fs::create_symlink(folder / "precious.json", folder / "results.json.raygrade-new");
     EXPECT_EQ(check({"--gradescope", (folder / "results.json").string()}).status, 0);
     EXPECT_EQ(read(folder / "precious.json"), "precious");
     EXPECT_EQ(read_json(folder / "results.json").at("score"), 10);

@@ -241,6 +241,20 @@ TEST_F(BadInput, AnUnwritableTraceIsReportedBeforeGrading) {
     EXPECT_FALSE(fs::exists(out() / "grades.json"));
 }
 
+TEST_F(BadInput, ATraceReplacesNoOtherFile) {
+    const fs::path source = students() / "good/ray_cast.cpp";
+    const std::string before = read(source);
+    const Result result = raygrade({"grade", students().string(), "--out", out().string(), "--trace", source.string()});
+    EXPECT_EQ(result.status, usage);
+    EXPECT_THAT(result.voice,
+                HasSubstr("is there already and is no trace of raygrade's; name another file with --trace"));
+    EXPECT_EQ(read(source), before);
+    const std::vector<std::string> twice = {"grade",        students().string(), "--out",
+                                            out().string(), "--trace",           (folder / "trace.json").string()};
+    EXPECT_EQ(raygrade(twice).status, 0);
+    EXPECT_EQ(raygrade(twice).status, 0) << "a trace replaces a trace";
+}
+
 TEST_F(BadInput, AFullDiskBehindStdoutIsReported) {
     const Result result = raygrade({"reference"}, [] {
         const int full = open("/dev/full", O_WRONLY);

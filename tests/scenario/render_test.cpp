@@ -86,7 +86,7 @@ TEST(Render, ReplacesOnlyAPicture) {
     const std::vector<std::string> again{"render", "-o", (folder / "old.png").string(), "--size", "4x3"};
     const Result kept = raygrade(again);
     EXPECT_EQ(kept.status, usage);
-    EXPECT_THAT(kept.voice, HasSubstr("holds an earlier picture; replace it with --force"));
+    EXPECT_THAT(kept.voice, HasSubstr("is there already; replace it with --force"));
     EXPECT_EQ(read(folder / "old.png"), std::string(png) + "an earlier one");
     std::vector<std::string> forced = again;
     forced.emplace_back("--force");

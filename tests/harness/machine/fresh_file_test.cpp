@@ -23,7 +23,7 @@ TEST(WriteFile, ReplacesAnExistingFile) {
     const fs::path file = folder.write("grades.csv", "earlier");
     write_file(file, "later");
     EXPECT_EQ(bytes_of(file), "later");
-    EXPECT_FALSE(fs::exists(folder.path() / "grades.csv.new"));
+    EXPECT_FALSE(fs::exists(folder.path() / "grades.csv.raygrade-new"));
 }
 
 TEST(WriteFile, KeepsTheOldFileUntilTheNewOneIsComplete) {
@@ -36,17 +36,44 @@ TEST(WriteFile, KeepsTheOldFileUntilTheNewOneIsComplete) {
     EXPECT_EQ(bytes_of(file), "later");
     EXPECT_THROW(write_file(file, [](std::ostream&) { throw std::runtime_error("no more"); }), std::runtime_error);
     EXPECT_EQ(bytes_of(file), "later");
-    EXPECT_FALSE(fs::exists(folder.path() / "grades.csv.new"));
+    EXPECT_FALSE(fs::exists(folder.path() / "grades.csv.raygrade-new"));
 }
 
 TEST(WriteFile, ReplacesALinkAndNotItsTarget) {
     const TemporaryFolder folder;
     const fs::path target = folder.write("theirs", "theirs");
-    for (const char* link : {"grades.csv", "grades.csv.new"}) fs::create_symlink(target, folder.path() / link);
+    for (const char* link : {"grades.csv", "grades.csv.raygrade-new"}) fs::create_symlink(target, folder.path() / link);
     write_file(folder.path() / "grades.csv", "ours");
     EXPECT_EQ(bytes_of(target), "theirs");
     EXPECT_EQ(bytes_of(folder.path() / "grades.csv"), "ours");
     EXPECT_FALSE(fs::is_symlink(folder.path() / "grades.csv"));
+}
+
+std::string why_no_place(const fs::path& file, Earlier earlier = Earlier::replaced) {
+    return message_of<UsageError>([&] { require_place({file, "--note", "note of ours", "# note"}, earlier); }, "");
+}
+
+TEST(RequirePlace, TakesNothingThereAndAnEarlierFileOfItsKind) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(why_no_place(folder.path() / "new.md"), "");
+    const fs::path earlier = folder.write("earlier.md", "<!-- mine -->\n# note\n");
+    EXPECT_EQ(why_no_place(earlier), "");
+    EXPECT_THAT(why_no_place(earlier, Earlier::kept),
+                HasSubstr("earlier.md: is there already; replace it with --force"));
+}
+
+TEST(RequirePlace, RefusesAnyOtherFileALinkAndAFolderThatIsMissing) {
+    const TemporaryFolder folder;
+    const fs::path earlier = folder.write("earlier.md", "# note\n");
+    fs::create_symlink(earlier, folder.path() / "link.md");
+    for (const fs::path& other : {folder.write("ray_cast.cpp", "int main() {}\n"), folder.write("empty", ""),
+                                  folder.write("late", std::string(1000, ' ') + "# note"), folder.path() / "link.md",
+                                  folder.make_folder("folder")}) {
+        EXPECT_THAT(why_no_place(other),
+                    HasSubstr("is there already and is no note of ours; name another file with --note"))
+            << other;
+    }
+    EXPECT_THAT(why_no_place(folder.path() / "nowhere/new.md"), HasSubstr("can't be written: No such file"));
 }
 
 TEST(WriteFile, ReportsANameTakenByAFolderAndLeavesNothingBehind) {
@@ -55,7 +82,7 @@ TEST(WriteFile, ReportsANameTakenByAFolderAndLeavesNothingBehind) {
     folder.write("grades.csv/mine.txt", "mine");
     EXPECT_THAT(failure_of_writing(file), AllOf(HasSubstr(file.string()), HasSubstr("can't be written")));
     EXPECT_TRUE(fs::exists(file / "mine.txt"));
-    EXPECT_FALSE(fs::exists(folder.path() / "grades.csv.new"));
+    EXPECT_FALSE(fs::exists(folder.path() / "grades.csv.raygrade-new"));
 }
 
 TEST(WriteFile, ReportsAMissingFolder) {

@@ -41,7 +41,7 @@ class ClassReports : public testing::Test {
   protected:
     fs::path write(const std::string& name, const std::vector<Graded>& all, std::optional<std::size_t> only = {}) {
         const fs::path out = folder.path() / name;
-        make_results_folder(out, "feedback");
+        make_folder(out, "feedback");
         write_reports({all, marking(), Tier::bwrap, report::read_canvas_roster(exported, ""), std::nullopt}, out, only);
         return out;
     }
@@ -77,7 +77,7 @@ TEST_F(ClassReports, RemoveFeedbackOfRemovedStudentsAndImportsWithoutARoster) {
 TEST_F(ClassReports, RemoveWhatAKilledCommandLeftUnfinished) {
     const fs::path out = write("out", a_class());
     const auto files = files_of(out);
-    folder.write("out/feedback/ada.md.new", "half of it");
+    folder.write("out/feedback/ada.md.raygrade-new", "half of it");
     write("out", a_class());
     EXPECT_EQ(files_of(out), files);
 }
@@ -97,7 +97,7 @@ TEST_F(ClassReports, AreUnchangedUntilAFileIsRemovedOrTouched) {
     const std::vector<Graded> all = {graded("ada", output_with_a_mistake()), not_graded("bob")};
     const ClassResults results{all, marking(), Tier::bwrap, std::nullopt, std::nullopt};
     const fs::path out = folder.make_folder("out");
-    make_results_folder(out, "feedback");
+    make_folder(out, "feedback");
     EXPECT_FALSE(class_reports_are_as_left(all, out));
     std::vector<fs::path> files;
     const auto write_again = [&] {
@@ -118,7 +118,7 @@ TEST_F(ClassReports, AreUnchangedUntilAFileIsRemovedOrTouched) {
         fs::remove(file);
         EXPECT_FALSE(class_reports_are_as_left(all, out)) << file << " is gone";
     }
-    for (const char* killed : {"grades.json.new", "report.html.new"}) {
+    for (const char* killed : {"grades.json.raygrade-new", "report.html.raygrade-new"}) {
         write_again();
         folder.write(std::string("out/") + killed, "of a grading that was not saved");
         EXPECT_FALSE(class_reports_are_as_left(all, out)) << killed;
@@ -172,7 +172,7 @@ TEST(ResultsFolder, MustBeNewOrEmptyOrOfAnEarlierRun) {
     folder.write("killed/gradebook.sqlite", "");
     EXPECT_EQ(look("killed"), Holds::earlier_results);
     folder.make_folder("killed-at-once/feedback");
-    folder.write("killed-at-once/grades.json.new", "");
+    folder.write("killed-at-once/grades.json.raygrade-new", "");
     EXPECT_EQ(look("killed-at-once"), Holds::earlier_results);
     folder.write("mine/thesis.txt", "mine");
     EXPECT_THROW(look("mine"), UsageError);

@@ -163,10 +163,11 @@ TEST_F(Shards, RefuseWhatCannotBeMeantOfOne) {
     EXPECT_EQ(run({"grade", place("class"), "--shard", "1/2"}).status, usage) << "without --out";
     const Result over = run({"grade", place("class"), "--out", place("class"), "--shard", "1/2"});
     EXPECT_EQ(over.status, usage);
-    EXPECT_THAT(over.voice, HasSubstr("class: is no file; name a file for the part with --out"));
+    EXPECT_THAT(over.voice,
+                HasSubstr("class: is there already and is no part of a class; name another file with --out"));
     const Result below = run({"grade", place("class"), "--out", place("class/ada/ray_cast.cpp/p"), "--shard", "1/2"});
     EXPECT_EQ(below.status, usage);
-    EXPECT_THAT(below.voice, HasSubstr("ray_cast.cpp/p: can't be written; name another file with --out"));
+    EXPECT_THAT(below.voice, HasSubstr("ray_cast.cpp: can't be made: "));
 }
 
 }  // namespace
