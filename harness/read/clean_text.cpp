@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
+#include "harness/text/plain_word.h"
 #include "harness/text/utf8.h"
 
 namespace harness {
@@ -73,6 +75,40 @@ void append_plain(std::string& out, char32_t code, std::string_view utf8) {
     out += found == spellings.end() ? utf8 : found->ascii;
 }
 
+/// Where a comma stands alone between the digits of what may be one number: in "0,5" and in "0,5; 1", but not in
+/// "0,5,1".
+struct LoneComma {
+    std::size_t at;
+    std::size_t decimals;  ///< digits behind it
+};
+std::vector<LoneComma> lone_commas(std::string_view text) {
+    const auto in_number = [&](std::size_t i) {
+        return i < text.size() && (is_digit(text[i]) || text[i] == ',' || text[i] == '.');
+    };
+    std::vector<LoneComma> found;
+    for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
+        for (end = begin; in_number(end); ++end) continue;
+        std::string_view number = text.substr(begin, end - begin);
+        while (number.ends_with(',') || number.ends_with('.')) number.remove_suffix(1);
+        const std::size_t comma = number.find_first_of(".,");
+        if (comma == 0 || comma == std::string_view::npos || number[comma] != ',') continue;
+        if (number.find_first_of(".,", comma + 1) != std::string_view::npos) continue;
+        found.push_back({begin + comma, number.size() - comma - 1});
+    }
+    return found;
+}
+
+/// As a program prints numbers in a country with decimal commas. One number with a comma before four digits or more,
+/// which is neither two numbers nor groups of thousands, shows that others with a lone comma are such numbers too.
+void make_decimal_points(std::string& text) {
+    constexpr std::size_t surely_decimals = 4;
+    const std::vector<LoneComma> commas = lone_commas(text);
+    if (std::none_of(commas.begin(), commas.end(),
+                     [](const LoneComma& one) { return one.decimals >= surely_decimals; }))
+        return;
+    for (const LoneComma& one : commas) text[one.at] = '.';
+}
+
 constexpr std::string_view replacement_utf8 = "\xEF\xBF\xBD";
 
 }  // namespace
@@ -108,6 +144,7 @@ std::string clean_text(std::string_view bytes) {
         }
         i += decoded.bytes;
     }
+    make_decimal_points(out);
     return out;
 }
 
