@@ -215,6 +215,24 @@ void share_no_value(std::vector<MatchedItem>& matched, const std::vector<Candida
     }
 }
 
+/// The same for the items of other questions with a heading: a sphere that the ray misses has no normal in question 7.
+void share_no_value_between(const std::vector<Question>& questions, std::vector<MatchedItem>& matched) {
+    const std::vector<MatchedItem> before = matched;
+    for (MatchedItem& item : matched) {
+        const bool has_heading = std::ranges::any_of(questions, [&](const Question& question) {
+            return question.number == item.spec.question && question.has_heading;
+        });
+        const bool has_number = item.value && !all_are(item, [](double x) { return !std::isfinite(x); });
+        if (!has_heading || has_number || is_none(item) || !is_of_hit(item.spec)) continue;
+        const auto said = std::ranges::find_if(before, [&](const MatchedItem& other) {
+            return is_none(other) && other.spec.id.subject == item.spec.id.subject && is_of_hit(other.spec);
+        });
+        if (said == before.end()) continue;
+        item.value = said->value;
+        item.unreadable = false;
+    }
+}
+
 /// Marks the item as unreadable if its label stands before a value of another shape.
 void find_unreadable(MatchedItem& item, const Answers& answers, Fits& fits) {
     if (item.value || item.spec.shape == Shape::verdict) return;
@@ -284,6 +302,7 @@ std::vector<MatchedItem> match_others(const Transcript& transcript, std::span<co
     for (const Question& question : questions) {
         for (MatchedItem& item : matched_items(question, transcript.sections, fits)) result.push_back(std::move(item));
     }
+    share_no_value_between(questions, result);
     return result;
 }
 

@@ -116,6 +116,19 @@ TEST(Match, AppliesOneMissToAllItemsThatNeedTheHit) {
               "6.d: -1.0 @2\n6.t: none @3\n6.hit: none @3\n7.normal: none @5\n");
 }
 
+TEST(Match, AppliesAMissToTheNormalThatIsAskedForElsewhere) {
+    const std::string missed = "6.t: none @2\n6.hit: none @2\n7.normal: none @2\n";
+    for (const char* normal : {"", "N = nan\n", "N = (nan, nan, nan)\n", "see question 6\n"})
+        EXPECT_EQ(found(std::string("Question 6:\nthe ray misses the sphere\nQuestion 7:\n") + normal), missed)
+            << normal;
+    EXPECT_EQ(found("Question 6:\nthe ray misses the sphere\n"), "6.t: none @2\n6.hit: none @2\n") << "not asked";
+    EXPECT_EQ(found("Question 6:\nthe ray misses the sphere\nQuestion 7:\nN = (0, 0, 1)\n"),
+              "6.t: none @2\n6.hit: none @2\n7.normal: 0 0 1 @4\n");
+    EXPECT_EQ(found("Question 8:\nthe ray misses the triangle\nQuestion 9:\n"),
+              found("Question 8:\nthe ray misses the triangle\n"))
+        << "its plane has a normal";
+}
+
 TEST(Match, TakesMinusOneForNoHitWhereNoHitPointIsPrinted) {
     const std::string none = "6.t: none @2\n6.hit: none @2\n";
     EXPECT_EQ(found("Question 6:\nt = -1\n"), none);
