@@ -13,6 +13,7 @@
 #include "harness/intake/hand_in.h"
 #include "harness/machine/say.h"
 #include "harness/text/escape.h"
+#include "harness/text/points.h"
 #include "reference/toml/near_names.h"
 
 namespace harness {
@@ -63,6 +64,17 @@ void tell_without_place(const std::vector<KeptOverride>& overrides) {
     }
 }
 
+void tell_overrides_above_most(const std::vector<Graded>& graded) {
+    for (const Graded& one : graded) {
+        for (const Override& each : one.overrides) {
+            const auto there = points_at(one.score, each);
+            if (!there || each.points <= there->most) continue;
+            say("note: the override of {} for {} gives {}, more than the {} points of the rubric\n", place_of(each),
+                escape_control(one.submission.id), points_text(each.points), points_text(there->most));
+        }
+    }
+}
+
 void tell_that_count_not(const std::vector<KeptReread>& rereads, const std::vector<Graded>& graded) {
     for (const KeptReread& each : rereads) {
         const auto one = std::find_if(graded.begin(), graded.end(),
@@ -74,7 +86,11 @@ void tell_that_count_not(const std::vector<KeptReread>& rereads, const std::vect
     }
 }
 
-void tell_days_of_nobody(const report::LateDays& days, const std::vector<Graded>& graded) {
+void tell_late_days(const report::LateDays& days, const reference::Rubric& rubric, const std::vector<Graded>& graded) {
+    if (!days.empty() && rubric.late.empty()) {
+        say("note: --late-days takes nothing off, because the rubric does not say what lateness costs; add "
+            "late_deduction = 0.1 or the like to [rubric]\n");
+    }
     std::vector<std::string> ids;
     StudentNames names;
     for (const Graded& one : graded) {

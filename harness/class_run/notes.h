@@ -22,11 +22,14 @@ void tell_answers_of_others(const std::vector<AnswersOfAnother>& found);
 /// Students whom a scene was dealt to and who handed nothing in.
 void tell_not_handed_in(const Marking& marking, const std::vector<Graded>& graded);
 
-/// Rows of --late-days that name no submission, because they may be misspelt.
-void tell_days_of_nobody(const report::LateDays& days, const std::vector<Graded>& graded);
+/// Rows of --late-days that name no submission, because they may be misspelt, and that days cost nothing by the rubric.
+void tell_late_days(const report::LateDays& days, const reference::Rubric& rubric, const std::vector<Graded>& graded);
 
 /// Overrides of submissions or items that are not in the class.
 void tell_without_place(const std::vector<KeptOverride>& overrides);
+
+/// Overrides that give more than their place is worth, perhaps because the rubric has changed.
+void tell_overrides_above_most(const std::vector<Graded>& graded);
 
 /// Rereads that do not count, and why.
 void tell_that_count_not(const std::vector<KeptReread>& rereads, const std::vector<Graded>& graded);

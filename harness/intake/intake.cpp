@@ -42,7 +42,8 @@ std::string why_no_source(const FileTree& tree, const path& folder, const Conten
     for (const auto& inner : contents.folders) {
         const auto deeper = tree.list(inner);
         if (deeper.sources.empty()) continue;
-        return where + " holds no C++ source itself; there is one in " + in_quotes(inner) + ". Move it up one folder.";
+        return where + " holds no C++ source itself; there is one in " + in_quotes(inner) +
+               ". Move it up one folder; or grade " + where + " by itself, if it is a class.";
     }
     return where + " holds no C++ source (.cpp, .cc or .cxx). Ask for ray_cast.cpp.";
 }

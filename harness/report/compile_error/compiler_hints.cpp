@@ -105,6 +105,28 @@ std::string about_a_header(const CompilerMessage& message, std::string_view sour
                               : ". Use the standard library and GLM, or put what you need of it into your source.");
 }
 
+/// "expected ',' or ';' before 'glm'" names the line behind, "expected ';' before '}' token" the line itself.
+std::string about_a_semicolon(const CompilerMessage& message, std::string_view source) {
+    constexpr std::string_view either = "expected ',' or ';' before '", sure = "expected ';' before '";
+    const bool is_behind = message.text.starts_with(either);
+    if (!is_behind && !message.text.starts_with(sure)) return "";
+    int number = message.line;
+    if (is_behind) {
+        const std::vector<std::string_view> lines = lines_of(source);
+        const auto begins = [&](int line) {
+            const std::string_view text = lines[static_cast<std::size_t>(line) - 1];
+            return text.substr(std::min(text.find_first_not_of(" \t"), text.size()));
+        };
+        const auto next = quoted_texts(message.text.substr(either.size() - 1));
+        const bool is_there = 1 < number && number <= static_cast<int>(lines.size());
+        if (next.empty() || !is_there || !begins(number).starts_with(next.front())) return "";
+        const auto is_passed_over = [&](std::string_view text) { return text.empty() || text.starts_with("//"); };
+        for (--number; number > 0 && is_passed_over(begins(number));) --number;
+        if (number < 1) return "";
+    }
+    return fmt::format("Line {}: a ; is missing at the end of its statement.", number);
+}
+
 /// "note: 'std::cout' is defined in header '<iostream>'; did you forget to '#include <iostream>'?"
 std::string about_a_note(std::string_view line) {
     constexpr std::string_view defined = "is defined in header '";
@@ -185,7 +207,8 @@ std::string hint_of(std::string_view line, std::string_view source) {
     const auto messages = compiler_messages(line, 1);
     if (messages.empty() || messages.front().kind != "error") return "";
     for (const std::string& hint :
-         {about_operands(messages.front()), about_a_name(messages.front()), about_a_header(messages.front(), source)}) {
+         {about_operands(messages.front()), about_a_name(messages.front()), about_a_header(messages.front(), source),
+          about_a_semicolon(messages.front(), source)}) {
         if (!hint.empty()) return hint;
     }
     return "";

@@ -48,6 +48,14 @@ TEST_F(RealDay, AnOverrideStandsInEveryReportAndSurvivesARegrade) {
     EXPECT_THAT(override_mark({"--list"}).output, HasSubstr("no overrides"));
 }
 
+TEST_F(RealDay, AnOverrideThatGivesMoreThanAChangedRubricIsTold) {
+    ASSERT_EQ(grade().status, 0);
+    ASSERT_EQ(override_mark({"ben", "5", "9", "--why", "a slip"}).status, 0);
+    EXPECT_THAT(grade().voice, Not(HasSubstr("note: the override")));
+    EXPECT_THAT(grade({"--assignment", rubric("[rubric.points]\n5 = 6\n")}).voice,
+                HasSubstr("note: the override of 5 for ben gives 9, more than the 6 points of the rubric\n"));
+}
+
 TEST_F(RealDay, AnOverrideRestoresATouchedPageOfADifferentStudent) {
     grade();
     const fs::path page = out() / "feedback/ben.md";

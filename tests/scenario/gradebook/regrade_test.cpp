@@ -43,6 +43,14 @@ TEST_F(RealDay, ARegradeShowsWhoseMarkRisesAndWhyAndWritesNothing) {
     EXPECT_EQ(count("SELECT automatic_points FROM history WHERE submission = 'ada' AND run = 1"), 10);
 }
 
+TEST_F(RealDay, WhoIsGoneIsNotTakenOutWithoutAWord) {
+    ASSERT_EQ(grade().status, 0);
+    const Result shown = run({"grade", (students() / "ada").string(), "--out", out().string()});
+    EXPECT_THAT(shown.output, HasSubstr("gone   ben"));
+    EXPECT_THAT(shown.voice, HasSubstr("To add a hand-in to a class, grade the whole class again"));
+    EXPECT_EQ(points("ben"), 0) << "who is still there";
+}
+
 TEST_F(RealDay, NothingIsLoweredSilently) {
     ASSERT_EQ(grade().status, 0);
     write(students() / "ada/ray_cast.cpp", wrong);

@@ -41,7 +41,11 @@ TEST_F(RealDay, LateHandInsLoseWhatTheScheduleSaysAndItIsKept) {
     ASSERT_EQ(grade({"--assignment", schedule}).status, 0);
     const double ada = points("ada"), ben = points("ben");
     ASSERT_GT(ada, 0);
+    const Result for_nothing = grade({"--assignment", rubric(""), "--late-days", folder / "late.csv"});
+    EXPECT_THAT(for_nothing.voice, HasSubstr("--late-days takes nothing off"));
+    rubric("late = [[1, 0.25], [2, 1.0]]\n");
     const Result late = grade(with_days);
+    EXPECT_THAT(late.voice, Not(HasSubstr("takes nothing off")));
     EXPECT_EQ(late.status, 0) << late.both();
     EXPECT_THAT(late.voice, HasSubstr("--late-days: bem is none of the submissions; did you mean ben"));
     EXPECT_EQ(points("ada"), 0);

@@ -43,6 +43,19 @@ TEST(CompilerHints, TellThatGlmWantsAFloat) {
                 ElementsAre(HasSubstr("A mat4 multiplies a vec4")));
 }
 
+TEST(CompilerHints, NameTheLineWithoutASemicolon) {
+    const std::string source = "int main() {\n    int x = 3\n\n    // y\n    int y = 4;\n    return 0\n}\n";
+    EXPECT_THAT(compiler_hints("ray_cast.cpp:5:5: error: expected ',' or ';' before 'int'\n", source),
+                ElementsAre("Line 2: a ; is missing at the end of its statement."));
+    EXPECT_THAT(compiler_hints("ray_cast.cpp:6:13: error: expected ';' before '}' token\n", source),
+                ElementsAre("Line 6: a ; is missing at the end of its statement."));
+    for (const char* elsewhere : {"ray_cast.cpp:5:9: error: expected ',' or ';' before 'y'\n",
+                                  "ray_cast.cpp:1:1: error: expected ',' or ';' before 'int'\n",
+                                  "ray_cast.cpp:99:1: error: expected ',' or ';' before 'int'\n",
+                                  "ray_cast.cpp:5:1: error: expected ',' or ';' before '\n"})
+        EXPECT_THAT(compiler_hints(elsewhere, source), IsEmpty()) << elsewhere;
+}
+
 TEST(CompilerHints, SayNothingOfOperandsThatTheyDoNotKnow) {
     for (const char* operands :
          {"'std::string' {aka 'x'} and 'int'", "'Ray' and 'double'", "'float' and 'glm::vec3'", "'a"}) {
