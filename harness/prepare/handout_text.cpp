@@ -1,8 +1,11 @@
 #include "harness/prepare/handout_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -68,7 +71,24 @@ std::string sentence_about(const reference::Cylinder<Decimal>& cylinder) {
         point(cylinder.center), cylinder.radius.text(), cylinder.height.text());
 }
 
-std::string scene_text(const reference::Scene<Decimal>& scene) {
+/// Where in its pixel the ray starts: what marking accepts.
+std::string place_in_pixel(const std::vector<reference::PixelConvention>& accepted) {
+    const auto share = [](reference::PixelConvention convention) {
+        switch (convention) {
+            case reference::PixelConvention::centre: return "(x + 1/2)/W";
+            case reference::PixelConvention::grid: return "x/(W - 1)";
+            case reference::PixelConvention::corner: return "x/W";
+        }
+        return "";
+    };
+    std::vector<std::string_view> shares;
+    for (const reference::PixelConvention each : accepted) shares.emplace_back(share(each));
+    return fmt::format(
+        "The ray starts in it at {} of the window's width from the left, and likewise from the bottom.\n",
+        fmt::join(shares, " or "));
+}
+
+std::string scene_text(const reference::Scene<Decimal>& scene, const reference::Rubric& rubric) {
     std::string text = fmt::format("Camera: eye {}, lookat {}, vup {}.\n", point(scene.camera.eye),
                                    point(scene.camera.lookat), point(scene.camera.vup));
     const auto& window = scene.window;
@@ -77,6 +97,7 @@ std::string scene_text(const reference::Scene<Decimal>& scene) {
         "from the left, y from the bottom, both from 0.\n",
         window.clip_left.text(), window.clip_right.text(), window.clip_bottom.text(), window.clip_top.text(),
         window.clip_near.text(), window.width, window.height, scene.pixel.x, scene.pixel.y);
+    text += place_in_pixel(rubric.pixel_conventions);
     reference::for_each_kind(
         [&](reference::Subject /*kind*/, const auto& objects) {
             for (const auto& object : objects) text += sentence_about(object);
@@ -117,8 +138,15 @@ std::string parts_text(const reference::Question& question, const reference::Rub
 }  // namespace
 
 std::string handout_text(const reference::Assignment& assignment) {
-    std::string text = fmt::format("# {}\n\n## The scene\n\n{}\n", assignment.title, scene_text(assignment.scene));
-    text += "## Questions\n\nPrint each answer with a label, under the heading \"Question N\".\n";
+    std::string text =
+        fmt::format("# {}\n\n## The scene\n\n{}\n", assignment.title, scene_text(assignment.scene, assignment.rubric));
+    text += fmt::format(
+        "## Questions\n\nHand in one C++ source, `ray_cast.cpp`. It uses GLM and prints to `std::cout`: each answer "
+        "with a "
+        "label, under the heading \"Question N\", with a decimal point and at least {} decimals; \"no hit\" for what "
+        "is not "
+        "there because the ray misses.\n",
+        std::max(assignment.rubric.min_decimals, 2));
     for (const reference::Question& question : assignment.questions) {
         text += fmt::format("\n{}. **{}** {}\n", question.number, question.title,
                             points_text(assignment.rubric.points_of(question.number)));

@@ -17,6 +17,16 @@ TEST(HandoutText, StatesTheSceneAndEveryQuestion) {
     EXPECT_THAT(text, HasSubstr("the hit point P_c"));
 }
 
+TEST(HandoutText, SaysWhatMarkingHoldsAnAnswerTo) {
+    reference::Assignment assignment = reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS);
+    EXPECT_THAT(handout_text(assignment), HasSubstr("at (x + 1/2)/W or x/(W - 1) of the window's width from the left"));
+    EXPECT_THAT(handout_text(assignment), HasSubstr("at least 2 decimals; \"no hit\" for what is not there"));
+    assignment.rubric.pixel_conventions = {reference::PixelConvention::corner};
+    assignment.rubric.min_decimals = 4;
+    EXPECT_THAT(handout_text(assignment), HasSubstr("at x/W of the window's width"));
+    EXPECT_THAT(handout_text(assignment), HasSubstr("at least 4 decimals"));
+}
+
 TEST(HandoutText, HasWordsForEveryItem) {
     reference::Assignment assignment = reference::load_assignment("a6-2024", RAYGRADE_ASSIGNMENTS);
     reference::Question all{1, "everything", {}};
