@@ -113,10 +113,10 @@ bool is_row_of_numbers(std::string_view line, std::size_t heading_end) {
     return only_numbers && any_point;
 }
 
-/// "1.", "2)", "(3)", "--- 4 ---", "#5", "[6]", "6a)", "6(a)".
+/// "1.", "2)", "(3)", "--- 4 ---", "#5", "[6]", "6a)", "6(a)", JSON's "\"6\": {".
 std::optional<Heading> bare(std::string_view start, int last_question) {
     static const RE2 pattern(
-        R"((^([\s*=\-_#~+|/\[({]*)(\d{1,2})(?:\s?\(?([a-h])|\.\d\b)?(\s*[.):\]}][\s.)\]}:*=\-_#~|]*|[\s*=\-_#~|]*$)))");
+        R"((^([\s*=\-_#~+|/\[({"]*)(\d{1,2})(?:\s?\(?([a-h])|\.\d\b|")?(\s*[.):\]}][\s.)\]}:*=\-_#~|]*|[\s*=\-_#~|]*$)))");
     re2::StringPiece whole, before, letter, after;
     int question = 0;
     if (!RE2::PartialMatch(re2::StringPiece(start.data(), start.size()), pattern, &whole, &before, &question, &letter,

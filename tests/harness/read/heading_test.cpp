@@ -43,6 +43,7 @@ TEST(Heading, IsRecognisedInEveryStyle) {
                                         "QUESTION #6 - sphere",
                                         "--- Question 6 ---",
                                         "6.",
+                                        " \"6\": {",
                                         "Part 6:",
                                         "Exercise 6",
                                         "[Q6]",
