@@ -45,12 +45,8 @@ double half_unit(const PrintedNumber& number, int min_decimals) {
 }
 
 bool is_within(const PrintedNumber& given, const Interval& target, double allowance, int min_decimals) {
-    const double half = half_unit(given, min_decimals);
-    const bool may_be_cut_off = given.significant < stream_digits && given.decimals > min_decimals;
-    const double cut_off = may_be_cut_off ? half : 0.0;
-    const double below = allowance + half + (given.value > 0 ? cut_off : 0.0);
-    const double above = allowance + half + (given.value < 0 ? cut_off : 0.0);
-    return std::isfinite(given.value) && target.lo() - below <= given.value && given.value <= target.hi() + above;
+    const double slack = allowance + half_unit(given, min_decimals);
+    return std::isfinite(given.value) && target.lo() - slack <= given.value && given.value <= target.hi() + slack;
 }
 
 bool is_multiple(const PrintedNumber& given, const Interval& target, const Interval& factor, double allowance,

@@ -36,8 +36,7 @@ struct Closeness {
 /// printed in, or in either order if the printout does not tell.
 Closeness compare(const MatchedItem& printed, const Target& target, double allowance, int min_decimals);
 
-/// The same for one number. One with fewer than six digits, but more decimals than `min_decimals`, may have been cut
-/// off instead of rounded: a whole unit of its last digit is forgiven towards zero.
+/// The same for one number.
 bool is_within(const PrintedNumber& given, const Interval& target, double allowance, int min_decimals);
 
 /// Whether the number is `target` times `factor`, up to half a unit of its last digit. `factor` is known to some digits
