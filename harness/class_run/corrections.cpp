@@ -63,7 +63,7 @@ void put_reread(Gradebook& gradebook, KeptClass& kept, const Marking& marking, s
     Graded& one = kept.graded[place];
     const Graded before = one;
     const KeptReread put{one.submission.id, given};
-    one.printout = printout_of(gradebook, one.submission.id);
+    printout_of(one);  // throws if it is not kept
     set_reread(one, marking, given);
     gradebook.put_reread(put, before, one, place);
     replace(kept.rereads, put, [&](const KeptReread& each) { return is_same_item(each, put); });
@@ -79,7 +79,7 @@ RemovedReread remove_reread(Gradebook& gradebook, KeptClass& kept, const Marking
                       [&](const Reread& each) { return item_of(each) == item_of(removed.given); });
     }
     if (done.before) {
-        one->printout = printout_of(gradebook, removed.submission);
+        printout_of(*one);  // throws if it is not kept
         mark_again(*one, marking);
         gradebook.remove_reread(removed, author, why, *done.before, *one, *done.place);
     } else {

@@ -30,14 +30,13 @@ std::string what_stands_at(const ItemPlace& place, const Transcript& transcript,
 
 }  // namespace
 
-std::string printout_of(const Gradebook& gradebook, const std::string& id) {
-    std::string printout = gradebook.printout(id);
-    if (!printout.empty()) return printout;
+const std::string& printout_of(const Graded& kept) {
+    if (!kept.printout.empty()) return kept.printout;
     throw UsageError(
         fmt::format("{}: there is no printout of it to read again: the program printed nothing, or more than {} KiB, "
                     "or the class was last graded by an older raygrade (then grade it again with --apply). "
                     "`raygrade override` gives points without one",
-                    escape_control(id), longest_kept_printout >> 10U));
+                    escape_control(kept.submission.id), longest_kept_printout >> 10U));
 }
 
 void require_value(const Reread& given, const reference::ItemSpec& item, const Score& score,
@@ -60,10 +59,10 @@ void require_value(const Reread& given, const reference::ItemSpec& item, const S
         place->first_line));
 }
 
-std::vector<std::size_t> with_layout(const Gradebook& gradebook, const KeptClass& kept, const std::string& layout) {
+std::vector<std::size_t> with_layout(const KeptClass& kept, const std::string& layout) {
     std::vector<std::size_t> alike;
     for (std::size_t i = 0; i < kept.graded.size(); ++i) {
-        const std::string printout = gradebook.printout(kept.graded[i].submission.id);
+        const std::string& printout = kept.graded[i].printout;
         if (!printout.empty() && layout_of(printout) == layout) alike.push_back(i);
     }
     return alike;

@@ -9,14 +9,14 @@
 
 namespace harness {
 
-/// The printout as the gradebook keeps it. Throws UsageError if it is not kept.
-std::string printout_of(const Gradebook& gradebook, const std::string& id);
+/// The printout of a submission as restored from its gradebook. Throws UsageError if it is not kept.
+const std::string& printout_of(const Graded& kept);
 
 /// Throws UsageError if the lines of the reread hold nothing that has the item's shape.
 void require_value(const Reread& given, const reference::ItemSpec& item, const Score& score,
                    const std::string& printout);
 
 /// The submissions whose printouts have this layout, by their places in the class.
-std::vector<std::size_t> with_layout(const Gradebook& gradebook, const KeptClass& kept, const std::string& layout);
+std::vector<std::size_t> with_layout(const KeptClass& kept, const std::string& layout);
 
 }  // namespace harness

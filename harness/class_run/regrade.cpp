@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "harness/class_run/installation.h"
 #include "harness/class_run/kept_class.h"
 #include "harness/machine/errors.h"
+#include "harness/machine/parts.h"
 #include "harness/report/text/changed_feedback.h"
 #include "harness/report/text/changed_marks.h"
 

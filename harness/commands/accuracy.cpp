@@ -3,12 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
-#include "harness/class_run/installation.h"
 #include "harness/class_run/progress.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
+#include "harness/machine/parts.h"
 #include "harness/machine/say.h"
 #include "harness/report/accuracy/report.h"
 #include "reference/accuracy/mesh/measure_mesh.h"

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/class_run/class_run.h"
-#include "harness/class_run/installation.h"
 #include "harness/class_run/progress.h"
 #include "harness/class_run/students/rosters.h"
 #include "harness/commands/shared_options.h"
@@ -17,6 +16,7 @@
 #include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
+#include "harness/machine/parts.h"
 #include "harness/machine/say.h"
 #include "harness/prepare/check_text.h"
 #include "harness/prepare/deal.h"

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <memory>
 
-#include "harness/class_run/installation.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/grade/marking.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
+#include "harness/machine/parts.h"
 #include "harness/machine/say.h"
 #include "harness/run/limits.h"
 #include "harness/scenes/other/points.h"

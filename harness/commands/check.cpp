@@ -7,13 +7,13 @@
 #include <optional>
 
 #include "harness/class_run/class_run.h"
-#include "harness/class_run/installation.h"
 #include "harness/class_run/requested_files.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/grade/final_mark.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
+#include "harness/machine/parts.h"
 #include "harness/report/exchange/classroom50.h"
 #include "harness/report/exchange/gradescope_results.h"
 #include "harness/report/exchange/junit.h"

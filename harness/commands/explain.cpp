@@ -2,12 +2,12 @@
 
 #include <CLI/CLI.hpp>
 
-#include "harness/class_run/installation.h"
 #include "harness/commands/printout.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
+#include "harness/machine/parts.h"
 #include "harness/report/picture/picture.h"
 
 namespace harness {

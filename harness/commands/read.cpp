@@ -2,11 +2,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include "harness/class_run/installation.h"
 #include "harness/commands/printout.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/grade/marking.h"
+#include "harness/machine/parts.h"
 #include "harness/report/text/reading_text.h"
 
 namespace harness {

@@ -4,11 +4,11 @@
 #include <charconv>
 #include <string_view>
 
-#include "harness/class_run/installation.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
+#include "harness/machine/parts.h"
 #include "harness/machine/say.h"
 #include "reference/render/picture/explanation.h"
 

@@ -71,7 +71,7 @@ class Rereading {
     std::vector<std::size_t> put() {
         const std::size_t index = find_submission(kept_.graded, options_.id);
         const Reread given = read_options(kept_.graded[index]);
-        const std::vector<std::size_t> alike = with_layout(gradebook_, kept_, given.layout);
+        const std::vector<std::size_t> alike = with_layout(kept_, given.layout);
         std::vector<std::string> others;
         for (const std::size_t i : alike) {
             if (i != index) others.push_back(kept_.graded[i].submission.id);
@@ -99,7 +99,7 @@ class Rereading {
   private:
     Reread read_options(const Graded& one) const {
         const OverridePlace place = read_item_place(options_.item, one);
-        const std::string printout = printout_of(gradebook_, options_.id);
+        const std::string& printout = printout_of(one);
         const Author author = author_of(options_.by);
         Reread given{place.question, place.item, options_.lines, layout_of(printout), read_line(*options_.why, "--why"),
                      author.name,    author.when};

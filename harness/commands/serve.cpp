@@ -8,10 +8,10 @@
 #include <memory>
 
 #include "harness/class_run/class_run.h"
-#include "harness/class_run/installation.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/machine/errors.h"
+#include "harness/machine/parts.h"
 #include "harness/machine/say.h"
 #include "harness/run/runner.h"
 #include "harness/serve/http/own_addresses.h"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <thread>
 
-#include "harness/class_run/installation.h"
 #include "harness/grade/marking.h"
+#include "harness/machine/parts.h"
 #include "harness/run/limits.h"
 
 namespace harness {

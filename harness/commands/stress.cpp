@@ -4,12 +4,12 @@
 #include <algorithm>
 
 #include "harness/class_run/class_run.h"
-#include "harness/class_run/installation.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/grade/hard_scenes_json.h"
 #include "harness/grade/hard_scenes_sentences.h"
 #include "harness/machine/errors.h"
+#include "harness/machine/parts.h"
 #include "harness/machine/say.h"
 #include "harness/run/runner.h"
 #include "harness/text/escape.h"

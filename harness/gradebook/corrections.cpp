@@ -100,17 +100,6 @@ std::vector<KeptReread> Gradebook::rereads() const {
     });
 }
 
-std::string Gradebook::printout(const std::string& submission) const {
-    if (!database_) return {};
-    return in_database(file_, [&]() -> std::string {
-        Statement query(*database_, "SELECT output FROM printouts WHERE submission = ?");
-        query.bind(1, submission);
-        if (!query.executeStep()) return {};
-        const std::vector<std::uint8_t> output = bytes_of(query.getColumn(0));
-        return {output.begin(), output.end()};
-    });
-}
-
 void Gradebook::put_reread(const KeptReread& kept, const Graded& before, const Graded& after, std::size_t place) {
     write([&] {
         const Author author{kept.given.by, kept.given.when};

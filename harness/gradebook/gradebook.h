@@ -122,8 +122,6 @@ class Gradebook {
 
     /// All rereads, the oldest first.
     std::vector<KeptReread> rereads() const;
-    /// What a submission printed; empty if it printed nothing, or too much to be kept.
-    std::string printout(const std::string& submission) const;
     /// Saves a reread, which replaces an earlier one of the same item, or removes it. `after` is the submission as it
     /// is marked then, in the place of the class; `before` as it was.
     void put_reread(const KeptReread& kept, const Graded& before, const Graded& after, std::size_t place);

@@ -66,25 +66,23 @@ auto row(scenes::UntriedScene& scene) {
 auto row(Doubt& doubt) {
     return std::tie(doubt.why, doubt.line);
 }
-/// A text that is not written if it is empty.
-struct IfThere {
-    std::string& text;
+/// A value that only some rows hold.
+template <class Value>
+struct If {
+    Value& value;
+    bool is_written;
 };
-/// The last line of an answer, which is not written if the answer is in one line.
-struct LastLine {
-    int& last;
-    int line;
-};
-/// Something that is not written unless it is so.
-struct IfTrue {
-    bool& value;
-};
+template <class T>
+constexpr bool is_if = false;
+template <class Value>
+constexpr bool is_if<If<Value>> = true;
 /// Items make up most of a record, and names would make up most of an item.
 auto row(ItemScore& item) {
     return std::tuple_cat(
         std::tie(item.spec.name, item.verdict, item.points, item.max_points, item.printed, item.line, item.error,
                  item.allowance, item.accepted_as, item.diagnosis, item.advice, item.doubt),
-        std::tuple(IfThere{item.reread}, LastLine{item.last_line, item.line}, IfTrue{item.by_columns}));
+        std::tuple(If{item.reread, !item.reread.empty()}, If{item.last_line, item.last_line > item.line},
+                   If{item.by_columns, item.by_columns}));
 }
 
 std::vector<reference::ItemSpec> default_items_of(int number) {
@@ -259,12 +257,8 @@ struct Writer {
             return value.count();
         } else if constexpr (std::same_as<Value, scenes::HardScenesReport>) {
             return scenes::hard_scenes_json(value);
-        } else if constexpr (std::same_as<Value, IfThere>) {
-            return value.text.empty() ? json() : json(value.text);
-        } else if constexpr (std::same_as<Value, IfTrue>) {
-            return value.value ? json(true) : json();
-        } else if constexpr (std::same_as<Value, LastLine>) {
-            return value.last <= value.line ? json() : json(value.last);
+        } else if constexpr (is_if<Value>) {
+            return value.is_written ? written(value.value) : json();
         } else if constexpr (Nullable<Value>) {
             return value ? written(*value) : json();
         } else if constexpr (List<Value>) {
@@ -320,12 +314,8 @@ struct Reader {
             value = scenes::hard_scenes_from_json(from);
         } else if constexpr (std::same_as<Value, std::string_view>) {
             value = item_name(from.get<std::string>());
-        } else if constexpr (std::same_as<Value, IfThere>) {
-            if (!from.is_null()) value.text = from.get<std::string>();
-        } else if constexpr (std::same_as<Value, IfTrue>) {
-            if (!from.is_null()) value.value = from.get<bool>();
-        } else if constexpr (std::same_as<Value, LastLine>) {
-            if (!from.is_null()) value.last = scenes::whole_number<int>(from);
+        } else if constexpr (is_if<Value>) {
+            if (!from.is_null()) read(from, value.value);
         } else if constexpr (Nullable<Value>) {
             if (!from.is_null()) read(from, value.emplace());
         } else if constexpr (List<Value>) {

@@ -1,28 +1,16 @@
 #include "harness/intake/source_file.h"
 
-#include <sodium.h>
-
-#include <array>
 #include <cerrno>
 #include <system_error>
 
 #include "harness/intake/intake.h"
 #include "harness/intake/not_a_source.h"
-#include "harness/machine/errors.h"
+#include "harness/machine/hash.h"
 #include "harness/text/lower_case.h"
 #include "harness/text/printable.h"
 
 namespace harness {
 namespace {
-
-std::string sha256(const std::string& bytes) {
-    if (sodium_init() < 0) throw HarnessError("libsodium could not be set up: no random numbers on this machine.");
-    std::array<unsigned char, crypto_hash_sha256_BYTES> hash;
-    crypto_hash_sha256(hash.data(), reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
-    std::array<char, 2 * hash.size() + 1> hex;
-    sodium_bin2hex(hex.data(), hex.size(), hash.data(), hash.size());
-    return hex.data();
-}
 
 std::string problem_of(int error, const std::filesystem::path& file) {
     if (error == ELOOP)
@@ -53,7 +41,7 @@ void set_source(Submission& submission, std::string bytes, bool is_too_large) {
         submission.problem = in_quotes(submission.file) + ' ' + why;
         return;
     }
-    submission.source_sha256 = sha256(bytes);
+    submission.source_sha256 = hex_of(sha256(bytes));
     submission.source = std::move(bytes);
 }
 

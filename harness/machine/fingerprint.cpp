@@ -5,7 +5,7 @@
 #include <array>
 #include <charconv>
 
-#include "harness/machine/errors.h"
+#include "harness/machine/hash.h"
 
 namespace harness {
 
@@ -25,14 +25,11 @@ Fingerprint& Fingerprint::add(std::int64_t field) {
 }
 
 std::string Fingerprint::hex() const {
-    if (sodium_init() < 0) throw HarnessError("libsodium could not be set up: no random numbers on this machine.");
+    set_up_sodium();
     std::array<unsigned char, crypto_generichash_BYTES> hash{};
     crypto_generichash(hash.data(), hash.size(), reinterpret_cast<const unsigned char*>(fields_.data()), fields_.size(),
                        nullptr, 0);
-    std::string hex(2 * hash.size() + 1, '\0');
-    sodium_bin2hex(hex.data(), hex.size(), hash.data(), hash.size());
-    hex.pop_back();
-    return hex;
+    return hex_of(hash);
 }
 
 }  // namespace harness

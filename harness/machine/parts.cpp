@@ -22,6 +22,10 @@ fs::path find_part(const std::string& path) {
                        in_quotes(in_build) + ". Install or build all of raygrade again.");
 }
 
+fs::path assignments_folder() {
+    return find_part("share/raygrade/assignments");
+}
+
 std::vector<std::string> parts() {
     return {"lib/raygrade/raygrade-supervisor",     "lib/raygrade/raygrade-canary",
             "lib/raygrade/raygrade-line-buffer.so", "lib/raygrade/raygrade-huge-pages.so",

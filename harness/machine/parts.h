@@ -12,6 +12,9 @@ namespace harness {
 /// HarnessError, which says where it was looked for, when there is none.
 std::filesystem::path find_part(const std::string& path);
 
+/// The folder of the assignments that come with raygrade. Throws HarnessError.
+std::filesystem::path assignments_folder();
+
 /// What raygrade needs beside its executable, as find_part finds it.
 std::vector<std::string> parts();
 

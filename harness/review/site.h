@@ -33,7 +33,6 @@ class Site : public serve::Service {
   private:
     std::optional<std::string> path_below_secret(const std::string& path) const;
     serve::Response show(const std::string& path);
-    serve::Response show_student(std::size_t place, const std::string& rest);
     serve::Response post(const std::string& path, const FormFields& form);
     serve::Response decide_for_one_or_ask(const FormFields& form);
     serve::Response apply(const FormFields& form);

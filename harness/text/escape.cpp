@@ -7,16 +7,6 @@
 #include "harness/text/utf8.h"
 
 namespace harness {
-namespace {
-
-/// Whether the character reverses the order of the text after it, or ends a line without a newline. Such characters
-/// make a text look like a different text (Unicode Technical Report 36).
-bool deceives(char32_t code) {
-    return code == 0x061C || code == 0x200E || code == 0x200F || (code >= 0x2028 && code <= 0x202E) ||
-           (code >= 0x2066 && code <= 0x2069);
-}
-
-}  // namespace
 
 std::string escape_control(std::string_view bytes) {
     std::string out;

@@ -28,6 +28,11 @@ bool is_control(char32_t code) {
     return code < 0x20 || (code >= 0x7F && code < 0xA0);
 }
 
+bool deceives(char32_t code) {
+    return code == 0x061C || code == 0x200E || code == 0x200F || (code >= 0x2028 && code <= 0x202E) ||
+           (code >= 0x2066 && code <= 0x2069);
+}
+
 std::string_view beginning_of_characters(std::string_view text, std::size_t most) {
     if (text.size() <= most) return text;
     std::size_t end = most;

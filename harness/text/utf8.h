@@ -24,6 +24,10 @@ bool is_continuation(char c);
 /// Whether it is a control character: C0, DEL or C1.
 bool is_control(char32_t code);
 
+/// Whether the character reverses the order of the text after it, or ends a line without a newline. Such characters
+/// make a text look like a different text (Unicode Technical Report 36).
+bool deceives(char32_t code);
+
 /// The beginning of a text: at most `most` bytes, and up to 3 fewer so that no code point is cut.
 std::string_view beginning_of_characters(std::string_view text, std::size_t most);
 

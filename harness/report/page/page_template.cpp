@@ -3,27 +3,20 @@
 #include <fmt/format.h>
 #include <sodium.h>
 
-#include <array>
 #include <stdexcept>
 
-#include "harness/machine/errors.h"
+#include "harness/machine/hash.h"
 #include "harness/text/markup.h"
 
 namespace harness::report {
-namespace {
 
-/// A source expression of a policy: it allows the script or style with this hash.
 std::string hash_source(std::string_view content) {
-    if (sodium_init() < 0) throw HarnessError("libsodium could not be set up: no random numbers on this machine.");
-    std::array<unsigned char, crypto_hash_sha256_BYTES> hash;
-    crypto_hash_sha256(hash.data(), reinterpret_cast<const unsigned char*>(content.data()), content.size());
+    const auto hash = sha256(content);
     std::string base64(sodium_base64_ENCODED_LEN(hash.size(), sodium_base64_VARIANT_ORIGINAL), '\0');
     sodium_bin2base64(base64.data(), base64.size(), hash.data(), hash.size(), sodium_base64_VARIANT_ORIGINAL);
     base64.pop_back();  // the terminating zero
     return fmt::format(" 'sha256-{}'", base64);
 }
-
-}  // namespace
 
 PageTemplate::PageTemplate(std::string_view text) : mustache_(std::string(text)) {
     if (!mustache_.is_valid()) throw std::logic_error("a page's template: " + mustache_.error_message());

@@ -30,6 +30,10 @@ void set_text(PageData& data, const char* name, const std::string& text);
 /// The beginning of every raygrade page, up to and including <html …>. raygrade recognises its pages by it.
 inline constexpr std::string_view page_beginning = "<!DOCTYPE html>\n<!-- a page of raygrade -->\n<html lang=\"en\">\n";
 
+/// A source expression of a Content-Security-Policy, with a blank before it: it allows the script or style with this
+/// content. Throws HarnessError.
+std::string hash_source(std::string_view content);
+
 /// A page's Content-Security-Policy, for the content of a <meta>: it allows the page's script (none if empty) and its
 /// <style> elements by their hashes, and forbids loading anything.
 std::string security_policy(const std::vector<std::string_view>& styles, std::string_view script = {});

@@ -58,8 +58,11 @@ ScenePart MeantParts::likeliest(const std::vector<ScenePart>& parts) const {
         const std::vector<ScenePart> points = points_of(part.subject);
         const bool beside_others =
             std::ranges::all_of(points, [&](ScenePart other) { return other == part || is_any_called(other); });
+        const bool is_unlike_others = std::ranges::none_of(all_parts(), [&](ScenePart other) {
+            return other != part && is_point_of_scene(other, value_of(scene_, part));
+        });
         const bool is_stated = std::ranges::any_of(vectors_, [&](const StatedVector& vector) {
-            return is_point_of_scene(part, vector.value) && may_name(vector.name, part);
+            return is_point_of_scene(part, vector.value) && (is_unlike_others || may_name(vector.name, part));
         });
         if (points.size() > 1 && beside_others && !is_stated) return part;
     }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "harness/machine/errors.h"
 #include "harness/machine/fingerprint.h"
+#include "harness/machine/hash.h"
 
 namespace harness::serve {
 namespace {
@@ -16,12 +16,10 @@ constexpr std::size_t random_bytes = 16;
 }  // namespace
 
 std::string new_result_address() {
-    if (sodium_init() < 0) throw HarnessError("libsodium could not be set up: no random numbers on this machine.");
+    set_up_sodium();
     std::array<unsigned char, random_bytes> bytes;
     randombytes_buf(bytes.data(), bytes.size());
-    std::array<char, 2 * bytes.size() + 1> hex;
-    sodium_bin2hex(hex.data(), hex.size(), bytes.data(), bytes.size());
-    return hex.data();
+    return hex_of(bytes);
 }
 
 bool is_result_address(std::string_view text) {

@@ -1,12 +1,11 @@
 #include "harness/serve/results/pages.h"
 
 #include <fmt/format.h>
-#include <sodium.h>
 
-#include <array>
 #include <cmath>
 #include <string_view>
 
+#include "harness/report/page/page_template.h"
 #include "harness/text/markup.h"
 #include "harness/text/points.h"
 
@@ -41,14 +40,6 @@ std::string form(const std::string& heading, const std::string& field, const std
         "<form action=\"check\" method=\"post\" enctype=\"multipart/form-data\">\n<h2>{}</h2>\n{}"
         "<button type=\"submit\">{}</button>\n<p role=\"status\"></p>\n<p role=\"alert\"></p>\n</form>\n",
         heading, field, button);
-}
-
-std::string sha256_source(std::string_view text) {
-    std::array<unsigned char, crypto_hash_sha256_BYTES> hash;
-    crypto_hash_sha256(hash.data(), reinterpret_cast<const unsigned char*>(text.data()), text.size());
-    std::array<char, sodium_base64_ENCODED_LEN(hash.size(), sodium_base64_VARIANT_ORIGINAL)> base64;
-    sodium_bin2base64(base64.data(), base64.size(), hash.data(), hash.size(), sodium_base64_VARIANT_ORIGINAL);
-    return fmt::format(" 'sha256-{}'", base64.data());
 }
 
 }  // namespace
@@ -170,7 +161,7 @@ std::string student_policy(const std::string& student_page) {
     const std::string_view text = student_page;
     for (std::size_t at = text.find(begin); at != std::string_view::npos; at = text.find(begin, at)) {
         at += begin.size();
-        sources += sha256_source(text.substr(at, text.find(end, at) - at));
+        sources += report::hash_source(text.substr(at, text.find(end, at) - at));
     }
     return std::string(nothing_else) + "form-action 'none'; style-src" + (sources.empty() ? " 'none'" : sources);
 }

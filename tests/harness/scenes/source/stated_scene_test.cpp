@@ -46,6 +46,12 @@ TEST(StatedScene, TellsTheSpheresCFromTheTriangles) {
                 ElementsAre("C = (-2, 2, 3)"));
 }
 
+TEST(StatedScene, TakesCForTheCenterWhereTheThirdVertexIsStatedByAnotherName) {
+    const std::string others = "vec3 eye(0, 0, 4), A(0, -2, 2), B(2, 2, 2); ";
+    EXPECT_THAT(stated_beside_2021(others + "vec3 C(1, 1, 0.5), Cc(-2, 2, 2);"), ElementsAre("center = (1, 1, 0.5)"));
+    EXPECT_THAT(stated_beside_2021(others + "vec3 C(-2, 2, 1);"), ElementsAre("C = (-2, 2, 1)"));
+}
+
 TEST(StatedScene, MayBeAtAnotherPixel) {
     EXPECT_THAT(stated_beside_2021("vec3 P = pixelToVCS(plane, 120, 100);"), ElementsAre("P_DCS = (120, 100)"));
     EXPECT_THAT(stated_beside_2021("vec3 P = pixelToVCS(plane, 150.5, 100.5);"), IsEmpty())
