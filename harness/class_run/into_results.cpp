@@ -17,7 +17,6 @@
 #include "harness/grade/concerns.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
-#include "harness/machine/say.h"
 #include "harness/report/exchange/junit.h"
 #include "harness/report/exchange/summary_json.h"
 #include "harness/report/text/class_table.h"
@@ -57,11 +56,7 @@ void show_grading(const Grading& grading, const ResultsSession& session, const C
     tell_overrides_above_most(grading.graded);
     tell_late_days(inputs.rosters.late_days, grading.results.marking.assignment.rubric, grading.graded);
     if (session.writes) return;
-    if (!grading.comparison.changes.gone.empty()) {
-        say("note: --apply takes those who are gone out of the results. To add a hand-in to a class, grade the whole "
-            "class "
-            "again: what has not changed is not run again\n");
-    }
+    tell_that_apply_takes_out(grading.comparison.changes);
     tell_what_apply_writes(session, grading.comparison, grading.run, grading.results, inputs.rosters.given(),
                            options.out);
     if (!options.junit.empty()) fmt::print("{} was not written either and is as it was.\n", options.junit.string());

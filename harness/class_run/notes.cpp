@@ -75,6 +75,12 @@ void tell_overrides_above_most(const std::vector<Graded>& graded) {
     }
 }
 
+void tell_that_apply_takes_out(const ClassChanges& changes) {
+    if (changes.gone.empty()) return;
+    say("note: --apply takes those who are gone out of the results. To add a hand-in to a class, grade the whole class "
+        "again: what has not changed is not run again\n");
+}
+
 void tell_that_count_not(const std::vector<KeptReread>& rereads, const std::vector<Graded>& graded) {
     for (const KeptReread& each : rereads) {
         const auto one = std::find_if(graded.begin(), graded.end(),

@@ -31,6 +31,9 @@ void tell_without_place(const std::vector<KeptOverride>& overrides);
 /// Overrides that give more than their place is worth, perhaps because the rubric has changed.
 void tell_overrides_above_most(const std::vector<Graded>& graded);
 
+/// That who is gone from the class goes from its results too, and how one hand-in is added.
+void tell_that_apply_takes_out(const ClassChanges& changes);
+
 /// Rereads that do not count, and why.
 void tell_that_count_not(const std::vector<KeptReread>& rereads, const std::vector<Graded>& graded);
 

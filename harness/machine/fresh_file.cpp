@@ -83,20 +83,20 @@ FolderLock::FolderLock(const fs::path& folder) : folder_(::open(folder.c_str(), 
 
 void require_place(const AskedFile& file, Earlier earlier) {
     const auto fail = [&](std::string_view why) {
-        throw UsageError(fmt::format("{}: {}; name another file with {}", file.path.string(), why, file.option));
+        throw UsageError(fmt::format("{}: {} name another file with {}", file.path.string(), why, file.option));
     };
     struct stat found {};
     if (lstat(file.path.c_str(), &found) == 0) {
         constexpr std::size_t enough = 1000;
         const bool is_ours = S_ISREG(found.st_mode) &&
                              read_bounded(file.path, enough, Links::refuse).bytes.find(file.mark) != std::string::npos;
-        if (!is_ours) fail(fmt::format("is there already and is no {}", file.what));
-        if (earlier == Earlier::kept) fail("is there already; replace it with --force");
+        if (!is_ours) fail(fmt::format("is there already and is no {};", file.what));
+        if (earlier == Earlier::kept) fail("is there already; replace it with --force, or");
     } else if (errno != ENOENT) {
-        fail(fmt::format("can't be written: {}", std::strerror(errno)));
+        fail(fmt::format("can't be written: {};", std::strerror(errno)));
     }
     const fs::path folder = fs::absolute(file.path).parent_path();
-    if (access(folder.c_str(), W_OK | X_OK) != 0) fail(fmt::format("can't be written: {}", std::strerror(errno)));
+    if (access(folder.c_str(), W_OK | X_OK) != 0) fail(fmt::format("can't be written: {};", std::strerror(errno)));
 }
 
 void fail_to_write(const fs::path& file, int error) {

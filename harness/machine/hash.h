@@ -11,7 +11,7 @@ namespace harness {
 /// Sets libsodium up, as must be before any other call of it. Throws HarnessError.
 void set_up_sodium();
 
-/// Sets libsodium up. Throws HarnessError.
+/// Throws HarnessError if libsodium can't be set up.
 std::array<unsigned char, 32> sha256(std::string_view bytes);
 
 /// Two lower-case hexadecimal digits for each byte.

@@ -142,10 +142,8 @@ std::string handout_text(const reference::Assignment& assignment) {
         fmt::format("# {}\n\n## The scene\n\n{}\n", assignment.title, scene_text(assignment.scene, assignment.rubric));
     text += fmt::format(
         "## Questions\n\nHand in one C++ source, `ray_cast.cpp`. It uses GLM and prints to `std::cout`: each answer "
-        "with a "
-        "label, under the heading \"Question N\", with a decimal point and at least {} decimals; \"no hit\" for what "
-        "is not "
-        "there because the ray misses.\n",
+        "with a label, under the heading \"Question N\", with a decimal point and at least {} decimals; \"no hit\" for "
+        "what is not there because the ray misses.\n",
         std::max(assignment.rubric.min_decimals, 2));
     for (const reference::Question& question : assignment.questions) {
         text += fmt::format("\n{}. **{}** {}\n", question.number, question.title,
