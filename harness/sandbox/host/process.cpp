@@ -102,8 +102,10 @@ void Supervision::wait() {
     status_->start(nothing, ended);
     supervisor_gone_.async_wait(stream_descriptor::wait_read, [this](error_code) { reap_supervisor(); });
     timer_.expires_after(command_.limits.wall * runs_.size() + grace_for_the_supervisor);
+    // Where this process was stopped itself (Ctrl-Z), both are due when it goes on, and a wait that is due can't be
+    // cancelled: the supervisor may be reaped already.
     timer_.async_wait([this](error_code error) {
-        if (!error) force_end();
+        if (!error && supervisor_.pid > 0) force_end();
     });
     io_.run();
 }

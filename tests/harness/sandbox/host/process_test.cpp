@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <signal.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -15,6 +16,19 @@
 #include "harness/machine/errors.h"
 #include "tests/given/message_of.h"
 #include "tests/given/sandbox/stranger.h"
+
+namespace {
+std::atomic<bool> asked_to_kill_everything{false};
+}  // namespace
+
+/// In place of the C library's, so that a fault that kills every process of the user fails a test and does no harm.
+extern "C" int kill(pid_t process, int signal) noexcept {
+    if (process == -1) {
+        asked_to_kill_everything = true;
+        return 0;
+    }
+    return static_cast<int>(syscall(SYS_kill, process, signal));
+}
 
 namespace {
 
@@ -252,6 +266,25 @@ TEST(RunProcessWithoutASandbox, EndsEvenIfTheSupervisorWasStopped) {
     run.command.limits.wall = 200ms;
     EXPECT_THAT(why_not(run), HasSubstr("No word from the supervisor"));
     EXPECT_TRUE(run.waits_for([](int alive) { return alive == 0; }));
+}
+
+TEST(RunProcessWithoutASandbox, KillsNobodyElseWhenItWasStoppedBeyondEveryDeadline) {
+    Stranger sleeping(sandbox_of(Tier::unsafe), {"ignore-signals"});
+    sleeping.command.limits.wall = 200ms;
+    const pid_t harness = fork();
+    ASSERT_GE(harness, 0);
+    if (harness == 0) {
+        const bool ended_as_always = sleeping().ended == Ended::wall_limit;
+        _exit(asked_to_kill_everything ? 3 : ended_as_always ? 0 : 1);
+    }
+    EXPECT_TRUE(sleeping.waits_for([](int alive) { return alive >= 1; }));
+    kill(harness, SIGSTOP);
+    std::this_thread::sleep_for(11s);  // more than the wall limit and what the supervisor has beyond it
+    kill(harness, SIGCONT);
+    int status = -1;
+    waitpid(harness, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
 TEST_P(RunProcess, LeavesNothingBehindWhenTheHarnessIsKilled) {
