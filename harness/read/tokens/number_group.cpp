@@ -9,6 +9,10 @@ namespace {
 
 using Kind = Token::Kind;
 
+/// Numbers that are read ahead of a row. Each number of a line may begin one, so without a bound a line of a million
+/// characters would take minutes.
+constexpr std::size_t largest_matrix = 16;
+
 class GroupReader {
   public:
     explicit GroupReader(const LineTokens& tokens) : tokens_(tokens) {}
@@ -20,6 +24,7 @@ class GroupReader {
         std::size_t columns = 0;
         std::size_t i = begin;
         for (; i < tokens_.size(); ++i) {
+            if (found.numbers.size() > largest_matrix) return std::nullopt;
             if (is(i, Kind::number)) {
                 found.numbers.push_back(tokens_[i].number);
                 continue;
@@ -43,6 +48,7 @@ class GroupReader {
         if (begin > 0 && is(begin - 1, Kind::op)) return std::nullopt;
         NumberGroup found{{tokens_[begin].number}, 1, 0, begin, begin + 1};
         while (is(found.last, Kind::op) && text(found.last) == "/" && is(found.last + 1, Kind::number)) {
+            if (found.numbers.size() == largest_matrix) return std::nullopt;
             found.numbers.push_back(tokens_[found.last + 1].number);
             found.last += 2;
         }
