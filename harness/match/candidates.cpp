@@ -95,11 +95,8 @@ MatrixOrder block_order(const std::vector<PrintedValue>& values, std::size_t at,
     MatrixOrder otherwise = typed ? MatrixOrder::columns : MatrixOrder::rows;
     const std::string& row_label = last.label.empty() ? last.above : last.label;
     if (is_row_label(row_label)) {
-        const MatrixOrder said = matrix_order(row_label);
-        const bool row_letter = row_label.front() == 'r' || row_label.front() == 'R';
-        if (said != MatrixOrder::unsaid) return said;
-        const bool digit = row_label.front() >= '0' && row_label.front() <= '9';
-        otherwise = row_letter || (digit && !typed) ? MatrixOrder::rows : MatrixOrder::columns;
+        if (const MatrixOrder said = matrix_order(row_label); said != MatrixOrder::unsaid) return said;
+        otherwise = order_of_row_label(row_label, typed);
     }
     return order_of(first, otherwise);
 }

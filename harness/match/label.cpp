@@ -215,9 +215,22 @@ MatrixOrder matrix_order(std::string_view label) {
     return rows ? MatrixOrder::rows : MatrixOrder::columns;
 }
 
+MatrixOrder order_of_row_label(std::string_view label, bool typed) {
+    if (const MatrixOrder said = matrix_order(label); said != MatrixOrder::unsaid) return said;
+    static const RE2 row(R"((?i)(?:.*\b)?(?:r|line|eq|equation)\W*(?:no\W*|nr\W*|#)?\d\D*|\w+\(\d,\s*:\)\W*)");
+    static const RE2 digit(R"(\W*\d\W*)");
+    static const RE2 name(R"((?i)\W*(?:(?:the|of|matrix|mat)\s+)*(?:m\w*|a|matrix)\W*\d\W*)");
+    const re2::StringPiece text(label.data(), label.size());
+    if (RE2::FullMatch(text, row)) return MatrixOrder::rows;
+    if (typed) return MatrixOrder::columns;
+    return RE2::FullMatch(text, digit)  ? MatrixOrder::rows
+           : RE2::FullMatch(text, name) ? MatrixOrder::unsaid
+                                        : MatrixOrder::columns;
+}
+
 bool is_row_label(std::string_view label) {
     static const RE2 pattern(
-        R"((?i)^\W*(?:(?:(?:the|of|matrix|mat|a|m)\s+)*(?:row|col|column|r|c|line|m|a|mat|eq|equation)\W*(?:no\W*|nr\W*|#)?\d(?:\W+-?[tuvxyz])?|\d|row|col(?:umn)?|(?:first|second|third|fourth|1st|2nd|3rd|4th)\s+(?:row|col|column)|M\w*\[\d\]|[-]?[tuv]\s+col(?:umn)?|col(?:umn)?\s+[-]?[tuvxyz]|-\s*V|B\s*-\s*A|C\s*-\s*A|e1|e2|edge\s*[12])\W*$)");
+        R"((?i)^\W*(?:(?:(?:the|of|matrix|mat|a|m)\s+)*(?:row|col|column|r|c|line|zeile|reihe|spalte|ligne|colonne|fila|renglón|columna|m|a|mat|eq|equation)\W*(?:no\W*|nr\W*|#)?\d(?:\W+-?[tuvxyz])?|\d|row|col(?:umn)?|(?:first|second|third|fourth|1st|2nd|3rd|4th)\s+(?:row|col|column)|M\w*\[\d\]|[MA]\w*\((?:\d,\s*:|:,\s*\d)\)|[-]?[tuv]\s+col(?:umn)?|col(?:umn)?\s+[-]?[tuvxyz]|-\s*V|B\s*-\s*A|C\s*-\s*A|e1|e2|edge\s*[12])\W*$)");
     return RE2::FullMatch(re2::StringPiece(label.data(), label.size()), pattern) || !matrix_of_row(label).empty();
 }
 

@@ -83,6 +83,15 @@ class Reader {
         return words && (!equals || is(open + 1, Kind::number));
     }
 
+    /// Whether the bracket is the index of a matrix' row or column, as in "M(1,:) = 1 0 0 4".
+    bool is_index_of_row(std::size_t open) const {
+        if (open == 0 || !is(open, Kind::open) || !is(open - 1, Kind::word) || !is(open + 2, Kind::comma) ||
+            !is(open + 4, Kind::close))
+            return false;
+        const auto is_all = [&](std::size_t i) { return is(i, Kind::equals) && text(i) == ":"; };
+        return (is(open + 1, Kind::number) && is_all(open + 3)) || (is_all(open + 1) && is(open + 3, Kind::number));
+    }
+
     /// Where reading goes on behind an expression that is no value, since its result stands behind it or before it:
     /// "P = (0, 0, 1) + 2 * (1, 0, 0) = (2, 0, 1)".
     std::optional<std::size_t> behind_worked_out() const {
@@ -127,6 +136,11 @@ class Reader {
         }
         if (is(at_, Kind::open) && tokens_.partner(at_) < tokens_.size() && is_remark(at_)) {
             at_ = tokens_.partner(at_) + 1;  // a remark: "0.333 (= 1/3)"
+            return;
+        }
+        if (is_index_of_row(at_)) {
+            reading_.has_words = true;
+            at_ = tokens_.partner(at_) + 1;
             return;
         }
         if (is(at_, Kind::open) && tokens_.partner(at_) < tokens_.size() && tokens_.is_call(at_)) {
@@ -265,9 +279,11 @@ class Reader {
         static const RE2 conjunction("(?i)and|und|et");
         if (label_begin_ > 0 && RE2::FullMatch(re2::StringPiece(first_part.data(), first_part.size()), conjunction))
             return "";
-        // "P_s = {x = 2": component x of P_s.
-        last_part.remove_prefix(std::min(last_part.find_first_not_of("([{<"), last_part.size()));
-        if (last_part == "x" && first_part.data() != last_part.data()) return std::string(first_part) + " x";
+        // "P_s = {x = 2", "P_s = Vec3 { x: 2", "P_s = {\"X\": 2": component x of P_s.
+        static const RE2 component(R"((?:(?:\w+\s*)?[(\[{<]\s*)?["']?[xX])");
+        if (first_part.data() != last_part.data() &&
+            RE2::FullMatch(re2::StringPiece(last_part.data(), last_part.size()), component))
+            return std::string(first_part) + " x";
         // Skips a remark about the previous value: "t = 0.58 (the smaller root), hit = …".
         if (label_begin_ > 0 && !first_part.empty() && first_part.front() == '(') {
             const std::size_t close = first_part.find(')');

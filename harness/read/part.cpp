@@ -5,6 +5,8 @@
 #include <array>
 #include <string>
 
+#include "harness/text/lower_case.h"
+
 namespace harness {
 namespace {
 
@@ -18,12 +20,17 @@ struct Part {
 };
 
 std::optional<Part> part_of(std::string_view text, std::size_t line) {
-    static const RE2 pattern(R"(^(\s*[(\[]?([a-h]|i{1,3}|iv|vi{0,3})(?:[)\]]|\.\s)\s*[:.\-]?\s*)\S)");
+    static const RE2 pattern(
+        R"((?i)^(\s*(?:part\s+|teil\s+)?[(\[]?([a-h]|i{1,3}|iv|vi{0,3})(?:[)\]]|\.\s)\s*[:.\-]?\s*))");
+    static const RE2 with_word(R"((?i)^(\s*(?:part|teil)\s+[(\[]?([a-h]|i{1,3}|iv|vi{0,3})[)\]]?\s*(?:[:.\-]\s*|$)))");
     const std::string_view start = text.substr(0, longest_start);
+    const re2::StringPiece piece(start.data(), start.size());
     re2::StringPiece whole;
     Part part{line, 0, {}};
-    if (!RE2::PartialMatch(re2::StringPiece(start.data(), start.size()), pattern, &whole, &part.number))
+    if (!RE2::PartialMatch(piece, pattern, &whole, &part.number) &&
+        !RE2::PartialMatch(piece, with_word, &whole, &part.number))
         return std::nullopt;
+    part.number = lower_case(part.number);
     // The sign of "(a) -1" belongs to the answer.
     part.end = whole.size();
     if (whole.ends_with("-")) --part.end;

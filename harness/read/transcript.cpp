@@ -80,6 +80,12 @@ std::string_view without_edge(std::string_view line) {
     return is_apart ? line.substr(0, last + 1) : line;
 }
 
+/// Whether a heading goes on with "(the ray)", which says what its question is about, where elsewhere it names V.
+bool is_ray(const std::string& title) {
+    static const RE2 pattern(R"((?i)\W*(?:the|der|die|le|el)?\s*(?:viewing\s+|camera\s+)?(?:ray|strahl|rayon|rayo)\W*)");
+    return RE2::FullMatch(title, pattern);
+}
+
 class TranscriptReader {
   public:
     Transcript run(const std::vector<Line>& lines, int last_question) {
@@ -99,7 +105,10 @@ class TranscriptReader {
                 above_.clear();
             }
             read(rest, number, i == signed_at ? -1 : 1);
-            if (headings[i]) above_is_title_ = true;
+            if (headings[i]) {
+                above_is_title_ = true;
+                if (is_ray(above_)) above_.clear();
+            }
         }
         for (Section& section : transcript_.sections) {
             keep_ends(section.values);

@@ -24,6 +24,19 @@ TEST(Part, IsTakenOffWhereLettersGoUp) {
               (Lines{"Question 2", "t = 1", "  and more", "u = 2"}));
     EXPECT_EQ(without_parts({"Question 2", "i) 1", "ii) 2", "iii) 3", "iv) 4"}),
               (Lines{"Question 2", "1", "2", "3", "4"}));
+    EXPECT_EQ(without_parts({"Question 8", "A) (1, 2, 3)", "B) 1", "[C] -1"}),
+              (Lines{"Question 8", "(1, 2, 3)", "1", "-1"}));
+    EXPECT_EQ(without_parts({"Question 8", "Part a: 1", "Part b: 2"}), (Lines{"Question 8", "1", "2"}));
+}
+
+TEST(Part, MayStandOnALineOfItsOwn) {
+    for (const std::string form : {"*)", "(*)", "[*]", "Part *:", "part (*)", "Part *"}) {
+        const auto line = [&](const char* letter) { return std::string(form).replace(form.find('*'), 1, letter); };
+        const std::string first = line("a"), second = line("b");
+        EXPECT_EQ(without_parts({"Question 1", first, "(1, 2, 3)", second, "4"}),
+                  (Lines{"Question 1", "", "(1, 2, 3)", "", "4"}))
+            << form;
+    }
 }
 
 TEST(Part, BeginsAnewUnderEachHeading) {
