@@ -160,6 +160,19 @@ std::optional<LinearForm> read_linear_form(std::string_view line) {
         }
         return LinearForm{std::move(*values), start + form->length};
     }
+    // "P_s 1i + 2j + 3k"
+    static const RE2 name(R"(\s*([A-Za-z]\w*)\s+)");
+    re2::StringPiece after_name(line.data(), line.size()), label;
+    if (RE2::Consume(&after_name, name, &label)) {
+        const std::string_view behind(after_name.data(), after_name.size());
+        const auto form = parse(behind);
+        if (form && has(*form, 'i') && has(*form, 'j') && has(*form, 'k')) {
+            if (auto values = values_of(*form, behind)) {
+                values->front().label = std::string(label);
+                return LinearForm{std::move(*values), line.size() - behind.size() + form->length};
+            }
+        }
+    }
     static const RE2 words(R"(\s*(?:[A-Za-z]{2,}\s+)+)");  // "Solving 1 t^2 + (-4) t + 2 = 0"
     re2::StringPiece rest(line.data(), line.size());
     if (!RE2::Consume(&rest, words)) return std::nullopt;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <set>
 #include <string>
 
@@ -20,11 +21,13 @@ constexpr const char* decoration = R"(^[\s*=\-_#~+|/\\<>.:!\[({"'`\x{FFFD}]*)";
 /// A sub-question's letter or number, then what may close the heading's number.
 constexpr const char* closing =
     R"((?:\.?\s?(?:(?:[a-h]|i{1,3})\b|[(\[](?:[a-h]|i{1,3}|iv|vi{0,3})[)\]])|\.\d\b)?(?:\s*(?:of|/)\s*\d{1,2}\b)?[\s*=_#~+|\\\])}"'`]*(?:[:.)\]\-,;>=|]+|\s|$))";
-constexpr const char* number = R"([.\s]*[#:.\-_(\[]*\s*(?i:no\.?\s*|nr\.?\s*|number\s*)?#?\s?(\d{1,2}))";
+constexpr const char* number =
+    R"([.\s]*[#:.\-_(\[]*\s*(?i:no\.?\s*|nr\.?\s*|n[\x{B0}\x{BA}.]\s*|number\s*)?#?\s?(\d{1,2}))";
+/// What may stand before the word: the course and the assignment, or what the program does with the question.
 constexpr const char* question_words =
-    R"((?i:assignment 6,? |a6,? |(?:my )?(?:answers?|solution) (?:to|for|of) |the )?(?i:§|questions?|quest|ques|qn?|exercises?|exer|exc|ex|exo|problems?|prob|tasks?|aufgabe|frage|vraag|opgave|pregunta|ejercicio|domanda|esercizio|pergunta))";
+    R"((?i:(?:[a-z]{2,4}\s?\d{3}\W+)?(?:assignment\s\d|a\d|hw\s?\d)[\s,:\-]*|(?:my )?(?:answers?|solutions?|results?|outputs?) (?:to|for|of) |section[\s:]+|antwort (?:auf|zu) |(?:this|here) is |(?:now )?(?:computing|running|solving|answering) |the )?(?i:§|questions?|quest|ques|qn?|exercises?|exer|exc|ex|exo|problems?|prob|tasks?|aufgabe|aufg|(?:[\x{DC}\x{FC}\x{FFFD}]|ue)bung|frage|vraag|opgave|pregunta|ejercicio|domanda|esercizio|pergunta))";
 constexpr const char* part_words =
-    R"((?i:parts?|answers?|ans|items?|steps?|sections?|solution|results?|output|nr|no|number))";
+    R"((?i:parts?|answers?|ans|items?|steps?|sections?|solution|results?|output|nr|no|number|teil(?:aufgabe)?|antwort|l(?:[\x{D6}\x{F6}\x{FFFD}]|oe)sung|ergebnis|punkt|apartado|respuesta|r(?:[\x{C9}\x{E9}\x{FFFD}]|e)ponse|risposta|resposta))";
 constexpr const char* spelled =
     R"(\s*[#:\-_]?\s*(?i:(one|two|three|four|five|six|seven|eight|nine|ten))\b[\s:.)\-*=]*))";
 
@@ -152,29 +155,75 @@ std::optional<Heading> dotted(std::string_view start, int last_question) {
     return Heading{question, whole.size(), Heading::Style::dotted};
 }
 
-/// "| 6 | t | 0.59 |", "6\tt\t0.59".
-std::optional<Heading> cell(std::string_view start, int last_question) {
-    static const RE2 pattern(
-        R"((^\s*(?:[|\x{2502}]\s*(?:Q\s?)?(\d{1,2})\s*[|\x{2502}]|(?:Q\s?)?(\d{1,2})(?:\s*[;|,\x{2502}]|\t|\s{2,}))\s*)(?:[-+.]\s*)?[^\s\d.+\-])");
-    re2::StringPiece whole, framed, open;
-    if (!RE2::PartialMatch(re2::StringPiece(start.data(), start.size()), pattern, &whole, &framed, &open))
-        return std::nullopt;
-    const re2::StringPiece digits = framed.empty() ? open : framed;
-    const int question = digits.size() == 1 ? digits[0] - '0' : 10 * (digits[0] - '0') + digits[1] - '0';
-    if (question < 1 || question > last_question) return std::nullopt;
-    return Heading{question, whole.size(), Heading::Style::cell};
+/// A way to number questions that counts only if it numbers many of them, one behind the other.
+struct ColumnForm {
+    RE2 pattern;       ///< group 1 is the heading, the others are its number, of which one matches
+    bool is_of_total;  ///< the last group is the number of questions
+    Heading::Style style;
+};
+
+const std::array<ColumnForm, 7>& column_forms() {
+    using enum Heading::Style;
+    static const std::array<ColumnForm, 7> all = {
+        // "| 6 | t | 0.59 |", "6\tt\t0.59"
+        ColumnForm{
+            RE2(R"((^\s*(?:[|\x{2502}]\s*(?:Q\s?)?(\d{1,2})\s*[|\x{2502}]|(?:Q\s?)?(\d{1,2})(?:\s*[;|,\x{2502}]|\t|\s{2,}))\s*)(?:[-+.]\s*)?[^\s\d.+\-])"),
+            false, cell},
+        // "#6 t 0.59", "6 t = 0.59"
+        ColumnForm{RE2(R"((^\s*#?(\d{1,2})\s+)[A-Za-z_(\[])"), false, cell},
+        // "6 - the sphere"
+        ColumnForm{RE2(R"((^\s*(\d{1,2})\s+-+(?:\s+|$)))"), false, bare},
+        // "VI."
+        ColumnForm{RE2(R"((^[\s*=\-_#(\[]*(X|IX|IV|V?I{0,3})\s?[.):\]]+(?:\s|$)))"), false, bare},
+        // "SIX."
+        ColumnForm{
+            RE2(R"((^[\s*=\-_#(\[]*(?i:(one|two|three|four|five|six|seven|eight|nine|ten))\s?[.):\]]+(?:\s|$)))"),
+            false, bare},
+        // "A6:", "6th question"
+        ColumnForm{
+            RE2(R"((^[\s*=\-_#(\[]*(?:A(\d{1,2})(?:[.):\]]+(?:\s|$)|\s*$)|(\d{1,2})(?:st|nd|rd|th)\s(?i:question|exercise|problem|task|answer)\b[\s:.)\]*=\-]*)))"),
+            false, bare},
+        // "[6/10]", "6 of 10"
+        ColumnForm{RE2(R"((^[\s*=\-_#(\[]*(\d{1,2})\s?(?:/|of)\s?(\d{1,2})(?:[\s:.)\]*=\-]+|$)))"), true, bare}};
+    return all;
 }
 
-/// The numbers in the first cells of a table; empty if they are no column of questions.
-std::vector<std::optional<Heading>> question_column(const std::vector<std::string_view>& lines, int last_question) {
+int number_in(std::string_view digits_or_word) {
+    constexpr std::array<std::string_view, 10> roman = {"I", "II", "III", "IV", "V", "VI", "VII", "VIII", "IX", "X"};
+    int value = 0;
+    const char* end = digits_or_word.data() + digits_or_word.size();
+    if (std::from_chars(digits_or_word.data(), end, value).ptr == end && value > 0) return value;
+    const auto found = std::find(roman.begin(), roman.end(), digits_or_word);
+    return found != roman.end() ? static_cast<int>(found - roman.begin()) + 1
+                                : spelled_number(std::string(digits_or_word));
+}
+
+std::optional<Heading> heading_in(const ColumnForm& form, std::string_view start, int last_question) {
+    std::array<re2::StringPiece, 4> groups;
+    const int count = 1 + form.pattern.NumberOfCapturingGroups();
+    if (!form.pattern.Match(re2::StringPiece(start.data(), start.size()), 0, start.size(), RE2::UNANCHORED,
+                            groups.data(), count))
+        return std::nullopt;
+    const auto text = [&](std::size_t group) {
+        return std::string_view(groups.at(group).data(), groups.at(group).size());
+    };
+    const std::string_view digits = text(2).empty() && !form.is_of_total ? text(3) : text(2);
+    if (digits.empty() || (form.is_of_total && number_in(text(3)) != last_question)) return std::nullopt;
+    const int question = number_in(digits);
+    if (question < 1 || question > last_question) return std::nullopt;
+    return Heading{question, end_of(start, groups[1].size()), form.style};
+}
+
+/// The headings of this form; empty unless they number many questions, the rows of each standing together.
+std::vector<std::optional<Heading>> question_column(const ColumnForm& form, const std::vector<std::string_view>& lines,
+                                                    int last_question) {
     constexpr std::size_t fewest = 5;
     std::vector<std::optional<Heading>> cells;
     std::set<int> named;
     int last = 0;
     for (const std::string_view line : lines) {
-        cells.push_back(cell(line.substr(0, longest_heading), last_question));
-        if (!cells.back()) continue;
-        if (cells.back()->question == last) continue;
+        cells.push_back(heading_in(form, line.substr(0, longest_heading), last_question));
+        if (!cells.back() || cells.back()->question == last) continue;
         last = cells.back()->question;
         if (!named.insert(last).second) return {};
     }
@@ -215,7 +264,9 @@ std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_
         named.at(static_cast<std::size_t>(headings.back()->style)).insert(headings.back()->question);
     }
     if (named[0].size() < 3) {
-        if (auto column = question_column(lines, last_question); !column.empty()) return column;
+        for (const ColumnForm& form : column_forms()) {
+            if (auto column = question_column(form, lines, last_question); !column.empty()) return column;
+        }
     }
     const std::size_t best = choose_style(named);
     for (auto& heading : headings) {

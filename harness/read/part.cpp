@@ -47,10 +47,25 @@ bool go_up(const std::vector<Part>& parts, const std::array<std::string_view, N>
     return true;
 }
 
+/// "6.2 t: 1.5" under the heading of question 6. A number such as the 6.2 of "6.2 1 0" is none.
+std::optional<Part> dotted_part_of(std::string_view text, std::size_t line, int question) {
+    static const RE2 pattern(R"(^(\s*(\d{1,2})\.(\d)[.):]?\s+)\S)");
+    const std::string_view start = text.substr(0, longest_start);
+    re2::StringPiece whole;
+    int of = 0;
+    Part part{line, 0, {}};
+    if (!RE2::PartialMatch(re2::StringPiece(start.data(), start.size()), pattern, &whole, &of, &part.number) ||
+        of != question)
+        return std::nullopt;
+    part.end = whole.size();
+    return part;
+}
+
 bool are_parts(const std::vector<Part>& parts) {
     constexpr std::array<std::string_view, 8> letters = {"a", "b", "c", "d", "e", "f", "g", "h"};
     constexpr std::array<std::string_view, 8> roman = {"i", "ii", "iii", "iv", "v", "vi", "vii", "viii"};
-    return go_up(parts, letters) || go_up(parts, roman);
+    constexpr std::array<std::string_view, 9> digits = {"1", "2", "3", "4", "5", "6", "7", "8", "9"};
+    return go_up(parts, letters) || go_up(parts, roman) || go_up(parts, digits);
 }
 
 }  // namespace
@@ -59,6 +74,7 @@ std::vector<std::size_t> find_parts(const std::vector<std::string_view>& lines,
                                     const std::vector<std::optional<Heading>>& headings) {
     std::vector<std::size_t> ends(lines.size(), 0);
     std::vector<Part> parts;  // under the last heading
+    int question = 0;
     const auto close = [&] {
         if (are_parts(parts)) {
             for (const Part& part : parts) ends[part.line] = part.end;
@@ -68,8 +84,11 @@ std::vector<std::size_t> find_parts(const std::vector<std::string_view>& lines,
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (headings[i]) {
             close();
+            question = headings[i]->question;
         } else if (auto part = part_of(lines[i], i)) {
             parts.push_back(std::move(*part));
+        } else if (auto dotted = dotted_part_of(lines[i], i, question)) {
+            parts.push_back(std::move(*dotted));
         }
     }
     close();

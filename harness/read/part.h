@@ -1,4 +1,4 @@
-// Letters and small Roman numbers that number the parts of a question: "a)", "(b)", "iii.".
+// What numbers the parts of a question: "a)", "(B)", "iii.", "Part c:", "6.2" under the heading of question 6.
 #pragma once
 
 #include <cstddef>

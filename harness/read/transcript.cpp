@@ -82,7 +82,8 @@ std::string_view without_edge(std::string_view line) {
 
 /// Whether a heading goes on with "(the ray)", which says what its question is about, where elsewhere it names V.
 bool is_ray(const std::string& title) {
-    static const RE2 pattern(R"((?i)\W*(?:the|der|die|le|el)?\s*(?:viewing\s+|camera\s+)?(?:ray|strahl|rayon|rayo)\W*)");
+    static const RE2 pattern(
+        R"((?i)\W*(?:the|der|die|le|el)?\s*(?:viewing\s+|camera\s+)?(?:ray|strahl|rayon|rayo)\W*)");
     return RE2::FullMatch(title, pattern);
 }
 
