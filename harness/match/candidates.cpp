@@ -256,6 +256,36 @@ std::vector<Candidate> split_groups(const Candidate& list) {
     return parts;
 }
 
+/// "(w, u, v) = (0.5, 0.25, 0.25)" without w = 1 - u - v, which nobody asks for.
+PrintedValue without_w(PrintedValue value) {
+    static const RE2 first(R"((?i)\W*(?:w|alpha)\W+((?:u|beta)\W+(?:v|gamma)\W*))");
+    static const RE2 last(R"((?i)\W*(u\W+v)\W+w\W*)");
+    if (value.numbers.size() != 3 || value.groups != 1) return value;
+    std::string names;
+    if (RE2::FullMatch(value.label, first, &names)) {
+        value.numbers.erase(value.numbers.begin());
+    } else if (RE2::FullMatch(value.label, last, &names)) {
+        value.numbers.pop_back();
+    } else {
+        return value;
+    }
+    value.label = names;
+    return value;
+}
+
+/// Names axes that are called u, v and w, one behind the other, by what they are: alone, "v" may be V.
+std::vector<PrintedValue> with_axes_named(std::vector<PrintedValue> values, std::span<const ItemSpec> items) {
+    if (std::ranges::find(items, reference::item::X_vcs, &ItemSpec::id) == items.end()) return values;
+    const auto is = [&](std::size_t i, char name) {
+        return values[i].numbers.size() >= 3 && values[i].label.size() == 1 && (values[i].label[0] | 0x20) == name;
+    };
+    for (std::size_t i = 0; i + 2 < values.size(); ++i) {
+        if (!is(i, 'u') || !is(i + 1, 'v') || !is(i + 2, 'w')) continue;
+        for (std::size_t k = 0; k < 3; ++k) values[i + k].label = std::string(1, "xyz"[k]) + " axis";
+    }
+    return values;
+}
+
 std::vector<ItemSpec> scalars_of(std::span<const ItemSpec> items) {
     std::vector<ItemSpec> scalars;
     std::copy_if(items.begin(), items.end(), std::back_inserter(scalars),
@@ -285,7 +315,8 @@ std::vector<Candidate> candidates_of(const std::vector<PrintedValue>& values, st
     const auto vectors = static_cast<std::size_t>(
         std::count_if(items.begin(), items.end(), [](const ItemSpec& i) { return i.shape == Shape::vector; }));
     std::vector<Candidate> result;
-    for (Candidate& candidate : gather_matrices(values, items)) {
+    for (Candidate& candidate : gather_matrices(with_axes_named(values, items), items)) {
+        if (!scalars.empty()) candidate.value = without_w(std::move(candidate.value));
         const PrintedValue& value = candidate.value;
         const std::string& names = value.label.empty() ? value.above : value.label;
         const std::vector<std::size_t> listed =

@@ -84,7 +84,11 @@ class Matcher {
             return std::nullopt;
         // An unnamed vec3 that is read as three scalars is still one value, so it gains no more than as a vector.
         const std::int64_t share = candidate.value.typed && fit[i] == LabelFit::none ? candidate.parts : 1;
-        return gain_of(fit[i]) / share + order_gain(fit[i], i, placed);
+        // A number under words that nobody knows answers rather than "no hit" does, which may be said of something
+        // else.
+        constexpr std::int64_t of_no_value = 8'000;
+        const bool is_no_value = candidate.value.numbers.empty() && fit[i] < LabelFit::weak;
+        return gain_of(fit[i]) / share + order_gain(fit[i], i, placed) - (is_no_value ? of_no_value : 0);
     }
 
     /// Whether the label names an item of the question better than item i: a value labelled "b" is never c.

@@ -12,9 +12,9 @@ namespace item = reference::item;
 
 /// Adds the names that both normals go by to `names`.
 Vocabulary names_of_normal(Vocabulary names) {
-    for (const char* name :
-         {"n", "normal", "surfacenormal", "unitnormal", "nhat", "normaln", "normalvector", "normalized", "normalised",
-          "nnormalized", "nnormalised", "normalizedn", "normalisedn", "unitn", "nunit"})
+    for (const char* name : {"n", "normal", "normale", "normalenvektor", "vecteurnormal", "surfacenormal", "unitnormal",
+                             "nhat", "normaln", "normalvector", "normalized", "normalised", "nnormalized",
+                             "nnormalised", "normalizedn", "normalisedn", "unitn", "nunit"})
         names.emplace(name);
     return names;
 }
@@ -46,8 +46,10 @@ const std::vector<Names>& names_of_items() {
           "worldposition"},
          {"p", "pixel", "point", "world", "position"}},
         {item::V,
-         {"v", "direction", "raydirection", "raydir", "unitv", "vhat", "dir", "vector", "unitvector", "d", "vwcs",
-          "ray", "directionv", "vnormalized", "vnormalised", "normalizedv", "normalisedv", "normalized", "normalised"},
+         {"v",           "direction",      "raydirection", "raydir",     "unitv",      "vhat",
+          "dir",         "vector",         "unitvector",   "d",          "vwcs",       "ray",
+          "richtung",    "strahlrichtung", "dirección",    "direccion",  "directionv", "vnormalized",
+          "vnormalised", "normalizedv",    "normalisedv",  "normalized", "normalised"},
          {"unit", "normalized", "normalised"}},
         {item::sphere::a, {"a", "acoefficient", "coefficienta", "coeffa", "qa", "aq", "alpha"}, {}},
         {item::sphere::b,
@@ -55,7 +57,8 @@ const std::vector<Names>& names_of_items() {
          {"h", "b2"}},
         {item::sphere::c, {"c", "ccoefficient", "coefficientc", "coeffc", "qc", "gamma"}, {}},
         {item::sphere::d,
-         {"d", "disc", "discriminant", "delta", "dis", "discr", "bb4ac", "b24ac", "bbac", "b2ac", "d'", "det"},
+         {"d", "disc", "discriminant", "delta", "dis", "discr", "bb4ac", "b24ac", "bbac", "b2ac", "d'", "det",
+          "diskriminante", "discriminante"},
          {"determinant", "radicand", "d4"}},
         {item::sphere::t,
          {"t", "ts", "tsphere", "tval", "tvalue", "rayparameter", "rayparametert", "parametert", "parameter", "thit",
@@ -63,7 +66,8 @@ const std::vector<Names>& names_of_items() {
           "rayt"},
          {"t1", "t0", "t2", "root", "root1", "root2", "roots", "distance", "lambda", "raydistance", "tminus", "tplus"}},
         {item::sphere::hit,
-         {"hit", "hitpoint", "ps", "psphere", "intersection", "intersectionpoint", "pointofintersection", "hitpos",
+         {"hit", "hitpoint", "ps", "psphere", "intersection", "intersectionpoint", "pointofintersection",
+          "schnittpunkt", "trefferpunkt", "pointd'intersection", "puntodeintersección", "puntodeinterseccion", "hitpos",
           "hitposition", "spherehit", "spherehitpoint", "sphereintersection", "phit"},
          {"p", "point", "pos", "position", "location", "i"}},
         {item::sphere::normal,
@@ -75,8 +79,8 @@ const std::vector<Names>& names_of_items() {
          {"equations", "augmented"}},
         {item::triangle::rhs,
          {"rhs", "b", "righthandside", "rightside", "right", "righthand", "bvector", "vectorb", "rhsvector", "constant",
-          "rightvector"},
-         {"d", "y", "sa", "solutionvector"}},
+          "rightvector", "rechteseite", "ladoderecho", "secondmembre", "membrededroite"},
+         {"vector", "d", "y", "sa", "solutionvector"}},
         {item::triangle::t,
          {"t", "tt", "ttri", "ttriangle", "tval", "tvalue", "rayparameter", "parametert", "rayparametert", "thit",
           "rayt"},
@@ -85,7 +89,8 @@ const std::vector<Names>& names_of_items() {
         {item::triangle::v, {"v", "vvalue", "barycentricv", "baryv", "gamma"}, {}},
         {item::triangle::hit,
          {"hit", "hitpoint", "pt", "ptri", "ptriangle", "intersection", "intersectionpoint", "pointofintersection",
-          "hitpos", "hitposition", "trianglehit", "trianglehitpoint", "triangleintersection", "phit"},
+          "schnittpunkt", "trefferpunkt", "pointd'intersection", "puntodeintersección", "puntodeinterseccion", "hitpos",
+          "hitposition", "trianglehit", "trianglehitpoint", "triangleintersection", "phit"},
          {"p", "point", "pos", "position", "location", "i"}},
         {item::triangle::normal,
          names_of_normal({"nt", "ntri", "ntriangle", "trianglenormal", "normaloftriangle", "normalofthetriangle"}),
@@ -111,7 +116,8 @@ const std::vector<Names>& names_of_items() {
           "tside", "tbody"}},
         {item::cylinder::hit,
          {"hit", "hitpoint", "pc", "pcyl", "pcylinder", "intersection", "intersectionpoint", "pointofintersection",
-          "hitpos", "hitposition", "cylinderhit", "cylinderhitpoint", "cylinderintersection", "phit"},
+          "schnittpunkt", "trefferpunkt", "pointd'intersection", "puntodeintersección", "puntodeinterseccion", "hitpos",
+          "hitposition", "cylinderhit", "cylinderhitpoint", "cylinderintersection", "phit"},
          {"p", "point", "pos", "position", "location", "i"}},
         {item::cylinder::normal,
          names_of_normal({"nc", "ncyl", "ncylinder", "cylindernormal", "normalofcylinder", "normalofthecylinder"}),

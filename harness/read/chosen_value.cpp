@@ -50,4 +50,36 @@ void keep_chosen(std::vector<PrintedValue>& values, std::string_view line) {
     values.push_back(kept);
 }
 
+std::optional<PrintedValue> choose_by_name(std::vector<PrintedValue>& values, std::string_view line) {
+    constexpr std::size_t nearby = 8;
+    static const RE2 sentence(
+        R"(\W*([A-Za-z][\w .']{0,60}?)\s*(?:=|:|->|\sis\s)\s*\(?([A-Za-z][\w ]{0,20}[\w+'*\-])\)?[\s.!]*)");
+    static const RE2 choice(
+        R"((?i)(?:so|thus|hence|therefore|then)?\W*(?:we|i)?\s*(?:use|using|take|taking|took|choose|choosing|chose|chosen|pick|picked|select|selected)(?:\s+(?:t|root|value|one))?)");
+    std::string label, name;
+    if (line.size() > longest_line ||
+        !RE2::FullMatch(re2::StringPiece(line.data(), line.size()), sentence, &label, &name))
+        return std::nullopt;
+    if (name.ends_with('-')) name.pop_back();  // a label is read without it
+    const auto end = values.rend() - values.rbegin() > static_cast<std::ptrdiff_t>(nearby)
+                         ? values.rbegin() + static_cast<std::ptrdiff_t>(nearby)
+                         : values.rend();
+    const auto found =
+        std::find_if(values.rbegin(), end, [&](const PrintedValue& value) { return value.label == name; });
+    if (found == end || found->numbers.empty()) return std::nullopt;
+    PrintedValue chosen = *found;
+    if (!RE2::FullMatch(label, choice)) {
+        chosen.label = label;
+        return label == name ? std::nullopt : std::optional(chosen);
+    }
+    const auto first_nearby = values.begin() + (values.rend() - end);
+    values.erase(std::remove_if(first_nearby, values.end(),
+                                [&](const PrintedValue& value) {
+                                    return is_single(value) && !value.label.empty() &&
+                                           value.label.front() == name.front();
+                                }),
+                 values.end());
+    return chosen;
+}
+
 }  // namespace harness

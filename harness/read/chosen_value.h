@@ -1,6 +1,7 @@
-// Of several numbers on a line, the one that the line says is taken.
+// Of several numbers, the one that a line says is taken.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -11,5 +12,9 @@ namespace harness {
 /// Keeps only the chosen one of the numbers with names alike: of "t1 = 0.5, t2 = 3.5, using t2" and "t = 0.5 or 3.5, so
 /// we take 3.5" the second. Changes nothing where the line's values are not single numbers or none is chosen.
 void keep_chosen(std::vector<PrintedValue>& values, std::string_view line);
+
+/// The value that a line without numbers names: "chosen: t2", "smaller root: t2", "t = t+". `values` are those above
+/// it. "chosen" takes the other numbers with names alike out of them.
+std::optional<PrintedValue> choose_by_name(std::vector<PrintedValue>& values, std::string_view line);
 
 }  // namespace harness

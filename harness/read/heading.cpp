@@ -157,34 +157,42 @@ std::optional<Heading> dotted(std::string_view start, int last_question) {
 
 /// A way to number questions that counts only if it numbers many of them, one behind the other.
 struct ColumnForm {
-    RE2 pattern;       ///< group 1 is the heading, the others are its number, of which one matches
-    bool is_of_total;  ///< the last group is the number of questions
-    Heading::Style style;
+    /// What group 3 of the pattern is: the number written otherwise, how many questions there are, or the question's
+    /// number, where group 2 is the assignment's.
+    enum class Third { alternative, total, question };
+    RE2 pattern;  ///< group 1 is the heading, 2 the number
+    Third third;
 };
 
-const std::array<ColumnForm, 7>& column_forms() {
-    using enum Heading::Style;
-    static const std::array<ColumnForm, 7> all = {
+const std::array<ColumnForm, 8>& column_forms() {
+    using enum ColumnForm::Third;
+    const auto behind_decoration = [](const std::string& form) { return R"((^[\s*=\-_#(\[]*)" + form + ")"; };
+    static const std::array<ColumnForm, 8> all = {
         // "| 6 | t | 0.59 |", "6\tt\t0.59"
         ColumnForm{
             RE2(R"((^\s*(?:[|\x{2502}]\s*(?:Q\s?)?(\d{1,2})\s*[|\x{2502}]|(?:Q\s?)?(\d{1,2})(?:\s*[;|,\x{2502}]|\t|\s{2,}))\s*)(?:[-+.]\s*)?[^\s\d.+\-])"),
-            false, cell},
+            alternative},
         // "#6 t 0.59", "6 t = 0.59"
-        ColumnForm{RE2(R"((^\s*#?(\d{1,2})\s+)[A-Za-z_(\[])"), false, cell},
+        ColumnForm{RE2(R"((^\s*#?(\d{1,2})\s+)[A-Za-z_(\[])"), alternative},
         // "6 - the sphere"
-        ColumnForm{RE2(R"((^\s*(\d{1,2})\s+-+(?:\s+|$)))"), false, bare},
+        ColumnForm{RE2(R"((^\s*(\d{1,2})\s+-+(?:\s+|$)))"), alternative},
         // "VI."
-        ColumnForm{RE2(R"((^[\s*=\-_#(\[]*(X|IX|IV|V?I{0,3})\s?[.):\]]+(?:\s|$)))"), false, bare},
+        ColumnForm{RE2(behind_decoration(R"((?i:(X|IX|IV|V?I{0,3}))\s?[.):\]]+(?:\s|$))")), alternative},
         // "SIX."
         ColumnForm{
-            RE2(R"((^[\s*=\-_#(\[]*(?i:(one|two|three|four|five|six|seven|eight|nine|ten))\s?[.):\]]+(?:\s|$)))"),
-            false, bare},
+            RE2(behind_decoration(R"((?i:(one|two|three|four|five|six|seven|eight|nine|ten))\s?[.):\]]+(?:\s|$))")),
+            alternative},
         // "A6:", "6th question"
         ColumnForm{
-            RE2(R"((^[\s*=\-_#(\[]*(?:A(\d{1,2})(?:[.):\]]+(?:\s|$)|\s*$)|(\d{1,2})(?:st|nd|rd|th)\s(?i:question|exercise|problem|task|answer)\b[\s:.)\]*=\-]*)))"),
-            false, bare},
+            RE2(behind_decoration(
+                R"((?:A(\d{1,2})(?:[.):\]]+(?:\s|$)|\s*$)|(\d{1,2})(?:st|nd|rd|th)\s(?i:question|exercise|problem|task|answer)\b[\s:.)\]*=\-]*))")),
+            alternative},
         // "[6/10]", "6 of 10"
-        ColumnForm{RE2(R"((^[\s*=\-_#(\[]*(\d{1,2})\s?(?:/|of)\s?(\d{1,2})(?:[\s:.)\]*=\-]+|$)))"), true, bare}};
+        ColumnForm{RE2(behind_decoration(R"((\d{1,2})\s?(?:/|of)\s?(\d{1,2})(?:[\s:.)\]*=\-]+|$))")), total},
+        // "HW6.2", "Exercise 6.2"
+        ColumnForm{RE2(behind_decoration(R"((?:HW|A)?\s?(?:)" + std::string(question_words) +
+                                         R"()?\s?(\d{1,2})\.(\d{1,2})(?:[\s:.)\]*=\-]+|$))")),
+                   question}};
     return all;
 }
 
@@ -198,37 +206,47 @@ int number_in(std::string_view digits_or_word) {
                                 : spelled_number(std::string(digits_or_word));
 }
 
-std::optional<Heading> heading_in(const ColumnForm& form, std::string_view start, int last_question) {
+/// The numbers in a line's heading: of the assignment, 0 without one, and of the question.
+struct ColumnNumbers {
+    int assignment;
+    Heading heading;
+};
+
+std::optional<ColumnNumbers> heading_in(const ColumnForm& form, std::string_view start, int last_question) {
+    using enum ColumnForm::Third;
     std::array<re2::StringPiece, 4> groups;
-    const int count = 1 + form.pattern.NumberOfCapturingGroups();
     if (!form.pattern.Match(re2::StringPiece(start.data(), start.size()), 0, start.size(), RE2::UNANCHORED,
-                            groups.data(), count))
+                            groups.data(), 1 + form.pattern.NumberOfCapturingGroups()))
         return std::nullopt;
-    const auto text = [&](std::size_t group) {
-        return std::string_view(groups.at(group).data(), groups.at(group).size());
+    const auto number = [&](std::size_t group) {
+        return groups.at(group).empty() ? 0 : number_in(std::string_view(groups[group].data(), groups[group].size()));
     };
-    const std::string_view digits = text(2).empty() && !form.is_of_total ? text(3) : text(2);
-    if (digits.empty() || (form.is_of_total && number_in(text(3)) != last_question)) return std::nullopt;
-    const int question = number_in(digits);
-    if (question < 1 || question > last_question) return std::nullopt;
-    return Heading{question, end_of(start, groups[1].size()), form.style};
+    const int second = number(2), third = number(3);
+    if (form.third == total && third != last_question) return std::nullopt;
+    const int found = form.third == question || second == 0 ? third : second;
+    if (found < 1 || found > last_question) return std::nullopt;
+    return ColumnNumbers{form.third == question ? second : 0,
+                         {found, end_of(start, groups[1].size()), Heading::Style::column}};
 }
 
-/// The headings of this form; empty unless they number many questions, the rows of each standing together.
+/// The headings of this form; empty unless they number many questions, what belongs to each standing together.
 std::vector<std::optional<Heading>> question_column(const ColumnForm& form, const std::vector<std::string_view>& lines,
                                                     int last_question) {
     constexpr std::size_t fewest = 5;
-    std::vector<std::optional<Heading>> cells;
-    std::set<int> named;
+    std::vector<std::optional<Heading>> headings(lines.size());
+    std::set<int> named, assignments;
     int last = 0;
-    for (const std::string_view line : lines) {
-        cells.push_back(heading_in(form, line.substr(0, longest_heading), last_question));
-        if (!cells.back() || cells.back()->question == last) continue;
-        last = cells.back()->question;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto numbers = heading_in(form, lines[i].substr(0, longest_heading), last_question);
+        if (!numbers) continue;
+        headings[i] = numbers->heading;
+        assignments.insert(numbers->assignment);
+        if (headings[i]->question == last) continue;
+        last = headings[i]->question;
         if (!named.insert(last).second) return {};
     }
-    if (named.size() < fewest) cells.clear();
-    return cells;
+    if (named.size() < fewest || assignments.size() != 1) headings.clear();
+    return headings;
 }
 
 /// Chooses the style of the headings; named[style] holds the questions that a style names. The later styles also number

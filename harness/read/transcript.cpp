@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "harness/read/chosen_value.h"
 #include "harness/read/clean_text.h"
 #include "harness/read/heading.h"
 #include "harness/read/joined_values.h"
@@ -87,6 +88,14 @@ bool is_ray(const std::string& title) {
     return RE2::FullMatch(title, pattern);
 }
 
+/// The length of "(10 points)" behind a heading; 0 without.
+std::size_t length_of_points(std::string_view title) {
+    static const RE2 pattern(R"((?i)^(\W*\d+(?:\.\d+)?\s*(?:points?|pts?|marks?|punkte|pkt)\b\.?[)\]]?))");
+    re2::StringPiece points;
+    const re2::StringPiece text(title.data(), title.size());
+    return RE2::PartialMatch(text, pattern, &points) ? points.size() : 0;
+}
+
 class TranscriptReader {
   public:
     Transcript run(const std::vector<Line>& lines, int last_question) {
@@ -102,6 +111,7 @@ class TranscriptReader {
             rest.remove_prefix(part_ends[i]);
             if (headings[i]) {
                 rest.remove_prefix(std::min(rest.size(), headings[i]->end));
+                rest.remove_prefix(length_of_points(rest));
                 transcript_.sections.push_back({headings[i]->question, {}, {}});
                 above_.clear();
             }
@@ -137,6 +147,9 @@ class TranscriptReader {
                                            [](const PrintedValue& value) { return value.numbers.empty(); });
         if (!says_none && std::any_of(line.begin(), line.end(), is_letter)) {
             if (auto none = read_no_value(line)) reading.values.push_back(std::move(*none));
+        }
+        if (reading.values.empty()) {
+            if (auto chosen = choose_by_name(section.values, line)) reading.values.push_back(std::move(*chosen));
         }
         if (reading.values.empty()) {
             constexpr std::size_t longest_above = 200;
