@@ -38,13 +38,14 @@ QuadraticForm find_quadratic_form(const PrintedQuadratic& printed, std::span<con
                is_possible(*d, *a, *b, *c, factor, Digits::of_stream);
     };
     if (!is_discriminant(Interval(1))) return QuadraticForm::full;
-    if (!is_discriminant(Interval(4))) return QuadraticForm::half_b;
     const auto is_b_over = [&](int divisor) {
         return std::any_of(keys.begin(), keys.end(), [&](const ItemTargets& key) {
             const Target* target = key.number({printed.object, "b"});
             return target != nullptr && is_right_multiple(*b, *target, divisor, Interval(1.0), min_decimals);
         });
     };
+    if (!is_discriminant(Interval(4)))
+        return is_b_over(1) && !is_b_over(2) ? QuadraticForm::full : QuadraticForm::half_b;
     return is_b_over(2) && !is_b_over(1) ? QuadraticForm::half_b : QuadraticForm::full;
 }
 

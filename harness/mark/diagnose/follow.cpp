@@ -65,7 +65,10 @@ std::optional<Agreement> follows_by(const Derivation& derivation, const MatchedI
         if (!known) continue;
         for (const QuadraticForm form : {evidence.quadratic_of(printed.spec.id.subject).form, QuadraticForm::full}) {
             const std::vector<Target> results = derivation.compute(*known, evidence.scene, form);
-            if (const auto agreement = is_one_of(printed, results, evidence, allowance)) return agreement;
+            if (auto agreement = is_one_of(printed, results, evidence, allowance)) {
+                agreement->form = form;
+                return agreement;
+            }
             const bool none = std::any_of(results.begin(), results.end(), [](const Target& t) { return t.no_value; });
             if (none && is_nan(*printed.value)) return Agreement{};
         }

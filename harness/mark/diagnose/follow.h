@@ -10,7 +10,8 @@ namespace harness {
 
 /// A printed value agrees with a computed one.
 struct Agreement {
-    std::optional<SystemForm> system;  ///< of the triangle's matrix: in which layout; empty for every other item
+    std::optional<SystemForm> system;        ///< of the triangle's matrix: in which layout; empty for every other item
+    std::optional<QuadraticForm> form = {};  ///< of follows: the form of the quadratic in which it follows
 };
 
 /// Agrees if a correct stage gives the printed value for the student's own inputs, and at least one input deviates from

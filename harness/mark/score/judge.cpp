@@ -50,8 +50,11 @@ void price_mistake(const Mistake& mistake, double share, ItemScore& score) {
 
 void learn(Evidence& evidence, const Judgement& judgement) {
     if (judgement.system) evidence.system = judgement.system;
+    const ItemId& id = judgement.score.spec.id;
+    // A d that is b^2 - ac for a b in the full form is wrong, however b came about.
+    if (judgement.form && id.name == "b") evidence.quadratics[id.subject].form = *judgement.form;
     if (!judgement.says_nothing) return;
-    for (auto& own : evidence.own) own.erase(judgement.score.spec.id);
+    for (auto& own : evidence.own) own.erase(id);
 }
 
 Judgement Judge::judge(const KeyItem& item, const Evidence& evidence) const {
@@ -99,14 +102,18 @@ void Judge::judge_value(const KeyItem& item, const MatchedItem& printed, const E
     if (evidence.close_calls.contains(id)) {
         return accept(score, is_empty ? "the ray does not hit here" : "rounding may decide here whether the ray hits");
     }
+    // Where an answer before this one is wrong, a number near the key's is rather what follows from it.
+    const auto agreement =
+        finding.coarse && evidence.deviating.empty() ? std::nullopt : follows(printed, evidence, allowance);
+    if (agreement) {
+        score.verdict = ItemVerdict::follow;
+        judgement.system = agreement->system;
+        judgement.form = agreement->form;
+        return;
+    }
     if (finding.coarse) {
         score.diagnosis = "too few decimals";
         score.advice = "As far as it goes this is right, but it is rounded too much; print more decimals.";
-        return;
-    }
-    if (const auto agreement = follows(printed, evidence, allowance)) {
-        score.verdict = ItemVerdict::follow;
-        judgement.system = agreement->system;
         return;
     }
     if (id == matrix && !is_empty) {

@@ -14,8 +14,9 @@ namespace harness {
 /// An item's score without its points, and what it tells about the items after it.
 struct Judgement {
     ItemScore score;
-    std::optional<SystemForm> system;  ///< the layout of the student's linear system, if this item shows it
-    bool says_nothing = false;         ///< a wrong "none" or nan: nothing can follow from it
+    std::optional<SystemForm> system;   ///< the layout of the student's linear system, if this item shows it
+    std::optional<QuadraticForm> form;  ///< of the student's quadratic, if this is a b that follows in it
+    bool says_nothing = false;          ///< a wrong "none" or nan: nothing can follow from it
 };
 
 /// Adds what a judgement tells to what is known.
